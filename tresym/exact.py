@@ -1,0 +1,164 @@
+"""Exact numbers at the border: text to rationals, printed decimals to intervals, balls to text.
+
+Numbers from a user are exact decimals or fractions and never pass through ``float`` or ``eval``.
+Lengths and exponents are checked before anything is converted, and long integers go through FLINT,
+which has none of Python's limits on digits.
+"""
+
+from __future__ import annotations
+
+import re
+from numbers import Rational
+from typing import NamedTuple
+
+from flint import arb, fmpq, fmpz
+
+MAX_CHARACTERS = 10_000
+MAX_EXPONENT = 10_000
+
+_DECIMAL = re.compile(r"([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?", re.ASCII)
+
+
+class InputError(ValueError):
+    """Input that tresym refuses; the message is one line that says what is allowed."""
+
+
+def _shown(text: str) -> str:
+    short = text if len(text) <= 40 else text[:37] + "..."
+    return ascii(short)
+
+
+def _split(text: str, what: str) -> tuple[int, int]:
+    """The decimal ``text`` as ``(coefficient, exponent of ten)``."""
+    match = _DECIMAL.fullmatch(text)
+    if match is None or not (match[2] or match[3]):
+        raise InputError(
+            f"{what}: {_shown(text)} is not a number; give a decimal such as 0.0629 or 1e-4, "
+            "or a fraction such as 16380/1210"
+        )
+    sign, whole, part, power = match[1], match[2], match[3] or "", match[4] or "0"
+    if len(power.lstrip("+-").lstrip("0")) > 6 or abs(int(power)) > MAX_EXPONENT:
+        raise InputError(
+            f"{what}: the exponent of {_shown(text)} is beyond the limit of ±{MAX_EXPONENT}"
+        )
+    coefficient = fmpz((whole + part).lstrip("0") or "0")
+    return (-coefficient if sign == "-" else coefficient), int(power) - len(part)
+
+
+def _scaled(coefficient: int, exponent: int) -> fmpq:
+    ten = fmpz(10)
+    if exponent >= 0:
+        return fmpq(coefficient * ten**exponent)
+    return fmpq(coefficient, ten ** (-exponent))
+
+
+def parse_number(text: str, what: str = "number") -> fmpq:
+    """The exact rational that a decimal (``0.0629``, ``1e-400``) or fraction (``16380/1210``) names.
+
+    Args:
+        text: ASCII text of at most 10 000 characters, exponents within ±10 000.
+        what: how an error message calls the number.
+
+    Raises:
+        InputError: anything else, zero denominators, NaN and infinities included.
+    """
+    if len(text) > MAX_CHARACTERS:
+        raise InputError(
+            f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}"
+        )
+    numerator, slash, denominator = text.strip(" \t").partition("/")
+    top = _scaled(*_split(numerator.strip(" \t"), what))
+    if not slash:
+        return top
+    bottom = _scaled(*_split(denominator.strip(" \t"), what))
+    if bottom == 0:
+        raise InputError(f"{what}: {_shown(text)} divides by zero")
+    return top / bottom
+
+
+def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
+    """``x`` (text, integer, fraction) as an exact rational.
+
+    Raises:
+        InputError: floats (they are not the decimals they print as), booleans, other types.
+    """
+    if isinstance(x, fmpq):
+        return x
+    if isinstance(x, str):
+        return parse_number(x, what)
+    if isinstance(x, bool):
+        raise InputError(f"{what}: a truth value is not a number")
+    if isinstance(x, int | fmpz):
+        return fmpq(x)
+    if isinstance(x, Rational):
+        return fmpq(x.numerator, x.denominator)
+    raise InputError(
+        f"{what}: {type(x).__name__} is not exact; give a string, an integer or a Fraction"
+    )
+
+
+class Interval(NamedTuple):
+    """A closed interval with rational ends."""
+
+    low: fmpq
+    high: fmpq
+
+    def ball(self) -> arb:
+        """The smallest ball at the working precision that contains the interval."""
+        return arb(self.low).union(arb(self.high))
+
+
+def printed(text: str) -> Interval:
+    """What a printed decimal says: half a unit in its last printed place on both sides."""
+    coefficient, exponent = _split(text.strip(), "printed number")
+    half = _scaled(1, exponent) / 2
+    value = _scaled(coefficient, exponent)
+    return Interval(value - half, value + half)
+
+
+def _place_point(digits: str, exponent: int) -> str:
+    """``0.digits``-style plain or scientific notation of ``digits``·10^exponent."""
+    sign, digits = ("-", digits[1:]) if digits.startswith("-") else ("", digits)
+    point = len(digits) + exponent
+    if 0 < point <= len(digits):
+        body = digits[:point] + ("." + digits[point:] if digits[point:] else "")
+    elif -5 < point <= 0:
+        body = "0." + "0" * (-point) + digits
+    elif len(digits) < point <= 21:
+        body = digits + "0" * (point - len(digits))
+    else:
+        body = digits[0] + ("." + digits[1:] if digits[1:] else "") + f"e{point - 1:+d}"
+    return sign + body
+
+
+class Decimal(NamedTuple):
+    """A ball in decimal: the truth lies in ``[mid − rad, mid + rad]``. Both are decimal text."""
+
+    mid: str
+    rad: str
+
+
+def decimal_ball(x: arb, digits: int) -> Decimal:
+    """The ball ``x`` in decimal, rounded outward, with ``digits`` digits and three more.
+
+    ``rad`` is as small as the ball and those digits allow; the caller checks that it is small
+    enough for what was promised.
+    """
+    if x.is_zero():
+        return Decimal("0", "0")
+    mid, rad, exponent = x.mid_rad_10exp(digits + 3)
+    return Decimal(_place_point(str(mid), int(exponent)), _radius(fmpz(rad), int(exponent)))
+
+
+def _radius(rad: int, exponent: int) -> str:
+    """The radius ``rad``·10^exponent to three digits, rounded up."""
+    text = str(rad)
+    if len(text) > 3:
+        cut = len(text) - 3
+        text, exponent = str(int(text[:3]) + 1), exponent + cut
+    return "0" if text == "0" else _place_point(text, exponent)
+
+
+def fraction_text(x: fmpq) -> str:
+    """An exact rational as ``p`` or ``p/q``."""
+    return str(x.p) if x.q == 1 else f"{x.p}/{x.q}"
