@@ -1,0 +1,213 @@
+"""Branch and bound in ball arithmetic: what closes, what must not, what can be stored."""
+
+import pytest
+from flint import arb, ctx, fmpq
+
+from tresym.arithmetic import ball_precision, balls
+from tresym.claims.enclosure import (
+    Bound,
+    BoxProof,
+    CertificateError,
+    Counterexample,
+    Open,
+    box,
+    decide,
+    leaf_boxes,
+    prove_positive,
+    recheck,
+    supremum,
+    value_at,
+)
+from tresym.claims.gradient import Divided, coordinates, gradients, taylor_coefficients
+from tresym.verdict import Verdict
+
+UNIT = box((0, 1), (0, 1))
+
+
+def cosine_margin(x, y, m):
+    """1 − x²/2 + x⁴/24 − cos x + y/10 + 1/20 > 0."""
+    return 1 - x * x / 2 + x**4 / 24 - m.cos(x) + y / 10 + arb(fmpq(1, 20))
+
+
+def saddle(x, y, m):
+    """Smallest value −1/8 at (1/4, 3/4)."""
+    u, v = x - arb(fmpq(1, 4)), y - arb(fmpq(3, 4))
+    return u * u + v * v - arb(fmpq(1, 8))
+
+
+@pytest.mark.parametrize("slopes", [False, True])
+def test_a_true_bound_closes_rechecks_and_is_found_again(slopes):
+    bound = Bound(cosine_margin, UNIT, slopes=slopes)
+    proof = prove_positive(bound)
+    assert isinstance(proof, BoxProof)
+    recheck(bound, proof)
+    assert decide(bound).proof == proof
+    assert decide(bound, stored=proof).verdict is Verdict.ENCLOSED
+    assert len(list(leaf_boxes(UNIT, proof))) == proof.leaves
+
+
+def test_leaves_cover_the_box_exactly():
+    proof = prove_positive(Bound(cosine_margin, UNIT))
+    assert isinstance(proof, BoxProof)
+    area = sum(
+        ((x.high - x.low) * (y.high - y.low) for x, y in leaf_boxes(UNIT, proof)), start=fmpq(0)
+    )
+    assert area == 1
+
+
+def test_slopes_save_boxes():
+    def margin(x, y, m):
+        return m.exp(x) - x - x * y / 4 - arb(fmpq(1, 2)) * (1 + x * x * y * y)
+
+    plain = prove_positive(Bound(margin, UNIT))
+    sloped = prove_positive(Bound(margin, UNIT, slopes=True))
+    assert isinstance(plain, BoxProof)
+    assert isinstance(sloped, BoxProof)
+    assert sloped.leaves < plain.leaves
+
+
+@pytest.mark.parametrize("slopes", [False, True])
+def test_a_false_bound_is_refuted_with_an_exact_witness(slopes):
+    outcome = prove_positive(Bound(saddle, UNIT, slopes=slopes))
+    assert isinstance(outcome, Counterexample)
+    assert all(0 < x < 1 for x in outcome.point)
+    with ball_precision(200):
+        assert value_at(saddle, outcome.point) < 0
+    assert decide(Bound(saddle, UNIT)).witness.keys() == {"x1", "x2"}
+
+
+def test_a_margin_that_touches_zero_is_never_enclosed():
+    third = fmpq(1, 3)
+
+    def touching(x, m):
+        return (x - arb(third)) ** 2
+
+    for slopes in (False, True):
+        outcome = prove_positive(Bound(touching, box((0, 1)), slopes=slopes), budget=3000)
+        assert isinstance(outcome, Open)
+
+
+def test_a_margin_that_vanishes_at_a_corner_is_never_enclosed():
+    bound = Bound(lambda x, y, m: x + y, UNIT)
+    assert decide(bound, budget=3000).verdict is Verdict.UNDECIDED
+
+
+def test_an_unbounded_region_by_a_chart():
+    """atan a < π/2 on a ≥ 1, with a = 1/α: the edge α = 0 would touch; π/2 − atan a > 1/(2a) not.
+
+    Divided by α the margin is atan(α)/α − 1/2 with its value 1/2 at infinity.
+    """
+    slope = Divided(lambda s: s.atan())
+
+    def margin(alpha, factor):
+        return slope(alpha) - factor
+
+    good = Bound(lambda x, m: margin(x, arb(fmpq(1, 2))), box((0, 1)))
+    wrong = Bound(lambda x, m: margin(x, arb("0.79")), box((0, 1)))
+    sharp = Bound(lambda x, m: margin(x, m.pi / 4), box((0, 1)))
+    assert decide(good).verdict is Verdict.ENCLOSED
+    assert decide(wrong).verdict is Verdict.REFUTED
+    assert decide(sharp, budget=2000).verdict is Verdict.UNDECIDED
+
+
+def test_nan_is_never_positive():
+    bound = Bound(lambda x, m: m.sqrt(x - 2), box((0, 1)))
+    assert decide(bound, budget=200).verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("tree", ["", "x", "xb", "bb", "xbbb", "yb", "q", "mm"])
+def test_a_malformed_tree_is_refused(tree):
+    with pytest.raises(CertificateError):
+        recheck(Bound(lambda x, m: x + 1, box((0, 1))), BoxProof(tree))
+
+
+def test_a_tree_does_not_prove_another_bound():
+    proof = prove_positive(Bound(lambda x, m: x + 1, box((0, 1))))
+    assert isinstance(proof, BoxProof)
+    for mark in ("b", "m"):
+        with pytest.raises(CertificateError):
+            recheck(Bound(lambda x, m: x - 1, box((0, 1))), BoxProof(mark))
+
+
+def test_precision_is_restored():
+    before = ctx.prec, ctx.cap
+    prove_positive(Bound(cosine_margin, UNIT, precision=200))
+    assert (ctx.prec, ctx.cap) == before
+
+
+@pytest.mark.parametrize("slopes", [False, True])
+def test_supremum_encloses_a_known_maximum(slopes):
+    def bump(x, y, m):
+        return 2 - (x - arb(fmpq(1, 3))) ** 2 - (y - arb(fmpq(1, 7))) ** 2
+
+    found = supremum(bump, UNIT, tolerance="1e-4", slopes=slopes)
+    assert found is not None
+    assert found.low <= 2
+    assert found.high >= 2
+    assert found.high / found.low < 1.0002
+    assert value_at(bump, found.point).overlaps(found.low)
+
+
+def test_supremum_at_a_corner_and_out_of_budget():
+    found = supremum(lambda x, y, m: m.exp(x) * (1 + y), UNIT, slopes=True)
+    assert found is not None
+    with ball_precision(100):
+        assert found.ball.contains(2 * arb(1).exp())
+        assert found.ball.rad() < 1e-8
+    assert supremum(lambda x, y, m: m.exp(x * y), UNIT, "1e-9", budget=20) is None
+
+
+def formula(x, y, m):
+    """Every function of the gradients at once."""
+    u = m.sqrt(1 + x * x) + m.exp(y) - m.expm1(x / 3) + m.log(2 + x) * m.log1p(y)
+    v = m.sin(x) * m.cos(y) + m.tan(x / 2) + m.asin(x / 3) - m.acos(y / 3) + m.atan(x * y)
+    w = m.sinh(x) / m.cosh(y) + m.tanh(x - y) + m.asinh(x) + m.acosh(2 + y) + m.atanh(y / 2)
+    return u * v / (3 + w) + abs(x - 2) ** 3 - 1 / (2 + y) + (1 - x) * m.pi - 2 / (5 - x * y)
+
+
+def test_gradients_agree_with_difference_quotients():
+    with ball_precision(400):
+        point, step = (arb(fmpq(3, 7)), arb(fmpq(2, 5))), arb(2) ** -120
+        found = formula(*coordinates(point), gradients)
+        assert found.value.overlaps(formula(*point, balls))
+        for i, slope in enumerate(found.slopes):
+            moved = [x + step * (j == i) for j, x in enumerate(point)]
+            back = [x - step * (j == i) for j, x in enumerate(point)]
+            quotient = (formula(*moved, balls) - formula(*back, balls)) / (2 * step)
+            assert abs(quotient - slope) < arb(2) ** -200
+
+
+@pytest.mark.parametrize("power", [1, 2, 3])
+@pytest.mark.parametrize("x", ["-1/5", "0", "1/100000000", "1/4", "251/1000", "2"])
+def test_divided_functions_are_right_on_both_sides_of_the_seam(power, x):
+    divided = Divided(lambda s: s.exp(), power)
+    at = fmpq(*map(int, x.split("/")))
+    with ball_precision(300):
+        point = arb(at)
+        terms = range(power, power + 60)
+        exact = sum((point ** (j - power) / arb(j).gamma() / j for j in terms), start=arb(0))
+        steep = [(j - power) * point ** (j - power - 1) / arb(j).gamma() / j for j in terms[1:]]
+    with ball_precision(64):
+        value, slope = divided(coordinates((arb(at),))[0]).value, None
+        slope = divided(coordinates((arb(at),))[0]).slopes[0]
+        assert abs(value - exact) < 1e-9
+        assert abs(slope - sum(steep, start=arb(0))) < 1e-8
+        if abs(at) < 1:
+            assert value.overlaps(exact)
+
+
+def test_divided_function_encloses_over_a_ball():
+    divided = Divided(lambda s: (1 + s).log())
+    wide = divided(arb(0, 0.2))
+    for numerator in range(-19, 20):
+        x = arb(fmpq(numerator, 100))
+        assert wide.contains(divided(x))
+
+
+def test_a_short_series_is_refused():
+    """FLINT cuts series at a global length: a remainder read beyond it would be a silent 0."""
+    with ball_precision(64):
+        assert len(taylor_coefficients(lambda s: s.sin(), arb(1), 40)) == 40
+        assert taylor_coefficients(lambda s: s.sin(), arb(1), 40)[39] != 0
+        with pytest.raises(ValueError, match="length"):
+            taylor_coefficients(lambda s: s.derivative(), arb(1), 5)
