@@ -129,15 +129,24 @@ def bits(digits: int, guard: int = 32) -> int:
     return int(digits * BITS_PER_DIGIT) + 1 + guard
 
 
-@contextmanager
-def ball_precision(precision: int) -> Iterator[Balls]:
+class ball_precision:  # noqa: N801 - used like a function; a class because it is entered often
     """Set FLINT's working precision to ``precision`` bits inside the block; yields the balls."""
-    before = ctx.prec
-    ctx.prec = precision
-    try:
-        yield balls
-    finally:
-        ctx.prec = before
+
+    __slots__ = ("before", "precision")
+
+    def __init__(self, precision: int) -> None:
+        """Remember the precision to work at."""
+        self.precision = precision
+
+    def __enter__(self) -> Balls:
+        """Set the precision."""
+        self.before = ctx.prec
+        ctx.prec = self.precision
+        return balls
+
+    def __exit__(self, *_: object) -> None:
+        """Restore what was found."""
+        ctx.prec = self.before
 
 
 @contextmanager

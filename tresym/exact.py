@@ -37,12 +37,14 @@ def _split(text: str, what: str) -> tuple[int, int]:
             "or a fraction such as 16380/1210"
         )
     sign, whole, part, power = match[1], match[2], match[3] or "", match[4] or "0"
-    if len(power.lstrip("+-").lstrip("0")) > 6 or abs(int(power)) > MAX_EXPONENT:
+    size = power.lstrip("+-").lstrip("0") or "0"
+    if len(size) > 6 or int(size) > MAX_EXPONENT:
         raise InputError(
             f"{what}: the exponent of {_shown(text)} is beyond the limit of ±{MAX_EXPONENT}"
         )
     coefficient = fmpz((whole + part).lstrip("0") or "0")
-    return (-coefficient if sign == "-" else coefficient), int(power) - len(part)
+    exponent = -int(size) if power.startswith("-") else int(size)
+    return (-coefficient if sign == "-" else coefficient), exponent - len(part)
 
 
 def _scaled(coefficient: int, exponent: int) -> fmpq:
@@ -53,7 +55,7 @@ def _scaled(coefficient: int, exponent: int) -> fmpq:
 
 
 def parse_number(text: str, what: str = "number") -> fmpq:
-    """The exact rational that a decimal (``0.0629``, ``1e-400``) or fraction (``16380/1210``) names.
+    """The exact rational that a decimal (``1e-400``) or a fraction (``16380/1210``) names.
 
     Args:
         text: ASCII text of at most 10 000 characters, exponents within ±10 000.
@@ -63,9 +65,7 @@ def parse_number(text: str, what: str = "number") -> fmpq:
         InputError: anything else, zero denominators, NaN and infinities included.
     """
     if len(text) > MAX_CHARACTERS:
-        raise InputError(
-            f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}"
-        )
+        raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
     numerator, slash, denominator = text.strip(" \t").partition("/")
     top = _scaled(*_split(numerator.strip(" \t"), what))
     if not slash:
@@ -147,7 +147,8 @@ def decimal_ball(x: arb, digits: int) -> Decimal:
     if x.is_zero():
         return Decimal("0", "0")
     mid, rad, exponent = x.mid_rad_10exp(digits + 3)
-    return Decimal(_place_point(str(mid), int(exponent)), _radius(fmpz(rad), int(exponent)))
+    text = _place_point(str(mid), int(exponent)) if mid else "0"
+    return Decimal(text, _radius(rad, int(exponent)))
 
 
 def _radius(rad: int, exponent: int) -> str:

@@ -1,0 +1,143 @@
+"""The ``tresym`` command. Each sub-command is a parser and a function that imports what it needs.
+
+Exit status: 0 as expected; 1 a verdict unexpected or undecided; 2 bad input, with one line on
+standard error; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import sys
+from typing import TYPE_CHECKING, NoReturn
+
+import tresym
+from tresym.exact import InputError
+
+if TYPE_CHECKING:
+    from tresym.body import Shape
+
+    Commands = argparse._SubParsersAction["Parser"]
+
+BAD_INPUT = 2
+INTERRUPTED = 130
+
+_OPTION = re.compile(r"-[hof]|--")
+
+
+class Parser(argparse.ArgumentParser):
+    """argparse, with its complaints as one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Raise the complaint as bad input."""
+        raise InputError(f"{message} (see {self.prog} --help)")
+
+
+def build_parser() -> Parser:
+    """The parser of the whole command line."""
+    parser = Parser(
+        prog="tresym",
+        description="The tennis racket effect, verified: proofs, certified numbers, figures.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=f"tresym {tresym.__version__}")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _add_flip(commands)
+    return parser
+
+
+def _add_flip(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "flip",
+        help="the flip of one body, certified",
+        description="How far one full turn of a freely rotating body is from a perfect flip.",
+        epilog="Numbers are exact: 0.0629, 1e-4 or 16380/1210.",
+        allow_abbrev=False,
+    )
+    body = parser.add_mutually_exclusive_group(required=True)
+    body.add_argument("--body", metavar="NAME", help="a body of the paper, such as str or book")
+    body.add_argument(
+        "--inertia", nargs=3, metavar=("I1", "I2", "I3"), help="moments, smallest first"
+    )
+    body.add_argument("--shape", nargs=2, metavar=("A", "B"), help="a = I2/I1 - 1, b = 1 - I2/I3")
+    parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
+    parser.add_argument("--rung", metavar="NAME", help="force one model of the ladder")
+    _add_output(parser)
+    parser.set_defaults(run=_flip)
+
+
+def _add_output(parser: Parser) -> None:
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+
+
+def _flip(args: argparse.Namespace) -> int:
+    from tresym.flip.ladder import climb, parse_digits
+
+    shape, title = _body(args)
+    answer = climb(shape, 0, parse_digits(args.digits), args.rung)
+    if args.json:
+        import json
+
+        _deliver(json.dumps(answer.as_json(), ensure_ascii=False) + "\n", args.path)
+    else:
+        from tresym.report.flip import flip_text
+        from tresym.report.output import colour_wanted
+
+        _deliver(flip_text(answer, title, colour_wanted() and not args.path), args.path)
+    return 0
+
+
+def _body(args: argparse.Namespace) -> tuple[Shape, str]:
+    """The shape asked for, and a title that says where it came from."""
+    from tresym import body
+
+    if args.body is not None:
+        named = body.named_body(args.body)
+        return named.shape, f"{named.title}, {named.source}"
+    if args.inertia is not None:
+        return body.shape_of_moments(*args.inertia), "body with the given moments"
+    return body.shape(*args.shape), "body of the given shape"
+
+
+def _deliver(text: str, path: str | None) -> None:
+    if path is None:
+        sys.stdout.write(text)
+        return
+    from tresym.report.output import write_text
+
+    write_text(path, text)
+
+
+def _keep_negative_values(words: list[str]) -> list[str]:
+    """Mark words such as -1e5, -pi/2 or -inf as values: a leading space hides them from argparse.
+
+    Every number is parsed after the spaces around it are dropped.
+    """
+    return [
+        " " + word if word.startswith("-") and not _OPTION.match(word) else word for word in words
+    ]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command line; returns the exit status."""
+    words = sys.argv[1:] if arguments is None else arguments
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    try:
+        args = build_parser().parse_args(_keep_negative_values(words))
+        status: int = args.run(args)
+        sys.stdout.flush()
+        return status
+    except InputError as error:
+        print(f"tresym: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        print("tresym: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader has left: nothing to say, and nothing must be said while Python shuts down.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0

@@ -1,0 +1,66 @@
+"""How far from a perfect flip: the answer as a value, with its balls and the rung it came from."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, bits
+from tresym.body import Shape
+from tresym.exact import decimal_ball, fraction_text
+
+
+class Flip(NamedTuple):
+    """The flip of one body after one full turn Δφ = 2π, certified.
+
+    ``defect`` (ε) and ``turn`` (Δψ) are balls in radians that contain the truth; ``rung`` is the
+    model that gave them and ``why`` says why that one was enough. ``gamma`` is an exact rational,
+    or a ball where the start is given by a rate.
+    """
+
+    shape: Shape
+    gamma: fmpq | arb
+    digits: int
+    defect: arb
+    turn: arb
+    rung: str
+    why: str
+    seconds: float
+
+    @property
+    def realizable(self) -> bool:
+        """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂)."""
+        return self.shape.realizable
+
+    def as_json(self) -> dict[str, Any]:
+        """The answer under the keys of ``tresym flip --json``; numbers are decimal strings."""
+        gamma = self.gamma
+        return {
+            "a": fraction_text(self.shape.a),
+            "b": fraction_text(self.shape.b),
+            "gamma": fraction_text(gamma)
+            if isinstance(gamma, fmpq)
+            else ball_json(gamma, self.digits),
+            "digits": self.digits,
+            "defect": ball_json(self.defect, self.digits),
+            "flip": ball_json(self.turn, self.digits),
+            "rung": self.rung,
+            "why": self.why,
+            "realizable": self.realizable,
+            "seconds": self.seconds,
+        }
+
+
+def proves(x: arb, digits: int) -> bool:
+    """Whether the ball is narrow enough to be printed with ``digits`` certified digits."""
+    return bool(x.is_zero() or x.rel_accuracy_bits() >= bits(digits, 4))
+
+
+def ball_json(x: arb, digits: int) -> dict[str, Any]:
+    """A ball as ``{"mid", "rad"}``, outward; ``"relative": false`` where it is not told from 0."""
+    with ball_precision(bits(digits, 64)):
+        mid, rad = decimal_ball(x, digits)
+    if proves(x, digits):
+        return {"mid": mid, "rad": rad}
+    return {"mid": mid, "rad": rad, "relative": False}

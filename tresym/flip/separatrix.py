@@ -1,0 +1,116 @@
+"""The flip defect ε₀ on the separatrix (γ = 0), as a ball of any width.
+
+The paper's exponential equation loses its digits long before its root does, so it is solved in the
+phase P (:mod:`tresym.formulas.stable`), for which nothing cancels:
+
+    g(P) = P − π − arctan(√(b/a) tanh(√(ab) P)) = 0.
+
+*Uniqueness.* g′ = 1 − b/(cosh² T + (b/a) sinh² T) with T = √(ab) P is positive for every P > 0, as
+b ≤ 1 < cosh² T; g(π) ≤ 0 < g(3π/2). So there is one root, and an interval Newton step that lands
+inside its starting interval encloses it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, balls, bits
+from tresym.flip.result import proves
+from tresym.formulas import stable
+
+LARGEST_ARGUMENT = 10**17
+"""Beyond T = √(ab) P of this size ε₀ < 10^(−4·10^16) is not told from 0."""
+
+
+class Separatrix(NamedTuple):
+    """Balls around the phase P, the defect ε₀ and the flip Δψ = π − 2ε₀ (radians)."""
+
+    phase: arb
+    defect: arb
+    flip: arb
+
+
+def float_phase(k: float, b: float) -> float:
+    """The phase to float64 accuracy, from ``k`` = √(ab) (0 and infinity allowed) and ``b``.
+
+    Newton's method from P = π: g is convex, so the steps are monotone after the first.
+    """
+    phase = math.pi
+    for _ in range(8):
+        argument = k * phase
+        tangent = math.tanh(argument)
+        ratio = b * phase * (tangent / argument if argument > 1e-9 else 1.0)
+        residual = phase - math.pi - math.atan(ratio)
+        step = residual / (1 - b * (1 - tangent * tangent) / (1 + ratio * ratio))
+        phase -= step
+        if abs(step) < 1e-9:
+            break
+    return phase
+
+
+def newton_step(phase: arb, k: arb, r: arb) -> arb:
+    """One Newton step from the exact point ``phase``, at the working precision; no guarantee."""
+    residual = phase - stable.phase_map(phase, k, r, balls)
+    return (phase - residual / stable.phase_slope(phase, k, r, balls)).mid()
+
+
+def interval_newton(phase: arb, k: arb, r: arb, precision: int) -> arb:
+    """A ball that contains the one root, from a near exact point ``phase``.
+
+    ``precision`` is the working precision: the starting interval leaves room for its roundings.
+
+    Raises:
+        ArithmeticError: the step does not land inside its starting interval, so nothing is shown.
+    """
+    residual = phase - stable.phase_map(phase, k, r, balls)
+    interval = arb(phase, 2 * residual.abs_upper() + arb((1, 8 - precision)))
+    image = phase - residual / stable.phase_slope(interval, k, r, balls)
+    if not interval.contains_interior(image):
+        raise ArithmeticError("interval Newton did not contract; the precision is too low")
+    return image
+
+
+def enclose_phase(k: arb, r: arb, precision: int) -> arb:
+    """The phase as a ball some 2^−precision wide; ``precision`` is the working precision.
+
+    Newton's method doubles the correct bits of the float64 start; the last doubling is the
+    interval Newton step.
+    """
+    guess = arb(float_phase(float(k), float(k * r)))
+    correct = 46
+    while correct < precision // 2 + 4:
+        with ball_precision(2 * correct + 16):
+            guess = newton_step(guess, k, r)
+        correct = 2 * correct - 2
+    return interval_newton(guess, k, r, precision)
+
+
+def solve(a: fmpq, b: fmpq, digits: int) -> Separatrix:
+    """ε₀ and the flip, each to ``digits`` certified digits; the precision rises until it is so.
+
+    Where T is beyond ``LARGEST_ARGUMENT`` the defect is only shown to lie below 10^−digits.
+    """
+    size = float(arb(a * b).sqrt())
+    if size > LARGEST_ARGUMENT:
+        return _unresolved(digits)
+    precision = bits(digits, 20) + max(0, math.frexp(size)[1])
+    while True:
+        with ball_precision(precision):
+            p, q = arb(a), arb(b)
+            k, r = (p * q).sqrt(), (q / p).sqrt()
+            phase = enclose_phase(k, r, precision)
+            defect, flip = stable.defect_at(phase, k, r, balls), stable.flip_at(phase, k, r, balls)
+        if proves(defect, digits) and proves(flip, digits):
+            return Separatrix(phase, defect, flip)
+        precision += precision // 4
+
+
+def _unresolved(digits: int) -> Separatrix:
+    """0 < ε₀ < 10^−(digits+2) by far: tan ε₀ < 1/sinh T with T > π·LARGEST_ARGUMENT."""
+    with ball_precision(bits(digits, 64)):
+        tiny = arb(fmpq(1, 10) ** (digits + 2))
+        between = arb(0).union(arb.pi() / 2)
+        return Separatrix(arb.pi() + between, arb(0, tiny), arb.pi() + arb(0, 2 * tiny))
