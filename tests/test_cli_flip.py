@@ -1,0 +1,168 @@
+"""``tresym flip`` as a user meets it: answers, files, bad input, start-up."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from flint import arb
+
+from tresym.arithmetic import ball_precision
+from tresym.cli import main
+from tresym.flip import flip_defect
+
+ROOT = Path(__file__).parent.parent
+
+
+def run_python(*words: str, **options: object) -> subprocess.CompletedProcess[str]:
+    """A fresh interpreter, without colour, that sees this checkout."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1"}
+    return subprocess.run(
+        [sys.executable, *words],
+        capture_output=True,
+        encoding="utf-8",
+        env=environment,
+        check=False,
+        **options,  # type: ignore[call-overload]
+    )
+
+
+def test_json_has_the_ball_in_it(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["flip", "--body", "str", "--digits", "30", "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert list(answer)[:3] == ["a", "b", "gamma"]
+    assert (answer["a"], answer["b"], answer["digits"]) == ("1517/121", "55/874", 30)
+    with ball_precision(200):
+        mid, rad = arb(answer["defect"]["mid"]), arb(answer["defect"]["rad"])
+        truth = flip_defect("1517/121", "55/874", digits=50).defect
+        assert abs(truth - mid) <= rad
+        assert rad <= mid * arb("1e-30")
+
+
+def test_the_three_ways_to_name_a_body_agree(capsys: pytest.CaptureFixture[str]) -> None:
+    defects = set()
+    for words in (
+        ["--body", "str"],
+        ["--inertia", "1210", "16380", "17480"],
+        ["--inertia", "0.121e-2", "1.638e-2", "1.748e-2"],
+        ["--shape", "1517/121", "55/874"],
+    ):
+        assert main(["flip", *words, "--json"]) == 0
+        defects.add(json.loads(capsys.readouterr().out)["defect"]["mid"])
+    assert len(defects) == 1
+
+
+def test_the_text_says_what_a_person_wants_to_know(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["flip", "--body", "racket-1"]) == 0
+    text = capsys.readouterr().out
+    for part in ("racket 1", "0.0251", "π(1 − ", "°", "separatrix", "no: b > 1/(a+2)", "formula"):
+        assert part in text
+    assert "\x1b" not in text
+    assert main(["flip", "--shape", "1e40", "1", "--digits", "20"]) == 0
+    assert "0 ± " in capsys.readouterr().out
+
+
+BAD = [
+    (["--shape", "-1", "0.5"], "shape parameter a: must be positive"),
+    (["--shape", "-1e5", "0.5"], "shape parameter a: must be positive"),
+    (["--shape", "-inf", "0.5"], "'-inf' is not a number"),
+    (["--shape", "1", "0"], "symmetric top"),
+    (["--shape", "1", "-1/3"], "shape parameter b: must be in (0, 1]"),
+    (["--shape", "1", ""], "shape parameter b: '' is not a number"),
+    (["--shape", "__import__('os')", "1"], "is not a number"),
+    (["--shape", "1" * 10_001, "1"], "beyond the limit of 10000"),
+    (["--shape", "1"], "expected 2 arguments"),
+    (["--inertia", "-1", "2", "3"], "moment I1: must be positive"),
+    (["--inertia", "0", "2", "3"], "moment I1: must be positive"),
+    (["--inertia", "nan", "2", "3"], "is not a number"),
+    (["--inertia", "3", "1", "2"], "expected order is I1 < I2 < I3"),
+    (["--body", "rackett-1"], "did you mean racket-1"),
+    (["--body", ""], "known: str,"),
+    (["--body", "str", "--shape", "1", "1"], "not allowed with"),
+    (["--body", "str", "--digits", "0"], "integer from 1 to 10000"),
+    (["--body", "str", "--digits", "-5"], "integer from 1 to 10000"),
+    (["--body", "str", "--digits", "1000000000"], "integer from 1 to 10000"),
+    (["--body", "str", "--digits", "٣"], "integer from 1 to 10000"),
+    (["--body", "str", "--digits", "9" * 5000], "integer from 1 to 10000"),
+    (["--body", "str", "--rung", "lift"], "rung: 'lift' is not known"),
+    (["--body", "str", "--nonsense"], "unrecognized arguments"),
+    (["--body", "str", "-o", "/nonexistent/folder/x"], "cannot be written"),
+    ([], "is required"),
+]
+
+
+@pytest.mark.parametrize(("words", "says"), BAD)
+def test_bad_input_is_one_line_and_status_2(
+    words: list[str], says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["flip", *words]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert says in err
+    assert err.startswith("tresym: ")
+    assert err.count("\n") == 1
+
+
+def test_a_file_is_written_whole_or_not_at_all(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "answer.json"
+    assert main(["flip", "--body", "book", "--json", "-o", str(path)]) == 0
+    assert capsys.readouterr().out == ""
+    assert json.loads(path.read_text(encoding="utf-8"))["realizable"] is True
+    assert main(["flip", "--body", "book", "-o", str(tmp_path)]) == 2
+    assert [p.name for p in tmp_path.iterdir()] == ["answer.json"]
+
+
+def test_python_dash_m_and_ascii_terminals_work() -> None:
+    done = run_python("-m", "tresym", "flip", "--body", "book")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Goldstein" in done.stdout
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONIOENCODING": "ascii"}
+    plain = subprocess.run(
+        [sys.executable, "-m", "tresym", "flip", "--body", "book"],
+        capture_output=True,
+        env=environment,
+        check=True,
+    )
+    assert b"0.2118" in plain.stdout
+
+
+def test_flip_loads_flint_and_nothing_heavy() -> None:
+    code = (
+        "import sys; from tresym.cli import main; "
+        "main(['flip', '--shape', '12.5372', '0.0629']); "
+        "print([m for m in ('numpy', 'sympy', 'mpmath', 'scipy', 'matplotlib', 'rich', "
+        "'dataclasses', 'json') if m in sys.modules])"
+    )
+    done = run_python("-c", code)
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+def test_importing_tresym_loads_nothing() -> None:
+    code = "import sys, tresym; print([m for m in ('flint', 'numpy', 'sympy') if m in sys.modules])"
+    assert run_python("-c", code).stdout == "[]\n"
+
+
+def test_a_closed_pipe_is_quiet() -> None:
+    command = f"'{sys.executable}' -m tresym flip --body str --digits 10000 | head -c 10 >/dev/null"
+    done = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command],
+        capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        check=False,
+    )
+    assert done.stderr == b""
+
+
+def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object) -> None:
+        signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr("tresym.flip.ladder.climb", interrupted)
+    assert main(["flip", "--body", "str"]) == 130
