@@ -1,0 +1,254 @@
+"""Section 4: the equations of the Euler angles, the shape of the body, and the planar system.
+
+- `eq_euler_angle`: the rates of θ, φ, ψ, solved from Ω = M/I;
+- `shape_and_depth`: a, b and γ;
+- `precession_forward`: φ always grows, so it can replace time;
+- `eq_Euler`: the planar system for θ and ψ over φ;
+- `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`, again by dγ/dφ = 0;
+- `range_of_shape`, `range_of_gamma`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a from manifest signs.
+"""
+
+import sympy
+from sympy import Tuple, cos, diff, sin
+from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, tilted
+from tresym.proofs.model import angular_velocity, eq_Mi, velocity_from_momentum
+from tresym.proofs.momentum import energy_of_momentum
+
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    Place,
+    all_of,
+    by,
+    citing,
+    equal,
+    equations,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import (
+    I1,
+    I2,
+    I3,
+    M1,
+    M2,
+    M3,
+    W1,
+    W2,
+    W3,
+    E,
+    M,
+    a,
+    b,
+    dphi_dt,
+    dpsi_dphi,
+    dpsi_dt,
+    dtheta_dphi,
+    dtheta_dt,
+    gamma,
+    psi,
+    theta,
+)
+
+eq_euler_angle = Claim(
+    label="eq_euler_angle",
+    says=equations(
+        (dtheta_dt, dphi_dt, dpsi_dt), printed.angle_rates(theta, psi, M, I1, I2, I3, sympy)
+    ),
+    given=(*ordered_moments, *tilted),
+    proof=together(
+        (
+            step(W2 * sin(psi) + W3 * cos(psi), substituting(angular_velocity), trigonometry),
+            step(M2 / I2 * sin(psi) + M3 / I3 * cos(psi), substituting(velocity_from_momentum)),
+            step(None, substituting(eq_Mi)),
+        ),
+        (
+            step(
+                (W3 * sin(psi) - W2 * cos(psi)) / sin(theta),
+                substituting(angular_velocity),
+                trigonometry,
+            ),
+            step(
+                (M3 / I3 * sin(psi) - M2 / I2 * cos(psi)) / sin(theta),
+                substituting(velocity_from_momentum),
+            ),
+            step(None, substituting(eq_Mi)),
+        ),
+        (
+            step(
+                W1 - (W3 * sin(psi) - W2 * cos(psi)) / sin(theta) * cos(theta),
+                substituting(angular_velocity),
+                trigonometry,
+            ),
+            step(
+                M1 / I1 - (M3 / I3 * sin(psi) - M2 / I2 * cos(psi)) / sin(theta) * cos(theta),
+                substituting(velocity_from_momentum),
+            ),
+            step(None, substituting(eq_Mi)),
+        ),
+    ),
+    where=Place(display=7),
+)
+
+shape_and_depth = Claim(
+    label="d08",
+    says=equations(
+        (a, b, gamma), (*printed.shape(I1, I2, I3), printed.depth_from_energy(E, M, I2))
+    ),
+    given=ordered_moments,
+    proof=Definition(),
+    where=Place(display=8),
+)
+
+precession_rate = Claim(
+    label="precession_rate",
+    says=equal(dphi_dt, M * (1 - b * sin(psi) ** 2) / I2),
+    given=(*ordered_moments, *tilted),
+    proof=(
+        step(M * (sin(psi) ** 2 / I3 + cos(psi) ** 2 / I2), substituting(eq_euler_angle)),
+        step(None, substituting(shape_and_depth), trigonometry),
+    ),
+)
+
+precession_forward = Claim(
+    label="precession_forward",
+    says=dphi_dt > 0,
+    kind="bound",
+    given=(*ordered_moments, *tilted, *shape_of_a_body),
+    proof=(step(M * (1 - b * sin(psi) ** 2) / I2, substituting(precession_rate)),),
+    note="The handle always precesses forward, so φ can take the place of time.",
+)
+
+elimination_of_time = Claim(
+    label="elimination_of_time",
+    says=Tuple(
+        equal(dtheta_dphi, dtheta_dt / dphi_dt),
+        equal(dpsi_dphi, dpsi_dt / dphi_dt),
+    ),
+    given=(dphi_dt > 0,),
+    proof=Definition(),
+)
+
+eq_Euler = Claim(
+    label="eq_Euler",
+    says=equations((dtheta_dphi, dpsi_dphi), printed.planar_rates(theta, psi, a, b, sympy)),
+    given=(*ordered_moments, *tilted, *shape_of_a_body),
+    proof=together(
+        (
+            step(
+                dtheta_dt / dphi_dt,
+                substituting(elimination_of_time),
+                citing(precession_forward),
+            ),
+            step(
+                dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2),
+                substituting(precession_rate),
+                citing(precession_forward),
+            ),
+            step(
+                M
+                * (1 / I3 - 1 / I2)
+                * sin(theta)
+                * sin(psi)
+                * cos(psi)
+                / (M * (1 - b * sin(psi) ** 2) / I2),
+                substituting(eq_euler_angle),
+            ),
+            step(None, substituting(shape_and_depth)),
+        ),
+        (
+            step(
+                dpsi_dt / dphi_dt,
+                substituting(elimination_of_time),
+                citing(precession_forward),
+            ),
+            step(
+                dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2),
+                substituting(precession_rate),
+                citing(precession_forward),
+            ),
+            step(
+                M
+                * (1 / I1 - sin(psi) ** 2 / I3 - cos(psi) ** 2 / I2)
+                * cos(theta)
+                / (M * (1 - b * sin(psi) ** 2) / I2),
+                substituting(eq_euler_angle),
+            ),
+            step(None, substituting(shape_and_depth), trigonometry),
+        ),
+    ),
+    where=Place(display=9),
+)
+
+eq_gamma = Claim(
+    label="eq_gamma",
+    says=equal(gamma, printed.depth(theta, psi, a, b, sympy)),
+    given=ordered_moments,
+    proof=(
+        step(2 * I2 * E / M**2 - 1, substituting(shape_and_depth)),
+        step(
+            ((1 + a) * M1**2 + M2**2 + (1 - b) * M3**2) / M**2 - 1,
+            substituting(energy_of_momentum, shape_and_depth),
+        ),
+        step(
+            (1 + a) * cos(theta) ** 2 + sin(theta) ** 2 * (1 - b * sin(psi) ** 2) - 1,
+            substituting(eq_Mi),
+            trigonometry,
+        ),
+        step(a - sin(theta) ** 2 * (a + b * sin(psi) ** 2), trigonometry),
+    ),
+    where=Place(display=10),
+)
+
+_gamma_of_angles = printed.depth(theta, psi, a, b, sympy)
+
+gamma_conserved = Claim(
+    label="gamma_conserved",
+    says=equal(
+        diff(_gamma_of_angles, theta) * dtheta_dphi + diff(_gamma_of_angles, psi) * dpsi_dphi,
+        0,
+    ),
+    given=shape_of_a_body,
+    proof=by(substituting(eq_Euler)),
+    note="The second route to the constant of motion: its derivative along the flow.",
+)
+
+range_of_shape = Claim(
+    label="range_of_shape",
+    says=Tuple(a >= 0, b >= 0, b <= 1),
+    kind="bound",
+    given=ordered_moments,
+    proof=together(
+        (step((I2 - I1) / I1, substituting(shape_and_depth)),),
+        (step((I3 - I2) / I3, substituting(shape_and_depth)),),
+        (step(I2 / I3, substituting(shape_and_depth)),),
+    ),
+)
+
+range_of_gamma = Claim(
+    label="range_of_gamma",
+    says=Tuple(gamma >= -b, gamma <= a),
+    kind="bound",
+    given=shape,
+    proof=together(
+        (
+            step(a - sin(theta) ** 2 * (a + b * sin(psi) ** 2) + b, substituting(eq_gamma)),
+            step(
+                (a + b) * cos(theta) ** 2 + b * sin(theta) ** 2 * cos(psi) ** 2,
+                trigonometry,
+            ),
+        ),
+        (step(sin(theta) ** 2 * (a + b * sin(psi) ** 2), substituting(eq_gamma)),),
+    ),
+)
+
+ranges = Claim(
+    label="d11",
+    says="0 ≤ b ≤ 1, 0 ≤ a < ∞ and −b ≤ γ ≤ a.",
+    kind="statement",
+    proof=all_of(range_of_shape, range_of_gamma),
+    where=Place(display=11),
+)

@@ -1,0 +1,97 @@
+"""Section 5: the flip angle alone.
+
+- `sign_of_tilt`: S is the sign of cos θ; `sign_squared`: S² = 1;
+- `cosine_of_tilt`: cos θ from γ and ψ;
+- `eq_dpsidphi`: the equation of the flip angle;
+- `integrand`: the integrand f of the precession, dφ/dψ.
+"""
+
+import sympy
+from sympy import Abs, cos, sin, sqrt
+from tresym.proofs.conditions import shape_of_a_body
+from tresym.proofs.euler_angles import eq_Euler, eq_gamma
+
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    Place,
+    by,
+    equal,
+    roots,
+    step,
+    substituting,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import S, a, b, dpsi_dphi, gamma, psi, theta
+
+moving = (*shape_of_a_body, cos(theta) ** 2 > 0, gamma + b * sin(psi) ** 2 > 0)
+"""Away from the turning points, where cos θ ≠ 0; the two conditions mean the same."""
+
+sign_of_tilt = Claim(
+    label="sign_of_tilt",
+    says=equal(S, cos(theta) / Abs(cos(theta))),
+    given=(cos(theta) ** 2 > 0,),
+    proof=Definition(),
+)
+
+sign_squared = Claim(
+    label="sign_squared",
+    says=equal(S**2, 1),
+    given=(cos(theta) ** 2 > 0,),
+    proof=by(substituting(sign_of_tilt), roots),
+)
+
+cosine_of_tilt = Claim(
+    label="d12",
+    says=equal(cos(theta), printed.cos_theta(psi, a, b, gamma, S, sympy)),
+    given=moving,
+    proof=(
+        step(S * sqrt(cos(theta) ** 2), substituting(sign_of_tilt), roots),
+        step(None, substituting(eq_gamma), trigonometry, roots),
+    ),
+    where=Place(display=12),
+)
+
+
+eq_dpsidphi = Claim(
+    label="eq_dpsidphi",
+    says=equal(dpsi_dphi, printed.psi_rate(psi, a, b, gamma, S, sympy)),
+    given=moving,
+    proof=(
+        step(
+            (a + b * sin(psi) ** 2) * cos(theta) / (1 - b * sin(psi) ** 2),
+            substituting(eq_Euler),
+        ),
+        step(
+            (a + b * sin(psi) ** 2)
+            * S
+            * sqrt((gamma + b * sin(psi) ** 2) / (a + b * sin(psi) ** 2))
+            / (1 - b * sin(psi) ** 2),
+            substituting(cosine_of_tilt),
+        ),
+        step(None, roots),
+    ),
+    where=Place(display=13),
+)
+
+precession_integrand = Claim(
+    label="d19",
+    says=equal(1 / dpsi_dphi, printed.integrand(psi, a, b, gamma, S, sympy)),
+    given=(*moving, dpsi_dphi**2 > 0),
+    proof=(
+        step(
+            (1 - b * sin(psi) ** 2)
+            / (S * sqrt(a + b * sin(psi) ** 2) * sqrt(gamma + b * sin(psi) ** 2)),
+            substituting(eq_dpsidphi),
+        ),
+        step(
+            S**2
+            * (1 - b * sin(psi) ** 2)
+            / (S * sqrt(a + b * sin(psi) ** 2) * sqrt(gamma + b * sin(psi) ** 2)),
+            substituting(sign_squared),
+        ),
+        step(None),
+    ),
+    where=Place(display=19),
+)

@@ -1,0 +1,183 @@
+"""Section 2: the frames, the Euler angles and the angular velocity.
+
+The body axes (x, y, z) are (e₂, e₃, e₁), the angles are z-y-z, and Z lies along the angular
+momentum. Shown here:
+
+- `rotation_orthogonal`: R = R_z(φ) R_y(θ) R_z(ψ) is a rotation;
+- `spin_antisymmetric`: RᵀṘ is antisymmetric, so it has three entries: the angular velocity;
+- `angular_velocity`: its components along e₁, e₂, e₃;
+- `eq_omega`: M_i = I_i Ω_i, and `velocity_from_momentum`, the same solved for Ω;
+- `eq_Mi`: the components of M from the direction of Z in the body;
+- `torque_free`, `momentum_transport`: M fixed in space is dM/dt = M × Ω in the body.
+"""
+
+import sympy
+from sympy import Basic, ImmutableMatrix, Symbol, Tuple, cos, diff, eye, sin
+from tresym.proofs.conditions import ordered_moments
+
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    Place,
+    by,
+    equal,
+    equations,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import (
+    I1,
+    I2,
+    I3,
+    M1,
+    M2,
+    M3,
+    W1,
+    W2,
+    W3,
+    M,
+    dM1_dt,
+    dM2_dt,
+    dM3_dt,
+    dphi_dt,
+    dpsi_dt,
+    dtheta_dt,
+    phi,
+    psi,
+    theta,
+)
+
+
+def about_z(angle: Symbol) -> ImmutableMatrix:
+    """Rotation by ``angle`` about the third axis."""
+    return ImmutableMatrix([[cos(angle), -sin(angle), 0], [sin(angle), cos(angle), 0], [0, 0, 1]])
+
+
+def about_y(angle: Symbol) -> ImmutableMatrix:
+    """Rotation by ``angle`` about the second axis."""
+    return ImmutableMatrix([[cos(angle), 0, sin(angle)], [0, 1, 0], [-sin(angle), 0, cos(angle)]])
+
+
+def rate(expression: Basic) -> Basic:
+    """Time derivative by the chain rule, with the rates of the angles as symbols."""
+    rates = {phi: dphi_dt, theta: dtheta_dt, psi: dpsi_dt}
+    return sum(
+        (diff(expression, angle) * speed for angle, speed in rates.items()),
+        start=0 * expression,
+    )
+
+
+rotation = about_z(phi) * about_y(theta) * about_z(psi)
+"""R: components along (e₂, e₃, e₁) to components along (X, Y, Z)."""
+
+spin = rotation.T * rate(rotation)
+"""RᵀṘ, with the rows and columns in the order e₂, e₃, e₁."""
+
+hat = ImmutableMatrix([[0, -W1, W3], [W1, 0, -W2], [-W3, W2, 0]])
+"""The antisymmetric matrix of Ω in the same order: ``hat·v = Ω × v``."""
+
+momentum = ImmutableMatrix([M2, M3, M1])
+"""M in the order e₂, e₃, e₁."""
+
+rotation_orthogonal = Claim(
+    label="rotation_orthogonal",
+    says=equal(rotation.T * rotation, ImmutableMatrix(eye(3))),
+    proof=by(trigonometry),
+)
+
+spin_antisymmetric = Claim(
+    label="spin_antisymmetric",
+    says=equal(spin.T, -spin),
+    proof=by(trigonometry),
+)
+
+spin_matrix = Claim(
+    label="spin_matrix",
+    says=Tuple(equal(W1, spin[1, 0]), equal(W2, spin[2, 1]), equal(W3, spin[0, 2])),
+    proof=Definition(),
+    note="The angular velocity is what RᵀṘ is made of.",
+)
+
+angular_velocity = Claim(
+    label="angular_velocity",
+    says=equal(
+        ImmutableMatrix([W1, W2, W3]),
+        ImmutableMatrix(
+            [
+                dphi_dt * cos(theta) + dpsi_dt,
+                dtheta_dt * sin(psi) - dphi_dt * sin(theta) * cos(psi),
+                dtheta_dt * cos(psi) + dphi_dt * sin(theta) * sin(psi),
+            ]
+        ),
+    ),
+    proof=by(substituting(spin_matrix), trigonometry),
+)
+
+spin_is_velocity = Claim(
+    label="spin_is_velocity",
+    says=equal(spin, hat),
+    proof=by(substituting(spin_matrix), trigonometry),
+    note="All nine entries, not only the three that define Ω.",
+)
+
+eq_omega = Claim(
+    label="eq_omega",
+    says=Tuple(equal(M1, I1 * W1), equal(M2, I2 * W2), equal(M3, I3 * W3)),
+    proof=Definition(),
+    where=Place(display=1),
+    note="The axes are principal axes of inertia.",
+)
+
+velocity_from_momentum = Claim(
+    label="velocity_from_momentum",
+    says=equal(
+        ImmutableMatrix([W1, W2, W3]),
+        ImmutableMatrix([M1 / I1, M2 / I2, M3 / I3]),
+    ),
+    given=ordered_moments,
+    proof=by(substituting(eq_omega)),
+)
+
+momentum_along_z = Claim(
+    label="momentum_along_z",
+    says=equal(momentum, M * rotation.T * ImmutableMatrix([0, 0, 1])),
+    proof=Definition(),
+    note="The third axis of the laboratory is chosen along the angular momentum.",
+)
+
+eq_Mi = Claim(
+    label="eq_Mi",
+    says=equations((M1, M2, M3), printed.momentum(theta, psi, M, sympy)),
+    given=ordered_moments,
+    proof=together(
+        by(substituting(momentum_along_z)),
+        by(substituting(momentum_along_z)),
+        by(substituting(momentum_along_z)),
+    ),
+    where=Place(display=6),
+)
+
+torque_free = Claim(
+    label="torque_free",
+    says=equal(ImmutableMatrix([dM2_dt, dM3_dt, dM1_dt]), -spin * momentum),
+    proof=Definition(),
+    note="R M is fixed in space, so the derivative of M in the body is −RᵀṘ M.",
+)
+
+momentum_transport = Claim(
+    label="momentum_transport",
+    says=equal(
+        ImmutableMatrix([dM1_dt, dM2_dt, dM3_dt]),
+        ImmutableMatrix([M2 * W3 - M3 * W2, M3 * W1 - M1 * W3, M1 * W2 - M2 * W1]),
+    ),
+    proof=(
+        step(
+            ImmutableMatrix([(-spin * momentum)[n] for n in (2, 0, 1)]),
+            substituting(torque_free),
+        ),
+        step(None, substituting(spin_matrix), trigonometry),
+    ),
+)

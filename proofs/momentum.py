@@ -1,0 +1,121 @@
+"""Section 3: Euler's equations and the two first integrals.
+
+- `eq_dMi`: Euler's equations, from M fixed in space and Ω_i = M_i/I_i;
+- `energy`, `eq_first_int`: twice the energy and the length of M;
+- `energy_conserved`, `momentum_conserved`: their derivatives along Euler's equations vanish.
+"""
+
+from sympy import Expr, Tuple, diff
+from tresym.proofs.conditions import ordered_moments
+from tresym.proofs.model import eq_Mi, eq_omega, momentum_transport, velocity_from_momentum
+
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    Place,
+    all_of,
+    by,
+    equal,
+    equations,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import (
+    I1,
+    I2,
+    I3,
+    M1,
+    M2,
+    M3,
+    W1,
+    W2,
+    W3,
+    E,
+    M,
+    dM1_dt,
+    dM2_dt,
+    dM3_dt,
+)
+
+
+def along_euler(quantity: Expr) -> Expr:
+    """Time derivative of a function of M₁, M₂, M₃, with the rates as symbols."""
+    rates = {M1: dM1_dt, M2: dM2_dt, M3: dM3_dt}
+    return sum(diff(quantity, component) * speed for component, speed in rates.items())
+
+
+eq_dMi = Claim(
+    label="eq_dMi",
+    says=equations((dM1_dt, dM2_dt, dM3_dt), printed.euler_equations(M1, M2, M3, I1, I2, I3)),
+    given=ordered_moments,
+    proof=together(
+        (
+            step(M2 * W3 - M3 * W2, substituting(momentum_transport)),
+            step(None, substituting(velocity_from_momentum)),
+        ),
+        (
+            step(M3 * W1 - M1 * W3, substituting(momentum_transport)),
+            step(None, substituting(velocity_from_momentum)),
+        ),
+        (
+            step(M1 * W2 - M2 * W1, substituting(momentum_transport)),
+            step(None, substituting(velocity_from_momentum)),
+        ),
+    ),
+    where=Place(display=4),
+)
+
+energy = Claim(
+    label="energy",
+    says=equal(E, (I1 * W1**2 + I2 * W2**2 + I3 * W3**2) / 2),
+    proof=Definition(),
+)
+
+energy_of_momentum = Claim(
+    label="energy_of_momentum",
+    says=equal(E, printed.energy(M1, M2, M3, I1, I2, I3)),
+    given=ordered_moments,
+    proof=(
+        step((I1 * W1**2 + I2 * W2**2 + I3 * W3**2) / 2, substituting(energy)),
+        step(None, substituting(eq_omega)),
+    ),
+)
+
+eq_first_int = Claim(
+    label="eq_first_int",
+    says=Tuple(
+        equal(2 * E, M1**2 / I1 + M2**2 / I2 + M3**2 / I3),
+        equal(M**2, printed.momentum_squared(M1, M2, M3)),
+    ),
+    given=ordered_moments,
+    proof=together(
+        by(substituting(energy_of_momentum)),
+        by(substituting(eq_Mi), trigonometry),
+    ),
+    where=Place(display=5),
+)
+
+energy_conserved = Claim(
+    label="energy_conserved",
+    says=equal(along_euler(printed.energy(M1, M2, M3, I1, I2, I3)), 0),
+    given=ordered_moments,
+    proof=by(substituting(eq_dMi)),
+)
+
+momentum_conserved = Claim(
+    label="momentum_conserved",
+    says=equal(along_euler(printed.momentum_squared(M1, M2, M3)), 0),
+    given=ordered_moments,
+    proof=by(substituting(eq_dMi)),
+)
+
+two_first_integrals = Claim(
+    label="two_first_integrals",
+    says="The energy and the length of the angular momentum are constants of the motion.",
+    kind="statement",
+    proof=all_of(eq_first_int, energy_conserved, momentum_conserved),
+    where=Place(display=5),
+)

@@ -1,0 +1,13 @@
+"""The numbers the paper prints, as text: nothing here is rounded, converted or corrected."""
+
+TABLE_1 = {
+    "str": ("1210", "16380", "17480", "12.54", "0.06", "0.1150", "0.0732"),
+    "racket-1": ("886", "16336", "18270", "17.44", "0.11", "0.0251", "0.0160"),
+    "racket-2": ("1319", "14445", "16175", "9.95", "0.11", "0.0699", "0.0445"),
+    "racket-3": ("448", "7126", "1818", "14.88", "0.12", "0.0255", "0.0162"),
+    "book": (None, None, None, "1.11", "0.31", "0.2139", "0.1362"),
+}
+"""Rows of Table 1: I₁, I₂, I₃, a, b, ε₀, and the x of Δψ = π(1 − x)."""
+
+ROW_LINES = {"str": 302, "racket-1": 303, "racket-2": 304, "racket-3": 305, "book": 306}
+"""Line of the source on which each row stands."""

@@ -1,0 +1,80 @@
+"""Appendix, second part: how the flip defect depends on γ at the separatrix.
+
+- `slope_of_integrand`: ∂f/∂γ at γ = 0;
+- `slope_of_integral`: its antiderivative, as printed;
+- `inverse_slope`: ∂ε/∂F at γ = 0 from ∂F/∂ε = −f.
+"""
+
+import sympy
+from sympy import Derivative, Subs, cos, pi, sin, sqrt
+from tresym.proofs.conditions import defect, shape
+from tresym.proofs.flip_dynamics import sign_squared
+from tresym.proofs.separatrix import between
+
+from tresym.claims.claim import (
+    Claim,
+    Place,
+    by,
+    differentiation,
+    equal,
+    exponentials,
+    roots,
+    step,
+    substituting,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import S, a, b, epsilon, gamma, psi
+
+slope_of_integrand = Claim(
+    label="d54",
+    says=equal(
+        Subs(Derivative(printed.integrand(psi, a, b, gamma, S, sympy), gamma), gamma, 0),
+        printed.integrand_slope(psi, a, b, S, sympy),
+    ),
+    given=(*shape, *between),
+    proof=(
+        step(
+            -S
+            / 2
+            * (1 - b * sin(psi) ** 2)
+            / (sqrt(a + b * sin(psi) ** 2) * sqrt(b * sin(psi) ** 2) ** 3),
+            differentiation,
+            roots,
+        ),
+        step(None, roots),
+    ),
+    where=Place(display=54),
+)
+
+
+slope_of_integral = Claim(
+    label="d55",
+    says=equal(
+        Derivative(printed.turn_slope_antiderivative(psi, a, b, S, sympy), psi),
+        printed.integrand_slope(psi, a, b, S, sympy),
+    ),
+    given=(*shape, psi > 0, psi < pi / 2, sin(psi) > 0, cos(psi) > 0),
+    proof=by(differentiation, trigonometry, roots, exponentials),
+    where=Place(display=55),
+)
+
+inverse_slope = Claim(
+    label="d51",
+    says=equal(
+        -1 / printed.integrand(epsilon, a, b, 0, S, sympy),
+        printed.defect_per_turn(epsilon, a, b, S, sympy),
+    ),
+    given=(*shape, *defect, S**2 > 0),
+    proof=(
+        step(
+            -(S**2)
+            * sqrt(a + b * sin(epsilon) ** 2)
+            * sqrt(b * sin(epsilon) ** 2)
+            / (S * (1 - b * sin(epsilon) ** 2)),
+            substituting(sign_squared),
+        ),
+        step(None, roots),
+    ),
+    where=Place(display=51),
+)

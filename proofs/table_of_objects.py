@@ -1,0 +1,172 @@
+"""Table 1: every printed cell, judged by what its row prints.
+
+Inputs and outputs are intervals of half a unit in the last printed place. For each row:
+
+- `…_order`: the moments are in the order I₁ < I₂ < I₃ that the paper assumes;
+- `…_a`, `…_b`: the shape from the printed moments;
+- `…_epsilon0`, `…_flip`: the flip defect by the exact equation,
+  `…_epsilon0_formula`, `…_flip_formula`: the same by the paper's asymptotic formula, and
+  `…_flip_from_epsilon0`: the last column from the one before it.
+
+They are computed from the moments where the row has usable ones, else from its printed a and b.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from flint import arb, fmpq
+from sympy import Basic, Rational, Symbol
+from tresym.proofs.printed import ROW_LINES, TABLE_1
+
+from tresym.claims.claim import Claim, Place, Printed, formally
+from tresym.exact import printed as printed_interval
+from tresym.flip.separatrix import defect_over
+from tresym.formulas import printed
+from tresym.notation import I1, I2, I3, b
+from tresym.verdict import Verdict
+
+Formula = Callable[..., arb]
+Inputs = dict[str, str]
+
+MOMENTS = ("I1", "I2", "I3")
+"""Names of the first three columns."""
+
+
+def exact_defect(a: arb, b: arb, m: Any) -> arb:
+    """ε₀ by the exact equation."""
+    return defect_over(a, b, m)
+
+
+def formula_defect(a: arb, b: arb, m: Any) -> arb:
+    """ε₀ by the asymptotic formula of the theorem."""
+    return printed.asymptotic_defect(a, b, m)
+
+
+def share_of_pi(defect: Callable[..., arb]) -> Callable[..., arb]:
+    """The x of Δψ = π − 2ε₀ = π(1 − x)."""
+    return lambda a, b, m: 2 * defect(a, b, m) / m.pi
+
+
+def of_moments(quantity: Callable[..., arb]) -> Callable[..., arb]:
+    """A function of the shape, as a function of the moments; each occurs once in its ratio."""
+    return lambda I1, I2, I3, m: quantity(I2 / I1 - 1, 1 - I2 / I3, m)
+
+
+def as_printed(**texts: str) -> tuple[Basic, ...]:
+    """Conditions that symbols lie in the intervals their printed decimals stand for."""
+    conditions: list[Basic] = []
+    for name, text in texts.items():
+        low, high = printed_interval(text)
+        symbol = Symbol(name, real=True)
+        conditions += [symbol >= _rational(low), symbol <= _rational(high)]
+    return tuple(conditions)
+
+
+def _rational(x: fmpq) -> Rational:
+    return Rational(int(x.p), int(x.q))
+
+
+def _cell(row: str, column: str, x: str, formula: Formula, inputs: Inputs, reading: str) -> Claim:
+    """One printed number; ``reading`` is empty, ``formula`` or ``from_epsilon0``."""
+    name = {"epsilon0": "ε₀", "flip": "1 − Δψ/π"}.get(column, column)
+    how = {
+        "": "",
+        "formula": " by the asymptotic formula",
+        "from_epsilon0": " from the printed ε₀",
+    }[reading]
+    label = "_".join(part for part in ("table", row.replace("-", "_"), column, reading) if part)
+    return Claim(
+        label=label,
+        says=f"Table 1, {row}: {name} = {x}{how}.",
+        kind="number",
+        proof=Printed(x, formula, inputs),
+        where=Place(line=ROW_LINES[row], cell=column),
+        expect=Verdict.ENCLOSED,
+    )
+
+
+def _order(row: str) -> Claim:
+    """The moments as printed are in the order that the paper assumes."""
+    moments = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
+    return Claim(
+        label=f"table_{row.replace('-', '_')}_order",
+        says=f"Table 1, {row}: I₁ < I₂ < I₃.",
+        kind="statement",
+        given=as_printed(**moments),
+        proof=formally(I1 < I2, I2 < I3),
+        where=Place(line=ROW_LINES[row], cell="I1, I2, I3"),
+    )
+
+
+def _defects(row: str, quantity: Callable[[Formula], Formula], inputs: Inputs) -> list[Claim]:
+    """The last two columns of a row, by the exact equation and by the formula."""
+    x, share = TABLE_1[row][5:]
+    cells = []
+    for reading, defect in (("", exact_defect), ("formula", formula_defect)):
+        cells.append(_cell(row, "epsilon0", x, quantity(defect), inputs, reading))
+        cells.append(_cell(row, "flip", share, quantity(share_of_pi(defect)), inputs, reading))
+    twice = {"epsilon0": x}
+    cells.append(_cell(row, "flip", share, lambda e, m: 2 * e / m.pi, twice, "from_epsilon0"))
+    return cells
+
+
+def _row(row: str) -> tuple[Claim, ...]:
+    """All cells of a row whose moments are printed and usable."""
+    moments = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
+    one, two, three = MOMENTS
+    a, b = TABLE_1[row][3:5]
+    shape_a = _cell(row, "a", a, _a_of_moments, {n: moments[n] for n in (one, two)}, "")
+    shape_b = _cell(row, "b", b, _b_of_moments, {n: moments[n] for n in (two, three)}, "")
+    return (_order(row), shape_a, shape_b, *_defects(row, of_moments, moments))
+
+
+def _a_of_moments(I1: arb, I2: arb, m: Any) -> arb:
+    return I2 / I1 - 1
+
+
+def _b_of_moments(I2: arb, I3: arb, m: Any) -> arb:
+    return 1 - I2 / I3
+
+
+standard_racket = _row("str")
+racket_1 = _row("racket-1")
+racket_2 = _row("racket-2")
+
+_third = dict(zip(MOMENTS, TABLE_1["racket-3"][:3], strict=True))
+_needed = (*as_printed(I2=_third["I2"], b=TABLE_1["racket-3"][4]),)
+
+racket_3_third_moment = Claim(
+    label="racket_3_third_moment",
+    says="With the printed I₂, the printed b = 0.12 needs an I₃ between 8051 and 8145, not 1818.",
+    kind="bound",
+    given=_needed,
+    proof=formally(I2 / (1 - b) > 8051, I2 / (1 - b) < 8145),
+)
+
+racket_3_a = Claim(
+    label="racket_3_a",
+    says="With the printed moments of racket 3, a = 14.91 to two decimals.",
+    kind="number",
+    proof=Printed("14.91", _a_of_moments, {n: _third[n] for n in ("I1", "I2")}),
+    expect=Verdict.ENCLOSED,
+)
+
+racket_3 = (
+    replace(_order("racket-3"), expect=Verdict.REFUTED, amended_by=(racket_3_third_moment,)),
+    replace(
+        _cell("racket-3", "a", "14.88", _a_of_moments, {n: _third[n] for n in ("I1", "I2")}, ""),
+        expect=Verdict.REFUTED,
+        amended_by=(racket_3_a,),
+    ),
+    replace(
+        _cell("racket-3", "b", "0.12", _b_of_moments, {n: _third[n] for n in ("I2", "I3")}, ""),
+        expect=Verdict.REFUTED,
+        amended_by=(racket_3_third_moment,),
+    ),
+    *_defects("racket-3", lambda q: q, dict(zip("ab", TABLE_1["racket-3"][3:5], strict=True))),
+)
+
+book = tuple(_defects("book", lambda q: q, dict(zip("ab", TABLE_1["book"][3:5], strict=True))))

@@ -1,0 +1,252 @@
+"""Chains: each step checked with the reasons it names and nothing else."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable
+from dataclasses import replace
+
+from sympy import Basic, Eq, Equivalent, Expr, Integral, MatrixBase, Rel, Symbol, Tuple
+from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
+
+from tresym.claims.claim import Chain, Claim, Reason, Step, citing
+from tresym.claims.domain import continuous_on, undefined
+from tresym.claims.finding import StepFinding
+from tresym.claims.translate import definitions, put_in, to_expression
+from tresym.identity import Given, decide, sign
+from tresym.verdict import Verdict
+
+PROVED = StepFinding(Verdict.PROVED, "")
+
+Conditions = tuple[Basic, ...]
+
+ONE_TO_ONE = {
+    "exp": (),
+    "sinh": (),
+    "tanh": (),
+    "asinh": (),
+    "atan": (),
+    "log": ("+",),
+    "sqrt": ("+", "0", ">=0"),
+    "square": ("+", "0", ">=0"),
+}
+"""Strictly monotone functions, and the sign that both sides must be shown to have."""
+
+
+def _undecided(why: str) -> StepFinding:
+    return StepFinding(Verdict.UNDECIDED, why)
+
+
+def check_chain(says: Basic, chain: Chain, given: Conditions) -> tuple[StepFinding, ...]:
+    """Findings for every step; all are PROVED exactly when the chain proves ``says``."""
+    start, goal = _ends(says, chain)
+    findings, before = [], start
+    for link in chain:
+        after = goal if link.expression is None else link.expression
+        began = time.perf_counter()
+        if after is None:
+            finding = _undecided("an inequality needs a form whose sign is manifest")
+        else:
+            finding = _check_step(before, Step(after, link.reasons), given)
+            before = after
+        findings.append(replace(finding, seconds=time.perf_counter() - began))
+    if all(f.verdict is Verdict.PROVED for f in findings):
+        arrival = _arrives(says, before, goal, given)
+        if arrival.verdict is not Verdict.PROVED:
+            findings.append(arrival)
+    return tuple(findings)
+
+
+def _ends(says: Basic, chain: Chain) -> tuple[Basic, Basic | None]:
+    """Where a chain for ``says`` starts, and where it must arrive (None: at a sign)."""
+    if isinstance(says, Equivalent):
+        first, second = says.args
+        last = chain[-1].expression if chain else None
+        return (second, first) if last == first else (first, second)
+    if isinstance(says, Eq):
+        return says.lhs, says.rhs
+    if isinstance(says, GreaterThan | StrictGreaterThan | LessThan | StrictLessThan):
+        return says.gts - says.lts, None
+    raise TypeError(f"a chain cannot prove {says}")
+
+
+def _arrives(says: Basic, last: Basic, goal: Basic | None, given: Conditions) -> StepFinding:
+    """The end of a chain: the right side itself, or a manifest sign."""
+    if goal is not None:
+        return PROVED if last == goal else _check_step(last, Step(goal, ()), given)
+    found = sign(to_expression(last), Given.from_sympy(*given))
+    strict = isinstance(says, StrictGreaterThan | StrictLessThan)
+    if found == "+" or (found in ("0", ">=0") and not strict):
+        return PROVED
+    return _undecided(f"the sign of {last} is not manifest")
+
+
+def _check_step(before: Basic, link: Step, given: Conditions) -> StepFinding:
+    after = link.expression
+    assert after is not None
+    if isinstance(before, Eq) and isinstance(after, Eq):
+        return _check_equation(before, after, link.reasons, given)
+    if isinstance(before, MatrixBase) and isinstance(after, MatrixBase):
+        if before.shape != after.shape:
+            return _undecided("matrices of different shape")
+        pairs = zip(before, after, strict=True)
+        return _first_failure(_check_scalar(p, q, link.reasons, given) for p, q in pairs)
+    if isinstance(before, Eq | MatrixBase | Tuple) or isinstance(after, Rel | MatrixBase | Tuple):
+        return _undecided("the step changes the kind of statement")
+    return _check_scalar(before, after, link.reasons, given)
+
+
+def _first_failure(findings: Iterable[StepFinding]) -> StepFinding:
+    for finding in findings:
+        if finding.verdict is not Verdict.PROVED:
+            return finding
+    return PROVED
+
+
+def _check_equation(
+    before: Eq, after: Eq, reasons: tuple[Reason, ...], given: Conditions
+) -> StepFinding:
+    """Both sides rewritten, or one one-to-one operation applied to both."""
+    left, right = before.args
+    conditions = Given.from_sympy(*given)
+    for reason in reasons:
+        if reason.term is not None:
+            left, right = left + reason.term, right + reason.term
+        if reason.factor is not None:
+            if sign(to_expression(reason.factor), conditions) not in ("+", "-"):
+                return _undecided(f"{reason.factor} is not shown to be non-zero")
+            left, right = left * reason.factor, right * reason.factor
+        if reason.function is not None:
+            for side in (left, right):
+                needed = ONE_TO_ONE.get(reason.function)
+                if needed is None:
+                    return _undecided(f"{reason.function} is not known to be one-to-one")
+                if needed and sign(to_expression(side), conditions) not in needed:
+                    return _undecided(f"the sign of {side} is not shown")
+            left, right = _apply(reason.function, left), _apply(reason.function, right)
+    pairs = ((left, after.lhs), (right, after.rhs))
+    return _first_failure(_check_scalar(p, q, reasons, given) for p, q in pairs)
+
+
+def _apply(function: str, e: Expr) -> Expr:
+    import sympy
+
+    return e**2 if function == "square" else getattr(sympy, function)(e)
+
+
+def _check_scalar(
+    before: Basic, after: Basic, reasons: tuple[Reason, ...], given: Conditions
+) -> StepFinding:
+    """The step from one number to the next, after definitions and integrals are dealt with."""
+    given = _with_bounds(given, reasons)
+    for side in (before, after):
+        gap = undefined(side, Given.from_sympy(*given))
+        if gap is not None:
+            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
+    rules = definitions(
+        claim for reason in reasons if reason.name == "substituting" for claim in reason.claims
+    )
+    before, after = put_in(before, rules), put_in(after, rules)
+    given = tuple(dict.fromkeys((*given, *(put_in(condition, rules) for condition in given))))
+    for reason in reasons:
+        if reason.expression is not None and (before.has(Integral) or after.has(Integral)):
+            prepared = _without_integral(before, after, reason, given)
+            if isinstance(prepared, StepFinding):
+                return prepared
+            before, after = prepared
+    theories = frozenset().union(*(reason.theories for reason in reasons))
+    opening = any(reason.name == "differentiation" for reason in reasons)
+    decision = decide(
+        to_expression(before, opening),
+        to_expression(after, opening),
+        Given.from_sympy(*given),
+        theories,
+    )
+    return PROVED if decision.verdict is Verdict.PROVED else _undecided(decision.why)
+
+
+def _with_bounds(given: Conditions, reasons: tuple[Reason, ...]) -> Conditions:
+    """The conditions, and the cited bounds whose own conditions are among them."""
+    bounds = list(given)
+    for reason in reasons:
+        if reason.name == "citing":
+            bounds += [c.says for c in reason.claims if set(c.given) <= set(bounds)]
+    return tuple(bounds)
+
+
+def _without_integral(
+    before: Basic, after: Basic, reason: Reason, given: Conditions
+) -> tuple[Basic, Basic] | StepFinding:
+    """Carry out a change of variable or an integration; what is left is plain algebra."""
+    primitive = reason.expression
+    assert primitive is not None
+    if reason.name == "integrating":
+        integrals = before.atoms(Integral) | after.atoms(Integral)
+        if len(integrals) != 1:
+            return _undecided("the step needs exactly one integral")
+        (integral,) = integrals
+        failure = _check_antiderivative(integral, primitive, reason.claims, given)
+        if failure is not None:
+            return failure
+        variable, low, high = integral.limits[0]
+        value = {integral: primitive.subs(variable, high) - primitive.subs(variable, low)}
+        return before.xreplace(value), after.xreplace(value)
+    pair = (*before.atoms(Integral), *after.atoms(Integral))
+    if len(pair) != 2:
+        return _undecided("the step needs one integral on each side")
+    old, new = pair if pair[0].variables[0] in primitive.free_symbols else pair[::-1]
+    failure = _check_substitution(old, new, primitive, reason.claims, given)
+    if failure is not None:
+        return failure
+    same = {integral: Symbol("[the integral]", real=True) for integral in pair}
+    return before.xreplace(same), after.xreplace(same)
+
+
+def _inside(integral: Integral, bounds: tuple[Claim, ...], given: Conditions) -> Given:
+    """The conditions on the interval of integration, with the bounds cited for it."""
+    variable, low, high = integral.limits[0]
+    inside = (*given, (variable - low) * (high - variable) >= 0)
+    return Given.from_sympy(*_with_bounds(inside, (citing(*bounds),)))
+
+
+def _check_antiderivative(
+    integral: Integral, primitive: Expr, bounds: tuple[Claim, ...], given: Conditions
+) -> StepFinding | None:
+    """None when ``primitive`` is smooth on the interval and its derivative is the integrand."""
+    conditions = _inside(integral, bounds, given)
+    for e in (primitive, integral.function):
+        gap = continuous_on(e, conditions)
+        if gap is not None:
+            return _undecided(f"nothing shows that {gap} stays off its singularity")
+    slope = primitive.diff(integral.variables[0], evaluate=False)
+    decision = decide(
+        to_expression(slope, open_derivatives=True),
+        to_expression(integral.function),
+        conditions,
+    )
+    return None if decision.verdict is Verdict.PROVED else _undecided(decision.why)
+
+
+def _check_substitution(
+    old: Integral, new: Integral, change: Expr, bounds: tuple[Claim, ...], given: Conditions
+) -> StepFinding | None:
+    """∫ g(u(ψ)) u′(ψ) dψ = ∫ g dx: integrands, limits and continuity."""
+    variable, low, high = old.limits[0]
+    fresh, start, end = new.limits[0]
+    conditions = _inside(old, bounds, given)
+    pulled = new.function.subs(fresh, change)
+    for e in (old.function, change, pulled):
+        gap = continuous_on(e, conditions)
+        if gap is not None:
+            return _undecided(f"nothing shows that {gap} stays off its singularity")
+    slope = to_expression(change.diff(variable, evaluate=False), open_derivatives=True)
+    pairs = (
+        (to_expression(old.function), to_expression(pulled) * slope),
+        (to_expression(change.subs(variable, low)), to_expression(start)),
+        (to_expression(change.subs(variable, high)), to_expression(end)),
+    )
+    for left, right in pairs:
+        decision = decide(left, right, conditions)
+        if decision.verdict is not Verdict.PROVED:
+            return _undecided(decision.why)
+    return None

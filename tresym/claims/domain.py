@@ -1,0 +1,96 @@
+"""Where an expression is defined: every division, root and logarithm shown harmless.
+
+A proof divides only where the denominator is shown non-zero and takes roots and logarithms only
+where their arguments are shown to allow it, everywhere under the conditions given.
+"""
+
+from __future__ import annotations
+
+from sympy import (
+    Abs,
+    Basic,
+    Derivative,
+    Integral,
+    Pow,
+    Rational,
+    Subs,
+    acos,
+    acosh,
+    asin,
+    atanh,
+    cos,
+    cot,
+    coth,
+    csc,
+    log,
+    sec,
+    sin,
+    sinh,
+    tan,
+)
+
+from tresym.claims.translate import to_expression
+from tresym.identity import Given, sign
+
+POSITIVE = ("+",)
+NON_ZERO = ("+", "-")
+NON_NEGATIVE = ("+", "0", ">=0")
+
+
+def undefined(e: Basic, given: Given) -> Basic | None:
+    """The first part of ``e`` that is not shown to be defined under ``given``, or None."""
+    for condition, allowed in _conditions(e):
+        if sign(to_expression(condition), given) not in allowed:
+            return condition
+    if isinstance(e, Integral | Derivative | Subs):
+        return None
+    for argument in e.args:
+        found = undefined(argument, given)
+        if found is not None:
+            return found
+    return None
+
+
+def _conditions(e: Basic) -> list[tuple[Basic, tuple[str, ...]]]:
+    """What must be so for the outermost operation of ``e`` to be defined."""
+    match e:
+        case Pow():
+            base, exponent = e.args
+            if not isinstance(exponent, Rational):
+                return [] if base.is_positive else [(base, POSITIVE)]
+            if exponent.is_integer:
+                return [(base, NON_ZERO)] if exponent < 0 else []
+            return [(base, POSITIVE if exponent < 0 else NON_NEGATIVE)]
+        case log():
+            return [(e.args[0], POSITIVE)]
+        case asin() | acos():
+            return [(1 - e.args[0] ** 2, NON_NEGATIVE)]
+        case atanh():
+            return [(1 - e.args[0] ** 2, POSITIVE)]
+        case acosh():
+            return [(e.args[0] - 1, NON_NEGATIVE)]
+        case tan() | sec():
+            return [(cos(e.args[0]), NON_ZERO)]
+        case cot() | csc():
+            return [(sin(e.args[0]), NON_ZERO)]
+        case coth():
+            return [(sinh(e.args[0]), NON_ZERO)]
+        case _:
+            return []
+
+
+def continuous_on(e: Basic, given: Given) -> Basic | None:
+    """As `undefined`, but roots must stay off zero: then ``e`` is smooth there."""
+    for node in _nodes(e):
+        strict = isinstance(node, Pow) and node.exp.is_Rational and not node.exp.is_integer
+        for condition, allowed in _conditions(node):
+            wanted = POSITIVE if strict or isinstance(node, asin | acos | acosh) else allowed
+            if sign(to_expression(condition), given) not in wanted:
+                return condition
+        if isinstance(node, Abs) and sign(to_expression(node.args[0]), given) not in NON_ZERO:
+            return node.args[0]
+    return None
+
+
+def _nodes(e: Basic) -> list[Basic]:
+    return [e, *(node for argument in e.args for node in _nodes(argument))]

@@ -1,0 +1,46 @@
+"""Findings: what judging a claim brought to light. Frozen values, like the claims."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from flint import fmpq
+
+from tresym.exact import Decimal
+from tresym.verdict import Verdict
+
+
+@dataclass(frozen=True)
+class StepFinding:
+    """Verdict on one step of a chain, with the reason it is not PROVED when it is not."""
+
+    verdict: Verdict
+    why: str
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Verdict on a claim, with the evidence that a report shows.
+
+    Attributes:
+        verdict: one of the four.
+        why: one sentence.
+        value: for a number, the ball in decimal.
+        constant: for an order claim or a bound, the constant found, in decimal.
+        region: where the constant holds, in words.
+        witness: exact point that refutes the claim (or exhibits it, for a printed number).
+        steps: one finding for each step of a chain, in order.
+        seconds: time taken.
+    """
+
+    verdict: Verdict
+    why: str
+    value: Decimal | None = None
+    constant: Decimal | None = None
+    region: str | None = None
+    parameter: str | None = None
+    witness: Mapping[str, fmpq] | None = None
+    steps: tuple[StepFinding, ...] = field(default=())
+    seconds: float = 0.0

@@ -1,0 +1,274 @@
+"""From a claim to a finding: the one place where verdicts on claims are given.
+
+A claim is PROVED when its evidence checks; otherwise it is tried at exact points, and REFUTED
+only when a ball excludes it at one of them. A claim that rests on one that does not hold is
+UNDECIDED, whatever its own evidence.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+
+from flint import arb, fmpq
+from sympy import Basic, Equivalent, MatrixBase, Symbol, Tuple
+from sympy.core.relational import Equality, Relational
+
+from tresym.arithmetic import ball_precision
+from tresym.claims.chain import Conditions, check_chain
+from tresym.claims.claim import (
+    AllOf,
+    Chain,
+    Claim,
+    Counterexample,
+    Definition,
+    Formally,
+    Printed,
+    Together,
+    UniqueRoot,
+    equal,
+)
+from tresym.claims.domain import continuous_on, undefined
+from tresym.claims.finding import Finding, StepFinding
+from tresym.claims.printed import judge_printed
+from tresym.claims.translate import Rules, definitions, put_in, to_expression
+from tresym.exact import fraction_text
+from tresym.identity import Expr, Given, decide, evaluate, sign, symbols
+from tresym.verdict import Verdict
+
+Findings = Mapping[str, Finding]
+
+UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
+
+POINTS = 40
+"""Exact points tried before an inequality is left undecided."""
+
+
+def judge(claim: Claim, found: Findings) -> Finding:
+    """The finding on ``claim``, given those on the claims it uses."""
+    began = time.perf_counter()
+    finding = _resting_on_sand(claim, found) or _judge(claim, found)
+    return replace(finding, seconds=time.perf_counter() - began)
+
+
+def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
+    """UNDECIDED when evidence other than a conjunction names a claim that does not hold."""
+    if isinstance(claim.proof, AllOf):
+        return None
+    for used in claim.uses:
+        if not found[used.label].verdict.holds:
+            verdict = found[used.label].verdict.value
+            return Finding(UNDECIDED, f"rests on {used.label}, which is {verdict}")
+    return None
+
+
+def _judge(claim: Claim, found: Findings) -> Finding:
+    match claim.proof:
+        case Definition():
+            return _judge_definition(claim)
+        case Printed():
+            return judge_printed(claim.proof)
+        case AllOf(claims):
+            return _judge_all(claims, found)
+        case Formally(relations=relations):
+            return _judge_relations(relations, claim)
+        case Counterexample():
+            return _judge_counterexample(claim, claim.proof)
+        case UniqueRoot():
+            return _judge_unique_root(claim.proof, claim.given)
+        case Together(chains):
+            return _judge_together(claim, chains)
+        case tuple():
+            return _judge_chains(claim, ((claim.says, claim.proof),))
+        case _:
+            return claim.proof.judge()
+
+
+def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
+    parts = claim.says.args if isinstance(claim.says, Tuple) else ()
+    if len(parts) != len(chains):
+        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
+    return _judge_chains(claim, tuple(zip(parts, chains, strict=True)))
+
+
+def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
+    """PROVED when every step of every chain is; otherwise tried at exact points."""
+    if Given.from_sympy(*claim.given).satisfying_point() is None:
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    steps: list[StepFinding] = []
+    for says, chain in parts:
+        steps.extend(check_chain(says, chain, claim.given))
+    failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if failed is None:
+        return Finding(PROVED, "every step follows from the reasons it names", steps=tuple(steps))
+    for says, _ in parts:
+        refuted = _refute(says, claim.given, definitions(claim.uses))
+        if refuted is not None:
+            return replace(refuted, steps=tuple(steps))
+    return Finding(UNDECIDED, failed.why, steps=tuple(steps))
+
+
+def _judge_definition(claim: Claim) -> Finding:
+    """A definition holds when its symbols are new and none is defined by itself."""
+    rules = definitions((claim,))
+    if not rules:
+        return Finding(UNDECIDED, "the statement defines no symbol")
+    earlier = definitions(claim.rests_on)
+    for symbol, value in rules.items():
+        if symbol in value.free_symbols or symbol in earlier:
+            return Finding(UNDECIDED, f"{symbol} is not a new symbol")
+    if Given.from_sympy(*claim.given).satisfying_point() is None:
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    return Finding(PROVED, "introduces " + ", ".join(sorted(map(str, rules))))
+
+
+def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
+    """A conjunction: as strong as its weakest part; one refuted part refutes it."""
+    for claim in claims:
+        finding = found[claim.label]
+        if finding.verdict is REFUTED:
+            why = f"{claim.label} is refuted: {finding.why}"
+            return Finding(REFUTED, why, witness=finding.witness)
+        if finding.verdict is UNDECIDED:
+            return Finding(UNDECIDED, f"{claim.label} is undecided")
+    enclosed = any(found[c.label].verdict is Verdict.ENCLOSED for c in claims)
+    why = "follows from " + ", ".join(c.label for c in claims)
+    return Finding(Verdict.ENCLOSED if enclosed else PROVED, why)
+
+
+def _judge_unique_root(proof: UniqueRoot, given: Conditions) -> Finding:
+    """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
+    v, h = proof.variable, proof.function
+    closed = Given.from_sympy(*given, v >= proof.low, v <= proof.high)
+    gap = continuous_on(h, closed)
+    if gap is not None:
+        return Finding(UNDECIDED, f"nothing shows that {gap} stays off its singularity")
+    inside = (*given, v > proof.low, v < proof.high)
+    start = h.diff(v, evaluate=False)
+    last = proof.derivative[-1].expression
+    assert last is not None
+    steps = check_chain(equal(start, last), proof.derivative, inside)
+    if any(s.verdict is not PROVED for s in steps):
+        why = next(s.why for s in steps if s.verdict is not PROVED)
+        return Finding(UNDECIDED, why, steps=steps)
+    conditions = Given.from_sympy(*given)
+    slope = sign(to_expression(last), Given.from_sympy(*inside))
+    ends = [sign(to_expression(h.subs(v, e)), conditions) for e in (proof.low, proof.high)]
+    if slope not in ("+", "-") or sorted(map(str, ends)) != ["+", "-"]:
+        why = f"signs found: derivative {slope}, ends {ends[0]} and {ends[1]}"
+        return Finding(UNDECIDED, why, steps=steps)
+    return Finding(PROVED, "opposite signs at the ends, derivative of one sign", steps=steps)
+
+
+def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
+    """All relations hold, or the first that does not decides."""
+    rules = definitions(claim.uses)
+    finding = Finding(UNDECIDED, "there is no relation to decide")
+    for relation in relations:
+        finding = _settle(relation, claim.given, rules)
+        if finding.verdict is not PROVED:
+            return finding
+    return finding
+
+
+def _settle(relation: Basic, given: Conditions, rules: Rules) -> Finding:
+    """One relation decided without a chain: by normal form or sign, else at exact points."""
+    conditions = _conditions(given, rules)
+    if conditions.satisfying_point() is None:
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    left, right = (put_in(side, rules) for side in relation.args)
+    for side in (left, right):
+        gap = undefined(side, conditions)
+        if gap is not None:
+            return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+    if isinstance(relation, Equality):
+        decision = decide(to_expression(left), to_expression(right), conditions)
+        return Finding(decision.verdict, decision.why, witness=decision.witness)
+    difference = to_expression(left - right)
+    found = sign(difference, conditions)
+    if found is not None and _agrees(relation, found):
+        return Finding(PROVED, f"the difference of the two sides has the proven sign {found}")
+    return _refute(relation, given, rules) or Finding(UNDECIDED, "no sign is manifest")
+
+
+def _agrees(relation: Relational, found: str) -> bool:
+    return found in {
+        ">": ("+",),
+        ">=": ("+", "0", ">=0"),
+        "<": ("-",),
+        "<=": ("-", "0", "<=0"),
+        "!=": ("+", "-"),
+    }.get(relation.rel_op, ())
+
+
+def _conditions(given: Conditions, rules: Rules) -> Given:
+    return Given.from_sympy(*dict.fromkeys(put_in(condition, rules) for condition in given))
+
+
+def _refute(says: Basic, given: Conditions, rules: Rules) -> Finding | None:
+    """REFUTED with an exact point at which balls violate ``says``, or None."""
+    if isinstance(says, Tuple):
+        found = (_refute(part, given, rules) for part in says.args)
+        return next((f for f in found if f is not None), None)
+    if isinstance(says, Equivalent) or not isinstance(says, Relational):
+        return None
+    left, right = says.args
+    if isinstance(left, MatrixBase):
+        pairs = (_refute(equal(p, q), given, rules) for p, q in zip(left, right, strict=True))
+        return next((f for f in pairs if f is not None), None)
+    conditions = _conditions(given, rules)
+    left, right = put_in(left, rules), put_in(right, rules)
+    if isinstance(says, Equality):
+        decision = decide(to_expression(left, True), to_expression(right, True), conditions)
+        if decision.verdict is REFUTED:
+            return Finding(REFUTED, decision.why, witness=decision.witness)
+        return None
+    return _violated(says, to_expression(left - right, True), conditions)
+
+
+def _violated(says: Relational, difference: Expr, conditions: Given) -> Finding | None:
+    names = sorted(symbols(difference))
+    for point in conditions.points(names, POINTS):
+        with ball_precision(128):
+            value = evaluate(difference, {name: arb(v) for name, v in point.items()})
+            if not value.is_finite():
+                continue
+            wrong = {
+                ">": value <= 0,
+                ">=": value < 0,
+                "<": value >= 0,
+                "<=": value > 0,
+                "!=": value.is_zero(),
+            }[says.rel_op]
+        if wrong:
+            where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in point.items())
+            return Finding(REFUTED, f"violated at {where}", witness=point)
+    return None
+
+
+def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
+    """REFUTED when balls confirm the conditions and the violation at the exact point."""
+    values = {Symbol(name, real=True): v for name, v in proof.point.items()}
+    with ball_precision(256):
+        for condition in (*claim.given, proof.violated):
+            if not _true_at(condition, values):
+                return Finding(UNDECIDED, f"{condition} is not shown at the point")
+    where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
+    return Finding(REFUTED, f"violated at {where}", witness=proof.point)
+
+
+def _true_at(relation: Basic, values: Mapping[Symbol, fmpq]) -> bool:
+    left, right = relation.args
+    point = {s.name: arb(v) for s, v in values.items()}
+    difference = evaluate(to_expression(left - right, True), point)
+    return bool(
+        {
+            ">": difference > 0,
+            ">=": difference >= 0,
+            "<": difference < 0,
+            "<=": difference <= 0,
+            "!=": not difference.contains(0),
+            "==": difference.is_zero(),
+        }[relation.rel_op]
+    )

@@ -1,0 +1,96 @@
+"""From the SymPy expressions that claims say to the expression trees that are decided.
+
+Derivatives and integrals are symbols of their own until a reason opens them; definitions are put
+in here, and only those that a reason names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from sympy import Basic, Derivative, Eq, Integer, Integral, MatrixBase, Subs, Symbol, Tuple, srepr
+
+from tresym.claims.claim import Claim
+from tresym.identity import Expr, differentiate, from_sympy, substitute
+
+Rules = dict[Basic, Basic]
+
+MAX_PASSES = 20
+
+
+class CircularError(ValueError):
+    """Definitions that define a symbol by itself."""
+
+
+def definitions(claims: Iterable[Claim]) -> Rules:
+    """The equations that the claims say, as replacements of left sides, entry by entry."""
+    rules: Rules = {}
+    for claim in claims:
+        parts = claim.says.args if isinstance(claim.says, Tuple) else (claim.says,)
+        for part in parts:
+            if isinstance(part, Eq):
+                rules.update(_rules_of(part))
+    return rules
+
+
+def _rules_of(equation: Eq) -> Rules:
+    left, right = equation.args
+    if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
+        return {s: e for s, e in zip(left, right, strict=True) if isinstance(s, Symbol)}
+    return {left: right}
+
+
+def put_in(expression: Basic, rules: Rules) -> Basic:
+    """Replace left sides by right sides until none is left.
+
+    Raises:
+        CircularError: a symbol is defined by itself.
+    """
+    for _ in range(MAX_PASSES):
+        replaced = expression.xreplace(rules)
+        if replaced == expression:
+            return expression
+        expression = replaced
+    raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
+
+
+def to_expression(e: Basic, open_derivatives: bool = False) -> Expr:
+    """The expression tree of ``e``; with ``open_derivatives`` its derivatives are carried out."""
+    opaque: dict[Basic, Basic] = {}
+    opened: dict[str, Expr] = {}
+    for node in _outermost(e):
+        factor, kept = _constant_factor(node)
+        symbol = Symbol(f"[{srepr(kept)}]", real=True)
+        opaque[node] = factor * symbol
+        if open_derivatives and isinstance(node, Derivative | Subs):
+            opened[symbol.name] = _carried_out(node)
+    tree = from_sympy(e.xreplace(opaque) if opaque else e)
+    return substitute(tree, opened) if opened else tree
+
+
+def _constant_factor(node: Basic) -> tuple[Basic, Basic]:
+    """An integral as a constant times an integral; anything else as it is."""
+    if not isinstance(node, Integral):
+        return Integer(1), node
+    factor, rest = node.function.as_independent(node.variables[0], as_Add=False)
+    return factor, Integral(rest, *node.limits)
+
+
+def _carried_out(node: Basic) -> Expr:
+    if isinstance(node, Derivative):
+        tree = to_expression(node.expr, open_derivatives=True)
+        for variable in node.variables:
+            tree = differentiate(tree, variable.name)
+        return tree
+    inner = to_expression(node.expr, open_derivatives=True)
+    return substitute(
+        inner,
+        {v.name: to_expression(p) for v, p in zip(node.variables, node.point, strict=True)},
+    )
+
+
+def _outermost(e: Basic) -> list[Basic]:
+    """Derivatives, substitutions and integrals that no other such node contains."""
+    if isinstance(e, Derivative | Subs | Integral):
+        return [e]
+    return [node for argument in e.args for node in _outermost(argument)]

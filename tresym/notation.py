@@ -1,0 +1,59 @@
+"""The paper's symbols, defined once, and how each is written in LaTeX.
+
+All are real. Conditions on them (0 < I₁ < I₂ < I₃, 0 < b ≤ 1, …) belong to the claims that need
+them, never to the symbols. This module imports SymPy, so only claims and proofs import it.
+"""
+
+from __future__ import annotations
+
+from sympy import Symbol
+
+
+def _real(name: str) -> Symbol:
+    return Symbol(name, real=True)
+
+
+I1, I2, I3 = _real("I1"), _real("I2"), _real("I3")
+"""Principal moments of inertia: handle, intermediate axis, normal of the face."""
+M1, M2, M3, M = _real("M1"), _real("M2"), _real("M3"), _real("M")
+"""Components of the angular momentum in the body frame, and its length."""
+W1, W2, W3 = _real("Omega1"), _real("Omega2"), _real("Omega3")
+"""Components of the angular velocity in the body frame."""
+E = _real("E")
+"""Rotational energy."""
+theta, phi, psi = _real("theta"), _real("phi"), _real("psi")
+"""Euler angles (z-y-z, with x, y, z along e₂, e₃, e₁): tilt of the handle, precession, flip."""
+dtheta_dt, dphi_dt, dpsi_dt = _real("dtheta_dt"), _real("dphi_dt"), _real("dpsi_dt")
+dM1_dt, dM2_dt, dM3_dt = _real("dM1_dt"), _real("dM2_dt"), _real("dM3_dt")
+dtheta_dphi, dpsi_dphi = _real("dtheta_dphi"), _real("dpsi_dphi")
+"""Rates, as symbols of their own: each is what some claim says it is."""
+a, b = _real("a"), _real("b")
+"""Shape of the body: a = I₂/I₁ − 1, b = 1 − I₂/I₃."""
+gamma = _real("gamma")
+"""Distance from the separatrix: γ = 2 I₂ E/M² − 1."""
+epsilon, epsilon0 = _real("epsilon"), _real("epsilon0")
+"""Flip defect, and the flip defect on the separatrix."""
+S, S2 = _real("S"), _real("S2")
+"""Signs of cos θ and of sin ψ cos ψ."""
+x, x0 = _real("x"), _real("x0")
+"""Auxiliary variable √(b/(a+b)) cos ψ, and its value at the start."""
+T, k, r = _real("T"), _real("k"), _real("r")
+"""Auxiliary variable of the stable form; k = √(ab), r = √(b/a)."""
+F = _real("F")
+"""The integral of f from the flip defect to π/2."""
+u, lam, mu = _real("u"), _real("lambda"), _real("mu")
+"""The appendix's unknown and parameters: λ = 1/√(ab), μ = √(b/(a+b))."""
+
+LATEX = {
+    dtheta_dt: r"\dot\theta",
+    dphi_dt: r"\dot\phi",
+    dpsi_dt: r"\dot\psi",
+    dM1_dt: r"\dot M_1",
+    dM2_dt: r"\dot M_2",
+    dM3_dt: r"\dot M_3",
+    dtheta_dphi: r"\frac{d\theta}{d\phi}",
+    dpsi_dphi: r"\frac{d\psi}{d\phi}",
+    epsilon0: r"\epsilon_0",
+    lam: r"\lambda",
+}
+"""How symbols are written where SymPy's own rule would write them otherwise."""

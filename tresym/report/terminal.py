@@ -1,0 +1,98 @@
+"""The ledger at the terminal: rows as they are found, then the count by verdict."""
+
+from __future__ import annotations
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+from rich.text import Text
+
+from tresym.claims.claim import Claim
+from tresym.exact import fraction_text
+from tresym.verdict import Verdict
+from tresym.verification import Report, Row, choose, verify
+
+STYLES = {
+    Verdict.PROVED: "green",
+    Verdict.ENCLOSED: "cyan",
+    Verdict.REFUTED: "magenta",
+    Verdict.UNDECIDED: "bold yellow",
+}
+
+LABEL_WIDTH = 30
+PLACE_WIDTH = 22
+
+
+def show_verification(labels: tuple[str, ...], console: Console) -> Report:
+    """Verify, print each row as it is found under a progress bar, then the count by verdict."""
+    progress = Progress(
+        TextColumn("verifying"),
+        BarColumn(bar_width=None),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
+    console.print(_headings())
+    with progress:
+        task = progress.add_task("claims", total=len(choose(labels)))
+
+        def show(row: Row) -> None:
+            for line in _row_lines(row):
+                console.print(line)
+            progress.advance(task)
+
+        report = verify(labels, on_row=show)
+    console.print(_summary(report))
+    return report
+
+
+def place_text(claim: Claim) -> str:
+    """Where in the paper a claim stands, in words; a dash for a lemma of ours."""
+    where = claim.where
+    if where is None:
+        return "—"
+    parts = [f"display {where.display}"] if where.display else []
+    parts += [f"cell {where.cell}"] if where.cell else []
+    parts += [f"line {where.line}"] if where.line and not where.display else []
+    return ", ".join(parts) or "—"
+
+
+def _columns(label: str, place: str, verdict: Text, time: str) -> Text:
+    text = Text(f"{label:<{LABEL_WIDTH}}  {place:<{PLACE_WIDTH}}  ", no_wrap=True)
+    return text + verdict + Text(" " * (10 - len(verdict)) + f"{time:>9}")
+
+
+def _headings() -> Text:
+    line = _columns("claim", "in the paper", Text("verdict"), "time")
+    line.stylize("bold")
+    return line
+
+
+def _row_lines(row: Row) -> list[Text]:
+    claim, finding = row.claim, row.finding
+    verdict = Text(finding.verdict.value, style=STYLES[finding.verdict])
+    time = f"{1000 * finding.seconds:.1f} ms"
+    lines = [_columns(claim.label, place_text(claim), verdict, time)]
+    if not row.as_expected:
+        lines.append(Text(f"    expected {claim.expect.value}: {finding.why}", style="bold red"))
+    elif finding.verdict is Verdict.REFUTED:
+        lines.append(Text(f"    {finding.why}", style="dim"))
+        if finding.witness:
+            point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
+            lines.append(Text(f"    witness: {point}", style="dim"))
+        if claim.amended_by:
+            names = ", ".join(c.label for c in claim.amended_by)
+            lines.append(Text(f"    true instead: {names}", style="dim"))
+    return lines
+
+
+def _summary(report: Report) -> Table:
+    table = Table(show_header=False, box=None, pad_edge=False)
+    for verdict in Verdict:
+        table.add_row(Text(verdict.value, style=STYLES[verdict]), str(report.counts[verdict.value]))
+    unexpected = sum(not row.as_expected for row in report.rows)
+    outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
+    table.add_row("", Text(outcome, style="green" if not unexpected else "bold red"))
+    return table

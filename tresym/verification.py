@@ -1,0 +1,162 @@
+"""Verification: every claim judged, foundations first, into a report that prints and saves."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any
+
+from tresym.claims.claim import Claim
+from tresym.claims.finding import Finding
+from tresym.claims.judge import judge
+from tresym.exact import InputError, fraction_text
+from tresym.verdict import Verdict
+
+JSON_VERSION = 1
+
+
+@dataclass(frozen=True)
+class Row:
+    """A claim, what was found, and whether it was asked for by name (or only rested on)."""
+
+    claim: Claim
+    finding: Finding
+    requested: bool = True
+
+    @property
+    def as_expected(self) -> bool:
+        """True when the verdict is the one the claim must get."""
+        return _meets(self.claim.expect, self.finding.verdict)
+
+
+def _meets(expected: Verdict, verdict: Verdict) -> bool:
+    """A stronger verdict than expected is welcome: PROVED where ENCLOSED would do."""
+    return verdict is expected or (expected is Verdict.ENCLOSED and verdict is Verdict.PROVED)
+
+
+@dataclass(frozen=True)
+class Report:
+    """The ledger: one row per claim, in the order of the proofs."""
+
+    rows: tuple[Row, ...]
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many claims got each verdict; all four are always present."""
+        counted = Counter(row.finding.verdict.value for row in self.rows)
+        return {v.value: counted[v.value] for v in Verdict}
+
+    @property
+    def as_expected(self) -> bool:
+        """True when every verdict is the expected one."""
+        return all(row.as_expected for row in self.rows)
+
+    def __getitem__(self, label: str) -> Row:
+        return next(row for row in self.rows if row.claim.label == label)
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as `tresym verify --json` prints it."""
+        return {
+            "version": JSON_VERSION,
+            "counts": self.counts,
+            "claims": [_row_json(row) for row in self.rows],
+        }
+
+
+def verify(labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = None) -> Report:
+    """Judge every claim, or those named by ``labels`` with all that they rest on.
+
+    Args:
+        labels: labels of claims; none means all.
+        on_row: called with each row as it is found, for progress.
+
+    Raises:
+        InputError: a label that no claim has.
+    """
+    chosen, requested = _choose(all_claims(), tuple(labels))
+    found: dict[str, Finding] = {}
+    rows = []
+    for claim in chosen:
+        found[claim.label] = judge(claim, found)
+        rows.append(Row(claim, found[claim.label], claim.label in requested))
+        if on_row is not None:
+            on_row(rows[-1])
+    return Report(tuple(rows))
+
+
+def all_claims() -> tuple[Claim, ...]:
+    """Every claim of the proofs, each after all that it rests on."""
+    from tresym.proofs import claims
+
+    order: dict[Claim, None] = {}
+    for claim in claims():
+        order.update(dict.fromkeys((*claim.rests_on, claim)))
+    return tuple(order)
+
+
+def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
+    """The claims named by ``labels`` with all that they rest on, foundations first."""
+    return _choose(all_claims(), labels)[0]
+
+
+def _choose(
+    claims: tuple[Claim, ...], labels: tuple[str, ...]
+) -> tuple[tuple[Claim, ...], frozenset[str]]:
+    known = {claim.label: claim for claim in claims}
+    if not labels:
+        return claims, frozenset(known)
+    for label in labels:
+        if label not in known:
+            near = get_close_matches(label, known, n=1)
+            hint = f"; did you mean {near[0]}?" if near else ""
+            raise InputError(f"no claim is labelled {label[:60]!a}{hint}")
+    wanted: set[Claim] = set()
+    for label in labels:
+        wanted |= {known[label], *known[label].rests_on}
+    return tuple(claim for claim in claims if claim in wanted), frozenset(labels)
+
+
+def _row_json(row: Row) -> dict[str, Any]:
+    from tresym.report.latex import given_latex, says_latex
+
+    claim, finding = row.claim, row.finding
+    where = claim.where
+    return {
+        "label": claim.label,
+        "requested": row.requested,
+        "kind": claim.kind,
+        "says": says_latex(claim.says),
+        "given": [given_latex(condition) for condition in claim.given],
+        "verdict": finding.verdict.value,
+        "expect": claim.expect.value,
+        "value": finding.value and finding.value._asdict(),
+        "constant": finding.constant and finding.constant._asdict(),
+        "region": finding.region,
+        "parameter": finding.parameter,
+        "steps": [
+            {"verdict": s.verdict.value, "why": s.why, "seconds": round(s.seconds, 6)}
+            for s in finding.steps
+        ],
+        "where": where and {"display": where.display, "line": where.line, "cell": where.cell},
+        "witness": finding.witness
+        and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
+        "amended_by": [claim.label for claim in claim.amended_by],
+        "uses": [used.label for used in claim.uses],
+        "why": finding.why,
+        "seconds": round(finding.seconds, 6),
+    }
+
+
+def graph(labels: tuple[str, ...] = ()) -> str:
+    """What rests on what, as a Mermaid flow chart."""
+    chosen = choose(labels)
+    lines = ["flowchart BT"]
+    lines += [f'  {_node(claim)}["{claim.label}"]' for claim in chosen]
+    lines += [f"  {_node(claim)} --> {_node(used)}" for claim in chosen for used in claim.uses]
+    return "\n".join(lines) + "\n"
+
+
+def _node(claim: Claim) -> str:
+    return "c_" + "".join(c if c.isalnum() and c.isascii() else "_" for c in claim.label)
