@@ -186,20 +186,23 @@ def taylor_coefficients(
 ) -> list[arb]:
     """The Taylor coefficients h⁽ʲ⁾(ξ)/j!, j < ``length``, enclosed for all ξ in the ball ``x``.
 
-    FLINT cuts every series at a global length; it is raised here and restored.
+    FLINT cuts every series at a global length; it is raised here and restored. Where the function
+    is not defined on all of ``x`` the coefficients are NaN.
 
     Raises:
-        ValueError: ``function`` returned a shorter series than asked for.
+        RuntimeError: ``function`` returned a shorter series than asked for.
     """
     before = ctx.cap
     ctx.cap = length
     try:
         series = function(arb_series([x, 1], length))
-        if series.prec < length:
-            raise ValueError(f"a series of length {series.prec} where {length} terms are needed")
-        return [series[j] for j in range(length)]
+    except (ValueError, ZeroDivisionError):  # a divisor that may vanish
+        return [arb.nan()] * length
     finally:
         ctx.cap = before
+    if series.prec < length:
+        raise RuntimeError(f"a series of length {series.prec} where {length} terms are needed")
+    return [series[j] for j in range(length)]
 
 
 def _horner(coefficients: list[arb], x: arb) -> arb:
