@@ -174,11 +174,11 @@ def test_interval_newton_refuses_a_point_that_is_not_near_the_root() -> None:
         k, r = arb(1), arb(1) / 10
         root = solver.enclose_phase(k, r, 128)
         for offset in (0, 1e-6, -1e-6):
-            image = solver.interval_newton((root + offset).mid(), k, r, 128)
+            image = solver.interval_newton((root + offset).mid(), k, r)
             assert image.contains(root.mid()) or image.overlaps(root)
         # An interval whose slope is not bounded away from 0 shows nothing.
         with pytest.raises(ArithmeticError):
-            solver.interval_newton(arb(-3), k, r, 128)
+            solver.interval_newton(arb(-3), k, r)
 
 
 @given(log_k=st.floats(-700, 700), b=st.floats(1e-300, 1.0))

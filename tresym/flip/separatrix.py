@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, balls, bits
+from tresym.arithmetic import Balls, ball_precision, balls, bits
 from tresym.flip.result import proves
 from tresym.formulas import stable
 
@@ -57,16 +57,17 @@ def newton_step(phase: arb, k: arb, r: arb) -> arb:
     return (phase - residual / stable.phase_slope(phase, k, r, balls)).mid()
 
 
-def interval_newton(phase: arb, k: arb, r: arb, precision: int) -> arb:
+def interval_newton(phase: arb, k: arb, r: arb) -> arb:
     """A ball that contains the one root, from a near exact point ``phase``.
 
-    ``precision`` is the working precision: the starting interval leaves room for its roundings.
+    g′ ≥ 0.86 at the root of every shape, so an interval of eight times the residual (its rounding
+    errors included) leaves room.
 
     Raises:
         ArithmeticError: the step does not land inside its starting interval, so nothing is shown.
     """
     residual = phase - stable.phase_map(phase, k, r, balls)
-    interval = arb(phase, 2 * residual.abs_upper() + arb((1, 8 - precision)))
+    interval = arb(phase, 8 * residual.abs_upper())
     image = phase - residual / stable.phase_slope(interval, k, r, balls)
     if not interval.contains_interior(image):
         raise ArithmeticError("interval Newton did not contract; the precision is too low")
@@ -81,11 +82,25 @@ def enclose_phase(k: arb, r: arb, precision: int) -> arb:
     """
     guess = arb(float_phase(float(k), float(k * r)))
     correct = 46
-    while correct < precision // 2 + 4:
+    while 2 * correct < precision - 8:
         with ball_precision(2 * correct + 16):
             guess = newton_step(guess, k, r)
         correct = 2 * correct - 2
-    return interval_newton(guess, k, r, precision)
+    return interval_newton(guess, k, r)
+
+
+def defect_over(a: arb, b: arb, m: Balls = balls) -> arb:
+    """A ball that contains ε₀ for every shape in the balls ``a`` and ``b``.
+
+    The phase map takes [π, 3π/2] into itself, so its iterates from there contain every root.
+    """
+    k, r = m.sqrt(a * b), m.sqrt(b / a)
+    phase = m.pi.union(3 * m.pi / 2)
+    while True:
+        image = stable.phase_map(phase, k, r, m).intersection(phase)
+        if not image.rad() < phase.rad() * arb("0.99"):
+            return stable.defect_at(image, k, r, m)
+        phase = image
 
 
 def solve(a: fmpq, b: fmpq, digits: int) -> Separatrix:
