@@ -91,7 +91,19 @@ def phase(on: Orbit, at: Integrals) -> arb:
 
 
 def phase_at(on: Orbit, time: arb) -> arb:
-    """φ(u), |u| ≤ K."""
+    """φ(u), |u| ≤ 3K/2: by R_J up to the far end of a quarter, by reflection beyond it."""
+    far = on.quarter_time
+    if abs(time) <= far:
+        return _phase_in_quarter(on, time)
+    turn = 2 * far if time > 0 else -2 * far
+    if abs(time) > far:
+        return (2 if time > 0 else -2) * on.quarter_phase - _phase_in_quarter(on, turn - time)
+    # Within the ball of the far end itself, where 0 ≤ dφ/du ≤ 1/ω.
+    rest = arb(0, ((abs(time) - far) / on.speed).abs_upper())
+    return (1 if time > 0 else -1) * (on.quarter_phase + rest)
+
+
+def _phase_in_quarter(on: Orbit, time: arb) -> arb:
     at = functions(on.elliptic, time)
     square = at.sn * at.sn
     x, y = (acb((root * root).nonnegative_part()) for root in (at.cn, at.dn))

@@ -1,0 +1,175 @@
+"""The levels of γ at which ε(γ) changes character, and the inverse: γ from ε.
+
+φ_K is the phase from ψ = π/2 to the turning point of an oscillating orbit. On (−b, 0) it increases
+strictly with γ (in φ_K = (1/ω) ∫ [1 − b + (a+b) n S²/(1 + n S²)]/√(1 − k² S²) dχ each of 1/ω, n and
+k² does), from φ_K(−b) = π(1−b)/(2√(b(a+b))) to infinity. So at most one level has φ_K = π (γ*), and
+one φ_K = π/3 (γ**):
+
+- γ > γ*: the trajectory has not turned, F(ε, γ) = π, and dε/dγ = F_γ/f < 0, as F_γ is an integral
+  of a negative function;
+- γ** < γ ≤ γ*: it has turned once, 2φ_K − F(ε, γ) = π, and again dε/dγ < 0, as F_γ < 0 < dφ_K/dγ;
+- γ < γ**: it has turned more than once; ε(γ) goes up and down, within [ψ_min, π − ψ_min].
+
+So ε decreases strictly on (γ**, a), and every level below γ** has |ε − π/2| smaller than at γ**: the
+largest γ at which ε takes a value is the only one above γ**. Levels are computed in x = log of the
+odds (γ+b)/(−γ) or (a−γ)/γ, in which all this is nearly linear.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, bits
+from tresym.exact import InputError
+from tresym.flip.angle import Angle
+from tresym.flip.defect import PRECISION_LIMIT, defect_on
+from tresym.flip.orbit import Level, exact_level, orbit
+from tresym.flip.result import proves
+
+
+def level_at(a: fmpq, b: fmpq, regime: int, x: arb) -> Level:
+    """The level with (γ+b)/(−γ) = eˣ (``regime`` −1) or (a−γ)/γ = eˣ (``regime`` 1)."""
+    odds = x.exp()
+    if regime < 0:
+        gamma = -b / (1 + odds)
+        return Level(gamma, a - gamma, b * odds / (1 + odds), -1)
+    gamma = a / (1 + odds)
+    return Level(gamma, a * odds / (1 + odds), gamma + b, 1)
+
+
+def turning_level(a: fmpq, b: fmpq, digits: int, turns: int = 1) -> arb | None:
+    """γ* < 0, at which the trajectory of ε(γ) begins at its turning point; None if there is none.
+
+    Above it the trajectory has not turned. ``turns`` = 3 gives γ**, below which it has turned more
+    than once: the level with φ_K = π/``turns``.
+    """
+    # φ_K(−b) < π/turns, in rationals.
+    if not turns * turns * (1 - b) ** 2 < 4 * b * (a + b):
+        return None
+
+    def excess(x: arb) -> arb:
+        return orbit(a, b, level_at(a, b, -1, x)).quarter_phase - arb.pi() / turns
+
+    return _level_by(excess, a, b, -1, digits)
+
+
+def level_of(a: fmpq, b: fmpq, defect: Angle, digits: int) -> arb:
+    """The largest γ < a with ε(γ) = ``defect``, as a ball; the only one above γ**.
+
+    Raises:
+        InputError: ε takes this value nowhere above γ** (the message gives the range).
+    """
+    regime = _regime_of(a, b, defect)
+    lowest = turning_level(a, b, 20, 3)
+    if regime < 0 and lowest is not None:
+        with ball_precision(128):
+            highest = arb.pi() - (-lowest / b).sqrt().asin()
+            if not defect.ball() < highest:
+                raise _out_of_range(f"less than {highest.str(8, radius=False)}")
+    elif regime < 0 and not defect.ball() < arb.pi() / 2:
+        raise _out_of_range("less than pi/2")
+
+    def excess(x: arb) -> arb:
+        # Increases with γ.
+        return defect.ball() - defect_on(a, b, level_at(a, b, regime, x))
+
+    found = _level_by(excess, a, b, regime, digits)
+    if lowest is not None and not found > lowest:
+        raise ArithmeticError("the level found is not above the last turning level")
+    return found
+
+
+def _out_of_range(limit: str) -> InputError:
+    return InputError(f"defect: no gamma of the monotone range has it; it must be {limit}")
+
+
+def _regime_of(a: fmpq, b: fmpq, defect: Angle) -> int:
+    """1 if ε(γ) = ``defect`` at some γ > 0, −1 if at γ < 0: by comparison with ε(0) and ε(a)."""
+    precision = 128
+    while precision < PRECISION_LIMIT:
+        with ball_precision(precision):
+            value = defect.ball()
+            middle = defect_on(a, b, exact_level(a, b, fmpq(0)))
+            lowest = defect_on(a, b, exact_level(a, b, a))
+            if value < lowest:
+                raise _out_of_range(f"more than {lowest.str(8, radius=False)}")
+            if lowest < value < middle:
+                return 1
+            if value > middle:
+                return -1
+        precision *= 2
+    raise InputError("defect: too near that of the separatrix to be told from it")
+
+
+def _level_by(excess: Callable[[arb], arb], a: fmpq, b: fmpq, regime: int, digits: int) -> arb:
+    """γ where the function ``excess`` of x, strictly monotone, is 0, to ``digits`` digits."""
+    precision = bits(digits, 64)
+    with ball_precision(128):
+        ends = _refined(excess, *_bracket(excess))
+    while precision < PRECISION_LIMIT:
+        with suppress(ArithmeticError):
+            x = _enclosed(excess, *ends, precision)
+            with ball_precision(precision):
+                gamma = level_at(a, b, regime, x).gamma
+            if proves(gamma, digits):
+                return gamma
+        precision += precision // 2
+    raise ArithmeticError("the precision limit is reached")
+
+
+def _bracket(excess: Callable[[arb], arb]) -> tuple[arb, arb]:
+    """Two points with the root of a monotone function between them, found by doubling."""
+    low, high = arb(-1), arb(1)
+    at_low, at_high = excess(low), excess(high)
+    while at_low * at_high > 0:
+        width = 2 * (high - low)
+        if abs(at_low.mid()) < abs(at_high.mid()):
+            low, high, at_high = low - width, low, at_low
+            at_low = excess(low)
+        else:
+            low, high, at_low = high, high + width, at_high
+            at_high = excess(high)
+    return low, high
+
+
+def _refined(excess: Callable[[arb], arb], low: arb, high: arb) -> tuple[arb, arb]:
+    """A bracket's best two points after regula falsi with halved weights (Illinois)."""
+    at_low, at_high = excess(low).mid(), excess(high).mid()
+    before, here = low, high
+    while abs(here - before) > arb((1, -30)):
+        before, here = here, ((low * at_high - high * at_low) / (at_high - at_low)).mid()
+        value = excess(here).mid()
+        if value == 0:
+            return before, here
+        if (value > 0) == (at_high > 0):
+            high, at_high, at_low = here, value, at_low / 2
+        else:
+            low, at_low, at_high = here, value, at_high / 2
+    return before, here
+
+
+def _enclosed(excess: Callable[[arb], arb], before: arb, here: arb, precision: int) -> arb:
+    """The root as a ball: secants at rising precision from two near points, then two signs.
+
+    Raises:
+        ArithmeticError: no change of sign is shown.
+    """
+    work = 96
+    while True:
+        work = min(work, precision)
+        with ball_precision(work):
+            values = excess(before).mid(), excess(here).mid()
+            slope = (values[1] - values[0]) / (here - before)
+            after = (here - values[1] / slope).mid()
+            if work == precision and abs(after - here) < arb((1, 24 - precision // 2)):
+                width = abs(excess(after) / slope).abs_upper() * 4 + arb((1, 16 - precision))
+                low, high = excess(after - width), excess(after + width)
+                if low * high < 0:
+                    return arb(after, width)
+                raise ArithmeticError("no change of sign at this precision")
+        if not abs(after - here) < abs(here - before):
+            raise ArithmeticError("the secants do not converge at this precision")
+        before, here, work = here, after, work * 8 // 5
