@@ -1,0 +1,164 @@
+"""PROVED, REFUTED or UNDECIDED for an identity between real expressions.
+
+What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
+are defined. More exactly: at every point that is a limit of interior points of that set, for the
+normal form is silent on isolated points of the domain. This is not the convention of complex
+principal branches: ``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common
+domain, and ``sqrt(x**2) = x`` is REFUTED.
+
+Nothing is proved vacuously: a point inside ``given`` must be found at which both sides are shown,
+in balls, to be defined.
+
+1. Balls at a few exact rational points: disjoint values refute.
+2. The exact normal form of field.py: a difference that is zero proves.
+3. Balls again, at many points and 700 bits.
+4. What the normal form leaves is tried by derivative: see locally_constant.py.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision
+from tresym.exact import fraction_text
+from tresym.identity.evaluation import evaluate
+from tresym.identity.expression import Expr, symbols
+from tresym.identity.field import ALL_THEORIES, Field
+from tresym.identity.given import Given
+from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
+from tresym.verdict import Verdict
+
+FIRST_BITS, SECOND_BITS, LAST_BITS = 128, 700, 4000
+FIRST_POINTS, SECOND_POINTS = 4, 20
+SEARCH_POINTS = 120
+SIZES = (24, 64, 128)
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A verdict with its reason.
+
+    Attributes:
+        verdict: PROVED, REFUTED or UNDECIDED.
+        why: one sentence: the normal form and base points, or what stopped the procedure.
+        witness: the exact point of a refutation.
+        values: both sides there, as disjoint balls.
+    """
+
+    verdict: Verdict
+    why: str
+    witness: Mapping[str, fmpq] | None = None
+    values: tuple[arb, arb] | None = None
+
+
+def decide(
+    left: Expr,
+    right: Expr,
+    given: Given = Given(),  # noqa: B008 - frozen
+    theories: frozenset[str] = ALL_THEORIES,
+) -> Decision:
+    """Whether ``left = right`` at every real point of ``given`` where both are defined.
+
+    Args:
+        theories: what the proof may use beyond algebra; a function of another theory is a mere
+            name whose equal arguments give equal values. Refutation is not limited by it.
+    """
+    names = sorted(symbols(left) | symbols(right))
+    defined: dict[str, fmpq] | None = None
+    for point, values in _values(left, right, given, names, FIRST_POINTS, FIRST_BITS):
+        if not values[0].overlaps(values[1]):
+            return _refutation(point, values)
+        defined = point
+    if defined is None:
+        return Decision(Verdict.UNDECIDED, _no_point(given, names))
+    proof, obstacle = _prove(left, right, given, theories)
+    if proof is not None:
+        shown = _shown(defined)
+        return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown}")
+    for bits, count in ((SECOND_BITS, SECOND_POINTS), (LAST_BITS, 2)):
+        for point, values in _values(left, right, given, names, count, bits):
+            if not values[0].overlaps(values[1]):
+                return _refutation(point, values)
+    return Decision(Verdict.UNDECIDED, obstacle)
+
+
+def _values(
+    left: Expr, right: Expr, given: Given, names: list[str], count: int, bits: int
+) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
+    """Points where both sides are defined, with their values as balls."""
+    found = 0
+    for point in given.points(names, SEARCH_POINTS):
+        with ball_precision(bits):
+            at = {name: arb(value) for name, value in point.items()}
+            x = evaluate(left, at)
+            y = evaluate(right, at) if x.is_finite() else x
+        if y.is_finite():
+            yield point, (x, y)
+            found += 1
+        if found == count or not point:
+            return
+
+
+def _refutation(point: dict[str, fmpq], values: tuple[arb, arb]) -> Decision:
+    why = f"the two sides differ at {_shown(point)}"
+    return Decision(Verdict.REFUTED, why, point, values)
+
+
+def _shown(point: Mapping[str, fmpq]) -> str:
+    if not point:
+        return "the constants themselves"
+    return ", ".join(f"{name} = {fraction_text(value)}" for name, value in point.items())
+
+
+def _no_point(given: Given, names: list[str]) -> str:
+    if next(given.points(names, 1), None) is None:
+        return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
+    return (
+        "no real point was found where both sides are defined; a condition that bounds the "
+        "variables may help"
+    )
+
+
+def _prove(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str]
+) -> tuple[str | None, str]:
+    """A sentence on the proof, or None and a sentence on what stopped it."""
+    try:
+        field, value = _difference(left, right, given, theories)
+    except (TooLargeError, UndefinedError) as error:
+        return None, f"the exact normal form stopped: {error}"
+    if value.num.is_zero():
+        count = len(field.generators)
+        return f"the difference has normal form 0 ({count} generators)", ""
+    return None, _obstacle(field, value)
+
+
+def _difference(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str]
+) -> tuple[Field, Fraction]:
+    for size in SIZES:
+        field = Field(given, theories, size)
+        try:
+            x, y = field.normal(left, right)
+            return field, field.subtract(x, y)
+        except TooLargeError:
+            if len(field.generators) < size:
+                raise
+    raise TooLargeError("more generators than the largest ring has room for")
+
+
+def _obstacle(field: Field, value: Fraction) -> str:
+    kinds = {field.at(i).kind for i in field.used(value.num)}
+    if "sign" in kinds:
+        signs = [field.at(i).data[0] for i in field.used(value.num) if field.at(i).kind == "sign"]
+        for factor in signs:
+            return (
+                f"the normal form of the difference depends on the sign of {field.text(factor)}; "
+                "an assumption on it may help"
+            )
+    if "opaque" in kinds:
+        return "the difference is not zero by the allowed theories alone"
+    return "the normal form of the difference is not zero, and no point was found that refutes"

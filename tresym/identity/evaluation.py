@@ -1,0 +1,102 @@
+"""The value of an expression in balls, NaN wherever it is not shown to be defined."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from flint import arb, fmpq
+
+from tresym.identity.expression import Expr
+
+_NAN = arb.nan()
+_ELSEWHERE = frozenset(("abs", "cbrt", "sign"))
+
+
+class _UndefinedError(Exception):
+    """The point is outside the real domain, or the ball is too wide to tell."""
+
+
+def evaluate(e: Expr, point: Mapping[str, arb]) -> arb:
+    """A ball that contains ``e`` at ``point``, at the working precision.
+
+    NaN where ``e`` is undefined in the reals (radicand < 0, argument of ``log`` ≤ 0, argument of
+    ``asin`` out of range, division by a ball that contains 0) or where the balls cannot tell.
+
+    Raises:
+        KeyError: a variable of ``e`` is not in ``point``.
+    """
+    done: dict[Expr, arb] = {}
+
+    def walk(node: Expr) -> arb:
+        value = done.get(node)
+        if value is None:
+            value = _value(node, point, walk)
+            if not value.is_finite():
+                raise _UndefinedError
+            done[node] = value
+        return value
+
+    try:
+        return walk(e)
+    except _UndefinedError:
+        return _NAN
+
+
+def _value(node: Expr, point: Mapping[str, arb], walk: Callable[[Expr], arb]) -> arb:
+    op, args = node.op, node.args
+    if op == "number":
+        return arb(args[0])
+    if op == "symbol":
+        return point[args[0]]
+    if op == "pi":
+        return arb.pi()
+    if op == "^":
+        return _power(args[0], args[1], walk)
+    values = [walk(arg) for arg in args]
+    if op == "+":
+        total = values[0]
+        for value in values[1:]:
+            total = total + value
+        return total
+    if op == "*":
+        total = values[0]
+        for value in values[1:]:
+            total = total * value
+        return total
+    return _function(op, values[0])
+
+
+def _power(base: Expr, exponent: Expr, walk: Callable[[Expr], arb]) -> arb:
+    x = walk(base)
+    if exponent.op != "number":
+        return (walk(exponent) * x.log()).exp()
+    r: fmpq = exponent.args[0]
+    p, q = int(r.p), int(r.q)
+    if p < 0 and x.contains(0):
+        raise _UndefinedError
+    if q == 1:
+        return x**p
+    if not x >= 0:
+        raise _UndefinedError
+    root = x.sqrt() if q == 2 else x.root(q)
+    return root if p == 1 else root**p
+
+
+def _function(name: str, x: arb) -> arb:
+    if name not in _ELSEWHERE:
+        return getattr(x, name)()
+    if name == "abs":
+        return abs(x)
+    if name == "cbrt":
+        return -((-x).root(3)) if x < 0 else _cube_root(x)
+    if x > 0 or x < 0:
+        return arb(1 if x > 0 else -1)
+    raise _UndefinedError
+
+
+def _cube_root(x: arb) -> arb:
+    """The real cube root of a ball that may contain zero."""
+    if x >= 0:
+        return x.root(3)
+    low, high = x.lower(), x.upper()
+    return (-((-low).root(3))).union(high.root(3))

@@ -1,0 +1,320 @@
+"""Conditions on real symbols: the box and the inequalities a claim is made under.
+
+A condition is a comparison of two expressions. Those that bound one symbol by a constant make the
+box, kept outward where the constant is irrational; all of them are checked, in balls, at every
+point handed out, so a point is a witness and not a guess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision
+from tresym.exact import InputError
+from tresym.identity.evaluation import evaluate
+from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
+from tresym.identity.parsing import parse_conditions
+
+CHECK_BITS = 128
+_TRIES = 3000
+_FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
+_SYMPY_RELATIONS = {
+    "StrictGreaterThan": ">",
+    "GreaterThan": ">=",
+    "StrictLessThan": "<",
+    "LessThan": "<=",
+    "Unequality": "!=",
+}
+
+
+class Range(NamedTuple):
+    """An interval of one symbol; None is an infinite end.
+
+    ``low`` and ``high`` are rational and enclose the truth; ``pi_low`` and ``pi_high`` enclose it
+    in multiples of π, exactly where the condition was written in π.
+    """
+
+    low: fmpq | None = None
+    high: fmpq | None = None
+    low_open: bool = True
+    high_open: bool = True
+    pi_low: fmpq | None = None
+    pi_high: fmpq | None = None
+
+
+@dataclass(frozen=True)
+class Condition:
+    """``expression`` compared with zero: relation is ``>``, ``>=`` or ``!=``."""
+
+    expression: Expr
+    relation: str
+
+    def holds(self, point: dict[str, arb]) -> bool:
+        """Whether balls show the condition, strictly, at ``point``."""
+        value = evaluate(self.expression, point)
+        if self.relation == "!=":
+            return bool(value > 0 or value < 0)
+        return bool(value > 0)
+
+    def holds_exactly(self, point: dict[str, arb]) -> bool:
+        """As :meth:`holds`, with equality allowed where the relation is ``>=``."""
+        if self.holds(point):
+            return True
+        value = evaluate(self.expression, point)
+        return self.relation == ">=" and bool(value >= 0)
+
+
+@dataclass(frozen=True)
+class Given:
+    """A conjunction of conditions on real symbols; ``Given()`` is no condition at all."""
+
+    comparisons: tuple[tuple[Expr, str, Expr], ...] = ()
+
+    @staticmethod
+    def parse(text: str) -> Given:
+        """Conditions such as ``"a > 0, 0 < b <= 1, I1 < I2 < I3, psi != 0"``.
+
+        Raises:
+            InputError: text outside the grammar of parsing.py.
+        """
+        return Given(tuple(parse_conditions(text)))
+
+    @staticmethod
+    def from_sympy(*relationals: Any) -> Given:
+        """SymPy relationals (``Gt``, ``Ge``, ``Lt``, ``Le``, ``Ne``, ``And`` of them).
+
+        Raises:
+            InputError: any other condition.
+        """
+        result: list[tuple[Expr, str, Expr]] = []
+        for item in relationals:
+            name = type(item).__name__
+            if name == "And":
+                result.extend(Given.from_sympy(*item.args).comparisons)
+            elif name in _SYMPY_RELATIONS:
+                left, right = from_sympy(item.lhs), from_sympy(item.rhs)
+                result.append((left, _SYMPY_RELATIONS[name], right))
+            elif name != "BooleanTrue":
+                raise InputError(f"{item} is not a condition such as a > 0")
+        return Given(tuple(result))
+
+    def __and__(self, other: Given) -> Given:
+        return Given(self.comparisons + other.comparisons)
+
+    def __str__(self) -> str:
+        return ", ".join(f"{left} {sign} {right}" for left, sign, right in self.comparisons)
+
+    @cached_property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Every comparison as an expression compared with zero."""
+        return tuple(
+            Condition(left - right, sign)
+            if sign in (">", ">=", "!=")
+            else Condition(right - left, _FLIP[sign])
+            for left, sign, right in self.comparisons
+        )
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The symbols that the conditions speak of."""
+        return frozenset().union(*(symbols(c.expression) for c in self.conditions))
+
+    @cached_property
+    def box(self) -> dict[str, Range]:
+        """The bounds of single symbols by constants."""
+        box: dict[str, Range] = {}
+        for left, sign, right in self.comparisons:
+            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
+                if side.op == "abs" and not symbols(bound) and relation in ("<", "<="):
+                    _tighten(box, side.args[0], relation, bound)
+                    _tighten(box, side.args[0], _FLIP[relation], -bound)
+                elif not symbols(bound):
+                    _tighten(box, side, relation, bound)
+        return box
+
+    @cached_property
+    def beyond_box(self) -> tuple[Condition, ...]:
+        """The conditions that are not bounds of one symbol by a constant."""
+        plain = {"symbol"}
+        return tuple(
+            condition
+            for (left, _, right), condition in zip(self.comparisons, self.conditions, strict=True)
+            if condition.relation == "!="
+            or not (
+                (left.op in plain and not symbols(right))
+                or (right.op in plain and not symbols(left))
+            )
+        )
+
+    def satisfying_point(self, names: Iterable[str] = ()) -> dict[str, fmpq] | None:
+        """An exact point that satisfies every condition, checked; None where none was found.
+
+        Args:
+            names: further symbols the point shall give a value.
+        """
+        wanted = sorted(self.names | set(names))
+        for point in self.points(wanted, 1):
+            return point
+        for corner in _corners(wanted, self.box):
+            with ball_precision(CHECK_BITS):
+                at = {name: arb(value) for name, value in corner.items()}
+                if all(condition.holds_exactly(at) for condition in self.conditions):
+                    return corner
+        return None
+
+    def points(self, names: Iterable[str], n: int, start: int = 0) -> Iterator[dict[str, fmpq]]:
+        """At most ``n`` exact rational points inside the conditions, always the same ones.
+
+        Both signs come early where they are allowed; small, large and boundary-near values later.
+        Every condition holds strictly at each point, shown by balls.
+        """
+        wanted = sorted(self.names | set(names))
+        ranges = [self.box.get(name, Range()) for name in wanted]
+        found = 0
+        for k in range(start, start + (_TRIES if self.conditions else n)):
+            point = {
+                name: _sample(where, k, j)
+                for j, (name, where) in enumerate(zip(wanted, ranges, strict=True))
+            }
+            if self._holds(point):
+                yield point
+                found += 1
+                if found == n:
+                    return
+
+    def _holds(self, point: dict[str, fmpq]) -> bool:
+        if not self.conditions:
+            return True
+        with ball_precision(CHECK_BITS):
+            at = {name: arb(value) for name, value in point.items()}
+            return all(condition.holds(at) for condition in self.conditions)
+
+
+def _tighten(box: dict[str, Range], side: Expr, relation: str, bound: Expr) -> None:
+    """Narrow the range of the symbol ``side`` by ``side relation bound``."""
+    if side.op != "symbol" or relation == "!=":
+        return
+    low, high = _enclosure(bound)
+    if low is None or high is None:
+        return
+    name, was = side.args[0], box.get(side.args[0], Range())
+    is_open = relation in ("<", ">") or low != high
+    pi = _pi_multiple(bound)
+    if relation in (">", ">="):
+        if was.low is None or low > was.low or (low == was.low and is_open):
+            box[name] = was._replace(
+                low=low, low_open=is_open, pi_low=pi if pi is not None else _over_pi(low, True)
+            )
+    elif was.high is None or high < was.high or (high == was.high and is_open):
+        box[name] = was._replace(
+            high=high, high_open=is_open, pi_high=pi if pi is not None else _over_pi(high, False)
+        )
+
+
+def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
+    """Rational ends that enclose the constant ``e``; equal where it is rational."""
+    if e.op == "number":
+        return e.args[0], e.args[0]
+    with ball_precision(CHECK_BITS):
+        value = evaluate(e, {})
+        if not value.is_finite():
+            return None, None
+        return _rational(value.lower()), _rational(value.upper())
+
+
+def _rational(x: arb) -> fmpq:
+    mantissa, exponent = x.mid().man_exp()
+    if exponent >= 0:
+        return fmpq(mantissa * 2 ** int(exponent))
+    return fmpq(mantissa, 2 ** int(-exponent))
+
+
+def _pi_multiple(e: Expr) -> fmpq | None:
+    """r where ``e`` is written as r·π."""
+    if e.op == "pi":
+        return fmpq(1)
+    if e.op == "number" and e.args[0] == 0:
+        return fmpq(0)
+    if e.op == "*" and [arg.op for arg in e.args] == ["number", "pi"]:
+        return e.args[0].args[0]
+    return None
+
+
+def _over_pi(x: fmpq, down: bool) -> fmpq:
+    """``x/π`` rounded down or up to a rational."""
+    with ball_precision(CHECK_BITS):
+        value = arb(x) / arb.pi()
+        return _rational(value.lower() if down else value.upper())
+
+
+_UNIT = [
+    fmpq(*pair)
+    for pair in (
+        *((3, 7), (5, 8), (2, 9), (7, 9), (1, 3), (8, 13), (1, 17), (15, 16), (4, 9)),
+        *((1, 1000), (999, 1000), (6, 11), (1, 2), (2, 3), (10**6 - 1, 10**6), (1, 10**6)),
+    )
+]
+"""Where in a bounded range the samples lie: the middle first, the ends last."""
+_RAY = [
+    fmpq(*pair)
+    for pair in (
+        *((5, 7), (3, 8), (13, 6), (1, 4), (9, 8), (29, 9), (1, 19), (17, 3), (11, 12)),
+        *((1, 900), (100, 7), (1, 2), (2, 1), (1, 1), (1000, 3), (1, 10**6)),
+    )
+]
+"""How far from the end of an unbounded range the samples lie."""
+
+
+def _hash(k: int, j: int) -> int:
+    h = (k * 2654435761 + j * 2246822519 + 374761393) & 0xFFFFFFFF
+    h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
+    h = ((h ^ (h >> 13)) * 3266489917) & 0xFFFFFFFF
+    return h ^ (h >> 16)
+
+
+def _sample(where: Range, k: int, j: int) -> fmpq:
+    """The ``k``-th value of the ``j``-th symbol, inside its range."""
+    h = _hash(k, j)
+    pool = 5 if k < 6 else 9 if k < 20 else 16
+    low, high = where.low, where.high
+    if low is not None and high is not None:
+        nudge = fmpq(1, 1009 + h % 97) if k else fmpq(0)
+        r = _UNIT[h % pool]
+        return low + (high - low) * (r + (1 - r) * r * nudge)
+    x = _RAY[h % pool] * (1 + fmpq(1, 97 + h % 89))
+    if low is not None:
+        return low + x
+    if high is not None:
+        return high - x
+    alternating = (k + j) % 2 == 1 if k < 2 else k == 3
+    negative = alternating if k < 4 else (h >> 8) % 2 == 1
+    return -x if negative else x
+
+
+def _corners(names: list[str], box: dict[str, Range]) -> Iterator[dict[str, fmpq]]:
+    """Points with some symbols at closed ends of their ranges."""
+    choices = []
+    for name in names:
+        where = box.get(name, Range())
+        ends = []
+        if where.low is not None and not where.low_open:
+            ends.append(where.low)
+        if where.high is not None and not where.high_open:
+            ends.append(where.high)
+        choices.append([*ends, fmpq(0), fmpq(1), _sample(where, 0, 0)])
+    for k in range(200):
+        point = {}
+        for name, choice in zip(names, choices, strict=True):
+            point[name] = choice[k % len(choice)]
+            k //= len(choice)
+        yield point
+
+
+def positive(*names: str) -> Given:
+    """The condition that every named symbol is positive."""
+    return Given(tuple((symbol(name), ">", number(0)) for name in names))

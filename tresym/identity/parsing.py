@@ -1,0 +1,233 @@
+"""Reading expressions and conditions from text, through Python's ``ast`` on a whitelist.
+
+Nothing is evaluated. Text is bounded in length and nesting before it is parsed; decimals are read
+from the text itself and are exact.
+
+Grammar: ``+ - * / **`` (also ``^``), parentheses, decimals and fractions, names, ``pi``, ``E``, the
+functions of :data:`tresym.identity.expression.FUNCTIONS` with ``sqrt``, ``ln``, ``Abs``, the
+``arc…`` names and ``atan2(y, x)``, and ``diff(expression, x[, n])``.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable
+
+from tresym.exact import InputError, parse_number
+from tresym.identity.expression import (
+    FUNCTIONS,
+    MAX_DEPTH,
+    PI,
+    E,
+    Expr,
+    add,
+    apply,
+    differentiate,
+    multiply,
+    number,
+    power,
+    sqrt,
+    symbol,
+)
+
+MAX_CHARACTERS = 10_000
+MAX_DERIVATIVES = 10
+
+_ALIASES = {"ln": "log", "Abs": "abs", "sgn": "sign"} | {
+    f"arc{name}": f"a{name}" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+}
+_RECIPROCALS = {
+    "asec": "acos",
+    "acsc": "asin",
+    "asech": "acosh",
+    "acsch": "asinh",
+    "acoth": "atanh",
+}
+_IMPLICIT = re.compile(r"(?<![A-Za-z_])\d+(\.\d*)?\s*[A-Za-z_(]|\)\s*[\w(]|[A-Za-z_]\w*\s+[\w(]")
+
+
+def parse(text: str) -> Expr:
+    """The expression that ``text`` writes.
+
+    Raises:
+        InputError: text outside the grammar or its bounds; one line says which.
+    """
+    source = tidy(text)
+    return _Reader(source).read(tree(source))
+
+
+def tidy(text: str) -> str:
+    """``text`` with ``^`` as ``**``, its length and nesting checked.
+
+    Raises:
+        InputError: empty, too long, not ASCII, or nested too deeply.
+    """
+    if len(text) > MAX_CHARACTERS:
+        raise InputError(f"{len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
+    if not text.strip():
+        raise InputError("an expression is expected, the text is empty")
+    if not text.isascii() or "\0" in text:
+        raise InputError("only ASCII characters are allowed in an expression")
+    depth = deepest = 0
+    for character in text:
+        depth += (character in "([{") - (character in ")]}")
+        deepest = max(deepest, depth)
+    if deepest > MAX_DEPTH or re.search(r"([-+~]\s*){50}", text):
+        raise InputError(f"the expression is nested deeper than {MAX_DEPTH} levels")
+    return " ".join(text.split()).replace("^", "**")
+
+
+def tree(source: str) -> ast.expr:
+    """Python's syntax tree of ``source``.
+
+    Raises:
+        InputError: not an expression, or too deep for the parser.
+    """
+    try:
+        return ast.parse(source, mode="eval").body
+    except SyntaxError:
+        found = _IMPLICIT.search(source)
+        hint = f" (write * between factors: {found[0]!r})" if found else ""
+        raise InputError(f"{_quoted(source)} is not an expression{hint}") from None
+    except (RecursionError, MemoryError, ValueError):
+        raise InputError("the expression is nested too deeply or a number is too long") from None
+
+
+def _quoted(source: str) -> str:
+    return ascii(source if len(source) <= 60 else source[:57] + "...")
+
+
+class _Reader:
+    """Turns a syntax tree into an expression; keeps the text for exact numbers."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+
+    def read(self, node: ast.expr) -> Expr:
+        try:
+            return self._read(node)
+        except RecursionError:
+            raise InputError(f"the expression is nested deeper than {MAX_DEPTH} levels") from None
+
+    def _read(self, node: ast.expr) -> Expr:
+        match node:
+            case ast.Constant():
+                if type(node.value) not in (int, float):
+                    raise self._refuse(node)
+                return number(parse_number(self._segment(node)))
+            case ast.Name(id="pi"):
+                return PI
+            case ast.Name(id="E"):
+                return E
+            case ast.Name(id=name):
+                if name in FUNCTIONS or name in _ALIASES or name.startswith("__"):
+                    raise InputError(f"{name} cannot be the name of a variable")
+                return symbol(name)
+            case ast.UnaryOp(op=ast.USub()):
+                return -self._read(node.operand)
+            case ast.UnaryOp(op=ast.UAdd()):
+                return self._read(node.operand)
+            case ast.BinOp(op=ast.Add() | ast.Sub()):
+                return self._chain(node, (ast.Add, ast.Sub), add, lambda e: -e)
+            case ast.BinOp(op=ast.Mult() | ast.Div()):
+                return self._chain(node, (ast.Mult, ast.Div), multiply, lambda e: 1 / e)
+            case ast.BinOp(op=ast.Pow()):
+                return power(self._read(node.left), self._read(node.right))
+            case ast.Call(func=ast.Name(id=name), keywords=[]):
+                return self._call(name, node.args)
+        raise self._refuse(node)
+
+    def _chain(
+        self,
+        node: ast.BinOp,
+        ops: tuple[type[ast.operator], type[ast.operator]],
+        join: Callable[..., Expr],
+        invert: Callable[[Expr], Expr],
+    ) -> Expr:
+        """A left-nested chain such as ``a - b + c``, without recursion along it."""
+        parts: list[Expr] = []
+        left: ast.expr = node
+        while isinstance(left, ast.BinOp) and isinstance(left.op, ops):
+            right = self._read(left.right)
+            parts.append(invert(right) if isinstance(left.op, ops[1]) else right)
+            left = left.left
+        parts.append(self._read(left))
+        return join(*reversed(parts))
+
+    def _call(self, name: str, args: list[ast.expr]) -> Expr:
+        if name == "diff":
+            return self._diff(args)
+        values = [self._read(arg) for arg in args]
+        name = _ALIASES.get(name, name)
+        if name == "atan2" and len(values) == 2:
+            y, x = values
+            return 2 * apply("atan", y / (sqrt(x**2 + y**2) + x))
+        if name == "log" and len(values) == 2:
+            return apply("log", values[0]) / apply("log", values[1])
+        if len(values) != 1:
+            raise InputError(f"{name} takes one argument, {len(values)} given")
+        if name == "sqrt":
+            return sqrt(values[0])
+        if name in _RECIPROCALS:
+            return apply(_RECIPROCALS[name], 1 / values[0])
+        return apply(name, values[0])
+
+    def _diff(self, args: list[ast.expr]) -> Expr:
+        if len(args) not in (2, 3) or not isinstance(args[1], ast.Name):
+            raise InputError("diff takes an expression, a variable and perhaps an order")
+        result = self._read(args[0])
+        order = 1
+        if len(args) == 3:
+            last = args[2]
+            if not (isinstance(last, ast.Constant) and type(last.value) is int):
+                raise InputError("the order of diff is a positive integer")
+            order = last.value
+        if not 1 <= order <= MAX_DERIVATIVES:
+            raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
+        for _ in range(order):
+            result = differentiate(result, args[1].id)
+        return result
+
+    def _segment(self, node: ast.expr) -> str:
+        return self.source[node.col_offset : node.end_col_offset]
+
+    def _refuse(self, node: ast.expr) -> InputError:
+        return InputError(
+            f"{_quoted(self._segment(node))} is not allowed in an expression; allowed are numbers, "
+            "names, + - * / **, parentheses and the documented functions"
+        )
+
+
+_RELATIONS: dict[type[ast.cmpop], str] = {
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.NotEq: "!=",
+}
+
+
+def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
+    """Comma-separated chains of comparisons as ``(left, relation, right)``.
+
+    Raises:
+        InputError: anything but ``> >= < <= !=`` between expressions.
+    """
+    if not text.strip():
+        return []
+    source = tidy(text)
+    body = tree(source)
+    reader = _Reader(source)
+    result: list[tuple[Expr, str, Expr]] = []
+    for part in body.elts if isinstance(body, ast.Tuple) else [body]:
+        if not isinstance(part, ast.Compare):
+            raise InputError(f"{_quoted(reader._segment(part))} is not a condition such as a > 0")
+        left = reader.read(part.left)
+        for op, node in zip(part.ops, part.comparators, strict=True):
+            if type(op) not in _RELATIONS:
+                raise InputError("a condition uses one of > >= < <= !=")
+            right = reader.read(node)
+            result.append((left, _RELATIONS[type(op)], right))
+            left = right
+    return result

@@ -1,0 +1,480 @@
+"""Signs of polynomials in generators: proven from ranges, conjugates, discriminants and facts.
+
+A sign proven here holds on the open part of the domain, where no factor vanishes. The facts are
+the conditions a claim was given and those its own radicands, logarithms and inverse functions
+impose: each is a product of signs, a linear equation over GF(2).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from flint import arb, fmpq, fmpz
+
+from tresym.arithmetic import ball_precision
+from tresym.identity.given import Given, Range
+from tresym.identity.ring import Fraction, Generator, Poly, Ring, TooLargeError
+
+SIGN_BITS = 256
+MAX_SIGN_TERMS = 60
+MAX_DEPTH = 4
+_PI_LOW, _PI_HIGH = fmpq(103993, 33102), fmpq(104348, 33215)
+
+Ends = tuple[fmpq | None, fmpq | None]
+
+
+class SignedRing(Ring):
+    """A ring whose generators have ranges, with what is known of the signs of its factors."""
+
+    def __init__(self, given: Given, size: int) -> None:
+        super().__init__(size)
+        self.given = given
+        self.box: dict[str, Range] = dict(given.box)
+        self.known_signs: dict[str, int] = {}
+        self.rules: dict[str, tuple[int, list[str]]] = {}
+        self.polys: dict[str, Poly] = {}
+        self._met: dict[str, int] = {}
+        self.positives: dict[str, Poly] = {}
+        self._equations: set[tuple[frozenset[str], int]] = set()
+        self._signs: dict[str, int] = {}
+        self._supports: dict[int, frozenset[str]] = {}
+
+    def begin_pass(self) -> None:
+        """Forget the equations of the last pass and the signs that new facts may improve."""
+        self._equations = set()
+        self._signs = {key: sign for key, sign in self._signs.items() if sign}
+
+    def symbol(self, name: str) -> Generator:
+        """The generator of a variable."""
+        return self.generator("symbol", name, (name,))
+
+    # What generators depend on, and their values
+
+    def support(self, position: int) -> frozenset[str]:
+        """The symbols that a generator depends on."""
+        found = self._supports.get(position)
+        if found is None:
+            generator = self.at(position)
+            if generator.kind == "symbol":
+                found = frozenset(generator.data)
+            else:
+                found = frozenset().union(
+                    *(
+                        self.dependence(item)
+                        for item in generator.data
+                        if isinstance(item, Poly | Fraction)
+                    )
+                )
+            self._supports[position] = found
+        return found
+
+    def dependence(self, x: Poly | Fraction) -> frozenset[str]:
+        """The symbols that ``x`` depends on."""
+        if isinstance(x, Fraction):
+            return self.dependence(x.num) | self.dependence(x.den)
+        return frozenset().union(*(self.support(i) for i in self.used(x)))
+
+    def is_constant(self, x: Poly | Fraction) -> bool:
+        """Whether ``x`` depends on no symbol and on nothing opaque."""
+        polys = (x.num, x.den) if isinstance(x, Fraction) else (x,)
+        return all(
+            not self.support(i) and self.at(i).kind != "opaque" for p in polys for i in self.used(p)
+        )
+
+    def ball(self, x: Poly | Fraction, point: Mapping[str, arb] | None = None) -> arb:
+        """``x`` in balls at ``point``; NaN where a generator has no value there."""
+        if isinstance(x, Fraction):
+            return self.ball(x.num, point) / self.ball(x.den, point)
+        total = arb(0)
+        values = {i: self._generator_ball(self.at(i), point or {}) for i in self.used(x)}
+        for monomial, coefficient in x.terms():
+            term = arb(coefficient)
+            for i, value in values.items():
+                if monomial[i]:
+                    term = term * value ** int(monomial[i])
+            total = total + term
+        return total
+
+    def _generator_ball(self, generator: Generator, point: Mapping[str, arb]) -> arb:
+        data = generator.data
+        match generator.kind:
+            case "symbol":
+                return point.get(data[0], arb.nan())
+            case "pi":
+                return arb.pi()
+            case "root":
+                return abs(self.ball(data[0], point)).root(data[1])
+            case "sign":
+                value = self.ball(data[0], point)
+                return arb(1) if value > 0 else arb(-1) if value < 0 else arb.nan()
+            case "exp":
+                return (self.ball(data[2], point) / data[1]).exp()
+            case "tan":
+                return (self.ball(data[2], point) / (2 * data[1])).tan()
+            case "log":
+                return abs(self.ball(data[0], point)).log()
+            case "atan":
+                return self.ball(data[0], point).atan()
+            case _:
+                return arb.nan()
+
+    def text(self, x: Poly) -> str:
+        """``x`` with the generators written as what they stand for."""
+        result = str(x)
+        for i in sorted(self.used(x), key=lambda i: -i):
+            result = re.sub(rf"\bg{i}\b", self._name(self.at(i)), result)
+        return result.replace("^", "**")
+
+    def _name(self, generator: Generator) -> str:
+        data = generator.data
+        match generator.kind:
+            case "symbol" | "opaque":
+                return str(data[0])
+            case "pi":
+                return "pi"
+            case "root":
+                return f"abs({self.text(data[0])})**(1/{data[1]})"
+            case "exp":
+                return f"exp({self.fraction_text(data[2])}/{data[1]})"
+            case "tan":
+                return f"tan({self.fraction_text(data[2])}/{2 * data[1]})"
+            case "atan":
+                return f"atan({self.fraction_text(data[0])})"
+            case kind:
+                return f"{kind}({self.text(data[0])})"
+
+    def fraction_text(self, x: Fraction) -> str:
+        """A fraction as :meth:`text` writes polynomials."""
+        top = self.text(x.num)
+        return top if x.den.is_one() else f"({top})/({self.text(x.den)})"
+
+    # Signs as generators
+
+    def sigma(self, f: Poly) -> Poly:
+        """The sign of a canonical factor: ±1 where known, a product of other signs, or new."""
+        if f.is_constant():
+            return self.one_poly if f.leading_coefficient() > 0 else -self.one_poly
+        known = self.sign(f)
+        if known:
+            return self.context.constant(known)
+        key = self._meet(f)
+        if key in self.rules:
+            constant, others = self.rules[key]
+            product = self.context.constant(constant)
+            for other in others:
+                product = product * self.sigma(self.polys[other])
+            return self.reduce(product)
+        if not self.known("sign", key):
+            generator = self.generator("sign", key, (f,))
+            self.relate(generator, 2, self.one_poly)
+        return self.variable(self.generator("sign", key))
+
+    def _meet(self, f: Poly) -> str:
+        key = str(f)
+        if key not in self.polys:
+            self.polys[key] = f
+            self._met[key] = len(self._met)
+        return key
+
+    def require_sign(self, parts: list[Poly], sign: int) -> None:
+        """Record that the product of ``parts`` has the given sign on the domain.
+
+        Raises:
+            TooLargeError: a part mixes inverse functions, so that it may vanish identically.
+        """
+        keys: set[str] = set()
+        for part in parts:
+            if part.is_constant():
+                sign *= 1 if part.leading_coefficient() > 0 else -1
+                continue
+            known = self.sign(part)
+            if known:
+                sign *= known
+                continue
+            keys ^= {self._meet(part)}
+        if len(keys) > 1:
+            for key in keys:
+                self._refuse_mixed(self.polys[key])
+        self._equations.add((frozenset(keys), sign))
+
+    def _refuse_mixed(self, p: Poly) -> None:
+        if sum(self.at(i).kind in ("log", "atan", "opaque") for i in self.used(p)) > 1:
+            raise TooLargeError("the sign of an expression that mixes inverse functions")
+
+    def learn(self) -> bool:
+        """Solve the sign equations of the pass; True if anything new is known."""
+        rows = self._eliminated()
+        before = len(self.known_signs), len(self.rules), tuple(self.box.items())
+        for keys, sign in rows:
+            if len(keys) == 1:
+                self._know(next(iter(keys)), sign)
+            elif len(keys) == 2:
+                first, second = sorted(keys)
+                self._compare(first, second, sign)
+        for keys, sign in rows:
+            newest = self._newest(keys)
+            if len(keys) > 1 and newest not in self.rules:
+                self.rules[newest] = (sign, sorted(keys - {newest}))
+                self._settle(newest)
+        return before != (len(self.known_signs), len(self.rules), tuple(self.box.items()))
+
+    def _eliminated(self) -> list[tuple[frozenset[str], int]]:
+        """The equations in reduced row echelon form over GF(2)."""
+        rows: list[tuple[frozenset[str], int]] = []
+        order = sorted(self._equations, key=lambda row: (len(row[0]), sorted(row[0])))
+        for keys, sign in order:
+            for other, value in rows:
+                if self._newest(other) in keys:
+                    keys, sign = keys ^ other, sign * value
+            if keys:
+                pivot = self._newest(keys)
+                rows = [
+                    (other ^ keys, value * sign) if pivot in other else (other, value)
+                    for other, value in rows
+                ]
+                rows.append((keys, sign))
+        return rows
+
+    def _newest(self, keys: frozenset[str]) -> str:
+        """The factor met last: its sign is written by the others, never the reverse."""
+        return max(keys, key=lambda key: self._met[key])
+
+    def _settle(self, key: str) -> None:
+        """Let the generator of a sign that is now known reduce to what it is."""
+        if self.known("sign", key):
+            self.relate(self.generator("sign", key), 1, self.sigma(self.polys[key]))
+
+    def _know(self, key: str, sign: int) -> None:
+        if key in self.known_signs:
+            return
+        self.known_signs[key] = sign
+        self._settle(key)
+        p = self.polys[key]
+        self.positives[key] = p if sign > 0 else -p
+        self._narrow(self.positives[key])
+
+    def _narrow(self, p: Poly) -> None:
+        """Use ``p > 0`` to narrow the range of a symbol in which it is linear and alone."""
+        used = self.used(p)
+        if len(used) != 1 or self.at(used[0]).kind != "symbol" or p.total_degree() != 1:
+            return
+        slope = p.derivative(used[0]).leading_coefficient()
+        name = self.at(used[0]).data[0]
+        constant = p - self.variables[used[0]] * slope
+        end = -fmpq(fmpz(0) if constant.is_zero() else constant.leading_coefficient(), slope)
+        was = self.box.get(name, Range())
+        if slope > 0 and (was.low is None or end > was.low):
+            self.box[name] = was._replace(low=end, pi_low=None)
+        if slope < 0 and (was.high is None or end < was.high):
+            self.box[name] = was._replace(high=end, pi_high=None)
+
+    def _compare(self, first: str, second: str, sign: int) -> None:
+        """Decide two factors of known product sign where their sum or difference has a sign."""
+        p, q = self.polys[first], self.polys[second]
+        if sign < 0:
+            q = -q
+        total = self.sign(self.reduce(p + q))
+        if total:
+            self._know(first, total)
+            self._know(second, total * sign)
+
+    # Proven signs
+
+    def sign(self, p: Poly, depth: int = 0) -> int:
+        """+1 or −1 where ``p`` is shown to have that sign on the open domain, else 0."""
+        if p.is_zero():
+            return 0
+        if p.is_constant():
+            return 1 if p.leading_coefficient() > 0 else -1
+        if p.leading_coefficient() < 0:
+            return -self.sign(-p, depth)
+        key = str(p)
+        if key in self.known_signs:
+            return self.known_signs[key]
+        if key not in self._signs:
+            self._signs[key] = 0
+            self._signs[key] = self._prove_sign(p, depth)
+        return self._signs[key]
+
+    def _prove_sign(self, p: Poly, depth: int) -> int:
+        if len(p) > MAX_SIGN_TERMS or depth > MAX_DEPTH:
+            return 0
+        if self.is_constant(p):
+            return self._constant_sign(p)
+        found = self.orthant_sign(p)
+        if found or len(p) == 1:
+            return found
+        for method in (self._by_facts, self._by_discriminant, self._by_conjugate):
+            found = method(p, depth)
+            if found:
+                return found
+        return 0
+
+    def _constant_sign(self, p: Poly) -> int:
+        for bits in (64, SIGN_BITS, 4 * SIGN_BITS):
+            with ball_precision(bits):
+                value = self.ball(p)
+            if value > 0:
+                return 1
+            if value < 0:
+                return -1
+        return 0
+
+    def ends(self, position: int) -> Ends:
+        """Rational ends of an open interval that contains the generator's values."""
+        generator = self.at(position)
+        match generator.kind:
+            case "symbol":
+                where = self.box.get(generator.data[0], Range())
+                return where.low, where.high
+            case "pi":
+                return _PI_LOW, _PI_HIGH
+            case "root" | "exp":
+                if not self.support(position):
+                    return self._numeric_ends(generator) or (fmpq(0), None)
+                return fmpq(0), None
+            case "log" | "tan" if not self.support(position):
+                return self._numeric_ends(generator) or (None, None)
+            case "tan":
+                return self._tangent_ends(generator)
+            case "sign":
+                return fmpq(-1), fmpq(1)
+            case "atan":
+                return self._atan_ends(generator)
+            case _:
+                return None, None
+
+    def _numeric_ends(self, generator: Generator) -> Ends | None:
+        with ball_precision(64):
+            value = self._generator_ball(generator, {})
+            if not value.is_finite():
+                return None
+            mid = fmpq(*_dyadic(value.mid()))
+            return mid - fmpq(1, 10**9) * (1 + abs(mid)), mid + fmpq(1, 10**9) * (1 + abs(mid))
+
+    def _tangent_ends(self, generator: Generator) -> Ends:
+        """tan(angle/2) from the range of an angle that is a multiple of one symbol."""
+        _, unit, angle = generator.data
+        used = self.used(angle.num)
+        if len(used) != 1 or self.at(used[0]).kind != "symbol" or not angle.den.is_constant():
+            return None, None
+        if angle.num.total_degree() != 1 or len(angle.num) != 1:
+            return None, None
+        slope = fmpq(angle.num.leading_coefficient(), angle.den.leading_coefficient() * unit)
+        where = self.box.get(self.at(used[0]).data[0], Range())
+        ends = [None if end is None else end * slope for end in (where.pi_low, where.pi_high)]
+        low, high = ends if slope > 0 else reversed(ends)
+        if low is None or high is None or low < -1 or high > 1:
+            return None, None
+        below = fmpq(0) if low >= 0 else fmpq(-1) if low >= fmpq(-1, 2) else None
+        above = fmpq(0) if high <= 0 else fmpq(1) if high <= fmpq(1, 2) else None
+        return below, above
+
+    def _atan_ends(self, generator: Generator) -> Ends:
+        argument = generator.data[0]
+        sign = self.sign(argument.num) * self.sign(argument.den)
+        return fmpq(0 if sign > 0 else -11, 7), fmpq(0 if sign < 0 else 11, 7)
+
+    def orthant_sign(self, p: Poly) -> int:
+        """The sign of all coefficients once every generator's range is mapped to (0, ∞)."""
+        free: list[int] = []
+        for position in self.used(p):
+            low, high = self.ends(position)
+            if low == 0 and high is None:
+                continue
+            if low is None and high is None:
+                free.append(position)
+                continue
+            p = self._mapped(p, position, low, high)
+            if len(p) > 4 * MAX_SIGN_TERMS:
+                return 0
+        signs = {value > 0 for _, value in p.terms()}
+        if len(signs) != 1:
+            return 0
+        if free and any(int(m[i]) % 2 for m, _ in p.terms() for i in free):
+            return 0
+        return 1 if signs == {True} else -1
+
+    def _mapped(self, p: Poly, position: int, low: fmpq | None, high: fmpq | None) -> Poly:
+        """``p`` times a positive factor, the generator's range (low, high) mapped to (0, ∞)."""
+        u = self.variables[position]
+        one = self.one_poly
+        if low is not None and high is not None:
+            scale = low.q * high.q
+            top = self.context.constant((low * scale).p) + u * (high * scale).p
+            bottom = (one + u) * scale
+        elif low is not None:
+            top, bottom = self.context.constant(low.p) + u * low.q, self.context.constant(low.q)
+        else:
+            assert high is not None
+            top, bottom = self.context.constant(high.p) - u * high.q, self.context.constant(high.q)
+        parts = self.split(p, position)
+        degree = max(parts)
+        result = self.zero_poly
+        for k, part in parts.items():
+            result = result + part * top**k * bottom ** (degree - k)
+        return result
+
+    def _by_facts(self, p: Poly, depth: int) -> int:
+        """``p > 0`` as ``c·f`` plus something positive, for a known ``f > 0``."""
+        for sign in (1, -1):
+            target = p if sign > 0 else -p
+            for fact in list(self.positives.values())[:8]:
+                if self.is_inverse(fact):
+                    continue
+                for monomial, value in list(fact.terms())[:6]:
+                    other = target.to_dict().get(monomial)
+                    if other is None or (other > 0) != (value > 0):
+                        continue
+                    rest = target * abs(value) - fact * abs(other)
+                    if rest.is_zero() or self.orthant_sign(rest) > 0:
+                        return sign
+        return 0
+
+    def _by_discriminant(self, p: Poly, depth: int) -> int:
+        """A quadratic without real roots, in a free generator or its square, has one sign."""
+        for position in self.used(p):
+            low, high = self.ends(position)
+            if low is not None and high is not None and self.at(position).kind != "symbol":
+                continue
+            degree = int(p.degrees()[position])
+            if degree not in (2, 4) or any(r[0] == position for r in self.relations):
+                continue
+            parts = self.split(p, position)
+            step = degree // 2
+            if not set(parts) <= {0, step, degree}:
+                continue
+            a, c = parts[degree], parts.get(0, self.zero_poly)
+            b = parts.get(step, self.zero_poly)
+            lead = self.sign(a, depth + 1)
+            if lead and self.sign(self.reduce(4 * a * c - b * b), depth + 1) > 0:
+                return lead
+        return 0
+
+    def _by_conjugate(self, p: Poly, depth: int) -> int:
+        """The sign of ``u + v·A`` from those of u, v and of ``u² − v²A²``."""
+        for position, degree, _ in self.relations:
+            if degree != 2 or p.degrees()[position] != 1 or self.at(position).kind != "root":
+                continue
+            parts = self.split(p, position)
+            if len(parts) != 2:
+                continue
+            first, second = self.sign(parts[0], depth + 1), self.sign(parts[1], depth + 1)
+            if first == second != 0:
+                return first
+            x = self.variables[position]
+            norm = self.reduce(parts[0] ** 2 - parts[1] ** 2 * x**2)
+            size = self.sign(norm, depth + 1)
+            if size > 0 and first:
+                return first
+            if size < 0 and second:
+                return second
+        return 0
+
+
+def _dyadic(x: arb) -> tuple[fmpz, fmpz]:
+    mantissa, exponent = x.man_exp()
+    if exponent >= 0:
+        return mantissa * fmpz(2) ** int(exponent), fmpz(1)
+    return mantissa, fmpz(2) ** int(-exponent)
