@@ -184,12 +184,13 @@ def test_interval_newton_refuses_a_point_that_is_not_near_the_root() -> None:
 @given(log_k=st.floats(-700, 700), b=st.floats(1e-300, 1.0))
 def test_the_float_start_is_good_to_half_its_digits(log_k: float, b: float) -> None:
     k = math.exp(log_k)
-    phase = solver.float_phase(k, b)
+    phase, slope = solver.float_phase(k, b)
     with ball_precision(200):
         truth = solver.enclose_phase(arb(k), arb(b) / arb(k), 200)
         assert abs(truth - phase) < 1e-13
+        assert abs(stable.phase_slope(truth, arb(k), arb(b) / arb(k), balls) - slope) < 1e-9
     assert solver.float_phase(0.0, b) == pytest.approx(solver.float_phase(1e-300, b))
-    assert solver.float_phase(math.inf, b) == math.pi
+    assert solver.float_phase(math.inf, b) == (math.pi, 1.0)
 
 
 def test_the_answer_in_json_has_every_key() -> None:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     Commands = argparse._SubParsersAction["Parser"]
 
+UNEXPECTED = 1
 BAD_INPUT = 2
 INTERRUPTED = 130
 
@@ -43,8 +44,45 @@ def build_parser() -> Parser:
     )
     parser.add_argument("--version", action="version", version=f"tresym {tresym.__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _add_verify(commands)
     _add_flip(commands)
+    _add_bench(commands)
     return parser
+
+
+def _add_verify(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "verify",
+        help="a verdict on every claim, or on some and all they rest on",
+        description="Judge the paper's statements: PROVED, ENCLOSED, REFUTED or UNDECIDED.",
+        epilog="Exit status 1 when a verdict is not the expected one.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument("--graph", action="store_true", help="what rests on what, in Mermaid")
+    _add_output(parser)
+    parser.set_defaults(run=_verify)
+
+
+def _verify(args: argparse.Namespace) -> int:
+    from tresym import verification
+
+    labels = tuple(args.labels)
+    if args.graph:
+        _deliver(verification.graph(labels), args.path)
+        return 0
+    if args.json or args.path:
+        import json
+
+        report = verification.verify(labels)
+        _deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
+    else:
+        from rich.console import Console
+
+        from tresym.report.terminal import show_verification
+
+        report = show_verification(labels, Console(highlight=False))
+    return 0 if report.as_expected else UNEXPECTED
 
 
 def _add_flip(commands: Commands) -> None:
@@ -99,6 +137,37 @@ def _body(args: argparse.Namespace) -> tuple[Shape, str]:
     if args.inertia is not None:
         return body.shape_of_moments(*args.inertia), "body with the given moments"
     return body.shape(*args.shape), "body of the given shape"
+
+
+def _add_bench(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "bench",
+        help="time a workload against its peers",
+        description="Time workloads, every contender in turn; quote only ratios within one run.",
+        allow_abbrev=False,
+    )
+    parser.add_argument(
+        "workloads", nargs="*", metavar="WORKLOAD", help="separatrix, startup (default: all)"
+    )
+    parser.add_argument("--save", action="store_true", help="keep it in docs/measurements")
+    _add_output(parser)
+    parser.set_defaults(run=_bench)
+
+
+def _bench(args: argparse.Namespace) -> int:
+    import json
+
+    from tresym.bench import workloads
+
+    measured = [workloads.measure(name) for name in args.workloads or workloads.WORKLOADS]
+    for measurement in measured if args.save else ():
+        print(f"saved {workloads.save(measurement)}", file=sys.stderr)
+    if args.json:
+        values = [measurement.as_json() for measurement in measured]
+        _deliver(json.dumps(values, indent=2) + "\n", args.path)
+    else:
+        _deliver("\n".join(workloads.measurement_text(m) for m in measured), args.path)
+    return 0
 
 
 def _deliver(text: str, path: str | None) -> None:

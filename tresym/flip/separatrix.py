@@ -24,6 +24,9 @@ from tresym.formulas import stable
 LARGEST_ARGUMENT = 10**17
 """Beyond T = √(ab) P of this size ε₀ < 10^(−4·10^16) is not told from 0."""
 
+FLOAT_BITS = 46
+"""Bits of the float64 start that are taken to be right; nothing rests on it but speed."""
+
 
 class Separatrix(NamedTuple):
     """Balls around the phase P, the defect ε₀ and the flip Δψ = π − 2ε₀ (radians)."""
@@ -33,8 +36,8 @@ class Separatrix(NamedTuple):
     flip: arb
 
 
-def float_phase(k: float, b: float) -> float:
-    """The phase to float64 accuracy, from ``k`` = √(ab) (0 and infinity allowed) and ``b``.
+def float_phase(k: float, b: float) -> tuple[float, float]:
+    """The phase P and the slope g′(P) in float64, from ``k`` = √(ab) (0 and ∞ allowed) and ``b``.
 
     Newton's method from P = π: g is convex, so the steps are monotone after the first.
     """
@@ -44,17 +47,11 @@ def float_phase(k: float, b: float) -> float:
         tangent = math.tanh(argument)
         ratio = b * phase * (tangent / argument if argument > 1e-9 else 1.0)
         residual = phase - math.pi - math.atan(ratio)
-        step = residual / (1 - b * (1 - tangent * tangent) / (1 + ratio * ratio))
-        phase -= step
-        if abs(step) < 1e-9:
+        slope = 1 - b * (1 - tangent * tangent) / (1 + ratio * ratio)
+        phase -= residual / slope
+        if abs(residual) < 1e-9:
             break
-    return phase
-
-
-def newton_step(phase: arb, k: arb, r: arb) -> arb:
-    """One Newton step from the exact point ``phase``, at the working precision; no guarantee."""
-    residual = phase - stable.phase_map(phase, k, r, balls)
-    return (phase - residual / stable.phase_slope(phase, k, r, balls)).mid()
+    return phase, slope
 
 
 def interval_newton(phase: arb, k: arb, r: arb) -> arb:
@@ -80,11 +77,14 @@ def enclose_phase(k: arb, r: arb, precision: int) -> arb:
     Newton's method doubles the correct bits of the float64 start; the last doubling is the
     interval Newton step.
     """
-    guess = arb(float_phase(float(k), float(k * r)))
-    correct = 46
+    guess, slope = map(arb, float_phase(float(k), float(k * r)))
+    correct = FLOAT_BITS
     while 2 * correct < precision - 8:
         with ball_precision(2 * correct + 16):
-            guess = newton_step(guess, k, r)
+            if correct > FLOAT_BITS:
+                slope = stable.phase_slope(guess, k, r, balls)
+            residual = guess - stable.phase_map(guess, k, r, balls)
+            guess = (guess - residual / slope).mid()
         correct = 2 * correct - 2
     return interval_newton(guess, k, r)
 
@@ -117,7 +117,9 @@ def solve(a: fmpq, b: fmpq, digits: int) -> Separatrix:
             p, q = arb(a), arb(b)
             k, r = (p * q).sqrt(), (q / p).sqrt()
             phase = enclose_phase(k, r, precision)
-            defect, flip = stable.defect_at(phase, k, r, balls), stable.flip_at(phase, k, r, balls)
+            defect = stable.defect_at(phase, k, r, balls)
+            # π − 2ε₀ cancels only where ε₀ is near π/2.
+            flip = arb.pi() - 2 * defect if defect < 1 else stable.flip_at(phase, k, r, balls)
         if proves(defect, digits) and proves(flip, digits):
             return Separatrix(phase, defect, flip)
         precision += precision // 4
