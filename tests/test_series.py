@@ -1,0 +1,136 @@
+"""All orders in ε*: exact coefficients by two routes, four arithmetics, a bound that holds."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tresym.arithmetic import ball_precision, balls, to_mp
+from tresym.flip import series
+from tresym.flip.separatrix import solve
+from tresym.formulas import stable
+
+SHAPES = [
+    (fmpq(1, 4), fmpq(1)),
+    (fmpq(16380, 1210) - 1, 1 - fmpq(16380, 17480)),
+    (fmpq(1, 2), fmpq(1, 2)),
+    (fmpq(100), fmpq(1, 400)),
+]
+
+
+def test_coefficients_are_those_found_by_hand():
+    ring = series.coefficients(3)[0].context()
+    b, R = ring.gens()
+    assert series.coefficients(3) == (
+        ring.constant(1),
+        (6 * b + 3 * R - 1) / 12,
+        (50 * b**2 + 40 * b * R + 5 * R**2 - 20 * b - 10 * R + 1) / 80,
+        (
+            (1372 * b**3 + 1470 * b**2 * R + 378 * b * R**2 + 21 * R**3)
+            - (882 * b**2 + 728 * b * R + 105 * R**2)
+            + (126 * b + 63 * R - 3)
+        )
+        / 1344,
+    )
+
+
+@pytest.mark.parametrize("order", [0, 1, 6, 20])
+def test_sympy_and_flint_generate_the_same_polynomials(order):
+    ours = series.coefficients(order)
+    theirs = series.coefficients_sympy(order)
+    assert len(ours) == len(theirs) == order + 1
+    for n, (one, other) in enumerate(zip(ours, theirs, strict=True)):
+        table = {tuple(map(int, key)): (int(c.p), int(c.q)) for key, c in one.to_dict().items()}
+        assert table == {key: (int(c.numerator), int(c.denominator)) for key, c in other.terms()}
+        assert max(sum(key) for key in table) == n
+        assert len(table) == (n + 1) * (n + 2) // 2
+
+
+def test_lower_orders_are_the_same_polynomials():
+    assert series.coefficients(4) == series.coefficients(9)[:5]
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+@pytest.mark.parametrize("order", [0, 1, 4, 20])
+def test_the_truncation_bound_holds_and_the_next_term_is_the_error(a, b, order):
+    with ball_precision(700):
+        exact = solve(a, b, 150).defect
+        leading = stable.leading_term(arb(a * b).sqrt(), arb(b / a).sqrt(), balls)
+        error = series.expansion(order, arb(a), arb(b), balls) / leading - exact / leading
+        bound = series.truncation_bound(order, a, b)
+        assert bound is not None
+        assert abs(error) < bound
+        following = series.coefficient_values(order + 1, arb(b), arb(b / a), balls)[-1]
+        predicted = -following * leading ** (2 * order + 2)
+        # The next term predicts the error as well as the one after it is small.
+        assert abs(error - predicted) < abs(predicted) * leading.sqrt() * 4
+
+
+@given(
+    st.fractions(min_value="1/1000", max_value=1, max_denominator=10**4),
+    st.fractions(min_value="1/4", max_value=5, max_denominator=10**4),
+    st.integers(min_value=0, max_value=6),
+)
+def test_the_bound_always_applies_where_ab_is_at_least_a_quarter(b, product, order):
+    b_, a_ = fmpq(b.numerator, b.denominator), fmpq(product.numerator, product.denominator)
+    a_ = a_ / b_
+    with ball_precision(400):
+        bound = series.truncation_bound(order, a_, b_)
+        assert bound is not None
+        exact = solve(a_, b_, 45).defect
+        leading = stable.leading_term(arb(a_ * b_).sqrt(), arb(b_ / a_).sqrt(), balls)
+        error = (series.expansion(order, arb(a_), arb(b_), balls) - exact) / leading
+        assert abs(error) < bound
+
+
+def test_no_bound_is_claimed_where_none_is_known():
+    assert series.truncation_bound(5, fmpq(1, 100), fmpq(1)) is None
+    with ball_precision(64):
+        y = arb(1)  # τ ≥ 1: the formula must not come out negative or finite
+        assert not series.tail(3, y, arb(1), arb(1), arb("0.3"), balls).is_finite()
+        assert not series.tail(3, y / 100, arb(1), arb(4), arb("0.5"), balls).is_finite()
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+def test_the_four_arithmetics_agree(a, b):
+    order = 6
+    with ball_precision(200):
+        exact = series.expansion(order, arb(a), arb(b), balls)
+    with mpmath.workdps(50):
+        digits = series.expansion(order, to_mp(a, mpmath.mp), to_mp(b, mpmath.mp), mpmath.mp)
+        assert abs(digits / mpmath.mpf(exact.str(50, radius=False)) - 1) < mpmath.mpf(10) ** -45
+    shapes = np.array([float(a.p) / float(a.q)] * 3)
+    floats = series.expansion(order, shapes, float(b.p) / float(b.q), np)
+    assert floats.shape == (3,)
+    assert np.allclose(floats, float(exact), rtol=1e-13)
+    symbolic = series.expansion(order, sympy.Rational(int(a.p), int(a.q)), sympy.Symbol("b"), sympy)
+    value = symbolic.subs("b", sympy.Rational(int(b.p), int(b.q))).evalf(40)
+    assert abs(value / sympy.Float(exact.str(45, radius=False), 45) - 1) < sympy.Float("1e-35")
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+def test_the_observed_radius_of_convergence_is_the_predicted_one(a, b):
+    with ball_precision(128):
+        predicted = float(series.convergence_radius(arb(a), arb(b), balls))
+        leading = stable.leading_term(arb(a * b).sqrt(), arb(b / a).sqrt(), balls)
+        # in units of ε*²: the terms decay like exp(−2π√(ab) n)
+        assert math.isclose(
+            predicted / float(leading**2), float((2 * balls.pi * arb(a * b).sqrt()).exp())
+        )
+        assert series.observed_radius(40, a, b) == pytest.approx(predicted, rel=0.05)
+
+
+def test_the_expansion_is_better_than_the_leading_term_at_every_named_shape():
+    for a, b in SHAPES:
+        with ball_precision(200):
+            exact = solve(a, b, 40).defect
+            errors = [
+                float(abs(series.expansion(order, arb(a), arb(b), balls) - exact))
+                for order in range(8)
+            ]
+        assert errors == sorted(errors, reverse=True)
