@@ -1,7 +1,7 @@
 """One interleaved run: every contender once a round, in turning order; medians, ratios, spread.
 
-The rounds are interleaved so that what the machine does meanwhile falls on all contenders alike;
-only ratios within one run are worth quoting.
+The rounds are interleaved so that what the machine does meanwhile falls on all contenders alike.
+Only ratios within one run are worth quoting; they are taken round by round.
 """
 
 from __future__ import annotations
@@ -22,23 +22,22 @@ class Contender(NamedTuple):
 
 
 class Timing(NamedTuple):
-    """What one contender took: seconds per piece of work over all rounds."""
+    """What one contender took: seconds per piece of work, one entry a round."""
 
     name: str
-    median: float
-    low: float
-    high: float
+    seconds: list[float]
     digits: int | None
 
-    def as_json(self, reference: float) -> dict[str, Any]:
-        """The timing as JSON; ``ratio`` is by the median ``reference``."""
-        return {
-            "name": self.name,
-            "seconds": self.median,
-            "quartiles": [self.low, self.high],
-            "digits": self.digits,
-            "ratio": self.median / reference,
-        }
+    @property
+    def quartiles(self) -> tuple[float, float, float]:
+        """Lower quartile, median, upper quartile in seconds."""
+        low, median, high = statistics.quantiles(self.seconds, n=4, method="inclusive")
+        return low, median, high
+
+    def ratio(self, reference: Timing) -> float:
+        """The median over the rounds of this contender's time by the reference's in that round."""
+        pairs = zip(self.seconds, reference.seconds, strict=True)
+        return statistics.median(mine / other for mine, other in pairs)
 
 
 class Measurement(NamedTuple):
@@ -50,16 +49,30 @@ class Measurement(NamedTuple):
     timings: list[Timing]
     reference: str
 
+    @property
+    def base(self) -> Timing:
+        """The timing that ratios are by."""
+        return next(t for t in self.timings if t.name == self.reference)
+
     def as_json(self) -> dict[str, Any]:
         """All of it, with the versions it was measured with."""
-        base = next(t.median for t in self.timings if t.name == self.reference)
         return {
             "workload": self.workload,
             "says": self.says,
             "rounds": self.rounds,
             "reference": self.reference,
-            "timings": [t.as_json(base) for t in self.timings],
+            "timings": [self._timing_json(t) for t in self.timings],
             "versions": versions(),
+        }
+
+    def _timing_json(self, timing: Timing) -> dict[str, Any]:
+        low, median, high = timing.quartiles
+        return {
+            "name": timing.name,
+            "seconds": median,
+            "quartiles": [low, high],
+            "ratio": timing.ratio(self.base),
+            "digits": timing.digits,
         }
 
 
@@ -73,12 +86,7 @@ def interleave(contenders: Iterable[Contender], rounds: int) -> list[Timing]:
         turn = i % len(order)
         for contender in order[turn:] + order[:turn]:
             samples[contender.name].append(contender.sample())
-    return [_timing(c, samples[c.name]) for c in order]
-
-
-def _timing(contender: Contender, seconds: list[float]) -> Timing:
-    low, median, high = statistics.quantiles(seconds, n=4, method="inclusive")
-    return Timing(contender.name, median, low, high, contender.digits)
+    return [Timing(c.name, samples[c.name], c.digits) for c in order]
 
 
 def versions() -> dict[str, str]:

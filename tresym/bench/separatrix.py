@@ -29,7 +29,7 @@ from tresym.formulas import printed, stable
 
 BODY = "str"
 DIGITS = 50
-SAMPLE_SECONDS = 0.02
+SAMPLE_SECONDS = 0.01
 
 SHAPE = named_body(BODY).shape
 
@@ -71,12 +71,15 @@ def time_once(work: Callable[[], Any], seconds: float = SAMPLE_SECONDS) -> float
 
     Processor time, so that what else the machine does is not counted.
     """
-    calls = 0
-    start = time.process_time()
-    while (elapsed := time.process_time() - start) < seconds:
-        work()
-        calls += 1
-    return elapsed / calls
+    calls = 1
+    while True:
+        start = time.process_time()
+        for _ in range(calls):
+            work()
+        elapsed = time.process_time() - start
+        if elapsed >= seconds:
+            return elapsed / calls
+        calls *= 4
 
 
 def digits_of(value: Any) -> int:
@@ -127,7 +130,7 @@ def worker(pure_python: bool) -> Iterator[Callable[[str], tuple[float, int]]]:
         answers.close()
 
 
-def measure(rounds: int = 25) -> Measurement:
+def measure(rounds: int = 40) -> Measurement:
     """The workload ``separatrix``: both mpmath backends and the certified ball, interleaved."""
     with worker(False) as on_gmpy, worker(True) as on_python:
         backends = {"python": on_python}

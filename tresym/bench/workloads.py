@@ -44,20 +44,18 @@ def save(measurement: Measurement) -> str:
 
 def measurement_text(measurement: Measurement) -> str:
     """The timings as a table for people."""
-    base = next(t.median for t in measurement.timings if t.name == measurement.reference)
     width = max(len(t.name) for t in measurement.timings)
     lines = [f"{measurement.workload}: {measurement.says} ({measurement.rounds} rounds)", ""]
-    lines += [f"  {_row(t, base, width)}" for t in measurement.timings]
+    lines += [f"  {_row(t, measurement.base, width)}" for t in measurement.timings]
     return "\n".join(lines) + "\n"
 
 
-def _row(timing: Timing, base: float, width: int) -> str:
-    spread = f"{_time(timing.low)} to {_time(timing.high)}"
+def _row(timing: Timing, base: Timing, width: int) -> str:
+    low, median, high = timing.quartiles
+    spread = f"{_time(low)} to {_time(high)}"
     digits = f"{timing.digits} digits" if timing.digits is not None else ""
-    ratio = f"{timing.median / base:.3g} x"
-    return (
-        f"{timing.name:<{width}}  {_time(timing.median):>9}  {ratio:>8}  {spread:<22} {digits}"
-    ).rstrip()
+    ratio = f"{timing.ratio(base):.3g} x"
+    return f"{timing.name:<{width}}  {_time(median):>9}  {ratio:>8}  {spread:<22} {digits}".rstrip()
 
 
 def _time(seconds: float) -> str:

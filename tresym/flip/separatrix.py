@@ -108,21 +108,20 @@ def solve(a: fmpq, b: fmpq, digits: int) -> Separatrix:
 
     Where T is beyond ``LARGEST_ARGUMENT`` the defect is only shown to lie below 10^−digits.
     """
-    size = float(arb(a * b).sqrt())
-    if size > LARGEST_ARGUMENT:
-        return _unresolved(digits)
-    precision = bits(digits, 20) + max(0, math.frexp(size)[1])
+    precision = bits(digits, 20)
     while True:
         with ball_precision(precision):
             p, q = arb(a), arb(b)
             k, r = (p * q).sqrt(), (q / p).sqrt()
+            if k > LARGEST_ARGUMENT:
+                return _unresolved(digits)
             phase = enclose_phase(k, r, precision)
             defect = stable.defect_at(phase, k, r, balls)
             # π − 2ε₀ cancels only where ε₀ is near π/2.
             flip = arb.pi() - 2 * defect if defect < 1 else stable.flip_at(phase, k, r, balls)
         if proves(defect, digits) and proves(flip, digits):
             return Separatrix(phase, defect, flip)
-        precision += precision // 4
+        precision += 16 + precision // 4
 
 
 def _unresolved(digits: int) -> Separatrix:

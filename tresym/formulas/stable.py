@@ -72,17 +72,18 @@ def phase_slope(phase: Any, k: Any, r: Any, m: Any) -> Any:
     The difference 1 − tanh² may cancel: what is lost is lost from a term that no longer counts.
     """
     tangent = m.tanh(k * phase)
-    return 1 - k * r * (1 - tangent**2) / (1 + (r * tangent) ** 2)
+    ratio = r * tangent
+    return 1 - k * r * (1 - tangent * tangent) / (1 + ratio * ratio)
 
 
 def defect_at(phase: Any, k: Any, r: Any, m: Any) -> Any:
     """The defect ε₀ in radians that belongs to a phase."""
-    return m.atan(1 / (m.sqrt(1 + r**2) * m.sinh(k * phase)))
+    return m.atan(1 / (m.sqrt(1 + r * r) * m.sinh(k * phase)))
 
 
 def flip_at(phase: Any, k: Any, r: Any, m: Any) -> Any:
     """The flip Δψ = π − 2ε₀ in radians that belongs to a phase; relative accuracy as ε₀ → π/2."""
-    return 2 * m.atan(m.sqrt(1 + r**2) * m.sinh(k * phase))
+    return 2 * m.atan(m.sqrt(1 + r * r) * m.sinh(k * phase))
 
 
 def uniform_defect(k: Any, r: Any, m: Any) -> Any:
@@ -92,7 +93,7 @@ def uniform_defect(k: Any, r: Any, m: Any) -> Any:
 
 def leading_term(k: Any, r: Any, m: Any) -> Any:
     """ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))}: ε₀ = ε*(1 + c₁ε*² + …)."""
-    return 2 / m.sqrt(1 + r**2) * m.exp(-k * (m.pi + m.atan(r)))
+    return 2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r)))
 
 
 def first_coefficient(k: Any, r: Any) -> Any:
