@@ -24,10 +24,12 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.exact import fraction_text
+from tresym.identity.constants import settled
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import Expr, symbols
 from tresym.identity.field import ALL_THEORIES, Field
 from tresym.identity.given import Given
+from tresym.identity.locally_constant import equal_by_derivative, vanishes_or_zero
 from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
 from tresym.verdict import Verdict
 
@@ -130,10 +132,17 @@ def _prove(
         field, value = _difference(left, right, given, theories)
     except (TooLargeError, UndefinedError) as error:
         return None, f"the exact normal form stopped: {error}"
+    count = len(field.generators)
     if value.num.is_zero():
-        count = len(field.generators)
         return f"the difference has normal form 0 ({count} generators)", ""
-    return None, _obstacle(field, value)
+    try:
+        value = settled(field, value, functions=bool(symbols(left) | symbols(right)))
+        if vanishes_or_zero(field, value.num):
+            return f"the difference has normal form 0 after its constants ({count} generators)", ""
+        proof = equal_by_derivative(left, right, given, theories, field.size)
+    except (TooLargeError, UndefinedError):
+        proof = None
+    return proof, "" if proof else _obstacle(field, value)
 
 
 def _difference(

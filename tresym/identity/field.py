@@ -18,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from math import comb, lcm
 
-from flint import arb, fmpq, fmpq_mat, fmpz
+from flint import arb, fmpq, fmpq_mat, fmpz, fmpz_poly
 
 from tresym.identity.expression import Expr
 from tresym.identity.given import Given
@@ -46,6 +46,7 @@ _THEORY: dict[str, frozenset[str]] = (
 )
 
 MAX_PASSES = 16
+MAX_HALF_TURN = 240
 MAX_PRIME_BITS = 160
 CONJUGATE_TERMS = 10
 
@@ -65,6 +66,7 @@ class Field(SignedRing):
         self._memo: dict[Expr, Fraction] = {}
         self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
         self._orders: dict[str, int] = {}
+        self._half_turn = 1
         self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": []}
         self._units: dict[str, list[int]] = {"exp": [], "tan": []}
 
@@ -498,15 +500,19 @@ class Field(SignedRing):
 
     def _turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
         """Cosine and sine of ``x``."""
+        result = (self.one, self.zero)
         rest, half_turns = self._split_pi(x)
+        for sign, r in half_turns:
+            c, s = self._turn_of_pi(r)
+            result = self._rotate(result, (c, self.multiply(s, sign)))
         rest, inverses = self.linear_part(rest, "atan")
-        result = self._turn_of_pi(half_turns)
         for generator, r in inverses:
             if (2 * r).q == 1 and abs(r) < 40:
                 step = self._turn_of_atan(generator.data[0], half=r.q == 2)
                 result = self._rotate(result, self._turn_power(step, int((r * r.q).p)))
             else:
                 rest = self.add(rest, self.multiply(self.constant(r), self._fraction(generator)))
+        self._refuse_odd_turn(rest)
         for index, r in self._decompose("tan", rest):
             unit = self._unit("tan", index, int(r.q))
             angle = self._basis["tan"][index]
@@ -561,16 +567,35 @@ class Field(SignedRing):
         s = self.multiply(self.multiply(u, c), self.constant(fmpq(1, 2)))
         return half_c, self.divide(s, half_c)
 
-    def _split_pi(self, x: Fraction) -> tuple[Fraction, fmpq]:
-        """``x`` without its rational multiple of π, and that multiple."""
+    def _refuse_odd_turn(self, x: Fraction) -> None:
+        """Refuse an angle that might be an odd multiple of π on a whole region.
+
+        The tangent of its half would be infinite there. What is left of an angle is a constant
+        that balls keep from such multiples, or varies.
+        """
+        kinds = [self.at(i).kind for p in (x.num, x.den) for i in self.used(p)]
+        if sum(kind in ("log", "atan", "opaque") for kind in kinds) > 1:
+            raise TooLargeError("an angle that mixes inverse functions")
+        if "sign" in kinds and not {"symbol", "tan", "exp"} & set(kinds):
+            raise TooLargeError("an angle that is constant on each side of a sign change")
+        if kinds and self.is_constant(x) and not (self.ball(x) / arb.pi() / 2).cos_pi() != 0:
+            raise TooLargeError("a constant angle that may be a multiple of pi")
+
+    def _split_pi(self, x: Fraction) -> tuple[Fraction, list[tuple[Fraction, fmpq]]]:
+        """``x`` without its rational multiples of π and of π times signs, and those multiples."""
         if not self.known("pi", None) or not x.den.is_constant():
-            return x, fmpq(0)
+            return x, []
         position = self.generator("pi", None).position
+        pieces = []
         for monomial, value in x.num.terms():
-            if monomial[position] == 1 and sum(map(int, monomial)) == 1:
-                r = fmpq(value, x.den.leading_coefficient())
-                return self.subtract(x, self._pi(r)), r
-        return x, fmpq(0)
+            others = [i for i, k in enumerate(monomial) if k and i != position]
+            if monomial[position] == 1 and all(self.at(i).kind == "sign" for i in others):
+                sign = self.context.from_dict({tuple(map(int, monomial)): 1})
+                sign = Fraction(sign // self.variables[position], self.one_poly)
+                pieces.append((sign, fmpq(value, x.den.leading_coefficient())))
+        for sign, r in pieces:
+            x = self.subtract(x, self.multiply(self._pi(r), sign))
+        return x, pieces
 
     def _turn_of_pi(self, r: fmpq) -> tuple[Fraction, Fraction]:
         """Cosine and sine of rπ."""
@@ -578,7 +603,34 @@ class Field(SignedRing):
             return self.one, self.zero
         if 12 % int(r.q) == 0:
             return self._turn_power(self._twelfth(12 // int(r.q)), int(r.p % (2 * r.q)))
-        raise TooLargeError(f"the angle pi*{r}")
+        return self._cyclotomic(r)
+
+    def _cyclotomic(self, r: fmpq) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of rπ as polynomials in z = 2cos(π/M), of known minimal polynomial."""
+        old = self._half_turn
+        m = lcm(old, 2 * int(r.q))
+        if m > MAX_HALF_TURN:
+            raise TooLargeError(f"an angle of pi/{m}")
+        self._half_turn = m
+        if m != old != 1:
+            raise _AgainError
+        generator = self.generator("cosine", m, (m,))
+        z = self.variable(generator)
+        minimal = fmpz_poly.cos_minpoly(2 * m)
+        if not any(position == generator.position for position, _, _ in self.relations):
+            tail = self.zero_poly
+            for k in range(minimal.degree()):
+                tail = tail - z**k * minimal[k]
+            self.relate(generator, minimal.degree(), tail)
+        k = int((r * m).p) % (2 * m)
+        return self._chebyshev(z, k), self._chebyshev(z, m // 2 - k)
+
+    def _chebyshev(self, z: Poly, k: int) -> Fraction:
+        """The cosine of kπ/M from z = 2cos(π/M)."""
+        low, high = self.context.constant(2), z
+        for _ in range(abs(k)):
+            low, high = high, self.reduce(z * high - low)
+        return self.make(low, self.context.constant(2))
 
     def _twelfth(self, k: int) -> tuple[Fraction, Fraction]:
         """Cosine and sine of kπ/12 for k = 1, 2, 3, 4, 6, 12."""

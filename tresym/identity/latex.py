@@ -68,7 +68,7 @@ _SIZES = _words("\\big \\Big \\bigl \\bigr \\Bigl \\Bigr \\bigg \\Bigg")
 _ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
 _STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
 _CLOSING = _words("+ - ) ] \\} } & : / |")
-_UNITS = _words("rad")
+_UNITS = _words("rad s m kg cm mm")
 _CONDITIONS = _words("for if when")
 
 _TOKEN = re.compile(
@@ -151,7 +151,9 @@ def _tokens(source: str, words: frozenset[str] = frozenset()) -> list[str]:
 
 
 def _without_labels(source: str) -> str:
+    """Without labels and the optional space after a line's end; upright text as commands."""
     source = re.sub(r"\\(?:label|tag|color)\s*\{[^{}]*\}", " ", source)
+    source = re.sub(r"\\\\\s*\[[^\[\]]*\]", r"\\\\ ", source)
     return re.sub(
         r"(\\(?:text|textrm|mathrm|operatorname|mbox|textup))\s*\{([^{}]*)\}", _text, source
     )

@@ -14,7 +14,7 @@ from flint import arb, fmpq, fmpz
 
 from tresym.arithmetic import ball_precision
 from tresym.identity.given import Given, Range
-from tresym.identity.ring import Fraction, Generator, Poly, Ring, TooLargeError
+from tresym.identity.ring import Fraction, Generator, Poly, Ring
 
 SIGN_BITS = 256
 MAX_SIGN_TERMS = 60
@@ -108,6 +108,8 @@ class SignedRing(Ring):
             case "sign":
                 value = self.ball(data[0], point)
                 return arb(1) if value > 0 else arb(-1) if value < 0 else arb.nan()
+            case "cosine":
+                return 2 * arb.cos_pi_fmpq(fmpq(1, data[0]))
             case "exp":
                 return (self.ball(data[2], point) / data[1]).exp()
             case "tan":
@@ -133,6 +135,8 @@ class SignedRing(Ring):
                 return str(data[0])
             case "pi":
                 return "pi"
+            case "cosine":
+                return f"(2*cos(pi/{data[0]}))"
             case "root":
                 return f"abs({self.text(data[0])})**(1/{data[1]})"
             case "exp":
@@ -180,8 +184,8 @@ class SignedRing(Ring):
     def require_sign(self, parts: list[Poly], sign: int) -> None:
         """Record that the product of ``parts`` has the given sign on the domain.
 
-        Raises:
-            TooLargeError: a part mixes inverse functions, so that it may vanish identically.
+        A part that mixes inverse functions may vanish on a whole region without our knowing, and
+        then says nothing of the other parts: such an equation is not used.
         """
         keys: set[str] = set()
         for part in parts:
@@ -193,14 +197,13 @@ class SignedRing(Ring):
                 sign *= known
                 continue
             keys ^= {self._meet(part)}
-        if len(keys) > 1:
-            for key in keys:
-                self._refuse_mixed(self.polys[key])
-        self._equations.add((frozenset(keys), sign))
+        if len(keys) == 1 or not any(self._is_mixed(self.polys[key]) for key in keys):
+            self._equations.add((frozenset(keys), sign))
 
-    def _refuse_mixed(self, p: Poly) -> None:
-        if sum(self.at(i).kind in ("log", "atan", "opaque") for i in self.used(p)) > 1:
-            raise TooLargeError("the sign of an expression that mixes inverse functions")
+    def _is_mixed(self, p: Poly) -> bool:
+        kinds = [self.at(i).kind for i in self.used(p)]
+        inverses = sum(kind in ("log", "atan") for kind in kinds)
+        return inverses > 1 or ("opaque" in kinds and len(p) > 1)
 
     def learn(self) -> bool:
         """Solve the sign equations of the pass; True if anything new is known."""
@@ -311,6 +314,16 @@ class SignedRing(Ring):
                 return found
         return 0
 
+    def definite(self, p: Poly) -> int:
+        """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0."""
+        kept = self.box, self.known_signs, self.positives, self._signs
+        self.box, self.known_signs = dict(self.given.box), {}
+        self.positives, self._signs = {}, {}
+        try:
+            return self.sign(p)
+        finally:
+            self.box, self.known_signs, self.positives, self._signs = kept
+
     def _constant_sign(self, p: Poly) -> int:
         for bits in (64, SIGN_BITS, 4 * SIGN_BITS):
             with ball_precision(bits):
@@ -330,6 +343,8 @@ class SignedRing(Ring):
                 return where.low, where.high
             case "pi":
                 return _PI_LOW, _PI_HIGH
+            case "cosine":
+                return self._numeric_ends(generator) or (None, None)
             case "root" | "exp":
                 if not self.support(position):
                     return self._numeric_ends(generator) or (fmpq(0), None)
