@@ -1,0 +1,203 @@
+"""Identities between inverse functions: zero derivative, and the value at a point of each region.
+
+The difference of the two sides is analytic off its singularities: zeros of denominators, radicands,
+arguments of logarithms, and so on. Where its gradient vanishes identically it is constant on each
+connected region between them. The singularities that can change sign must be polynomials in the
+symbols; cells.py gives an exact point of every region, and there the difference is decided exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flint import Ordering, arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
+
+from tresym.arithmetic import ball_precision
+from tresym.exact import fraction_text
+from tresym.identity.cells import sample_points
+from tresym.identity.constants import settled, vanishes
+from tresym.identity.evaluation import evaluate
+from tresym.identity.expression import Expr, apply, differentiate, number, substitute, symbols
+from tresym.identity.field import Field
+from tresym.identity.given import Given
+from tresym.identity.ring import Poly, TooLargeError, UndefinedError
+
+MAX_POINTS = 64
+MAX_SYMBOLS = 4
+_BITS = 256
+
+
+def equal_by_derivative(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str], size: int
+) -> str | None:
+    """A sentence that names the base points, or None where this is no proof.
+
+    Raises:
+        TooLargeError, UndefinedError: a normal form or the regions outgrew their bounds.
+    """
+    names = sorted(symbols(left) | symbols(right))
+    if not 0 < len(names) <= MAX_SYMBOLS:
+        return None
+    field = Field(given, theories, size)
+    for name in names:
+        slopes = [differentiate(side, name) for side in (left, right)]
+        *_, dx, dy = field.normal(left, right, *slopes)
+        if not vanishes_or_zero(field, field.subtract(dx, dy).num):
+            return None
+    if any(generator.kind == "opaque" for generator in field.generators):
+        return None
+    walls = _walls(left, right, given, field, names)
+    if walls is None:
+        return None
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    bases = []
+    for count, values in enumerate(sample_points(walls, context)):
+        if count == MAX_POINTS:
+            return None
+        point = dict(zip(names, values, strict=True))
+        inside = _inside(left, right, given, point)
+        if inside is None:
+            return None
+        if inside:
+            if not _equal_at(left, right, point, theories):
+                return None
+            bases.append(point)
+    if not bases:
+        return None
+    shown = "; ".join(
+        ", ".join(f"{name} = {fraction_text(value)}" for name, value in point.items())
+        for point in bases[:4]
+    )
+    return f"all derivatives of the difference have normal form 0, and it is exactly 0 at {shown}"
+
+
+def vanishes_or_zero(field: Field, p: Poly) -> bool:
+    """Whether ``p`` is zero, dependences between constants included."""
+    return p.is_zero() or vanishes(field, p)
+
+
+def singularities(e: Expr) -> Iterator[tuple[Expr, bool]]:
+    """Expressions off whose zeros ``e`` is analytic; True where they must be positive."""
+    seen: set[Expr] = set()
+    stack = [e]
+    while stack:
+        node = stack.pop()
+        if node in seen or node.op in ("number", "symbol", "pi"):
+            continue
+        seen.add(node)
+        stack.extend(node.args)
+        x = node.args[0]
+        if node.op == "^":
+            exponent = node.args[1]
+            if exponent.op != "number" or exponent.args[0].q != 1:
+                yield x, True
+            elif exponent.args[0] < 0:
+                yield x, False
+        elif node.op == "log":
+            yield x, True
+        elif node.op in ("abs", "sign", "cbrt", "coth", "csch"):
+            yield x, False
+        elif node.op in ("tan", "sec"):
+            yield apply("cos", x), False
+        elif node.op in ("cot", "csc"):
+            yield apply("sin", x), False
+        elif node.op in ("asin", "acos", "atanh"):
+            yield 1 - x, True
+            yield 1 + x, True
+        elif node.op == "acosh":
+            yield x - 1, True
+
+
+def _walls(
+    left: Expr, right: Expr, given: Given, field: Field, names: list[str]
+) -> list[fmpz_mpoly] | None:
+    """The sign-changing singularities as polynomials in ``names``; None if some are not."""
+    found = [e for e, _ in [*singularities(left), *singularities(right)]]
+    found += [condition.expression for condition in given.conditions]
+    values = field.normal(left, right, *found)[2:]
+    factors: dict[str, Poly] = {}
+    for value in values:
+        if value.num.is_zero():
+            return None
+        factors |= {key: part for key, (part, _) in field.factors(value)[1].items()}
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    walls = []
+    for part in factors.values():
+        if part.is_constant() or field.definite(part):
+            continue
+        for inner in _algebraic_walls(field, part) or [part]:
+            if inner.is_constant() or field.definite(inner):
+                continue
+            wall = _in_symbols(field, inner, names, context)
+            if wall is None:
+                return None
+            walls.append(wall)
+    return walls
+
+
+def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:
+    """Polynomials without roots whose zeros contain those of ``p`` and of its roots."""
+    for position, _, rule in field.relations:
+        if p.degrees()[position] <= 0:
+            continue
+        if field.at(position).kind not in ("root", "sign"):
+            return None
+        norm = p.resultant(rule, position)
+        if norm.is_zero():
+            return None
+        walls = _algebraic_walls(field, norm)
+        inner = _algebraic_walls(field, field.at(position).data[0])
+        if walls is None or inner is None:
+            return None
+        return [*walls, *inner]
+    return [p]
+
+
+def _in_symbols(
+    field: Field, p: Poly, names: list[str], context: fmpz_mpoly_ctx
+) -> fmpz_mpoly | None:
+    used = field.used(p)
+    if any(field.at(i).kind != "symbol" for i in used):
+        return None
+    columns = {i: names.index(field.at(i).data[0]) for i in used if field.at(i).data[0] in names}
+    if len(columns) != len(used):
+        return None
+    result: dict[tuple[int, ...], int] = {}
+    for monomial, value in p.terms():
+        vector = [0] * len(names)
+        for i, column in columns.items():
+            vector[column] = int(monomial[i])
+        result[tuple(vector)] = value
+    return context.from_dict(result)
+
+
+def _inside(left: Expr, right: Expr, given: Given, point: dict[str, fmpq]) -> bool | None:
+    """Whether ``point`` satisfies ``given`` and both sides are defined there; None if unclear."""
+    with ball_precision(_BITS):
+        at = {name: arb(value) for name, value in point.items()}
+        needed = [
+            (condition.expression, condition.relation != "!=") for condition in given.conditions
+        ]
+        for e, positive in [*needed, *singularities(left), *singularities(right)]:
+            value = evaluate(e, at)
+            if positive and value < 0:
+                return False
+        values = [evaluate(left, at), evaluate(right, at)]
+        conditions = all(condition.holds(at) for condition in given.conditions)
+    return True if conditions and all(v.is_finite() for v in values) else None
+
+
+def _equal_at(left: Expr, right: Expr, point: dict[str, fmpq], theories: frozenset[str]) -> bool:
+    """Whether both sides are exactly equal at ``point``."""
+    numbers = {name: number(value) for name, value in point.items()}
+    return equal_constants(substitute(left, numbers), substitute(right, numbers), theories)
+
+
+def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
+    """Whether two expressions without symbols are exactly equal."""
+    field = Field(Given(), theories, 64)
+    try:
+        x, y = field.normal(left, right)
+        return vanishes_or_zero(field, settled(field, field.subtract(x, y)).num)
+    except (TooLargeError, UndefinedError):
+        return False
