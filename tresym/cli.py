@@ -46,6 +46,7 @@ def build_parser() -> Parser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _add_verify(commands)
     _add_flip(commands)
+    _add_audit(commands)
     _add_bench(commands)
     return parser
 
@@ -103,6 +104,40 @@ def _add_flip(commands: Commands) -> None:
     parser.add_argument("--rung", metavar="NAME", help="force one model of the ladder")
     _add_output(parser)
     parser.set_defaults(run=_flip)
+
+
+def _add_audit(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "audit",
+        help="the displays of the paper's LaTeX against the claims",
+        description="Name the claims that answer each display, theorem, table and figure of the "
+        "paper, and compare what they say with its LaTeX.",
+        epilog="Exit status 1 unless all of the paper is covered, unaltered and rightly copied.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("paper", metavar="PAPER.tex", help="the LaTeX source of the paper")
+    _add_output(parser)
+    parser.set_defaults(run=_audit)
+
+
+def _audit(args: argparse.Namespace) -> int:
+    from pathlib import Path
+
+    from tresym import audit, proofs
+
+    index = audit.load_index(Path(proofs.__file__).with_name("index.json"))
+    found = audit.audit(Path(args.paper), proofs.claims(), index)
+    if args.json or args.path:
+        import json
+
+        _deliver(json.dumps(found.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
+    else:
+        from rich.console import Console
+
+        from tresym.report.audit import show_audit
+
+        show_audit(found, Console(highlight=False))
+    return 0 if found.complete else UNEXPECTED
 
 
 def _add_output(parser: Parser) -> None:

@@ -1,0 +1,331 @@
+"""The audit: on a paper written for these tests, and on the real one where it is at hand."""
+
+import json
+from dataclasses import replace
+from io import StringIO
+from pathlib import Path
+
+import pytest
+from flint import fmpq
+from rich.console import Console
+from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, cos, sin, sqrt
+
+from tresym.audit import (
+    Audit,
+    Entry,
+    Text,
+    Transcription,
+    audit,
+    entry_of,
+    load_index,
+    read_source,
+    scan,
+)
+from tresym.claims.claim import Claim, Definition, Place, Printed, all_of, equal, formally
+from tresym.cli import main
+from tresym.exact import InputError
+from tresym.report.audit import show_audit
+
+PENDULUM = Path(__file__).parent / "data" / "pendulum.tex"
+ROOT = Path(__file__).resolve().parent.parent
+INDEX = ROOT / "proofs" / "index.json"
+PAPERS = sorted(ROOT.parent.glob("shared/paper/*.txt"))
+DISPLAYS = 9
+
+
+def real(name: str) -> Symbol:
+    return Symbol(name, real=True)
+
+
+h, w, q, p, S, k, T, q0 = map(real, ["h", "w", "q", "p", "S", "k", "T", "q0"])
+dq_dt, dp_dt = real("dq_dt"), real("dp_dt")
+
+
+def claim(label: str, display: int, *says: object, given: tuple = ()) -> Claim:
+    whole = says[0] if len(says) == 1 else Tuple(*says)
+    return Claim(label, whole, Definition(), given=given, where=Place(display=display))
+
+
+def claims() -> tuple[Claim, ...]:
+    """What a careful author would claim of the synthetic paper."""
+    modulus = claim("modulus", 3, equal(k, sqrt((h + w**2) / (2 * w**2))))
+    range_of_k = Claim("range_of_k", Tuple(k >= 0, k <= 1), Definition())
+    return (
+        claim("energy", 1, equal(h, dq_dt**2 / 2 - w**2 * cos(q))),
+        claim("speed", 2, equal(dq_dt, S * sqrt(2) * sqrt(h + w**2 * cos(q)))),
+        modulus,
+        Claim("range", "k is in [0, 1]", all_of(range_of_k), where=Place(display=3)),
+        claim("system", 4, equal(dq_dt, p), equal(-dp_dt, w**2 * sin(q)), given=(w > 0,)),
+        claim("system_2", 4, equal(dp_dt, -(w**2) * sin(q))),
+        claim("force", 5, equal(-dp_dt, w * sin(q) * w)),
+        claim(
+            "eq_period",
+            6,
+            equal(T / 4, Integral(1 / sqrt(2 * (h + w**2 * cos(q))), (q, 0, q0))),
+            given=(q0 > 0, h > 0),
+        ),
+        claim("small", 7, equal(T, 6)),
+        Claim("period_printed", "T", Printed("6.28", max, {"w": fmpq(1)}), where=Place(display=8)),
+        Claim("w_printed", "w", Printed("1.5e-1", max, {}), where=Place(display=8)),
+        claim("slope", 9, equal(Subs(Derivative(w**2 * sin(q), q), q, 0), w**2), given=(w > 0,)),
+        Claim("th_period", "", all_of()),
+        Claim("remark", "", all_of(), where=Place(line=41)),
+        Claim("fig_pendulum", "", all_of()),
+        Claim("figure2", "", all_of()),
+        Claim("cell", "", all_of(), where=Place(line=51, cell="1")),
+    )
+
+
+def index_of(path: Path = PENDULUM) -> tuple[Entry, ...]:
+    source = scan(read_source(path))
+    pieces = (*source.displays, *source.others)
+    entries = [Entry(**entry_of(piece)) for piece in pieces]
+    reading = replace(entries[6].reading, sentence="≃ is no relation")
+    entries[6] = replace(entries[6], reading=reading)
+    return tuple(entries)
+
+
+def altered(tmp_path: Path, old: str, new: str) -> Path:
+    text = PENDULUM.read_text(encoding="ascii")
+    assert text.count(old) == 1
+    path = tmp_path / "altered.tex"
+    path.write_text(text.replace(old, new), encoding="ascii")
+    return path
+
+
+def bad(result: Audit) -> dict[str, Text | Transcription]:
+    return {
+        row.label: row.text if row.text is not Text.SAME else row.transcription
+        for row in result.rows
+        if not row.good
+    }
+
+
+def test_pieces_are_found_in_order_with_their_labels_and_lines() -> None:
+    source = scan(read_source(PENDULUM))
+    assert [(d.number, d.kind, d.label, d.line) for d in source.displays] == [
+        (1, "equation", "eq_energy", 12),
+        (2, "brackets", "d02", 16),
+        (3, "dollars", "d03", 18),
+        (4, "equation", "eq_system", 22),
+        (5, "brackets", "d05", 30),
+        (6, "equation", "eq_period", 36),
+        (7, "brackets", "d07", 42),
+        (8, "brackets", "d08", 45),
+        (9, "brackets", "d09", 47),
+    ]
+    assert [(o.kind, o.label) for o in source.others] == [
+        ("figure", "fig_pendulum"),
+        ("theorem", "th_period"),
+        ("remark", "remark1"),
+        ("table", "tab_lengths"),
+        ("figure", "figure2"),
+    ]
+
+
+def test_full_coverage_of_the_synthetic_paper() -> None:
+    result = audit(PENDULUM, claims(), index_of())
+    assert bad(result) == {}
+    assert result.complete
+    assert result.count() == (DISPLAYS, DISPLAYS)
+    assert result.count("figure") == (2, 2)
+    assert result.read == DISPLAYS - 1
+    assert result.rows[6].transcription is Transcription.SENTENCE
+
+
+@pytest.mark.parametrize("label", ["energy", "force", "eq_period", "fig_pendulum", "cell"])
+def test_an_uncovered_piece_is_named(label: str) -> None:
+    kept = [c for c in claims() if c.label != label]
+    result = audit(PENDULUM, kept, index_of())
+    (row,) = [row for row in result.rows if not row.good]
+    assert row.claims == ()
+    assert row.note == "no claim answers it"
+
+
+SLIPS = [
+    ("energy", equal(h, dq_dt**2 / 2 + w**2 * cos(q))),
+    ("energy", equal(h, dq_dt**2 - w**2 * cos(q))),
+    ("speed", equal(dq_dt, S * sqrt(2) * sqrt(h + w**2 * sin(q)))),
+    ("speed", equal(dq_dt, sqrt(2) * sqrt(h + w**2 * cos(q)))),
+    ("modulus", equal(k, sqrt((h + w**2) / w**2))),
+    ("range_of_k", Tuple(k >= 0, k < 1)),
+    ("range_of_k", Tuple(k >= 0)),
+    ("system", equal(dq_dt, p + w)),
+    ("force", equal(-dp_dt, w * sin(q))),
+    ("eq_period", equal(T / 4, Integral(1 / sqrt(2 * (h - w**2 * cos(q))), (q, 0, q0)))),
+    ("eq_period", equal(T / 4, Integral(1 / sqrt(2 * (h + w**2 * cos(q))), (q, 0, 2 * q0)))),
+    ("eq_period", equal(T / 2, Integral(1 / sqrt(2 * (h + w**2 * cos(q))), (q, 0, q0)))),
+    ("slope", equal(Subs(Derivative(w**2 * sin(q), q), q, 1), w**2)),
+    ("energy", equal(h, dq_dt**2 / 2 - w**2 * cos(q) + Function("O")(w))),
+]
+
+
+@pytest.mark.parametrize(("label", "says"), SLIPS)
+def test_a_slip_of_transcription_is_caught(label: str, says: object) -> None:
+    def slipped(c: Claim) -> Claim:
+        if label == "range_of_k" and c.label == "range":
+            return replace(c, proof=all_of(Claim("range_of_k", says, Definition())))
+        return replace(c, says=says) if c.label == label else c
+
+    result = audit(PENDULUM, map(slipped, claims()), index_of())
+    (row,) = [row for row in result.rows if not row.good]
+    assert row.transcription is Transcription.DIFFERS
+    assert row.note.startswith("no claim says ")
+
+
+def test_a_printed_number_with_another_digit_is_caught() -> None:
+    def slipped(c: Claim) -> Claim:
+        return replace(c, proof=Printed("6.280", max, {})) if c.label == "period_printed" else c
+
+    result = audit(PENDULUM, map(slipped, claims()), index_of())
+    assert bad(result) == {"d08": Transcription.DIFFERS}
+
+
+def test_a_sentence_counts_by_its_formal_relations() -> None:
+    said = Claim(
+        "energy",
+        "The energy",
+        formally(equal(h, dq_dt**2 / 2 - w**2 * cos(q))),
+        where=Place(display=1),
+    )
+    others = [c for c in claims() if c.label != "energy"]
+    assert audit(PENDULUM, [said, *others], index_of()).complete
+
+
+def test_an_altered_display_is_named_and_no_other(tmp_path: Path) -> None:
+    path = altered(tmp_path, "-w^2\\cos q, %", "+w^2\\cos q, %")
+    result = audit(path, claims(), index_of())
+    assert bad(result) == {"eq_energy": Text.ALTERED}
+    assert not result.complete
+
+
+def test_an_altered_caption_is_named(tmp_path: Path) -> None:
+    path = altered(tmp_path, "The phase portrait.", "A phase portrait.")
+    assert bad(audit(path, claims(), index_of())) == {"figure2": Text.ALTERED}
+
+
+def test_a_display_taken_out_or_put_in_is_named_and_shifts_no_other(tmp_path: Path) -> None:
+    out = altered(tmp_path, "\\[g(q,w)=w^2\\sin q.\\]", "")
+    result = audit(out, claims(), index_of())
+    assert bad(result)["d05"] is Text.MISSING
+    assert {row.text for row in result.rows} == {Text.SAME, Text.MISSING}
+    put = altered(tmp_path, "The derivative is", "\\[ x=y \\] The derivative is")
+    assert list(bad(audit(put, claims(), index_of())).values()) == [Text.ADDED]
+
+
+def test_spacing_and_comments_are_no_alteration(tmp_path: Path) -> None:
+    path = altered(tmp_path, "-w^2\\cos q, % kinetic, then potential", "\n  -w^2\\cos q, % other")
+    moved = bad(audit(path, claims(), index_of()))
+    assert moved == {"eq_energy": Text.ALTERED}  # a space inside a formula is a change of text
+    path = altered(tmp_path, "cos q, % kinetic, then potential\n", "cos q,\n\n\n")
+    assert bad(audit(path, claims(), index_of())) == {}
+
+
+TEXT = PENDULUM.read_text(encoding="ascii")
+ACCENTED = TEXT.replace("The plane pendulum", "Le pendule plan étudié")
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        TEXT.replace("\n", "\r\n").encode(),
+        TEXT.replace("\n", "\r").encode(),
+        b"\xef\xbb\xbf" + TEXT.encode(),
+        TEXT.encode("utf-16"),
+        ACCENTED.encode(),
+        ACCENTED.encode("latin-1"),
+        ACCENTED.replace("latin1", "cp1250").encode("cp1250"),
+    ],
+    ids=["crlf", "cr", "bom", "utf16", "utf8", "latin1", "cp1250"],
+)
+def test_line_ends_and_encodings_change_nothing(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "paper.tex"
+    path.write_bytes(data)
+    assert audit(path, claims(), index_of()).complete
+
+
+BROKEN = {
+    "holds NUL bytes": TEXT.encode() + b"\0",
+    "no \\begin{document} in it": b"just a letter\n",
+    "no \\begin{document}": b"",
+    "\\end{document} is missing": TEXT.replace("\\end{document}", "").encode(),
+    "the encoding klingon is not known": ACCENTED.replace("latin1", "klingon").encode("latin-1"),
+    "declares no encoding": ACCENTED.replace("[latin1]{inputenc}", "{bm}").encode("latin-1"),
+    "line 8 is not ascii": ACCENTED.replace("latin1", "ascii").encode("latin-1"),
+    "line 14: \\end{equation*} where \\begin{equation}, opened in line 12": TEXT.replace(
+        "\\end{equation}", "\\end{equation*}", 1
+    ).encode(),
+    "\\[, opened in line 16, is open in line 18": TEXT.replace(
+        "2h+2w^2\\cos q}. \\]", "2h}.", 1
+    ).encode(),
+    "$$ is closed by a single $": TEXT.replace("1.\n$$", "1.\n$", 1).encode(),
+    "the formula $, opened in line 44": TEXT.replace("For $w=1$", "For $w=1").encode(),
+    "\\] closes nothing": TEXT.replace("A bob", "\\] A bob").encode(),
+    "\\begin{small}, opened in line 10, is not closed": TEXT.replace(
+        "A bob", "\\begin{small} A bob"
+    )
+    .replace("\\begin{figure*}", "")
+    .replace("\\end{figure*}", "")
+    .encode(),
+}
+
+
+@pytest.mark.parametrize("why", BROKEN)
+def test_bad_input_gets_one_clear_line(tmp_path: Path, why: str) -> None:
+    path = tmp_path / "paper.tex"
+    path.write_bytes(BROKEN[why])
+    with pytest.raises(InputError) as caught:
+        audit(path, claims(), index_of())
+    message = str(caught.value)
+    assert why in message
+    assert message.startswith(str(path))
+    assert "\n" not in message
+
+
+def test_missing_files_and_folders(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no such file"):
+        read_source(tmp_path / "nowhere.tex")
+    with pytest.raises(InputError, match="cannot be read"):
+        read_source(tmp_path)
+
+
+def test_json_and_table(tmp_path: Path) -> None:
+    result = audit(altered(tmp_path, "\\frac{T}{4}", "\\frac{T}{2}"), claims(), index_of())
+    data = json.loads(json.dumps(result.as_json()))
+    assert data["complete"] is False
+    assert {row["label"]: row["text"] for row in data["rows"]}["eq_period"] == "altered"
+    console = Console(width=100, record=True, file=StringIO())
+    show_audit(result, console)
+    text = console.export_text()
+    assert "display 6 (eq_period): its text is not the one" in text
+    assert "8 of 9 displays" in text
+
+
+def test_command_line_reports_bad_input_in_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["audit", str(tmp_path / "nowhere.tex")]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+
+
+def test_index_of_the_paper_is_whole() -> None:
+    index = load_index(INDEX)
+    assert [e.number for e in index if e.number] == list(range(1, 59))
+    assert sum(e.kind == "figure" for e in index) == 11
+    assert {e.kind for e in index} >= {"theorem", "remark", "table"}
+    assert len({e.label for e in index}) == len(index)
+    assert len({e.sha256 for e in index}) >= len(index) - 6  # the paper repeats some displays
+
+
+@pytest.mark.skipif(not PAPERS, reason="the paper's source is not beside the checkout")
+def test_the_index_fits_the_paper() -> None:
+    from tresym.identity.latex import read_latex
+
+    source = scan(read_source(PAPERS[0]))
+    index = load_index(INDEX)
+    found = [(p.label, p.kind, p.line, p.sha256) for p in (*source.displays, *source.others)]
+    assert found == [(e.label, e.kind, e.line, e.sha256) for e in index]
+    assert sum(bool(read_latex(d.text)) for d in source.displays) >= 45
+    assert Integer(len(source.displays)) == 58
