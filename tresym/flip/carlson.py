@@ -82,8 +82,8 @@ def by_gauss(at: Amplitude, n: Any, m: Any, stop: Callable[[Any], Any]) -> Integ
         at: the amplitude, 0 < sn ≤ 1.
         n: the characteristic, n > 0.
         m: the arithmetic.
-        stop: given ρ = (x² − y²)/(x² + y²), None to go on, or else the factor by which the
-            elementary integrals at x² = y² are off.
+        stop: given 2ρ = (x² − y²)/μ with μ = (x² + y²)/2, None to go on, or else the factor by
+            which the elementary integrals at x² = y² = μ are off.
 
     Raises:
         ArithmeticError: no end after ``GAUSS_LIMIT`` steps.
@@ -94,7 +94,7 @@ def by_gauss(at: Amplitude, n: Any, m: Any, stop: Callable[[Any], Any]) -> Integ
     e, h = n * g, modulus * g
     trail: list[tuple[Any, Any, Any]] = []
     mean = (x * x + y * y) / 2
-    while (factor := stop((h - g) / (2 * mean))) is None:
+    while (factor := stop((x - y) * (x + y) / mean)) is None:
         if len(trail) == GAUSS_LIMIT:
             raise ArithmeticError("the Gauss transformation does not end: gamma is too near a")
         inner, outer, root = m.sqrt(g * h), m.sqrt((e + g) * (e + h)), m.sqrt(e)
@@ -116,14 +116,14 @@ def by_gauss(at: Amplitude, n: Any, m: Any, stop: Callable[[Any], Any]) -> Integ
     return Integrals(sn * first, sn * sn * sn * third / 3)
 
 
-def ball_stop(ratio: arb) -> arb | None:
+def ball_stop(twice: arb) -> arb | None:
     """End the Gauss transformation of balls at the working precision, with its error in a factor.
 
     R(x², y², …) with x², y² = μ(1 ± ρ) is an integral of 1/√((t+μ)² − μ²ρ²) times a positive
     function, which lies between 1/(t+μ) and (1 − ρ²)^(−1/2)/(t+μ): so the value lies within a
     factor [1, (1 − ρ²)^(−1/2)] of that at x² = y² = μ, and (1 − t)^(−1/2) ≤ 1 + t for t ≤ ½.
     """
-    square = ratio * ratio
+    square = twice * twice / 4
     if square < arb((1, -ctx.prec)):
         return 1 + arb(0).union(square)
     return None

@@ -119,7 +119,7 @@ def float_defect(a: float, b: float, gamma: float) -> float | None:
     """
     try:
         root, k = math.sqrt(a / (a + b)), math.sqrt(a * b)
-        time = k * float_phase(k, b)
+        time = k * float_phase(k, b)[0]
         guess = math.atan(root / math.sinh(time))
         guess -= gamma / (4 * b * guess)
         if guess <= 0:

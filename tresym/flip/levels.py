@@ -10,9 +10,9 @@ one φ_K = π/3 (γ**):
 - γ** < γ ≤ γ*: it has turned once, 2φ_K − F(ε, γ) = π, and again dε/dγ < 0, as F_γ < 0 < dφ_K/dγ;
 - γ < γ**: it has turned more than once; ε(γ) goes up and down, within [ψ_min, π − ψ_min].
 
-So ε decreases strictly on (γ**, a), and every level below γ** has |ε − π/2| smaller than at γ**: the
-largest γ at which ε takes a value is the only one above γ**. Levels are computed in x = log of the
-odds (γ+b)/(−γ) or (a−γ)/γ, in which all this is nearly linear.
+So ε decreases strictly on (γ**, a), and below γ** it stays nearer to π/2 than at γ**: the largest γ
+at which ε takes a value is the only one above γ**. Levels are computed in x = log of the odds
+(γ+b)/(−γ) or (a−γ)/γ, in which all this is nearly linear.
 """
 
 from __future__ import annotations

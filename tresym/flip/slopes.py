@@ -1,7 +1,7 @@
 """dε/dγ and d²ε/dγ² in closed form, at every γ in (−b, a).
 
-With the phase Φ(ψ, γ) from ψ = π/2, ε(γ) keeps Φ = π, so dε/dγ = Φ_γ/f. In the time τ the derivative
-of the integrand is −(1 − b sin²ψ)/(2z), and since 1/z = (1/m₁² − 1)/(a − γ) with m₁ = cos θ,
+With the phase Φ(ψ, γ) from ψ = π/2, ε(γ) keeps Φ = π, so dε/dγ = Φ_γ/f. In the time τ the
+integrand's derivative is −(1 − b sin²ψ)/(2z), and 1/z = (1/m₁² − 1)/(a − γ) with m₁ = cos θ, so
 
     Φ_γ = −[(1+γ) I₁ − (1+a) τ]/(2(a−γ)),   I₁ = ∫ dτ/m₁²,   I₁₁ = ∫ dτ/m₁⁴.
 
@@ -59,7 +59,7 @@ def slopes(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Slopes:
 def _on(on: Orbit) -> Slopes:
     """The slopes on an orbit, at the working precision."""
     a, b = on.a, on.b
-    gamma, below, above, _ = on.level
+    gamma, below = on.level.gamma, on.level.below
     place = time_of(on, arb.pi())
     defect = arb.pi() / 2 - angle_at(on, place)
     sine, cosine = defect.sin_cos()

@@ -1,0 +1,321 @@
+"""The flip of very many starts at once, in float64.
+
+The same closed form as :mod:`tresym.flip.orbit`, start by start: Gauss transformation for the
+phases, theta series for Jacobi's functions, Newton's method in the time u. There are no special
+cases: every start is on a rotating or an oscillating orbit, and the separatrix is taken as an orbit
+so near to it (1 − k² = 1e-280) that float64 cannot tell. Starts near the unstable points have a Δψ
+accurate relative to itself. NaN is said only where no such start exists.
+
+Near the unstable points errors grow by e^(√(ab) Δφ) whatever the method; how far a float64 start
+determines its answer is what :func:`flip_uncertainty` says.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tresym.body import Exact
+from tresym.body import shape as exact_shape
+from tresym.flip.carlson import Amplitude, by_gauss
+
+Floats = NDArray[np.float64]
+
+CHUNK = 4096
+"""Starts per pass: what is needed of one pass stays in the cache."""
+
+FLOOR = 1e-280
+"""The least k² and 1 − k²; below, float64 sees no difference in any angle."""
+
+LINEAR = 1e-9
+"""Angles below which the motion about an unstable point is linear to float64 accuracy."""
+
+
+class _Orbits(NamedTuple):
+    """Arrays of orbits, with the names of :mod:`tresym.flip.orbit`; ``unit``: ψ − π/2 from u."""
+
+    rotating: Any
+    speed: Floats
+    characteristic: Floats
+    modulus: Floats
+    complement: Floats
+    sine_scale: Floats
+    cosine_scale: Floats
+
+
+def flip_map(
+    a: Exact | float,
+    b: Exact | float,
+    psi0: ArrayLike,
+    rate: ArrayLike,
+    precession: float = 2 * math.pi,
+) -> Floats:
+    """Δψ (radians) of each start (ψ₀, dψ/dφ) after ``precession`` radians of φ.
+
+    Args:
+        a: I₂/I₁ − 1 > 0.
+        b: 1 − I₂/I₃, in (0, 1].
+        psi0: angles in radians; broadcast against ``rate``.
+        rate: dψ/dφ at the start.
+        precession: Δφ, of either sign.
+
+    Returns:
+        Float64 of the broadcast shape; NaN where no body of this shape has such a start.
+
+    Raises:
+        InputError: a or b out of range.
+    """
+    p, q = _floats(a, b)
+    psi, speed = np.broadcast_arrays(
+        np.asarray(psi0, dtype=np.float64), np.asarray(rate, dtype=np.float64)
+    )
+    flat_psi, flat_rate = psi.ravel(), speed.ravel()
+    turn = np.empty(flat_psi.shape)
+    with np.errstate(all="ignore"):
+        for i in range(0, len(turn), CHUNK):
+            part = slice(i, i + CHUNK)
+            turn[part] = _chunk(p, q, flat_psi[part], flat_rate[part], precession)
+    return turn.reshape(psi.shape)
+
+
+def flip_uncertainty(
+    a: Exact | float,
+    b: Exact | float,
+    psi0: ArrayLike,
+    rate: ArrayLike,
+    precession: float = 2 * math.pi,
+) -> Floats:
+    """The error to expect of :func:`flip_map` at each start (an estimate, not a bound; radians).
+
+    Some 64 roundings of each of a, b, ψ₀, the rate and Δψ, carried to the result by the map's own
+    derivatives, as differences. It is large where the orbit passes so close to an unstable point
+    that float64 starts do not determine the answer.
+    """
+    p, q = _floats(a, b)
+    psi, speed = np.asarray(psi0, dtype=np.float64), np.asarray(rate, dtype=np.float64)
+    here = flip_map(p, q, psi, speed, precession)
+    step = 2.0**-42
+    total = np.abs(here)
+    for change in np.eye(4):
+        factors = 1 - step * change
+        there = flip_map(
+            p * factors[0], q * factors[1], psi * factors[2], speed * factors[3], precession
+        )
+        total = total + np.abs(there - here) / step
+    return 64 * np.finfo(float).eps * total
+
+
+def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
+    """The shape in float64; what is given exactly is checked exactly."""
+    from fractions import Fraction
+
+    given = [Fraction(x) if isinstance(x, float) else x for x in (a, b)]
+    shape = exact_shape(*given)
+    return int(shape.a.p) / int(shape.a.q), int(shape.b.p) / int(shape.b.q)
+
+
+def _chunk(a: float, b: float, psi: Floats, rate: Floats, precession: float) -> Floats:
+    sine, cosine = np.sin(psi), np.cos(psi)
+    scale, clock = a + b * sine * sine, (1 - b) + b * cosine * cosine
+    moment = rate * clock
+    handle = moment / scale
+    rest = (scale - moment) * (scale + moment) / (scale * scale)
+    exists = rest >= -8 * np.finfo(float).eps
+    rest = np.maximum(rest, 0.0)
+    rise, fall = np.abs(handle) * np.sqrt(scale), math.sqrt(b) * np.abs(sine)
+    gamma = (rise - fall) * (rise + fall)
+    orbits = _orbits(a, b, gamma, rest * scale, rise * rise + b * cosine * cosine)
+    # By symmetry: rotating orbits with ψ increasing, and 0 ≤ ψ ≤ π.
+    mirror = np.where(orbits.rotating & (handle < 0), -1.0, 1.0)
+    side = np.where(mirror * sine < 0, -1.0, 1.0)
+    up, along = np.abs(sine), side * cosine
+    at = _entry(a, b, orbits, up, along, np.abs(handle), rest, scale)
+    far = Amplitude(1.0, np.zeros_like(up), np.sqrt(orbits.complement), orbits.modulus)
+    quarter_time, quarter_phase = _times(a, b, orbits, far)
+    begin = np.copysign(_times(a, b, orbits, at)[1], -along)
+    begin = np.where(~orbits.rotating & (handle < 0), 2 * quarter_phase - begin, begin)
+    end = begin + precession
+    halves = np.rint(end / (2 * quarter_phase))
+    time = _invert(a, b, orbits, end - 2 * halves * quarter_phase, quarter_time, quarter_phase)
+    there = _jacobi(orbits, time)
+    turned = np.where(~orbits.rotating & (halves % 2 == 1), -1.0, 1.0)
+    x = orbits.cosine_scale * np.where(orbits.rotating, there.cn, there.dn)
+    y = turned * orbits.sine_scale * there.sn
+    base0, offset0 = _from_saddle(along, up)
+    base1, offset1 = _from_saddle(-y, x)
+    whole = np.where(orbits.rotating, halves, 0.0) + (base1 - base0)
+    turn = mirror * (math.pi * whole + (offset1 - offset0))
+    return np.where(exists, _linear(a, b, psi, sine, cosine, rate, precession, turn), np.nan)
+
+
+def _orbits(a: float, b: float, gamma: Floats, below: Floats, above: Floats) -> _Orbits:
+    rotating = gamma >= 0
+    square = np.where(rotating, a * above, b * below)
+    other = np.where(rotating, b * below, a * above)
+    return _Orbits(
+        rotating,
+        np.sqrt(square),
+        np.where(rotating, b / a, above / below),
+        np.maximum(other / square, FLOOR),
+        np.maximum(np.abs(gamma) * (a + b) / square, FLOOR),
+        np.sqrt(np.where(rotating, a + b, above * (a + b))),
+        np.sqrt(np.where(rotating, a, b * below)),
+    )
+
+
+def _entry(
+    a: float,
+    b: float,
+    orbits: _Orbits,
+    up: Floats,
+    along: Floats,
+    handle: Floats,
+    rest: Floats,
+    scale: Floats,
+) -> Amplitude:
+    """The amplitude of the start, sn taken positive."""
+    rotating, long = orbits.rotating, np.abs(along)
+    # γ + b, from ω² = a(γ+b) or n = (γ+b)/(a−γ).
+    above = np.where(rotating, orbits.speed**2 / a, orbits.characteristic * orbits.speed**2 / b)
+    upright, level = math.sqrt(a + b) * up / np.sqrt(scale), handle * np.sqrt((a + b) / above)
+    sn = np.where(rotating, math.sqrt(a) * long / np.sqrt(scale), long * np.sqrt(b * rest / above))
+    return Amplitude(
+        np.minimum(sn, 1.0),
+        np.where(rotating, upright, level),
+        np.where(rotating, level, upright),
+        orbits.modulus,
+    )
+
+
+def _from_saddle(cosine: Floats, sine: Floats) -> tuple[Floats, Floats]:
+    """An angle from 0 to π as the nearer end, in half turns from π/2, and the offset from there."""
+    return np.where(cosine >= 0, -0.5, 0.5), np.copysign(np.arctan2(sine, np.abs(cosine)), cosine)
+
+
+def _near(ratio: Floats) -> float | None:
+    """End the Gauss transformation when nobody gains from another step."""
+    return 1.0 if np.nanmax(np.abs(ratio), initial=0.0) < 1e-8 else None
+
+
+def _times(a: float, b: float, orbits: _Orbits, at: Amplitude) -> tuple[Floats, Floats]:
+    """u and φ at an amplitude with sn ≥ 0."""
+    n = orbits.characteristic
+    found = by_gauss(at._replace(sn=np.maximum(at.sn, 1e-100)), n, np, _near)
+    return found.time, ((1 - b) * found.time + (a + b) * n * found.third) / orbits.speed
+
+
+def _jacobi(orbits: _Orbits, time: Floats) -> Amplitude:
+    """sn, cn, dn at |u| ≤ K: the theta series of :mod:`tresym.flip.jacobi`, terms above 1e-16."""
+    k, k1 = np.sqrt(orbits.modulus), np.sqrt(orbits.complement)
+    direct, dual = _mean(k1), _mean(k)
+    hyperbolic = k1 <= k
+    at = np.empty((3, time.size))
+    for kind, series in ((hyperbolic, _hyperbolic), (~hyperbolic, _circular)):
+        if kind.any():
+            at[:, kind] = series(k[kind], k1[kind], direct[kind], dual[kind], time[kind])
+    return Amplitude(at[0], at[1], at[2], orbits.modulus)
+
+
+def _mean(x: Floats) -> Floats:
+    """The arithmetic-geometric mean of 1 and x."""
+    high, low = np.ones_like(x), x
+    for _ in range(16):
+        high, low = (high + low) / 2, np.sqrt(high * low)
+        if not np.any(high - low > 1e-8 * high):
+            break
+    return (high + low) / 2
+
+
+def _circular(k: Floats, k1: Floats, direct: Floats, dual: Floats, time: Floats) -> Any:
+    q = np.exp(-math.pi * direct / dual)
+    root = np.sqrt(np.sqrt(q))
+    sine, cosine = np.sin(direct * time), np.cos(direct * time)
+    # Multiples of the argument; U with sin 3ζ = sine · U₂ and so on.
+    c2 = 1 - 2 * sine * sine
+    c4, c6 = 2 * c2 * c2 - 1, c2 * (4 * c2 * c2 - 3)
+    q2, q4 = q * q, (q * q) ** 2
+    odd = q * (c2 + q4 * q4 * c6)
+    even = q4 * c4
+    three, four = 1 + 2 * (odd + even), 1 - 2 * (odd - even)
+    one = sine * (1 - q2 * (1 + 2 * c2) + q4 * q2 * (1 + 2 * c2 + 2 * c4))
+    two = cosine * (1 + q2 * (2 * c2 - 1) + q4 * q2 * (1 - 2 * c2 + 2 * c4))
+    ratio = 2 * root / np.sqrt(k)
+    return ratio * one / four, ratio * np.sqrt(k1) * two / four, np.sqrt(k1) * three / four
+
+
+def _hyperbolic(k: Floats, k1: Floats, direct: Floats, dual: Floats, time: Floats) -> Any:
+    """With y the argument, E = e^(−2|y|), w = q e^(2|y|) ≤ 1: every series divided by e^|y|/2."""
+    y = dual * np.abs(time)
+    log_nome = -math.pi * dual / direct
+    q, log_w = np.exp(log_nome), 2 * y + log_nome
+    w, e = np.exp(log_w), np.exp(-2 * y)
+    e2, q2 = e * e, q * q
+    e4, qw, q4w2 = e2 * e2, q * w, (q2 * w) ** 2
+    last, e7 = (qw * q2) ** 3, e4 * e2 * e
+    one = -np.expm1(-2 * y) - qw * (1 - e2 * e) + q4w2 * (1 - e4 * e) - last * (1 - e7)
+    two = 1 + e + qw * (1 + e2 * e) + q4w2 * (1 + e4 * e) + last * (1 + e7)
+    first, second, third = w * e2, (qw) ** 2 * (1 + e4), (q2 * w) ** 3 * (1 + e4 * e2)
+    three = 1 + w + first + second + third
+    four = -np.expm1(log_w) - first + second - third
+    root = np.sqrt(np.sqrt(q))
+    half = np.exp(-y) / root
+    sn = np.copysign(one / two / np.sqrt(k), time)
+    return sn, half * np.sqrt(k1 / k) * four / two, half * np.sqrt(k1) * three / two
+
+
+def _invert(
+    a: float, b: float, orbits: _Orbits, phase: Floats, far_time: Floats, far_phase: Floats
+) -> Floats:
+    """u with φ(u) = ``phase``, |u| ≤ K, by Newton's method.
+
+    φ is convex in u > 0 with (1−b)/ω ≤ φ′ ≤ 1/ω, so after one step the iterates come down to the
+    root from above; bounds from both ends keep them in the quarter.
+    """
+    goal = np.abs(phase)
+    low = np.maximum(orbits.speed * goal, 0.0)
+    high = np.maximum(far_time - orbits.speed * np.maximum(far_phase - goal, 0.0), low)
+    time = np.clip(goal * far_time / far_phase, low, high)
+    open_ = np.arange(time.size)
+    for _ in range(40):
+        some = _Orbits(*(x[open_] if np.ndim(x) else x for x in orbits))
+        at = _jacobi(some, time[open_])
+        at = at._replace(cn=np.maximum(at.cn, 0.0))
+        part = some.characteristic * at.sn * at.sn
+        slope = ((1 - b) + (a + b) * part / (1 + part)) / some.speed
+        found = by_gauss(at._replace(sn=np.maximum(at.sn, 1e-100)), some.characteristic, np, _near)
+        value = ((1 - b) * time[open_] + (a + b) * some.characteristic * found.third) / some.speed
+        step = (value - goal[open_]) / np.maximum(slope, 1e-300)
+        after = np.clip(time[open_] - step, low[open_], high[open_])
+        moved = np.abs(after - time[open_])
+        time[open_] = after
+        open_ = open_[moved > 1e-9 * np.maximum(after, 1e-3)]
+        if not open_.size:
+            break
+    return np.copysign(time, phase)
+
+
+def _linear(
+    a: float,
+    b: float,
+    psi: Floats,
+    sine: Floats,
+    cosine: Floats,
+    rate: Floats,
+    precession: float,
+    turn: Floats,
+) -> Floats:
+    """``turn``, or the linear motion about an unstable point for starts that stay close to it."""
+    growth = math.sqrt(a * b)
+    offset = np.arctan2(sine * np.sign(cosine), np.abs(cosine))
+    if growth * abs(precession) > 600:
+        return turn
+    size = (np.abs(offset) + np.abs(rate) * (1 / a + abs(precession))) * math.cosh(
+        growth * precession
+    )
+    small = size < LINEAR
+    spread = 2 * math.sinh(growth * precession / 2) ** 2
+    drift = math.sinh(growth * precession) / growth
+    return np.where(small, offset * spread + rate * drift, turn)
