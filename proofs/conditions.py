@@ -1,10 +1,10 @@
 """The conditions under which the paper's statements are made, each named once."""
 
-from sympy import cos, pi, sin
+from sympy import cos, exp, pi, sin
 
-from tresym.notation import I1, I2, I3, M, a, b, epsilon, k, r, theta
+from tresym.notation import I1, I2, I3, M, T, a, b, epsilon, k, r, theta
 
-ordered_moments = (I1 > 0, I2 - I1 > 0, I3 - I2 > 0, M > 0)
+ordered_moments = (I1 > 0, I2 > 0, I3 > 0, I2 - I1 > 0, I3 - I2 > 0, M > 0)
 """0 < I₁ < I₂ < I₃, and a body that turns."""
 
 shape_of_a_body = (a > 0, b > 0, b < 1)
@@ -21,3 +21,6 @@ defect = (epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0)
 
 auxiliary = (k > 0, r > 0)
 """k = √(ab) and r = √(b/a)."""
+
+later = (T > 0, exp(T) - 1 > 0)
+"""T is positive; the second condition says the same to the sign procedure."""

@@ -7,7 +7,7 @@
 """
 
 import sympy
-from sympy import Abs, cos, sin, sqrt
+from sympy import Abs, Ne, cos, sin, sqrt
 from tresym.proofs.conditions import shape_of_a_body
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma
 
@@ -78,20 +78,14 @@ eq_dpsidphi = Claim(
 precession_integrand = Claim(
     label="d19",
     says=equal(1 / dpsi_dphi, printed.integrand(psi, a, b, gamma, S, sympy)),
-    given=(*moving, dpsi_dphi**2 > 0),
+    given=(*moving, Ne(dpsi_dphi, 0)),
     proof=(
         step(
             (1 - b * sin(psi) ** 2)
             / (S * sqrt(a + b * sin(psi) ** 2) * sqrt(gamma + b * sin(psi) ** 2)),
             substituting(eq_dpsidphi),
         ),
-        step(
-            S**2
-            * (1 - b * sin(psi) ** 2)
-            / (S * sqrt(a + b * sin(psi) ** 2) * sqrt(gamma + b * sin(psi) ** 2)),
-            substituting(sign_squared),
-        ),
-        step(None),
+        step(None, substituting(sign_of_tilt), roots),
     ),
     where=Place(display=19),
 )

@@ -13,6 +13,7 @@
 import sympy
 from sympy import (
     Equivalent,
+    Integer,
     Integral,
     Rational,
     Tuple,
@@ -29,7 +30,7 @@ from sympy import (
     tan,
     tanh,
 )
-from tresym.proofs.conditions import auxiliary, defect, shape
+from tresym.proofs.conditions import auxiliary, defect, later, shape
 
 from tresym.claims.claim import (
     Claim,
@@ -91,6 +92,24 @@ start_in_x = Claim(
 
 _in_x = printed.auxiliary_integrand(x, a, b, sympy)
 
+_on_path = (psi - epsilon) * (pi - epsilon - psi) >= 0
+
+sine_on_path = Claim(
+    label="sine_on_path",
+    says=1 - cos(psi) ** 2 > 0,
+    kind="bound",
+    given=between,
+    proof=(step(sin(psi) ** 2, trigonometry),),
+)
+
+root_on_path = Claim(
+    label="root_on_path",
+    says=1 - _mu**2 * cos(psi) ** 2 > 0,
+    kind="bound",
+    given=shape,
+    proof=(step((a + b * sin(psi) ** 2) / (a + b), trigonometry),),
+)
+
 substitution = Claim(
     label="d35",
     says=equal(Integral(_in_x, (x, x0, -x0)), -2 * pi * b),
@@ -99,14 +118,13 @@ substitution = Claim(
         step(
             Integral(-b * _on_separatrix, (psi, epsilon, pi - epsilon)),
             substituting(start_in_x),
-            changing_variable(_mu * cos(psi)),
+            changing_variable(_mu * cos(psi), sine_on_path, root_on_path),
         ),
-        step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), algebra),
+        step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), roots),
         step(None, substituting(separatrix_condition)),
     ),
     where=Place(display=35),
 )
-
 
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 
@@ -116,41 +134,80 @@ root_at_start = Claim(
     kind="bound",
     given=(*shape, *defect),
     proof=(
-        step(1 - b / (a + b) * cos(epsilon) ** 2, substituting(start_in_x), roots),
+        step(1 - b / (a + b) * cos(epsilon) ** 2, substituting(start_in_x)),
         step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),
     ),
 )
 
-artanh_at_start = Claim(
-    label="artanh_at_start",
-    says=b - (a + b) * x0**2 > 0,
+below_the_pole = Claim(
+    label="below_the_pole",
+    says=b / (a + b) - x0**2 > 0,
     kind="bound",
     given=(*shape, *defect),
     proof=(
-        step(b - b * cos(epsilon) ** 2, substituting(start_in_x), roots),
-        step(b * sin(epsilon) ** 2, trigonometry),
+        step(b / (a + b) * (1 - cos(epsilon) ** 2), substituting(start_in_x)),
+        step(b / (a + b) * sin(epsilon) ** 2, trigonometry),
     ),
 )
 
 _inside = ((x - x0) * (-x0 - x) >= 0,)
+
+inside_square = Claim(
+    label="inside_square",
+    says=x0**2 - x**2 >= 0,
+    kind="bound",
+    given=_inside,
+    proof=(step((x - x0) * (-x0 - x)),),
+)
 
 root_in_interval = Claim(
     label="root_in_interval",
     says=1 - x**2 > 0,
     kind="bound",
     given=(*shape, *defect, *_inside),
-    proof=(step((1 - x0**2) + (x - x0) * (-x0 - x), citing(root_at_start)),),
+    proof=(step(1 - x**2, citing(root_at_start, inside_square)),),
+    note="The sum of the two bounds it cites.",
 )
 
-artanh_in_interval = Claim(
-    label="artanh_in_interval",
-    says=b - (a + b) * x**2 > 0,
+pole_outside = Claim(
+    label="pole_outside",
+    says=b / (a + b) - x**2 > 0,
+    kind="bound",
+    given=(*shape, *defect, *_inside),
+    proof=(step(b / (a + b) - x**2, citing(below_the_pole, inside_square)),),
+    note="The sum of the two bounds it cites.",
+)
+
+artanh_defined = Claim(
+    label="artanh_defined",
+    says=1 - (sqrt(a / b) * x / sqrt(1 - x**2)) ** 2 > 0,
     kind="bound",
     given=(*shape, *defect, *_inside),
     proof=(
         step(
-            (b - (a + b) * x0**2) + (a + b) * ((x - x0) * (-x0 - x)),
-            citing(artanh_at_start),
+            (a + b) * (b / (a + b) - x**2) / (b * (1 - x**2)),
+            citing(root_in_interval, pole_outside),
+        ),
+    ),
+)
+
+first_factor = Claim(
+    label="first_factor",
+    says=1 - (a + b) / b * x**2 > 0,
+    kind="bound",
+    given=(*shape, *defect, *_inside),
+    proof=(step((a + b) / b * (b / (a + b) - x**2), citing(pole_outside)),),
+)
+
+artanh_at_start = Claim(
+    label="artanh_at_start",
+    says=1 - (sqrt(a / b) * x0 / sqrt(1 - x0**2)) ** 2 > 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(
+        step(
+            (a + b) * (b / (a + b) - x0**2) / (b * (1 - x0**2)),
+            citing(root_at_start, below_the_pole),
         ),
     ),
 )
@@ -162,9 +219,10 @@ integrated = Claim(
     proof=(
         step(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
-            integrating(_primitive, root_in_interval, artanh_in_interval),
+            integrating(_primitive, root_in_interval, pole_outside, artanh_defined, first_factor),
             citing(root_at_start, artanh_at_start),
             roots,
+            inverses,
         ),
         step(-sqrt(a / b) / 2 * (-2 * pi * b), substituting(substitution)),
         step(None, roots),
@@ -179,12 +237,64 @@ _printed_equation = equal(_ratio, printed.separatrix_right(epsilon, a, b, sympy)
 _inverse_form = equal(atanh(cos(epsilon) / _root), _time)
 _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 
+root_under_cosine = Claim(
+    label="root_under_cosine",
+    says=1 - _mu**2 * cos(epsilon) ** 2 > 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),),
+)
+
 logarithm_of_artanh = Claim(
     label="artanh_by_logarithm",
     says=equal(atanh(x), log((1 + x) / (1 - x)) / 2),
     given=(x > -1, x < 1),
     proof=by(exponentials, inverses),
     where=Place(line=412),
+)
+
+_argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) ** 2)
+
+argument_below_one = Claim(
+    label="argument_below_one",
+    says=1 - _argument**2 > 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(
+        step(
+            (1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2),
+            citing(root_under_cosine),
+            trigonometry,
+        ),
+    ),
+)
+
+ratio_below_one = Claim(
+    label="ratio_below_one",
+    says=1 - (cos(epsilon) / _root) ** 2 > 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(
+        step(
+            (1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2),
+            trigonometry,
+        ),
+    ),
+)
+
+printed_left_positive = Claim(
+    label="printed_left_positive",
+    says=_ratio > 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(
+        step(
+            (1 + b / a) * sin(epsilon) ** 2 / (_root + cos(epsilon)) ** 2,
+            roots,
+            trigonometry,
+        ),
+    ),
+    note="The form in which the left side does not cancel.",
 )
 
 exact_equation = Claim(
@@ -198,9 +308,26 @@ exact_equation = Claim(
     ),
     given=(*shape, *defect),
     proof=(
-        step(_inverse_form, adding(sqrt(a * b) * asin(_mu * cos(epsilon))), roots, trigonometry),
-        step(equal(-2 * atanh(cos(epsilon) / _root), -2 * _time), multiplying(-2)),
-        step(_printed_equation, applying("exp"), exponentials, inverses, roots),
+        step(
+            _inverse_form,
+            adding(sqrt(a * b) * asin(_mu * cos(epsilon))),
+            citing(root_under_cosine, argument_below_one, ratio_below_one),
+            roots,
+            trigonometry,
+        ),
+        step(
+            equal(-2 * atanh(cos(epsilon) / _root), -2 * _time),
+            multiplying(Integer(-2)),
+            citing(root_under_cosine, ratio_below_one),
+        ),
+        step(
+            _printed_equation,
+            applying("exp"),
+            citing(root_under_cosine, ratio_below_one, printed_left_positive),
+            exponentials,
+            inverses,
+            roots,
+        ),
     ),
     where=Place(display=37),
 )
@@ -213,12 +340,23 @@ stable_equation = Claim(
         step(
             equal(log(_ratio), -2 * _time),
             applying("log"),
+            citing(root_under_cosine, printed_left_positive),
             exponentials,
+            inverses,
+            roots,
         ),
-        step(_inverse_form, multiplying(Rational(-1, 2)), exponentials, inverses, roots),
+        step(
+            _inverse_form,
+            multiplying(Rational(-1, 2)),
+            citing(root_under_cosine, printed_left_positive, ratio_below_one),
+            exponentials,
+            inverses,
+            roots,
+        ),
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
             applying("sinh"),
+            citing(root_under_cosine, ratio_below_one),
             exponentials,
             inverses,
             roots,
@@ -227,6 +365,7 @@ stable_equation = Claim(
         step(
             _stable_equation,
             multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))),
+            citing(root_under_cosine),
             trigonometry,
         ),
     ),
@@ -238,12 +377,21 @@ _tilt = atan(1 / (sqrt(1 + r**2) * sinh(T)))
 auxiliary_angle = Claim(
     label="auxiliary_angle",
     says=equal(asin(r / sqrt(1 + r**2) * cos(_tilt)), atan(r * tanh(T))),
-    given=(*auxiliary, T > 0),
+    given=(*auxiliary, *later),
     proof=by(exponentials, inverses, roots, trigonometry),
     note="With tan ε = √(a/(a+b))/sinh T and r = √(b/a).",
 )
 
-_slope = 1 - k * r / (cosh(T) ** 2 + r**2 * sinh(T) ** 2)
+_spread = cosh(T) ** 2 + r**2 * sinh(T) ** 2
+_end = 3 * pi / 2 * k
+
+end_positive = Claim(
+    label="end_positive",
+    says=tanh(_end) > 0,
+    kind="bound",
+    given=auxiliary,
+    proof=(step(tanh(_end)),),
+)
 
 unique_root = Claim(
     label="unique_root",
@@ -254,9 +402,14 @@ unique_root = Claim(
     proof=UniqueRoot(
         variable=T,
         function=T - _map,
-        low=0,
-        high=3 * pi / 2 * k,
-        derivative=(step(_slope, differentiation, exponentials),),
+        low=Integer(0),
+        high=_end,
+        derivative=(
+            step(1 - k * r / _spread, differentiation, exponentials),
+            step(((1 - k * r) + (1 + r**2) * sinh(T) ** 2) / _spread, exponentials),
+        ),
+        at_low=(step(-pi * k),),
+        at_high=(step(k * atan(1 / (r * tanh(_end))), citing(end_positive), inverses),),
     ),
     note="b = k r with k = √(ab) and r = √(b/a); the map stays below 3π√(ab)/2.",
 )
@@ -264,10 +417,10 @@ unique_root = Claim(
 contraction = Claim(
     label="contraction",
     says=equal(_map.diff(T, evaluate=False), k * r * sin(_tilt) ** 2),
-    given=(*auxiliary, T > 0),
+    given=(*auxiliary, *later),
     proof=(
         step(
-            k * r / (cosh(T) ** 2 + r**2 * sinh(T) ** 2),
+            k * r / _spread,
             differentiation,
             exponentials,
         ),
@@ -283,7 +436,7 @@ contraction_bound = Claim(
     given=(*shape, *defect),
     proof=together(
         (step(b * sin(epsilon) ** 2, algebra),),
-        (step((1 - b) + b * cos(epsilon) ** 2, trigonometry),),
+        (step(cos(epsilon) ** 2 + (1 - b) * sin(epsilon) ** 2, trigonometry),),
     ),
 )
 

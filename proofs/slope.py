@@ -8,13 +8,14 @@
 import sympy
 from sympy import Derivative, Subs, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
-from tresym.proofs.flip_dynamics import sign_squared
-from tresym.proofs.separatrix import between
+from tresym.proofs.flip_dynamics import sign_of_tilt
+from tresym.proofs.separatrix import between, contraction_bound
 
 from tresym.claims.claim import (
     Claim,
     Place,
     by,
+    citing,
     differentiation,
     equal,
     exponentials,
@@ -24,7 +25,7 @@ from tresym.claims.claim import (
     trigonometry,
 )
 from tresym.formulas import printed
-from tresym.notation import S, a, b, epsilon, gamma, psi
+from tresym.notation import S, a, b, epsilon, gamma, psi, theta
 
 slope_of_integrand = Claim(
     label="d54",
@@ -65,16 +66,7 @@ inverse_slope = Claim(
         -1 / printed.integrand(epsilon, a, b, 0, S, sympy),
         printed.defect_per_turn(epsilon, a, b, S, sympy),
     ),
-    given=(*shape, *defect, S**2 > 0),
-    proof=(
-        step(
-            -(S**2)
-            * sqrt(a + b * sin(epsilon) ** 2)
-            * sqrt(b * sin(epsilon) ** 2)
-            / (S * (1 - b * sin(epsilon) ** 2)),
-            substituting(sign_squared),
-        ),
-        step(None, roots),
-    ),
+    given=(*shape, *defect, cos(theta) ** 2 > 0),
+    proof=by(substituting(sign_of_tilt), citing(contraction_bound), roots),
     where=Place(display=51),
 )

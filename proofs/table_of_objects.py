@@ -143,7 +143,7 @@ racket_3_third_moment = Claim(
     says="With the printed I₂, the printed b = 0.12 needs an I₃ between 8051 and 8145, not 1818.",
     kind="bound",
     given=_needed,
-    proof=formally(I2 / (1 - b) > 8051, I2 / (1 - b) < 8145),
+    proof=formally(8051 * (1 - b) < I2, 8145 * (1 - b) > I2),
 )
 
 racket_3_a = Claim(

@@ -9,16 +9,15 @@ from dataclasses import replace
 from sympy import Basic, Eq, Equivalent, Expr, Integral, MatrixBase, Rel, Symbol, Tuple
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
-from tresym.claims.claim import Chain, Claim, Reason, Step, citing
-from tresym.claims.domain import continuous_on, undefined
+from tresym.claims.claim import Chain, Claim, Reason, Step, citing, parts_of
+from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.finding import StepFinding
+from tresym.claims.signs import manifest_sign
 from tresym.claims.translate import definitions, put_in, to_expression
-from tresym.identity import Given, decide, sign
+from tresym.identity import Given, decide
 from tresym.verdict import Verdict
 
 PROVED = StepFinding(Verdict.PROVED, "")
-
-Conditions = tuple[Basic, ...]
 
 ONE_TO_ONE = {
     "exp": (),
@@ -51,7 +50,7 @@ def check_chain(says: Basic, chain: Chain, given: Conditions) -> tuple[StepFindi
             before = after
         findings.append(replace(finding, seconds=time.perf_counter() - began))
     if all(f.verdict is Verdict.PROVED for f in findings):
-        arrival = _arrives(says, before, goal, given)
+        arrival = _arrives(says, before, goal, chain[-1], given)
         if arrival.verdict is not Verdict.PROVED:
             findings.append(arrival)
     return tuple(findings)
@@ -70,11 +69,13 @@ def _ends(says: Basic, chain: Chain) -> tuple[Basic, Basic | None]:
     raise TypeError(f"a chain cannot prove {says}")
 
 
-def _arrives(says: Basic, last: Basic, goal: Basic | None, given: Conditions) -> StepFinding:
+def _arrives(
+    says: Basic, last: Basic, goal: Basic | None, link: Step, given: Conditions
+) -> StepFinding:
     """The end of a chain: the right side itself, or a manifest sign."""
     if goal is not None:
         return PROVED if last == goal else _check_step(last, Step(goal, ()), given)
-    found = sign(to_expression(last), Given.from_sympy(*given))
+    found = manifest_sign(last, _with_bounds(given, link.reasons))
     strict = isinstance(says, StrictGreaterThan | StrictLessThan)
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED
@@ -108,12 +109,12 @@ def _check_equation(
 ) -> StepFinding:
     """Both sides rewritten, or one one-to-one operation applied to both."""
     left, right = before.args
-    conditions = Given.from_sympy(*given)
+    given = _with_bounds(given, reasons)
     for reason in reasons:
         if reason.term is not None:
             left, right = left + reason.term, right + reason.term
         if reason.factor is not None:
-            if sign(to_expression(reason.factor), conditions) not in ("+", "-"):
+            if manifest_sign(reason.factor, given) not in ("+", "-"):
                 return _undecided(f"{reason.factor} is not shown to be non-zero")
             left, right = left * reason.factor, right * reason.factor
         if reason.function is not None:
@@ -121,7 +122,7 @@ def _check_equation(
                 needed = ONE_TO_ONE.get(reason.function)
                 if needed is None:
                     return _undecided(f"{reason.function} is not known to be one-to-one")
-                if needed and sign(to_expression(side), conditions) not in needed:
+                if needed and manifest_sign(side, given) not in needed:
                     return _undecided(f"the sign of {side} is not shown")
             left, right = _apply(reason.function, left), _apply(reason.function, right)
     pairs = ((left, after.lhs), (right, after.rhs))
@@ -138,16 +139,19 @@ def _check_scalar(
     before: Basic, after: Basic, reasons: tuple[Reason, ...], given: Conditions
 ) -> StepFinding:
     """The step from one number to the next, after definitions and integrals are dealt with."""
-    given = _with_bounds(given, reasons)
-    for side in (before, after):
-        gap = undefined(side, Given.from_sympy(*given))
-        if gap is not None:
-            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
     rules = definitions(
         claim for reason in reasons if reason.name == "substituting" for claim in reason.claims
     )
-    before, after = put_in(before, rules), put_in(after, rules)
+    given = _with_bounds(given, reasons)
     given = tuple(dict.fromkeys((*given, *(put_in(condition, rules) for condition in given))))
+    written = (before, after)
+    before, after = put_in(before, rules), put_in(after, rules)
+    for side, meant in zip(written, (before, after), strict=True):
+        gap = undefined(side, given)
+        if gap is not None and (side == meant or undefined(meant, given) is not None):
+            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
+    if before == after:
+        return PROVED
     for reason in reasons:
         if reason.expression is not None and (before.has(Integral) or after.has(Integral)):
             prepared = _without_integral(before, after, reason, given)
@@ -170,7 +174,9 @@ def _with_bounds(given: Conditions, reasons: tuple[Reason, ...]) -> Conditions:
     bounds = list(given)
     for reason in reasons:
         if reason.name == "citing":
-            bounds += [c.says for c in reason.claims if set(c.given) <= set(bounds)]
+            for claim in reason.claims:
+                if set(claim.given) <= set(bounds):
+                    bounds += parts_of(claim.says)
     return tuple(bounds)
 
 
@@ -202,11 +208,11 @@ def _without_integral(
     return before.xreplace(same), after.xreplace(same)
 
 
-def _inside(integral: Integral, bounds: tuple[Claim, ...], given: Conditions) -> Given:
+def _inside(integral: Integral, bounds: tuple[Claim, ...], given: Conditions) -> Conditions:
     """The conditions on the interval of integration, with the bounds cited for it."""
     variable, low, high = integral.limits[0]
     inside = (*given, (variable - low) * (high - variable) >= 0)
-    return Given.from_sympy(*_with_bounds(inside, (citing(*bounds),)))
+    return _with_bounds(inside, (citing(*bounds),))
 
 
 def _check_antiderivative(
@@ -222,7 +228,7 @@ def _check_antiderivative(
     decision = decide(
         to_expression(slope, open_derivatives=True),
         to_expression(integral.function),
-        conditions,
+        Given.from_sympy(*conditions),
     )
     return None if decision.verdict is Verdict.PROVED else _undecided(decision.why)
 
@@ -246,7 +252,7 @@ def _check_substitution(
         (to_expression(change.subs(variable, high)), to_expression(end)),
     )
     for left, right in pairs:
-        decision = decide(left, right, conditions)
+        decision = decide(left, right, Given.from_sympy(*conditions))
         if decision.verdict is not Verdict.PROVED:
             return _undecided(decision.why)
     return None

@@ -27,6 +27,11 @@ def equal(left: Basic, right: Basic) -> Eq:
     return Eq(left, right, evaluate=False)
 
 
+def parts_of(says: Basic | str) -> tuple[Basic, ...]:
+    """The relations a statement consists of."""
+    return says.args if isinstance(says, Tuple) else (says,)
+
+
 def equations(left: tuple[Basic, ...], right: tuple[Basic, ...]) -> Tuple:
     """A system of equations, side by side."""
     return Tuple(*(equal(p, q) for p, q in zip(left, right, strict=True)))
@@ -155,6 +160,9 @@ class UniqueRoot:
     high: Expr
     derivative: Chain
     """A chain from the derivative of the function to a form whose sign is manifest."""
+    at_low: Chain
+    at_high: Chain
+    """Chains from the values at the ends to forms whose signs are manifest."""
 
 
 @dataclass(frozen=True)
@@ -269,8 +277,9 @@ def _named(proof: Evidence) -> Iterator[Claim]:
         case Together(chains):
             for chain in chains:
                 yield from _named(chain)
-        case UniqueRoot(derivative=chain):
-            yield from _named(chain)
+        case UniqueRoot():
+            for chain in (proof.derivative, proof.at_low, proof.at_high):
+                yield from _named(chain)
         case tuple():
             for link in proof:
                 for reason in link.reasons:

@@ -29,18 +29,20 @@ from sympy import (
     tan,
 )
 
+from tresym.claims.signs import NON_NEGATIVE, manifest_sign
 from tresym.claims.translate import to_expression
-from tresym.identity import Given, sign
+from tresym.identity import Given, nonzero_denominators
 
 POSITIVE = ("+",)
 NON_ZERO = ("+", "-")
-NON_NEGATIVE = ("+", "0", ">=0")
+
+Conditions = tuple[Basic, ...]
 
 
-def undefined(e: Basic, given: Given) -> Basic | None:
+def undefined(e: Basic, given: Conditions) -> Basic | None:
     """The first part of ``e`` that is not shown to be defined under ``given``, or None."""
     for condition, allowed in _conditions(e):
-        if sign(to_expression(condition), given) not in allowed:
+        if not _shown(condition, allowed, given):
             return condition
     if isinstance(e, Integral | Derivative | Subs):
         return None
@@ -49,6 +51,15 @@ def undefined(e: Basic, given: Given) -> Basic | None:
         if found is not None:
             return found
     return None
+
+
+def _shown(e: Basic, allowed: tuple[str, ...], given: Conditions) -> bool:
+    if manifest_sign(e, given) in allowed:
+        return True
+    reciprocal = to_expression(1 / e)
+    return (
+        allowed == NON_ZERO and nonzero_denominators(reciprocal, Given.from_sympy(*given)) is None
+    )
 
 
 def _conditions(e: Basic) -> list[tuple[Basic, tuple[str, ...]]]:
@@ -79,15 +90,15 @@ def _conditions(e: Basic) -> list[tuple[Basic, tuple[str, ...]]]:
             return []
 
 
-def continuous_on(e: Basic, given: Given) -> Basic | None:
+def continuous_on(e: Basic, given: Conditions) -> Basic | None:
     """As `undefined`, but roots must stay off zero: then ``e`` is smooth there."""
     for node in _nodes(e):
         strict = isinstance(node, Pow) and node.exp.is_Rational and not node.exp.is_integer
         for condition, allowed in _conditions(node):
             wanted = POSITIVE if strict or isinstance(node, asin | acos | acosh) else allowed
-            if sign(to_expression(condition), given) not in wanted:
+            if manifest_sign(condition, given) not in wanted:
                 return condition
-        if isinstance(node, Abs) and sign(to_expression(node.args[0]), given) not in NON_ZERO:
+        if isinstance(node, Abs) and manifest_sign(node.args[0], given) not in NON_ZERO:
             return node.args[0]
     return None
 

@@ -12,11 +12,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from flint import arb, fmpq
-from sympy import Basic, Equivalent, MatrixBase, Symbol, Tuple
+from sympy import Basic, Equivalent, Integral, MatrixBase, Symbol, Tuple
 from sympy.core.relational import Equality, Relational
 
 from tresym.arithmetic import ball_precision
-from tresym.claims.chain import Conditions, check_chain
+from tresym.claims.chain import check_chain
 from tresym.claims.claim import (
     AllOf,
     Chain,
@@ -28,13 +28,15 @@ from tresym.claims.claim import (
     Together,
     UniqueRoot,
     equal,
+    parts_of,
 )
-from tresym.claims.domain import continuous_on, undefined
+from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.finding import Finding, StepFinding
 from tresym.claims.printed import judge_printed
-from tresym.claims.translate import Rules, definitions, put_in, to_expression
+from tresym.claims.signs import manifest_sign
+from tresym.claims.translate import CircularError, Rules, definitions, put_in, to_expression
 from tresym.exact import fraction_text
-from tresym.identity import Expr, Given, decide, evaluate, sign, symbols
+from tresym.identity import Expr, Given, decide, evaluate, symbols
 from tresym.verdict import Verdict
 
 Findings = Mapping[str, Finding]
@@ -48,7 +50,10 @@ POINTS = 40
 def judge(claim: Claim, found: Findings) -> Finding:
     """The finding on ``claim``, given those on the claims it uses."""
     began = time.perf_counter()
-    finding = _resting_on_sand(claim, found) or _judge(claim, found)
+    try:
+        finding = _resting_on_sand(claim, found) or _judge(claim, found)
+    except CircularError as error:
+        finding = Finding(UNDECIDED, str(error))
     return replace(finding, seconds=time.perf_counter() - began)
 
 
@@ -103,10 +108,17 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Findi
     if failed is None:
         return Finding(PROVED, "every step follows from the reasons it names", steps=tuple(steps))
     for says, _ in parts:
-        refuted = _refute(says, claim.given, definitions(claim.uses))
+        refuted = _refute(says, *_context(claim))
         if refuted is not None:
             return replace(refuted, steps=tuple(steps))
     return Finding(UNDECIDED, failed.why, steps=tuple(steps))
+
+
+def _context(claim: Claim) -> tuple[Conditions, Rules]:
+    """What is known where a claim is tried: conditions, bounds it cites, equations it uses."""
+    bounds = [c for c in claim.uses if isinstance(c.says, Relational | Tuple) and c.kind == "bound"]
+    rules = definitions((*(c for b in bounds for c in b.uses), *claim.uses))
+    return (*claim.given, *(part for b in bounds for part in parts_of(b.says))), rules
 
 
 def _judge_definition(claim: Claim) -> Finding:
@@ -140,25 +152,29 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
 def _judge_unique_root(proof: UniqueRoot, given: Conditions) -> Finding:
     """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
     v, h = proof.variable, proof.function
-    closed = Given.from_sympy(*given, v >= proof.low, v <= proof.high)
-    gap = continuous_on(h, closed)
+    gap = continuous_on(h, (*given, v >= proof.low, v <= proof.high))
     if gap is not None:
         return Finding(UNDECIDED, f"nothing shows that {gap} stays off its singularity")
     inside = (*given, v > proof.low, v < proof.high)
     start = h.diff(v, evaluate=False)
     last = proof.derivative[-1].expression
     assert last is not None
-    steps = check_chain(equal(start, last), proof.derivative, inside)
-    if any(s.verdict is not PROVED for s in steps):
-        why = next(s.why for s in steps if s.verdict is not PROVED)
-        return Finding(UNDECIDED, why, steps=steps)
-    conditions = Given.from_sympy(*given)
-    slope = sign(to_expression(last), Given.from_sympy(*inside))
-    ends = [sign(to_expression(h.subs(v, e)), conditions) for e in (proof.low, proof.high)]
+    steps = [*check_chain(equal(start, last), proof.derivative, inside)]
+    ends = []
+    for end, chain in ((proof.low, proof.at_low), (proof.high, proof.at_high)):
+        value = chain[-1].expression
+        assert value is not None
+        steps += check_chain(equal(h.subs(v, end), value), chain, given)
+        ends.append(manifest_sign(value, given))
+    failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if failed is not None:
+        return Finding(UNDECIDED, failed.why, steps=tuple(steps))
+    slope = manifest_sign(last, inside)
     if slope not in ("+", "-") or sorted(map(str, ends)) != ["+", "-"]:
         why = f"signs found: derivative {slope}, ends {ends[0]} and {ends[1]}"
-        return Finding(UNDECIDED, why, steps=steps)
-    return Finding(PROVED, "opposite signs at the ends, derivative of one sign", steps=steps)
+        return Finding(UNDECIDED, why, steps=tuple(steps))
+    why = "opposite signs at the ends, derivative of one sign"
+    return Finding(PROVED, why, steps=tuple(steps))
 
 
 def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
@@ -174,19 +190,19 @@ def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
 
 def _settle(relation: Basic, given: Conditions, rules: Rules) -> Finding:
     """One relation decided without a chain: by normal form or sign, else at exact points."""
-    conditions = _conditions(given, rules)
+    replaced = _put_into(given, rules)
+    conditions = Given.from_sympy(*replaced)
     if conditions.satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     left, right = (put_in(side, rules) for side in relation.args)
     for side in (left, right):
-        gap = undefined(side, conditions)
+        gap = undefined(side, replaced)
         if gap is not None:
             return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
     if isinstance(relation, Equality):
         decision = decide(to_expression(left), to_expression(right), conditions)
         return Finding(decision.verdict, decision.why, witness=decision.witness)
-    difference = to_expression(left - right)
-    found = sign(difference, conditions)
+    found = manifest_sign(left - right, replaced)
     if found is not None and _agrees(relation, found):
         return Finding(PROVED, f"the difference of the two sides has the proven sign {found}")
     return _refute(relation, given, rules) or Finding(UNDECIDED, "no sign is manifest")
@@ -202,8 +218,8 @@ def _agrees(relation: Relational, found: str) -> bool:
     }.get(relation.rel_op, ())
 
 
-def _conditions(given: Conditions, rules: Rules) -> Given:
-    return Given.from_sympy(*dict.fromkeys(put_in(condition, rules) for condition in given))
+def _put_into(given: Conditions, rules: Rules) -> Conditions:
+    return tuple(dict.fromkeys(put_in(condition, rules) for condition in given))
 
 
 def _refute(says: Basic, given: Conditions, rules: Rules) -> Finding | None:
@@ -211,13 +227,13 @@ def _refute(says: Basic, given: Conditions, rules: Rules) -> Finding | None:
     if isinstance(says, Tuple):
         found = (_refute(part, given, rules) for part in says.args)
         return next((f for f in found if f is not None), None)
-    if isinstance(says, Equivalent) or not isinstance(says, Relational):
+    if isinstance(says, Equivalent) or not isinstance(says, Relational) or says.has(Integral):
         return None
     left, right = says.args
     if isinstance(left, MatrixBase):
         pairs = (_refute(equal(p, q), given, rules) for p, q in zip(left, right, strict=True))
         return next((f for f in pairs if f is not None), None)
-    conditions = _conditions(given, rules)
+    conditions = Given.from_sympy(*_put_into(given, rules))
     left, right = put_in(left, rules), put_in(right, rules)
     if isinstance(says, Equality):
         decision = decide(to_expression(left, True), to_expression(right, True), conditions)

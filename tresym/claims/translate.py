@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sympy import Basic, Derivative, Eq, Integer, Integral, MatrixBase, Subs, Symbol, Tuple, srepr
+from sympy import Basic, Derivative, Eq, Integer, Integral, MatrixBase, Subs, Symbol, srepr
 
-from tresym.claims.claim import Claim
+from tresym.claims.claim import Claim, parts_of
 from tresym.identity import Expr, differentiate, from_sympy, substitute
 
 Rules = dict[Basic, Basic]
@@ -26,8 +26,7 @@ def definitions(claims: Iterable[Claim]) -> Rules:
     """The equations that the claims say, as replacements of left sides, entry by entry."""
     rules: Rules = {}
     for claim in claims:
-        parts = claim.says.args if isinstance(claim.says, Tuple) else (claim.says,)
-        for part in parts:
+        for part in parts_of(claim.says):
             if isinstance(part, Eq):
                 rules.update(_rules_of(part))
     return rules

@@ -1,0 +1,240 @@
+"""Every checker of claims rejects the falsehoods planted for it."""
+
+import pytest
+from sympy import (
+    Derivative,
+    Integral,
+    Rational,
+    Symbol,
+    Tuple,
+    asin,
+    atan,
+    cos,
+    exp,
+    log,
+    pi,
+    sin,
+    sqrt,
+    tanh,
+)
+
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Definition,
+    Printed,
+    UniqueRoot,
+    algebra,
+    all_of,
+    applying,
+    by,
+    changing_variable,
+    citing,
+    differentiation,
+    equal,
+    exponentials,
+    formally,
+    integrating,
+    inverses,
+    multiplying,
+    roots,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.claims.finding import Finding
+from tresym.claims.judge import judge
+from tresym.exact import parse_number
+from tresym.verdict import Verdict
+
+a, b, x, y, t = (Symbol(name, real=True) for name in "abxyt")
+
+
+def verdict(claim: Claim, **found: Finding) -> Verdict:
+    return judge(claim, found).verdict
+
+
+def claim(says: object, proof: object, given: tuple = (), **rest: object) -> Claim:
+    return Claim(label="planted", says=says, proof=proof, given=given, **rest)
+
+
+EVERYTHING = (roots, trigonometry, exponentials, inverses, differentiation)
+
+FALSE = {
+    "wrong sign": (equal(cos(x) ** 2 - sin(x) ** 2, 2 * sin(x) ** 2 - 1), ()),
+    "wrong branch of a root": (equal(sqrt(x**2), x), ()),
+    "true only for positive b": (equal(sqrt(a * b**2), b * sqrt(a)), (a > 0,)),
+    "a defect of 1e-60": (equal(sin(x) ** 2 + cos(x) ** 2, 1 + Rational(1, 10**60)), ()),
+    "off by a constant": (equal(log(2 * x), log(x)), (x > 0,)),
+    "arctan of the inverse": (equal(atan(x) + atan(1 / x), pi / 2), ()),
+    "double angle of arctan": (equal(2 * atan(x), atan(2 * x / (1 - x**2))), ()),
+}
+
+
+@pytest.mark.parametrize("name", FALSE)
+def test_false_identities_are_refuted_with_a_witness(name: str) -> None:
+    says, given = FALSE[name]
+    finding = judge(claim(says, by(*EVERYTHING), given), {})
+    assert finding.verdict is not Verdict.PROVED
+    assert finding.verdict is Verdict.REFUTED or name in {"arctan of the inverse"}
+
+
+def test_division_by_zero_is_not_proved() -> None:
+    assert verdict(claim(equal(x / x, 1), by(roots))) is Verdict.UNDECIDED
+    assert verdict(claim(equal(1 / (a - b) - 1 / (a - b), 0), by())) is not Verdict.REFUTED
+    says = equal((a**2 - b**2) / (a - b), a + b)
+    assert verdict(claim(says, by())) is Verdict.UNDECIDED
+    assert verdict(claim(says, by(), (a - b > 0,))) is Verdict.PROVED
+
+
+def test_unsatisfiable_conditions_prove_nothing() -> None:
+    assert verdict(claim(equal(a, a), by(), (a > 1, a < 0))) is Verdict.UNDECIDED
+    assert verdict(claim(a >= a - 1, by(), (a > 1, a < 0))) is Verdict.UNDECIDED
+
+
+def test_right_steps_between_wrong_ends() -> None:
+    right = step((a - b) * (a + b), algebra)
+    assert verdict(claim(equal(a**2 - b**2, a**2 + b**2), (right,))) is Verdict.REFUTED
+    late = (step(a**2 - b**2), step((a - b) * (a + b)))
+    assert verdict(claim(equal(a**2 + b**2, (a - b) * (a + b)), late)) is Verdict.REFUTED
+
+
+def test_a_step_uses_only_the_reasons_it_names() -> None:
+    says = equal(sin(x) ** 2 + cos(x) ** 2, 1)
+    assert verdict(claim(says, by(roots, exponentials, inverses))) is Verdict.UNDECIDED
+    assert verdict(claim(says, by(trigonometry))) is Verdict.PROVED
+
+
+def test_bounds_need_a_manifest_sign() -> None:
+    assert verdict(claim(a**2 + b**2 >= 0, (step(a**2 + b**2),))) is Verdict.PROVED
+    assert verdict(claim(a**2 + b**2 > 0, (step(a**2 + b**2),))) is not Verdict.PROVED
+    assert verdict(claim(a**2 - b**2 >= 0, (step(a**2 - b**2),))) is Verdict.REFUTED
+
+
+def test_a_cited_bound_counts_only_under_its_own_conditions() -> None:
+    lemma = claim(a - b > 0, (step(a - b),), (a - b > 0, b > 0))
+    held = {"planted": judge(lemma, {})}
+    says = equal((a**2 - b**2) / (a - b), a + b)
+    user = Claim("user", says, by(citing(lemma)), given=(b > 0,))
+    assert judge(user, held).verdict is not Verdict.PROVED
+
+
+def test_equations_are_transformed_by_one_to_one_functions_only() -> None:
+    from sympy import Equivalent
+
+    first, second = equal(a, b), equal(exp(a), exp(b))
+    assert verdict(claim(Equivalent(first, second), (step(second, applying("exp")),))) is (
+        Verdict.PROVED
+    )
+    squared = equal(a**2, b**2)
+    steps = (step(squared, applying("square")),)
+    assert verdict(claim(Equivalent(first, squared), steps)) is Verdict.UNDECIDED
+    assert verdict(claim(Equivalent(first, squared), steps, (a > 0, b > 0))) is Verdict.PROVED
+    cosines = equal(cos(a), cos(b))
+    assert verdict(claim(Equivalent(first, cosines), (step(cosines, applying("cos")),))) is (
+        Verdict.UNDECIDED
+    )
+    vanishing = (step(equal(a * t, b * t), multiplying(t)),)
+    assert verdict(claim(Equivalent(first, equal(a * t, b * t)), vanishing)) is Verdict.UNDECIDED
+
+
+def test_integrals_need_a_continuous_antiderivative() -> None:
+    across_the_pole = equal(Integral(1 / x**2, (x, -1, 1)), -2)
+    assert verdict(claim(across_the_pole, by(integrating(-1 / x)))) is Verdict.UNDECIDED
+    right = equal(Integral(1 / x**2, (x, 1, 2)), Rational(1, 2))
+    assert verdict(claim(right, by(integrating(-1 / x)))) is Verdict.PROVED
+    assert verdict(claim(right, by(integrating(-2 / x)))) is not Verdict.PROVED
+    wrong_ends = equal(Integral(1 / x**2, (x, 1, 2)), Rational(1, 3))
+    assert verdict(claim(wrong_ends, by(integrating(-1 / x)))) is not Verdict.PROVED
+
+
+def test_a_change_of_variable_needs_its_factor_and_its_limits() -> None:
+    old = Integral(2 * x * exp(x**2), (x, 0, a))
+    given = (a > 0,)
+    right = equal(old, Integral(exp(y), (y, 0, a**2)))
+    assert verdict(claim(right, by(changing_variable(x**2)), given)) is Verdict.PROVED
+    wrong_limit = equal(old, Integral(exp(y), (y, 0, a)))
+    assert verdict(claim(wrong_limit, by(changing_variable(x**2)), given)) is not Verdict.PROVED
+    without_factor = equal(Integral(exp(x**2), (x, 0, a)), Integral(exp(y), (y, 0, a**2)))
+    assert verdict(claim(without_factor, by(changing_variable(x**2)), given)) is not Verdict.PROVED
+
+
+def root(function: object, slope: object, low: object, high: object, *given: object) -> Verdict:
+    chain = (step(slope, differentiation, exponentials, trigonometry),)
+    return verdict(claim("one root", UniqueRoot(x, function, low, high, chain), given))
+
+
+def test_unique_roots() -> None:
+    assert root(x**3 + x - 1, 3 * x**2 + 1, 0, 1) is Verdict.PROVED
+    assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.UNDECIDED
+    assert root(x**3 + x - 1, 3 * x**2 - 1, 0, 1) is Verdict.UNDECIDED
+    assert root(x**2 - 1, 2 * x, -2, 2) is Verdict.UNDECIDED
+    assert root(1 / x, -1 / x**2, -1, 1) is Verdict.UNDECIDED
+    assert root(x - tanh(x) - a, tanh(x) ** 2, 0, 1 + a, a > 0) is not Verdict.REFUTED
+
+
+def test_definitions_introduce_new_symbols_only() -> None:
+    assert verdict(claim(equal(x, a + b), Definition())) is Verdict.PROVED
+    assert verdict(claim(equal(x, x + 1), Definition())) is Verdict.UNDECIDED
+    assert verdict(claim("nothing", Definition())) is Verdict.UNDECIDED
+
+
+def number(text: str, formula: object, **inputs: str) -> Verdict:
+    return verdict(claim("a number", Printed(text, formula, inputs)))
+
+
+def test_printed_numbers_are_intervals() -> None:
+    assert number("0.33", lambda p, m: 1 / p, p="3") is Verdict.ENCLOSED
+    assert number("0.3", lambda p, m: p / 3, p="0.8") is Verdict.ENCLOSED
+    assert number("0.34", lambda p, m: p / 3, p="1.00") is Verdict.REFUTED
+    assert number("0.34", lambda p, m: p / 3, p="1.0") is Verdict.ENCLOSED
+    assert number("3.141592653589794", lambda m: m.pi) is Verdict.REFUTED
+    assert number("3.141592653589793", lambda m: m.pi) is Verdict.ENCLOSED
+    assert number("0.5", lambda p, m: m.sqrt(p), p="-1.0") is Verdict.UNDECIDED
+
+
+def test_conjunctions_are_as_strong_as_their_weakest_part() -> None:
+    good = Claim("good", equal(a, a), by())
+    bad = Claim("bad", equal(a, b), by())
+    found = {c.label: judge(c, {}) for c in (good, bad)}
+    both = Claim("both", "both", all_of(good, bad))
+    assert judge(both, found).verdict is Verdict.REFUTED
+    assert judge(Claim("one", "one", all_of(good)), found).verdict is Verdict.PROVED
+
+
+def test_counterexamples_must_satisfy_the_conditions() -> None:
+    inside = Counterexample({"x": parse_number("0.5")}, sin(x) > x / 2)
+    assert verdict(claim("sin x ≤ x/2", inside, (x > 0,))) is Verdict.REFUTED
+    outside = Counterexample({"x": parse_number("-0.5")}, sin(x) < x / 2)
+    assert verdict(claim("sin x ≥ x/2", outside, (x > 0,))) is Verdict.UNDECIDED
+    untrue = Counterexample({"x": parse_number("0.5")}, sin(x) > x)
+    assert verdict(claim("sin x ≤ x", untrue, (x > 0,))) is Verdict.UNDECIDED
+
+
+def test_sentences_are_decided_as_written() -> None:
+    assert verdict(claim("…", formally(x**2 + 1 > 0))) is Verdict.PROVED
+    assert verdict(claim("…", formally(x**2 > 0))) is Verdict.REFUTED
+    assert verdict(claim("…", formally(x**2 > 0), (x > 0,))) is Verdict.PROVED
+    assert verdict(claim("…", formally(equal(sqrt(x**2), x)), (x > 0,))) is Verdict.PROVED
+
+
+def test_systems_need_a_chain_for_every_part() -> None:
+    says = Tuple(equal(a + a, 2 * a), equal(b + b, 2 * b))
+    assert verdict(claim(says, together(by(), by()))) is Verdict.PROVED
+    assert verdict(claim(says, together(by()))) is Verdict.UNDECIDED
+
+
+def test_derivatives_are_opened_only_by_name() -> None:
+    says = equal(Derivative(asin(x), x), 1 / sqrt(1 - x**2))
+    given = (x > -1, x < 1)
+    assert verdict(claim(says, by(differentiation, roots, inverses), given)) is Verdict.PROVED
+    assert verdict(claim(says, by(roots, inverses), given)) is not Verdict.PROVED
+
+
+def test_circular_definitions_end() -> None:
+    one = Claim("one", equal(x, y + 1), Definition())
+    two = Claim("two", equal(y, x - 1), Definition())
+    found = {c.label: judge(c, {}) for c in (one, two)}
+    looped = Claim("looped", equal(x, 0), by(substituting(one, two)))
+    assert judge(looped, found).verdict is Verdict.UNDECIDED

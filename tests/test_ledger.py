@@ -1,0 +1,147 @@
+"""The ledger: one test per claim, one per reason, and the second opinion of SymPy."""
+
+from dataclasses import replace
+
+import pytest
+import sympy
+
+from tresym.claims.chain import check_chain
+from tresym.claims.claim import Chain, Claim, Step, Together, UniqueRoot, equal
+from tresym.claims.translate import definitions, put_in
+from tresym.exact import InputError
+from tresym.identity import Given
+from tresym.verdict import Verdict
+from tresym.verification import Report, all_claims, graph, verify
+
+CLAIMS = all_claims()
+
+
+@pytest.fixture(scope="session")
+def ledger() -> Report:
+    return verify()
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda c: c.label)
+def test_verdict(claim: Claim, ledger: Report) -> None:
+    row = ledger[claim.label]
+    assert row.as_expected, f"{row.finding.verdict.value}: {row.finding.why}"
+
+
+def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
+    """The chains of a claim with what each must show."""
+    proof = claim.proof
+    if isinstance(proof, Together):
+        return list(zip(claim.says.args, proof.chains, strict=True))
+    if isinstance(proof, UniqueRoot):
+        slope = proof.function.diff(proof.variable, evaluate=False)
+        return [(equal(slope, proof.derivative[-1].expression), proof.derivative)]
+    return [(claim.says, proof)] if isinstance(proof, tuple) else []
+
+
+def conditions(claim: Claim) -> tuple[sympy.Basic, ...]:
+    if isinstance(claim.proof, UniqueRoot):
+        return (*claim.given, claim.proof.variable > 0)
+    return claim.given
+
+
+REASONS = [
+    pytest.param(claim, part, s, r, id=f"{claim.label}-{part}-{s}-{reason.name}")
+    for claim in CLAIMS
+    for part, (_, chain) in enumerate(parts(claim))
+    for s, link in enumerate(chain)
+    for r, reason in enumerate(link.reasons)
+    if reason.name != "algebra"
+]
+
+
+@pytest.mark.parametrize(("claim", "part", "s", "r"), REASONS)
+def test_no_reason_is_idle(claim: Claim, part: int, s: int, r: int) -> None:
+    """Without any one of its reasons a step is UNDECIDED: a step uses only what it names."""
+    says, chain = parts(claim)[part]
+    reasons = chain[s].reasons
+    reduced = Step(chain[s].expression, reasons[:r] + reasons[r + 1 :])
+    findings = check_chain(says, (*chain[:s], reduced, *chain[s + 1 :]), conditions(claim))
+    assert {f.verdict for f in findings} == {Verdict.PROVED, Verdict.UNDECIDED} or (
+        len(chain) == 1 and findings[0].verdict is Verdict.UNDECIDED
+    )
+
+
+def test_labels_are_unique() -> None:
+    assert len({claim.label for claim in CLAIMS}) == len(CLAIMS)
+
+
+def test_refuted_claims_are_amended_by_claims_that_hold(ledger: Report) -> None:
+    for claim in CLAIMS:
+        if claim.expect is Verdict.REFUTED:
+            assert claim.amended_by, claim.label
+            assert ledger[claim.label].finding.witness, claim.label
+            for amendment in claim.amended_by:
+                assert ledger[amendment.label].finding.verdict.holds
+
+
+def test_a_claim_is_verified_with_all_it_rests_on(ledger: Report) -> None:
+    report = verify(["eq_gamma"])
+    labels = [row.claim.label for row in report.rows]
+    assert labels[-1] == "eq_gamma"
+    assert "eq_Mi" in labels
+    assert [row.claim.label for row in report.rows if row.requested] == ["eq_gamma"]
+
+
+def test_an_unknown_label_is_answered_with_the_nearest() -> None:
+    with pytest.raises(InputError, match="did you mean eq_gamma"):
+        verify(["eq_gama"])
+
+
+def test_the_graph_names_every_claim() -> None:
+    text = graph()
+    assert text.startswith("flowchart")
+    assert all(f'["{claim.label}"]' in text for claim in CLAIMS)
+
+
+def test_a_claim_resting_on_a_refuted_one_is_undecided(ledger: Report) -> None:
+    from tresym.claims.claim import by, substituting
+    from tresym.claims.judge import judge
+    from tresym.notation import a, b
+
+    wrong = Claim("wrong", equal(a, b), by())
+    heir = Claim("heir", equal(a + 1, b + 1), by(substituting(wrong)))
+    found = {"wrong": judge(wrong, {})}
+    assert found["wrong"].verdict is Verdict.REFUTED
+    assert judge(heir, found).verdict is Verdict.UNDECIDED
+
+
+STEPS = [
+    pytest.param(claim, before, link, id=f"{claim.label}-{part}-{s}")
+    for claim in CLAIMS
+    for part, (says, chain) in enumerate(parts(claim))
+    if isinstance(says, sympy.Eq)
+    for s, (before, link) in enumerate(
+        zip([says.lhs, *(x.expression for x in chain)], chain, strict=False)
+    )
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("claim", "before", "link"), STEPS)
+def test_sympy_agrees_at_exact_points(claim: Claim, before: sympy.Basic, link: Step) -> None:
+    """SymPy alone, without our decision procedure: both sides at a few points, to 40 digits."""
+    after = claim.says.rhs if link.expression is None and isinstance(claim.says, sympy.Eq) else None
+    after = link.expression if after is None else after
+    if after is None or after.has(sympy.Integral) or before.has(sympy.Integral):
+        pytest.skip("an integral or a part of a system: its pieces are checked elsewhere")
+    rules = definitions(claim.uses)
+    pairs = zip(sympy.flatten([before]), sympy.flatten([after]), strict=True)
+    given = tuple(put_in(condition, rules) for condition in claim.given)
+    for left, right in pairs:
+        difference = (put_in(left, rules) - put_in(right, rules)).doit()
+        names = sorted({s.name for s in difference.free_symbols})
+        for point in list(Given.from_sympy(*given).points(names, 3)):
+            values = {
+                sympy.Symbol(n, real=True): sympy.Rational(int(v.p), int(v.q))
+                for n, v in point.items()
+            }
+            assert abs(sympy.N(difference.subs(values), 40)) < sympy.Float("1e-30")
+
+
+def test_replacing_evidence_keeps_the_label() -> None:
+    assert replace(CLAIMS[0], note="x").label == CLAIMS[0].label
