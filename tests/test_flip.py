@@ -15,7 +15,7 @@ import tresym
 from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
 from tresym.body import NAMED_BODIES, Body, Shape, named_body, shape
 from tresym.exact import InputError, parse_number
-from tresym.flip import Flip, flip_defect
+from tresym.flip import Flip, asymptotic, flip_defect
 from tresym.flip import separatrix as solver
 from tresym.flip.result import ball_json, proves
 from tresym.formulas import printed, stable
@@ -191,6 +191,29 @@ def test_the_float_start_is_good_to_half_its_digits(log_k: float, b: float) -> N
         assert abs(stable.phase_slope(truth, arb(k), arb(b) / arb(k), balls) - slope) < 1e-9
     assert solver.float_phase(0.0, b) == pytest.approx(solver.float_phase(1e-300, b))
     assert solver.float_phase(math.inf, b) == (math.pi, 1.0)
+
+
+@given(a=positive, b=share)
+def test_the_closed_formula_contains_the_root(a: Fraction, b: Fraction) -> None:
+    s = shape(a, b)
+    answer = asymptotic.enclose(s.a, s.b, 40)
+    with ball_precision(1000):
+        assert answer is not None
+        assert answer.contains(solver.solve(s.a, s.b, 120).defect)
+
+
+def test_the_lowest_rung_that_meets_the_digits_answers() -> None:
+    few, many = (flip_defect("12.5372", "0.0629", digits=n) for n in (4, 40))
+    assert (few.rung, many.rung) == ("asymptotic", "separatrix")
+    assert flip_defect("10000", "1", digits=60).rung == "asymptotic"
+    forced = flip_defect("12.5372", "0.0629", digits=4, rung="separatrix")
+    assert forced.rung == "separatrix"
+    with ball_precision(200):
+        assert few.defect.contains(many.defect)
+        assert few.turn.contains(many.turn)
+    for a in ("12.5372", "0.01", "1e40"):
+        with pytest.raises(InputError, match=r"asymptotic reaches \d digits"):
+            flip_defect(a, "1" if a != "12.5372" else "0.0629", rung="asymptotic")
 
 
 def test_the_answer_in_json_has_every_key() -> None:
