@@ -15,6 +15,7 @@ from flint import arb
 from tresym.arithmetic import ball_precision
 from tresym.cli import main
 from tresym.flip import flip_defect
+from tresym.report.output import colour_wanted
 
 ROOT = Path(__file__).parent.parent
 
@@ -158,6 +159,27 @@ def test_a_closed_pipe_is_quiet() -> None:
         check=False,
     )
     assert done.stderr == b""
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_a_full_disk_is_one_line() -> None:
+    command = f"'{sys.executable}' -m tresym flip --body str >/dev/full"
+    done = subprocess.run(
+        ["bash", "-c", command],
+        capture_output=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr == b"tresym: output: No space left on device\n"
+
+
+def test_colour_is_for_terminals_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    assert colour_wanted()
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert not colour_wanted()
 
 
 def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -68,7 +68,7 @@ def mpmath_defect(s: Shape, digits: int) -> mpmath.mpf:
         return mp.exp(mp.findroot(residual, ends, solver="anderson", tol=mp.mpf(10) ** -digits))
 
 
-@pytest.mark.parametrize("s", SHAPES[::4], ids=shape_id)
+@pytest.mark.parametrize("s", SHAPES, ids=shape_id)
 def test_mpmath_solves_to_the_same_fifty_digits(s: Shape) -> None:
     answer = flip_defect(s.a, s.b)
     with mp_precision(80), ball_precision(300):

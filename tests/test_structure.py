@@ -25,7 +25,7 @@ FLOORS = {
     "checking": 4,
     "proofs": 4,
     "cli": 5,
-    "__main__": 5,
+    "__main__": 6,
     "__init__": 0,
 }
 

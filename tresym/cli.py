@@ -153,7 +153,7 @@ def _flip(args: argparse.Namespace) -> int:
     if args.json:
         import json
 
-        _deliver(json.dumps(answer.as_json(), ensure_ascii=False) + "\n", args.path)
+        _deliver(json.dumps(answer.as_json()) + "\n", args.path)
     else:
         from tresym.report.flip import flip_text
         from tresym.report.output import colour_wanted
@@ -207,7 +207,7 @@ def _bench(args: argparse.Namespace) -> int:
 
 def _deliver(text: str, path: str | None) -> None:
     if path is None:
-        sys.stdout.write(text)
+        print(text, end="")
         return
     from tresym.report.output import write_text
 
@@ -233,7 +233,8 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         args = build_parser().parse_args(_keep_negative_values(words))
         status: int = args.run(args)
-        sys.stdout.flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
         return status
     except InputError as error:
         print(f"tresym: {error}", file=sys.stderr)
@@ -243,5 +244,16 @@ def main(arguments: list[str] | None = None) -> int:
         return INTERRUPTED
     except BrokenPipeError:
         # The reader has left: nothing to say, and nothing must be said while Python shuts down.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _forget_output()
         return 0
+    except OSError as error:
+        print(f"tresym: {error.filename or 'output'}: {error.strerror}", file=sys.stderr)
+        if error.filename is None:
+            _forget_output()
+        return BAD_INPUT
+
+
+def _forget_output() -> None:
+    """Send what is left in the buffer nowhere: Python would complain of it at its end."""
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

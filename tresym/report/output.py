@@ -27,7 +27,7 @@ def write_text(path: str, text: str) -> None:
 
 def colour_wanted() -> bool:
     """Whether standard output is a terminal and the user has not set ``NO_COLOR``."""
-    return sys.stdout.isatty() and not os.environ.get("NO_COLOR")
+    return sys.stdout is not None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")
 
 
 def bold(text: str, colour: bool) -> str:
