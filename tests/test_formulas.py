@@ -66,6 +66,7 @@ def points(draw: st.DrawFn) -> dict[str, Fraction]:
         "lam": draw(between("1/10", "2")),
         "mu": draw(between("1/20", "19/20")),
         "u": draw(between("1/100", "1/2")),
+        "s": draw(between("1/20", "3")),
         "M": draw(between("1/2", "3")),
         "E": draw(between("1/2", "3")),
         "I1": draw(between("1/2", "1")),
@@ -74,7 +75,7 @@ def points(draw: st.DrawFn) -> dict[str, Fraction]:
         "S": draw(st.sampled_from([Fraction(1), Fraction(-1)])),
         "S2": draw(st.sampled_from([Fraction(1), Fraction(-1)])),
     }
-    for i, name in enumerate(("M1", "M2", "M3"), start=1):
+    for i, name in enumerate(("M1", "M2", "M3", "Omega1", "Omega2", "Omega3"), start=1):
         point[name] = draw(between("-2", "2")) + Fraction(i, 7919)
     share = draw(between("1/10", "9/10"))
     point["psi_min"] = point["psi"] * share
@@ -162,6 +163,7 @@ def test_formulas_take_arrays(formula: Formula) -> None:
         "r": "1", "lam": "1", "mu": "1/2", "u": "1/4", "M": "1", "E": "1", "I1": "1", "I2": "2",
         "I3": "3", "S": "1", "S2": "1", "M1": "1", "M2": "1", "M3": "1", "psi_min": "1/2",
         "gamma": "1/10", "x": "1/4",
+        "s": "1", "Omega1": "1", "Omega2": "1", "Omega3": "1",
     }  # fmt: skip
     at = arguments(formula, {name: Fraction(text) for name, text in point.items()})
     single = in_floats(formula, at)

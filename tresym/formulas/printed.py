@@ -10,7 +10,14 @@ from __future__ import annotations
 
 from typing import Any
 
-# Sec. 3: the angular momentum in the body frame
+# Sec. 2 and 3: the angular momentum in the body frame
+
+
+def momentum_of_velocity(
+    Omega1: Any, Omega2: Any, Omega3: Any, I1: Any, I2: Any, I3: Any
+) -> tuple[Any, Any, Any]:
+    """(M₁, M₂, M₃) by the angular velocity (eq_omega)."""
+    return I1 * Omega1, I2 * Omega2, I3 * Omega3
 
 
 def euler_equations(M1: Any, M2: Any, M3: Any, I1: Any, I2: Any, I3: Any) -> tuple[Any, Any, Any]:
@@ -108,7 +115,7 @@ def psi_bounds(b: Any, gamma: Any, m: Any) -> tuple[Any, Any]:
 
 
 def sin_psi_cos_psi(theta: Any, a: Any, b: Any, gamma: Any, S2: Any, m: Any) -> Any:
-    """Sin ψ cos ψ by θ (Sec. 5)."""
+    """The product sin ψ cos ψ by θ (Sec. 5)."""
     square = m.cos(theta) ** 2
     root = m.sqrt((gamma + b - (a + b) * square) * (a * square - gamma))
     return S2 / (b * m.sin(theta) ** 2) * root
@@ -136,7 +143,7 @@ def theta_bounds_oscillating(a: Any, b: Any, gamma: Any, m: Any) -> tuple[Any, A
 
 
 def integrand(psi: Any, a: Any, b: Any, gamma: Any, S: Any, m: Any) -> Any:
-    """F = dφ/dψ, whose integral is Δφ (after eq_robust_gen)."""
+    """The integrand f = dφ/dψ, whose integral is Δφ (after eq_robust_gen)."""
     sine = m.sin(psi)
     roots = m.sqrt(a + b * sine**2) * m.sqrt(gamma + b * sine**2)
     return S * (1 - b * sine**2) / roots
@@ -179,7 +186,7 @@ def separatrix_residual(defect: Any, a: Any, b: Any, m: Any) -> Any:
 
 
 def auxiliary_variable(psi: Any, a: Any, b: Any, m: Any) -> Any:
-    """X = √(b/(a+b)) cos ψ (appendix)."""
+    """The variable x = √(b/(a+b)) cos ψ (appendix)."""
     return m.sqrt(b / (a + b)) * m.cos(psi)
 
 
@@ -192,6 +199,11 @@ def auxiliary_integrand(x: Any, a: Any, b: Any, m: Any) -> Any:
 def arctanh_left(x: Any, a: Any, b: Any, m: Any) -> Any:
     """Left-hand side of the integrated equation, equal to √(ab) π at x₀ (appendix)."""
     return m.atanh(m.sqrt(a / b) * x / m.sqrt(1 - x**2)) - m.sqrt(a * b) * m.asin(x)
+
+
+def arctanh_by_logarithm(u: Any, m: Any) -> Any:
+    """The logarithm that stands for arctanh u (appendix)."""
+    return m.log((1 + u) / (1 - u)) / 2
 
 
 def quadratic_left(defect: Any, a: Any, b: Any) -> Any:
@@ -221,9 +233,19 @@ def implicit_right_reduced(defect: Any, lam: Any, mu: Any, m: Any) -> Any:
     return 2 * m.sqrt(1 - mu**2) * m.exp(-1 / lam * (m.pi + arc))
 
 
+def flat_function(s: Any, m: Any) -> Any:
+    """e^{−1/s}, infinitely flat at 0 (appendix)."""
+    return m.exp(-1 / s)
+
+
 def defect_of_u(u: Any, lam: Any, mu: Any, m: Any) -> Any:
     """ε₀ in the form that is searched (u)."""
     return 2 * m.sqrt(1 - mu**2) * m.exp(-1 / lam * (m.pi + m.asin(mu) + u))
+
+
+def defect_of_u_flat(u: Any, lam: Any, mu: Any, m: Any) -> Any:
+    """The same by the flat function (u)."""
+    return 2 * m.sqrt(1 - mu**2) * flat_function(lam / (m.pi + m.asin(mu) + u), m)
 
 
 def implicit_function(u: Any, lam: Any, mu: Any, m: Any) -> Any:
