@@ -28,6 +28,7 @@ from tresym.identity import (
     symbols,
 )
 from tresym.identity.expression import FUNCTIONS, ZERO, symbol
+from tresym.identity.latex import CALLS
 
 BITS = 192
 ENOUGH = 5
@@ -103,9 +104,9 @@ class Terms:
             return parse(self.reads[name])
         derivative = _DERIVATIVE.fullmatch(name)
         if derivative and derivative[1] in self.functions:
-            return self.derivative(
-                self.from_text(self.functions[derivative[1]].body), derivative[2]
-            )
+            body = self.from_text(self.functions[derivative[1]].body)
+            if not _has_stand(body):
+                return differentiate(body, derivative[2])
         return symbol(name.rstrip("_")) if name.endswith("_") else None
 
     def _call(self, text: str, call: ast.Call) -> Expr:
@@ -128,14 +129,12 @@ class Terms:
 
     def application(self, name: str, parts: list[str]) -> Expr:
         """A function the paper defines, at its arguments; ε(γ) with bare symbols is just ε."""
-        if name in self.functions:
-            function = self.functions[name]
-            if len(parts) != len(function.parameters):
-                raise InputError(f"{name} is used with {len(parts)} arguments")
+        function = self.functions.get(name)
+        if function is not None and len(parts) == len(function.parameters):
             values = [self.from_text(part) for part in parts]
             body = self.from_text(function.body)
             return substitute(body, dict(zip(function.parameters, values, strict=True)))
-        if name not in ("O", "o", "value") and all(part.isidentifier() for part in parts):
+        if name not in CALLS and all(part.isidentifier() for part in parts):
             return self.from_text(name)
         return self.stand(name, *(self.from_text(part) for part in parts))
 
@@ -172,7 +171,7 @@ class Terms:
                 tree = self.at(tree, variable.name, self.from_sympy(value))
             return tree
         name = "O" if kind == "Order" else node.func.__name__
-        if name not in ("O", "o", "value") and all(a.is_Symbol for a in node.args):
+        if name not in CALLS and all(a.is_Symbol for a in node.args):
             return symbol(name)
         arguments = node.args[:1] if kind == "Order" else node.args
         return self.stand(name, *(self.from_sympy(a) for a in arguments))
@@ -183,14 +182,17 @@ class Terms:
         return self.stand(f"integral over {x}", body, low, high, where=((inside, ">", ZERO),))
 
     def derivative(self, e: Expr, x: str) -> Expr:
-        """The derivative: carried out on expressions, a symbol of its own on anything else."""
-        if any(name.startswith("[") for name in symbols(e)):
-            return self.stand("diff", e, symbol(x))
-        return differentiate(e, x)
+        """The derivative, carried out; of anything else a symbol, ``partialF_partialx`` of F."""
+        if not _has_stand(e):
+            return differentiate(e, x)
+        for name, function in self.functions.items():
+            if self.from_text(function.body) == e:
+                return symbol(f"partial{name}_partial{x}")
+        return self.stand("diff", e, symbol(x))
 
     def at(self, e: Expr, x: str, value: Expr) -> Expr:
         """``e`` where ``x`` has the value: put in, or a symbol where ``x`` is not seen in ``e``."""
-        if x in symbols(e) and e != symbol(x) and not any(n.startswith("[") for n in symbols(e)):
+        if x in symbols(e) and e != symbol(x) and not _has_stand(e):
             return _put(e, x, value)
         return self.stand(f"at {x}", e, value)
 
@@ -211,6 +213,11 @@ class Terms:
     def same(self, x: Expr, y: Expr) -> bool:
         """Whether two trees agree under the conditions."""
         return agree(x, y, self.given)
+
+
+def _has_stand(e: Expr) -> bool:
+    """Whether something in ``e`` is no expression."""
+    return any(name.startswith("[") for name in symbols(e))
 
 
 def _put(e: Expr, x: str, value: Expr) -> Expr:

@@ -15,7 +15,7 @@ from tresym.audit.terms import Function, Terms
 from tresym.claims.claim import AllOf, Claim, Formally, Printed
 from tresym.exact import InputError, printed
 from tresym.identity import Expr, Given
-from tresym.identity.latex import Relations
+from tresym.identity.latex import CALLS, Relations
 
 _DECIMAL = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 _DEFINED = re.compile(r"([A-Za-z]\w*)\(([\w, ]+)\)")
@@ -56,6 +56,8 @@ def functions_of(readings: Iterable[tuple[Relations, ...]]) -> dict[str, Functio
         for chain in chains:
             defined = _DEFINED.fullmatch(chain.terms[0])
             if defined and "," in defined[2] and chain.ops[0] == "=":
+                if defined[1] in CALLS or f"{defined[1]}(" in chain.terms[1]:
+                    continue
                 parameters = tuple(p.strip().rstrip("_") for p in defined[2].split(","))
                 found.setdefault(defined[1], Function(parameters, chain.terms[1]))
     return found

@@ -59,6 +59,8 @@ RELATIONS = {
     "\\in": "in",
 }
 """Relations as they are written, and as they are read."""
+CALLS = _words("integral at between value diff O o")
+"""Calls in the text that are the reader's own, not the author's functions."""
 _LETTERS_OF_FUNCTIONS = _words("f g h F G")
 _RESERVED = _words("E lambda pi") | frozenset(FUNCTIONS.values())
 _SPACES = {"\\ "} | _words(
