@@ -12,14 +12,14 @@ from collections.abc import Iterator
 from flint import arb, fmpq, fmpz
 
 from tresym.arithmetic import ball_precision
+from tresym.identity.field import Field
 from tresym.identity.ring import Fraction, Poly, TooLargeError
-from tresym.identity.signs import SignedRing
 
 MAX_BITS = 30_000
 MAX_MULTIPLE = 200
 
 
-def is_algebraic(ring: SignedRing, position: int) -> bool:
+def is_algebraic(ring: Field, position: int) -> bool:
     """Whether a generator is a constant algebraic integer."""
     generator = ring.at(position)
     if generator.kind == "cosine":
@@ -29,7 +29,7 @@ def is_algebraic(ring: SignedRing, position: int) -> bool:
     )
 
 
-def vanishes(ring: SignedRing, p: Poly) -> bool:
+def vanishes(ring: Field, p: Poly) -> bool:
     """Whether ``p`` is zero once the dependences between its algebraic constants are used."""
     if p.is_zero():
         return True
@@ -38,7 +38,7 @@ def vanishes(ring: SignedRing, p: Poly) -> bool:
     return all(algebraic_zero(ring, part) for part in coefficients(ring, p))
 
 
-def coefficients(ring: SignedRing, p: Poly) -> Iterator[Poly]:
+def coefficients(ring: Field, p: Poly) -> Iterator[Poly]:
     """The coefficients of ``p`` as a polynomial in its generators that are not algebraic."""
     algebraic = [
         is_algebraic(ring, i) if i in set(ring.used(p)) else False for i in range(ring.size)
@@ -52,7 +52,7 @@ def coefficients(ring: SignedRing, p: Poly) -> Iterator[Poly]:
         yield ring.context.from_dict(part)
 
 
-def algebraic_zero(ring: SignedRing, p: Poly) -> bool:
+def algebraic_zero(ring: Field, p: Poly) -> bool:
     """Whether the algebraic integer ``p`` is zero."""
     if p.is_zero():
         return True
@@ -73,7 +73,7 @@ def algebraic_zero(ring: SignedRing, p: Poly) -> bool:
         return bool(value < arb(2) ** (-bits))
 
 
-def _involved(ring: SignedRing, p: Poly) -> set[int]:
+def _involved(ring: Field, p: Poly) -> set[int]:
     found: set[int] = set()
     for i in ring.used(p):
         found.add(i)
@@ -82,7 +82,7 @@ def _involved(ring: SignedRing, p: Poly) -> set[int]:
     return found
 
 
-def _house(ring: SignedRing, p: Poly) -> arb:
+def _house(ring: Field, p: Poly) -> arb:
     """A bound on the size of every conjugate of ``p``, at least 1."""
     sizes: dict[int, arb] = {}
     for i in ring.used(p):
@@ -100,11 +100,11 @@ def _house(ring: SignedRing, p: Poly) -> arb:
     return arb(1).max(total.upper())
 
 
-def settled(ring: SignedRing, x: Fraction, functions: bool = False) -> Fraction:
+def settled(ring: Field, x: Fraction, functions: bool = False) -> Fraction:
     """``x`` with the combinations of logarithms and arc tangents that are known replaced.
 
-    A sum Σ nᵢ log|fᵢ| is 0 where Π fᵢ^nᵢ = ±1. A sum Σ nᵢ atan uᵢ of constants is the multiple of
-    π/2 that its ball singles out where Π (1 + i·uᵢ)^nᵢ has a vanishing real or imaginary part.
+    A sum Σ nᵢ log|fᵢ| is 0 where Π fᵢ^nᵢ = ±1. A sum Σ nᵢ atan uᵢ of constants is kπ/12, its
+    ball singles out k, where Π (1 + i·uᵢ)^nᵢ exp(−ikπ/12) has a vanishing imaginary part.
 
     Args:
         functions: ``x`` is not a constant: only logarithms are replaced.
@@ -113,7 +113,7 @@ def settled(ring: SignedRing, x: Fraction, functions: bool = False) -> Fraction:
     return x if functions else _without_groups(ring, x, "atan")
 
 
-def _without_groups(ring: SignedRing, x: Fraction, kind: str) -> Fraction:
+def _without_groups(ring: Field, x: Fraction, kind: str) -> Fraction:
     for _ in range(8):
         group = _group(ring, x, kind)
         if group is None:
@@ -131,7 +131,7 @@ def _without_groups(ring: SignedRing, x: Fraction, kind: str) -> Fraction:
     return x
 
 
-def _group(ring: SignedRing, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz]] | None:
+def _group(ring: Field, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz]] | None:
     """A monomial of ``x`` and the generators of ``kind`` it multiplies, as integer multiples."""
     positions = [i for i in ring.used(x.num) if ring.at(i).kind == kind]
     groups: dict[tuple[int, ...], dict[int, fmpz]] = {}
@@ -152,7 +152,7 @@ def _group(ring: SignedRing, x: Fraction, kind: str) -> tuple[Poly, dict[int, fm
     return None
 
 
-def _log_sum(ring: SignedRing, terms: dict[int, fmpz]) -> Fraction | None:
+def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
     product = ring.one
     try:
         for position, n in terms.items():
@@ -166,7 +166,7 @@ def _log_sum(ring: SignedRing, terms: dict[int, fmpz]) -> Fraction | None:
     return None
 
 
-def _atan_sum(ring: SignedRing, terms: dict[int, fmpz]) -> Fraction | None:
+def _atan_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
     real, imaginary = ring.one, ring.zero
     total = arb(0)
     try:
@@ -183,10 +183,9 @@ def _atan_sum(ring: SignedRing, terms: dict[int, fmpz]) -> Fraction | None:
                 )
     except TooLargeError:
         return None
-    if not (vanishes(ring, real.num) or vanishes(ring, imaginary.num)):
+    k = (12 * total / arb.pi()).unique_fmpz()
+    if k is None:
         return None
-    quarters = (2 * total / arb.pi()).unique_fmpz()
-    if quarters is None:
-        return None
-    pi = Fraction(ring.variable(ring.generator("pi", None)), ring.one_poly)
-    return ring.multiply(ring.constant(fmpq(quarters, 2)), pi)
+    c, s = ring.turn_of_pi(fmpq(k, 12))
+    rest = ring.subtract(ring.multiply(imaginary, c), ring.multiply(real, s))
+    return ring.pi(fmpq(k, 12)) if vanishes(ring, rest.num) else None

@@ -33,8 +33,8 @@ from tresym.identity.locally_constant import equal_by_derivative, vanishes_or_ze
 from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
 from tresym.verdict import Verdict
 
-FIRST_BITS, SECOND_BITS, LAST_BITS = 128, 700, 4000
-FIRST_POINTS, SECOND_POINTS = 4, 20
+FIRST_BITS, FIRST_POINTS = 128, 4
+LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 120
 SIZES = (24, 64, 128)
 
@@ -80,7 +80,7 @@ def decide(
     if proof is not None:
         shown = _shown(defined)
         return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown}")
-    for bits, count in ((SECOND_BITS, SECOND_POINTS), (LAST_BITS, 2)):
+    for bits, count in LATER_LOOKS:
         for point, values in _values(left, right, given, names, count, bits):
             if not values[0].overlaps(values[1]):
                 return _refutation(point, values)

@@ -88,6 +88,10 @@ class Field(SignedRing):
                 result = [self._walk(e) for e in expressions]
             except _AgainError:
                 continue
+            except (TooLargeError, UndefinedError):
+                if not self.learn():
+                    raise
+                continue
             if not self.learn():
                 return result
         raise TooLargeError("the normal form did not settle")
@@ -139,7 +143,7 @@ class Field(SignedRing):
         if name == "cbrt":
             return self._root(x, fmpq(1, 3), signed=True)
         if name == "acos":
-            return self.subtract(self._pi(fmpq(1, 2)), self._asin(x))
+            return self.subtract(self.pi(fmpq(1, 2)), self._asin(x))
         if name in ("sin", "cos", "tan", "cot", "sec", "csc"):
             return self._quotient(name, *self._turn(x))
         y = self.exp(x)
@@ -168,7 +172,8 @@ class Field(SignedRing):
     def _fraction(self, generator: Generator) -> Fraction:
         return Fraction(self.variable(generator), self.one_poly)
 
-    def _pi(self, r: fmpq) -> Fraction:
+    def pi(self, r: fmpq) -> Fraction:
+        """r·π."""
         return self.multiply(self.constant(r), self._fraction(self.generator("pi", None)))
 
     def _opaque(self, name: str, *args: Fraction) -> Fraction:
@@ -279,6 +284,26 @@ class Field(SignedRing):
             if k.p % 2:
                 product = product * self.sigma(part)
         return Fraction(self.reduce(product), self.one_poly)
+
+    def sigma(self, f: Poly) -> Poly:
+        """The sign of a factor; an arc tangent has the sign of its argument."""
+        used = self.used(f)
+        if len(f) == 1 and f.total_degree() == 1 and self.at(used[0]).kind == "atan":
+            return self._sign_function(self.at(used[0]).data[0]).num
+        return super().sigma(f)
+
+    def _sign_content(self, x: Fraction) -> tuple[Fraction, Fraction] | None:
+        """A product of signs that every term of ``x`` contains, and the rest; else None."""
+        sign = self.one_poly
+        num = x.num
+        for position in self.used(num):
+            if self.at(position).kind == "sign":
+                parts = self.split(num, position)
+                if set(parts) == {1}:
+                    sign, num = sign * self.variables[position], parts[1]
+        if sign.is_one():
+            return None
+        return Fraction(sign, self.one_poly), Fraction(num, x.den)
 
     def _require_positive(self, x: Fraction) -> None:
         """Record that ``x`` is positive on the domain."""
@@ -403,6 +428,12 @@ class Field(SignedRing):
 
     def exp(self, x: Fraction) -> Fraction:
         """``exp x``; rational multiples of logarithms turn back into powers."""
+        signed = self._sign_content(x)
+        if signed is not None:
+            y = self.exp(signed[1])
+            z = self.invert(y)
+            odd = self.multiply(signed[0], self.subtract(y, z))
+            return self.multiply(self.constant(fmpq(1, 2)), self.add(self.add(y, z), odd))
         result = self.one
         rest, pieces = self.linear_part(x, "log")
         for generator, r in pieces:
@@ -500,18 +531,24 @@ class Field(SignedRing):
 
     def _turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
         """Cosine and sine of ``x``."""
+        signed = self._sign_content(x)
+        if signed is not None:
+            c, s = self._turn(signed[1])
+            return c, self.multiply(s, signed[0])
         result = (self.one, self.zero)
         rest, half_turns = self._split_pi(x)
         for sign, r in half_turns:
-            c, s = self._turn_of_pi(r)
+            c, s = self.turn_of_pi(r)
             result = self._rotate(result, (c, self.multiply(s, sign)))
-        rest, inverses = self.linear_part(rest, "atan")
-        for generator, r in inverses:
+        rest, inverses = self._split_atan(rest)
+        for generator, sign, r in inverses:
             if (2 * r).q == 1 and abs(r) < 40:
                 step = self._turn_of_atan(generator.data[0], half=r.q == 2)
-                result = self._rotate(result, self._turn_power(step, int((r * r.q).p)))
+                c, s = self._turn_power(step, int((r * r.q).p))
+                result = self._rotate(result, (c, self.multiply(s, sign)))
             else:
-                rest = self.add(rest, self.multiply(self.constant(r), self._fraction(generator)))
+                term = self.multiply(self.constant(r), self._fraction(generator))
+                rest = self.add(rest, self.multiply(term, sign))
         self._refuse_odd_turn(rest)
         for index, r in self._decompose("tan", rest):
             unit = self._unit("tan", index, int(r.q))
@@ -581,6 +618,24 @@ class Field(SignedRing):
         if kinds and self.is_constant(x) and not (self.ball(x) / arb.pi() / 2).cos_pi() != 0:
             raise TooLargeError("a constant angle that may be a multiple of pi")
 
+    def _split_atan(self, x: Fraction) -> tuple[Fraction, list[tuple[Generator, Fraction, fmpq]]]:
+        """Split off arc tangents with a rational coefficient, or one that is ± by signs."""
+        x, plain = self.linear_part(x, "atan")
+        pieces = [(generator, self.one, r) for generator, r in plain]
+        for monomial, value in x.num.terms() if x.den.is_constant() else ():
+            used = [self.at(i) for i, k in enumerate(monomial) if k]
+            inverses = [g for g in used if g.kind == "atan" and monomial[g.position] == 1]
+            if len(inverses) != 1 or any(g.kind != "sign" for g in used if g != inverses[0]):
+                continue
+            sign = self.context.from_dict({tuple(map(int, monomial)): 1})
+            sign = Fraction(sign // self.variable(inverses[0]), self.one_poly)
+            r = fmpq(value, x.den.leading_coefficient())
+            pieces.append((inverses[0], sign, r))
+        for generator, sign, r in pieces[len(plain) :]:
+            term = self.multiply(self.constant(r), self._fraction(generator))
+            x = self.subtract(x, self.multiply(term, sign))
+        return x, pieces
+
     def _split_pi(self, x: Fraction) -> tuple[Fraction, list[tuple[Fraction, fmpq]]]:
         """``x`` without its rational multiples of π and of π times signs, and those multiples."""
         if not self.known("pi", None) or not x.den.is_constant():
@@ -594,10 +649,10 @@ class Field(SignedRing):
                 sign = Fraction(sign // self.variables[position], self.one_poly)
                 pieces.append((sign, fmpq(value, x.den.leading_coefficient())))
         for sign, r in pieces:
-            x = self.subtract(x, self.multiply(self._pi(r), sign))
+            x = self.subtract(x, self.multiply(self.pi(r), sign))
         return x, pieces
 
-    def _turn_of_pi(self, r: fmpq) -> tuple[Fraction, Fraction]:
+    def turn_of_pi(self, r: fmpq) -> tuple[Fraction, Fraction]:
         """Cosine and sine of rπ."""
         if r == 0:
             return self.one, self.zero
@@ -665,18 +720,13 @@ class Field(SignedRing):
             return special
         if u.num.leading_coefficient() < 0:
             return self.negative(self.atan(self.negative(u)))
-        for position in self.used(u.num):
-            if self.at(position).kind == "sign":
-                x = self.variables[position]
-                parts = self.split(u.num, position)
-                if set(parts) == {1}:
-                    return self.multiply(
-                        Fraction(x, self.one_poly), self.atan(Fraction(parts[1], u.den))
-                    )
+        signed = self._sign_content(u)
+        if signed is not None:
+            return self.multiply(signed[0], self.atan(signed[1]))
         inverse = self.invert(u)
         if self._rank(inverse) < self._rank(u):
             sign = self._sign_function(u)
-            quarter = self.multiply(sign, self._pi(fmpq(1, 2)))
+            quarter = self.multiply(sign, self.pi(fmpq(1, 2)))
             return self.subtract(quarter, self.atan(inverse))
         return self._fraction(self.generator("atan", u.key, (u,)))
 
@@ -692,15 +742,15 @@ class Field(SignedRing):
         k = value.unique_fmpz()
         if k is None or abs(k) >= 6:
             return None
-        c, s = self._turn_of_pi(fmpq(k, 12))
+        c, s = self.turn_of_pi(fmpq(k, 12))
         if not self.subtract(u, self.divide(s, c)).num.is_zero():
             return None
-        return self._pi(fmpq(k, 12))
+        return self.pi(fmpq(k, 12))
 
     def _asin(self, u: Fraction) -> Fraction:
         below, above = self.subtract(self.one, u), self.add(self.one, u)
         if below.num.is_zero() or above.num.is_zero():
-            return self._pi(fmpq(1 if below.num.is_zero() else -1, 2))
+            return self.pi(fmpq(1 if below.num.is_zero() else -1, 2))
         self._require_positive(below)
         self._require_positive(above)
         c = self._root(self.multiply(below, above), fmpq(1, 2))

@@ -175,6 +175,8 @@ class Given:
         """
         wanted = sorted(self.names | set(names))
         ranges = [self.box.get(name, Range()) for name in wanted]
+        if any(r.low is not None and r.high is not None and r.low >= r.high for r in ranges):
+            return
         found = 0
         for k in range(start, start + (_TRIES if self.conditions else n)):
             point = {

@@ -38,6 +38,7 @@ FUNCTIONS = {
     "ln": "log",
     **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "sec", "csc")},
     **{f"ar{name}": f"a{name}" for name in ("sinh", "cosh", "tanh")},
+    **{f"a{name}": f"a{name}" for name in _TRIGONOMETRIC},
 }
 """Commands and upright words that apply a function, and the function."""
 GREEK = _words(

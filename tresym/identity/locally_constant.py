@@ -22,7 +22,7 @@ from tresym.identity.field import Field
 from tresym.identity.given import Given
 from tresym.identity.ring import Poly, TooLargeError, UndefinedError
 
-MAX_POINTS = 64
+MAX_POINTS = 400
 MAX_SYMBOLS = 4
 _BITS = 256
 
@@ -112,17 +112,15 @@ def _walls(
     left: Expr, right: Expr, given: Given, field: Field, names: list[str]
 ) -> list[fmpz_mpoly] | None:
     """The sign-changing singularities as polynomials in ``names``; None if some are not."""
-    found = [e for e, _ in [*singularities(left), *singularities(right)]]
-    found += [condition.expression for condition in given.conditions]
-    values = field.normal(left, right, *found)[2:]
-    factors: dict[str, Poly] = {}
-    for value in values:
-        if value.num.is_zero():
-            return None
-        factors |= {key: part for key, (part, _) in field.factors(value)[1].items()}
     context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
     walls = []
-    for part in factors.values():
+    for end in _factors(field, left, right, [c.expression for c in given.conditions]):
+        wall = _in_symbols(field, end, names, context)
+        if wall is not None:
+            walls.append(wall)
+    found = [e for e, _ in [*singularities(left), *singularities(right)]]
+    found += [c.expression for c in given.beyond_box]
+    for part in _factors(field, left, right, found):
         if part.is_constant() or field.definite(part):
             continue
         for inner in _algebraic_walls(field, part) or [part]:
@@ -133,6 +131,14 @@ def _walls(
                 return None
             walls.append(wall)
     return walls
+
+
+def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> list[Poly]:
+    """The irreducible factors of ``expressions``, on the domain of both sides."""
+    factors: dict[str, Poly] = {}
+    for value in field.normal(left, right, *expressions)[2:]:
+        factors |= {key: part for key, (part, _) in field.factors(value)[1].items()}
+    return list(factors.values())
 
 
 def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:

@@ -161,10 +161,17 @@ class Ring:
             conjugate = parts[0] - parts[1] * x
             norm = self.reduce(den * conjugate)
             if norm.is_zero():
+                num, den = self.zero_divisor(num, den, position, parts)
                 continue
             common = norm.gcd(conjugate)
             norm, conjugate = norm // common, conjugate // common
             num, den = self.reduce(num * conjugate), norm
+        return num, den
+
+    def zero_divisor(
+        self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
+    ) -> tuple[Poly, Poly]:
+        """The fraction where ``den`` divides zero; a ring that knows more may use that."""
         return num, den
 
     def is_inverse(self, p: Poly) -> bool:

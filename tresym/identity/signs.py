@@ -205,6 +205,17 @@ class SignedRing(Ring):
         inverses = sum(kind in ("log", "atan") for kind in kinds)
         return inverses > 1 or ("opaque" in kinds and len(p) > 1)
 
+    def zero_divisor(
+        self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
+    ) -> tuple[Poly, Poly]:
+        """``d·(1 ± σ)`` is not zero only where σ is ±1, and there it is ``2d``."""
+        generator = self.at(position)
+        for sign in (1, -1):
+            if generator.kind == "sign" and self.reduce(parts[0] - sign * parts[1]).is_zero():
+                self.require_sign([generator.data[0]], sign)
+                return num, 2 * parts[0]
+        return num, den
+
     def learn(self) -> bool:
         """Solve the sign equations of the pass; True if anything new is known."""
         rows = self._eliminated()
@@ -348,7 +359,7 @@ class SignedRing(Ring):
             case "root" | "exp":
                 if not self.support(position):
                     return self._numeric_ends(generator) or (fmpq(0), None)
-                return fmpq(0), None
+                return self._positive_ends(generator)
             case "log" | "tan" if not self.support(position):
                 return self._numeric_ends(generator) or (None, None)
             case "tan":
@@ -357,6 +368,8 @@ class SignedRing(Ring):
                 return fmpq(-1), fmpq(1)
             case "atan":
                 return self._atan_ends(generator)
+            case "log":
+                return self._log_ends(generator)
             case _:
                 return None, None
 
@@ -367,6 +380,21 @@ class SignedRing(Ring):
                 return None
             mid = fmpq(*_dyadic(value.mid()))
             return mid - fmpq(1, 10**9) * (1 + abs(mid)), mid + fmpq(1, 10**9) * (1 + abs(mid))
+
+    def _positive_ends(self, generator: Generator) -> Ends:
+        """Ends of an exponential or a root, compared with 1."""
+        if generator.kind == "exp":
+            exponent = generator.data[2]
+            above = self.sign(exponent.num, MAX_DEPTH) * self.sign(exponent.den, MAX_DEPTH)
+        else:
+            base = generator.data[0]
+            above = self.sign(base, MAX_DEPTH) * self.sign(base - 1, MAX_DEPTH)
+        return fmpq(1 if above > 0 else 0), fmpq(1) if above < 0 else None
+
+    def _log_ends(self, generator: Generator) -> Ends:
+        base = generator.data[0]
+        above = self.sign(base * self.sign(base, MAX_DEPTH) - 1, MAX_DEPTH)
+        return fmpq(0) if above > 0 else None, fmpq(0) if above < 0 else None
 
     def _tangent_ends(self, generator: Generator) -> Ends:
         """tan(angle/2) from the range of an angle that is a multiple of one symbol."""
