@@ -146,7 +146,6 @@ eq_Euler = Claim(
             step(
                 dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2),
                 substituting(precession_rate),
-                citing(precession_forward),
             ),
             step(
                 M
@@ -168,7 +167,6 @@ eq_Euler = Claim(
             step(
                 dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2),
                 substituting(precession_rate),
-                citing(precession_forward),
             ),
             step(
                 M

@@ -39,7 +39,7 @@ sign_squared = Claim(
     label="sign_squared",
     says=equal(S**2, 1),
     given=(cos(theta) ** 2 > 0,),
-    proof=by(substituting(sign_of_tilt), roots),
+    proof=by(substituting(sign_of_tilt)),
 )
 
 cosine_of_tilt = Claim(
@@ -47,7 +47,7 @@ cosine_of_tilt = Claim(
     says=equal(cos(theta), printed.cos_theta(psi, a, b, gamma, S, sympy)),
     given=moving,
     proof=(
-        step(S * sqrt(cos(theta) ** 2), substituting(sign_of_tilt), roots),
+        step(S * sqrt(cos(theta) ** 2), substituting(sign_of_tilt)),
         step(None, substituting(eq_gamma), trigonometry, roots),
     ),
     where=Place(display=12),

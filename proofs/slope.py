@@ -18,7 +18,6 @@ from tresym.claims.claim import (
     citing,
     differentiation,
     equal,
-    exponentials,
     roots,
     step,
     substituting,
@@ -56,7 +55,7 @@ slope_of_integral = Claim(
         printed.integrand_slope(psi, a, b, S, sympy),
     ),
     given=(*shape, psi > 0, psi < pi / 2, sin(psi) > 0, cos(psi) > 0),
-    proof=by(differentiation, trigonometry, roots, exponentials),
+    proof=by(differentiation, trigonometry, roots),
     where=Place(display=55),
 )
 

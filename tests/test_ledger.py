@@ -129,7 +129,7 @@ def test_sympy_agrees_at_exact_points(claim: Claim, before: sympy.Basic, link: S
     after = link.expression if after is None else after
     if after is None or after.has(sympy.Integral) or before.has(sympy.Integral):
         pytest.skip("an integral or a part of a system: its pieces are checked elsewhere")
-    rules = definitions(claim.uses)
+    rules = definitions(c for reason in link.reasons for c in reason.claims)
     pairs = zip(sympy.flatten([before]), sympy.flatten([after]), strict=True)
     given = tuple(put_in(condition, rules) for condition in claim.given)
     for left, right in pairs:

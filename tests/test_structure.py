@@ -69,17 +69,3 @@ def test_imports_stay_on_or_below_the_floor(path: Path) -> None:
 def test_only_the_verification_and_the_command_line_import_the_proofs() -> None:
     importers = {part_of(p) for p in FILES if "proofs" in imported(p)}
     assert importers <= {"proofs", "verification", "cli"}
-
-
-def test_no_module_of_the_flip_path_imports_heavy_packages_at_the_top() -> None:
-    heavy = {"sympy", "numpy", "scipy", "mpmath", "matplotlib", "rich"}
-    for path in FILES:
-        if part_of(path) not in {"exact", "arithmetic", "body", "flip", "formulas", "cli"}:
-            continue
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
-            names = []
-            if isinstance(node, ast.Import):
-                names = [alias.name for alias in node.names]
-            elif isinstance(node, ast.ImportFrom):
-                names = [node.module or ""]
-            assert not {n.split(".")[0] for n in names} & heavy, path

@@ -12,7 +12,7 @@ from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, Stri
 from tresym.claims.claim import Chain, Claim, Reason, Step, citing, parts_of
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.finding import StepFinding
-from tresym.claims.signs import manifest_sign
+from tresym.claims.signs import NON_NEGATIVE, manifest_sign
 from tresym.claims.translate import definitions, put_in, to_expression
 from tresym.identity import Given, decide
 from tresym.verdict import Verdict
@@ -212,6 +212,8 @@ def _inside(integral: Integral, bounds: tuple[Claim, ...], given: Conditions) ->
     """The conditions on the interval of integration, with the bounds cited for it."""
     variable, low, high = integral.limits[0]
     inside = (*given, (variable - low) * (high - variable) >= 0)
+    if manifest_sign(high - low, given) in NON_NEGATIVE:
+        inside = (*inside, variable >= low, variable <= high)
     return _with_bounds(inside, (citing(*bounds),))
 
 

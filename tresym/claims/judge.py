@@ -84,8 +84,10 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_unique_root(claim.proof, claim.given)
         case Together(chains):
             return _judge_together(claim, chains)
-        case tuple():
+        case tuple() if isinstance(claim.says, Relational | Equivalent):
             return _judge_chains(claim, ((claim.says, claim.proof),))
+        case tuple():
+            return Finding(UNDECIDED, "a chain proves a relation, and this is none")
         case _:
             return claim.proof.judge()
 
@@ -182,6 +184,8 @@ def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
     rules = definitions(claim.uses)
     finding = Finding(UNDECIDED, "there is no relation to decide")
     for relation in relations:
+        if not isinstance(relation, Relational):
+            return Finding(UNDECIDED, f"{relation} is not a relation")
         finding = _settle(relation, claim.given, rules)
         if finding.verdict is not PROVED:
             return finding

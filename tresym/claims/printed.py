@@ -19,6 +19,7 @@ from tresym.exact import Interval, decimal_ball, printed
 from tresym.verdict import Verdict
 
 DIGITS = 50
+BITS = 128
 GRID = 12
 """Inputs are tried on a grid of this many steps along each side of their box."""
 HALVINGS = 40
@@ -33,7 +34,8 @@ def judge_printed(number: Printed) -> Finding:
     target = _target(number)
     box = tuple(_interval(v) for v in number.inputs.values())
     centre = tuple((i.low + i.high) / 2 for i in box)
-    value = decimal_ball(_at(number, centre, bits(DIGITS, 64)), DIGITS)
+    with ball_precision(bits(DIGITS, 64)) as m:
+        value = decimal_ball(number.formula(*(arb(p) for p in centre), m), DIGITS)
     witness = _find_inputs(number, box, target)
     if witness is not None:
         names = dict(zip(number.inputs, witness, strict=True))
@@ -56,11 +58,6 @@ def _target(number: Printed) -> Interval:
 
 def _interval(value: str | fmpq) -> Interval:
     return printed(value) if isinstance(value, str) else Interval(value, value)
-
-
-def _at(number: Printed, point: tuple[fmpq, ...], precision: int) -> arb:
-    with ball_precision(precision) as m:
-        return number.formula(*(arb(p) for p in point), m)
 
 
 def _find_inputs(number: Printed, box: Box, target: Interval) -> tuple[fmpq, ...] | None:
@@ -88,10 +85,11 @@ def _find_inputs(number: Printed, box: Box, target: Interval) -> tuple[fmpq, ...
 
 def _side(number: Printed, point: tuple[fmpq, ...], target: Interval) -> int | None:
     """0 inside the printed interval, −1 below it, 1 above it, None where a ball cannot tell."""
-    value = _at(number, point, 128)
-    if value > target.low and value < target.high:
-        return 0
-    return -1 if value < target.low else 1 if value > target.high else None
+    with ball_precision(BITS) as m:
+        value = number.formula(*(arb(p) for p in point), m)
+        if value > target.low and value < target.high:
+            return 0
+        return -1 if value < target.low else 1 if value > target.high else None
 
 
 def _grid(box: Box) -> Iterator[tuple[fmpq, ...]]:
@@ -112,7 +110,7 @@ def _excluded(number: Printed, box: Box, target: Interval) -> bool:
     while pending:
         cell = pending.pop()
         seen += 1
-        with ball_precision(128):
+        with ball_precision(BITS):
             value = number.formula(*(i.ball() for i in cell), balls)
             outside = value.is_finite() and (value > target.high or value < target.low)
         if outside:
