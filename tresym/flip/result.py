@@ -10,6 +10,9 @@ from tresym.arithmetic import ball_precision, bits
 from tresym.body import Shape
 from tresym.exact import decimal_ball, fraction_text
 
+GUARD_BITS = 4
+"""Bits beyond the digits promised that a ball must have, so that rounding to decimal is covered."""
+
 
 class Flip(NamedTuple):
     """The flip of one body after one full turn Δφ = 2π, certified.
@@ -54,7 +57,7 @@ class Flip(NamedTuple):
 
 def proves(x: arb, digits: int) -> bool:
     """Whether the ball is narrow enough to be printed with ``digits`` certified digits."""
-    return bool(x.is_zero() or x.rel_accuracy_bits() >= bits(digits, 4))
+    return bool(x.is_zero() or x.rel_accuracy_bits() >= bits(digits, GUARD_BITS))
 
 
 def ball_json(x: arb, digits: int) -> dict[str, Any]:

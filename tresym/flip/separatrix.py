@@ -18,7 +18,7 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.arithmetic import Balls, ball_precision, balls, bits
-from tresym.flip.result import proves
+from tresym.flip.result import GUARD_BITS
 from tresym.formulas import stable
 
 LARGEST_ARGUMENT = 10**17
@@ -119,7 +119,7 @@ def solve(a: fmpq, b: fmpq, digits: int) -> Separatrix:
             defect = stable.defect_at(phase, k, r, balls)
             # π − 2ε₀ cancels only where ε₀ is near π/2.
             flip = arb.pi() - 2 * defect if defect < 1 else stable.flip_at(phase, k, r, balls)
-        if proves(defect, digits) and proves(flip, digits):
+        if min(defect.rel_accuracy_bits(), flip.rel_accuracy_bits()) >= bits(digits, GUARD_BITS):
             return Separatrix(phase, defect, flip)
         precision += 16 + precision // 4
 
