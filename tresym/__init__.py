@@ -21,7 +21,7 @@ _HOMES = {
     "verify": "tresym.verification",
 }
 
-__all__ = ["Body", "InputError", "Verdict", "__version__", "flip_defect", "verify"]  # noqa: F822
+__all__ = ["Body", "InputError", "Verdict", "__version__", "flip_defect", "verify"]
 
 # In a wheel the proofs lie inside the package; in a checkout they lie beside it.
 _checkout = Path(__file__).resolve().parent.parent
