@@ -10,12 +10,13 @@ and no root is solved in a box. Two charts cover what is needed:
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from flint import arb
 
 from tresym.arithmetic import balls
-from tresym.claims.gradient import Divided, Gradient
+from tresym.claims.gradient import Divided, Gradient, gradients
 from tresym.flip.series import coefficient_values, tail
 
 sine_over = Divided(lambda s: s.sin())
@@ -130,12 +131,133 @@ def below_anywhere(shape: Shape, constant: Any, m: Any) -> Any:
 def remainder(shape: Shape, order: int, terms: int, m: Any) -> tuple[Any, Any]:
     """(ε₀/ε* − Σ_{n≤order} c_n ε*^{2n})/ε*^{2(order+1)}: the middle and the radius it is within.
 
-    The middle is the series up to ``terms``, the radius its truncation bound with ρ = 1/10, which
-    applies on ab ≥ 1/4.
+    The middle is the series up to ``terms``, the radius its truncation bound with ρ = 1/(1 + 9R/4),
+    which applies on ab ≥ 1/4.
     """
     y, R = shape.leading * shape.leading, shape.r * shape.r
     values = coefficient_values(terms, shape.b, R, m)[order + 1 :]
     middle = values[-1]
     for c in reversed(values[:-1]):
         middle = middle * y + c
-    return middle, tail(terms, y, shape.b, R, arb(1) / 10, m, order + 1)
+    return middle, tail(terms, y, shape.b, R, 4 / (4 + 9 * R), m, order + 1)
+
+
+def _between_ends(x: arb, function: Callable[[arb], arb]) -> arb:
+    """A function monotone on x ≥ 0, extended evenly, over the ball ``x``: the hull of its ends."""
+    low, high = x.lower(), x.upper()
+    if low < 0:
+        low, high = arb(0), high.max(-low)
+    return function(low).union(function(high))
+
+
+def _sine_point(x: arb) -> arb:
+    return x.sinh() / x if x > 0 else arb(1)
+
+
+def _sine_slope(x: arb) -> arb:
+    """The derivative of sinh x/x at a point x ≥ 0; between x/3 and x cosh(x)/3, used when small."""
+    if x > arb("1e-5"):
+        return (x.cosh() - x.sinh() / x) / x
+    return (x / 3).union(x * x.cosh() / 3)
+
+
+def hyperbolic_sine_over(x: Any) -> Any:
+    """sinh x/x, an even function."""
+    if not isinstance(x, Gradient):
+        return _between_ends(abs(x), _sine_point)
+    slope = _between_ends(abs(x.value), _sine_slope)
+    if not x.value > 0:
+        slope = -slope if x.value < 0 else slope.union(-slope)
+    return x.chain(_between_ends(abs(x.value), _sine_point), slope)
+
+
+def hyperbolic_tangent_over(x: Any) -> Any:
+    """tanh x/x for x ≥ 0."""
+    at = x.value if isinstance(x, Gradient) else x
+    value = _between_ends(at, lambda t: t.tanh() / t if t > 0 else arb(1))
+    if not isinstance(x, Gradient):
+        return value
+    quotient = hyperbolic_sine_over(x) / gradients.cosh(x)
+    return Gradient(value, quotient.slopes)
+
+
+def _spread(b: Any, k: Any, phase: Any, m: Any) -> Any:
+    """D = cosh²kP + r² sinh²kP in the chart (b, k)."""
+    return m.cosh(k * phase) ** 2 + (b * phase * hyperbolic_sine_over(k * phase)) ** 2
+
+
+def phase_over(b: Any, k: Any, m: Any) -> Any:
+    """A ball (or gradient) that contains the phase of every shape in the chart (b, k).
+
+    The phase map π + arctan(bP tanhc kP) takes [π, 3π/2] into itself and increases with P, so its
+    iterates contain every root; the slopes are those of the implicit function.
+    """
+    sides = [x.value if isinstance(x, Gradient) else x for x in (b, k)]
+    phase = balls.pi.union(3 * balls.pi / 2)
+    while True:
+        image = _phase_image(*sides, phase, balls).intersection(phase)
+        if not image.rad() < phase.rad() * arb("0.9"):
+            break
+        phase = image
+    if not isinstance(b, Gradient):
+        return phase
+    partial = _phase_image(b, k, phase, m)
+    return Gradient(phase, (partial / (1 - sides[0] / _spread(*sides, phase, balls))).slopes)
+
+
+def _phase_image(b: Any, k: Any, phase: Any, m: Any) -> Any:
+    return m.pi + m.atan(b * phase * hyperbolic_tangent_over(k * phase))
+
+
+def cotangent(b: Any, k: Any, phase: Any, m: Any) -> Any:
+    """cot ε₀ = √(1 + r²) sinh kP = √(k² + b²) P sinhc kP in the chart (b, k)."""
+    square = k * k + b * b
+    length = m.sqrt(square if isinstance(b, Gradient) else square.nonnegative_part())
+    return length * phase * hyperbolic_sine_over(k * phase)
+
+
+def angle_error(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀: the difference of two arctangents is one."""
+    w, e = cotangent_, tangent_error
+    return m.atan(e * w / (w * w + 1 + e)) / (m.pi / 2 - m.atan(w))
+
+
+def tangent_error(difference: Any, phase: Any, k: Any, m: Any) -> Any:
+    """sinh kP / sinh kP₁ − 1 from P − P₁ and P, without cancellation."""
+    other = phase - difference
+    ratio = hyperbolic_sine_over(k * difference / 2) / hyperbolic_sine_over(k * other)
+    return difference / other * ratio * m.cosh(k * (phase + other) / 2)
+
+
+def sweep_difference(b: Any, k: Any, phase: Any, start: arb, m: Any) -> Any:
+    """P − P₁ for P₁ = π + arctan(r tanh(start·k)): one arctangent with the factor P − start."""
+    gap = phase - start
+    x = b * phase * hyperbolic_tangent_over(k * phase)
+    y = b * start * hyperbolic_tangent_over(k * start)
+    top = b * gap * hyperbolic_sine_over(k * gap)
+    return m.atan(top / (m.cosh(k * phase) * m.cosh(k * start) * (1 + x * y)))
+
+
+def sweep_error(b: Any, k: Any, start: arb, m: Any) -> Any:
+    """ε/ε₀ − 1 of one sweep from ``start``."""
+    phase = phase_over(b, k, m)
+    error = tangent_error(sweep_difference(b, k, phase, start, m), phase, k, m)
+    return angle_error(error, cotangent(b, k, phase, m), m)
+
+
+def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
+    """1 − ε/ε₀ of one Newton step after one sweep from ``start``.
+
+    For g(P) = P − π − arctan(r tanh kP) Taylor's theorem gives P₂ − P = g″(ξ)(P − P₁)²/(2 g′(P₁))
+    with ξ between P and P₁, g′ = 1 − b/D, D = cosh²kP + r² sinh²kP and g″ = bD′/D² > 0: the step
+    lands above P, and ε is too small. The curvature is taken over the hull of P and P₁ (balls only).
+    """
+    phase = phase_over(b, k, m)
+    difference = sweep_difference(b, k, phase, start, m)
+    swept = m.pi + m.atan(b * start * hyperbolic_tangent_over(k * start))
+    at = phase.union(swept)
+    bend = 2 * m.cosh(k * at) * at * hyperbolic_sine_over(k * at) * (k * k + b * b)
+    curvature = b * bend / _spread(b, k, at, m) ** 2
+    excess = curvature * difference * difference / (2 * (1 - b / _spread(b, k, swept, m)))
+    error = tangent_error(-excess, phase, k, m)
+    return -angle_error(error, cotangent(b, k, phase, m), m)

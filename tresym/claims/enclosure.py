@@ -33,6 +33,8 @@ Point = tuple[fmpq, ...]
 BY_BALL = "b"
 BY_SLOPES = "m"
 AXES = "xyzw"
+SMALLEST = fmpq(1, 2**40)
+"""The search ends at a box whose longest side is this part of the whole: it touches zero there."""
 
 
 class CertificateError(ValueError):
@@ -158,6 +160,8 @@ def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
         if centre < 0:
             return Counterexample(middle, centre)
         axis = _longest(here, bound.box)
+        if _relative(here, bound.box, axis) < SMALLEST:
+            return Open(here)
         if bound.slopes and centre > 0:
             slopes = _slopes(bound.margin, here)
             if _extreme(bound.margin, here, slopes, lowest=True) > 0:
@@ -315,14 +319,15 @@ def _inner_corners(region: Box) -> list[Point]:
     return list(product(*ends))
 
 
+def _relative(here: Box, whole: Box, axis: int) -> fmpq:
+    """The length of a side as a part of the whole one."""
+    side = whole[axis].high - whole[axis].low
+    return (here[axis].high - here[axis].low) / side if side else fmpq(0)
+
+
 def _longest(here: Box, whole: Box) -> int:
     """The axis along which ``here`` is longest relative to ``whole``."""
-
-    def relative(i: int) -> fmpq:
-        side = whole[i].high - whole[i].low
-        return (here[i].high - here[i].low) / side if side else fmpq(0)
-
-    return max(range(len(here)), key=relative)
+    return max(range(len(here)), key=lambda axis: _relative(here, whole, axis))
 
 
 def _slopes(function: Margin, here: Box) -> tuple[arb, ...]:

@@ -149,14 +149,16 @@ def majorant(rho: Any, b: Any, R: Any, m: Any) -> Any:
     return ((1 + b * square) * (root / m.sin(root)) / m.sqrt(1 - R * square) - 1) / 2
 
 
-def tail(order: int, y: Any, b: Any, R: Any, rho: Any, m: Any) -> Any:
+def tail(order: int, y: Any, b: Any, R: Any, rho: Any, m: Any, divided: int = 0) -> Any:
     """A bound of |Σ_{n>order} c_n yⁿ| and of |ε₀/ε* − Σ_{n≤order} c_n yⁿ| at y = ε*².
 
-    Not a number where the bound does not apply, that is unless R sinh²√ρ < 1 and τ < 1.
+    It is divided by y^``divided``, so that bounds relative to a power of y hold at y = 0 too. Not a
+    number where the bound does not apply, that is unless R sinh²√ρ < 1 and τ < 1.
     """
     q = majorant(rho, b, R, m)
-    tau = y * m.exp(2 * q) / rho
-    return m.exp(q - m.log(1 - tau)) * tau ** (order + 1) / (2 * order + 3)
+    growth = m.exp(2 * q) / rho
+    height = m.exp(q - m.log(1 - y * growth)) / (2 * order + 3)
+    return height * growth ** (order + 1) * y ** (order + 1 - divided)
 
 
 def truncation_bound(order: int, a: fmpq, b: fmpq) -> arb | None:
