@@ -13,8 +13,8 @@ from tresym.claims.claim import Chain, Claim, Reason, Step, citing, parts_of
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.finding import StepFinding
 from tresym.claims.signs import NON_NEGATIVE, manifest_sign
-from tresym.claims.translate import definitions, put_in, to_expression
-from tresym.identity import Given, decide
+from tresym.claims.translate import definitions, put_in, to_expression, to_given
+from tresym.identity import decide
 from tresym.verdict import Verdict
 
 PROVED = StepFinding(Verdict.PROVED, "")
@@ -163,7 +163,7 @@ def _check_scalar(
     decision = decide(
         to_expression(before, opening),
         to_expression(after, opening),
-        Given.from_sympy(*given),
+        to_given(given),
         theories,
     )
     return PROVED if decision.verdict is Verdict.PROVED else _undecided(decision.why)
@@ -230,7 +230,7 @@ def _check_antiderivative(
     decision = decide(
         to_expression(slope, open_derivatives=True),
         to_expression(integral.function),
-        Given.from_sympy(*conditions),
+        to_given(conditions),
     )
     return None if decision.verdict is Verdict.PROVED else _undecided(decision.why)
 
@@ -254,7 +254,7 @@ def _check_substitution(
         (to_expression(change.subs(variable, high)), to_expression(end)),
     )
     for left, right in pairs:
-        decision = decide(left, right, Given.from_sympy(*conditions))
+        decision = decide(left, right, to_given(conditions))
         if decision.verdict is not Verdict.PROVED:
             return _undecided(decision.why)
     return None

@@ -30,8 +30,8 @@ from sympy import (
 )
 
 from tresym.claims.signs import NON_NEGATIVE, manifest_sign
-from tresym.claims.translate import to_expression
-from tresym.identity import Given, nonzero_denominators
+from tresym.claims.translate import to_expression, to_given
+from tresym.identity import nonzero_denominators
 
 POSITIVE = ("+",)
 NON_ZERO = ("+", "-")
@@ -57,9 +57,7 @@ def _shown(e: Basic, allowed: tuple[str, ...], given: Conditions) -> bool:
     if manifest_sign(e, given) in allowed:
         return True
     reciprocal = to_expression(1 / e)
-    return (
-        allowed == NON_ZERO and nonzero_denominators(reciprocal, Given.from_sympy(*given)) is None
-    )
+    return allowed == NON_ZERO and nonzero_denominators(reciprocal, to_given(given)) is None
 
 
 def _conditions(e: Basic) -> list[tuple[Basic, tuple[str, ...]]]:

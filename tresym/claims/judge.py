@@ -34,7 +34,14 @@ from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.finding import Finding, StepFinding
 from tresym.claims.printed import judge_printed
 from tresym.claims.signs import manifest_sign
-from tresym.claims.translate import CircularError, Rules, definitions, put_in, to_expression
+from tresym.claims.translate import (
+    CircularError,
+    Rules,
+    definitions,
+    put_in,
+    to_expression,
+    to_given,
+)
 from tresym.exact import fraction_text
 from tresym.identity import Expr, Given, decide, evaluate, symbols
 from tresym.verdict import Verdict
@@ -101,7 +108,7 @@ def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
 
 def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
     """PROVED when every step of every chain is; otherwise tried at exact points."""
-    if Given.from_sympy(*claim.given).satisfying_point() is None:
+    if to_given(claim.given).satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     steps: list[StepFinding] = []
     for says, chain in parts:
@@ -132,7 +139,7 @@ def _judge_definition(claim: Claim) -> Finding:
     for symbol, value in rules.items():
         if symbol in value.free_symbols or symbol in earlier:
             return Finding(UNDECIDED, f"{symbol} is not a new symbol")
-    if Given.from_sympy(*claim.given).satisfying_point() is None:
+    if to_given(claim.given).satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     return Finding(PROVED, "introduces " + ", ".join(sorted(map(str, rules))))
 
@@ -195,7 +202,7 @@ def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
 def _settle(relation: Basic, given: Conditions, rules: Rules) -> Finding:
     """One relation decided without a chain: by normal form or sign, else at exact points."""
     replaced = _put_into(given, rules)
-    conditions = Given.from_sympy(*replaced)
+    conditions = to_given(replaced)
     if conditions.satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     left, right = (put_in(side, rules) for side in relation.args)
@@ -237,7 +244,7 @@ def _refute(says: Basic, given: Conditions, rules: Rules) -> Finding | None:
     if isinstance(left, MatrixBase):
         pairs = (_refute(equal(p, q), given, rules) for p, q in zip(left, right, strict=True))
         return next((f for f in pairs if f is not None), None)
-    conditions = Given.from_sympy(*_put_into(given, rules))
+    conditions = to_given(_put_into(given, rules))
     left, right = put_in(left, rules), put_in(right, rules)
     if isinstance(says, Equality):
         decision = decide(to_expression(left, True), to_expression(right, True), conditions)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from sympy import Basic, Mul, expand
 from sympy.core.relational import Relational
 
-from tresym.claims.translate import to_expression
-from tresym.identity import Given, decide, sign
+from tresym.claims.translate import REMEMBERED, to_expression, to_given
+from tresym.identity import decide, sign
 from tresym.verdict import Verdict
 
 NON_NEGATIVE = ("+", "0", ">=0")
@@ -14,6 +16,7 @@ DEPTH = 2
 """At most this many conditions are taken out of a sum."""
 
 
+@lru_cache(maxsize=REMEMBERED)
 def manifest_sign(e: Basic, conditions: tuple[Basic, ...], depth: int = DEPTH) -> str | None:
     """The proven sign of ``e`` under ``conditions``, or None.
 
@@ -21,7 +24,7 @@ def manifest_sign(e: Basic, conditions: tuple[Basic, ...], depth: int = DEPTH) -
     ``c ≥ 0``) and a rest of known sign. SymPy's expansion only proposes the rest; that the two
     add up to ``e`` is decided exactly.
     """
-    given = Given.from_sympy(*conditions)
+    given = to_given(conditions)
     found = sign(to_expression(e), given)
     if found is None and isinstance(e, Mul):
         return _product([manifest_sign(factor, conditions, depth) for factor in e.args])

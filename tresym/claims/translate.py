@@ -7,15 +7,18 @@ in here, and only those that a reason names.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 from sympy import Basic, Derivative, Eq, Integer, Integral, MatrixBase, Subs, Symbol, srepr
 
 from tresym.claims.claim import Claim, parts_of
-from tresym.identity import Expr, differentiate, from_sympy, substitute
+from tresym.identity import Expr, Given, differentiate, from_sympy, substitute
 
 Rules = dict[Basic, Basic]
 
 MAX_PASSES = 20
+REMEMBERED = 4096
+"""Translations and signs kept: the same conditions come back at every step of a chain."""
 
 
 class CircularError(ValueError):
@@ -53,6 +56,13 @@ def put_in(expression: Basic, rules: Rules) -> Basic:
     raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
 
 
+@lru_cache(maxsize=REMEMBERED)
+def to_given(conditions: tuple[Basic, ...]) -> Given:
+    """SymPy conditions as the conditions that are decided under."""
+    return Given.from_sympy(*conditions)
+
+
+@lru_cache(maxsize=REMEMBERED)
 def to_expression(e: Basic, open_derivatives: bool = False) -> Expr:
     """The expression tree of ``e``; with ``open_derivatives`` its derivatives are carried out."""
     opaque: dict[Basic, Basic] = {}

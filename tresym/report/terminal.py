@@ -40,7 +40,7 @@ def show_verification(labels: tuple[str, ...], console: Console) -> Report:
 
         def show(row: Row) -> None:
             for line in _row_lines(row):
-                console.print(line)
+                console.print(line, soft_wrap=True)
             progress.advance(task)
 
         report = verify(labels, on_row=show)
