@@ -441,17 +441,21 @@ class Field(SignedRing):
         return self.multiply(result, self._basis_exp(self._decompose("exp", rest)))
 
     def linear_part(self, x: Fraction, kind: str) -> tuple[Fraction, list[tuple[Generator, fmpq]]]:
-        """Split off the generators of ``kind`` that enter ``x`` with a rational coefficient."""
+        """Split off the rational multiples of generators of ``kind`` that ``x`` contains."""
         pieces = []
         for position in self.used(x.num):
             generator = self.at(position)
             if generator.kind != kind:
                 continue
-            slope = x.num.derivative(position)
-            ratio = _proportion(slope, x.den)
-            if ratio is None or x.num.degrees()[position] != 1:
-                continue
-            pieces.append((generator, ratio))
+            ratio = fmpq(0)
+            if x.den.is_constant():
+                alone = tuple(int(i == position) for i in range(self.size))
+                ratio = fmpq(x.num[alone], x.den.leading_coefficient())
+            elif x.num.degrees()[position] == 1:
+                quotient, _ = divmod(x.num.derivative(position), x.den)
+                ratio = fmpq(quotient[(0,) * self.size])
+            if ratio != 0:
+                pieces.append((generator, ratio))
         for generator, ratio in pieces:
             x = self.subtract(x, self.multiply(self.constant(ratio), self._fraction(generator)))
         return x, pieces
