@@ -17,7 +17,9 @@ _HOMES = {
     "Body": "tresym.body",
     "InputError": "tresym.exact",
     "Verdict": "tresym.verdict",
+    "flip_angle": "tresym.flip",
     "flip_defect": "tresym.flip",
+    "flip_map": "tresym.flip.flipmap",
     "verify": "tresym.verification",
 }
 

@@ -10,7 +10,7 @@ import argparse
 import os
 import re
 import sys
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import tresym
 from tresym.exact import InputError
@@ -91,7 +91,7 @@ def _add_flip(commands: Commands) -> None:
         "flip",
         help="the flip of one body, certified",
         description="How far one full turn of a freely rotating body is from a perfect flip.",
-        epilog="Numbers are exact: 0.0629, 1e-4 or 16380/1210.",
+        epilog="Numbers are exact: 0.0629, 1e-4 or 16380/1210; angles also pi/2 or -3*pi/4.",
         allow_abbrev=False,
     )
     body = parser.add_mutually_exclusive_group(required=True)
@@ -102,6 +102,15 @@ def _add_flip(commands: Commands) -> None:
     body.add_argument("--shape", nargs=2, metavar=("A", "B"), help="a = I2/I1 - 1, b = 1 - I2/I3")
     parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
     parser.add_argument("--rung", metavar="NAME", help="force one model of the ladder")
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument("--gamma", metavar="G", help="distance from the separatrix (default: 0)")
+    where.add_argument("--psi0", metavar="P", help="start at this psi instead, in radians")
+    how = parser.add_mutually_exclusive_group()
+    how.add_argument("--rate", metavar="V", help="with --psi0: dpsi/dphi at the start")
+    how.add_argument("--theta0", metavar="T", help="with --psi0: theta at the start, in radians")
+    parser.add_argument(
+        "--precession", metavar="ANGLE", help="with --psi0: how far phi goes (default: 2*pi)"
+    )
     _add_output(parser)
     parser.set_defaults(run=_flip)
 
@@ -146,20 +155,55 @@ def _add_output(parser: Parser) -> None:
 
 
 def _flip(args: argparse.Namespace) -> int:
+    from tresym.exact import parse_number
     from tresym.flip.ladder import climb, parse_digits
 
+    if args.psi0 is not None:
+        return _journey(args)
+    if args.rate is not None or args.theta0 is not None or args.precession is not None:
+        raise InputError("flip: --rate, --theta0 and --precession belong to --psi0")
     shape, title = _body(args)
-    answer = climb(shape, 0, parse_digits(args.digits), args.rung)
+    gamma = parse_number("0" if args.gamma is None else args.gamma, "gamma")
+    answer = climb(shape, gamma, parse_digits(args.digits), args.rung)
     if args.json:
-        import json
-
-        _deliver(json.dumps(answer.as_json()) + "\n", args.path)
+        _deliver_json(answer.as_json(), args.path)
     else:
         from tresym.report.flip import flip_text
         from tresym.report.output import colour_wanted
 
         _deliver(flip_text(answer, title, colour_wanted() and not args.path), args.path)
     return 0
+
+
+def _journey(args: argparse.Namespace) -> int:
+    """A start of the user's own."""
+    from tresym.flip import flip_angle
+    from tresym.flip.ladder import parse_digits
+
+    shape, title = _body(args)
+    answer = flip_angle(
+        *shape,
+        args.psi0,
+        args.rate,
+        parse_digits(args.digits),
+        theta0=args.theta0,
+        precession="2*pi" if args.precession is None else args.precession,
+        rung=args.rung,
+    )
+    if args.json:
+        _deliver_json(answer.as_json(), args.path)
+    else:
+        from tresym.report.flip import journey_text
+        from tresym.report.output import colour_wanted
+
+        _deliver(journey_text(answer, title, colour_wanted() and not args.path), args.path)
+    return 0
+
+
+def _deliver_json(answer: dict[str, Any], path: str | None) -> None:
+    import json
+
+    _deliver(json.dumps(answer, ensure_ascii=False) + "\n", path)
 
 
 def _body(args: argparse.Namespace) -> tuple[Shape, str]:

@@ -43,23 +43,29 @@ def checked_gamma(a: fmpq, b: fmpq, gamma: fmpq) -> fmpq:
 
 
 def solve(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect:
-    """ε(γ) and the flip, each to ``digits`` certified digits.
-
-    Where one of them cannot be told from 0 it is known to 10^−digits only after the precision has
-    risen to eight times what the digits need; a perfect flip at a rational γ is not known to exist.
+    """ε(γ) and the flip, each to ``digits`` certified digits: :func:`quick`, or :func:`inverted`.
 
     Raises:
         InputError: γ outside [−b, a].
         ArithmeticError: the precision limit is reached.
     """
     checked_gamma(a, b, gamma)
-    if gamma == -b:
-        with ball_precision(bits(digits, 64)):
-            return Defect(arb.pi() / 2, arb(0))
-    found = quick(a, b, gamma, digits)
-    if found is not None:
-        return found
+    return quick(a, b, gamma, digits) or inverted(a, b, gamma, digits)
+
+
+def inverted(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect:
+    """ε(γ) at any γ in [−b, a], by inverting the phase at rising precision.
+
+    At γ = −b, which is the stable rotation ψ = π/2, the flip is 0. Elsewhere one that cannot be
+    told from 0 at eight times the precision the digits need is only shown to be below 10^−digits.
+
+    Raises:
+        ArithmeticError: the precision limit is reached.
+    """
     precision = bits(digits, 48)
+    if gamma == -b:
+        with ball_precision(precision):
+            return Defect(arb.pi() / 2, arb(0))
     while precision < PRECISION_LIMIT:
         with ball_precision(precision), suppress(ArithmeticError):
             angle = defect_on(a, b, exact_level(a, b, gamma))

@@ -1,7 +1,9 @@
 """Which model answers: the cheapest rung that meets the digits asked for.
 
-On the separatrix these are `asymptotic`, a closed formula with a proved bound on its error, and
-`separatrix`, the scalar equation solved to any number of digits.
+`asymptotic`, a closed formula with a proved bound on its error, and `separatrix`, the scalar
+equation, serve γ = 0. `carlson`, one evaluation of F(ε, γ), serves every γ whose trajectory has not
+turned and does not reach ψ = 0. `planar`, the planar system solved on its orbit, serves every γ and
+every start.
 """
 
 from __future__ import annotations
@@ -14,12 +16,14 @@ from flint import arb, fmpq
 from tresym.arithmetic import BITS_PER_DIGIT, ball_precision, bits
 from tresym.body import Shape
 from tresym.exact import InputError
-from tresym.flip import asymptotic, separatrix
-from tresym.flip.result import Flip, proves
+from tresym.flip import asymptotic, defect, separatrix
+from tresym.flip.angle import Angle
+from tresym.flip.result import Flip, Journey, proves
+from tresym.flip.trajectory import Start, travel
 
 MAX_DIGITS = 10_000
 
-RUNGS = ("asymptotic", "separatrix")
+RUNGS = ("asymptotic", "separatrix", "carlson", "planar")
 """The rungs, cheapest first."""
 
 
@@ -50,32 +54,83 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     """The flip of ``shape`` at ``gamma`` to ``digits`` certified digits, on ``rung`` if given.
 
     Raises:
-        InputError: digits out of range, an unknown rung, or one that cannot deliver.
+        InputError: digits or γ out of range, an unknown rung, or one that cannot deliver.
     """
     checked_digits(digits)
+    _checked_rung(rung)
+    level = defect.checked_gamma(shape.a, shape.b, fmpq(gamma))
+    start = time.perf_counter()
+    for used in RUNGS if rung is None else (rung,):
+        answer, shortfall = _on_rung(used, shape, level, digits)
+        if answer is not None:
+            seconds = time.perf_counter() - start
+            return Flip(shape, level, digits, answer.defect, answer.turn, used, answer.why, seconds)
+    raise InputError(f"rung: {shortfall}")
+
+
+def follow(
+    shape: Shape, start: Start, precession: Angle, digits: int, rung: str | None = None
+) -> Journey:
+    """The change of ψ of ``shape`` from ``start`` after ``precession`` radians of φ.
+
+    Raises:
+        InputError: digits out of range, a start that does not exist, or another rung than planar.
+    """
+    checked_digits(digits)
+    _checked_rung(rung)
+    if rung not in (None, "planar"):
+        raise InputError(f"rung: {rung} knows symmetric trajectories only; a start needs planar")
+    began = time.perf_counter()
+    found = travel(shape, start, precession, digits)
+    seconds = time.perf_counter() - began
+    why = "the planar system on the orbit of the start, its phase inverted in balls"
+    return Journey(shape, found.gamma, digits, *found[1:], "planar", why, seconds)
+
+
+def _checked_rung(rung: str | None) -> None:
     if rung is not None and rung not in RUNGS:
         raise InputError(f"rung: {rung!a} is not known; known: {', '.join(RUNGS)}")
+
+
+def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[Answer | None, str]:
+    """The answer of one rung, or None and why it cannot give one."""
+    if rung == "planar":
+        return _planar(shape, gamma, digits), ""
+    if rung == "carlson":
+        return _carlson(shape, gamma, digits), (
+            f"carlson does not give {digits} digits where the trajectory has turned or reaches "
+            "psi = 0; try planar"
+        )
     if gamma != 0:
-        raise InputError("gamma: only the separatrix, gamma = 0, is within reach")
-    start = time.perf_counter()
-    used = rung or RUNGS[0]
-    answer = _asymptotic(shape, digits) if used == "asymptotic" else None
-    if answer is None or not (proves(answer.defect, digits) and proves(answer.turn, digits)):
-        if rung == "asymptotic":
-            raise InputError(_shortfall(answer, digits))
-        used, answer = "separatrix", _separatrix(shape, digits)
-    seconds = time.perf_counter() - start
-    return Flip(shape, fmpq(gamma), digits, answer.defect, answer.turn, used, answer.why, seconds)
+        return None, f"{rung} knows the separatrix, gamma = 0, only; try carlson"
+    if rung == "separatrix":
+        return _separatrix(shape, digits), ""
+    answer = _asymptotic(shape, digits)
+    if answer is not None and proves(answer.defect, digits) and proves(answer.turn, digits):
+        return answer, ""
+    return None, _shortfall(answer, digits)
+
+
+def _carlson(shape: Shape, gamma: fmpq, digits: int) -> Answer | None:
+    found = defect.quick(*shape, gamma, digits)
+    if found is None:
+        return None
+    why = "the trajectory has not turned: one evaluation of F(ε, γ) in Carlson's form"
+    return Answer(*found, why)
+
+
+def _planar(shape: Shape, gamma: fmpq, digits: int) -> Answer:
+    found = defect.inverted(*shape, gamma, digits)
+    return Answer(*found, "the phase on the orbit inverted, through turning points and turns")
 
 
 def _asymptotic(shape: Shape, digits: int) -> Answer | None:
-    defect = asymptotic.enclose(shape.a, shape.b, digits)
-    if defect is None:
+    found = asymptotic.enclose(shape.a, shape.b, digits)
+    if found is None:
         return None
+    why = "closed formula with a proved bound on its error"
     with ball_precision(bits(digits, 84)):
-        return Answer(
-            defect, arb.pi() - 2 * defect, "closed formula with a proved bound on its error"
-        )
+        return Answer(found, arb.pi() - 2 * found, why)
 
 
 def _separatrix(shape: Shape, digits: int) -> Answer:
@@ -92,4 +147,4 @@ def _shortfall(answer: Answer | None, digits: int) -> str:
     if answer is not None and answer.defect.is_finite():
         worst = min(answer.defect.rel_accuracy_bits(), answer.turn.rel_accuracy_bits())
         reached = max(0, int((worst - 4) / BITS_PER_DIGIT))
-    return f"rung: asymptotic reaches {reached} digits for this shape, not {digits}; try separatrix"
+    return f"asymptotic reaches {reached} digits for this shape, not {digits}; try separatrix"

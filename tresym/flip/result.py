@@ -15,15 +15,14 @@ GUARD_BITS = 4
 
 
 class Flip(NamedTuple):
-    """The flip of one body after one full turn Δφ = 2π, certified.
+    """The flip of one body after one full turn Δφ = 2π, on the symmetric trajectory, certified.
 
     ``defect`` (ε) and ``turn`` (Δψ) are balls in radians that contain the truth; ``rung`` is the
-    model that gave them and ``why`` says why that one was enough. ``gamma`` is an exact rational,
-    or a ball where the start is given by a rate.
+    model that gave them and ``why`` says why that one was enough.
     """
 
     shape: Shape
-    gamma: fmpq | arb
+    gamma: fmpq
     digits: int
     defect: arb
     turn: arb
@@ -38,21 +37,59 @@ class Flip(NamedTuple):
 
     def as_json(self) -> dict[str, Any]:
         """The answer under the keys of ``tresym flip --json``; numbers are decimal strings."""
-        gamma = self.gamma
-        return {
-            "a": fraction_text(self.shape.a),
-            "b": fraction_text(self.shape.b),
-            "gamma": fraction_text(gamma)
-            if isinstance(gamma, fmpq)
-            else ball_json(gamma, self.digits),
-            "digits": self.digits,
-            "defect": ball_json(self.defect, self.digits),
-            "flip": ball_json(self.turn, self.digits),
-            "rung": self.rung,
-            "why": self.why,
-            "realizable": self.realizable,
-            "seconds": self.seconds,
-        }
+        return _answer_json(self, ball_json(self.defect, self.digits), None, None)
+
+
+class Journey(NamedTuple):
+    """Where one start comes to, certified: Δψ, ψ and θ in radians, as balls.
+
+    ``gamma`` is an exact rational where the start makes it one, else a ball.
+    """
+
+    shape: Shape
+    gamma: fmpq | arb
+    digits: int
+    turn: arb
+    psi: arb
+    theta: arb
+    rung: str
+    why: str
+    seconds: float
+
+    @property
+    def realizable(self) -> bool:
+        """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂)."""
+        return self.shape.realizable
+
+    def as_json(self) -> dict[str, Any]:
+        """The same keys as for a flip; there is no defect away from the symmetric trajectory."""
+        psi, theta = (ball_json(x, self.digits) for x in (self.psi, self.theta))
+        return _answer_json(self, None, psi, theta)
+
+
+def _answer_json(
+    answer: Flip | Journey,
+    defect: dict[str, Any] | None,
+    psi: dict[str, Any] | None,
+    theta: dict[str, Any] | None,
+) -> dict[str, Any]:
+    gamma = answer.gamma
+    return {
+        "a": fraction_text(answer.shape.a),
+        "b": fraction_text(answer.shape.b),
+        "gamma": fraction_text(gamma)
+        if isinstance(gamma, fmpq)
+        else ball_json(gamma, answer.digits),
+        "digits": answer.digits,
+        "defect": defect,
+        "flip": ball_json(answer.turn, answer.digits),
+        "psi": psi,
+        "theta": theta,
+        "rung": answer.rung,
+        "why": answer.why,
+        "realizable": answer.realizable,
+        "seconds": answer.seconds,
+    }
 
 
 def proves(x: arb, digits: int) -> bool:

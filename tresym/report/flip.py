@@ -6,7 +6,7 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision, balls, bits
 from tresym.exact import decimal_ball, fraction_text
-from tresym.flip.result import Flip, proves
+from tresym.flip.result import Flip, Journey, proves
 from tresym.formulas import printed
 from tresym.report.output import bold, dim
 
@@ -21,6 +21,21 @@ def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
             ("defect   ε", _radians(answer.defect, answer.digits)),
             ("flip    Δψ", _radians(answer.turn, answer.digits)),
             *_approximations(answer),
+            ("rung", f"{answer.rung}: {answer.why}"),
+            ("realizable", _realizable(answer)),
+        ]
+    lines = [f"  {dim(f'{label:<12}', colour)}{text}" for label, text in rows]
+    return "\n".join([bold(title, colour), "", *lines]) + "\n"
+
+
+def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
+    """Where a start comes to, in lines for people."""
+    with ball_precision(bits(answer.digits, 64)):
+        rows = [
+            ("shape", _shape(answer)),
+            ("flip    Δψ", _radians(answer.turn, answer.digits)),
+            ("ends at  ψ", _radians(answer.psi, answer.digits)),
+            ("         θ", _radians(answer.theta, answer.digits)),
             ("rung", f"{answer.rung}: {answer.why}"),
             ("realizable", _realizable(answer)),
         ]
@@ -53,7 +68,7 @@ def _short(x: arb) -> str:
     return str(x.str(6, radius=False))
 
 
-def _shape(answer: Flip) -> str:
+def _shape(answer: Flip | Journey) -> str:
     parts = []
     gamma = answer.gamma
     named = [("a", answer.shape.a), ("b", answer.shape.b), ("γ", gamma)]
@@ -76,7 +91,7 @@ def _radians(x: arb, digits: int) -> str:
     return x.str(max(digits, 2)).strip("[]").replace("+/-", "±") + " rad"
 
 
-def _realizable(answer: Flip) -> str:
+def _realizable(answer: Flip | Journey) -> str:
     if answer.realizable:
         return "yes: I₃ ≤ I₁ + I₂, so a rigid body can have this shape"
     return "no: b > 1/(a+2), that is I₃ > I₁ + I₂; no rigid body has exactly this shape"

@@ -1,0 +1,202 @@
+"""ε(γ) by six routes that share nothing but f or the differential equations.
+
+A route may start from a float64 value of another (Newton's method forgets where it began), and each
+says how many digits it is meant to have. The comparison counts the digits on which it agrees with
+the ball of the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
+from tresym.body import Shape, named_body
+from tresym.exact import parse_number
+from tresym.flip import defect, quadrature
+from tresym.flip.levels import turning_level
+
+DIGITS = 50
+
+
+def carlson(shape: Shape, gamma: fmpq) -> arb:
+    """The ball: Carlson's integrals, or Jacobi's functions where the trajectory has turned."""
+    return defect.solve(shape.a, shape.b, gamma, DIGITS + 4).defect
+
+
+def flint_integration(shape: Shape, gamma: fmpq) -> arb:
+    """Newton's method on FLINT's rigorous integral of f; the last step encloses the root.
+
+    The unknown is ψ on the separatrix and above, χ with cos ψ = cos ψ_min sin χ below.
+    """
+    start = _float_defect(shape, gamma)
+    with ball_precision(bits(DIGITS, 24)):
+        a, b, g = arb(shape.a), arb(shape.b), arb(gamma)
+        if gamma >= 0:
+            return _newton(
+                arb(start),
+                lambda psi: arb.pi() - quadrature.rigorous(psi, a, b, g),
+                lambda psi: quadrature.integrand(psi, a, b, g, balls),
+            )
+        largest = (1 + g / b).sqrt()
+        chi = (arb(start).cos() / largest).asin().mid()
+        found = _newton(
+            arb.pi().mid() - chi if _turned(shape, gamma) else chi,
+            lambda x: quadrature.rigorous_turned(x, a, b, g) - arb.pi(),
+            lambda x: quadrature.rate_turned(x, a, b, g),
+        )
+        return (largest * found.sin()).acos()
+
+
+def mpmath_quadrature(shape: Shape, gamma: fmpq) -> Any:
+    """Newton's method on mpmath's quadrature of the substituted integral."""
+    start = _float_defect(shape, gamma)
+    with mp_precision(DIGITS + 10) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
+        t = quadrature.parameter(mp.mpf(start), b, g, mp)
+        if _turned(shape, gamma):
+            t = -t
+        for _ in range(2):
+            excess = quadrature.substituted(t, a, b, g, mp) - mp.pi
+            t += excess / quadrature.rate(t, a, b, g, mp)
+        return mp.atan(quadrature.tangent(t, b, g, mp))
+
+
+def mpmath_taylor(shape: Shape, gamma: fmpq) -> Any:
+    """mpmath's Taylor integration of the planar system from ψ = π/2 over half a turn."""
+    with mp_precision(DIGITS + 10) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
+        system = _system(a, b, mp)
+        start = [mp.pi / 2, mp.sqrt((g + b) / (a + b))]
+        return mp.pi - mp.odefun(lambda _, y: system(y), 0, start)(mp.pi)[0]
+
+
+def scipy_solver(shape: Shape, gamma: fmpq) -> float:
+    """scipy's DOP853 on the same system, in float64."""
+    import math
+
+    from scipy.integrate import solve_ivp
+
+    a, b, g = (int(x.p) / int(x.q) for x in (*shape, gamma))
+    system = _system(a, b, math)
+    start = [math.pi / 2, math.sqrt((g + b) / (a + b))]
+    found = solve_ivp(
+        lambda _, y: system(y), (0, math.pi), start, method="DOP853", rtol=1e-13, atol=1e-14
+    )
+    return math.pi - float(found.y[0, -1])
+
+
+def float_map(shape: Shape, gamma: fmpq) -> float:
+    """The vectorised float64 map, started at ψ = π/2."""
+    return _float_defect(shape, gamma)
+
+
+def _float_defect(shape: Shape, gamma: fmpq) -> float:
+    import math
+
+    from tresym.flip.flipmap import flip_map
+
+    a, b, g = (int(x.p) / int(x.q) for x in (*shape, gamma))
+    rate = math.sqrt((a + b) * (g + b)) / (1 - b)
+    return math.pi / 2 + float(flip_map(a, b, math.pi / 2, rate, -math.pi))
+
+
+def _turned(shape: Shape, gamma: fmpq) -> bool:
+    """Whether the trajectory has turned once on its way."""
+    level = turning_level(*shape, 20) if gamma < 0 else None
+    return level is not None and bool(gamma < level)
+
+
+def _newton(x: arb, excess: Callable[[arb], arb], slope: Callable[[arb], arb]) -> arb:
+    """The root of an increasing function near x, enclosed by an interval Newton step at the end."""
+    for _ in range(2):
+        x = (x - excess(x) / slope(x)).mid()
+    residual = excess(x)
+    wide = arb(x, (4 * residual / slope(x)).abs_upper())
+    found = x - residual / slope(wide)
+    if not wide.contains_interior(found):
+        raise ArithmeticError("interval Newton did not contract")
+    return found
+
+
+def _system(a: Any, b: Any, m: Any) -> Callable[[Any], list[Any]]:
+    """The planar system in (ψ, cos θ), of the paper's angle equations."""
+
+    def slopes(y: Any) -> list[Any]:
+        sine, cosine = m.sin(y[0]), m.cos(y[0])
+        clock = 1 - b * sine * sine
+        return [
+            (a + b * sine * sine) * y[1] / clock,
+            b * (1 - y[1] * y[1]) * sine * cosine / clock,
+        ]
+
+    return slopes
+
+
+class Route(NamedTuple):
+    """One way to ε(γ), and the digits it is meant to have."""
+
+    name: str
+    run: Callable[[Shape, fmpq], Any]
+    digits: int
+
+
+ROUTES = (
+    Route("balls, Carlson's integrals", carlson, DIGITS),
+    Route("balls, FLINT's rigorous integration", flint_integration, DIGITS),
+    Route("mpmath quadrature, substituted", mpmath_quadrature, DIGITS),
+    Route("mpmath Taylor integration", mpmath_taylor, DIGITS),
+    Route("float64 map", float_map, 14),
+    Route("scipy DOP853", scipy_solver, 11),
+)
+
+CASES = (
+    ("str", "0"),
+    ("str", "1e-8"),
+    ("str", "1/100"),
+    ("str", "-1/1000"),
+    ("str", "-347/100000"),
+    ("str", "-1/50"),
+    ("book", "1/20"),
+    ("book", "-1/10"),
+    ("racket-1", "-1e-4"),
+)
+"""Named bodies and γ: on the separatrix, next to it, above, below, at the turning point, turned."""
+
+
+class Row(NamedTuple):
+    """One case: the ball, and for each further route the digits on which it agrees with it."""
+
+    body: str
+    gamma: str
+    ball: arb
+    digits: tuple[int, ...]
+
+
+def compare(cases: tuple[tuple[str, str], ...] = CASES) -> list[Row]:
+    """Every route on every case."""
+    return [_row(body, gamma) for body, gamma in cases]
+
+
+def _row(body: str, gamma: str) -> Row:
+    shape, level = named_body(body).shape, parse_number(gamma)
+    truth = carlson(shape, level)
+    return Row(body, gamma, truth, tuple(agreement(r.run(shape, level), truth) for r in ROUTES[1:]))
+
+
+def agreement(value: Any, truth: arb) -> int:
+    """Decimal digits, at most ``DIGITS``, on which a value of any arithmetic agrees with a ball."""
+    with ball_precision(bits(DIGITS, 64)):
+        error = abs(_as_ball(value) / truth - 1)
+        size = error.upper()
+        if size <= 0:
+            return DIGITS
+        return min(DIGITS, max(0, int((-size.log() / arb.const_log10()).floor().unique_fmpz())))
+
+
+def _as_ball(value: Any) -> arb:
+    if isinstance(value, arb | float):
+        return arb(value)
+    return arb((int(value.man), int(value.exp))) * (-1 if value < 0 else 1)
