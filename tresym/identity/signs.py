@@ -251,8 +251,13 @@ class SignedRing(Ring):
         return rows
 
     def _newest(self, keys: frozenset[str]) -> str:
-        """The factor met last: its sign is written by the others, never the reverse."""
-        return max(keys, key=lambda key: self._met[key])
+        """The factor whose sign the others shall write: one without a generator, or the newest."""
+        return max(keys, key=self._age)
+
+    def _age(self, key: str) -> tuple[int, int]:
+        if self.known("sign", key):
+            return 0, -self.generator("sign", key).position
+        return 1, self._met[key]
 
     def _settle(self, key: str) -> None:
         """Let the generator of a sign that is now known reduce to what it is."""
@@ -308,7 +313,11 @@ class SignedRing(Ring):
             return self.known_signs[key]
         if key not in self._signs:
             self._signs[key] = 0
-            self._signs[key] = self._prove_sign(p, depth)
+            found = self._prove_sign(p, depth)
+            if depth and not found:
+                del self._signs[key]
+                return 0
+            self._signs[key] = found
         return self._signs[key]
 
     def _prove_sign(self, p: Poly, depth: int) -> int:
@@ -387,13 +396,16 @@ class SignedRing(Ring):
             exponent = generator.data[2]
             above = self.sign(exponent.num, MAX_DEPTH) * self.sign(exponent.den, MAX_DEPTH)
         else:
-            base = generator.data[0]
-            above = self.sign(base, MAX_DEPTH) * self.sign(base - 1, MAX_DEPTH)
+            above = self._above_one(generator.data[0])
         return fmpq(1 if above > 0 else 0), fmpq(1) if above < 0 else None
 
+    def _above_one(self, p: Poly) -> int:
+        """The sign of ``|p| − 1``, 0 where that of ``p`` is not known."""
+        own = self.sign(p, MAX_DEPTH)
+        return self.sign(p * own - 1, MAX_DEPTH) if own else 0
+
     def _log_ends(self, generator: Generator) -> Ends:
-        base = generator.data[0]
-        above = self.sign(base * self.sign(base, MAX_DEPTH) - 1, MAX_DEPTH)
+        above = self._above_one(generator.data[0])
         return fmpq(0) if above > 0 else None, fmpq(0) if above < 0 else None
 
     def _tangent_ends(self, generator: Generator) -> Ends:
