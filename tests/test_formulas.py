@@ -17,7 +17,7 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
+from tresym.arithmetic import Balls, ball_precision, balls, mp_precision, to_mp
 from tresym.formulas import printed, stable
 
 Formula = Callable[..., Any]
@@ -285,3 +285,12 @@ def test_the_uniform_formula_holds_where_the_printed_one_is_off() -> None:
     k, r = math.sqrt(a * b), math.sqrt(b / a)
     assert abs(stable.uniform_defect(k, r, np) / root - 1) < 0.028
     assert abs(printed.asymptotic_defect(a, b, np) / root - 1) > 0.3
+
+
+@pytest.mark.parametrize("name", [n for n in vars(Balls) if not n.startswith("_") and n != "pi"])
+@pytest.mark.parametrize("other", [3, 0.5, "x", None])
+def test_balls_are_made_of_balls_only(name: str, other: object) -> None:
+    """python-flint's unbound methods read the memory of any object as if it were an ``arb``."""
+    operands = (other, arb(1)) if name == "atan2" else (other,)
+    with pytest.raises((AttributeError, TypeError)):
+        getattr(balls, name)(*operands)

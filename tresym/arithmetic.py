@@ -20,31 +20,106 @@ if TYPE_CHECKING:
 
 
 class Balls:
-    """Certified real arithmetic (python-flint ``arb``) under the array API's function names."""
+    """Certified real arithmetic (python-flint ``arb``) under the array API's function names.
+
+    Each function is called as a method of its argument: ``arb.sin(x)`` does not look at the type
+    of ``x`` and makes a ball of whatever lies in memory when that is no ``arb``.
+    """
 
     @property
     def pi(self) -> arb:
         """π at the working precision."""
         return arb.pi()
 
-    sqrt = staticmethod(arb.sqrt)
-    exp = staticmethod(arb.exp)
-    expm1 = staticmethod(arb.expm1)
-    log = staticmethod(arb.log)
-    log1p = staticmethod(arb.log1p)
-    sin = staticmethod(arb.sin)
-    cos = staticmethod(arb.cos)
-    tan = staticmethod(arb.tan)
-    asin = staticmethod(arb.asin)
-    acos = staticmethod(arb.acos)
-    atan = staticmethod(arb.atan)
-    atan2 = staticmethod(arb.atan2)
-    sinh = staticmethod(arb.sinh)
-    cosh = staticmethod(arb.cosh)
-    tanh = staticmethod(arb.tanh)
-    asinh = staticmethod(arb.asinh)
-    acosh = staticmethod(arb.acosh)
-    atanh = staticmethod(arb.atanh)
+    @staticmethod
+    def sqrt(x: arb) -> arb:
+        """Square root."""
+        return x.sqrt()
+
+    @staticmethod
+    def exp(x: arb) -> arb:
+        """Exponential."""
+        return x.exp()
+
+    @staticmethod
+    def expm1(x: arb) -> arb:
+        """``exp(x) − 1`` without cancellation."""
+        return x.expm1()
+
+    @staticmethod
+    def log(x: arb) -> arb:
+        """Natural logarithm."""
+        return x.log()
+
+    @staticmethod
+    def log1p(x: arb) -> arb:
+        """``log(1 + x)`` without cancellation."""
+        return x.log1p()
+
+    @staticmethod
+    def sin(x: arb) -> arb:
+        """Sine."""
+        return x.sin()
+
+    @staticmethod
+    def cos(x: arb) -> arb:
+        """Cosine."""
+        return x.cos()
+
+    @staticmethod
+    def tan(x: arb) -> arb:
+        """Tangent."""
+        return x.tan()
+
+    @staticmethod
+    def asin(x: arb) -> arb:
+        """Inverse sine."""
+        return x.asin()
+
+    @staticmethod
+    def acos(x: arb) -> arb:
+        """Inverse cosine."""
+        return x.acos()
+
+    @staticmethod
+    def atan(x: arb) -> arb:
+        """Inverse tangent."""
+        return x.atan()
+
+    @staticmethod
+    def atan2(y: arb, x: arb) -> arb:
+        """Angle of the point ``(x, y)``."""
+        return y.atan2(x)
+
+    @staticmethod
+    def sinh(x: arb) -> arb:
+        """Hyperbolic sine."""
+        return x.sinh()
+
+    @staticmethod
+    def cosh(x: arb) -> arb:
+        """Hyperbolic cosine."""
+        return x.cosh()
+
+    @staticmethod
+    def tanh(x: arb) -> arb:
+        """Hyperbolic tangent."""
+        return x.tanh()
+
+    @staticmethod
+    def asinh(x: arb) -> arb:
+        """Inverse hyperbolic sine."""
+        return x.asinh()
+
+    @staticmethod
+    def acosh(x: arb) -> arb:
+        """Inverse hyperbolic cosine."""
+        return x.acosh()
+
+    @staticmethod
+    def atanh(x: arb) -> arb:
+        """Inverse hyperbolic tangent."""
+        return x.atanh()
 
 
 balls = Balls()
