@@ -1,10 +1,10 @@
 """Expressions: immutable trees of numbers, symbols, sums, products, powers and functions.
 
 A tree is what was written, not what it means: constructors fold numbers and flatten sums and
-products, and nothing else, because ``0*log(x)`` is not defined where ``0`` is. Real domain:
-``x**(p/q)`` with ``q > 1`` asks for ``x ≥ 0`` (``cbrt`` is the real cube root of any number),
-``log x`` for ``x > 0``, ``asin`` and ``acos`` for ``|x| ≤ 1``, ``sign x`` and a quotient for
-``x ≠ 0``.
+products, and nothing else, because ``0*log(x)`` is not defined where ``0`` is, and ``1/0`` is a
+tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` asks for ``x ≥ 0``
+(``cbrt`` is the real cube root of any number), ``log x`` for ``x > 0``, ``asin`` and ``acos`` for
+``|x| ≤ 1``, ``sign x`` and ``1/x`` for ``x ≠ 0``.
 """
 
 from __future__ import annotations
@@ -196,7 +196,7 @@ def power(base: Expr, exponent: Expr) -> Expr:
     """``base**exponent``. Numeric exponents are bounded: the procedure expands them.
 
     Raises:
-        InputError: a number divided by zero, or an exponent beyond ±1000.
+        InputError: a numeric exponent beyond ±1000, or a power of a number that is too long.
     """
     if exponent.op == "number":
         r = exponent.args[0]
@@ -218,7 +218,7 @@ def power(base: Expr, exponent: Expr) -> Expr:
 
 def _number_power(base: fmpq, n: int) -> Expr:
     if n < 0 and base == 0:
-        raise InputError("division by zero")
+        return Expr("^", (ZERO, number(n)))
     if max(base.p.bit_length(), base.q.bit_length()) * abs(n) > MAX_BITS:
         raise InputError("a power of a number in the expression is too long: at most 12 000 digits")
     return number(base**n)
@@ -234,8 +234,6 @@ def apply(name: str, argument: Expr) -> Expr:
     """The function ``name`` of :data:`FUNCTIONS` applied to ``argument``."""
     if name not in FUNCTIONS:
         raise InputError(f"unknown function {name}; known are sqrt, {', '.join(sorted(FUNCTIONS))}")
-    if name == "log" and argument.op == "number" and argument.args[0] <= 0:
-        raise InputError("log of a number that is not positive")
     return Expr(name, (argument,))
 
 

@@ -35,7 +35,7 @@ def equal_by_derivative(
     Raises:
         TooLargeError, UndefinedError: a normal form or the regions outgrew their bounds.
     """
-    names = sorted(symbols(left) | symbols(right))
+    names = sorted(symbols(left) | symbols(right) | given.names)
     if not 0 < len(names) <= MAX_SYMBOLS:
         return None
     field = Field(given, theories, size)

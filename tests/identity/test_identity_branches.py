@@ -1,0 +1,198 @@
+"""Branches, domains and planted falsehoods: what must be proved, refuted, or neither."""
+
+from __future__ import annotations
+
+import pytest
+
+from tresym.identity import Given, decide, parse
+from tresym.verdict import Verdict
+
+TRUE = [
+    ("sqrt(x^2)", "x", "x>=0"),
+    ("sqrt(x^2)", "-x", "x<0"),
+    ("sqrt(x^4)", "x^2", ""),
+    ("(x^2)**(1/4)", "sqrt(abs(x))", ""),
+    ("(x^3)**(1/3)", "x", ""),
+    ("cbrt(x^3)", "x", ""),
+    ("cbrt(x)^3", "x", ""),
+    ("abs(x)^3", "(x^2)**(3/2)", ""),
+    ("sqrt(x-1)*sqrt(x-2)", "sqrt((x-1)*(x-2))", ""),
+    ("sqrt(1-x)*sqrt(2-x)", "sqrt((x-1)*(x-2))", ""),
+    ("sqrt((x-1)*(x-2))/(x-1)", "sqrt((x-2)/(x-1))", "x>2"),
+    ("sqrt((x-1)*(x-2))/(x-1)", "-sqrt((x-2)/(x-1))", "x<1"),
+    ("log(x^2)", "2*log(x)", ""),
+    ("log(x^2)", "2*log(abs(x))", ""),
+    ("log(x*y)", "log(x)+log(y)", ""),
+    ("log(x*y)", "log(-x)+log(-y)", ""),
+    ("atan(x)+atan(1/x)", "pi/2", "x>0"),
+    ("atan(x)+atan(1/x)", "-pi/2", "x<0"),
+    ("atan(x)+atan(1/x)", "pi/2*abs(x)/x", ""),
+    ("2*atan(x)", "atan(2*x/(1-x^2))", "-1<x<1"),
+    ("2*atan(x)", "atan(2*x/(1-x^2))+pi", "x>1"),
+    ("2*atan(x)", "atan(2*x/(1-x^2))-pi", "x<-1"),
+    ("asin(x)", "acos(sqrt(1-x^2))", "x>=0"),
+    ("asin(2*x*sqrt(1-x^2))", "2*asin(x)", "-7/10<x<7/10"),
+    ("acos(x)", "pi-acos(-x)", ""),
+    ("acos(2*x^2-1)", "2*acos(x)", "x>=0"),
+    ("acos(2*x^2-1)", "2*pi-2*acos(x)", "x<0"),
+    ("atan(tan(x))", "x", "-pi/2<x<pi/2"),
+    ("sin(asin(x))", "x", ""),
+    ("cos(acos(x))", "x", ""),
+    ("tan(atan(x))", "x", ""),
+    ("asin(3*x-4*x^3)", "3*asin(x)", "-1/2<x<1/2"),
+    ("atan(x)+atan(y)", "atan((x+y)/(1-x*y))", "x>0,y>0,x*y<1"),
+    ("atan(x)+atan(y)", "atan((x+y)/(1-x*y))+pi", "x>0,y>0,x*y>1"),
+    ("x/x", "1", ""),
+    ("exp(log(x))", "x", ""),
+    ("log(exp(x))", "x", ""),
+    ("sqrt(a^2*b)", "a*sqrt(b)", "a>0"),
+    ("sqrt(b/a)", "sqrt(a*b)/a", "a>0"),
+    ("sqrt(b/a)", "sqrt(a*b)/abs(a)", ""),
+    ("sqrt(b^2+2*a*b+a^2)", "a+b", "b>0,a>0"),
+    ("sqrt((a-b)^2)", "b-a", "a<b"),
+    ("x**(1/2)*x**(1/3)", "x**(5/6)", ""),
+    ("(x*y)**(1/3)", "x**(1/3)*y**(1/3)", ""),
+    ("(x*y)**a", "x**a*y**a", ""),
+    ("(x**a)**b", "x**(a*b)", ""),
+    ("exp(x)**a", "exp(a*x)", ""),
+    ("(x^2)**a", "x**(2*a)", ""),
+    ("(x^2)**a", "abs(x)**(2*a)", ""),
+    ("asinh(sinh(x))", "x", ""),
+    ("atanh(tanh(x))", "x", ""),
+    ("acosh(cosh(x))", "x", "x>0"),
+    ("acosh(x)", "-log(x-sqrt(x^2-1))", ""),
+    ("sqrt(1-sin(x)^2)", "cos(x)", "-pi/2<x<pi/2"),
+    ("sqrt(1-sin(x)^2)", "abs(cos(x))", ""),
+    ("sqrt((1-cos(x))/2)", "abs(sin(x/2))", ""),
+    ("sqrt((1-cos(x))/2)", "sin(x/2)", "0<x<2*pi"),
+    ("sin(pi*abs(x)/x)", "0", ""),
+    ("cos(pi*abs(x)/x)", "-1", ""),
+    ("cos(pi*abs(x)/x/2)", "0", ""),
+    ("sign(x)*abs(x)", "x", ""),
+    ("abs(x)+x", "0", "x<0"),
+    ("(x^2-1)/(x-1)", "x+1", ""),
+    ("16*atan(1/5)-4*atan(1/239)", "pi", ""),
+    ("atan(1/2)+atan(1/3)", "pi/4", ""),
+    ("atan(1)+atan(2)+atan(3)", "pi", ""),
+    ("sqrt(5+2*sqrt(6))", "sqrt(2)+sqrt(3)", ""),
+    ("cbrt(2+sqrt(5))+cbrt(2-sqrt(5))", "1", ""),
+    ("sqrt(2+sqrt(3))", "(sqrt(6)+sqrt(2))/2", ""),
+    ("cos(pi/7)*cos(2*pi/7)*cos(3*pi/7)", "1/8", ""),
+    ("cos(2*pi/5)", "(sqrt(5)-1)/4", ""),
+    ("tan(pi/5)", "sqrt(5-2*sqrt(5))", ""),
+    ("tan(3*pi/11)+4*sin(2*pi/11)", "sqrt(11)", ""),
+    ("sin(pi/5+x)", "sin(pi/5)*cos(x)+cos(pi/5)*sin(x)", ""),
+    ("log(3)+log(5)", "log(15)", ""),
+    ("log(8)/log(2)", "3", ""),
+    ("log(sqrt(2)+1)+log(sqrt(2)-1)", "0", ""),
+    ("2*asinh(1/2)", "asinh(sqrt(5)/2)", ""),
+    ("sqrt(x^2*(x-1))", "x*sqrt(x-1)", ""),
+    ("sqrt(x+1)-sqrt(x)", "1/(sqrt(x+1)+sqrt(x))", ""),
+    ("1/(sqrt(x^2)-x)", "-1/(2*x)", ""),
+    ("1/(sqrt(x^2)+x)", "1/(2*x)", ""),
+    ("abs(log(x))", "log(x)", "x>1"),
+    ("abs(sin(x))", "sin(x)", "0<x<pi"),
+    ("abs(atan(x))", "atan(abs(x))", ""),
+    ("asin(x)+asin(sqrt(1-x^2))", "pi/2", "x>0"),
+    ("atan(x/sqrt(1-x^2))", "asin(x)", ""),
+    ("acos(x)", "atan(sqrt(1-x^2)/x)", "x>0"),
+    ("2*atan(exp(x))-pi/2", "atan(sinh(x))", ""),
+    ("2*atan(tanh(x/2))", "asin(tanh(x))", ""),
+    ("atan(exp(x))+atan(exp(-x))", "pi/2", ""),
+    ("atan((1+x)/(1-x))", "atan(x)+pi/4", "x<1"),
+    ("atan((1+x)/(1-x))", "atan(x)-3*pi/4", "x>1"),
+    ("atan(2*tan(x))", "atan(2*tan(x))+0*x", ""),
+    ("asin((x-1)/(x+1))", "2*atan(sqrt(x))-pi/2", ""),
+    ("log((1+sin(x))/(1-sin(x)))/2", "log(abs(sec(x)+tan(x)))", ""),
+    ("log(abs(tan(x/2+pi/4)))", "log(abs(sec(x)+tan(x)))", ""),
+    ("x**0", "1", ""),
+    ("2**x*3**x", "6**x", ""),
+    ("4**x", "2**(2*x)", ""),
+    ("x**(1/2)", "sqrt(x)", ""),
+    ("sqrt(x*y)*sqrt(y*z)*sqrt(x*z)", "abs(x*y*z)", ""),
+]
+"""Proved: the two sides are equal wherever both are defined."""
+
+FALSE = [
+    ("sqrt(x^2)", "x", ""),
+    ("(x^2)**(3/2)", "x^3", ""),
+    ("sqrt((x-1)*(x-2))/(x-1)", "sqrt((x-2)/(x-1))", ""),
+    ("log(x/y)", "log(x)-log(y)+1/10^50", ""),
+    ("log(2*x)", "log(x)", ""),
+    ("log(x+1)", "log(x)+1", ""),
+    ("atan(x)+atan(1/x)", "pi/2", ""),
+    ("2*atan(x)", "atan(2*x/(1-x^2))", ""),
+    ("2*atan(x)", "atan(2*x/(1-x^2))", "x>1"),
+    ("asin(x)", "acos(sqrt(1-x^2))", ""),
+    ("asin(2*x*sqrt(1-x^2))", "2*asin(x)", ""),
+    ("asin(2*x*sqrt(1-x^2))", "2*asin(x)", "0<x<8/10"),
+    ("acos(-x)", "acos(x)", ""),
+    ("acos(2*x^2-1)", "2*acos(x)", ""),
+    ("asin(sin(x))", "x", ""),
+    ("atan(tan(x))", "x", ""),
+    ("asin(3*x-4*x^3)", "3*asin(x)", ""),
+    ("atan(x)+atan(y)", "atan((x+y)/(1-x*y))", ""),
+    ("atan(x)+atan(y)", "atan((x+y)/(1-x*y))", "x>0,y>0"),
+    ("x", "x+1/10^60", ""),
+    ("sin(x)^2+cos(x)^2", "1+1/10^60", ""),
+    ("exp(x)", "(1+x/10^40)**(10)", ""),
+    ("sqrt(a^2*b)", "a*sqrt(b)", ""),
+    ("sqrt(b/a)", "sqrt(a*b)/a", ""),
+    ("sqrt(b^2+2*a*b+a^2)", "a+b", "b>0"),
+    ("sqrt((a-b)^2)", "a-b", "a<b"),
+    ("acosh(cosh(x))", "x", ""),
+    ("acosh(x)", "log(x-sqrt(x^2-1))", ""),
+    ("sqrt(1-sin(x)^2)", "cos(x)", ""),
+    ("sqrt(1-sin(x)^2)", "cos(x)", "0<x<pi"),
+    ("sqrt((1-cos(x))/2)", "sin(x/2)", ""),
+    ("sin(pi*abs(x)/x/2)", "1", ""),
+    ("sign(x)", "1", ""),
+    ("4*atan(1/5)-atan(1/239)", "pi/2", ""),
+    ("atan(1)+atan(2)+atan(3)", "0", ""),
+    ("sqrt(2)+sqrt(3)", "sqrt(10)", ""),
+    ("exp(pi*sqrt(163))", "640320^3+744", ""),
+    ("1/(sqrt(x^2)-x)", "1/(2*x)", ""),
+    ("abs(log(x))", "log(x)", ""),
+    ("asin(x)+asin(sqrt(1-x^2))", "pi/2", ""),
+    ("acos(x)", "atan(sqrt(1-x^2)/x)", ""),
+    ("atan((1+x)/(1-x))", "atan(x)+pi/4", ""),
+    ("sqrt(x*y)*sqrt(y*z)*sqrt(x*z)", "x*y*z", ""),
+]
+"""Refuted, with a witness."""
+
+NEITHER = [
+    ("1/(x-x)", "1/(x-x)", ""),
+    ("sqrt(-1-x^2)", "sqrt(-1-x^2)", ""),
+    ("log(-1-x^2)", "x", ""),
+    ("x", "x+1", "x>0, x<0"),
+    ("x", "x", "x>0, x<0"),
+    ("sqrt(-x^2)", "0", ""),
+    ("x", "x", "x>=0, x<=0"),
+    ("sqrt(x)*sqrt(-x)", "0", ""),
+    ("sqrt(atan(x)+atan(1/x)-pi/2)", "0", ""),
+    ("(-x)**(1/3)", "-(x**(1/3))", ""),
+]
+"""Nowhere defined, conditions that nothing satisfies, or outside the procedure: never proved."""
+
+
+def claim(left: str, right: str, given: str) -> Verdict:
+    return decide(parse(left), parse(right), Given.parse(given)).verdict
+
+
+@pytest.mark.parametrize(("left", "right", "given"), TRUE)
+def test_proved(left: str, right: str, given: str) -> None:
+    assert claim(left, right, given) is Verdict.PROVED
+
+
+@pytest.mark.parametrize(("left", "right", "given"), FALSE)
+def test_refuted(left: str, right: str, given: str) -> None:
+    decision = decide(parse(left), parse(right), Given.parse(given))
+    assert decision.verdict is Verdict.REFUTED
+    assert decision.witness is not None
+    assert decision.values is not None
+    assert not decision.values[0].overlaps(decision.values[1])
+
+
+@pytest.mark.parametrize(("left", "right", "given"), NEITHER)
+def test_never_vacuously_proved(left: str, right: str, given: str) -> None:
+    assert claim(left, right, given) is Verdict.UNDECIDED
