@@ -48,10 +48,14 @@ def sign(e: Expr, given: Given) -> str | None:
         ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None where nothing is proved. The
         strict signs hold on closed ends too.
     """
-    found = _Bounds(given).sign(e)
+    bounds = _Bounds(given)
+    found = bounds.sign(e)
     if found in ("+", "-", "0"):
         return found
-    return _open_sign(e, given) or found
+    found = _open_sign(e, given) or found
+    if found in (">=0", "<=0") and bounds.nonzero(e):
+        return "+" if found == ">=0" else "-"
+    return found
 
 
 def nonzero_denominators(e: Expr, given: Given) -> Expr | None:
@@ -119,22 +123,24 @@ class _Bounds:
         return self._by_conditions(e)
 
     def _by_conditions(self, e: Expr) -> bool:
-        """Whether every factor of ``e`` is one that a condition keeps from zero."""
+        """Whether every factor of ``e`` is one that a condition keeps from zero.
+
+        Algebra alone: every function is a value of which nothing is known, so that what is shown
+        holds at each single point, and not only at almost all of them.
+        """
         strict = [c.expression for c in self.given.conditions if c.relation in (">", "!=")]
         try:
-            field = Field(Given())
+            field = Field(Given(), frozenset())
             value, *others = field.normal(e, *strict)
             if value.num.is_zero():
                 return False
             allowed: set[str] = set()
             for other in others:
-                allowed |= set(field.factors(other)[1])
-            _, parts = field.factors(field.make(value.num, field.one_poly))
+                allowed |= {str(part) for part, _ in field.factor(other.num)[1]}
+            _, parts = field.factor(value.num)
         except (TooLargeError, UndefinedError):
             return False
-        return all(
-            key in allowed or part.is_constant() for key, (part, k) in parts.items() if k > 0
-        ) and all(k > 0 for _, k in parts.values())
+        return all(str(part) in allowed for part, _ in parts)
 
     def sign(self, e: Expr) -> str | None:
         """As the function of that name, on structure and ranges alone."""
