@@ -1,6 +1,7 @@
 """The audit: on a paper written for these tests, and on the real one where it is at hand."""
 
 import json
+import re
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
@@ -21,9 +22,11 @@ from tresym.audit import (
     read_source,
     scan,
 )
+from tresym.audit.transcription import Reading, functions_of, unmet
 from tresym.claims.claim import Claim, Definition, Place, Printed, all_of, equal, formally
 from tresym.cli import main
 from tresym.exact import InputError
+from tresym.identity.latex import read_latex
 from tresym.report.audit import show_audit
 
 PENDULUM = Path(__file__).parent / "data" / "pendulum.tex"
@@ -192,6 +195,39 @@ def test_a_sentence_counts_by_its_formal_relations() -> None:
     assert audit(PENDULUM, [said, *others], index_of()).complete
 
 
+LATEX_SLIPS = [
+    (r"(?<!\{)-", "+"),
+    (r"\+", "-"),
+    (r"\\sin", r"\\cos"),
+    (r"\\cos", r"\\sin"),
+    (r"(?<![\d._\[])2(?![\d.])", "3"),
+    (r"\\sqrt", ""),
+    (r"\\leq", "<"),
+    (r"(?<=[\d=])w", "q"),
+    (r"\d(?=\})", "7"),
+]
+
+
+def test_every_slip_in_the_latex_itself_is_caught() -> None:
+    pieces = scan(read_source(PENDULUM)).displays
+    functions = functions_of(read_latex(piece.text) for piece in pieces)
+    slips = 0
+    for piece in pieces:
+        on_it = [c for c in claims() if c.where and c.where.display == piece.number]
+        assert piece.label == "d07" or not unmet(
+            read_latex(piece.text), on_it, functions, Reading()
+        )
+        for pattern, slip in LATEX_SLIPS:
+            for found in re.finditer(pattern, piece.text):
+                text = found.expand(slip).join(
+                    (piece.text[: found.start()], piece.text[found.end() :])
+                )
+                slips += 1
+                left = unmet(read_latex(text), on_it, functions, Reading())
+                assert left, text
+    assert slips > 25
+
+
 def test_an_altered_display_is_named_and_no_other(tmp_path: Path) -> None:
     path = altered(tmp_path, "-w^2\\cos q, %", "+w^2\\cos q, %")
     result = audit(path, claims(), index_of())
@@ -310,6 +346,17 @@ def test_command_line_reports_bad_input_in_one_line(
     assert captured.err.count("\n") == 1
 
 
+def test_command_line_writes_json_and_fails_on_another_paper(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["audit", str(PENDULUM), "--json"]) == 1
+    data = json.loads(capsys.readouterr().out)
+    assert data["complete"] is False
+    assert {row["text"] for row in data["rows"]} <= {"altered", "missing", "added"}
+    assert main(["audit", str(PENDULUM), "--json", "-o", str(tmp_path / "audit.json")]) == 1
+    assert json.loads((tmp_path / "audit.json").read_text()) == data
+
+
 def test_index_of_the_paper_is_whole() -> None:
     index = load_index(INDEX)
     assert [e.number for e in index if e.number] == list(range(1, 59))
@@ -321,8 +368,6 @@ def test_index_of_the_paper_is_whole() -> None:
 
 @pytest.mark.skipif(not PAPERS, reason="the paper's source is not beside the checkout")
 def test_the_index_fits_the_paper() -> None:
-    from tresym.identity.latex import read_latex
-
     source = scan(read_source(PAPERS[0]))
     index = load_index(INDEX)
     found = [(p.label, p.kind, p.line, p.sha256) for p in (*source.displays, *source.others)]

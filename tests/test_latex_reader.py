@@ -184,3 +184,28 @@ def test_what_sympy_writes_is_read_back(tree: Expr) -> None:
             first, second = evaluate(tree, at), evaluate(read, at)
         if first.is_finite() and second.is_finite():
             assert (first - second).contains(0)
+
+
+TOKENS = (
+    r"a b x 2 + - = / ^ _ ( ) [ ] { } | , . & \\ d e : f O \frac \sqrt \int \sin \psi \dot \in "
+    r"\left( \right) \left. \right| \begin{array} \end{array} \partial \Delta \text{for}"
+)
+PIECES = st.sampled_from(TOKENS.split())
+
+
+@given(st.lists(PIECES, max_size=20).map(" ".join))
+def test_any_tokens_are_read_or_refused(source: str) -> None:
+    for read in (read_expression, read_latex):
+        try:
+            read(source)
+        except InputError:
+            continue
+
+
+@given(st.text(max_size=60))
+def test_any_text_is_read_or_refused(source: str) -> None:
+    for read in (read_expression, read_latex):
+        try:
+            read(source)
+        except InputError:
+            continue

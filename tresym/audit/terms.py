@@ -28,7 +28,7 @@ from tresym.identity import (
     symbols,
 )
 from tresym.identity.expression import FUNCTIONS, ZERO, symbol
-from tresym.identity.latex import CALLS
+from tresym.identity.latex_tokens import CALLS
 
 BITS = 192
 ENOUGH = 5

@@ -15,7 +15,8 @@ from tresym.audit.terms import Function, Terms
 from tresym.claims.claim import AllOf, Claim, Formally, Printed
 from tresym.exact import InputError, printed
 from tresym.identity import Expr, Given
-from tresym.identity.latex import CALLS, Relations
+from tresym.identity.latex import Relations
+from tresym.identity.latex_tokens import CALLS
 
 _DECIMAL = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 _DEFINED = re.compile(r"([A-Za-z]\w*)\(([\w, ]+)\)")
