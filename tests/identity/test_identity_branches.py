@@ -196,3 +196,20 @@ def test_refuted(left: str, right: str, given: str) -> None:
 @pytest.mark.parametrize(("left", "right", "given"), NEITHER)
 def test_never_vacuously_proved(left: str, right: str, given: str) -> None:
     assert claim(left, right, given) is Verdict.UNDECIDED
+
+
+VANISHING = [
+    "1 + abs(x)/x",
+    "abs(x) + x",
+    "pi/2 - atan(x) - atan(1/x)",
+    "sqrt(x - 2*sqrt(x - 1)) - sqrt(x - 1) + 1",
+    "asin(sin(x)) - x",
+]
+"""Zero on a whole region, and not zero: a radicand with it says nothing of its other factors."""
+
+
+@pytest.mark.parametrize("factor", VANISHING)
+def test_a_factor_that_vanishes_on_a_region_implies_nothing(factor: str) -> None:
+    roots = f"sqrt(({factor})*y) + sqrt(({factor})*z)"
+    assert claim(f"{roots} + abs(y*z)", f"{roots} + y*z", "") is not Verdict.PROVED
+    assert claim(f"{roots} + abs(y)", f"{roots} + y", "") is not Verdict.PROVED

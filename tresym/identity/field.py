@@ -238,7 +238,7 @@ class Field(SignedRing):
                 continue
             conjugate = parts[0] - parts[1] * x
             norm = self.reduce(f * conjugate)
-            if norm.is_zero() or norm.gcd(conjugate) != self.one_poly:
+            if norm.is_zero() or self.is_mixed(norm) or norm.gcd(conjugate) != self.one_poly:
                 continue
             unit, inner = self.factor(norm)
             if conjugate.leading_coefficient() < 0:

@@ -163,6 +163,8 @@ class Ring:
             if norm.is_zero():
                 num, den = self.zero_divisor(num, den, position, parts)
                 continue
+            if self.is_mixed(norm):
+                continue
             common = norm.gcd(conjugate)
             norm, conjugate = norm // common, conjugate // common
             num, den = self.reduce(num * conjugate), norm
@@ -173,6 +175,10 @@ class Ring:
     ) -> tuple[Poly, Poly]:
         """The fraction where ``den`` divides zero; a ring that knows more may use that."""
         return num, den
+
+    def is_mixed(self, p: Poly) -> bool:
+        """Whether ``p`` may vanish on a whole region; a ring that knows its generators can tell."""
+        return self.is_inverse(p)
 
     def is_inverse(self, p: Poly) -> bool:
         """Whether ``p`` contains a logarithm, arc tangent or opaque value."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from flint import arb, fmpq, fmpz
+from flint import arb, fmpq, fmpz, fmpz_mpoly
 
 from tresym.arithmetic import ball_precision
 from tresym.identity.given import Given, Range
@@ -197,13 +197,39 @@ class SignedRing(Ring):
                 sign *= known
                 continue
             keys ^= {self._meet(part)}
-        if len(keys) == 1 or not any(self._is_mixed(self.polys[key]) for key in keys):
-            self._equations.add((frozenset(keys), sign))
+        if not keys or (len(parts) > 1 and any(self.is_mixed(part) for part in parts)):
+            return
+        self._equations.add((frozenset(keys), sign))
 
-    def _is_mixed(self, p: Poly) -> bool:
+    def is_mixed(self, p: Poly) -> bool:
+        """Whether ``p`` may vanish on a whole region though its normal form is not zero.
+
+        So it may where its generators depend on each other without our knowing: several inverse
+        functions, roots within roots, values of unknown functions, sums with signs.
+        """
         kinds = [self.at(i).kind for i in self.used(p)]
-        inverses = sum(kind in ("log", "atan") for kind in kinds)
-        return inverses > 1 or ("opaque" in kinds and len(p) > 1)
+        if "opaque" in kinds or "sign" in kinds:
+            return len(p) > 1
+        inner = self._involved(p)
+        inverses = sum(self.at(i).kind in ("log", "atan") for i in inner)
+        nested = any(
+            self.at(j).kind in ("root", "sign", "opaque")
+            for i in inner
+            if self.at(i).kind == "root"
+            for j in self._involved(self.at(i).data[0])
+        )
+        return inverses > 1 or nested
+
+    def _involved(self, p: Poly) -> set[int]:
+        """The generators of ``p``, those inside them, and so on; constants left out."""
+        found = {i for i in self.used(p) if self.support(i) or self.at(i).kind == "opaque"}
+        for i in tuple(found):
+            for item in self.at(i).data:
+                if isinstance(item, Fraction):
+                    found |= self._involved(item.num) | self._involved(item.den)
+                elif isinstance(item, fmpz_mpoly):
+                    found |= self._involved(item)
+        return found
 
     def zero_divisor(
         self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
@@ -374,7 +400,7 @@ class SignedRing(Ring):
             case "tan":
                 return self._tangent_ends(generator)
             case "sign":
-                return fmpq(-1), fmpq(1)
+                return fmpq(-9, 8), fmpq(9, 8)  # an open interval that contains ±1
             case "atan":
                 return self._atan_ends(generator)
             case "log":
