@@ -98,7 +98,7 @@ class _Statement:
 
 def _statements(claim: Claim, blank: Terms) -> list[_Statement]:
     """The claim's relations under its own conditions; a conjunction's parts under theirs."""
-    terms = replace(blank, given=Given.from_sympy(*claim.given), stands=[])
+    terms = replace(blank, given=_conditions(claim), stands=[])
     relations = [_tree(terms, r) for r in _relations(claim.says)]
     numbers: list[str] = []
     parts: list[_Statement] = []
@@ -114,6 +114,17 @@ def _statements(claim: Claim, blank: Terms) -> list[_Statement]:
         numbers = [claim.proof.text]
     own = [_Statement(terms, [r for r in relations if r is not None], numbers)]
     return own + parts
+
+
+def _conditions(claim: Claim) -> Given:
+    """The claim's conditions, as far as they are comparisons of elementary expressions."""
+    given = Given()
+    for condition in claim.given:
+        try:
+            given = given & Given.from_sympy(condition)
+        except InputError:
+            continue
+    return given
 
 
 def _relations(says: Any) -> list[Any]:
