@@ -46,19 +46,28 @@ class _Orbits(NamedTuple):
     cosine_scale: Floats
 
 
+class Arrivals(NamedTuple):
+    """Arrays of ends: Δψ in radians, cos θ and sin θ, and the time passed in units of I₂/M."""
+
+    turn: Floats
+    handle: Floats
+    level: Floats
+    time: Floats
+
+
 def flip_map(
     a: Exact | float,
     b: Exact | float,
     psi0: ArrayLike,
     rate: ArrayLike,
-    precession: float = 2 * math.pi,
+    precession: ArrayLike = 2 * math.pi,
 ) -> Floats:
     """Δψ (radians) of each start (ψ₀, dψ/dφ) after ``precession`` radians of φ.
 
     Args:
         a: I₂/I₁ − 1 > 0.
         b: 1 − I₂/I₃, in (0, 1].
-        psi0: angles in radians; broadcast against ``rate``.
+        psi0: angles in radians; broadcast against ``rate`` and ``precession``.
         rate: dψ/dφ at the start.
         precession: Δφ, of either sign.
 
@@ -68,17 +77,24 @@ def flip_map(
     Raises:
         InputError: a or b out of range.
     """
+    return arrivals(a, b, psi0, rate, precession).turn
+
+
+def arrivals(
+    a: Exact | float, b: Exact | float, psi0: ArrayLike, rate: ArrayLike, precession: ArrayLike
+) -> Arrivals:
+    """Where each start comes to; arguments as for :func:`flip_map`."""
     p, q = _floats(a, b)
-    psi, speed = np.broadcast_arrays(
-        np.asarray(psi0, dtype=np.float64), np.asarray(rate, dtype=np.float64)
-    )
-    flat_psi, flat_rate = psi.ravel(), speed.ravel()
-    turn = np.empty(flat_psi.shape)
+    given = [np.asarray(x, dtype=np.float64) for x in (psi0, rate, precession)]
+    starts = np.broadcast_arrays(*given)
+    shape = starts[0].shape
+    psi, speed, turns = (x.ravel() for x in starts)
+    found = np.empty((4, psi.size))
     with np.errstate(all="ignore"):
-        for i in range(0, len(turn), CHUNK):
+        for i in range(0, psi.size, CHUNK):
             part = slice(i, i + CHUNK)
-            turn[part] = _chunk(p, q, flat_psi[part], flat_rate[part], precession)
-    return turn.reshape(psi.shape)
+            found[:, part] = _chunk(p, q, psi[part], speed[part], turns[part])
+    return Arrivals(*(row.reshape(shape) for row in found))
 
 
 def flip_uncertainty(
@@ -86,7 +102,7 @@ def flip_uncertainty(
     b: Exact | float,
     psi0: ArrayLike,
     rate: ArrayLike,
-    precession: float = 2 * math.pi,
+    precession: ArrayLike = 2 * math.pi,
 ) -> Floats:
     """The error to expect of :func:`flip_map` at each start (an estimate, not a bound; radians).
 
@@ -117,7 +133,7 @@ def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
     return int(shape.a.p) / int(shape.a.q), int(shape.b.p) / int(shape.b.q)
 
 
-def _chunk(a: float, b: float, psi: Floats, rate: Floats, precession: float) -> Floats:
+def _chunk(a: float, b: float, psi: Floats, rate: Floats, precession: Floats) -> Arrivals:
     sine, cosine = np.sin(psi), np.cos(psi)
     scale, clock = a + b * sine * sine, (1 - b) + b * cosine * cosine
     moment = rate * clock
@@ -127,17 +143,22 @@ def _chunk(a: float, b: float, psi: Floats, rate: Floats, precession: float) -> 
     rest = np.maximum(rest, 0.0)
     rise, fall = np.abs(handle) * np.sqrt(scale), math.sqrt(b) * np.abs(sine)
     gamma = (rise - fall) * (rise + fall)
-    orbits = _orbits(a, b, gamma, rest * scale, rise * rise + b * cosine * cosine)
+    below, above = rest * scale, rise * rise + b * cosine * cosine
+    orbits = _orbits(a, b, gamma, below, above)
     # By symmetry: rotating orbits with ψ increasing, and 0 ≤ ψ ≤ π.
     mirror = np.where(orbits.rotating & (handle < 0), -1.0, 1.0)
     side = np.where(mirror * sine < 0, -1.0, 1.0)
     up, along = np.abs(sine), side * cosine
-    at = _entry(a, b, orbits, up, along, np.abs(handle), rest, scale)
+    at = _entry(a, b, orbits.rotating, above, up, along, np.abs(handle), rest, orbits.modulus)
     far = Amplitude(1.0, np.zeros_like(up), np.sqrt(orbits.complement), orbits.modulus)
     quarter_time, quarter_phase = _times(a, b, orbits, far)
-    begin = np.copysign(_times(a, b, orbits, at)[1], -along)
-    begin = np.where(~orbits.rotating & (handle < 0), 2 * quarter_phase - begin, begin)
-    end = begin + precession
+    times = _times(a, b, orbits, at)
+    back = ~orbits.rotating & (handle < 0)
+    begin_time, begin_phase = (
+        np.where(back, 2 * far - np.copysign(x, -along), np.copysign(x, -along))
+        for far, x in zip((quarter_time, quarter_phase), times, strict=True)
+    )
+    end = begin_phase + precession
     halves = np.rint(end / (2 * quarter_phase))
     time = _invert(a, b, orbits, end - 2 * halves * quarter_phase, quarter_time, quarter_phase)
     there = _jacobi(orbits, time)
@@ -148,7 +169,15 @@ def _chunk(a: float, b: float, psi: Floats, rate: Floats, precession: float) -> 
     base1, offset1 = _from_saddle(-y, x)
     whole = np.where(orbits.rotating, halves, 0.0) + (base1 - base0)
     turn = mirror * (math.pi * whole + (offset1 - offset0))
-    return np.where(exists, _linear(a, b, psi, sine, cosine, rate, precession, turn), np.nan)
+    turn = _linear(a, b, sine, cosine, rate, precession, turn)
+    tilt = mirror * turned * np.where(orbits.rotating, there.dn, there.cn)
+    found = (
+        turn,
+        np.sqrt(above / (a + b)) * tilt,
+        np.sqrt(below / (a + b * x * x / (x * x + y * y))),
+        (time + 2 * halves * quarter_time - begin_time) / orbits.speed,
+    )
+    return Arrivals(*(np.where(exists, value, np.nan) for value in found))
 
 
 def _orbits(a: float, b: float, gamma: Floats, below: Floats, above: Floats) -> _Orbits:
@@ -169,24 +198,23 @@ def _orbits(a: float, b: float, gamma: Floats, below: Floats, above: Floats) -> 
 def _entry(
     a: float,
     b: float,
-    orbits: _Orbits,
+    rotating: Any,
+    above: Floats,
     up: Floats,
     along: Floats,
     handle: Floats,
     rest: Floats,
-    scale: Floats,
+    modulus: Floats,
 ) -> Amplitude:
-    """The amplitude of the start, sn taken positive."""
-    rotating, long = orbits.rotating, np.abs(along)
-    # γ + b, from ω² = a(γ+b) or n = (γ+b)/(a−γ).
-    above = np.where(rotating, orbits.speed**2 / a, orbits.characteristic * orbits.speed**2 / b)
-    upright, level = math.sqrt(a + b) * up / np.sqrt(scale), handle * np.sqrt((a + b) / above)
-    sn = np.where(rotating, math.sqrt(a) * long / np.sqrt(scale), long * np.sqrt(b * rest / above))
+    """The amplitude of a start with sin ψ, cos ψ, |cos θ| and sin²θ; sn is taken positive."""
+    root, long = np.sqrt(a + b * up * up), np.abs(along)
+    upright, level = math.sqrt(a + b) * up / root, handle * np.sqrt((a + b) / above)
+    sn = np.where(rotating, math.sqrt(a) * long / root, long * np.sqrt(b * rest / above))
     return Amplitude(
         np.minimum(sn, 1.0),
         np.where(rotating, upright, level),
         np.where(rotating, level, upright),
-        orbits.modulus,
+        modulus,
     )
 
 
@@ -300,22 +328,17 @@ def _invert(
 def _linear(
     a: float,
     b: float,
-    psi: Floats,
     sine: Floats,
     cosine: Floats,
     rate: Floats,
-    precession: float,
+    precession: Floats,
     turn: Floats,
 ) -> Floats:
     """``turn``, or the linear motion about an unstable point for starts that stay close to it."""
     growth = math.sqrt(a * b)
     offset = np.arctan2(sine * np.sign(cosine), np.abs(cosine))
-    if growth * abs(precession) > 600:
-        return turn
-    size = (np.abs(offset) + np.abs(rate) * (1 / a + abs(precession))) * math.cosh(
-        growth * precession
-    )
-    small = size < LINEAR
-    spread = 2 * math.sinh(growth * precession / 2) ** 2
-    drift = math.sinh(growth * precession) / growth
+    reach = np.abs(offset) + np.abs(rate) * (1 / a + np.abs(precession))
+    small = reach * np.cosh(growth * precession) < LINEAR
+    spread = 2 * np.sinh(growth * precession / 2) ** 2
+    drift = np.sinh(growth * precession) / growth
     return np.where(small, offset * spread + rate * drift, turn)
