@@ -49,6 +49,7 @@ MAX_PASSES = 16
 MAX_HALF_TURN = 240
 MAX_PRIME_BITS = 160
 CONJUGATE_TERMS = 10
+MAX_FACTOR_TERMS = 1000
 
 Factors = dict[str, tuple[Poly, fmpq]]
 
@@ -195,6 +196,8 @@ class Field(SignedRing):
     def _factor(self, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
         if p.is_constant():
             return p.leading_coefficient(), []
+        if len(p) > MAX_FACTOR_TERMS:
+            raise TooLargeError(f"the factors of a polynomial of {len(p)} terms")
         if len(p) == 1:
             ((monomial, value),) = p.terms()
             return value, [(self.variables[i], int(k)) for i, k in enumerate(monomial) if k]

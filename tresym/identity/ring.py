@@ -8,6 +8,7 @@ newest first, brings a polynomial to its remainder.
 
 from __future__ import annotations
 
+from math import comb
 from typing import Any, NamedTuple, TypeAlias
 
 from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
@@ -253,6 +254,8 @@ class Ring:
         degree = max(x.num.total_degree(), x.den.total_degree(), 0)
         if degree * n > MAX_DEGREE and len(x.num) + len(x.den) > 2:
             raise TooLargeError(f"a power of degree beyond {MAX_DEGREE}")
+        if max(comb(n + len(p) - 1, n) for p in (x.num, x.den) if len(p)) > 10 * MAX_TERMS:
+            raise TooLargeError(f"a power of more than {10 * MAX_TERMS} terms")
         if not self.relations:
             return Fraction(x.num**n, x.den**n)
         result = self.one
