@@ -18,15 +18,24 @@ PARTS = (
 )
 
 
-def claims() -> tuple[Claim, ...]:
-    """Every claim, in the order of the files and of the lines in them."""
+def parts() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
+    """For every file its title (the first line of its docstring) and the claims it states."""
     from importlib import import_module
 
     from tresym.claims.claim import Claim
 
-    found: dict[Claim, None] = {}
+    stated: set[Claim] = set()
+    found = []
     for part in PARTS:
-        for value in vars(import_module(f"tresym.proofs.{part}")).values():
-            several = value if isinstance(value, tuple) else (value,)
-            found.update(dict.fromkeys(v for v in several if isinstance(v, Claim)))
+        module = import_module(f"tresym.proofs.{part}")
+        several = (v if isinstance(v, tuple) else (v,) for v in vars(module).values())
+        here = dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))
+        title = (module.__doc__ or part).strip().splitlines()[0].rstrip(".")
+        found.append((title, tuple(claim for claim in here if claim not in stated)))
+        stated |= here.keys()
     return tuple(found)
+
+
+def claims() -> tuple[Claim, ...]:
+    """Every claim, in the order of the files and of the lines in them."""
+    return tuple(claim for _, stated in parts() for claim in stated)

@@ -84,18 +84,24 @@ momentum = ImmutableMatrix([M2, M3, M1])
 
 rotation_orthogonal = Claim(
     label="rotation_orthogonal",
+    shown=r"R^{\mathsf T}R = 1,\qquad R = R_z(\phi)\,R_y(\theta)\,R_z(\psi)",
     says=equal(rotation.T * rotation, ImmutableMatrix(eye(3))),
     proof=by(trigonometry),
 )
 
 spin_antisymmetric = Claim(
     label="spin_antisymmetric",
+    shown=r"(R^{\mathsf T}\dot R)^{\mathsf T} = -R^{\mathsf T}\dot R",
     says=equal(spin.T, -spin),
     proof=by(trigonometry),
 )
 
 spin_matrix = Claim(
     label="spin_matrix",
+    shown=(
+        r"\Omega_1 = (R^{\mathsf T}\dot R)_{21},\quad "
+        r"\Omega_2 = (R^{\mathsf T}\dot R)_{32},\quad \Omega_3 = (R^{\mathsf T}\dot R)_{13}"
+    ),
     says=Tuple(equal(W1, spin[1, 0]), equal(W2, spin[2, 1]), equal(W3, spin[0, 2])),
     proof=Definition(),
     note="The angular velocity is what RᵀṘ is made of.",
@@ -118,6 +124,10 @@ angular_velocity = Claim(
 
 spin_is_velocity = Claim(
     label="spin_is_velocity",
+    shown=(
+        r"R^{\mathsf T}\dot R = \begin{pmatrix}0 & -\Omega_1 & \Omega_3\\"
+        r"\Omega_1 & 0 & -\Omega_2\\-\Omega_3 & \Omega_2 & 0\end{pmatrix}"
+    ),
     says=equal(spin, hat),
     proof=by(substituting(spin_matrix), trigonometry),
     note="All nine entries, not only the three that define Ω.",
@@ -143,6 +153,7 @@ velocity_from_momentum = Claim(
 
 momentum_along_z = Claim(
     label="momentum_along_z",
+    shown=r"(M_2, M_3, M_1)^{\mathsf T} = M\,R^{\mathsf T}(0, 0, 1)^{\mathsf T}",
     says=equal(momentum, M * rotation.T * ImmutableMatrix([0, 0, 1])),
     proof=Definition(),
     note="The third axis of the laboratory is chosen along the angular momentum.",
@@ -162,6 +173,10 @@ eq_Mi = Claim(
 
 torque_free = Claim(
     label="torque_free",
+    shown=(
+        r"(\dot M_2, \dot M_3, \dot M_1)^{\mathsf T} = "
+        r"-R^{\mathsf T}\dot R\,(M_2, M_3, M_1)^{\mathsf T}"
+    ),
     says=equal(ImmutableMatrix([dM2_dt, dM3_dt, dM1_dt]), -spin * momentum),
     proof=Definition(),
     note="R M is fixed in space, so the derivative of M in the body is −RᵀṘ M.",
@@ -169,6 +184,7 @@ torque_free = Claim(
 
 momentum_transport = Claim(
     label="momentum_transport",
+    shown=r"\dot{\vec M} = \vec M\times\vec\Omega",
     says=equal(
         ImmutableMatrix([dM1_dt, dM2_dt, dM3_dt]),
         ImmutableMatrix([M2 * W3 - M3 * W2, M3 * W1 - M1 * W3, M1 * W2 - M2 * W1]),

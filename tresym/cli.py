@@ -45,6 +45,7 @@ def build_parser() -> Parser:
     parser.add_argument("--version", action="version", version=f"tresym {tresym.__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _add_verify(commands)
+    _add_derive(commands)
     _add_flip(commands)
     _add_audit(commands)
     _add_bench(commands)
@@ -83,6 +84,31 @@ def _verify(args: argparse.Namespace) -> int:
         from tresym.report.terminal import show_verification
 
         report = show_verification(labels, Console(highlight=False))
+    return 0 if report.as_expected else UNEXPECTED
+
+
+def _add_derive(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "derive",
+        help="the derivation in LaTeX: the whole article, or one statement to paste",
+        description="Without labels, one article; with labels, each statement and its chain.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.set_defaults(run=_derive)
+
+
+def _derive(args: argparse.Namespace) -> int:
+    from tresym.report import derivation
+    from tresym.verification import verify
+
+    report = verify(args.labels)
+    if args.labels:
+        text = "\n".join(derivation.fragment(row) for row in report.rows if row.requested)
+    else:
+        text = derivation.article(report)
+    _deliver(text, args.path)
     return 0 if report.as_expected else UNEXPECTED
 
 

@@ -96,6 +96,13 @@ def all_claims() -> tuple[Claim, ...]:
     return tuple(order)
 
 
+def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
+    """The parts of the proofs in the paper's order: a title and the claims stated there."""
+    from tresym.proofs import parts
+
+    return parts()
+
+
 def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
     """The claims named by ``labels`` with all that they rest on, foundations first."""
     return _choose(all_claims(), labels)[0]

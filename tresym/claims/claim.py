@@ -239,6 +239,7 @@ class Claim:
         amended_by: for a claim expected REFUTED, the claims that are true instead.
         note: one or two sentences for the reader.
         kind: identity, number, bound, order, limit or statement.
+        shown: LaTeX for reports, where the statement written out would hide what it says.
     """
 
     label: str
@@ -250,6 +251,7 @@ class Claim:
     expect: Verdict = Verdict.PROVED
     amended_by: tuple[Claim, ...] = ()
     note: str = ""
+    shown: str | None = None
 
     def __hash__(self) -> int:
         return hash(self.label)

@@ -7,8 +7,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
-from tresym.claims.claim import Claim
 from tresym.exact import fraction_text
+from tresym.report.place import place_text
 from tresym.verdict import Verdict
 from tresym.verification import Report, Row, choose, verify
 
@@ -46,17 +46,6 @@ def show_verification(labels: tuple[str, ...], console: Console) -> Report:
         report = verify(labels, on_row=show)
     console.print(_summary(report))
     return report
-
-
-def place_text(claim: Claim) -> str:
-    """Where in the paper a claim stands, in words; a dash for a lemma of ours."""
-    where = claim.where
-    if where is None:
-        return "—"
-    parts = [f"display {where.display}"] if where.display else []
-    parts += [f"cell {where.cell}"] if where.cell else []
-    parts += [f"line {where.line}"] if where.line and not where.display else []
-    return ", ".join(parts) or "—"
 
 
 def _columns(label: str, place: str, verdict: Text, time: str) -> Text:

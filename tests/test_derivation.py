@@ -1,0 +1,55 @@
+"""The article compiles: no error, no undefined reference, no box that sticks out by 5 pt."""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tresym.exact import InputError
+from tresym.report.derivation import article, fragment, prose
+from tresym.verification import Report, verify
+
+
+@pytest.fixture(scope="module")
+def report() -> Report:
+    return verify()
+
+
+def test_every_claim_is_in_the_article(report: Report) -> None:
+    text = article(report)
+    for row in report.rows:
+        assert rf"\label{{claim:{row.claim.label}}}" in text
+
+
+def test_nothing_unprintable_is_left(report: Report) -> None:
+    for row in report.rows:
+        for sentence in (row.claim.note, row.claim.says):
+            if isinstance(sentence, str):
+                assert "?" not in prose(sentence.replace("?", "")), row.claim.label
+
+
+def test_one_statement_to_paste() -> None:
+    text = fragment(verify(["eq_gamma"])["eq_gamma"])
+    assert r"\gamma &= \frac{2I_2E}{M^2}-1 && \text{\footnotesize by \texttt{d08}}" in text
+    with pytest.raises(InputError):
+        verify(["eq_gamm"])
+
+
+@pytest.mark.slow
+def test_the_article_compiles(report: Report, tmp_path: Path) -> None:
+    if shutil.which("pdflatex") is None:
+        assert not os.environ.get("CI"), "TeX Live must be there in CI"
+        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
+    (tmp_path / "derivation.tex").write_text(article(report), encoding="utf-8")
+    for _ in range(2):
+        command = ["pdflatex", "-interaction=nonstopmode", "derivation.tex"]
+        subprocess.run(command, cwd=tmp_path, capture_output=True)
+    log = (tmp_path / "derivation.log").read_text(encoding="latin-1")
+    assert (tmp_path / "derivation.pdf").exists()
+    assert "\n!" not in log, log[log.index("\n!") :][:400]
+    assert "undefined" not in log
+    overfull = [float(x) for x in re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)]
+    assert all(x < 5 for x in overfull), overfull

@@ -1,0 +1,205 @@
+"""The derivation as one LaTeX article: each statement, its chain with the reasons, its verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+
+from sympy import Basic, Eq, Equivalent, Tuple
+
+from tresym.claims.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, equal
+from tresym.exact import fraction_text
+from tresym.report.latex import bracketed, expression_latex, given_latex, says_latex
+from tresym.report.place import place_text
+from tresym.verdict import Verdict
+from tresym.verification import Report, Row, sections
+
+PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{lmodern,amsmath,amssymb,adjustbox,xcolor,geometry}
+\usepackage[hidelinks]{hyperref}
+\geometry{margin=25mm}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt plus 2pt}
+\emergencystretch=3em
+\definecolor{proved}{HTML}{1B6E3C}
+\definecolor{enclosed}{HTML}{1F5FA8}
+\definecolor{refuted}{HTML}{9C2A6B}
+\definecolor{undecided}{HTML}{8A6D00}
+\newcommand{\verdict}[2]{\textcolor{#1}{\textsf{\small #2}}}
+\newcommand{\fitted}[1]{\[\adjustbox{max width=\linewidth}{$\displaystyle #1$}\]}
+"""
+
+TITLE = r"""\title{The tennis racket effect, derived and judged}
+\author{tresym}
+\date{}
+\begin{document}
+\maketitle
+Each statement of L.~Van Damme, P.~Mardešić and D.~Sugny, \emph{The tennis racket effect in a
+three-dimensional rigid body}, Physica~D 338 (2017) 17, with its proof and its verdict. A step of a
+chain uses only the reasons that stand at its right.
+"""
+
+_LETTERS = {
+    "₀": "$_0$", "₁": "$_1$", "₂": "$_2$", "₃": "$_3$", "ᵢ": "$_i$", "²": "$^2$", "³": "$^3$",
+    "α": r"$\alpha$", "β": r"$\beta$", "γ": r"$\gamma$", "δ": r"$\delta$", "Δ": r"$\Delta$",
+    "ε": r"$\epsilon$", "θ": r"$\theta$", "κ": r"$\kappa$", "λ": r"$\lambda$", "μ": r"$\mu$",
+    "π": r"$\pi$", "ρ": r"$\rho$", "σ": r"$\sigma$", "τ": r"$\tau$", "φ": r"$\phi$",
+    "ψ": r"$\psi$", "Ω": r"$\Omega$", "Ψ": r"$\Psi$", "∂": r"$\partial$", "∞": r"$\infty$",
+    "√": r"$\surd$", "≤": r"$\le$", "≥": r"$\ge$", "≠": r"$\ne$", "≈": r"$\approx$",
+    "≃": r"$\simeq$", "≪": r"$\ll$", "≫": r"$\gg$", "→": r"$\to$", "⇒": r"$\Rightarrow$",
+    "⟺": r"$\Leftrightarrow$", "±": r"$\pm$", "·": r"$\cdot$", "×": r"$\times$", "−": "$-$",
+    "∈": r"$\in$", "∉": r"$\notin$", "∥": r"$\parallel$", "∫": r"$\int$", "′": "$'$",
+    "<": "$<$", ">": "$>$", "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}",
+    "{": r"\{", "}": r"\}", "…": r"\dots{}", "ᵀ": "$^T$", "Ṙ": r"$\dot R$", "*": "$^*$",
+    "~": r"\textasciitilde{}", "⁻": "$^-$", "⁴": "$^4$", "∝": r"$\propto$", "∓": r"$\mp$",
+    "\\": r"\textbackslash{}", "°": r"$^\circ$",
+}  # fmt: skip
+
+
+def prose(text: str) -> str:
+    """A sentence of ours for LaTeX: the letters that text fonts lack become mathematics.
+
+    Anything else outside Latin-1 falls back to a visible placeholder rather than a broken run.
+    """
+    out = "".join(_LETTERS.get(c, c if ord(c) < 256 or c in "–—’“”šćž" else "?") for c in text)
+    return out.replace("$$", "")
+
+
+def article(report: Report) -> str:
+    """The whole article for the rows of a report, in the order of the proofs."""
+    rows = {row.claim.label: row for row in report.rows}
+    pages = [PREAMBLE, TITLE]
+    for title, claims in sections():
+        entries = [_entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
+        if entries:
+            pages += [rf"\section{{{prose(title[:1].upper() + title[1:])}}}" + "\n", *entries]
+    return "\n".join([*pages, r"\end{document}", ""])
+
+
+def fragment(row: Row) -> str:
+    """One statement with its chain, to paste into a paper that loads amsmath."""
+    return "\n".join(_displays(row.claim)) + "\n"
+
+
+def _entry(row: Row, known: Collection[str]) -> str:
+    claim, finding = row.claim, row.finding
+    verdict = finding.verdict.value
+    head = (
+        rf"\paragraph{{\texttt{{{prose(claim.label)}}}}}\label{{claim:{claim.label}}}"
+        rf"\hfill\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small "
+        rf"{prose(place_text(claim))}}}\par"
+    )
+    lines = [head]
+    if isinstance(claim.says, str):
+        lines.append(prose(claim.says) + r"\par")
+    if claim.given:
+        conditions = r",\; ".join(given_latex(c) for c in claim.given)
+        lines.append(rf"\textsf{{\small Given}} \({conditions}\).\par")
+    lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
+    if claim.note:
+        lines.append(rf"{prose(claim.note)}\par")
+    lines += _outcome(row, known)
+    return "\n".join(lines) + "\n"
+
+
+def _outcome(row: Row, known: Collection[str]) -> Iterator[str]:
+    """What a report adds to the statement: value, witness, amendment."""
+    finding = row.finding
+    if finding.value is not None:
+        yield rf"\textsf{{\small Value}} {finding.value.mid[:52]}.\par"
+    if finding.verdict is Verdict.REFUTED:
+        yield rf"{prose(finding.why[:300])}.\par"
+        if finding.witness:
+            point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
+            yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(point[:400])}}}.\par"
+    if row.claim.amended_by:
+        names = ", ".join(_reference(c, known) for c in row.claim.amended_by)
+        yield rf"\textsf{{\small True instead:}} {names}.\par"
+
+
+def _reference(claim: Claim, known: Collection[str]) -> str:
+    name = rf"\texttt{{{prose(claim.label)}}}"
+    return rf"\hyperref[claim:{claim.label}]{{{name}}}" if claim.label in known else name
+
+
+def _displays(claim: Claim) -> list[str]:
+    """One display for every part of the statement, with its chain where it has one."""
+    proof, says = claim.proof, claim.says
+    if claim.shown is not None:
+        why = f" && {_reasons(proof[-1])}" if isinstance(proof, tuple) else ""
+        return [_environment([f"&{claim.shown}{why}"])]
+    if isinstance(proof, UniqueRoot):
+        slope = equal(
+            proof.function.diff(proof.variable, evaluate=False), proof.derivative[-1].expression
+        )
+        return [_aligned(slope, proof.derivative)]
+    if isinstance(says, str):
+        return []
+    if isinstance(proof, Together) and isinstance(says, Tuple):
+        pairs = zip(says.args, proof.chains, strict=True)
+        return [_aligned(part, chain) for part, chain in pairs]
+    if isinstance(proof, tuple):
+        return [_aligned(says, proof)]
+    return [says_latex(part) for part in (says.args if isinstance(says, Tuple) else (says,))]
+
+
+def _aligned(says: Basic, chain: Chain) -> str:
+    """A chain in the manner of a textbook: each expression, and its reason at the right."""
+    if isinstance(says, Equivalent):
+        return _equivalence(says, chain)
+    strict = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}.get(getattr(says, "rel_op", ""))
+    if strict is not None:
+        difference = expression_latex(says.gts - says.lts)
+        sign = ">" if strict in "<>" else r"\ge"
+        return _environment(_rows(difference, chain, None, rf" {sign} 0"))
+    goal = says.rhs if isinstance(says, Eq) else None
+    return _environment(_rows(expression_latex(says.lhs), chain, goal))
+
+
+def _rows(start: str, chain: Chain, goal: Basic | None, sign: str = "") -> list[str]:
+    rows = []
+    for n, link in enumerate(chain):
+        expression = goal if link.expression is None else link.expression
+        left = start if n == 0 else ""
+        end = sign if n == len(chain) - 1 else ""
+        rows.append(rf"{left} &= {_shown(expression)}{end} && {_reasons(link)}")
+    return rows
+
+
+def _shown(expression: Basic | None) -> str:
+    return "" if expression is None else expression_latex(expression)
+
+
+def _equivalence(says: Equivalent, chain: Chain) -> str:
+    first, second = says.args
+    start = second if chain[-1].expression == first else first
+    rows = [f"&{says_latex(start)}"]
+    for link in chain:
+        assert link.expression is not None
+        rows.append(rf"\iff{{}} &{says_latex(link.expression)} && {_reasons(link)}")
+    return _environment(rows)
+
+
+def _environment(rows: Iterable[str]) -> str:
+    body = " \\\\\n".join(rows)
+    return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
+
+
+def _reasons(link: Step) -> str:
+    names = [_reason(reason) for reason in link.reasons if reason.name != "algebra"]
+    return rf"\text{{\footnotesize {', '.join(names) or 'algebra'}}}"
+
+
+def _reason(reason: Reason) -> str:
+    if reason.claims:
+        labels = ", ".join(rf"\texttt{{{prose(c.label)}}}" for c in reason.claims)
+        name = {"substituting": "by", "citing": "since"}.get(reason.name, reason.name + ",")
+        return f"{name} {labels}"
+    if reason.function is not None:
+        return f"{reason.function} of both sides"
+    if reason.factor is not None:
+        return f"times ${bracketed(expression_latex(reason.factor))}$"
+    if reason.term is not None:
+        return f"adding ${expression_latex(reason.term)}$"
+    return reason.name
