@@ -91,6 +91,12 @@ def by_k(k: Any, alpha: Any, m: Any) -> Shape:
     return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), alpha * k * k, r)
 
 
+def by_root(b: Any, k: Any, m: Any) -> Shape:
+    """The chart (b, k) away from k = 0: a = k²/b."""
+    r = b / k
+    return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), b, r)
+
+
 def above(shape: Shape, constant: Any, m: Any) -> Any:
     """Positive where ε₀ < ε*(1 + K ε*²); divided by ε*²."""
     y = shape.leading * shape.leading
@@ -192,17 +198,18 @@ def phase_over(b: Any, k: Any, m: Any) -> Any:
     The phase map π + arctan(bP tanhc kP) takes [π, 3π/2] into itself and increases with P, so its
     iterates contain every root; the slopes are those of the implicit function.
     """
-    sides = [x.value if isinstance(x, Gradient) else x for x in (b, k)]
+    b0 = b.value if isinstance(b, Gradient) else b
+    k0 = k.value if isinstance(k, Gradient) else k
     phase = balls.pi.union(3 * balls.pi / 2)
     while True:
-        image = _phase_image(*sides, phase, balls).intersection(phase)
+        image = _phase_image(b0, k0, phase, balls).intersection(phase)
         if not image.rad() < phase.rad() * arb("0.9"):
             break
         phase = image
     if not isinstance(b, Gradient):
         return phase
     partial = _phase_image(b, k, phase, m)
-    return Gradient(phase, (partial / (1 - sides[0] / _spread(*sides, phase, balls))).slopes)
+    return Gradient(phase, (partial / (1 - b0 / _spread(b0, k0, phase, balls))).slopes)
 
 
 def _phase_image(b: Any, k: Any, phase: Any, m: Any) -> Any:
@@ -250,7 +257,7 @@ def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
 
     For g(P) = P − π − arctan(r tanh kP) Taylor's theorem gives P₂ − P = g″(ξ)(P − P₁)²/(2 g′(P₁))
     with ξ between P and P₁, g′ = 1 − b/D, D = cosh²kP + r² sinh²kP and g″ = bD′/D² > 0: the step
-    lands above P, and ε is too small. The curvature is taken over the hull of P and P₁ (balls only).
+    lands above P, and ε is too small. The curvature is over the hull of P and P₁ (balls only).
     """
     phase = phase_over(b, k, m)
     difference = sweep_difference(b, k, phase, start, m)

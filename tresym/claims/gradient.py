@@ -163,6 +163,20 @@ class Divided:
         return self._jet(x)[0]
 
     def _jet(self, x: arb) -> tuple[arb, arb]:
+        """Value and slope over the ball: the value by the mean value theorem from its middle."""
+        middle = x.mid()
+        value, slope = self._direct(middle)
+        if x.is_exact():
+            return value, slope
+        hull = x.union(arb(0))
+        slope = self._direct(x)[1]
+        rough = taylor_coefficients(self.series, hull, self.power + 2)[self.power + 1]
+        if rough.is_finite():
+            slope = slope.intersection(rough) if slope.is_finite() else rough
+        return value + slope * (x - middle), slope
+
+    def _direct(self, x: arb) -> tuple[arb, arb]:
+        """Value and slope by the Taylor form near 0 and by the quotient elsewhere."""
         p, n = self.power, self.terms
         start = _expansion(self, ctx.prec)
         if abs(x) > self.near:

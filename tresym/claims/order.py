@@ -111,6 +111,7 @@ class Judgement:
         constant: for O a ball around the supremum of |function/gauge| on the range; C for <=.
         upto: the range of the small parameter on which the constant holds; None for all.
         witness: exact text, for REFUTED: parameters and the ratio found there.
+        points: for REFUTED, a parameter on the path at which the ratio was found.
     """
 
     verdict: Verdict
@@ -119,6 +120,7 @@ class Judgement:
     constant: arb | None = None
     upto: fmpq | None = None
     witness: dict[str, str] = field(default_factory=dict)
+    points: dict[str, fmpq] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -224,7 +226,8 @@ def _compared(statement: Order, expansion: _Expansion) -> Judgement:
         return Judgement(Verdict.ENCLOSED, *sizes, constant=constant, upto=expansion.reach)
     if fails:
         witness = _samples(statement, expansion.reach)
-        return Judgement(Verdict.REFUTED, *sizes, witness=witness)
+        points = {"t": expansion.reach / 16}
+        return Judgement(Verdict.REFUTED, *sizes, witness=witness, points=points)
     raise UnresolvedError("the leading term does not settle the statement")
 
 
@@ -296,7 +299,8 @@ def _at_most(statement: Order, expansion: _Expansion) -> Judgement:
             if isinstance(outcome, Counterexample):
                 witness = outcome.point[0]
     if witness is not None:
-        return Judgement(Verdict.REFUTED, *sizes, witness={"t": fraction_text(witness)})
+        shown = {"t": fraction_text(witness)}
+        return Judgement(Verdict.REFUTED, *sizes, witness=shown, points={"t": witness})
     constant = arb(statement.constant)
     return Judgement(Verdict.ENCLOSED, *sizes, constant=constant, upto=statement.upto)
 
