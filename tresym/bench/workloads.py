@@ -11,7 +11,7 @@ from tresym.bench.run import Measurement, Timing
 from tresym.exact import InputError
 from tresym.report.output import write_text
 
-WORKLOADS = ("separatrix", "startup", "identities")
+WORKLOADS = ("separatrix", "startup", "identities", "turn", "defect", "flipmap")
 """Each is a module of this package with a function ``measure()``."""
 
 

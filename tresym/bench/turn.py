@@ -1,0 +1,84 @@
+"""F(ε, γ) to 50 digits: balls through Carlson's form against mpmath's quadrature and Carlson forms.
+
+Digits are counted against a wider ball. mpmath runs in this process, on the backend it found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
+from tresym.bench.run import Contender, Measurement, interleave
+from tresym.bench.separatrix import time_once
+from tresym.body import named_body
+from tresym.exact import parse_number
+from tresym.flip import quadrature, routes
+from tresym.flip.carlson import Amplitude, amplitude, ball_stop, by_flint, by_gauss, turn
+
+DIGITS = 50
+SHAPE = named_body("str").shape
+SCENES = ("1/100", "1/10000", "1e-8", "0", "-1/1000")
+"""The γ that are timed; the last one from its turning point, the others from ε = 1/10."""
+
+
+def measure(rounds: int = 5) -> Measurement:
+    """The workload ``turn``: F(ε, γ) to 50 digits."""
+    contenders = [c for text in SCENES for c in _turn_contenders(text)]
+    reference = f"gamma = {SCENES[1]}: tresym, Gauss transformation"
+    timings = interleave(contenders, rounds)
+    return Measurement("turn", "F(ε, γ) of str to 50 digits", rounds, timings, reference)
+
+
+def _turn_contenders(text: str) -> list[Contender]:
+    gamma = parse_number(text)
+    with ball_precision(bits(2 * DIGITS)):
+        truth = _ball_turn(gamma, gauss=False)
+    works: dict[str, Callable[[], Any]] = {
+        "tresym, Gauss transformation": lambda: _ball_turn(gamma, gauss=True),
+        "tresym, FLINT's R_F and R_J": lambda: _ball_turn(gamma, gauss=False),
+        "mpmath R_F and R_J": lambda: _mp_carlson(gamma),
+        "mpmath quad, tanh-sinh": lambda: _mp_quad(gamma),
+    }
+    return [contender(f"gamma = {text}: {name}", work, truth) for name, work in works.items()]
+
+
+def _place(gamma: fmpq, m: Any, number: Callable[[fmpq], Any]) -> Amplitude:
+    """The amplitude of a scene in balls or mpmath: z = 0 exactly at the turning point."""
+    a, b, g = (number(x) for x in (*SHAPE, gamma))
+    if gamma < 0:
+        return amplitude(m.sqrt(-g / b), m.sqrt(1 + g / b), 0 * g, a, b, g, m)
+    psi = number(fmpq(1, 10))
+    sine, cosine = m.sin(psi), m.cos(psi)
+    return amplitude(sine, cosine, g + b * sine * sine, a, b, g, m)
+
+
+def _ball_turn(gamma: fmpq, gauss: bool) -> arb:
+    with ball_precision(bits(DIGITS)):
+        a, b, g = arb(SHAPE.a), arb(SHAPE.b), arb(gamma)
+        at = _place(gamma, balls, arb)
+        found = by_gauss(at, b / a, balls, ball_stop) if gauss else by_flint(at, b / a)
+        return turn(found, a, b, g, balls)
+
+
+def _mp_carlson(gamma: fmpq) -> Any:
+    with mp_precision(DIGITS + 5) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
+        sn, cn, dn, _ = _place(gamma, mp, lambda x: to_mp(x, mp))
+        first = sn * mp.elliprf(cn**2, dn**2, 1)
+        third = sn**3 * mp.elliprj(cn**2, dn**2, 1, 1 + b / a * sn**2) / 3
+        return ((1 - b) * first + (a + b) * b / a * third) / mp.sqrt(a * (g + b))
+
+
+def _mp_quad(gamma: fmpq) -> Any:
+    with mp_precision(DIGITS) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
+        start = mp.asin(mp.sqrt(-g / b)) if gamma < 0 else mp.mpf(1) / 10
+        return mp.re(quadrature.printed(start, a, b, g, mp)[0])
+
+
+def contender(name: str, work: Callable[[], Any], truth: arb) -> Contender:
+    """A contender whose digits are those it has in common with the ball ``truth``."""
+    return Contender(name, lambda: time_once(work), routes.agreement(work(), truth))
