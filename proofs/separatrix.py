@@ -233,7 +233,8 @@ _root = sqrt(1 + b / a * sin(epsilon) ** 2)
 _ratio = printed.separatrix_left(epsilon, a, b, sympy)
 _time = sqrt(a * b) * (pi + asin(_mu * cos(epsilon)))
 _printed_equation = equal(_ratio, printed.separatrix_right(epsilon, a, b, sympy))
-_inverse_form = equal(atanh(cos(epsilon) / _root), _time)
+_inverse = cos(epsilon) / _root
+_inverse_form = equal(atanh(_inverse), _time)
 _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 
 root_under_cosine = Claim(
@@ -320,13 +321,13 @@ exact_equation = Claim(
             citing(root_under_cosine, ratio_below_one),
         ),
         step(
-            _printed_equation,
+            equal((1 - _inverse) / (1 + _inverse), _printed_equation.rhs),
             applying("exp"),
-            citing(root_under_cosine, ratio_below_one, printed_left_positive),
+            citing(root_under_cosine, ratio_below_one),
             exponentials,
             inverses,
-            roots,
         ),
+        step(_printed_equation, roots),
     ),
     where=Place(display=37),
 )
