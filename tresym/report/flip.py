@@ -50,14 +50,15 @@ def _approximations(answer: Flip) -> list[tuple[str, str]]:
     defect, turn, degree = answer.defect, answer.turn, arb.pi() / 180
     rows = [
         ("", f"ε ≈ {_short(defect / degree)}°,   Δψ ≈ {_short(turn / degree)}°"),
-        ("", f"Δψ = π(1 − {_short(2 * defect / arb.pi())})"),
+        ("", f"Δψ = π(1 {'−' if defect > 0 else '+'} {_short(abs(2 * defect / arb.pi()))})"),
     ]
     if answer.gamma != 0:
         return rows
     a, b = arb(answer.shape.a), arb(answer.shape.b)
     estimate = printed.asymptotic_defect(a, b, balls)
     error = 100 * (estimate / defect - 1)
-    size, side = abs(error).str(3, radius=False), "large" if error > 0 else "small"
+    size = f"{float(abs(error)):.3g}"
+    side = "large" if error > 0 else "small"
     return [
         *rows,
         ("paper", f"its asymptotic formula gives {_short(estimate)}, {size} % too {side}"),
