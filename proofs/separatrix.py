@@ -92,14 +92,23 @@ start_in_x = Claim(
 
 _in_x = printed.auxiliary_integrand(x, a, b, sympy)
 
-_on_path = (psi - epsilon) * (pi - epsilon - psi) >= 0
+_on_path = (*defect, psi >= epsilon, psi <= pi - epsilon)
 
 sine_on_path = Claim(
     label="sine_on_path",
+    says=sin(psi) > 0,
+    kind="bound",
+    given=_on_path,
+    proof=(step(sin(psi)),),
+    note="From ε to π − ε the flip angle stays between the unstable points.",
+)
+
+pole_on_path = Claim(
+    label="pole_on_path",
     says=1 - cos(psi) ** 2 > 0,
     kind="bound",
-    given=between,
-    proof=(step(sin(psi) ** 2, trigonometry),),
+    given=_on_path,
+    proof=(step(sin(psi) ** 2, citing(sine_on_path), trigonometry),),
 )
 
 root_on_path = Claim(
@@ -113,12 +122,12 @@ root_on_path = Claim(
 substitution = Claim(
     label="d35",
     says=equal(Integral(_in_x, (x, x0, -x0)), -2 * pi * b),
-    given=(*shape, *defect, *between),
+    given=(*shape, *defect),
     proof=(
         step(
             Integral(-b * _on_separatrix, (psi, epsilon, pi - epsilon)),
             substituting(start_in_x),
-            changing_variable(_mu * cos(psi), sine_on_path, root_on_path),
+            changing_variable(_mu * cos(psi), sine_on_path, pole_on_path, root_on_path),
         ),
         step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon))),
         step(None, substituting(separatrix_condition)),

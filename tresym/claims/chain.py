@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sympy import Basic, Eq, Equivalent, Expr, Integral, MatrixBase, Rel, Symbol, Tuple
+from sympy import Basic, Eq, Equivalent, Expr, Integer, Integral, MatrixBase, Rel, Symbol, Tuple, pi
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
 from tresym.claims.claim import Chain, Claim, Reason, Step, citing, parts_of
@@ -31,6 +31,10 @@ ONE_TO_ONE = {
 }
 """Strictly monotone functions, and the sign that both sides must be shown to have."""
 
+MONOTONE = {"cos": (-1, Integer(0), pi), "sin": (1, -pi / 2, pi / 2)}
+"""Functions that may be applied to both sides of an inequality: −1 where they turn it round, and
+the closed interval, on which they are strictly monotone, that must hold both sides."""
+
 
 def _undecided(why: str) -> StepFinding:
     return StepFinding(Verdict.UNDECIDED, why)
@@ -40,6 +44,10 @@ def check_chain(says: Basic, chain: Chain, given: Conditions) -> tuple[StepFindi
     """Findings for every step; all are PROVED exactly when the chain proves ``says``."""
     start, goal = _ends(says, chain)
     findings, before = [], start
+    if goal is None and chain:
+        before = _compared(says, chain[0].reasons, given)
+        if isinstance(before, StepFinding):
+            return (before,)
     for link in chain:
         after = goal if link.expression is None else link.expression
         began = time.perf_counter()
@@ -67,6 +75,25 @@ def _ends(says: Basic, chain: Chain) -> tuple[Basic, Basic | None]:
     if isinstance(says, GreaterThan | StrictGreaterThan | LessThan | StrictLessThan):
         return says.gts - says.lts, None
     raise TypeError(f"a chain cannot prove {says}")
+
+
+def _compared(says: Basic, reasons: tuple[Reason, ...], given: Conditions) -> Basic | StepFinding:
+    """What must be positive (or not negative) for an inequality: the difference of its sides.
+
+    Where the first step applies a monotone function, it is the difference of their values.
+    """
+    sides = (says.gts, says.lts)
+    given = _with_bounds(given, reasons)
+    for name in (r.function for r in reasons if r.function is not None):
+        if name not in MONOTONE:
+            return _undecided(f"{name} is not known to be monotone")
+        direction, low, high = MONOTONE[name]
+        for side in sides:
+            for room in (side - low, high - side):
+                if manifest_sign(room, given) not in NON_NEGATIVE:
+                    return _undecided(f"{side} is not shown to lie where {name} is monotone")
+        sides = tuple(direction * _apply(name, side) for side in sides)
+    return sides[0] - sides[1]
 
 
 def _arrives(
@@ -209,10 +236,15 @@ def _without_integral(
 
 
 def _inside(integral: Integral, bounds: tuple[Claim, ...], given: Conditions) -> Conditions:
-    """The conditions on the interval of integration, with the bounds cited for it."""
+    """The conditions on the interval of integration, with the bounds cited for it.
+
+    Conditions on the variable of integration are dropped: it runs over the whole interval,
+    whatever a claim assumes of a symbol of that name.
+    """
     variable, low, high = integral.limits[0]
-    inside = (*given, (variable - low) * (high - variable) >= 0)
-    if manifest_sign(high - low, given) in NON_NEGATIVE:
+    outside = tuple(c for c in given if variable not in c.free_symbols)
+    inside = (*outside, (variable - low) * (high - variable) >= 0)
+    if manifest_sign(high - low, outside) in NON_NEGATIVE:
         inside = (*inside, variable >= low, variable <= high)
     return _with_bounds(inside, (citing(*bounds),))
 

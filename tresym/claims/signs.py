@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from sympy import Basic, Mul, expand
+from sympy import Basic, Mul, cos, expand, pi, sin
 from sympy.core.relational import Relational
 
 from tresym.claims.translate import REMEMBERED, to_expression, to_given
@@ -24,12 +24,22 @@ def manifest_sign(e: Basic, conditions: tuple[Basic, ...], depth: int = DEPTH) -
     ``c ≥ 0``) and a rest of known sign. SymPy's expansion only proposes the rest; that the two
     add up to ``e`` is decided exactly.
     """
-    given = to_given(conditions)
-    found = sign(to_expression(e), given)
-    if found is None and isinstance(e, Mul):
-        return _product([manifest_sign(factor, conditions, depth) for factor in e.args])
-    if found is not None or depth == 0:
+    found = sign(to_expression(e), to_given(conditions))
+    if found in ("+", "-", "0", "<=0"):
         return found
+    if isinstance(e, sin | cos) and _in_half_turn(e, conditions):
+        return "+"
+    if isinstance(e, Mul):
+        found = _product([manifest_sign(f, conditions, depth) for f in e.args]) or found
+    if found == "+" or depth == 0:
+        return found
+    by_parts = _split(e, conditions, depth)
+    return "+" if by_parts == "+" else found or by_parts
+
+
+def _split(e: Basic, conditions: tuple[Basic, ...], depth: int) -> str | None:
+    """The sign of ``e`` as a condition and a rest that is not negative."""
+    found = None
     for condition in conditions:
         if not isinstance(condition, Relational) or condition.rel_op not in (">", ">=", "<", "<="):
             continue
@@ -40,10 +50,20 @@ def manifest_sign(e: Basic, conditions: tuple[Basic, ...], depth: int = DEPTH) -
         rest_sign = manifest_sign(rest, conditions, depth - 1)
         if rest_sign not in NON_NEGATIVE:
             continue
-        split = decide(to_expression(e), to_expression(known + rest), given, frozenset())
+        whole = to_expression(known + rest)
+        split = decide(to_expression(e), whole, to_given(conditions), frozenset())
         if split.verdict is Verdict.PROVED:
-            return "+" if rest_sign == "+" or condition.rel_op in (">", "<") else ">=0"
-    return None
+            if rest_sign == "+" or condition.rel_op in (">", "<"):
+                return "+"
+            found = ">=0"
+    return found
+
+
+def _in_half_turn(e: Basic, conditions: tuple[Basic, ...]) -> bool:
+    """Whether the angle lies strictly inside the half turn where its sine or cosine is positive."""
+    (angle,) = e.args
+    ends = (angle, pi - angle) if isinstance(e, sin) else (angle + pi / 2, pi / 2 - angle)
+    return all(manifest_sign(end, conditions) == "+" for end in ends)
 
 
 def _product(signs: list[str | None]) -> str | None:

@@ -22,7 +22,7 @@ REMEMBERED = 4096
 
 
 class CircularError(ValueError):
-    """Definitions that define a symbol by itself."""
+    """Definitions that define a symbol by itself, or a variable of integration."""
 
 
 def definitions(claims: Iterable[Claim]) -> Rules:
@@ -48,6 +48,9 @@ def put_in(expression: Basic, rules: Rules) -> Basic:
     Raises:
         CircularError: a symbol is defined by itself.
     """
+    bound = {v for integral in expression.atoms(Integral) for v in integral.variables}
+    if bound & rules.keys():
+        raise CircularError("a definition of a variable of integration")
     for _ in range(MAX_PASSES):
         replaced = expression.xreplace(rules)
         if replaced == expression:
