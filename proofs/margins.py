@@ -51,7 +51,7 @@ def exponent_rate(defect: Any, b: Any, r: Any, m: Any) -> Any:
 
 
 def flat(x: Any, rate: Any) -> Any:
-    """exp(−rate/x) for x ≥ 0, with its value 0 and slope 0 at x = 0; increasing.
+    """exp(−rate/x) for x ≥ 0, with its value 0 and slope 0 at x = 0; increases with x.
 
     The slope rate/x² · exp(−rate/x) increases up to x = rate/2, where it is 4 e^{−2}/rate.
     """
@@ -268,3 +268,51 @@ def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
     excess = curvature * difference * difference / (2 * (1 - b / _spread(b, k, swept, m)))
     error = tangent_error(-excess, phase, k, m)
     return -angle_error(error, cotangent(b, k, phase, m), m)
+
+
+arctangent_rest = Divided(lambda s: s.atan(), 3)
+"""(arctan x − x)/x³."""
+
+
+def printed_excess(r: Any, m: Any) -> Any:
+    """(arctan r/r − 1/√(1 + r²))/r², which is log(printed/ε*)/(b r²); 1/6 at r = 0."""
+    root = m.sqrt(1 + r * r)
+    return arctangent_rest(r) + 1 / (root * (root + 1))
+
+
+def leading_square_over(b: arb, kappa: arb, m: Any) -> arb:
+    """ε*²/κ² in the chart (b, κ), κ ≤ 3: exp(−2π/κ)/κ² increases to κ = π."""
+    r = b * kappa
+
+    def flat_over(x: arb) -> arb:
+        return (-2 * balls.pi / x).exp() / x**2 if x > 0 else arb(0)
+
+    return 4 / (1 + r * r) * _between_ends(kappa, flat_over) * m.exp(-2 * b * arctangent_over(r))
+
+
+def defect_between(shape: Shape, m: Any) -> Any:
+    """A ball around ε₀ on ab ≥ 1/4."""
+    middle, radius = remainder(shape, 0, 6, m)
+    y = shape.leading * shape.leading
+    return shape.leading * (1 + y * (middle + radius * arb(0, 1)))
+
+
+def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
+    """κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), a ball.
+
+    −4bε dε/dγ = [(ε/s) c (1 + Rs²) + ε s (1 − R − 2b) T √(1 + Rs²)]/(1 − bs²) with s = sin ε₀,
+    c = cos ε₀ and κT the phase P = π + arctan(r tanh P/κ), by iteration.
+    """
+    shape = by_kappa(b, kappa, m)
+    e, r = defect_between(shape, m), shape.r
+    sinc, half = sine_over(e), sine_over(e / 2)
+    phase = balls.pi.union(3 * balls.pi / 2)
+    for _ in range(4):
+        small = flat(kappa, 2 * phase)
+        phase = m.pi + m.atan(r * (1 - 2 * small / (1 + small)))
+    square = e * e * sinc * sinc
+    root = m.sqrt(1 + r * r * square)
+    cotangent_rest = (-half * half / 2 - sine_rest(e)) / sinc
+    algebraic = cotangent_rest + m.cos(e) * r * r * sinc + b * sinc * sinc
+    turning = sinc * (1 - r * r - 2 * b) * phase * root
+    return (kappa * algebraic + turning) / (1 - b * square)

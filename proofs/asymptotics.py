@@ -1,0 +1,434 @@
+"""The theorem of Section 6: judged as printed, repaired with constants, and extended to all shapes.
+
+ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin √(b/(a+b)))} is the leading term with its arcsine kept.
+
+- `printed_leading_term`: it is right; the remainder o(e^{−π√(ab)}) of `eps0` is not, and
+  `printed_error` says what is true;
+- `repaired`, `second_order`, `third_order` and the table `repaired_from`: ε₀ by powers of ε*² with
+  constants that cannot be improved by one per cent; `no_single_constant`: K depends on the range;
+- `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas for every shape;
+- `product_alone`: ε₀ does not depend on ab alone, not even monotonically;
+- `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root.
+
+How each bound becomes one sign in a chart is told in `margins`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from flint import arb, fmpq
+from tresym.proofs import margins
+from tresym.proofs.certificates import certificate
+from tresym.proofs.separatrix import one_flip_defect
+
+from tresym.arithmetic import balls
+from tresym.claims.bounds import Asymptotics, Boxes
+from tresym.claims.claim import Claim, Place, algebra, by, equal
+from tresym.claims.enclosure import Bound, box
+from tresym.claims.germ import Germs
+from tresym.claims.order import Order
+from tresym.exact import as_rational
+from tresym.flip.separatrix import defect_over
+from tresym.formulas import stable
+from tresym.notation import b, epsilon0, gamma
+from tresym.verdict import Verdict
+
+RESTS_ON = (one_flip_defect,)
+QUARTER = "ab >= 1/4, 0 < b <= 1"
+EVERY = "a > 0, 0 < b <= 1"
+
+
+# -- the theorem as printed -----------------------------------------------------------------------
+
+
+def _defect_at_unit_b(t: Any, m: Any) -> Any:
+    """ε₀ of the shape b = 1, a = 1/t²: as a germ, tanh T = 1 − 2δe^{−2π/t} with 0 ≤ δ ≤ 1."""
+    if not isinstance(m, Germs):
+        return defect_over(1 / t**2, arb(1))
+    tangent = 1 - 2 * m.exp(-2 * m.pi / t) * arb(fmpq(1, 2), fmpq(1, 2))
+    phase = m.pi + m.atan(t * tangent)
+    return stable.defect_at(phase, 1 / t, t, m)
+
+
+def _printed_at_unit_b(t: Any, m: Any) -> Any:
+    """The printed leading term at b = 1, a = 1/t²."""
+    cosine = 1 / m.sqrt(1 + t * t)
+    return 2 * cosine * m.exp(-m.pi / t - cosine)
+
+
+printed_leading_term = Claim(
+    label="printed_leading_term",
+    says="The theorem's leading term is right: ε₀ ~ 2√(a/(a+b)) exp(−π√(ab) − b/√(1 + b/a)).",
+    kind="order",
+    proof=Asymptotics(
+        Order("~", _defect_at_unit_b, _printed_at_unit_b),
+        "t = 1/sqrt(ab) -> 0 along b = 1, a = 1/t^2",
+        RESTS_ON,
+    ),
+    expect=Verdict.ENCLOSED,
+)
+
+
+def _printed_error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    """log(printed/ε₀) · ab as middle and radius, in the chart (b, κ)."""
+    shape = margins.by_kappa(b, kappa, m)
+    middle, radius = margins.remainder(shape, 0, 6, m)
+    # log(printed/ε*) = b (arctan r/r − 1/√(1 + r²)), divided by κ² = r²/b².
+    algebraic = b * b * b * margins.printed_excess(shape.r, m)
+    scaled = margins.leading_square_over(b, kappa, m)
+    # |log(1 + z) − z| ≤ z² for |z| ≤ 1/2, z = ε₀/ε* − 1.
+    square = (abs(middle) + radius) ** 2 * shape.leading * shape.leading
+    return algebraic - scaled * middle, scaled * (radius + square)
+
+
+def _boxed(
+    label: str,
+    says: str,
+    parts: tuple[Callable[..., Any], ...],
+    sides: tuple[tuple[Any, Any], ...],
+    names: tuple[str, ...],
+    region: str,
+    constant: str | None = None,
+    expect: Verdict = Verdict.ENCLOSED,
+    slopes: bool = False,
+    **rest: Any,
+) -> Claim:
+    """A claim that is a conjunction of bounds on one box."""
+    bounds = tuple(Bound(part, box(*sides), slopes) for part in parts)
+    exact = None if constant is None else as_rational(constant)
+    proof = Boxes(bounds, names, region, exact, RESTS_ON, certificate(label), budget=30_000)
+    return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
+
+
+def _within(error: Callable[..., tuple[Any, Any]], constant: str) -> tuple[Callable[..., Any], ...]:
+    """The two margins of |error| < constant, for an error given as middle and radius."""
+    limit = as_rational(constant)
+
+    def upper(x: Any, y: Any, m: Any) -> Any:
+        middle, radius = error(x, y, m)
+        return arb(limit) - middle - radius
+
+    def lower(x: Any, y: Any, m: Any) -> Any:
+        middle, radius = error(x, y, m)
+        return arb(limit) + middle - radius
+
+    return upper, lower
+
+
+KAPPA = ((0, 1), (0, 2))
+"""The chart (b, κ) of ab ≥ 1/4."""
+BY_KAPPA = ("b", "kappa")
+
+printed_remainder = Claim(
+    label="eps0",
+    says="ε₀ e^{π√(ab)} − 2√(a/(a+b)) e^{−b/√(1+b/a)} = o(e^{−π√(ab)}).",
+    kind="order",
+    proof=Asymptotics(
+        Order(
+            "o",
+            lambda t, m: (_defect_at_unit_b(t, m) - _printed_at_unit_b(t, m)) / m.exp(-m.pi / t),
+            lambda t, m: m.exp(-m.pi / t),
+        ),
+        "t = 1/sqrt(ab) -> 0 along b = 1, a = 1/t^2",
+        RESTS_ON,
+    ),
+    expect=Verdict.REFUTED,
+    where=Place(display=47),
+    note="On this path the printed remainder is −t²/(3e), algebraic and not exponentially small.",
+)
+
+
+printed_error = _boxed(
+    "printed_error",
+    "|log(printed leading term/ε₀)| ≤ 0.17/(ab).",
+    _within(_printed_error, "17/100"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "17/100",
+    note="The printed formula's own relative error; b²/(6a) = b³/(6ab) is its leading term.",
+)
+
+printed_error_too_small = _boxed(
+    "printed_error_too_small",
+    "|log(printed leading term/ε₀)| ≤ 0.166/(ab).",
+    _within(_printed_error, "166/1000"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "166/1000",
+    expect=Verdict.REFUTED,
+    amended_by=(printed_error,),
+)
+
+
+# -- the theorem repaired -------------------------------------------------------------------------
+
+
+def _series_error(order: int) -> Callable[..., tuple[Any, Any]]:
+    def error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+        return margins.remainder(margins.by_kappa(b, kappa, m), order, order + 7, m)
+
+    return error
+
+
+def _repaired(label: str, order: int, constant: str, expect: Verdict) -> Claim:
+    """|ε₀/ε* − Σ_{n≤order} c_n ε*^{2n}| ≤ constant · ε*^{2·order+2} on ab ≥ 1/4."""
+    terms = " − ".join(["1", "c₁ε*²", "c₂ε*⁴", "c₃ε*⁶"][: order + 1])
+    return _boxed(
+        label,
+        f"|ε₀/ε* − {terms}| ≤ {constant} ε*^{2 * order + 2}.",
+        _within(_series_error(order), constant),
+        KAPPA,
+        BY_KAPPA,
+        QUARTER,
+        constant,
+        expect,
+        slopes=True,
+    )
+
+
+repaired = _repaired("repaired", 0, "1.451", Verdict.ENCLOSED)
+repaired_too_small = _repaired("repaired_too_small", 0, "1.45", Verdict.REFUTED)
+second_order = _repaired("second_order", 1, "2.98", Verdict.ENCLOSED)
+second_order_too_small = _repaired("second_order_too_small", 1, "2.96", Verdict.REFUTED)
+third_order = _repaired("third_order", 2, "7.36", Verdict.ENCLOSED)
+
+
+def _sides(a0: fmpq, root: fmpq, constant: fmpq) -> tuple[Bound, ...]:
+    """The four bounds of |ε₀/ε* − 1| ≤ K ε*² on a ≥ a₀: both sides in the charts (b, κ), (k, α)."""
+    near, far = box((0, 1), (0, 1 / root)), box((0, root), (0, 1 / a0))
+    bounds = []
+    for side in (margins.above_anywhere, margins.below_anywhere):
+        for chart, region in ((margins.by_kappa, near), (margins.by_k, far)):
+
+            def margin(x: Any, y: Any, m: Any, side: Any = side, chart: Any = chart) -> Any:
+                return side(chart(x, y, m), arb(constant), m)
+
+            bounds.append(Bound(margin, region))
+    return tuple(bounds)
+
+
+def _repaired_from(a0: str, root: str, constant: str) -> Claim:
+    bounds = _sides(as_rational(a0), as_rational(root), as_rational(constant))
+    label = f"repaired_from_{a0.replace('/', '_')}"
+    region = f"a >= {a0}, 0 < b <= 1"
+    exact = as_rational(constant)
+    stored = certificate(label)
+    return Claim(
+        label=label,
+        says=f"|ε₀/ε* − 1| ≤ {constant} ε*².",
+        kind="bound",
+        proof=Boxes(bounds, ("x", "y"), region, exact, RESTS_ON, stored),
+        expect=Verdict.ENCLOSED,
+    )
+
+
+repaired_from = tuple(
+    _repaired_from(*row)
+    for row in (
+        ("16", "4", "0.4325"),
+        ("4", "2", "0.4795"),
+        ("1", "1", "0.6674"),
+        ("1/4", "1/2", "1.451"),
+        ("1/16", "1/4", "5.08"),
+    )
+)
+"""K against a₀; each is within one per cent of the value at b = 1, a = a₀."""
+
+
+def _leading_at_unit_b(t: Any, m: Any) -> Any:
+    """ε* of the shape b = 1, a = t²."""
+    return 2 * t / m.sqrt(1 + t * t) * m.exp(-t * (3 * m.pi / 2 - m.atan(t)))
+
+
+def _excess_as_a_vanishes(t: Any, m: Any) -> Any:
+    """ε₀/ε* − 1 of the shape b = 1, a = t²: tan ε₀ = t/(√(1 + t²) sinh tP), π ≤ P ≤ 3π/2."""
+    if not isinstance(m, Germs):
+        defect = defect_over(t**2, arb(1))
+    else:
+        phase = m.constant(balls.pi * arb("1.25", "0.25"))
+        defect = m.atan(t / (m.sqrt(1 + t * t) * m.sinh(t * phase)))
+    return defect / _leading_at_unit_b(t, m) - 1
+
+
+no_single_constant = Claim(
+    label="no_single_constant",
+    says="One constant K serves all shapes: ε₀/ε* − 1 = O(ε*²) for a > 0, 0 < b ≤ 1.",
+    kind="order",
+    proof=Asymptotics(
+        Order("O", _excess_as_a_vanishes, lambda t, m: _leading_at_unit_b(t, m) ** 2),
+        "t = sqrt(a) -> 0 along b = 1",
+        RESTS_ON,
+    ),
+    expect=Verdict.REFUTED,
+    amended_by=(repaired, *repaired_from),
+    note="At b = 1 the defect tends to a positive limit as a → 0 while ε* tends to 0.",
+)
+
+
+# -- one formula for every body -------------------------------------------------------------------
+
+CHART = ((0, 1), (0, "7/4"))
+"""The chart (b, k); beyond k = 7/4 the tail bounds take over."""
+BY_K = ("b", "k")
+
+
+def _start(text: str) -> arb:
+    return balls.pi if text == "pi" else arb(as_rational(text))
+
+
+def _sweep(start: str, constant: str, side: int) -> Callable[..., Any]:
+    def margin(b: Any, k: Any, m: Any) -> Any:
+        return arb(as_rational(constant)) - side * margins.sweep_error(b, k, _start(start), m)
+
+    return margin
+
+
+def _newton(start: str, constant: str) -> Callable[..., Any]:
+    def margin(b: Any, k: Any, m: Any) -> Any:
+        return arb(as_rational(constant)) - margins.newton_error(b, k, _start(start), m)
+
+    return margin
+
+
+one_line = _boxed(
+    "one_line",
+    "The sweep from π errs by at most 2.8 % of ε₀ for √(ab) ≤ 7/4.",
+    (_sweep("pi", "0.028", 1),),
+    CHART,
+    BY_K,
+    EVERY,
+    "0.028",
+    slopes=True,
+    note="It errs on the side of too large an ε₀, as the phase exceeds π.",
+)
+
+one_line_too_small = _boxed(
+    "one_line_too_small",
+    "The sweep from π errs by at most 2.7 % of ε₀.",
+    (_sweep("pi", "0.027", 1),),
+    CHART,
+    BY_K,
+    EVERY,
+    "0.027",
+    expect=Verdict.REFUTED,
+    slopes=True,
+    amended_by=(one_line,),
+)
+
+balanced_line = _boxed(
+    "balanced_line",
+    "The sweep from 4 errs by at most 0.65 % of ε₀, on either side, for √(ab) ≤ 7/4.",
+    (_sweep("4", "0.0065", 1), _sweep("4", "0.0065", -1)),
+    CHART,
+    BY_K,
+    EVERY,
+    "0.0065",
+    slopes=True,
+)
+
+newton_line = _boxed(
+    "newton_line",
+    "One Newton step after the sweep from π errs by at most 0.01 % of ε₀ for √(ab) ≤ 7/4.",
+    (_newton("pi", "1e-4"),),
+    CHART,
+    BY_K,
+    EVERY,
+    "1e-4",
+    note="It errs on the side of too small an ε₀: the phase equation is convex.",
+)
+
+balanced_newton = _boxed(
+    "balanced_newton",
+    "One Newton step after the sweep from 4 errs by at most 0.0004 % of ε₀ for √(ab) ≤ 7/4.",
+    (_newton("4", "4e-6"),),
+    CHART,
+    BY_K,
+    EVERY,
+    "4e-6",
+)
+
+
+def _tail(kappa: Any, m: Any) -> Any:
+    """4e−5 − coth T · 2e^{−2π/κ}, with T ≥ π/κ and coth T ≤ 1/(1 − 2e^{−2T})."""
+    twice = 2 * margins.flat(kappa, 2 * balls.pi)
+    return arb("4e-5") - twice / (1 - twice)
+
+
+uniform_tail = _boxed(
+    "uniform_tail",
+    "For √(ab) ≥ 7/4 every sweep from π or above errs by at most 0.004 % of ε₀.",
+    (_tail,),
+    ((0, "4/7"),),
+    ("kappa",),
+    "ab >= 49/16, 0 < b <= 1",
+    "4e-5",
+    note="|T − T₁| ≤ b(1 − tanh π√(ab)) ≤ 2e^{−2π√(ab)}, and |d log ε₀/dT| ≤ coth T.",
+)
+
+
+# -- the product alone ----------------------------------------------------------------------------
+
+
+def _product_alone(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
+    """ε₀(a₁, b₁) − ε₀(a₂, b₂) where a₁b₁ < a₂b₂: the claim makes it positive."""
+    if not a1 * b1 < a2 * b2:
+        return arb(1)
+    return defect_over(a1, b1) - defect_over(a2, b2)
+
+
+product_alone = _boxed(
+    "product_alone",
+    "The larger the product ab is, the smaller ε₀ is.",
+    (_product_alone,),
+    (("1/4", "1/4"), (1, 1), (100, 100), ("1/200", "1/200")),
+    ("a1", "b1", "a2", "b2"),
+    "two shapes",
+    expect=Verdict.REFUTED,
+    note="Read of the product alone. At fixed a or fixed b it is true.",
+)
+
+
+# -- the slope and the bend -----------------------------------------------------------------------
+
+
+def _slope_error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    return margins.slope_rest(b, kappa, m), arb(0)
+
+
+slope_leading_term = _boxed(
+    "slope_leading_term",
+    "|dε/dγ + 1/(4bε₀)| ≤ 3.15 √(ab) ε₀/b at γ = 0.",
+    _within(_slope_error, "12.6"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "3.15",
+    note="The remainder is of order ε₀ log(1/ε₀) at fixed b, where the paper prints O(1).",
+)
+
+slope_constant_too_small = _boxed(
+    "slope_constant_too_small",
+    "|dε/dγ + 1/(4bε₀)| ≤ 3.1 √(ab) ε₀/b at γ = 0.",
+    _within(_slope_error, "12.4"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "3.1",
+    expect=Verdict.REFUTED,
+    amended_by=(slope_leading_term,),
+)
+
+bend = Claim(
+    label="bend",
+    says=equal(
+        (2 * epsilon0 - (epsilon0 - gamma / (4 * b * epsilon0))) ** 2,
+        (epsilon0 - gamma / (4 * b * epsilon0)) ** 2 + gamma / b,
+    ),
+    given=(b > 0, epsilon0 > 0),
+    proof=by(algebra),
+    note="The linear formula solves ε + √(ε² + γ/b) = 2ε₀ exactly, as long as ε ≤ 2ε₀.",
+)

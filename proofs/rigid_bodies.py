@@ -1,0 +1,98 @@
+"""Rigid bodies: what I₃ ≤ I₁ + I₂ means for the shape, and how perfect a flip can be.
+
+- `realizable`: I₁ + I₂ − I₃ has the sign of 1 − b(a + 2);
+- `product_below_one`: ab < 1 for every rigid body;
+- `rigid_body_floor`: on b = 1/(a+2) (planar bodies) ε₀ > 2 arctan e^{−π}, for every a > 0;
+- `floor_is_approached`: and ε₀ < 2 arctan e^{−π} + 1/(a+1) there, for every a ≥ 7, so it is the
+  infimum.
+
+With u = 1/(a + 1) planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
+e = 2 arctan e^{−π} (tan e = 1/sinh π, cos e = tanh π) the claim ε₀ > e is
+arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)); arsinh is concave, so the left side is at least
+cπ, and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tresym.proofs.certificates import certificate
+from tresym.proofs.conditions import ordered_moments, shape
+from tresym.proofs.margins import arcsine_over
+from tresym.proofs.separatrix import one_flip_defect
+
+from tresym.arithmetic import balls
+from tresym.claims.bounds import Boxes
+from tresym.claims.claim import Claim, algebra, by, equal, step
+from tresym.claims.enclosure import Bound, box
+from tresym.claims.gradient import coordinates, gradients
+from tresym.notation import I1, I2, I3, a
+from tresym.verdict import Verdict
+
+realizable = Claim(
+    label="realizable",
+    says=equal(1 - (1 - I2 / I3) * ((I2 / I1 - 1) + 2), I2 * (I1 + I2 - I3) / (I1 * I3)),
+    given=ordered_moments,
+    proof=by(algebra),
+    note="So b ≤ 1/(a + 2) exactly when I₃ ≤ I₁ + I₂.",
+)
+
+product_below_one = Claim(
+    label="product_below_one",
+    says=1 - a / (a + 2) > 0,
+    kind="bound",
+    given=shape,
+    proof=(step(2 / (a + 2), algebra),),
+    note="ab ≤ a/(a + 2) for rigid bodies.",
+)
+
+
+def _floor_margin(u: Any, m: Any) -> Any:
+    """π − tanh π · arcsin(u tanh π)/(u tanh π)."""
+    tangent = balls.pi.tanh()
+    return balls.pi - tangent * arcsine_over(u * tangent)
+
+
+rigid_body_floor = Claim(
+    label="rigid_body_floor",
+    says="ε₀ > 2 arctan e^{−π} = 0.08637… for every planar body, b = 1/(a + 2), a > 0.",
+    kind="bound",
+    proof=Boxes(
+        (Bound(_floor_margin, box((0, 1))),),
+        ("u",),
+        "b = 1/(a+2), a > 0, u = 1/(a+1)",
+        claims=(one_flip_defect, realizable),
+        stored=certificate("rigid_body_floor"),
+    ),
+    expect=Verdict.ENCLOSED,
+    note="At fixed a the defect decreases in b, so that planar bodies have the least.",
+)
+
+
+def _excess(u: Any, m: Any) -> Any:
+    """c/(1+u) (π + arcsin(u cos e)) − arsinh(c / tan e) at e = 2 arctan e^{−π} + u."""
+    e = 2 * m.atan(m.exp(-m.pi)) + u
+    c = m.sqrt(1 - u * u)
+    return c / (1 + u) * (m.pi + m.asin(u * m.cos(e))) - m.asinh(c / m.tan(e))
+
+
+def _excess_slope(u: Any, m: Any) -> Any:
+    """The derivative of the excess, which itself vanishes at u = 0."""
+    (at,) = coordinates((u,))
+    return _excess(at, gradients).slopes[0]
+
+
+floor_is_approached = Claim(
+    label="floor_is_approached",
+    says="ε₀ < 2 arctan e^{−π} + 1/(a + 1) for every planar body with a ≥ 7.",
+    kind="bound",
+    proof=Boxes(
+        (Bound(_excess_slope, box((0, "1/8"))),),
+        ("u",),
+        "b = 1/(a+2), a >= 7, u = 1/(a+1)",
+        claims=(one_flip_defect, realizable),
+        stored=certificate("floor_is_approached"),
+    ),
+    expect=Verdict.ENCLOSED,
+    note="Hence the floor is the infimum, approached by planar bodies as a → ∞.",
+)

@@ -1,0 +1,167 @@
+"""The theorem judged and repaired: margins against roots, verdicts, planted falsehoods."""
+
+import pytest
+from flint import arb, fmpq
+from tresym.proofs import asymptotics, margins, rigid_bodies
+
+from tresym.arithmetic import ball_precision, balls
+from tresym.claims.bounds import Asymptotics, Boxes, finding_anew
+from tresym.claims.claim import Claim
+from tresym.claims.enclosure import Bound, BoxProof, CertificateError, box, decide
+from tresym.claims.finding import Finding
+from tresym.claims.judge import judge
+from tresym.flip import uniform
+from tresym.flip.separatrix import solve
+from tresym.formulas import printed, stable
+from tresym.verdict import Verdict
+
+SHAPES = [
+    (fmpq(1, 4), fmpq(1)),
+    (fmpq(16380, 1210) - 1, 1 - fmpq(16380, 17480)),
+    (fmpq(1, 2), fmpq(1, 2)),
+    (fmpq(100), fmpq(1, 400)),
+    (fmpq(1, 100), fmpq(9, 10)),
+]
+SIX = [shape for shape in SHAPES if shape[0] * shape[1] >= fmpq(1, 4)]
+
+
+def stated(module):
+    values = [v if isinstance(v, tuple) else (v,) for v in vars(module).values()]
+    claims = dict.fromkeys(v for several in values for v in several if isinstance(v, Claim))
+    return [c for c in claims if isinstance(c.proof, Boxes | Asymptotics)]
+
+
+CLAIMS = [*stated(asymptotics), *stated(rigid_bodies)]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.label)
+def test_every_claim_gets_its_verdict_when_found_anew(claim):
+    settled = {used.label: Finding(Verdict.PROVED, "") for used in claim.uses}
+    with finding_anew():
+        finding = judge(claim, settled)
+    assert finding.verdict is claim.expect
+    if finding.verdict is Verdict.REFUTED:
+        assert finding.witness
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.label)
+def test_stored_proofs_are_those_of_the_enclosed_bounds(claim):
+    if not isinstance(claim.proof, Boxes):
+        return
+    proofs = claim.proof.stored()
+    assert (proofs is not None) is (claim.expect is Verdict.ENCLOSED)
+    if proofs is not None:
+        assert len(proofs) == len(claim.proof.bounds)
+
+
+def test_a_tampered_certificate_is_refused():
+    proof = asymptotics.repaired.proof
+    with pytest.raises(CertificateError):
+        decide(proof.bounds[0], stored=BoxProof("b"))
+
+
+def balls_of(a, b):
+    k, r = arb(a * b).sqrt(), arb(b / a).sqrt()
+    exact = solve(a, b, 60).defect
+    return arb(a), arb(b), k, r, exact
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+def test_the_exponent_rate_is_that_of_the_exact_root(a, b):
+    with ball_precision(256):
+        _, b_, k, r, exact = balls_of(a, b)
+        rate = margins.exponent_rate(exact, b_, r, balls)
+        expected = (exact / stable.leading_term(k, r, balls)).log() / exact**2
+        assert abs(rate - expected) < 1e-9
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+def test_the_charts_are_the_same_shape(a, b):
+    with ball_precision(256):
+        a_, b_, k, r, _ = balls_of(a, b)
+        star = stable.leading_term(k, r, balls)
+        for shape in (
+            margins.by_kappa(b_, 1 / k, balls),
+            margins.by_k(k, 1 / a_, balls),
+            margins.by_root(b_, k, balls),
+        ):
+            assert abs(shape.leading / star - 1) < 1e-9
+            assert shape.b.overlaps(b_)
+            assert abs(shape.r - r) < 1e-60
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+@pytest.mark.parametrize("start", ["pi", "4"])
+def test_the_errors_of_the_uniform_formulas_are_the_true_ones(a, b, start):
+    with ball_precision(256):
+        a_, b_, k, _, exact = balls_of(a, b)
+        begin = balls.pi if start == "pi" else arb(4)
+        line = uniform.one_line if start == "pi" else uniform.balanced
+        error = margins.sweep_error(b_, k, begin, balls)
+        assert abs(error - (line(a_, b_, balls) / exact - 1)) < 1e-9
+        newton = margins.newton_error(b_, k, begin, balls)
+        true = 1 - uniform.one_step(a_, b_, balls, begin) / exact
+        assert true >= 0
+        assert newton.contains(true) or abs(newton - true) < 1e-12
+        assert abs(error) < (0.028 if start == "pi" else 0.0065)
+        assert true < (1e-4 if start == "pi" else 4e-6)
+
+
+@pytest.mark.parametrize(("a", "b"), SIX)
+def test_the_slope_at_the_separatrix(a, b):
+    with ball_precision(256):
+        a_, b_, k, _, exact = balls_of(a, b)
+        slope = stable.turn_slope(exact, a_, b_, balls) / printed.integrand(
+            exact, a_, b_, arb(0), 1, balls
+        )
+        rest = (-4 * b_ * exact * slope - 1) / exact**2 / k
+        found = margins.slope_rest(b_, 1 / k, balls)
+        assert found.overlaps(rest) or abs(found - rest) < 1e-6
+        assert abs(slope + 1 / (4 * b_ * exact)) < arb("3.15") * k * exact / b_
+
+
+@pytest.mark.parametrize(("a", "b"), SIX)
+def test_the_printed_error_is_as_enclosed(a, b):
+    with ball_precision(256):
+        a_, b_, k, _, exact = balls_of(a, b)
+        true = (printed.asymptotic_defect(a_, b_, balls) / exact).log() * k * k
+        middle, radius = asymptotics._printed_error(b_, 1 / k, balls)
+        assert abs(true - middle) < radius + 1e-9
+
+
+WRONG = [
+    (asymptotics._within(asymptotics._series_error(0), "1.4506"), asymptotics.KAPPA),
+    (asymptotics._within(asymptotics._series_error(1), "2.97"), asymptotics.KAPPA),
+    (asymptotics._within(asymptotics._series_error(0), "0.083"), ((0, "1/2"), (0, "1/4"))),
+    ((asymptotics._sweep("pi", "0.0272", 1),), asymptotics.CHART),
+    ((asymptotics._sweep("4", "0.006", 1),), asymptotics.CHART),
+    ((asymptotics._sweep("4", "0.006", -1),), asymptotics.CHART),
+    ((asymptotics._newton("pi", "7e-5"),), asymptotics.CHART),
+    ((asymptotics._newton("4", "2.5e-6"),), asymptotics.CHART),
+]
+
+
+@pytest.mark.parametrize(("margins_", "sides"), WRONG)
+def test_constants_beyond_the_supremum_are_never_enclosed(margins_, sides):
+    verdicts = {decide(Bound(margin, box(*sides)), budget=1500).verdict for margin in margins_}
+    assert verdicts != {Verdict.ENCLOSED}
+
+
+def test_a_range_too_long_is_never_enclosed():
+    """The constant of ab ≥ 1/4 fails on ab ≥ 1/5."""
+    parts = asymptotics._within(asymptotics._series_error(0), "1.451")
+    verdicts = {decide(Bound(p, box((0, 1), (0, "9/4"))), budget=1500).verdict for p in parts}
+    assert verdicts != {Verdict.ENCLOSED}
+
+
+def test_the_floor_is_not_higher():
+    """At u = 1/8 (a = 7) a planar body is above the floor, and at a = 10⁶ within 10⁻⁶ of it."""
+    with ball_precision(200):
+        floor = 2 * (-balls.pi).exp().atan()
+        assert abs(floor - arb("0.0863740970495643")) < 1e-15
+        for a in (fmpq(1, 1000), fmpq(1), fmpq(7), fmpq(10**6)):
+            exact = solve(a, 1 / (a + 2), 40).defect
+            assert exact > floor
+            if a >= 7:
+                assert exact < floor + 1 / arb(a + 1)
