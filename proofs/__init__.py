@@ -14,6 +14,8 @@ PARTS = (
     "flip_dynamics",
     "separatrix",
     "slope",
+    "asymptotics",
+    "rigid_bodies",
     "table_of_objects",
 )
 
