@@ -400,7 +400,7 @@ end_positive = Claim(
 unique_root = Claim(
     label="unique_root",
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
-    "with 0 < T < 3π√(ab)/2, and none beyond.",
+    "with 0 < T < 3π√(ab)/2.",
     kind="statement",
     given=(*auxiliary, k * r <= 1),
     proof=UniqueRoot(
@@ -415,7 +415,16 @@ unique_root = Claim(
         at_low=(step(-pi * k),),
         at_high=(step(k * atan(1 / (r * tanh(_end))), citing(end_positive), inverses),),
     ),
-    note="b = k r with k = √(ab) and r = √(b/a); the map stays below 3π√(ab)/2.",
+    note="b = k r with k = √(ab) and r = √(b/a).",
+)
+
+no_root_beyond = Claim(
+    label="no_root_beyond",
+    says=_end > _map,
+    kind="bound",
+    given=(*auxiliary, *later),
+    proof=(step(k * atan(1 / (r * tanh(T))), exponentials, inverses),),
+    note="The map stays below 3π√(ab)/2, so no root lies there or beyond.",
 )
 
 contraction = Claim(
@@ -446,14 +455,15 @@ contraction_bound = Claim(
 
 one_flip_defect = Claim(
     label="one_flip_defect",
-    says="The exact equation has exactly one root ε₀ in (0, π/2), and fixed-point iteration "
-    "from any start converges to it.",
+    says="The exact equation has exactly one root ε₀ in (0, π/2), and the map of its stable "
+    "form contracts: its derivative is b sin²ε, between 0 and 1.",
     kind="statement",
     proof=all_of(
         exact_equation,
         stable_equation,
         auxiliary_angle,
         unique_root,
+        no_root_beyond,
         contraction,
         contraction_bound,
     ),
