@@ -209,7 +209,7 @@ gamma_conserved = Claim(
         diff(_gamma_of_angles, theta) * dtheta_dphi + diff(_gamma_of_angles, psi) * dpsi_dphi,
         0,
     ),
-    given=shape_of_a_body,
+    given=(*tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
     note="The second route to the constant of motion: its derivative along the flow.",
 )

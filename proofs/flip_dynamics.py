@@ -8,7 +8,7 @@
 
 import sympy
 from sympy import Abs, Ne, cos, sin, sqrt
-from tresym.proofs.conditions import shape_of_a_body
+from tresym.proofs.conditions import shape_of_a_body, tilted
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma
 
 from tresym.claims.claim import (
@@ -57,7 +57,7 @@ cosine_of_tilt = Claim(
 eq_dpsidphi = Claim(
     label="eq_dpsidphi",
     says=equal(dpsi_dphi, printed.psi_rate(psi, a, b, gamma, S, sympy)),
-    given=moving,
+    given=(*tilted, *moving),
     proof=(
         step(
             (a + b * sin(psi) ** 2) * cos(theta) / (1 - b * sin(psi) ** 2),
@@ -78,7 +78,7 @@ eq_dpsidphi = Claim(
 precession_integrand = Claim(
     label="d19",
     says=equal(1 / dpsi_dphi, printed.integrand(psi, a, b, gamma, S, sympy)),
-    given=(*moving, Ne(dpsi_dphi, 0)),
+    given=(*tilted, *moving, Ne(dpsi_dphi, 0)),
     proof=(
         step(
             (1 - b * sin(psi) ** 2)

@@ -132,11 +132,11 @@ def test_equations_are_transformed_by_one_to_one_functions_only() -> None:
     )
     squared = equal(a**2, b**2)
     steps = (step(squared, applying("square")),)
-    assert verdict(claim(Equivalent(first, squared), steps)) is Verdict.UNDECIDED
+    assert verdict(claim(Equivalent(first, squared), steps)) is Verdict.REFUTED
     assert verdict(claim(Equivalent(first, squared), steps, (a > 0, b > 0))) is Verdict.PROVED
     cosines = equal(cos(a), cos(b))
     assert verdict(claim(Equivalent(first, cosines), (step(cosines, applying("cos")),))) is (
-        Verdict.UNDECIDED
+        Verdict.REFUTED
     )
     vanishing = (step(equal(a * t, b * t), multiplying(t)),)
     assert verdict(claim(Equivalent(first, equal(a * t, b * t)), vanishing)) is Verdict.UNDECIDED
@@ -172,7 +172,7 @@ def root(function: object, slope: object, low: object, high: object, *given: obj
 
 def test_unique_roots() -> None:
     assert root(x**3 + x - 1, 3 * x**2 + 1, 0, 1) is Verdict.PROVED
-    assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.UNDECIDED
+    assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.REFUTED
     assert root(x**3 + x - 1, 3 * x**2 - 1, 0, 1) is Verdict.UNDECIDED
     assert root(x**2 - 1, 2 * x, -2, 2) is Verdict.UNDECIDED
     assert root(1 / x, -1 / x**2, -1, 1) is Verdict.UNDECIDED
@@ -243,3 +243,58 @@ def test_circular_definitions_end() -> None:
     found = {c.label: judge(c, {}) for c in (one, two)}
     looped = Claim("looped", equal(x, 0), by(substituting(one, two)))
     assert judge(looped, found).verdict is Verdict.UNDECIDED
+
+
+def test_conditions_do_not_restrict_the_variable_of_integration() -> None:
+    across_the_pole = equal(Integral(1 / x**2, (x, -1, 1)), -2)
+    assert verdict(claim(across_the_pole, by(integrating(-1 / x)), (x > 0,))) is Verdict.UNDECIDED
+    far = equal(Integral(1 / x**2, (x, -1, 1)), -2)
+    assert verdict(claim(far, by(integrating(-1 / x)), (x**2 > 0,))) is Verdict.UNDECIDED
+
+
+def test_a_variable_of_integration_is_not_replaced() -> None:
+    defined = Claim("defined", equal(x, a), Definition())
+    found = {"defined": judge(defined, {})}
+    says = equal(Integral(x, (x, 0, 1)), a)
+    user = Claim("user", says, by(substituting(defined)))
+    assert judge(user, found).verdict is Verdict.UNDECIDED
+
+
+def test_sines_are_positive_strictly_inside_the_half_turn() -> None:
+    inside = (x > 0, x < pi)
+    assert verdict(claim(sin(x) > 0, (step(sin(x)),), inside)) is Verdict.PROVED
+    assert verdict(claim(cos(x) > 0, (step(cos(x)),), (x > 0, x < pi / 2))) is Verdict.PROVED
+    assert verdict(claim(sin(x) > 0, (step(sin(x)),), (x >= 0, x < pi))) is not Verdict.PROVED
+    assert verdict(claim(cos(x) > 0, (step(cos(x)),), inside)) is Verdict.REFUTED
+
+
+def test_an_equation_is_put_in_only_under_its_own_conditions() -> None:
+    lemma = Claim("lemma", equal(sqrt(x**2), x), by(roots), given=(x > 0,))
+    held = {"lemma": judge(lemma, {})}
+    says = equal(sqrt(x**2) + 1, x + 1)
+    assert not judge(Claim("user", says, by(substituting(lemma))), held).verdict.holds
+    user = Claim("user", says, by(substituting(lemma)), given=(x > 2,))
+    assert judge(user, held).verdict is Verdict.PROVED
+    sentence = Claim("sentence", "√x² = x", formally(says, using=(lemma,)))
+    assert not judge(sentence, held).verdict.holds
+
+
+def test_a_condition_on_a_hidden_symbol_is_not_forgotten() -> None:
+    factor = Claim("factor", equal(y, x * t / sqrt(t**2)), Definition(), given=(t**2 > 0,))
+    up = Claim("up", equal(y, x), by(substituting(factor), roots), given=(t > 0, t**2 > 0))
+    down = Claim("down", equal(y, -x), by(substituting(factor), roots), given=(t < 0, t**2 > 0))
+    held = {c.label: judge(c, {"factor": judge(factor, {})}) for c in (factor, up, down)}
+    assert held["up"].verdict is held["down"].verdict is Verdict.PROVED
+    steps = (step(y, substituting(up)), step(-x, substituting(down)))
+    assert not judge(Claim("both", equal(x, -x), steps), held).verdict.holds
+
+
+def test_a_true_claim_with_a_broken_chain_is_not_refuted() -> None:
+    lemma = Claim("lemma", equal(x + y, 1), by())
+    held = {"lemma": Finding(Verdict.PROVED, "assumed")}
+    says = equal(x**2 + x * y, x)
+    assert judge(Claim("user", says, by(substituting(lemma))), held).verdict is Verdict.UNDECIDED
+
+
+def test_no_unique_root_where_there_is_none() -> None:
+    assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.REFUTED

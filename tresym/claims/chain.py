@@ -9,11 +9,11 @@ from dataclasses import replace
 from sympy import Basic, Eq, Equivalent, Expr, Integer, Integral, MatrixBase, Rel, Symbol, Tuple, pi
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
-from tresym.claims.claim import Chain, Claim, Reason, Step, citing, parts_of
+from tresym.claims.claim import Chain, Claim, Definition, Reason, Step, citing, parts_of
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.finding import StepFinding
-from tresym.claims.signs import NON_NEGATIVE, manifest_sign
-from tresym.claims.translate import definitions, put_in, to_expression, to_given
+from tresym.claims.signs import NON_NEGATIVE, is_manifest, manifest_sign
+from tresym.claims.translate import Rules, definitions, put_in, to_expression, to_given
 from tresym.identity import decide
 from tresym.verdict import Verdict
 
@@ -166,11 +166,14 @@ def _check_scalar(
     before: Basic, after: Basic, reasons: tuple[Reason, ...], given: Conditions
 ) -> StepFinding:
     """The step from one number to the next, after definitions and integrals are dealt with."""
-    rules = definitions(
-        claim for reason in reasons if reason.name == "substituting" for claim in reason.claims
-    )
+    used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
+    rules = definitions(used)
     given = _with_bounds(given, reasons)
     given = tuple(dict.fromkeys((*given, *(put_in(condition, rules) for condition in given))))
+    spoken_of = frozenset().union(*(e.free_symbols for e in (before, after, *given)))
+    unmet = unmet_condition(used, rules, given, spoken_of)
+    if unmet is not None:
+        return _undecided(f"{unmet} is not shown, but a claim that is put in needs it")
     written = (before, after)
     before, after = put_in(before, rules), put_in(after, rules)
     for side, meant in zip(written, (before, after), strict=True):
@@ -194,6 +197,29 @@ def _check_scalar(
         theories,
     )
     return PROVED if decision.verdict is Verdict.PROVED else _undecided(decision.why)
+
+
+def unmet_condition(
+    used: tuple[Claim, ...], rules: Rules, given: Conditions, spoken_of: frozenset[Basic]
+) -> Basic | None:
+    """The first condition of a claim that is put in which does not follow from ``given``.
+
+    Conditions of definitions on symbols that neither the claim put in nor the statement
+    (``spoken_of``) names are those under which its symbols exist: they stand wherever they do.
+    """
+    for claim in used:
+        named = spoken_of.union(*(part.free_symbols for part in parts_of(claim.says)))
+        defining = (c for c in (claim, *claim.rests_on) if isinstance(c.proof, Definition))
+        existing = {condition for c in defining for condition in c.given}
+        for condition in claim.given:
+            meant = put_in(condition, rules)
+            if condition in existing and not condition.free_symbols & named:
+                continue
+            if {condition, meant} & set(given):
+                continue
+            if not is_manifest(meant, given):
+                return condition
+    return None
 
 
 def _with_bounds(given: Conditions, reasons: tuple[Reason, ...]) -> Conditions:

@@ -12,11 +12,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from flint import arb, fmpq
-from sympy import Basic, Equivalent, Integral, MatrixBase, Symbol, Tuple
+from sympy import Basic, Equivalent, Symbol, Tuple
 from sympy.core.relational import Equality, Relational
 
 from tresym.arithmetic import ball_precision
-from tresym.claims.chain import check_chain
+from tresym.claims.chain import check_chain, unmet_condition
 from tresym.claims.claim import (
     AllOf,
     Chain,
@@ -33,25 +33,22 @@ from tresym.claims.claim import (
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.finding import Finding, StepFinding
 from tresym.claims.printed import judge_printed
-from tresym.claims.signs import manifest_sign
+from tresym.claims.signs import is_manifest, manifest_sign
 from tresym.claims.translate import (
     CircularError,
-    Rules,
     definitions,
     put_in,
     to_expression,
     to_given,
 )
+from tresym.claims.violation import rootless, violation
 from tresym.exact import fraction_text
-from tresym.identity import Expr, Given, decide, evaluate, symbols
+from tresym.identity import Given, decide, evaluate
 from tresym.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
-
-POINTS = 40
-"""Exact points tried before an inequality is left undecided."""
 
 
 def judge(claim: Claim, found: Findings) -> Finding:
@@ -117,17 +114,19 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Findi
     if failed is None:
         return Finding(PROVED, "every step follows from the reasons it names", steps=tuple(steps))
     for says, _ in parts:
-        refuted = _refute(says, *_context(claim))
+        refuted = refute(says, claim)
         if refuted is not None:
             return replace(refuted, steps=tuple(steps))
     return Finding(UNDECIDED, failed.why, steps=tuple(steps))
 
 
-def _context(claim: Claim) -> tuple[Conditions, Rules]:
-    """What is known where a claim is tried: conditions, bounds it cites, equations it uses."""
-    bounds = [c for c in claim.uses if isinstance(c.says, Relational | Tuple) and c.kind == "bound"]
-    rules = definitions((*(c for b in bounds for c in b.uses), *claim.uses))
-    return (*claim.given, *(part for b in bounds for part in parts_of(b.says))), rules
+def refute(says: Basic, claim: Claim) -> Finding | None:
+    """REFUTED with a point at which balls violate ``says`` and all that is used holds, or None."""
+    known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
+    for used in claim.uses:
+        known.update(dict.fromkeys(p for p in parts_of(used.says) if isinstance(p, Relational)))
+    found = violation(says, claim.given, tuple(known))
+    return Finding(REFUTED, found.why, witness=found.point) if found else None
 
 
 def _judge_definition(claim: Claim) -> Finding:
@@ -159,6 +158,15 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
 
 
 def _judge_unique_root(proof: UniqueRoot, given: Conditions) -> Finding:
+    """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
+    finding = _one_root(proof, given)
+    if finding.verdict is PROVED:
+        return finding
+    none = rootless(proof.function, proof.variable, (proof.low, proof.high), given)
+    return Finding(REFUTED, none.why, witness=none.point, steps=finding.steps) if none else finding
+
+
+def _one_root(proof: UniqueRoot, given: Conditions) -> Finding:
     """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
     v, h = proof.variable, proof.function
     gap = continuous_on(h, (*given, v >= proof.low, v <= proof.high))
@@ -188,21 +196,33 @@ def _judge_unique_root(proof: UniqueRoot, given: Conditions) -> Finding:
 
 def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
     """All relations hold, or the first that does not decides."""
-    rules = definitions(claim.uses)
     finding = Finding(UNDECIDED, "there is no relation to decide")
     for relation in relations:
         if not isinstance(relation, Relational):
             return Finding(UNDECIDED, f"{relation} is not a relation")
-        finding = _settle(relation, claim.given, rules)
+        finding = _settle(relation, claim)
         if finding.verdict is not PROVED:
             return finding
     return finding
 
 
-def _settle(relation: Basic, given: Conditions, rules: Rules) -> Finding:
+def _settle(relation: Basic, claim: Claim) -> Finding:
     """One relation decided without a chain: by normal form or sign, else at exact points."""
-    replaced = _put_into(given, rules)
-    conditions = to_given(replaced)
+    proved = _without_chain(relation, claim)
+    if proved.verdict is PROVED:
+        return proved
+    return refute(relation, claim) or proved
+
+
+def _without_chain(relation: Relational, claim: Claim) -> Finding:
+    """PROVED by normal form or by a manifest sign, else UNDECIDED."""
+    rules = definitions(claim.uses)
+    replaced = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
+    spoken_of = frozenset().union(*(e.free_symbols for e in (relation, *claim.given)))
+    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced), spoken_of)
+    if unmet is not None:
+        return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
+    conditions = Given.from_sympy(*replaced)
     if conditions.satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     left, right = (put_in(side, rules) for side in relation.args)
@@ -212,66 +232,11 @@ def _settle(relation: Basic, given: Conditions, rules: Rules) -> Finding:
             return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
     if isinstance(relation, Equality):
         decision = decide(to_expression(left), to_expression(right), conditions)
-        return Finding(decision.verdict, decision.why, witness=decision.witness)
-    found = manifest_sign(left - right, replaced)
-    if found is not None and _agrees(relation, found):
-        return Finding(PROVED, f"the difference of the two sides has the proven sign {found}")
-    return _refute(relation, given, rules) or Finding(UNDECIDED, "no sign is manifest")
-
-
-def _agrees(relation: Relational, found: str) -> bool:
-    return found in {
-        ">": ("+",),
-        ">=": ("+", "0", ">=0"),
-        "<": ("-",),
-        "<=": ("-", "0", "<=0"),
-        "!=": ("+", "-"),
-    }.get(relation.rel_op, ())
-
-
-def _put_into(given: Conditions, rules: Rules) -> Conditions:
-    return tuple(dict.fromkeys(put_in(condition, rules) for condition in given))
-
-
-def _refute(says: Basic, given: Conditions, rules: Rules) -> Finding | None:
-    """REFUTED with an exact point at which balls violate ``says``, or None."""
-    if isinstance(says, Tuple):
-        found = (_refute(part, given, rules) for part in says.args)
-        return next((f for f in found if f is not None), None)
-    if isinstance(says, Equivalent) or not isinstance(says, Relational) or says.has(Integral):
-        return None
-    left, right = says.args
-    if isinstance(left, MatrixBase):
-        pairs = (_refute(equal(p, q), given, rules) for p, q in zip(left, right, strict=True))
-        return next((f for f in pairs if f is not None), None)
-    conditions = to_given(_put_into(given, rules))
-    left, right = put_in(left, rules), put_in(right, rules)
-    if isinstance(says, Equality):
-        decision = decide(to_expression(left, True), to_expression(right, True), conditions)
-        if decision.verdict is REFUTED:
-            return Finding(REFUTED, decision.why, witness=decision.witness)
-        return None
-    return _violated(says, to_expression(left - right, True), conditions)
-
-
-def _violated(says: Relational, difference: Expr, conditions: Given) -> Finding | None:
-    names = sorted(symbols(difference))
-    for point in conditions.points(names, POINTS):
-        with ball_precision(128):
-            value = evaluate(difference, {name: arb(v) for name, v in point.items()})
-            if not value.is_finite():
-                continue
-            wrong = {
-                ">": value <= 0,
-                ">=": value < 0,
-                "<": value >= 0,
-                "<=": value > 0,
-                "!=": value.is_zero(),
-            }[says.rel_op]
-        if wrong:
-            where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in point.items())
-            return Finding(REFUTED, f"violated at {where}", witness=point)
-    return None
+        proved = decision.verdict is PROVED
+        return Finding(PROVED if proved else UNDECIDED, decision.why)
+    if is_manifest(relation.func(left, right, evaluate=False), replaced):
+        return Finding(PROVED, "the sign of the difference of the two sides is proven")
+    return Finding(UNDECIDED, "no sign is manifest")
 
 
 def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:

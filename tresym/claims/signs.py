@@ -66,6 +66,18 @@ def _in_half_turn(e: Basic, conditions: tuple[Basic, ...]) -> bool:
     return all(manifest_sign(end, conditions) == "+" for end in ends)
 
 
+def is_manifest(relation: Relational, conditions: tuple[Basic, ...]) -> bool:
+    """Whether the proven sign of the difference of the two sides shows the inequality."""
+    allowed = {
+        ">": ("+",),
+        ">=": ("+", "0", ">=0"),
+        "<": ("-",),
+        "<=": ("-", "0", "<=0"),
+        "!=": ("+", "-"),
+    }.get(relation.rel_op, ())
+    return manifest_sign(relation.lhs - relation.rhs, conditions) in allowed
+
+
 def _product(signs: list[str | None]) -> str | None:
     """The sign of a product of factors none of which is negative."""
     if not all(s in NON_NEGATIVE for s in signs):

@@ -1,0 +1,334 @@
+"""Mutants: false variants of claims, made mechanically, that no evidence may prove.
+
+A sign is flipped, a coefficient changed by one, an exponent by one or by the factor 2, a and b or
+sine and cosine are swapped, a term or a factor is dropped, an inequality is turned round, a printed
+digit is moved: in what a claim says (the ends of its chains follow), and in each step alone. What a
+claim says is also put to the judge without its chain.
+
+A mutant counts only where balls show it violated: γ ≤ 2a differs from γ ≤ a and is true. What a
+definition says cannot be false, and a conjunction is as false as its parts: neither has mutants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import islice, product
+from typing import Any
+
+from flint import arb
+from sympy import (
+    Add,
+    Basic,
+    Derivative,
+    Eq,
+    Equivalent,
+    I,
+    Integral,
+    MatrixBase,
+    Mul,
+    Pow,
+    Rational,
+    Subs,
+    Symbol,
+    Tuple,
+    cos,
+    nan,
+    oo,
+    sin,
+    zoo,
+)
+from sympy.core.relational import Relational
+
+from tresym.arithmetic import ball_precision, balls
+from tresym.claims.claim import (
+    Chain,
+    Claim,
+    Formally,
+    Printed,
+    Step,
+    Together,
+    UniqueRoot,
+    equal,
+    formally,
+    parts_of,
+)
+from tresym.claims.judge import refute
+from tresym.claims.violation import rootless, scalars
+from tresym.exact import Interval, printed
+from tresym.notation import a, b
+
+Variant = Any
+"""A changed expression, relation or printed text."""
+
+BITS = 128
+SPLITS = (1, 4, 12)
+"""Pieces that each input of a printed number is cut into, to show a mutant violated."""
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A false claim made from ``origin`` by one change at one place."""
+
+    origin: Claim
+    place: str
+    change: str
+    claim: Claim
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """A place where a claim can be changed."""
+
+    name: str
+    variants: Iterable[Variant]
+    claims: Callable[[Variant], tuple[Claim, ...]]
+    violated: Callable[[Claim], bool]
+
+
+def mutants(claim: Claim, wanted: int) -> Iterator[Mutant]:
+    """Mutants of ``claim`` that balls show violated, the same ones in every run.
+
+    Args:
+        wanted: at most this many changes at each place.
+    """
+    for spot in _spots(claim):
+        changed = ((v, spot.claims(v)) for v in spot.variants)
+        counted = ((v, claims) for v, claims in changed if spot.violated(claims[0]))
+        for variant, claims in islice(counted, wanted):
+            for mutated in claims:
+                yield Mutant(claim, spot.name, str(variant), mutated)
+
+
+def _scattered(variants: Iterable[Any]) -> list[Any]:
+    """The same in an order in which the first few are of all kinds."""
+    numbered = enumerate(variants)
+    return [v for _, v in sorted(numbered, key=lambda item: item[0] * 2654435761 % 2**32)]
+
+
+def _spots(claim: Claim) -> Iterator[_Spot]:
+    match claim.proof:
+        case Printed():
+            yield from _printed_spots(claim, claim.proof)
+        case UniqueRoot():
+            yield from _root_spots(claim, claim.proof)
+        case Formally(relations=relations):
+            for n, relation in enumerate(relations, 1):
+                yield _formal_spot(claim, relation, f"relation {n}")
+        case Together(chains):
+            for n, (part, chain) in enumerate(zip(parts_of(claim.says), chains, strict=True), 1):
+                yield from _chain_spots(claim, part, chain, f"part {n}: ")
+        case tuple():
+            yield from _chain_spots(claim, claim.says, claim.proof, "")
+
+
+def _is_violated(claim: Claim) -> bool:
+    says = claim.proof.relations[0] if isinstance(claim.proof, Formally) else claim.says
+    return refute(says, claim) is not None
+
+
+def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        return (replace(claim, proof=formally(changed, using=claim.uses)),)
+
+    return _Spot(name, mutations(relation), claims, _is_violated)
+
+
+def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        follows = replace(claim, says=changed, proof=_following(chain, says, changed))
+        if isinstance(changed, Equivalent):
+            return (follows,)
+        alone = formally(*scalars(changed), using=claim.uses)
+        return follows, replace(claim, says=changed, proof=alone)
+
+    yield _Spot(prefix + "statement", mutations(says), claims, _is_violated)
+    yield from _step_spots(claim, _start(says), chain, prefix)
+
+
+def _following(chain: Chain, says: Any, changed: Any) -> Chain:
+    """The chain with its last expression, where that is an end of ``says``, changed along."""
+    last = chain[-1]
+    ends = dict(zip(says.args, changed.args, strict=True))
+    return (*chain[:-1], Step(ends.get(last.expression, last.expression), last.reasons))
+
+
+def _start(says: Any) -> Basic:
+    if isinstance(says, Eq | Equivalent):
+        return says.args[0]
+    return says.gts - says.lts
+
+
+def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
+    """Each expression of a chain, changed alone and claimed to follow from the one before."""
+    before = start
+    for n, link in enumerate(chain, 1):
+        if link.expression is None:
+            return
+
+        def claims(changed: Variant, before: Basic = before, link: Step = link) -> tuple[Claim]:
+            relate = Equivalent if isinstance(changed, Eq) else equal
+            says, proof = relate(before, changed), (Step(changed, link.reasons),)
+            return (replace(claim, says=says, proof=proof),)
+
+        yield _Spot(f"{prefix}step {n}", mutations(link.expression), claims, _is_violated)
+        before = link.expression
+
+
+def _root_spots(claim: Claim, proof: UniqueRoot) -> Iterator[_Spot]:
+    """The function, the ends, and the chain of the derivative."""
+
+    def violated(mutated: Claim) -> bool:
+        root: Any = mutated.proof
+        ends = root.low, root.high
+        return rootless(root.function, root.variable, ends, mutated.given) is not None
+
+    for name in ("function", "low", "high"):
+
+        def claims(changed: Variant, name: str = name) -> tuple[Claim, ...]:
+            change: Any = {name: changed}
+            return (replace(claim, proof=replace(proof, **change)),)
+
+        yield _Spot(name, mutations(getattr(proof, name)), claims, violated)
+    v = proof.variable
+    inside = replace(claim, given=(*claim.given, v > proof.low, v < proof.high))
+    slope = proof.function.diff(v, evaluate=False)
+    yield from _step_spots(inside, slope, proof.derivative, "derivative: ")
+
+
+# Printed numbers
+
+
+def _printed_spots(claim: Claim, proof: Printed) -> Iterator[_Spot]:
+    def with_text(text: Variant) -> tuple[Claim, ...]:
+        return (replace(claim, proof=replace(proof, text=text)),)
+
+    yield _Spot("printed number", _moved_digits(proof.text), with_text, _no_inputs_give_it)
+    for name, text in proof.inputs.items():
+        if not isinstance(text, str):
+            continue
+
+        def with_input(text: Variant, name: str = name) -> tuple[Claim, ...]:
+            return (replace(claim, proof=replace(proof, inputs={**proof.inputs, name: text})),)
+
+        yield _Spot(f"input {name}", _moved_digits(text), with_input, _no_inputs_give_it)
+
+
+def _moved_digits(text: str) -> Iterator[str]:
+    """Each digit before the exponent one up and one down, leading ones first, and the sign."""
+    for n, digit in enumerate(text):
+        if not digit.isdigit():
+            if digit in "eE":
+                break
+            continue
+        for moved in (int(digit) + 1, int(digit) - 1):
+            if 0 <= moved <= 9:
+                yield f"{text[:n]}{moved}{text[n + 1 :]}"
+    yield text[1:] if text.startswith("-") else "-" + text
+
+
+def _no_inputs_give_it(claim: Claim) -> bool:
+    """Whether balls over pieces of the box of inputs all miss the printed interval."""
+    number: Any = claim.proof
+    low, high = printed(number.text)
+    half = (high - low) / 2 * number.half_units
+    target = Interval((low + high) / 2 - half, (low + high) / 2 + half)
+    box = [printed(v) if isinstance(v, str) else Interval(v, v) for v in number.inputs.values()]
+    return any(_missed(number, box, target, pieces) for pieces in SPLITS)
+
+
+def _missed(number: Printed, box: list[Interval], target: Interval, pieces: int) -> bool:
+    sides = [_pieces(side, pieces if side.low < side.high else 1) for side in box]
+    with ball_precision(BITS):
+        for cell in product(*sides):
+            value = number.formula(*cell, balls)
+            if not (value.is_finite() and (value > target.high or value < target.low)):
+                return False
+    return True
+
+
+def _pieces(side: Interval, pieces: int) -> list[arb]:
+    width = (side.high - side.low) / pieces
+    ends = [(side.low + n * width, side.low + (n + 1) * width) for n in range(pieces)]
+    return [Interval(*pair).ball() for pair in ends]
+
+
+# Changes of an expression
+
+
+Path = tuple[int, ...]
+
+
+def mutations(e: Basic) -> Iterator[Basic]:
+    """``e`` with one change anywhere in it, or with a and b swapped; the first few of all kinds."""
+    edits = [((), e.xreplace({a: b, b: a})), *_edits(e, ())]
+    seen = {e}
+    for path, changed in _scattered(edits):
+        whole = _replaced(e, path, changed)
+        if whole not in seen and not whole.has(nan, oo, zoo, I):
+            seen.add(whole)
+            yield whole
+
+
+def _edits(e: Basic, path: Path) -> Iterator[tuple[Path, Basic]]:
+    """Every node of ``e`` with what it can be changed to."""
+    for changed in _here(e):
+        yield path, changed
+    for n in _changeable(e):
+        yield from _edits(e.args[n], (*path, n))
+
+
+def _replaced(e: Basic, path: Path, changed: Basic) -> Basic:
+    if not path:
+        return changed
+    n = path[0]
+    return _rebuilt(e, (*e.args[:n], _replaced(e.args[n], path[1:], changed), *e.args[n + 1 :]))
+
+
+def _changeable(e: Basic) -> range:
+    """Which arguments of ``e`` may be changed: not the variables that it binds."""
+    if isinstance(e, Derivative | Subs):
+        return range(1)
+    if isinstance(e, MatrixBase):
+        return range(2, 3)
+    if isinstance(e, Tuple) and len(e.args) == 3 and isinstance(e.args[0], Symbol):
+        return range(1, 3)
+    return range(len(e.args))
+
+
+def _rebuilt(e: Basic, args: tuple[Basic, ...]) -> Basic:
+    if isinstance(e, Relational):
+        return e.func(*args, evaluate=False)
+    if isinstance(e, MatrixBase):
+        return type(e)(*args[:2], list(args[2]))
+    if isinstance(e, Integral):
+        return Integral(*args)
+    return e.func(*args)
+
+
+def _here(e: Basic) -> Iterator[Basic]:
+    """Changes of the outermost operation of ``e``."""
+    match e:
+        case Add():
+            for n, term in enumerate(e.args):
+                rest = (*e.args[:n], *e.args[n + 1 :])
+                yield from (Add(*rest), Add(*rest, -term), Add(*rest, 2 * term))
+        case Mul():
+            for n in range(len(e.args)):
+                yield Mul(*e.args[:n], *e.args[n + 1 :])
+            yield -e
+        case Pow():
+            for exponent in (e.exp + 1, e.exp - 1, 2 * e.exp):
+                yield e.base**exponent
+        case Rational():
+            yield e + 1
+            yield -e
+        case Symbol():
+            yield from (2 * e, -e)
+        case sin():
+            yield from (cos(*e.args), -e)
+        case cos():
+            yield from (sin(*e.args), -e)
+        case Relational():
+            if e.rel_op in (">", ">=", "<", "<="):
+                yield e.reversedsign.func(*e.args, evaluate=False)

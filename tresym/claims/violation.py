@@ -1,0 +1,365 @@
+"""Violations: a point where everything a claim uses holds, and balls there that exclude it.
+
+The equations a claim uses are put in: each is read as a rule for a symbol, solved for one in which
+it is linear, or, when neither will do, met on a tiny segment across which it changes sign. Balls
+walk over the SymPy expression itself, integrals included: nothing is shared with the decision
+procedures that a violation is to contradict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any
+
+from flint import acb, arb, fmpq
+from sympy import (
+    Add,
+    Basic,
+    Derivative,
+    Eq,
+    Equivalent,
+    Integral,
+    MatrixBase,
+    Mul,
+    NumberSymbol,
+    Pow,
+    Rational,
+    Subs,
+    Symbol,
+    Tuple,
+    exp,
+    together,
+)
+from sympy.core.relational import Relational
+
+from tresym.arithmetic import ball_precision
+from tresym.claims.claim import equal
+from tresym.claims.translate import Rules, put_in, to_expression
+from tresym.exact import Interval, fraction_text
+from tresym.identity import Given, decide
+from tresym.identity.given import Range
+from tresym.verdict import Verdict
+
+Conditions = tuple[Basic, ...]
+Point = Mapping[Symbol, Any]
+
+BITS = 128
+POINTS = 40
+"""Exact points tried before a relation is taken to be unviolated."""
+LOOKS = ((BITS, POINTS), (1024, 2))
+ROOTS = 2
+"""Points on an implicit equation that are looked for."""
+SPAN, GRID = fmpq(8), 16
+"""Where a root is looked for along an unbounded coordinate, and in how many steps."""
+CELLS = 256
+"""Cells that an interval without a root is cut into."""
+TOLERANCE = arb(2) ** -48
+EVALUATIONS = 300
+"""How far an integral is refined."""
+WIDTH = fmpq(1, 2**40)
+"""Width of the segment on which an implicit equation holds somewhere."""
+
+
+@dataclass(frozen=True)
+class Violation:
+    """The point (its centre, where it is a segment) and a sentence on what happens there."""
+
+    point: Mapping[str, fmpq]
+    why: str
+
+
+@dataclass(frozen=True)
+class World:
+    """Where a claim is tried: conditions, rules that are put in, equations met by search."""
+
+    conditions: Conditions
+    rules: tuple[tuple[Basic, Basic], ...]
+    implicit: tuple[Basic, ...]
+    """Differences that vanish where the equations used hold."""
+
+
+@lru_cache(maxsize=4096)
+def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> Violation | None:
+    """A point under ``given`` where all of ``known`` holds and balls violate ``says``, or None.
+
+    Args:
+        says: a relation, a `Tuple` of them (one must fail), or an `Equivalent` of two equations.
+        known: relations of the claims that are used.
+    """
+    if isinstance(says, Equivalent):
+        first, second = says.args
+        return violation(second, given, (*known, first)) or violation(
+            first, given, (*known, second)
+        )
+    if isinstance(says, Tuple):
+        found = (violation(part, given, known) for part in says.args)
+        return next((f for f in found if f is not None), None)
+    if not isinstance(says, Relational):
+        return None
+    if isinstance(says.args[0], MatrixBase):
+        return violation(Tuple(*scalars(says)), given, known)
+    world = _world(given, known)
+    rules = dict(world.rules)
+    left, right = (put_in(side, rules) for side in says.args)
+    points = _points(world, frozenset(left.free_symbols | right.free_symbols))
+    for bits, count in LOOKS:
+        for place in points[:count]:
+            with ball_precision(bits):
+                point = {s: i.ball() for s, i in place.items()}
+                if excluded(value(left, point) - value(right, point), says.rel_op):
+                    return _violated_at(place)
+    return None
+
+
+def rootless(
+    function: Basic, variable: Symbol, ends: tuple[Basic, Basic], given: Conditions
+) -> Violation | None:
+    """A point under ``given`` at which balls show ``function`` without root between ``ends``."""
+    names = function.free_symbols.union(*(end.free_symbols for end in ends)) - {variable}
+    for place in _points(_world(given, ()), frozenset(names))[:ROOTS]:
+        with ball_precision(BITS):
+            point = {s: i.ball() for s, i in place.items()}
+            low, high = (value(end, point) for end in ends)
+            cells = [
+                (low + (high - low) * n / CELLS).union(low + (high - low) * (n + 1) / CELLS)
+                for n in range(CELLS)
+            ]
+            sides = {_side(value(function, {**point, variable: cell})) for cell in cells}
+        if sides in ({1}, {-1}):
+            return _violated_at(place)
+    return None
+
+
+def excluded(difference: arb, relation: str) -> bool:
+    """Whether a ball shows that ``difference`` does not stand in ``relation`` to zero."""
+    if not difference.is_finite():
+        return False
+    return bool(
+        {
+            "==": not difference.contains(0),
+            "!=": difference.is_zero(),
+            ">": difference <= 0,
+            ">=": difference < 0,
+            "<": difference >= 0,
+            "<=": difference > 0,
+        }[relation]
+    )
+
+
+def _violated_at(place: Mapping[Symbol, Interval]) -> Violation:
+    named = sorted((s.name, (i.low + i.high) / 2, i.low == i.high) for s, i in place.items())
+    where = [f"{n} = {fraction_text(v)}" for n, v, exact in named if exact]
+    where += [f"a root {n} near {float(v.p) / float(v.q)!r}" for n, v, exact in named if not exact]
+    why = "violated at " + (", ".join(where) or "the constants themselves")
+    return Violation({n: v for n, v, _ in named}, why)
+
+
+def scalars(equation: Basic) -> list[Basic]:
+    """The entries of an equation of matrices; a scalar relation is its own."""
+    left, right = equation.args
+    if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
+        return [equal(p, q) for p, q in zip(left, right, strict=True)]
+    return [equation]
+
+
+# Where everything that is used holds
+
+
+@lru_cache(maxsize=512)
+def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
+    relations = [entry for relation in known for entry in scalars(relation)]
+    rules: Rules = {}
+    pending = []
+    for equation in (r for r in relations if isinstance(r, Eq)):
+        left, right = (put_in(side, rules) for side in equation.args)
+        if isinstance(left, Symbol) and left not in right.free_symbols:
+            rules[left] = right
+        elif left != right:
+            pending.append(equation)
+    kept = frozenset().union(*(condition.free_symbols for condition in given))
+    implicit = []
+    for equation in pending:
+        left, right = (put_in(side, rules) for side in equation.args)
+        if left == right or _identical(left, right):
+            continue
+        solved = _solved(left - right, kept)
+        if solved is None:
+            implicit.append(left - right)
+        else:
+            rules[solved[0]] = solved[1]
+    bounds = [r for r in relations if not isinstance(r, Eq)]
+    conditions = dict.fromkeys(put_in(c, rules) for c in (*given, *bounds))
+    implicit = [put_in(difference, rules) for difference in implicit]
+    return World(tuple(conditions), tuple(rules.items()), tuple(implicit))
+
+
+def _identical(left: Basic, right: Basic) -> bool:
+    return decide(to_expression(left), to_expression(right)).verdict is Verdict.PROVED
+
+
+def _solved(difference: Basic, kept: frozenset[Symbol]) -> tuple[Symbol, Basic] | None:
+    """A symbol in which ``difference`` is linear, preferably a free one, and its root."""
+    if difference.has(Integral):
+        return None
+    for symbol in sorted(difference.free_symbols, key=lambda s: (s in kept, s.name)):
+        slope = difference.diff(symbol)
+        if slope != 0 and symbol not in slope.free_symbols:
+            return symbol, together(-difference.subs(symbol, 0) / slope)
+    return None
+
+
+@lru_cache(maxsize=512)
+def _points(world: World, names: frozenset[Symbol]) -> tuple[dict[Symbol, Interval], ...]:
+    """Points, or tiny segments, on which every condition and equation holds somewhere."""
+    if len(world.implicit) > 1:
+        return ()
+    symbols = {s.name: s for s in names.union(*(d.free_symbols for d in world.implicit))}
+    symbols |= {s.name: s for condition in world.conditions for s in condition.free_symbols}
+    found: list[dict[Symbol, Interval]] = []
+    for named in Given.from_sympy(*world.conditions).points(sorted(symbols), POINTS):
+        exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
+        found += _on_equation(world, exact) if world.implicit else [exact]
+        if world.implicit and len(found) >= ROOTS:
+            break
+    return tuple(found)
+
+
+def _on_equation(world: World, exact: dict[Symbol, Interval]) -> Iterator[dict[Symbol, Interval]]:
+    """At most one segment across the implicit equation, along one coordinate through a point."""
+    (difference,) = world.implicit
+    box = Given.from_sympy(*world.conditions).box
+    with ball_precision(BITS):
+        fixed = {s: i.ball() for s, i in exact.items()}
+        for symbol in sorted(difference.free_symbols, key=lambda s: (s.name not in box, s.name)):
+            low, high = _reach(box.get(symbol.name, Range()))
+
+            def at(v: arb | fmpq, symbol: Symbol = symbol) -> arb:
+                return value(difference, {**fixed, symbol: arb(v)})
+
+            segment = _segment(at, low, high)
+            if segment is None or not at(segment.ball()).is_finite():
+                continue
+            point = {**fixed, symbol: segment.ball()}
+            if all(_holds(condition, point) for condition in world.conditions):
+                yield {**exact, symbol: segment}
+                return
+
+
+def _reach(where: Range) -> tuple[fmpq, fmpq]:
+    low = -SPAN / 2 if where.low is None else where.low
+    return low, low + SPAN if where.high is None else where.high
+
+
+def _segment(function: Callable[[fmpq], arb], low: fmpq, high: fmpq) -> Interval | None:
+    """A tiny segment at whose ends ``function`` has opposite signs."""
+    grid = [low + (high - low) * n / GRID for n in range(1, GRID)]
+    signed = [(v, s) for v in grid if (s := _side(function(v)))]
+    for (start, first), (end, second) in pairwise(signed):
+        if first == second:
+            continue
+        while end - start > WIDTH:
+            middle = (start + end) / 2
+            side = _side(function(middle))
+            if not side:
+                return None
+            start, end = (middle, end) if side == first else (start, middle)
+        return Interval(start, end)
+    return None
+
+
+def _side(x: arb) -> int:
+    return 1 if x > 0 else -1 if x < 0 else 0
+
+
+def _holds(condition: Basic, point: Point) -> bool:
+    """Whether balls show an inequality, strictly."""
+    difference = value(condition.lhs - condition.rhs, point)
+    if condition.rel_op == "!=":
+        return _side(difference) != 0
+    return bool(difference > 0 if condition.rel_op in (">", ">=") else difference < 0)
+
+
+# Balls over SymPy expressions
+
+
+def value(e: Basic, point: Point, analytic: bool = False) -> Any:
+    """A ball that contains ``e`` at ``point``; not finite where ``e`` is not shown to be defined.
+
+    Args:
+        point: symbols to real or complex balls.
+        analytic: for integrands: not finite, too, where ``e`` is not shown to be analytic.
+    """
+    match e:
+        case Symbol():
+            return point[e]
+        case Rational():
+            return arb(fmpq(int(e.p), int(e.q)))
+        case NumberSymbol():
+            return {"pi": arb.pi, "E": arb.const_e}[str(e)]()
+        case Add():
+            total = arb(0)
+            for term in e.args:
+                total = total + value(term, point, analytic)
+            return total
+        case Mul():
+            total = arb(1)
+            for factor in e.args:
+                total = total * value(factor, point, analytic)
+            return total
+        case exp():
+            return value(e.args[0], point, analytic).exp()
+        case Pow():
+            return _power(value(e.base, point, analytic), e.exp, point, analytic)
+        case Derivative() | Subs():
+            return value(e.doit(), point, analytic)
+        case Integral():
+            return _integral(e, point)
+        case _:
+            return _function(e.func.__name__, value(e.args[0], point, analytic), analytic)
+
+
+def _power(base: Any, exponent: Basic, point: Point, analytic: bool) -> Any:
+    if isinstance(exponent, Rational) and exponent.is_integer:
+        if exponent < 0 and base.contains(0):
+            return arb.nan()
+        return base ** int(exponent)
+    power = value(exponent, point, analytic)
+    if isinstance(base, acb):
+        return base.pow(acb(power), analytic)
+    if isinstance(exponent, Rational) and base >= 0:
+        root = base.root(int(exponent.q))
+        if exponent < 0 and root.contains(0):
+            return arb.nan()
+        return root ** int(exponent.p)
+    return (base.log() * power).exp() if base > 0 else arb.nan()
+
+
+def _function(name: str, x: Any, analytic: bool) -> Any:
+    if name == "Abs":
+        return abs(x) if isinstance(x, arb) else x.real_abs(analytic)
+    if name == "sign":
+        side = _side(x)
+        return arb(side) if side else arb.nan()
+    if analytic and isinstance(x, acb) and name in ("log", "asin", "acos", "atanh", "acosh"):
+        return x.log(analytic) if name == "log" else acb(arb.nan())
+    return getattr(x, name)()
+
+
+def _integral(e: Integral, point: Point) -> arb:
+    """A proper integral over one variable, enclosed; widely where it is hard."""
+    if len(e.limits) != 1 or len(e.limits[0]) != 3:
+        return arb.nan()
+    variable, low, high = e.limits[0]
+    start, end = value(low, point), value(high, point)
+    if not (start.is_finite() and end.is_finite()):
+        return arb.nan()
+
+    def integrand(z: acb, analytic: bool) -> acb:
+        return acb(value(e.function, {**point, variable: z}, analytic))
+
+    fine = {"rel_tol": TOLERANCE, "abs_tol": TOLERANCE, "eval_limit": EVALUATIONS}
+    found = acb.integral(integrand, acb(start), acb(end), **fine)
+    return found.real if found.imag.contains(0) else arb.nan()
