@@ -15,6 +15,7 @@ PARTS = (
     "separatrix",
     "slope",
     "asymptotics",
+    "monotonicity",
     "rigid_bodies",
     "table_of_objects",
 )

@@ -1,0 +1,131 @@
+"""Monotonicity: ε₀ decreases strictly in a at fixed b and in b at fixed a, on the whole domain.
+
+By `stable_equation` log tan ε₀ = ½ log(a/(a+b)) − log sinh T, where T is the one root of
+g = T − √(ab)(π + arctan(√(b/a) tanh T)). With S = cosh²T + (b/a) sinh²T and D = 1 − b/S:
+
+- `slope_in_T`, `slope_in_T_positive`: ∂g/∂T = D > 0;
+- `slope_in_a`, `slope_in_b`: −∂g/∂a and −∂g/∂b at the root, so that dT/da = −(∂g/∂a)/D;
+- `decrease_in_a`: −2aD d(log tan ε₀)/da = (T coth T − 1) + (1 − b)/(1 + b/a), positive because
+  `tangent_below` says tanh T < T;
+- `increase_of_T`: −∂g/∂b > 0, so that T grows with b, while √(a/(a+b)) falls.
+"""
+
+from flint import fmpq
+from sympy import Derivative, atan, cosh, exp, pi, sinh, sqrt, tanh
+from tresym.proofs.conditions import later, shape
+from tresym.proofs.separatrix import one_flip_defect, stable_equation
+
+from tresym.claims.bounds import Asymptotics
+from tresym.claims.claim import (
+    Claim,
+    all_of,
+    by,
+    differentiation,
+    equal,
+    exponentials,
+    inverses,
+    roots,
+    step,
+)
+from tresym.claims.order import Order
+from tresym.notation import T, a, b
+from tresym.verdict import Verdict
+
+_ratio = b / a
+_spread = cosh(T) ** 2 + _ratio * sinh(T) ** 2
+_slope = 1 - b / _spread
+_g = T - sqrt(a * b) * (pi + atan(sqrt(b / a) * tanh(T)))
+_share = tanh(T) / (1 + _ratio * tanh(T) ** 2)
+
+slope_in_T = Claim(
+    label="slope_in_T",
+    says=equal(Derivative(_g, T), _slope),
+    given=(*shape, *later),
+    proof=by(differentiation, exponentials, roots),
+)
+
+slope_in_T_positive = Claim(
+    label="slope_in_T_positive",
+    says=_slope > 0,
+    kind="bound",
+    given=(*shape, *later),
+    proof=(step(((1 - b) + (1 + _ratio) * sinh(T) ** 2) / _spread, exponentials),),
+)
+
+slope_in_a = Claim(
+    label="slope_in_a",
+    says=equal(-Derivative(_g, a), (T - _g) / (2 * a) - b * _share / (2 * a)),
+    given=(*shape, *later),
+    proof=by(differentiation, exponentials, roots, inverses),
+    note="At the root g = 0, so the first term is T/(2a).",
+)
+
+slope_in_b = Claim(
+    label="slope_in_b",
+    says=equal(-Derivative(_g, b), (T - _g) / (2 * b) + _share / 2),
+    given=(*shape, *later),
+    proof=by(differentiation, exponentials, roots, inverses),
+)
+
+decrease_in_a = Claim(
+    label="decrease_in_a",
+    says=equal(
+        -2 * a * (_slope * b / (2 * a * (a + b)) - (T - b * _share) / (2 * a) * cosh(T) / sinh(T)),
+        (T * cosh(T) / sinh(T) - 1) + (1 - b) / (1 + _ratio),
+    ),
+    given=(*shape, *later),
+    proof=by(exponentials),
+    note="The left side is −2aD d(log tan ε₀)/da with dT/da = (T − b·share)/(2aD).",
+)
+
+tangent_below = Claim(
+    label="tangent_below",
+    says="sinh T ≤ T cosh T for every T > 0.",
+    kind="order",
+    proof=Asymptotics(
+        Order(
+            "<=",
+            lambda t, m: m.sinh(t),
+            lambda t, m: t * m.cosh(t),
+            constant=fmpq(1),
+            upto=None,
+        ),
+        "T > 0",
+    ),
+    expect=Verdict.ENCLOSED,
+)
+
+increase_of_T = Claim(
+    label="increase_of_T",
+    says=T / (2 * b) + _share / 2 > 0,
+    kind="bound",
+    given=(*shape, *later),
+    proof=(
+        step(
+            T / (2 * b)
+            + (exp(T) - 1)
+            * (exp(T) + 1)
+            * (exp(2 * T) + 1)
+            / (2 * ((exp(2 * T) + 1) ** 2 + _ratio * (exp(2 * T) - 1) ** 2)),
+            exponentials,
+        ),
+    ),
+)
+
+monotonicity = Claim(
+    label="monotonicity",
+    says="ε₀ decreases strictly in a for fixed b, and in b for fixed a, for a > 0, 0 < b ≤ 1.",
+    kind="statement",
+    proof=all_of(
+        stable_equation,
+        one_flip_defect,
+        slope_in_T,
+        slope_in_T_positive,
+        slope_in_a,
+        slope_in_b,
+        decrease_in_a,
+        tangent_below,
+        increase_of_T,
+    ),
+    expect=Verdict.ENCLOSED,
+)
