@@ -63,6 +63,13 @@ def test_tiny_offsets_keep_relative_accuracy(psi):
     assert error < 1e-14 * flip_map(A, B, psi, 0.0)
 
 
+def test_at_rest_where_nothing_moves():
+    for a, b in ((A, B), (3.0, 1.0), (1e5, 1.0), (6e5, 0.46)):
+        for psi in (math.pi / 2, -math.pi / 2, 0.0):
+            assert abs(flip_map(a, b, psi, 0.0)) < 3e-16
+            assert flip_uncertainty(a, b, 0.0, 0.0) == 0
+
+
 def separatrix(a: float, b: float, psi):
     square = np.sin(psi) ** 2
     return np.sqrt(a + b * square) * np.sqrt(b * square) / (1 - b * square)

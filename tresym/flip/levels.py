@@ -107,11 +107,12 @@ def _regime_of(a: fmpq, b: fmpq, defect: Angle) -> int:
 def _level_by(excess: Callable[[arb], arb], a: fmpq, b: fmpq, regime: int, digits: int) -> arb:
     """γ where the function ``excess`` of x, strictly monotone, is 0, to ``digits`` digits."""
     precision = bits(digits, 64)
+    limit = 16 * precision
     with ball_precision(128):
-        ends = _refined(excess, *_bracket(excess))
-    while precision < PRECISION_LIMIT:
+        near = _refined(excess, *_bracket(excess))
+    while precision < limit:
         with suppress(ArithmeticError):
-            x = _enclosed(excess, *ends, precision)
+            x = _enclosed(excess, near, precision)
             with ball_precision(precision):
                 gamma = level_at(a, b, regime, x).gamma
             if proves(gamma, digits):
@@ -135,41 +136,45 @@ def _bracket(excess: Callable[[arb], arb]) -> tuple[arb, arb]:
     return low, high
 
 
-def _refined(excess: Callable[[arb], arb], low: arb, high: arb) -> tuple[arb, arb]:
-    """A bracket's best two points after regula falsi with halved weights (Illinois)."""
+def _refined(excess: Callable[[arb], arb], low: arb, high: arb) -> arb:
+    """A point near the root in a bracket, by regula falsi with halved weights (Illinois)."""
     at_low, at_high = excess(low).mid(), excess(high).mid()
     before, here = low, high
     while abs(here - before) > arb((1, -30)):
         before, here = here, ((low * at_high - high * at_low) / (at_high - at_low)).mid()
         value = excess(here).mid()
         if value == 0:
-            return before, here
+            break
         if (value > 0) == (at_high > 0):
             high, at_high, at_low = here, value, at_low / 2
         else:
             low, at_low, at_high = here, value, at_high / 2
-    return before, here
+    return here
 
 
-def _enclosed(excess: Callable[[arb], arb], before: arb, here: arb, precision: int) -> arb:
-    """The root as a ball: secants at rising precision from two near points, then two signs.
+def _enclosed(excess: Callable[[arb], arb], near: arb, precision: int) -> arb:
+    """The root as a ball, from a point within 2^−28 of it: Newton's method, then two signs.
+
+    The slope is a difference over a third of the working precision, which rises by a half a step.
 
     Raises:
         ArithmeticError: no change of sign is shown.
     """
-    work = 96
+    work = 128
     while True:
         work = min(work, precision)
         with ball_precision(work):
-            values = excess(before).mid(), excess(here).mid()
-            slope = (values[1] - values[0]) / (here - before)
-            after = (here - values[1] / slope).mid()
-            if work == precision and abs(after - here) < arb((1, 24 - precision // 2)):
-                width = abs(excess(after) / slope).abs_upper() * 4 + arb((1, 16 - precision))
-                low, high = excess(after - width), excess(after + width)
-                if low * high < 0:
-                    return arb(after, width)
+            apart = arb((1, -(work // 3)))
+            value = excess(near)
+            slope = (excess((near + apart).mid()) - value) / apart
+            step = (value / slope).mid()
+            near = (near - step).mid()
+            if work == precision and abs(step) < arb((1, 16 - precision * 2 // 3)):
+                width = abs(excess(near) / slope).abs_upper() * 4 + arb((1, 16 - precision))
+                low, high = (near - width).mid(), (near + width).mid()
+                if excess(low) * excess(high) < 0:
+                    return low.union(high)
                 raise ArithmeticError("no change of sign at this precision")
-        if not abs(after - here) < abs(here - before):
-            raise ArithmeticError("the secants do not converge at this precision")
-        before, here, work = here, after, work * 8 // 5
+            if not step.is_finite() or (work == precision and abs(step) > 1):
+                raise ArithmeticError("Newton's method does not converge at this precision")
+        work = work * 3 // 2

@@ -157,8 +157,9 @@ def _invert(on: Orbit, phi: arb) -> arb:
     at = slope(on, functions(on.elliptic, guess))
     width = (abs(phase_at(on, guess) - phi) / at).abs_upper() * 2 + arb((1, -2 * target))
     for _ in range(6):
-        if phase_at(on, guess - width) < phi < phase_at(on, guess + width):
-            return arb(guess, width)
+        low, high = (guess - width).mid(), (guess + width).mid()
+        if phase_at(on, low) < phi < phase_at(on, high):
+            return low.union(high)
         width = width * 1024
     raise ArithmeticError("no change of sign at this precision")
 
