@@ -9,10 +9,17 @@ if TYPE_CHECKING:
 
 PARTS = (
     "model",
+    "frames",
     "momentum",
+    "stability",
+    "jacobi",
     "euler_angles",
+    "regimes",
+    "symmetric_tops",
     "flip_dynamics",
+    "phase_portraits",
     "separatrix",
+    "flip_definition",
     "slope",
     "asymptotics",
     "monotonicity",

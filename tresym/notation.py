@@ -29,10 +29,16 @@ dtheta_dphi, dpsi_dphi = _real("dtheta_dphi"), _real("dpsi_dphi")
 """Rates, as symbols of their own: each is what some claim says it is."""
 a, b = _real("a"), _real("b")
 """Shape of the body: a = I₂/I₁ − 1, b = 1 − I₂/I₃."""
+theta_min, theta_max = _real("theta_min"), _real("theta_max")
+psi_min, psi_max = _real("psi_min"), _real("psi_max")
+"""Bounds of the tilt and of the flip on one trajectory."""
 gamma = _real("gamma")
 """Distance from the separatrix: γ = 2 I₂ E/M² − 1."""
 epsilon, epsilon0 = _real("epsilon"), _real("epsilon0")
 """Flip defect, and the flip defect on the separatrix."""
+psi0, psi_f = _real("psi0"), _real("psi_f")
+Delta_psi, Delta_phi = _real("Delta_psi"), _real("Delta_phi")
+"""Flip angle at the start and at the end; the changes of the flip and precession angles."""
 S, S2 = _real("S"), _real("S2")
 """Signs of cos θ and of sin ψ cos ψ."""
 x, x0 = _real("x"), _real("x0")
@@ -54,6 +60,13 @@ LATEX = {
     dtheta_dphi: r"\frac{d\theta}{d\phi}",
     dpsi_dphi: r"\frac{d\psi}{d\phi}",
     epsilon0: r"\epsilon_0",
+    psi_f: r"\psi_f",
+    Delta_psi: r"\Delta\psi",
+    Delta_phi: r"\Delta\phi",
     lam: r"\lambda",
+    theta_min: r"\theta_{\min}",
+    theta_max: r"\theta_{\max}",
+    psi_min: r"\psi_{\min}",
+    psi_max: r"\psi_{\max}",
 }
 """How symbols are written where SymPy's own rule would write them otherwise."""

@@ -1,0 +1,406 @@
+"""Section 6, up to the theorem: what a flip is, which motions are studied, and tops in the limit.
+
+- `eq_robust_gen`, `eq_psi0psif`, `eqdefect`, `eq_TRE`: the turn, the symmetric motion, the defect;
+- `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
+- `symmetric_is_stationary`: what is true of the symmetric motion among its neighbours;
+- `separatrix_infinite_time`: the unstable points are reached in infinite time only;
+- `b_to_zero` and what follows: the symmetric top I₂ = I₃.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+from flint import arb, fmpq
+from sympy import (
+    Derivative,
+    Equivalent,
+    Ge,
+    Integer,
+    Integral,
+    Le,
+    Tuple,
+    atan,
+    cos,
+    cosh,
+    log,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+)
+from tresym.proofs.conditions import defect, shape, tilted
+from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, precession_integrand, sign_of_tilt
+from tresym.proofs.separatrix import (
+    between,
+    exact_equation,
+    integrated,
+    one_flip_defect,
+    stable_equation,
+    unique_root,
+)
+
+from tresym.claims.bounds import Boxes
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    Place,
+    adding,
+    algebra,
+    all_of,
+    by,
+    differentiation,
+    equal,
+    exponentials,
+    formally,
+    multiplying,
+    roots,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.claims.denial import Denied
+from tresym.claims.enclosure import Bound, box
+from tresym.flip.quadrature import rigorous
+from tresym.formulas import printed
+from tresym.notation import (
+    Delta_phi,
+    Delta_psi,
+    S,
+    T,
+    a,
+    b,
+    dpsi_dphi,
+    epsilon,
+    gamma,
+    psi,
+    psi0,
+    psi_f,
+    theta,
+    x,
+)
+from tresym.verdict import Verdict
+
+_integrand = printed.integrand(psi, a, b, gamma, S, sympy)
+_square = sin(psi) ** 2
+_slow, _fast = 1 - b * _square, a + b * _square
+
+eq_robust_gen = Claim(
+    label="eq_robust_gen",
+    says=Tuple(
+        equal(Integral(_integrand, (psi, psi0, psi_f)), Delta_phi), equal(Delta_phi, 2 * pi)
+    ),
+    given=shape,
+    proof=Definition(),
+    where=Place(display=18),
+    note="One turn of the handle, while the flip angle does not turn back; d19 is its integrand.",
+)
+
+flip_angle = Claim(
+    label="flip_angle",
+    says=equal(Delta_psi, psi_f - psi0),
+    proof=Definition(),
+)
+
+integrand_of_the_turn = Claim(
+    label="integrand_of_the_turn",
+    says="The integrand of the turn is dφ/dψ, with the sign S that the motion has.",
+    kind="statement",
+    proof=all_of(eq_dpsidphi, precession_integrand),
+    where=Place(line=201),
+)
+
+# -- integration in elementary functions ----------------------------------------------------------
+
+_inside = (psi > -pi / 2, psi < pi / 2, cos(psi) > 0)
+
+elementary_at_the_top = Claim(
+    label="elementary_at_the_top",
+    says=equal(
+        Derivative(
+            (1 + a) / sqrt(a * (a + b)) * atan(sqrt((a + b) / a) * tan(psi)) - psi,
+            psi,
+        ),
+        _slow / _fast,
+    ),
+    given=(*shape, *_inside),
+    proof=by(differentiation, trigonometry, roots),
+    note="For γ = a the integrand is (1 − b sin²ψ)/(a + b sin²ψ).",
+)
+
+integrand_at_the_top = Claim(
+    label="integrand_at_the_top",
+    says=equal(printed.integrand(psi, a, b, a, 1, sympy), _slow / _fast),
+    given=shape,
+    proof=by(algebra),
+)
+
+elementary_levels = Claim(
+    label="elementary_levels",
+    says="For γ = 0 and for γ = a the equation of the flip angle is integrated by elementary "
+    "functions.",
+    kind="statement",
+    proof=all_of(integrated, integrand_at_the_top, elementary_at_the_top),
+)
+
+not_elementary = Claim(
+    label="not_elementary",
+    says="For no γ can the equation of the flip angle be integrated by elementary functions.",
+    kind="statement",
+    proof=Denied((elementary_levels,), {"gamma": fmpq(0)}),
+    where=Place(line=198),
+    expect=Verdict.REFUTED,
+    amended_by=(elementary_levels,),
+    note="The appendix itself integrates it for γ = 0.",
+)
+
+# -- near and on the separatrix -------------------------------------------------------------------
+
+level_of_a_start = Claim(
+    label="level_of_a_start",
+    says=equal(dpsi_dphi**2 * _slow**2 / _fast - b * _square, gamma),
+    given=(*tilted, *moving),
+    proof=by(substituting(eq_dpsidphi, sign_of_tilt)),
+    where=Place(line=198),
+    note="γ tends to 0 with ψ₀ and the initial rate: such starts are close to the separatrix.",
+)
+
+slower_than_cotangent = Claim(
+    label="slower_than_cotangent",
+    says=Ge((a + b) - cos(psi) ** 2 * _fast, 0, evaluate=False),
+    kind="bound",
+    given=shape,
+    proof=(step((a + b) * sin(psi) ** 2 + b * cos(psi) ** 4, trigonometry),),
+    note="On the separatrix f is at least (1 − b sin²ψ) cot ψ/√(b(a+b)) for 0 < ψ ≤ π/2.",
+)
+
+cotangent_integral = Claim(
+    label="cotangent_integral",
+    says=equal(
+        Derivative(log(sin(psi)) - b * _square / 2, psi),
+        _slow * cos(psi) / sin(psi),
+    ),
+    given=(*shape, *between),
+    proof=by(differentiation),
+)
+
+separatrix_infinite_time = Claim(
+    label="separatrix_infinite_time",
+    says="On the separatrix an unstable point is reached only after infinitely many turns.",
+    kind="statement",
+    proof=all_of(slower_than_cotangent, cotangent_integral),
+    where=Place(line=198),
+    note="φ grows like log(1/sin ψ)/√(b(a+b)) at least, and time with it.",
+)
+
+cannot_cross = Claim(
+    label="cannot_cross",
+    says="On the separatrix ψ cannot cross an unstable point, and S stays what it was.",
+    kind="statement",
+    proof=all_of(separatrix_infinite_time),
+    where=Place(line=334),
+)
+
+# -- the symmetric motion -------------------------------------------------------------------------
+
+eq_psi0psif = Claim(
+    label="eq_psi0psif",
+    says=Tuple(equal(psi0, epsilon), equal(psi_f, pi - epsilon)),
+    proof=Definition(),
+    where=Place(display=20),
+)
+
+eqdefect = Claim(
+    label="eqdefect",
+    says=equal(Delta_psi, pi - 2 * epsilon),
+    proof=by(substituting(flip_angle, eq_psi0psif)),
+    where=Place(display=21),
+)
+
+perfect_is_zero = Claim(
+    label="perfect_is_zero",
+    says=Equivalent(equal(epsilon, 0), equal(pi - 2 * epsilon, pi)),
+    proof=(
+        step(equal(-2 * epsilon, 0), multiplying(Integer(-2))),
+        step(equal(pi - 2 * epsilon, pi), adding(pi)),
+    ),
+    where=Place(line=217),
+)
+
+_STR = ("1517/121", "55/874")
+"""a and b of the standard racket."""
+
+
+def _symmetric_turns_most(a: Any, b: Any, gamma: Any, start: Any, turn: Any, m: Any) -> Any:
+    """Positive if a start that turns by ``turn`` needs more than Δφ = 2π.
+
+    Only asked where the symmetric motion turns by less in Δφ = 2π (γ > 0).
+    """
+    symmetric = 2 * rigorous((m.pi - turn) / 2, a, b, gamma)
+    if not symmetric > 2 * m.pi:
+        return arb(1)
+    return rigorous(start, a, b, gamma) - rigorous(start + turn, a, b, gamma) - 2 * m.pi
+
+
+def _points(*values: object) -> tuple[tuple[object, object], ...]:
+    """The sides of a box that is one exact point."""
+    return tuple((value, value) for value in values)
+
+
+equal_rates = Claim(
+    label="equal_rates",
+    says=equal(
+        printed.psi_rate(pi - epsilon, a, b, gamma, S, sympy),
+        printed.psi_rate(epsilon, a, b, gamma, S, sympy),
+    ),
+    given=(*shape, b < 1, gamma + b * sin(epsilon) ** 2 > 0),
+    proof=by(algebra),
+)
+
+integrand_falls = Claim(
+    label="integrand_falls",
+    says=Le(
+        Derivative((1 - b * x) / (sqrt(a + b * x) * sqrt(gamma + b * x)), x), 0, evaluate=False
+    ),
+    kind="bound",
+    given=(*shape, x > 0, x < 1, gamma > 0),
+    proof=(
+        step(
+            b
+            * (2 * (a + b * x) * (gamma + b * x) + (1 - b * x) * (a + gamma + 2 * b * x))
+            / (2 * sqrt(a + b * x) ** 3 * sqrt(gamma + b * x) ** 3),
+            differentiation,
+            roots,
+        ),
+    ),
+    note="x = sin²ψ: f is largest at the unstable points, and the rate there smallest.",
+)
+
+symmetric_is_stationary = Claim(
+    label="symmetric_is_stationary",
+    says="At fixed γ > 0 the flip is stationary at the symmetric start: a maximum among its "
+    "neighbours where it is below π, a minimum where it is between π and 2π.",
+    kind="statement",
+    proof=all_of(equal_rates, integrand_falls),
+    note="d(Δψ)/dψ₀ = v(ψ_f)/v(ψ₀) − 1, and the rate v grows with sin²ψ.",
+)
+
+symmetric_maximum = Claim(
+    label="symmetric_maximum",
+    says="Among all starts with the same γ the symmetric one has the largest flip in one turn.",
+    kind="statement",
+    proof=Boxes(
+        (
+            Bound(
+                _symmetric_turns_most,
+                box(*_points(*_STR, "1/100", "47/50", "21/5")),
+                precision=128,
+            ),
+        ),
+        ("a", "b", "gamma", "psi0", "turn"),
+        "the standard racket",
+    ),
+    where=Place(line=211),
+    expect=Verdict.REFUTED,
+    amended_by=(symmetric_is_stationary,),
+    note="Where the symmetric flip is beyond π it is the smallest. The paper uses such γ itself.",
+)
+
+eps0_shape_only = Claim(
+    label="eps0_shape_only",
+    says="ε₀ depends on a and b only.",
+    kind="statement",
+    proof=all_of(one_flip_defect),
+    where=Place(line=222),
+)
+
+without_approximation = Claim(
+    label="d25",
+    says=equal(
+        printed.separatrix_left(epsilon, a, b, sympy),
+        printed.separatrix_right(epsilon, a, b, sympy),
+    ),
+    given=(*shape, *defect),
+    proof=all_of(exact_equation, stable_equation, one_flip_defect),
+    where=Place(display=25),
+    note="Equivalent to the condition of one turn; ε₀ (here ε) is its only root.",
+)
+
+# -- tops -----------------------------------------------------------------------------------------
+
+hyperbolic_sine_grows = Claim(
+    label="hyperbolic_sine_grows",
+    says=Ge(sinh(T + 2 * x) - sinh(T), 0, evaluate=False),
+    kind="bound",
+    given=(T > 0, x > 0),
+    proof=(step(2 * cosh(T + x) * sinh(x), exponentials),),
+)
+
+b_to_zero = Claim(
+    label="b_to_zero",
+    says="ε₀ → π/2 as b → 0 at fixed a, and the flip π − 2ε₀ → 0.",
+    kind="statement",
+    proof=all_of(stable_equation, unique_root, hyperbolic_sine_grows),
+    where=Place(line=249),
+    note="0 < cot ε₀ ≤ √(1 + b/a) sinh(3π√(ab)/2), which tends to 0.",
+)
+
+separatrix_horizontal = Claim(
+    label="separatrix_horizontal",
+    says="For b = 0 the separatrix is the line dψ/dφ = 0.",
+    kind="statement",
+    given=(a > 0,),
+    proof=formally(equal(S * sqrt(a) * sqrt(0 * _square) / 1, 0)),
+    where=Place(line=249),
+)
+
+_theta_rate, _psi_rate = printed.planar_rates(theta, psi, a, Integer(0), sympy)
+
+separatrix_equilibria = Claim(
+    label="separatrix_equilibria",
+    says="For b = 0 every point of the separatrix (θ = π/2) is an equilibrium.",
+    kind="statement",
+    given=(a > 0,),
+    proof=formally(
+        equal(_theta_rate.subs(theta, pi / 2), 0), equal(_psi_rate.subs(theta, pi / 2), 0)
+    ),
+    where=Place(line=249),
+)
+
+only_way_half_pi = Claim(
+    label="only_way_half_pi",
+    says=Equivalent(equal(pi - epsilon, epsilon), equal(pi / 2, epsilon)),
+    proof=(
+        step(equal(pi, 2 * epsilon), adding(epsilon)),
+        step(equal(pi / 2, epsilon), multiplying(sympy.Rational(1, 2))),
+    ),
+    where=Place(line=249),
+    note="At rest ψ_f = ψ₀: the symmetric motion then starts at π/2.",
+)
+
+# -- when a flip counts ---------------------------------------------------------------------------
+
+eq_TRE = Claim(
+    label="eq_TRE",
+    says=Tuple(Ge(Delta_psi, pi - pi / 6), Le(Delta_psi, pi + pi / 6)),
+    kind="bound",
+    given=(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
+    proof=together(
+        (step(pi / 6 - 2 * epsilon, substituting(eqdefect)),),
+        (step(pi / 6 + 2 * epsilon, substituting(eqdefect)),),
+    ),
+    where=Place(display=28),
+    note="The tolerance of the paper: it holds for −π/12 ≤ ε ≤ π/12.",
+)
+
+tre_only_if = Claim(
+    label="tre_only_if",
+    says="A flip within π/6 of π has a defect between −π/12 and π/12.",
+    kind="statement",
+    given=(pi - 2 * epsilon >= 5 * pi / 6, pi - 2 * epsilon <= 7 * pi / 6),
+    proof=formally(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
+    where=Place(line=261),
+)
