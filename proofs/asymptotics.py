@@ -6,6 +6,7 @@
   `printed_error` says what is true;
 - `repaired`, `second_order`, `third_order` and the table `repaired_from`: ε₀ by powers of ε*² with
   constants that cannot be improved by one per cent; `no_single_constant`: K depends on the range;
+  `everywhere`: one bound for all shapes, with its best constant 10/3;
 - `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas for every shape;
 - `product_alone`: ε₀ does not depend on ab alone, not even monotonically;
 - `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root.
@@ -266,6 +267,77 @@ no_single_constant = Claim(
     expect=Verdict.REFUTED,
     amended_by=(repaired, *repaired_from),
     note="At b = 1 the defect tends to a positive limit as a → 0 while ε* tends to 0.",
+)
+
+
+TEN_THIRDS = fmpq(10, 3)
+
+
+def _gap(side: int) -> Callable[..., Any]:
+    def margin(b: Any, k: Any, m: Any) -> Any:
+        gap, cube = margins.cubic_gap(b, k, m)
+        return arb(TEN_THIRDS) * cube - side * gap
+
+    return margin
+
+
+def _cubic(side: Callable[..., Any], chart: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda x, y, m: side(chart(x, y, m), arb(TEN_THIRDS), m)
+
+
+def _trivially(b: Any, k: Any, m: Any) -> Any:
+    """M q³ exceeds π/2 ≥ ε₀ and 2q ≥ ε*, for q ≥ exp(−3πk/2)."""
+    decay = m.exp(-3 * m.pi * k / 2)
+    cube = arb(TEN_THIRDS) * decay**3
+    return (cube - m.pi / 2).min(cube - 2 * decay)
+
+
+_low, _middle, _far = ((0, 1), ("53/1000", "1/4")), ((0, 1), ("1/4", 2)), ((0, 1), (0, "1/2"))
+
+everywhere = Claim(
+    label="everywhere",
+    says="|ε₀ − ε*| ≤ (10/3) e^{−3√(ab)(π + arcsin √(b/(a+b)))}.",
+    kind="bound",
+    proof=Boxes(
+        (
+            Bound(_trivially, box((0, 1), (0, "53/1000"))),
+            Bound(_gap(1), box(*_low), slopes=True),
+            Bound(_gap(-1), box(*_low), slopes=True),
+            Bound(_cubic(margins.cubic_above, margins.by_root), box(*_middle)),
+            Bound(_cubic(margins.cubic_below, margins.by_root), box(*_middle)),
+            Bound(margins.cubic_above_far, box(*_far)),
+            Bound(_cubic(margins.cubic_below, margins.by_kappa), box(*_far)),
+        ),
+        ("x", "y"),
+        EVERY,
+        TEN_THIRDS,
+        RESTS_ON,
+        certificate("everywhere"),
+    ),
+    expect=Verdict.ENCLOSED,
+    note="The one bound with a single constant; 10/3 is its best, attained as a → ∞, b → 1.",
+)
+
+
+def _cubic_ratio(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    """(ε₀ − ε*)/q³ = 8 cos³θ (ε₀/ε* − 1)/ε*² as middle and radius."""
+    shape = margins.by_kappa(b, kappa, m)
+    weight = 8 / (m.sqrt(1 + shape.r * shape.r) * (1 + shape.r * shape.r))
+    middle, radius = margins.remainder(shape, 0, 6, m)
+    return weight * middle, weight * radius
+
+
+everywhere_too_small = _boxed(
+    "everywhere_too_small",
+    "|ε₀ − ε*| ≤ 3.33 e^{−3√(ab)(π + arcsin √(b/(a+b)))}.",
+    _within(_cubic_ratio, "3.33"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "3.33",
+    expect=Verdict.REFUTED,
+    slopes=True,
+    amended_by=(everywhere,),
 )
 
 

@@ -316,3 +316,51 @@ def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     algebraic = cotangent_rest + m.cos(e) * r * r * sinc + b * sinc * sinc
     turning = sinc * (1 - r * r - 2 * b) * phase * root
     return (kappa * algebraic + turning) / (1 - b * square)
+
+
+def cubic_gap(b: Any, k: Any, m: Any) -> tuple[Any, Any]:
+    """(ε₀ − ε*, q³) with q = e^{−k(π + arctan r)} in the chart (b, k), away from k = 0."""
+    shape = by_root(b, k, m)
+    decay = m.exp(-k * (m.pi + m.atan(shape.r)))
+    defect = m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m))
+    return defect - shape.leading, decay * decay * decay
+
+
+def cubic_above(shape: Shape, bound: Any, m: Any) -> Any:
+    """Positive where ε₀ < ε* + M q³, q = ε*/(2 cos θ): ``above`` with K = (M/8)(1+R)^{3/2}.
+
+    Divided by (1 + R)ε*², and by balls only: beyond π/2 there is nothing to show.
+    """
+    R = shape.r * shape.r
+    weight = bound / 8 * m.sqrt(1 + R)
+    part = weight * (1 + R) * shape.leading * shape.leading
+    beyond = shape.leading * (1 + part) - m.pi / 2
+    if beyond > 0:
+        return beyond
+    rate = exponent_rate(shape.leading * (1 + part), shape.b, shape.r, m) / (1 + R)
+    return weight * log1p_over(part) - (1 + part) ** 2 * rate
+
+
+def cubic_below(shape: Shape, bound: Any, m: Any) -> Any:
+    """Positive where ε₀ > ε* − M q³; as ``below_anywhere``, divided by (1 + R)ε*²."""
+    R = shape.r * shape.r
+    weight = bound / 8 * m.sqrt(1 + R)
+    part = weight * (1 + R) * shape.leading * shape.leading
+    if part > 1:
+        return part - 1
+    rate = exponent_rate(shape.leading * (1 - part), shape.b, shape.r, m) / (1 + R)
+    return (1 - part) ** 2 * rate + weight * log1p_over(-part.min(arb(1) / 2))
+
+
+def cubic_above_far(b: arb, kappa: arb, m: Any) -> arb:
+    """As ``cubic_above`` for M = 10/3 on κ ≤ 1/2, where the margin vanishes at b = 1, κ = 0.
+
+    Q(e) ≤ c₁e² (from 1/s ≥ 1/e + e/6 and (1 + Rs²)^{−1/2} ≥ 1 − Rs²/2) and log(1+z)/z ≥ 1 − z/2
+    leave K − c₁ > K²y/2 + c₁(2Ky + K²y²). With K ≥ (5/12)(1 + 3R/2), R = b²κ², the left side is at
+    least (6(1 − b) + 9R/2)/12 ≥ 3κ²/8; the rest is flat in κ. Divided by κ².
+    """
+    R = b * b * kappa * kappa
+    K = m.sqrt(1 + R) * (1 + R) * 5 / 12
+    first = (6 * b + 3 * R).abs_upper() / 12
+    over, y = leading_square_over(b, kappa, m), by_kappa(b, kappa, m).leading ** 2
+    return arb(3) / 8 - over * (K * K / 2 + first * K * (2 + K * y))
