@@ -9,8 +9,8 @@ if TYPE_CHECKING:
 
 PARTS = (
     "model",
-    "frames",
     "momentum",
+    "frames",
     "stability",
     "jacobi",
     "euler_angles",
@@ -24,7 +24,9 @@ PARTS = (
     "asymptotics",
     "monotonicity",
     "rigid_bodies",
+    "numbers_in_text",
     "table_of_objects",
+    "promises",
 )
 
 

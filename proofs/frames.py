@@ -1,0 +1,211 @@
+"""Section 2, continued: what the frames and the angles say of the racket.
+
+- `handle_in_space`, `line_of_nodes`: e₁ and the line of nodes in the laboratory;
+- `angles_of_the_reference`: they are not the z-x-z angles of the reference named there;
+- `laboratory_turned`: X and Y may be chosen at will;
+- `cross_product`: a rotation about one principal axis has M along that axis;
+- `near_intermediate_axis`: how near e₂ is to M at the start;
+- `perfect_flip`: Δφ = 2π with Δψ = π is a half turn of the body about its handle;
+- `angles_from_momentum`: θ and ψ from M, and why the poles are excluded.
+"""
+
+import sympy
+from flint import fmpq
+from sympy import ImmutableMatrix, Le, Symbol, Tuple, cos, pi, sin, sqrt
+from tresym.proofs.conditions import ordered_moments, tilted
+from tresym.proofs.model import (
+    about_y,
+    about_z,
+    eq_Mi,
+    eq_omega,
+    rate,
+    rotation,
+    rotation_orthogonal,
+    spin,
+)
+from tresym.proofs.momentum import momentum_conserved
+
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Place,
+    all_of,
+    by,
+    equal,
+    formally,
+    roots,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import I1, I2, I3, M1, M2, M3, W1, W2, W3, M, phi, psi, theta
+from tresym.verdict import Verdict
+
+upright = ImmutableMatrix([0, 0, 1])
+"""Z in the laboratory, and e₁ in the body (its axes in the order e₂, e₃, e₁)."""
+
+handle = ImmutableMatrix([sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)])
+"""e₁ along (X, Y, Z)."""
+
+no_external_moment = Claim(
+    label="no_external_moment",
+    says="Without external moment the length of M does not change.",
+    kind="statement",
+    proof=all_of(momentum_conserved),
+    where=Place(line=56),
+)
+
+cross_product = Claim(
+    label="cross_product",
+    says=Tuple(
+        equal(M2 * W3 - M3 * W2, (I2 - I3) * W2 * W3),
+        equal(M3 * W1 - M1 * W3, (I3 - I1) * W3 * W1),
+        equal(M1 * W2 - M2 * W1, (I1 - I2) * W1 * W2),
+    ),
+    proof=together(*(by(substituting(eq_omega)) for _ in range(3))),
+    note="Each component of M × Ω has two factors Ω: it vanishes when only one Ω does not.",
+)
+
+one_component_is_parallel = Claim(
+    label="one_component_is_parallel",
+    says="A rotation about a principal axis alone has M along that axis.",
+    kind="statement",
+    proof=all_of(eq_omega, cross_product),
+    where=Place(line=61),
+)
+
+handle_in_space = Claim(
+    label="handle_in_space",
+    says=equal(rotation * upright, handle),
+    proof=by(),
+    where=Place(line=67),
+    note="φ is the angle from X to the projection of the handle on the plane (X, Y).",
+)
+
+line_of_nodes = Claim(
+    label="line_of_nodes",
+    says=equal(upright.cross(handle), sin(theta) * ImmutableMatrix([-sin(phi), cos(phi), 0])),
+    proof=by(),
+    where=Place(line=67),
+    note="The line N is perpendicular to Z and to the handle, at the angle φ from Y.",
+)
+
+_about_x = ImmutableMatrix([[1, 0, 0], [0, cos(theta), -sin(theta)], [0, sin(theta), cos(theta)]])
+_second_reading = (about_z(phi) * _about_x * about_z(psi)).T * upright
+
+angles_of_the_reference = Claim(
+    label="angles_of_the_reference",
+    says="The angles are those of the reference that the section follows, which turns about "
+    "the axes z, x and z.",
+    kind="statement",
+    proof=formally(
+        equal(M * _second_reading[0], -M * sin(theta) * cos(psi)),
+        equal(M * _second_reading[1], M * sin(theta) * sin(psi)),
+    ),
+    where=Place(line=62),
+    expect=Verdict.REFUTED,
+    amended_by=(eq_Mi,),
+    note="The components of M that the paper prints belong to turns about z, y and z.",
+)
+
+near_intermediate_axis = Claim(
+    label="near_intermediate_axis",
+    says=Tuple(M**2 - M2**2 >= 0, M**2 * (cos(theta) ** 2 + sin(psi) ** 2) >= M**2 - M2**2),
+    kind="bound",
+    given=ordered_moments,
+    proof=together(
+        (
+            step(M**2 * (1 - sin(theta) ** 2 * cos(psi) ** 2), substituting(eq_Mi)),
+            step(M**2 * (cos(theta) ** 2 + sin(theta) ** 2 * sin(psi) ** 2), trigonometry),
+        ),
+        (
+            step(
+                M**2 * (cos(theta) ** 2 + sin(psi) ** 2 - 1 + sin(theta) ** 2 * cos(psi) ** 2),
+                substituting(eq_Mi),
+            ),
+            step(M**2 * cos(theta) ** 2 * sin(psi) ** 2, trigonometry),
+        ),
+    ),
+)
+
+start = Claim(
+    label="d02",
+    says="At θ = π/2 and ψ = 0 the intermediate axis lies along M, and near there it is near M.",
+    kind="statement",
+    proof=all_of(eq_Mi, near_intermediate_axis),
+    where=Place(display=2),
+    note="The same holds at ψ = π, with e₂ along M instead of against it.",
+)
+
+_turn = Symbol("alpha", real=True)
+_turned = about_z(_turn) * rotation
+
+laboratory_turned = Claim(
+    label="laboratory_turned",
+    says=Tuple(
+        equal(_turned.T * rate(_turned), spin),
+        equal(_turned, about_z(phi + _turn) * about_y(theta) * about_z(psi)),
+    ),
+    proof=together(by(trigonometry), by(trigonometry)),
+    where=Place(line=74),
+    note="Turning X and Y about Z shifts φ and changes nothing else, so φ₀ = 0 is a choice.",
+)
+
+perfect_flip = Claim(
+    label="perfect_flip",
+    says=equal(
+        about_z(phi + 2 * pi) * about_y(theta) * about_z(psi + pi),
+        rotation * ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]),
+    ),
+    proof=by(trigonometry),
+    note="e₁ comes back, e₂ and e₃ are reversed.",
+)
+
+racket_effect = Claim(
+    label="d03",
+    says="A full turn of the handle with Δψ = π turns the racket by half a turn about its handle.",
+    kind="statement",
+    proof=all_of(rotation_orthogonal, handle_in_space, perfect_flip),
+    where=Place(display=3),
+)
+
+angles_from_momentum = Claim(
+    label="angles_from_momentum",
+    says=Tuple(
+        equal(cos(theta), M1 / M),
+        equal(cos(psi), -M2 / sqrt(M2**2 + M3**2)),
+        equal(sin(psi), M3 / sqrt(M2**2 + M3**2)),
+    ),
+    given=(*ordered_moments, *tilted, M2**2 + M3**2 > 0),
+    proof=together(
+        by(substituting(eq_Mi)),
+        by(substituting(eq_Mi), trigonometry, roots),
+        by(substituting(eq_Mi), trigonometry, roots),
+    ),
+    note="Away from the poles M determines θ, and ψ up to full turns.",
+)
+
+_psi1, _psi2 = Symbol("psi1", real=True), Symbol("psi2", real=True)
+_one, _two = (printed.momentum(theta, angle, M, sympy) for angle in (_psi1, _psi2))
+
+angles_are_global = Claim(
+    label="globally_parameterize",
+    says="The angles describe every motion: different θ, ψ (up to full turns) give different M.",
+    kind="statement",
+    given=(
+        M > 0,
+        theta >= 0,
+        theta <= pi,
+        _psi2 - _psi1 < 2 * pi,
+        Le(sum((p - q) ** 2 for p, q in zip(_one, _two, strict=True)), 0, evaluate=False),
+    ),
+    proof=Counterexample(
+        {"M": fmpq(1), "theta": fmpq(0), "psi1": fmpq(0), "psi2": fmpq(1)}, _psi2 > _psi1
+    ),
+    where=Place(line=47),
+    expect=Verdict.REFUTED,
+    amended_by=(angles_from_momentum,),
+    note="With the handle along M, every ψ gives the same M, and φ has no meaning.",
+)

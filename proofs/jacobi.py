@@ -1,0 +1,251 @@
+"""Section 3: the motion of M in Jacobi's elliptic functions.
+
+With the amplitude χ and the parameter m, sn = sin χ, cn = cos χ, dn = √(1 − m sin²χ) and
+dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
+
+- `rotating_solution` (2I₁E < M² < 2I₂E): M₁, M₂, M₃ go with dn, sn, cn;
+- `oscillating_solution` (2I₂E < M² < 2I₃E): they go with cn, sn, dn;
+- `separatrix_solution` (2I₂E = M²): they go with sech, tanh, sech;
+- `amplitudes_on_the_surfaces`: at χ = 0 the solutions have the given energy and momentum, so
+  there is one whenever 2I₁E ≤ M² ≤ 2I₃E; `momentum_between`: never otherwise.
+"""
+
+from sympy import Expr, Symbol, Tuple, cos, cosh, sin, sqrt, tanh
+from tresym.proofs.conditions import ordered_moments
+from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
+from tresym.proofs.stability import outer_moments
+
+from tresym.claims.claim import (
+    Claim,
+    Place,
+    all_of,
+    by,
+    citing,
+    differentiation,
+    equal,
+    exponentials,
+    roots,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import I1, I2, I3, M1, M2, M3, E, M
+
+chi, time = Symbol("chi", real=True), Symbol("t", real=True)
+"""The amplitude of the elliptic functions, and time."""
+
+up = 2 * I3 * E - M**2
+"""2I₃E − M², positive unless M lies along e₃."""
+down = M**2 - 2 * I1 * E
+"""M² − 2I₁E, positive unless M lies along e₁."""
+
+_rotating = (*ordered_moments, I3 - I1 > 0, up > 0, down > 0, 2 * I2 * E - M**2 > 0)
+_oscillating = (*ordered_moments, I3 - I1 > 0, up > 0, down > 0, M**2 - 2 * I2 * E > 0)
+
+_first = sqrt(I1 * up / (I3 - I1))
+_third = sqrt(I3 * down / (I3 - I1))
+_second_rotating = sqrt(I2 * down / (I2 - I1))
+_second_oscillating = sqrt(I2 * up / (I3 - I2))
+
+_speed_rotating = sqrt((I2 - I1) * up / (I1 * I2 * I3))
+_speed_oscillating = sqrt((I3 - I2) * down / (I1 * I2 * I3))
+
+_m_rotating = (I3 - I2) * down / ((I2 - I1) * up)
+_m_oscillating = (I2 - I1) * up / ((I3 - I2) * down)
+
+
+def _delta(m: Expr) -> Expr:
+    """dn."""
+    return sqrt(1 - m * sin(chi) ** 2)
+
+
+def _solves(motion: tuple[Expr, Expr, Expr], speed: Expr) -> Tuple:
+    """Euler's equations for ``motion`` when dχ/dt = ``speed``."""
+    rates = printed.euler_equations(*motion, I1, I2, I3)
+    return Tuple(
+        *(
+            equal(m.diff(chi, evaluate=False) * speed, rate)
+            for m, rate in zip(motion, rates, strict=True)
+        )
+    )
+
+
+parameter_rotating = Claim(
+    label="parameter_rotating",
+    says=Tuple(_m_rotating > 0, _m_rotating < 1, 1 - _m_rotating * sin(chi) ** 2 > 0),
+    kind="bound",
+    given=_rotating,
+    proof=together(
+        (step(_m_rotating),),
+        (step((I3 - I1) * (2 * I2 * E - M**2) / ((I2 - I1) * up)),),
+        (
+            step(
+                (I3 - I1) * (2 * I2 * E - M**2) / ((I2 - I1) * up) + _m_rotating * cos(chi) ** 2,
+                trigonometry,
+            ),
+        ),
+    ),
+)
+
+parameter_oscillating = Claim(
+    label="parameter_oscillating",
+    says=Tuple(_m_oscillating > 0, _m_oscillating < 1, 1 - _m_oscillating * sin(chi) ** 2 > 0),
+    kind="bound",
+    given=_oscillating,
+    proof=together(
+        (step(_m_oscillating),),
+        (step((I3 - I1) * (M**2 - 2 * I2 * E) / ((I3 - I2) * down)),),
+        (
+            step(
+                (I3 - I1) * (M**2 - 2 * I2 * E) / ((I3 - I2) * down)
+                + _m_oscillating * cos(chi) ** 2,
+                trigonometry,
+            ),
+        ),
+    ),
+)
+
+rotating_motion = (
+    _first * _delta(_m_rotating),
+    _second_rotating * sin(chi),
+    _third * cos(chi),
+)
+
+oscillating_motion = (
+    _first * cos(chi),
+    _second_oscillating * sin(chi),
+    _third * _delta(_m_oscillating),
+)
+
+_opening = (differentiation, roots)
+
+rotating_solution = Claim(
+    label="rotating_solution",
+    says=_solves(rotating_motion, _speed_rotating * _delta(_m_rotating)),
+    given=_rotating,
+    proof=together(*(by(*_opening, citing(parameter_rotating)) for _ in range(3))),
+)
+
+oscillating_solution = Claim(
+    label="oscillating_solution",
+    says=_solves(oscillating_motion, _speed_oscillating * _delta(_m_oscillating)),
+    given=_oscillating,
+    proof=together(*(by(*_opening, citing(parameter_oscillating)) for _ in range(3))),
+)
+
+_separatrix = (*ordered_moments, I3 - I1 > 0)
+_rate = M * sqrt((I2 - I1) * (I3 - I2) / (I1 * I3)) / I2
+
+separatrix_motion = (
+    M * sqrt(I1 * (I3 - I2) / (I2 * (I3 - I1))) / cosh(chi),
+    M * tanh(chi),
+    M * sqrt(I3 * (I2 - I1) / (I2 * (I3 - I1))) / cosh(chi),
+)
+
+separatrix_solution = Claim(
+    label="separatrix_solution",
+    says=_solves(separatrix_motion, _rate),
+    given=_separatrix,
+    proof=together(*(by(*_opening, exponentials) for _ in range(3))),
+    note="M comes from −e₂ and ends at +e₂, each in infinite time.",
+)
+
+_first_integrals = tuple(
+    Tuple(
+        equal(printed.energy(*motion, I1, I2, I3), E),
+        equal(printed.momentum_squared(*motion), M**2),
+    )
+    for motion in (rotating_motion, oscillating_motion)
+)
+
+rotating_amplitudes = Claim(
+    label="rotating_amplitudes",
+    says=_first_integrals[0],
+    given=_rotating,
+    proof=together(*(by(roots, trigonometry, citing(parameter_rotating)) for _ in range(2))),
+)
+
+oscillating_amplitudes = Claim(
+    label="oscillating_amplitudes",
+    says=_first_integrals[1],
+    given=_oscillating,
+    proof=together(*(by(roots, trigonometry, citing(parameter_oscillating)) for _ in range(2))),
+)
+
+separatrix_amplitudes = Claim(
+    label="separatrix_amplitudes",
+    says=Tuple(
+        equal(printed.energy(*separatrix_motion, I1, I2, I3), M**2 / (2 * I2)),
+        equal(printed.momentum_squared(*separatrix_motion), M**2),
+    ),
+    given=_separatrix,
+    proof=together(by(roots, exponentials), by(roots, exponentials)),
+)
+
+jacobi_solutions = Claim(
+    label="jacobi_solutions",
+    says="The motion of M is given by Jacobi's elliptic functions.",
+    kind="statement",
+    proof=all_of(
+        rotating_solution,
+        rotating_amplitudes,
+        oscillating_solution,
+        oscillating_amplitudes,
+        separatrix_solution,
+        separatrix_amplitudes,
+    ),
+    where=Place(line=90),
+    note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
+)
+
+momentum_between = Claim(
+    label="momentum_between",
+    says=Tuple(2 * I3 * E - M**2 >= 0, M**2 - 2 * I1 * E >= 0),
+    kind="bound",
+    given=ordered_moments,
+    proof=together(
+        (
+            step(
+                M1**2 * (I3 - I1) / I1 + M2**2 * (I3 - I2) / I2,
+                substituting(energy_of_momentum, eq_first_int),
+                citing(outer_moments),
+            ),
+        ),
+        (
+            step(
+                M2**2 * (I2 - I1) / I2 + M3**2 * (I3 - I1) / I3,
+                substituting(energy_of_momentum, eq_first_int),
+                citing(outer_moments),
+            ),
+        ),
+    ),
+)
+
+meeting_point = Claim(
+    label="meeting_point",
+    says=Tuple(
+        equal(printed.energy(_first, 0, _third, I1, I2, I3), E),
+        equal(printed.momentum_squared(_first, 0, _third), M**2),
+    ),
+    given=(*ordered_moments, I3 - I1 > 0, up >= 0, down >= 0),
+    proof=together(by(roots), by(roots)),
+    note="Between the two bounds the surfaces meet in the plane of e₁ and e₃.",
+)
+
+intersection_condition = Claim(
+    label="intersection_condition",
+    says="There is no solution unless 2I₁E ≤ M² ≤ 2I₃E, and then there is one.",
+    kind="statement",
+    proof=all_of(momentum_between, meeting_point),
+    where=Place(line=96),
+)
+
+solution_on_intersection = Claim(
+    label="solution_on_intersection",
+    says="A solution stays on the intersection of the ellipsoid and the sphere.",
+    kind="statement",
+    proof=all_of(two_first_integrals),
+    where=Place(line=96),
+)

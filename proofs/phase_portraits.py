@@ -1,0 +1,511 @@
+"""Section 5, continued: the phase portraits of ψ and of θ.
+
+- `sign_constant_rotating`, `turning_points`: where dψ/dφ may change its sign;
+- `flip_turns`: ψ_min and ψ_max, and `flip_between`: no ψ outside them has this γ;
+- `linear_at_e2`, `linear_at_e3`: the planar system at its equilibria;
+- `width_of_flip`, `width_of_pendulum`: how far they swing;
+- `product_of_flip`, `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of sin ψ cos ψ;
+- `tilt_turns_rotating`, `tilt_turns_oscillating`: θ_min and θ_max, and `tilt_between`.
+"""
+
+import sympy
+from flint import fmpq
+from sympy import (
+    Abs,
+    ImmutableMatrix,
+    Integer,
+    Ne,
+    Symbol,
+    Tuple,
+    acos,
+    asin,
+    atan,
+    cos,
+    det,
+    eye,
+    pi,
+    sin,
+    sqrt,
+)
+from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
+from tresym.proofs.euler_angles import eq_Euler, eq_gamma
+from tresym.proofs.regimes import (
+    depth_at_e3,
+    handle_crosses,
+    handle_side,
+    mirror_images,
+    oscillating,
+    oscillating_flip,
+    rotating,
+    rotating_tilt,
+    three_regimes,
+    tilt_by_flip,
+)
+from tresym.proofs.stability import stable_e3, unstable_e2
+
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Definition,
+    Place,
+    all_of,
+    by,
+    citing,
+    equal,
+    equations,
+    formally,
+    inverses,
+    roots,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import (
+    S2,
+    M,
+    a,
+    b,
+    dpsi_dphi,
+    dtheta_dphi,
+    gamma,
+    psi,
+    psi_max,
+    psi_min,
+    theta,
+    theta_max,
+    theta_min,
+)
+from tresym.verdict import Verdict
+
+_sine = sin(psi) ** 2
+_body = (*ordered_moments, *shape_of_a_body)
+
+sign_constant = Claim(
+    label="sign_constant_rotating",
+    says=dpsi_dphi * cos(theta) > 0,
+    kind="bound",
+    given=(*_body, *tilted, cos(theta) ** 2 > 0),
+    proof=(
+        step(
+            (a + b * _sine) * cos(theta) ** 2 / (1 - b * _sine),
+            substituting(eq_Euler),
+        ),
+    ),
+    where=Place(line=160),
+    note="dψ/dφ has the sign of cos θ, which for γ > 0 never vanishes.",
+)
+
+_flow = printed.planar_rates(theta, psi, a, b, sympy)
+_turning = sum(_flow[1].diff(angle) * rate for angle, rate in zip((theta, psi), _flow, strict=True))
+
+turning_points = Claim(
+    label="turning_points",
+    says=equal(
+        _turning.subs(theta, pi / 2),
+        b * (a + b * _sine) * sin(psi) * cos(psi) / (1 - b * _sine) ** 2,
+    ),
+    given=shape_of_a_body,
+    proof=by(trigonometry),
+    note="d²ψ/dφ² where dψ/dφ = 0: not zero off the equilibria, so dψ/dφ changes its sign there.",
+)
+
+sign_changes = Claim(
+    label="sign_changes_oscillating",
+    says="For γ < 0 the sign of dψ/dφ changes where ψ is extremal.",
+    kind="statement",
+    proof=all_of(sign_constant, turning_points, tilt_by_flip, oscillating_flip),
+    where=Place(line=160),
+)
+
+positive_beyond = Claim(
+    label="positive_beyond",
+    says=equal(gamma + b * _sine, b * (_sine - Abs(gamma) / b)),
+    given=(b > 0, gamma < 0),
+    proof=by(roots),
+    note="Positive exactly where sin²ψ > |γ|/b, and zero at the extremes.",
+)
+
+extremes_by_positivity = Claim(
+    label="positive_only_if",
+    says="γ + b sin²ψ is positive only if sin²ψ = |γ|/b.",
+    kind="statement",
+    given=(*oscillating, gamma + b * _sine > 0),
+    proof=Counterexample(
+        {"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)},
+        Ne(_sine, Abs(gamma) / b),
+    ),
+    where=Place(line=160),
+    expect=Verdict.REFUTED,
+    amended_by=(positive_beyond,),
+    note="There it vanishes; it is positive where sin²ψ > |γ|/b. The extremes are right.",
+)
+
+flip_bounds = Claim(
+    label="flip_bounds",
+    says=equations((psi_min, psi_max), printed.psi_bounds(b, gamma, sympy)),
+    given=oscillating,
+    proof=Definition(),
+    where=Place(display=14),
+)
+
+flip_between = Claim(
+    label="flip_between",
+    says=equal(gamma + b * _sine, b * sin(psi - psi_min) * sin(psi_max - psi)),
+    given=oscillating,
+    proof=by(substituting(flip_bounds), trigonometry, inverses, roots),
+    note="For ψ in [0, π] this is positive exactly between ψ_min and ψ_max, and zero at both.",
+)
+
+flip_is_bounded = Claim(
+    label="eq_borne_psi",
+    says="An oscillating motion with 0 < ψ < π stays between ψ_min and ψ_max and turns there.",
+    kind="statement",
+    proof=all_of(flip_bounds, flip_between, tilt_by_flip, turning_points),
+    where=Place(display=14),
+    note="One with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
+)
+
+each_trajectory = Claim(
+    label="each_oscillating_trajectory",
+    says="Each oscillating motion has ψ between arcsin √(|γ|/b) and π − arcsin √(|γ|/b).",
+    kind="statement",
+    given=(*oscillating, psi > -pi, psi < pi, gamma + b * _sine > 0),
+    proof=Counterexample(
+        {"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)},
+        psi < asin(sqrt(Abs(gamma) / b)),
+    ),
+    where=Place(line=160),
+    expect=Verdict.REFUTED,
+    amended_by=(flip_is_bounded,),
+    note="True of ψ or of −ψ: the other half of the motions are mirror images.",
+)
+
+eigenvalue = Symbol("eigenvalue", real=True)
+
+
+def _characteristic(flip: sympy.Expr) -> sympy.Expr:
+    """The characteristic polynomial of the planar system at θ = π/2 and the given ψ."""
+    slope = ImmutableMatrix(_flow).jacobian((theta, psi))
+    return det(eigenvalue * eye(2) - slope.subs({theta: pi / 2, psi: flip}))
+
+
+linear_at_e2 = Claim(
+    label="linear_at_e2",
+    says=equal(_characteristic(Integer(0)), eigenvalue**2 - a * b),
+    given=shape_of_a_body,
+    proof=by(),
+    note="Eigenvalues ±√(ab): unstable.",
+)
+
+linear_at_e3 = Claim(
+    label="linear_at_e3",
+    says=equal(_characteristic(pi / 2), eigenvalue**2 + b * (a + b) / (1 - b) ** 2),
+    given=shape_of_a_body,
+    proof=by(),
+    note="Eigenvalues ±i√(b(a + b))/(1 − b): a centre.",
+)
+
+rest_points = Claim(
+    label="rest_points",
+    says="The planar system rests at θ = π/2 with ψ = 0, π/2 or π.",
+    kind="statement",
+    given=shape_of_a_body,
+    proof=formally(
+        *(
+            equal(rate, 0)
+            for flip in (Integer(0), pi / 2, pi)
+            for rate in printed.planar_rates(pi / 2, flip, a, b, sympy)
+        )
+    ),
+    where=Place(line=179),
+    note="In the portrait of θ all of them are the one point (π/2, 0).",
+)
+
+equilibria = Claim(
+    label="equilibria_phase_portrait",
+    says="ψ = π/2 with dψ/dφ = 0 is stable and ψ = 0 with dψ/dφ = 0 unstable, modulo π.",
+    kind="statement",
+    proof=all_of(rest_points, linear_at_e2, linear_at_e3, depth_at_e3, mirror_images),
+    where=Place(line=159),
+    note="γ has its least value at ψ = θ = π/2, which makes the centre stable.",
+)
+
+momentum_at_rest = Claim(
+    label="momentum_at_rest",
+    says=Tuple(
+        *(
+            equal(component, value)
+            for flip, direction in ((0, (0, -M, 0)), (pi, (0, M, 0)), (pi / 2, (0, 0, M)))
+            for component, value in zip(
+                printed.momentum(pi / 2, Integer(0) + flip, M, sympy), direction, strict=True
+            )
+        )
+    ),
+    proof=together(*(by() for _ in range(9))),
+)
+
+correspondence = Claim(
+    label="correspond_e3_e2",
+    says="These are the stable rotation about e₃ and the unstable one about e₂.",
+    kind="statement",
+    proof=all_of(momentum_at_rest, stable_e3, unstable_e2),
+    where=Place(line=160),
+)
+
+separatrix_passes = Claim(
+    label="unstable_on_separatrix",
+    says="γ = 0 at θ = π/2 with ψ = 0 and with ψ = π.",
+    kind="statement",
+    proof=formally(
+        *(equal(printed.depth(pi / 2, flip, a, b, sympy), 0) for flip in (Integer(0), pi))
+    ),
+)
+
+flip_portrait = Claim(
+    label="fig_ph_portrait",
+    says="Oscillating for γ < 0, rotating for γ > 0; the two unstable points lie on the "
+    "separatrix, and there the racket turns about e₂.",
+    kind="statement",
+    proof=all_of(three_regimes, separatrix_passes, momentum_at_rest, linear_at_e2),
+    where=Place(line=157),
+)
+
+width_of_flip = Claim(
+    label="width_of_flip",
+    says=(pi - asin(sqrt(-gamma / b))) - asin(sqrt(-gamma / b)) < pi,
+    kind="bound",
+    given=oscillating,
+    proof=(step(2 * asin(sqrt(-gamma / b))),),
+    where=Place(line=164),
+    note="From turning point to turning point, below π and as near to it as γ to 0.",
+)
+
+_lift = Symbol("h", real=True)
+
+width_of_pendulum = Claim(
+    label="width_of_pendulum",
+    says=2 * acos(-_lift) < 2 * pi,
+    kind="bound",
+    given=(_lift > -1, _lift < 1),
+    proof=(step(4 * atan(sqrt((1 - _lift) / (1 + _lift))), inverses, roots),),
+    note="A pendulum with energy v²/2 − cos q = h turns at q = ±arccos(−h).",
+)
+
+amplitudes = Claim(
+    label="amplitude_pi",
+    says="The racket swings over less than π, a pendulum over less than 2π.",
+    kind="statement",
+    proof=all_of(width_of_flip, width_of_pendulum),
+    where=Place(line=164),
+    note="From end to end, which is twice what is often called amplitude; neither is reached.",
+)
+
+separatrix_moves = Claim(
+    label="separatrix_moves",
+    says=printed.psi_rate(psi, a, b, 0, 1, sympy) ** 2 > 0,
+    kind="bound",
+    given=(*shape_of_a_body, sin(psi) ** 2 > 0),
+    proof=(step((a + b * _sine) * b * _sine / (1 - b * _sine) ** 2),),
+)
+
+way_between = Claim(
+    label="heteroclinic_pi",
+    says="To go from one unstable point to another is to turn by |Δψ| = π.",
+    kind="statement",
+    proof=all_of(separatrix_passes, separatrix_moves, sign_constant),
+    where=Place(line=164),
+    note="On γ = 0 nothing rests between ψ = 0 and ψ = π. With S = −1 it is Δψ = −π.",
+)
+
+sign_of_product = Claim(
+    label="sign_of_product",
+    says=equal(S2, sin(psi) * cos(psi) / Abs(sin(psi) * cos(psi))),
+    given=((sin(psi) * cos(psi)) ** 2 > 0,),
+    proof=Definition(),
+)
+
+_square = cos(theta) ** 2
+_argument = (gamma + b - (a + b) * _square) * (a * _square - gamma)
+
+root_argument = Claim(
+    label="root_argument",
+    says=equal(_argument, b**2 * sin(theta) ** 4 * (sin(psi) * cos(psi)) ** 2),
+    given=_body,
+    proof=by(substituting(eq_gamma), trigonometry),
+    where=Place(line=179),
+    note="So the argument of the root is never negative.",
+)
+
+_off_axes = (*_body, *tilted, sin(psi) ** 2 * cos(psi) ** 2 > 0, (sin(psi) * cos(psi)) ** 2 > 0)
+
+product_of_flip = Claim(
+    label="d15",
+    says=equal(sin(psi) * cos(psi), printed.sin_psi_cos_psi(theta, a, b, gamma, S2, sympy)),
+    given=_off_axes,
+    proof=(
+        step(
+            S2 / (b * sin(theta) ** 2) * sqrt(b**2 * sin(theta) ** 4 * (sin(psi) * cos(psi)) ** 2),
+            substituting(sign_of_product),
+            roots,
+        ),
+        step(None, substituting(root_argument)),
+    ),
+    where=Place(display=15),
+)
+
+denominator_of_tilt = Claim(
+    label="denominator_of_tilt",
+    says=equal(gamma + 1 - (a + 1) * _square, sin(theta) ** 2 * (1 - b * _sine)),
+    given=_body,
+    proof=by(substituting(eq_gamma), trigonometry),
+)
+
+eq_dthetadphi = Claim(
+    label="eq_dthetadphi",
+    says=equal(dtheta_dphi, printed.theta_rate(theta, a, b, gamma, S2, sympy)),
+    given=_off_axes,
+    proof=(
+        step(
+            -b * sin(theta) * sin(psi) * cos(psi) / (1 - b * _sine),
+            substituting(eq_Euler),
+        ),
+        step(
+            -b
+            * sin(theta)
+            * printed.sin_psi_cos_psi(theta, a, b, gamma, S2, sympy)
+            / (1 - b * _sine),
+            substituting(sign_of_product, root_argument),
+            roots,
+        ),
+        step(None, substituting(root_argument, denominator_of_tilt)),
+    ),
+    where=Place(display=16),
+)
+
+tilt_portrait = Claim(
+    label="fig_portrait_theta",
+    says="Oscillating motions cross θ = π/2, rotating ones do not.",
+    kind="statement",
+    proof=all_of(three_regimes, handle_crosses, handle_side, rest_points),
+    where=Place(line=179),
+)
+
+_least_cosine = (gamma + b) / (a + b)
+
+rotating_bounds = Claim(
+    label="tilt_bounds_rotating",
+    says=equations((theta_min, theta_max), printed.theta_bounds_rotating(a, b, gamma, sympy)),
+    given=rotating,
+    proof=Definition(),
+    where=Place(display=17),
+)
+
+oscillating_bounds = Claim(
+    label="tilt_bounds_oscillating",
+    says=equations((theta_min, theta_max), printed.theta_bounds_oscillating(a, b, gamma, sympy)),
+    given=oscillating,
+    proof=Definition(),
+    where=Place(display=17),
+)
+
+cosines_of_bounds = Claim(
+    label="cosines_of_bounds",
+    says=Tuple(_least_cosine > 0, 1 - _least_cosine >= 0, gamma / a > 0, 1 - gamma / a > 0),
+    kind="bound",
+    given=rotating,
+    proof=together(
+        (step(_least_cosine),),
+        (step((a - gamma) / (a + b)),),
+        (step(gamma / a),),
+        (step((a - gamma) / a),),
+    ),
+    note="Both arc cosines are defined.",
+)
+
+tilts_in_order = Claim(
+    label="tilts_in_order",
+    says=_least_cosine - gamma / a > 0,
+    kind="bound",
+    given=rotating,
+    proof=(step(b * (a - gamma) / (a * (a + b))),),
+    note="θ_min < θ_max for every rotating motion.",
+)
+
+tilt_above_least = Claim(
+    label="tilt_above_least",
+    says=gamma + b - (a + b) * _square >= 0,
+    kind="bound",
+    given=_body,
+    proof=(
+        step(
+            a - sin(theta) ** 2 * (a + b * _sine) + b - (a + b) * _square,
+            substituting(eq_gamma),
+        ),
+        step(b * sin(theta) ** 2 * cos(psi) ** 2, trigonometry),
+    ),
+)
+
+_above = gamma + b - (a + b) * _square
+_roots = (trigonometry, inverses, roots)
+
+oscillating_tilt_between = Claim(
+    label="oscillating_tilt_between",
+    says=equal(_above, (a + b) * sin(theta - theta_min) * sin(theta_max - theta)),
+    given=oscillating,
+    proof=by(substituting(oscillating_bounds), *_roots),
+    note="For θ in [0, π] not negative exactly between θ_min and θ_max, and zero at both.",
+)
+
+rotating_tilt_between = Claim(
+    label="rotating_tilt_between",
+    says=Tuple(
+        equal(_above, (a + b) * sin(theta - theta_min) * sin(theta + theta_min)),
+        equal(a * _square - gamma, a * sin(theta_max - theta) * sin(theta_max + theta)),
+    ),
+    given=rotating,
+    proof=together(
+        by(substituting(rotating_bounds), citing(cosines_of_bounds), *_roots),
+        by(substituting(rotating_bounds), citing(cosines_of_bounds), *_roots),
+    ),
+    note="For θ in [0, π/2] neither is negative exactly between θ_min and θ_max.",
+)
+
+bounds_are_reached = Claim(
+    label="bounds_are_reached",
+    says=Tuple(
+        equal(_above, b * sin(theta) ** 2 * cos(psi) ** 2),
+        equal(a * _square - gamma, b * sin(theta) ** 2 * _sine),
+    ),
+    given=_body,
+    proof=together(
+        by(substituting(eq_gamma), trigonometry), by(substituting(eq_gamma), trigonometry)
+    ),
+    note="Zero at ψ = π/2 and at ψ = 0: there the tilt is at a bound.",
+)
+
+tilt_is_bounded = Claim(
+    label="eq_borne_theta",
+    says="The tilt of the handle stays between θ_min and θ_max and reaches both.",
+    kind="statement",
+    proof=all_of(
+        rotating_bounds,
+        oscillating_bounds,
+        rotating_tilt_between,
+        oscillating_tilt_between,
+        tilts_in_order,
+        tilt_above_least,
+        rotating_tilt,
+        bounds_are_reached,
+    ),
+    where=Place(display=17),
+)
+
+handle_on_the_sphere = Claim(
+    label="fig_thetamin",
+    says="The handle moves between the two bounds of θ.",
+    kind="statement",
+    proof=all_of(tilt_is_bounded),
+    where=Place(line=193),
+)

@@ -1,0 +1,430 @@
+"""Sections 3 and 4: oscillating and rotating motions, told apart by γ.
+
+- `energy_by_gamma`: 2I₂E, 2I₃E and 2I₁E against M², each as a multiple of γ, γ + b, a − γ;
+- `tilt_by_flip`: cos²θ from ψ alone, hence θ comes back when ψ has turned by π;
+- `rotating_tilt`, `rotating_speed`: for γ > 0 the handle stays on one side, ψ is unbounded;
+- `oscillating_flip`, `handle_crosses`: for γ < 0 the racket oscillates, the handle crosses;
+- `mirror_images`: the symmetries of the planar system;
+- `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles rest.
+"""
+
+import sympy
+from flint import fmpq
+from sympy import Le, Ne, Symbol, Tuple, cos, pi, sin
+from tresym.proofs.conditions import ordered_moments, shape_of_a_body
+from tresym.proofs.euler_angles import (
+    eq_Euler,
+    eq_gamma,
+    gamma_conserved,
+    precession_forward,
+    shape_and_depth,
+)
+from tresym.proofs.frames import handle_in_space
+from tresym.proofs.jacobi import intersection_condition, solution_on_intersection
+from tresym.proofs.momentum import eq_dMi
+from tresym.proofs.stability import permanent_rotations, three_equilibria_and_opposites
+
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Place,
+    all_of,
+    by,
+    equal,
+    equations,
+    formally,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import I1, I2, I3, M1, M2, M3, E, M, a, b, gamma, psi, theta
+from tresym.verdict import Verdict
+
+_sine = sin(psi) ** 2
+
+ordering = Claim(
+    label="ordered_moments",
+    says="The moments may be any with 0 ≤ I₁ ≤ I₂ ≤ I₃.",
+    kind="statement",
+    given=(I1 >= 0, I2 - I1 >= 0, I3 - I2 >= 0),
+    proof=Counterexample({"I1": fmpq(0), "I2": fmpq(1), "I3": fmpq(1)}, Le(I1, 0)),
+    where=Place(line=82),
+    expect=Verdict.REFUTED,
+    amended_by=(eq_dMi,),
+    note="At I₁ = 0 the equations that follow divide by zero; they hold for 0 < I₁ < I₂ < I₃.",
+)
+
+energy_by_gamma = Claim(
+    label="energy_by_gamma",
+    says=Tuple(
+        equal(2 * I2 * E - M**2, M**2 * gamma),
+        equal(2 * I3 * E - M**2, M**2 * (gamma + b) / (1 - b)),
+        equal(M**2 - 2 * I1 * E, M**2 * (a - gamma) / (1 + a)),
+    ),
+    given=ordered_moments,
+    proof=together(*(by(substituting(shape_and_depth)) for _ in range(3))),
+    note="As 1 − b and 1 + a are positive, the signs of the left sides are those of γ, γ + b "
+    "and a − γ.",
+)
+
+_apart = (M**2 - 2 * I2 * E > 0, 2 * I3 * E - M**2 > 0)
+_together = (M**2 - 2 * I1 * E > 0, 2 * I2 * E - M**2 > 0)
+
+oscillating_case = Claim(
+    label="oscillating_case",
+    says=Tuple(-gamma > 0, gamma + b > 0),
+    kind="bound",
+    given=(*ordered_moments, *_apart),
+    proof=together(
+        (step((M**2 - 2 * I2 * E) / M**2, substituting(shape_and_depth)),),
+        (step(I2 * (2 * I3 * E - M**2) / (I3 * M**2), substituting(shape_and_depth)),),
+    ),
+    where=Place(line=96),
+)
+
+rotating_case = Claim(
+    label="rotating_case",
+    says=Tuple(gamma > 0, a - gamma > 0),
+    kind="bound",
+    given=(*ordered_moments, *_together),
+    proof=together(
+        (step((2 * I2 * E - M**2) / M**2, substituting(shape_and_depth)),),
+        (step(I2 * (M**2 - 2 * I1 * E) / (I1 * M**2), substituting(shape_and_depth)),),
+    ),
+    where=Place(line=96),
+)
+
+three_regimes = Claim(
+    label="three_regimes",
+    says="γ < 0 for oscillating motions, γ > 0 for rotating ones, γ = 0 on the separatrix.",
+    kind="statement",
+    proof=all_of(energy_by_gamma, oscillating_case, rotating_case),
+    where=Place(line=124),
+    note="The ends γ = a and γ = −b are the two stable rotations.",
+)
+
+spheres_and_ellipsoids = Claim(
+    label="fig_sphere_cases",
+    says="M moves where ellipsoid and sphere meet, oscillating for 2I₂E < M² < 2I₃E, "
+    "rotating for 2I₁E < M² < 2I₂E; p₊ and p₋ are stable, p_D is not.",
+    kind="statement",
+    proof=all_of(
+        solution_on_intersection,
+        intersection_condition,
+        three_regimes,
+        three_equilibria_and_opposites,
+    ),
+    where=Place(line=110),
+)
+
+ellipsoid_radii = Claim(
+    label="ellipsoid_radii",
+    says=equal(
+        sum(
+            component**2 / radius**2
+            for component, radius in zip(
+                (M1, M2, M3), printed.ellipsoid_radii(I1, I2, I3, E, sympy), strict=True
+            )
+        ),
+        printed.energy(M1, M2, M3, I1, I2, I3) / E,
+    ),
+    given=(*ordered_moments, E > 0),
+    proof=by(),
+    where=Place(line=96),
+    note="The energy surface is Σ Mᵢ²/(2IᵢE) = 1.",
+)
+
+precession_of_the_handle = Claim(
+    label="precession_of_the_handle",
+    says="φ is the precession of the handle about M, and it never turns back.",
+    kind="statement",
+    proof=all_of(handle_in_space, precession_forward),
+    where=Place(line=70),
+)
+
+tilt_by_flip = Claim(
+    label="tilt_by_flip",
+    says=equal(cos(theta) ** 2 * (a + b * _sine), gamma + b * _sine),
+    given=ordered_moments,
+    proof=(
+        step(a - sin(theta) ** 2 * (a + b * _sine) + b * _sine, trigonometry),
+        step(None, substituting(eq_gamma)),
+    ),
+)
+
+_flips = Symbol("psi1", real=True), Symbol("psi2", real=True)
+_tilts = [(gamma + b * sin(p) ** 2) / (a + b * sin(p) ** 2) for p in _flips]
+
+tilt_after_flip = Claim(
+    label="tilt_after_flip",
+    says=equal(_tilts[0].subs(_flips[0], _flips[0] + pi), _tilts[0]),
+    given=shape_of_a_body,
+    proof=by(trigonometry),
+)
+
+tilt_near_flip = Claim(
+    label="tilt_near_flip",
+    says=equal(
+        _tilts[1] - _tilts[0],
+        b
+        * (a - gamma)
+        * (sin(_flips[1]) ** 2 - sin(_flips[0]) ** 2)
+        / ((a + b * sin(_flips[0]) ** 2) * (a + b * sin(_flips[1]) ** 2)),
+    ),
+    given=shape_of_a_body,
+    proof=by(),
+    note="At most (b/a)(1 + b/a) times the change of sin²ψ, since 0 ≤ a − γ ≤ a + b.",
+)
+
+tilt_comes_back = Claim(
+    label="delta_theta_zero",
+    says="When ψ has turned by π, the handle has its first tilt again.",
+    kind="statement",
+    proof=all_of(tilt_by_flip, tilt_after_flip, tilt_near_flip),
+    where=Place(line=78),
+    note="This rests on the energy: cos²θ is a function of sin²ψ at given γ.",
+)
+
+_end = Symbol("theta_f", real=True)
+
+components_are_sufficient = Claim(
+    label="components_are_sufficient",
+    says="The components of M by the angles are enough to show that Δψ = π gives Δθ = 0.",
+    kind="statement",
+    given=(M > 0, theta > 0, theta < pi, _end > 0, _end < pi),
+    proof=Counterexample(
+        {"M": fmpq(1), "theta": fmpq(3, 2), "theta_f": fmpq(3, 4), "psi": fmpq(0)},
+        Ne(
+            printed.momentum(theta, psi, M, sympy)[0],
+            printed.momentum(_end, psi + pi, M, sympy)[0],
+        ),
+    ),
+    where=Place(line=102),
+    expect=Verdict.REFUTED,
+    amended_by=(tilt_comes_back,),
+    note="They give the length M for all angles; the conclusion needs the energy as well.",
+)
+
+flip_components = Claim(
+    label="flip_components",
+    says=equations(
+        printed.momentum(theta, psi + pi, M, sympy),
+        tuple(
+            s * m for s, m in zip((1, -1, -1), printed.momentum(theta, psi, M, sympy), strict=True)
+        ),
+    ),
+    proof=together(by(), by(trigonometry), by(trigonometry)),
+    where=Place(line=102),
+)
+
+rotating = (*shape_of_a_body, gamma > 0, gamma < a)
+"""Rotating motions."""
+oscillating = (*shape_of_a_body, gamma < 0, gamma > -b)
+"""Oscillating motions."""
+
+rotating_tilt = Claim(
+    label="theta_half",
+    says=a * cos(theta) ** 2 - gamma >= 0,
+    kind="bound",
+    given=(*ordered_moments, *shape_of_a_body),
+    proof=(
+        step(a * cos(theta) ** 2 - a + sin(theta) ** 2 * (a + b * _sine), substituting(eq_gamma)),
+        step(b * sin(theta) ** 2 * _sine, trigonometry),
+    ),
+    where=Place(line=103),
+    note="For γ > 0, cos²θ ≥ γ/a > 0: θ stays in [0, π/2) or in (π/2, π].",
+)
+
+rotating_speed = Claim(
+    label="psi_unbounded",
+    says=printed.psi_rate(psi, a, b, gamma, 1, sympy) ** 2 >= a * gamma,
+    kind="bound",
+    given=rotating,
+    proof=(
+        step(
+            b
+            * _sine
+            * (a + gamma + b * _sine + a * gamma * (1 + (1 - b * _sine)))
+            / (1 - b * _sine) ** 2,
+        ),
+    ),
+    where=Place(line=103),
+    note="|dψ/dφ| ≥ √(aγ) > 0 with one sign, so ψ grows or falls without bound.",
+)
+
+handle_side = Claim(
+    label="handle_side",
+    says="In a rotating motion the handle stays above or below the plane (X, Y) while the "
+    "racket turns about it.",
+    kind="statement",
+    proof=all_of(handle_in_space, rotating_tilt, rotating_speed),
+    where=Place(line=103),
+)
+
+_flow = printed.planar_rates(theta, psi, a, b, sympy)
+_mirrored = printed.planar_rates(pi - theta, -psi, a, b, sympy)
+_shifted = printed.planar_rates(theta, psi + pi, a, b, sympy)
+
+mirror_images = Claim(
+    label="symmetry_half",
+    says=Tuple(
+        *equations(_mirrored, tuple(-r for r in _flow)).args, *equations(_shifted, _flow).args
+    ),
+    given=shape_of_a_body,
+    proof=together(*(by(trigonometry) for _ in range(4))),
+    where=Place(line=103),
+    note="(π − θ, −ψ) moves as (θ, ψ), so θ ≤ π/2 is no restriction; nor is a half turn of ψ.",
+)
+
+oscillating_flip = Claim(
+    label="psi_half_oscillating",
+    says=b * _sine > 0,
+    kind="bound",
+    given=(*ordered_moments, *shape_of_a_body, gamma < 0),
+    proof=(
+        step(gamma + b * _sine - gamma),
+        step(cos(theta) ** 2 * (a + b * _sine) - gamma, substituting(eq_gamma), trigonometry),
+    ),
+    where=Place(line=103),
+    note="sin ψ never vanishes, so ψ stays in (0, π) or in (−π, 0), up to full turns.",
+)
+
+handle_crosses = Claim(
+    label="handle_crosses",
+    says=printed.planar_rates(pi / 2, psi, a, b, sympy)[0] ** 2 > 0,
+    kind="bound",
+    given=(*shape_of_a_body, sin(psi) ** 2 > 0, cos(psi) ** 2 > 0),
+    proof=(step(b**2 * _sine * cos(psi) ** 2 / (1 - b * _sine) ** 2),),
+    where=Place(line=103),
+    note="At θ = π/2 the tilt changes at a rate other than 0, but for the permanent rotations.",
+)
+
+same_trajectories = Claim(
+    label="panel_depends_on_shape",
+    says=equal((gamma - a) / a, -(sin(theta) ** 2) * (1 + b / a * _sine)),
+    given=(*ordered_moments, *shape_of_a_body),
+    proof=by(substituting(eq_gamma)),
+    where=Place(line=112),
+    note="The curves on the sphere depend on the shape only through b/a.",
+)
+
+strict_range = Claim(
+    label="strict_range_of_shape",
+    says=Tuple(a > 0, b > 0, 1 - b > 0),
+    kind="bound",
+    given=ordered_moments,
+    proof=together(
+        (step((I2 - I1) / I1, substituting(shape_and_depth)),),
+        (step((I3 - I2) / I3, substituting(shape_and_depth)),),
+        (step(I2 / I3, substituting(shape_and_depth)),),
+    ),
+    note="No end is reached: b = 1 would need I₃ = ∞, and a = ∞ would need I₁ = 0.",
+)
+
+_real = (*ordered_moments, I1 + I2 - I3 >= 0)
+
+realizable = Claim(
+    label="realizable_shape",
+    says=Tuple(1 / (a + 2) - b >= 0, 1 - 2 * b > 0),
+    kind="bound",
+    given=_real,
+    proof=together(
+        (step(I2 * (I1 + I2 - I3) / (I3 * (I1 + I2)), substituting(shape_and_depth)),),
+        (
+            step(
+                ((I1 + I2 - I3) + (I2 - I1)) / I3,
+                substituting(shape_and_depth),
+            ),
+        ),
+    ),
+    note="No moment of a rigid body exceeds the sum of the others, which the paper does not use.",
+)
+
+symmetric_tops = Claim(
+    label="symmetric_top",
+    says=equations((a * I1, b * I3), (I2 - I1, I3 - I2)),
+    given=ordered_moments,
+    proof=together(by(substituting(shape_and_depth)), by(substituting(shape_and_depth))),
+    where=Place(line=124),
+    note="a = 0 exactly when I₁ = I₂, b = 0 exactly when I₂ = I₃, both for a spherical top.",
+)
+
+ratios_of_moments = Claim(
+    label="ratios_of_moments",
+    says=equations((I2 / I1, I3 / I2), (1 + a, 1 / (1 - b))),
+    given=ordered_moments,
+    proof=together(by(substituting(shape_and_depth)), by(substituting(shape_and_depth))),
+    note="I₁ ≪ I₂ ≪ I₃ means a ≫ 1 and 1 − b ≪ 1.",
+)
+
+a_and_b_large = Claim(
+    label="a_and_b_large",
+    says="a ≫ 1 and b ≫ 1 give I₁ ≪ I₂ ≪ I₃.",
+    kind="statement",
+    given=(I1 > 0, I2 > 0, Ne(I3, 0), I2 / I1 - 1 >= 10, 1 - I2 / I3 >= 10),
+    proof=Counterexample({"I1": fmpq(1), "I2": fmpq(11), "I3": fmpq(-1)}, I3 < I2),
+    where=Place(line=124),
+    expect=Verdict.REFUTED,
+    amended_by=(ratios_of_moments, strict_range),
+    note="b is below 1 for every body, and below 1/2 for a rigid one.",
+)
+
+depth_at_e1 = Claim(
+    label="depth_at_e1",
+    says=equal(a - gamma, sin(theta) ** 2 * (a + b * _sine)),
+    given=ordered_moments,
+    proof=by(substituting(eq_gamma)),
+    note="γ = a exactly when sin θ = 0: M lies along the handle.",
+)
+
+depth_at_e3 = Claim(
+    label="depth_at_e3",
+    says=equal(gamma + b, (a + b) * cos(theta) ** 2 + b * sin(theta) ** 2 * cos(psi) ** 2),
+    given=ordered_moments,
+    proof=by(substituting(eq_gamma), trigonometry),
+    note="γ = −b exactly when cos θ = 0 and cos ψ = 0: M lies along e₃.",
+)
+
+depth_at_the_points = Claim(
+    label="depth_at_the_points",
+    says="γ = a for θ = 0, and γ = −b for θ = ψ = π/2.",
+    kind="statement",
+    proof=formally(
+        equal(printed.depth(0, psi, a, b, sympy), a),
+        equal(printed.depth(pi / 2, pi / 2, a, b, sympy), -b),
+    ),
+    where=Place(line=141),
+)
+
+ends_of_gamma = Claim(
+    label="ends_of_gamma",
+    says="γ = a and γ = −b are the equilibria of M along e₁ and along e₃.",
+    kind="statement",
+    proof=all_of(depth_at_e1, depth_at_e3, permanent_rotations),
+    where=Place(line=140),
+)
+
+angles_rest = Claim(
+    label="angles_rest_at_e1",
+    says="At θ = 0 the planar system is in equilibrium.",
+    kind="statement",
+    given=shape_of_a_body,
+    proof=Counterexample(
+        {"a": fmpq(1), "b": fmpq(1, 2), "psi": fmpq(0)},
+        Ne(printed.planar_rates(0, psi, a, b, sympy)[1], 0),
+    ),
+    where=Place(line=140),
+    expect=Verdict.REFUTED,
+    amended_by=(ends_of_gamma,),
+    note="M rests there, while ψ turns steadily: the racket rotates about its handle.",
+)
+
+planar_system = Claim(
+    label="planar_system",
+    says="The path of θ and ψ does not depend on time, nor on φ.",
+    kind="statement",
+    proof=all_of(precession_forward, eq_Euler, gamma_conserved),
+    where=Place(line=126),
+)

@@ -1,0 +1,310 @@
+"""Sections 2 and 3: the permanent rotations and their stability.
+
+Around M along a principal axis, Euler's equations are linearised; the eigenvalues λ solve
+λ(λ² − …) = 0 exactly. Where λ² < 0 the energy on the sphere of M has a strict extremum, which is
+what makes the rotation stable; where λ² > 0 one eigenvalue is positive.
+
+- `eigenvalues_e1`, `eigenvalues_e2`, `eigenvalues_e3`, and the signs of λ²;
+- `energy_near_e1`, `energy_near_e3`: the energy on the sphere of M, with its extrema;
+- `permanent_rotations`: the equilibria are the six points with two components zero.
+"""
+
+from flint import fmpq
+from sympy import (
+    Equivalent,
+    Expr,
+    Gt,
+    ImmutableMatrix,
+    Le,
+    Ne,
+    Symbol,
+    Tuple,
+    cos,
+    det,
+    eye,
+    pi,
+    sin,
+)
+from tresym.proofs.conditions import ordered_moments
+from tresym.proofs.model import eq_Mi, velocity_from_momentum
+from tresym.proofs.momentum import energy_of_momentum, eq_dMi
+
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Place,
+    all_of,
+    by,
+    citing,
+    equal,
+    multiplying,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import (
+    I1,
+    I2,
+    I3,
+    M1,
+    M2,
+    M3,
+    W2,
+    W3,
+    E,
+    M,
+    dM1_dt,
+    dM2_dt,
+    dM3_dt,
+    psi,
+    theta,
+)
+from tresym.verdict import Verdict
+
+eigenvalue = Symbol("eigenvalue", real=True)
+"""λ; the characteristic polynomials have no real root but 0 where the rotation is stable."""
+
+_components = (M1, M2, M3)
+_rates = ImmutableMatrix(printed.euler_equations(*_components, I1, I2, I3))
+
+
+def _characteristic(*at: Expr) -> Expr:
+    """The characteristic polynomial of Euler's equations linearised at a point."""
+    slope = _rates.jacobian(_components).subs(dict(zip(_components, at, strict=True)))
+    return det(eigenvalue * eye(3) - slope)
+
+
+_square1 = -(M**2) * (1 / I1 - 1 / I2) * (1 / I1 - 1 / I3)
+_square2 = M**2 * (1 / I1 - 1 / I2) * (1 / I2 - 1 / I3)
+_square3 = -(M**2) * (1 / I1 - 1 / I3) * (1 / I2 - 1 / I3)
+
+eigenvalues_e1 = Claim(
+    label="eigenvalues_e1",
+    says=equal(_characteristic(M, 0, 0), eigenvalue * (eigenvalue**2 - _square1)),
+    given=ordered_moments,
+    proof=by(),
+)
+
+eigenvalues_e2 = Claim(
+    label="eigenvalues_e2",
+    says=equal(_characteristic(0, M, 0), eigenvalue * (eigenvalue**2 - _square2)),
+    given=ordered_moments,
+    proof=by(),
+)
+
+eigenvalues_e3 = Claim(
+    label="eigenvalues_e3",
+    says=equal(_characteristic(0, 0, M), eigenvalue * (eigenvalue**2 - _square3)),
+    given=ordered_moments,
+    proof=by(),
+)
+
+center_at_e1 = Claim(
+    label="center_at_e1",
+    says=_square1 < 0,
+    kind="bound",
+    given=ordered_moments,
+    proof=(step(M**2 * (I2 - I1) * (I3 - I1) / (I1**2 * I2 * I3)),),
+)
+
+saddle_at_e2 = Claim(
+    label="saddle_at_e2",
+    says=_square2 > 0,
+    kind="bound",
+    given=ordered_moments,
+    proof=(step(M**2 * (I2 - I1) * (I3 - I2) / (I1 * I2**2 * I3)),),
+)
+
+center_at_e3 = Claim(
+    label="center_at_e3",
+    says=_square3 < 0,
+    kind="bound",
+    given=ordered_moments,
+    proof=(step(M**2 * (I3 - I1) * (I3 - I2) / (I1 * I2 * I3**2)),),
+)
+
+_below_first = M2**2 * (I2 - I1) / (I1 * I2) + M3**2 * (I3 - I1) / (I1 * I3)
+_above_third = M1**2 * (I3 - I1) / (I1 * I3) + M2**2 * (I3 - I2) / (I2 * I3)
+
+energy_near_e1 = Claim(
+    label="energy_near_e1",
+    says=equal((M1**2 + M2**2 + M3**2) / I1 - 2 * E, _below_first),
+    given=ordered_moments,
+    proof=by(substituting(energy_of_momentum)),
+    note="At given M the energy is largest at M₂ = M₃ = 0, and nowhere else: a Lyapunov function.",
+)
+
+energy_near_e3 = Claim(
+    label="energy_near_e3",
+    says=equal(2 * E - (M1**2 + M2**2 + M3**2) / I3, _above_third),
+    given=ordered_moments,
+    proof=by(substituting(energy_of_momentum)),
+    note="At given M the energy is least at M₁ = M₂ = 0, and nowhere else.",
+)
+
+stable_e1 = Claim(
+    label="stable_e1",
+    says="The rotation about the handle is stable.",
+    kind="statement",
+    proof=all_of(eigenvalues_e1, center_at_e1, energy_near_e1),
+    where=Place(line=49),
+)
+
+stable_e3 = Claim(
+    label="stable_e3",
+    says="The rotation about the normal of the face is stable.",
+    kind="statement",
+    proof=all_of(eigenvalues_e3, center_at_e3, energy_near_e3),
+    where=Place(line=49),
+)
+
+unstable_e2 = Claim(
+    label="unstable_e2",
+    says="The rotation about the intermediate axis is unstable.",
+    kind="statement",
+    proof=all_of(eigenvalues_e2, saddle_at_e2),
+    where=Place(line=49),
+)
+
+any_body = Claim(
+    label="any_rigid_body_is_unstable",
+    says="In any rigid body the rotation about the second axis has a positive eigenvalue.",
+    kind="statement",
+    given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
+    proof=Counterexample(
+        {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(2), "M": fmpq(1)}, Le(_square2, 0)
+    ),
+    where=Place(line=49),
+    expect=Verdict.REFUTED,
+    amended_by=(stable_e1, stable_e3, unstable_e2),
+    note="True of three different moments; a symmetric top has no such axis.",
+)
+
+_products = (M2 * M3, M1 * M3, M1 * M2)
+_inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
+
+outer_moments = Claim(
+    label="outer_moments",
+    says=I3 - I1 > 0,
+    kind="bound",
+    given=ordered_moments,
+    proof=(step((I3 - I2) + (I2 - I1)),),
+)
+
+_order = ((), (citing(outer_moments),), ())
+
+permanent_rotations = Claim(
+    label="permanent_rotations",
+    says=Tuple(
+        *(
+            Equivalent(equal(rate, 0), equal(product, 0))
+            for rate, product in zip((dM1_dt, dM2_dt, dM3_dt), _products, strict=True)
+        )
+    ),
+    given=ordered_moments,
+    proof=together(
+        *(
+            (step(equal(product, 0), multiplying(factor), substituting(eq_dMi), *order),)
+            for product, factor, order in zip(_products, _inverse, _order, strict=True)
+        )
+    ),
+    note="M rests exactly when two components vanish: at ±M along each of the three axes.",
+)
+
+_to = ((1, 0, 0), (0, -1, 0), (0, 0, 1))
+_distances = [sum((m - p) ** 2 for m, p in zip(_components, point, strict=True)) for point in _to]
+
+three_equilibria = Claim(
+    label="three_equilibria",
+    says="The dynamics has three equilibrium points: p₊, p₋ and p_D.",
+    kind="statement",
+    given=(
+        I1 > 0,
+        I2 - I1 > 0,
+        I3 - I2 > 0,
+        *(Le(rate**2, 0, evaluate=False) for rate in _rates),
+        Le((M1**2 + M2**2 + M3**2 - 1) ** 2, 0, evaluate=False),
+    ),
+    proof=Counterexample(
+        {
+            "I1": fmpq(1),
+            "I2": fmpq(2),
+            "I3": fmpq(3),
+            "M1": fmpq(-1),
+            "M2": fmpq(0),
+            "M3": fmpq(0),
+        },
+        Gt(_distances[0] * _distances[1] * _distances[2], 0),
+    ),
+    where=Place(line=103),
+    expect=Verdict.REFUTED,
+    amended_by=(permanent_rotations,),
+    note="Each has an opposite, so there are six, and three up to the sign of M.",
+)
+
+three_equilibria_and_opposites = Claim(
+    label="three_equilibria_and_opposites",
+    says="p₊ and p₋, where M lies along e₁ and e₃, are stable; p_D, along e₂, is unstable.",
+    kind="statement",
+    proof=all_of(permanent_rotations, stable_e1, stable_e3, unstable_e2),
+    where=Place(line=110),
+)
+
+transverse_velocity = Claim(
+    label="transverse_velocity",
+    says=Tuple(
+        M**2 * sin(theta) ** 2 / I3**2 <= W2**2 + W3**2,
+        M**2 * sin(theta) ** 2 / I2**2 >= W2**2 + W3**2,
+    ),
+    kind="bound",
+    given=ordered_moments,
+    proof=together(
+        (
+            step(
+                (M2 / I2) ** 2 + (M3 / I3) ** 2 - M**2 * sin(theta) ** 2 / I3**2,
+                substituting(velocity_from_momentum),
+            ),
+            step(
+                M**2 * sin(theta) ** 2 * cos(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
+                substituting(eq_Mi),
+                trigonometry,
+            ),
+        ),
+        (
+            step(
+                M**2 * sin(theta) ** 2 / I2**2 - (M2 / I2) ** 2 - (M3 / I3) ** 2,
+                substituting(velocity_from_momentum),
+            ),
+            step(
+                M**2 * sin(theta) ** 2 * sin(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
+                substituting(eq_Mi),
+                trigonometry,
+            ),
+        ),
+    ),
+    note="The rotation across the handle is as small as sin θ, and zero only at p₊.",
+)
+
+only_about_the_handle = Claim(
+    label="only_about_the_handle",
+    says="Around p₊ the racket rotates only about its handle.",
+    kind="statement",
+    given=(*ordered_moments, theta > 0, theta < pi / 12),
+    proof=Counterexample(
+        {
+            "I1": fmpq(1),
+            "I2": fmpq(2),
+            "I3": fmpq(3),
+            "M": fmpq(1),
+            "theta": fmpq(1, 10),
+            "psi": fmpq(0),
+        },
+        Ne(M * sin(theta) * cos(psi) / I2, 0),
+    ),
+    where=Place(line=103),
+    expect=Verdict.REFUTED,
+    amended_by=(transverse_velocity,),
+    note="True at p₊; around it Ω₂ and Ω₃ are small, not zero.",
+)

@@ -1,0 +1,146 @@
+"""Section 3, end: bodies with two equal moments.
+
+- `sphere`: three equal moments;
+- `depth_b_zero`, `handle_keeps_its_tilt`, `spin_about_handle`: I₂ = I₃, only rotating motions;
+- `depth_a_zero`: I₁ = I₂, only oscillating motions.
+"""
+
+import sympy
+from flint import fmpq
+from sympy import Le, Ne, Symbol, Tuple, cos, sin
+
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Place,
+    all_of,
+    by,
+    equal,
+    step,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import I1, I2, I3, M1, M2, M3, M, a, b, psi, theta
+from tresym.verdict import Verdict
+
+_moments = (I1 > 0, I2 - I1 > 0, I2 > 0, M > 0)
+
+sphere = Claim(
+    label="sphere_ellipsoid",
+    says=equal(
+        printed.energy(M1, M2, M3, I1, I1, I1), printed.momentum_squared(M1, M2, M3) / (2 * I1)
+    ),
+    given=(I1 > 0,),
+    proof=by(),
+    where=Place(line=112),
+    note="For three equal moments the energy surface is a sphere.",
+)
+
+_first = M * cos(theta)
+_third = M * sin(theta) * sin(psi)
+
+depth_b_zero = Claim(
+    label="depth_b_zero",
+    says=equal(M**2 * printed.depth(theta, psi, a, 0, sympy), a * _first**2),
+    proof=by(trigonometry),
+    note="I₂ = I₃: γ M² = a M₁².",
+)
+
+no_oscillation = Claim(
+    label="no_oscillating_I2_I3",
+    says=printed.depth(theta, psi, a, 0, sympy) >= 0,
+    kind="bound",
+    given=(a > 0,),
+    proof=(step(a * cos(theta) ** 2, trigonometry),),
+    where=Place(line=112),
+    note="I₂ = I₃: γ is never negative.",
+)
+
+separatrix_on_the_equator = Claim(
+    label="separatrix_equator",
+    says="For I₂ = I₃ the separatrix is the equator M₁ = 0.",
+    kind="statement",
+    proof=all_of(depth_b_zero, no_oscillation),
+    where=Place(line=112),
+)
+
+circle_about_handle = Claim(
+    label="circle_e1",
+    says=equal(printed.euler_equations(M1, M2, M3, I1, I2, I2)[0], 0),
+    given=_moments,
+    proof=by(),
+    where=Place(line=112),
+    note="I₂ = I₃: M₁ is constant, and M runs on a circle about e₁.",
+)
+
+_other = Symbol("N1", real=True)
+
+one_circle = Claim(
+    label="one_circle_e1",
+    says="For I₂ = I₃ the two surfaces meet in one circle.",
+    kind="statement",
+    given=(a > 0, M > 0, Le((a * M1**2 - a * _other**2) ** 2, 0, evaluate=False)),
+    proof=Counterexample(
+        {"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}, Ne(M1, _other)
+    ),
+    where=Place(line=112),
+    expect=Verdict.REFUTED,
+    amended_by=(depth_b_zero, circle_about_handle),
+    note="They meet in two, M₁ = ±M√(γ/a), of which a solution takes one; on the separatrix the "
+    "two are one.",
+)
+
+_rates = printed.angle_rates(theta, psi, M, I1, I2, I2, sympy)
+
+handle_keeps_its_tilt = Claim(
+    label="theta_constant",
+    says=equal(_rates[0], 0),
+    given=_moments,
+    proof=by(),
+    where=Place(line=112),
+)
+
+spin_about_handle = Claim(
+    label="psi_linear",
+    says=equal(_rates[2], M * (1 / I1 - 1 / I2) * cos(theta)),
+    given=_moments,
+    proof=by(trigonometry),
+    where=Place(line=112),
+    note="I₂ = I₃: θ is constant, so ψ grows at a constant rate.",
+)
+
+depth_a_zero = Claim(
+    label="depth_a_zero",
+    says=equal(M**2 * printed.depth(theta, psi, 0, b, sympy), -b * _third**2),
+    proof=by(),
+    note="I₁ = I₂: γ M² = −b M₃².",
+)
+
+only_oscillation = Claim(
+    label="only_oscillating_I1_I2",
+    says=printed.depth(theta, psi, 0, b, sympy) <= 0,
+    kind="bound",
+    given=(b > 0,),
+    proof=(step(b * sin(theta) ** 2 * sin(psi) ** 2),),
+    where=Place(line=112),
+    note="I₁ = I₂: γ is never positive.",
+)
+
+_at_rest = printed.euler_equations(M1, M2, 0, I1, I1, I3)
+
+rest_on_the_circle = Claim(
+    label="rest_on_the_circle",
+    says=Tuple(*(equal(rate, 0) for rate in _at_rest)),
+    given=(I1 > 0, I3 > 0),
+    proof=together(*(by() for _ in range(3))),
+)
+
+separatrix_in_the_plane = Claim(
+    label="separatrix_circle_e1e2",
+    says="For I₁ = I₂ the separatrix is the circle M₃ = 0.",
+    kind="statement",
+    proof=all_of(depth_a_zero, only_oscillation, rest_on_the_circle),
+    where=Place(line=112),
+    note="Every point of it is an equilibrium.",
+)
