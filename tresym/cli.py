@@ -7,6 +7,7 @@ standard error; 130 interrupted.
 from __future__ import annotations
 
 import argparse
+import functools
 import os
 import re
 import sys
@@ -46,9 +47,11 @@ def build_parser() -> Parser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _add_verify(commands)
     _add_derive(commands)
+    _add_table(commands)
     _add_flip(commands)
     _add_audit(commands)
     _add_bench(commands)
+    _add_sweep(commands)
     return parser
 
 
@@ -57,11 +60,14 @@ def _add_verify(commands: Commands) -> None:
         "verify",
         help="a verdict on every claim, or on some and all they rest on",
         description="Judge the paper's statements: PROVED, ENCLOSED, REFUTED or UNDECIDED.",
-        epilog="Exit status 1 when a verdict is not the expected one.",
+        epilog="Exit status 1 when a verdict is not the expected one, or when a mutant holds.",
         allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument("--graph", action="store_true", help="what rests on what, in Mermaid")
+    parser.add_argument(
+        "--mutants", action="store_true", help="judge false variants of the claims: none may hold"
+    )
     _add_output(parser)
     parser.set_defaults(run=_verify)
 
@@ -73,6 +79,8 @@ def _verify(args: argparse.Namespace) -> int:
     if args.graph:
         _deliver(verification.graph(labels), args.path)
         return 0
+    if args.mutants:
+        return _verify_mutants(labels, args)
     if args.json or args.path:
         import json
 
@@ -85,6 +93,23 @@ def _verify(args: argparse.Namespace) -> int:
 
         report = show_verification(labels, Console(highlight=False))
     return 0 if report.as_expected else UNEXPECTED
+
+
+def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
+    from tresym import verification
+
+    if args.json or args.path:
+        import json
+
+        report = verification.verify_mutants(labels)
+        _deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
+    else:
+        from rich.console import Console
+
+        from tresym.report.terminal import show_mutants
+
+        report = show_mutants(labels, Console(highlight=False))
+    return UNEXPECTED if report.survivors else 0
 
 
 def _add_derive(commands: Commands) -> None:
@@ -110,6 +135,34 @@ def _derive(args: argparse.Namespace) -> int:
         text = derivation.article(report)
     _deliver(text, args.path)
     return 0 if report.as_expected else UNEXPECTED
+
+
+def _add_table(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "table",
+        help="certified tables: objects, errors, slope, thresholds, routes",
+        description="A table of certified numbers, for the terminal, in Markdown or in LaTeX.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("name", metavar="NAME", help="objects, errors, slope, thresholds, routes")
+    parser.add_argument(
+        "--format", choices=("text", "markdown", "latex"), default="text", help="default: text"
+    )
+    _add_output(parser)
+    parser.set_defaults(run=_table)
+
+
+def _table(args: argparse.Namespace) -> int:
+    from tresym.report import tables
+
+    found = tables.table(args.name)
+    if args.json:
+        import json
+
+        _deliver(json.dumps(found._asdict(), ensure_ascii=False, indent=1) + "\n", args.path)
+        return 0
+    _deliver(tables.written(found, args.format), args.path)
+    return 0
 
 
 def _add_flip(commands: Commands) -> None:
@@ -273,6 +326,61 @@ def _bench(args: argparse.Namespace) -> int:
     else:
         _deliver("\n".join(workloads.measurement_text(m) for m in measured), args.path)
     return 0
+
+
+def _add_sweep(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "sweep",
+        help="the flip of very many bodies, into one table",
+        description="Compute the flip defect of every row of a grid or of a CSV file, and the "
+        "errors of the formulas, into an SQLite table. A sweep that was interrupted goes on where "
+        "it stopped when the same command is given again.",
+        epilog="VALUES: 0.1,1/3 or LOW:HIGH:COUNT, with log after it for equal ratios. Exit status "
+        "1 when some rows have a problem; line and reason are in the table.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("-o", dest="path", metavar="TABLE", required=True, help="the SQLite file")
+    parser.add_argument("--csv", metavar="FILE", help="columns a, b or I1, I2, I3 or body; gamma")
+    parser.add_argument("--a", metavar="VALUES", help="the grid's a = I2/I1 - 1")
+    parser.add_argument("--b", metavar="VALUES", help="the grid's b = 1 - I2/I3")
+    parser.add_argument("--gamma", metavar="VALUES", help="the grid's gamma (default: 0)")
+    digits = parser.add_mutually_exclusive_group()
+    digits.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
+    digits.add_argument("--float64", action="store_true", help="fast, not certified")
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument("--workers", metavar="N", help="processes here (default: one a core)")
+    where.add_argument("--dask", metavar="ADDRESS", help="the workers of a Dask scheduler")
+    parser.add_argument("--export", metavar="PATH", help="also write a .csv or .parquet file")
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.set_defaults(run=_sweep)
+
+
+def _sweep(args: argparse.Namespace) -> int:
+    from tresym import sweep
+    from tresym.flip.ladder import parse_digits
+    from tresym.sweep.run import summary_text, to_stderr
+    from tresym.sweep.workers import parse_workers
+
+    grid = (args.a, args.b, args.gamma)
+    source: sweep.Source
+    if args.csv is not None and grid == (None, None, None):
+        source = sweep.CsvFile(args.csv)
+    elif args.csv is None and args.a is not None and args.b is not None:
+        source = sweep.Grid.read(args.a, args.b, "0" if args.gamma is None else args.gamma)
+    else:
+        raise InputError("sweep: give either --csv, or --a and --b, and --gamma if wanted")
+    digits = None if args.float64 else parse_digits(args.digits)
+    workers = None
+    if args.dask is not None:
+        workers = functools.partial(sweep.cluster, args.dask)
+    elif args.workers is not None:
+        workers = functools.partial(sweep.processes, parse_workers(args.workers))
+    found = sweep.sweep(source, args.path, digits, workers, export=args.export, notice=to_stderr)
+    if args.json:
+        _deliver_json(found.as_json(), None)
+    else:
+        _deliver(summary_text(found), None)
+    return UNEXPECTED if found.bad else 0
 
 
 def _deliver(text: str, path: str | None) -> None:

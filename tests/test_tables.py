@@ -1,0 +1,62 @@
+"""Tables: every number is inside the ball it came from, in every format."""
+
+import json
+
+import pytest
+from flint import arb
+
+from tresym.arithmetic import ball_precision
+from tresym.body import named_body
+from tresym.cli import main
+from tresym.exact import InputError
+from tresym.flip.separatrix import solve
+from tresym.report.tables import FORMATS, TABLES, Table, digits_of, table, written
+
+QUICK = [name for name in TABLES if name != "routes"]
+
+
+@pytest.fixture(scope="module")
+def tables() -> dict[str, Table]:
+    return {name: table(name) for name in QUICK}
+
+
+@pytest.mark.parametrize("name", QUICK)
+@pytest.mark.parametrize("form", FORMATS)
+def test_every_format(tables: dict[str, Table], name: str, form: str) -> None:
+    found = tables[name]
+    assert all(len(row) == len(found.heads) for row in found.rows)
+    text = written(found, form)
+    assert all(row[0].replace("_", r"\_") in text or row[0] in text for row in found.rows)
+    if form == "latex":
+        assert text.count(r"\\") == len(found.rows) + 1
+
+
+def test_the_objects_are_the_certified_flip(tables: dict[str, Table]) -> None:
+    for row in tables["objects"].rows:
+        truth = solve(*named_body(row[0]).shape, 60).defect
+        with ball_precision(300):
+            assert abs(arb(row[3]) / truth - 1) < arb(10) ** -49
+
+
+def test_the_printed_formula_is_wrong_where_the_paper_does_not_look(
+    tables: dict[str, Table],
+) -> None:
+    row = next(r for r in tables["errors"].rows if r[0] == "ab = 0.001, b = 1/100")
+    errors = dict(zip(tables["errors"].heads[1:], map(float, row[1:]), strict=True))
+    assert abs(errors["printed"]) > 0.5
+    assert abs(errors["one line"]) < 0.028
+    assert abs(errors["Newton"]) < 1e-4
+
+
+def test_only_proved_digits_are_shown() -> None:
+    assert digits_of(arb("1.25 +/- 0.01"), 20) == "1.2"
+
+
+def test_unknown_tables_are_answered_with_the_nearest() -> None:
+    with pytest.raises(InputError, match="did you mean slope"):
+        table("slop")
+
+
+def test_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["table", "slope", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["heads"][0] == "body"

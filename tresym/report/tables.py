@@ -1,0 +1,223 @@
+"""Tables of certified numbers: what each holds, and how it is written in three formats.
+
+A table is a value: a caption, column heads and rows of text. Every number in it comes from a ball
+that proves the digits shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from difflib import get_close_matches
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision
+from tresym.body import NAMED_BODIES, Shape
+from tresym.exact import InputError, fraction_text
+
+FORMATS = ("text", "markdown", "latex")
+
+
+class Table(NamedTuple):
+    """A caption, the heads of the columns, and rows of text of the same length."""
+
+    caption: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def digits_of(x: arb, digits: int) -> str:
+    """``x`` to at most ``digits`` digits, only those its ball proves to within one in the last."""
+    return str(x.str(digits, radius=False))
+
+
+def _percent(x: arb) -> str:
+    return digits_of(100 * x, 3) + " %"
+
+
+def objects() -> Table:
+    """Table 1 of the paper recomputed: 50 certified digits beside the printed cell."""
+    from tresym.flip.separatrix import solve
+
+    rows = []
+    for name, body in NAMED_BODIES.items():
+        found = solve(*body.shape, 50)
+        with ball_precision(256):
+            share = 2 * found.defect / arb.pi()
+        rows.append(
+            (
+                name,
+                _short(body.shape.a),
+                _short(body.shape.b),
+                digits_of(found.defect, 50),
+                digits_of(share, 6),
+                "yes" if body.shape.realizable else "no",
+            )
+        )
+    return Table(
+        "Flip defect on the separatrix of the named bodies, from exactly the printed data: ε₀ in "
+        "radians by the exact equation, and x in Δψ = π(1 − x).",
+        ("body", "a", "b", "ε₀", "x", "rigid body"),
+        tuple(rows),
+    )
+
+
+def errors() -> Table:
+    """Relative error of each formula for ε₀, against the exact equation."""
+    from tresym.flip.errors import FORMULAS, PRODUCTS, WIDTHS, errors_at
+
+    shapes = [
+        (f"ab = {_power(p)}, b = {fraction_text(b)}", Shape(p / b, b))
+        for b in WIDTHS
+        for p in PRODUCTS
+    ]
+    shapes += [(name, body.shape) for name, body in NAMED_BODIES.items()]
+    rows = []
+    for name, shape in shapes:
+        found = errors_at(*shape)
+        rows.append((name, *(_signed(found[f]) for f in FORMULAS)))
+    return Table(
+        "Relative error, formula/ε₀ − 1, of each explicit formula for the flip defect on the "
+        "separatrix; every digit certified.",
+        ("shape", *FORMULAS),
+        tuple(rows),
+    )
+
+
+def slope() -> Table:
+    """dε/dγ at γ = 0 exactly and by its leading term."""
+    from tresym.flip.errors import slope_at
+
+    rows = []
+    for name, body in NAMED_BODIES.items():
+        exact, leading = slope_at(*body.shape)
+        with ball_precision(128):
+            off = _percent(leading / exact - 1)
+        rows.append((name, digits_of(exact, 15), digits_of(leading, 15), off))
+    return Table(
+        "Slope dε/dγ at γ = 0: the closed form, its leading term −1/(4bε₀) with the exact ε₀, and "
+        "the relative error of the latter.",
+        ("body", "dε/dγ", "−1/(4bε₀)", "error"),
+        tuple(rows),
+    )
+
+
+def thresholds() -> Table:
+    """The γ at which the flip is off by π/6: exactly, and by the paper's linear formula."""
+    from tresym.flip.angle import parse_angle
+    from tresym.flip.errors import linear_thresholds
+    from tresym.flip.levels import level_of, turning_level
+
+    ends = {"-pi/12": 0, "pi/12": 1}
+    rows = []
+    for name, body in NAMED_BODIES.items():
+        turn = turning_level(*body.shape, 20)
+        linear = linear_thresholds(*body.shape)
+        cells = []
+        for text, n in ends.items():
+            try:
+                cells.append(digits_of(level_of(*body.shape, parse_angle(text), 20), 12))
+            except InputError:
+                cells.append("none")
+            cells.append(digits_of(linear[n], 12))
+        rows.append((name, *cells, "none" if turn is None else digits_of(turn, 12)))
+    return Table(
+        "Levels γ at which ε(γ) = ∓π/12, exactly and by the linear formula with the exact ε₀, and "
+        "the level γ* below which the trajectory turns first.",
+        ("body", "ε = −π/12", "linear", "ε = π/12", "linear", "γ*"),
+        tuple(rows),
+    )
+
+
+def routes() -> Table:
+    """ε(γ) by routes that share no formula: the digits on which each agrees with the ball."""
+    from tresym.flip.routes import ROUTES, compare
+
+    rows = tuple(
+        (row.body, row.gamma, digits_of(row.ball, 20), *map(str, row.digits)) for row in compare()
+    )
+    heads = tuple(f"{route.name} (of {route.digits})" for route in ROUTES[1:])
+    return Table(
+        "ε(γ) by routes that share nothing but f or the differential equations: correct digits of "
+        "each, counted against the ball.",
+        ("body", "γ", "ε(γ)", *heads),
+        rows,
+    )
+
+
+TABLES: dict[str, Callable[[], Table]] = {
+    "objects": objects,
+    "errors": errors,
+    "slope": slope,
+    "thresholds": thresholds,
+    "routes": routes,
+}
+"""The tables that `tresym table` knows."""
+
+
+def table(name: str) -> Table:
+    """The table ``name``, computed.
+
+    Raises:
+        InputError: an unknown name; the nearest known one is suggested.
+    """
+    if name not in TABLES:
+        near = get_close_matches(name, TABLES, n=1)
+        hint = f"did you mean {near[0]}? " if near else ""
+        raise InputError(f"table: {name[:40]!a} is not known; {hint}known: {', '.join(TABLES)}")
+    return TABLES[name]()
+
+
+def written(found: Table, form: str) -> str:
+    """A table as text, Markdown or LaTeX."""
+    if form == "markdown":
+        return _markdown(found)
+    return _latex(found) if form == "latex" else _text(found)
+
+
+def _text(found: Table) -> str:
+    lines = [found.heads, *found.rows]
+    widths = [max(len(row[i]) for row in lines) for i in range(len(found.heads))]
+    body = ["  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)) for row in lines]
+    body.insert(1, "  ".join("─" * w for w in widths))
+    return "\n".join([found.caption, "", *(line.rstrip() for line in body), ""])
+
+
+def _markdown(found: Table) -> str:
+    lines = [found.heads, tuple("---" for _ in found.heads), *found.rows]
+    body = ["| " + " | ".join(row) + " |" for row in lines]
+    return "\n".join([*body, "", f"*{found.caption}*", ""])
+
+
+def _latex(found: Table) -> str:
+    from tresym.report.derivation import prose
+
+    head, *body = [" & ".join(map(prose, row)) + r" \\" for row in (found.heads, *found.rows)]
+    return "\n".join(
+        [
+            r"\begin{table}",
+            rf"\caption{{{prose(found.caption)}}}",
+            rf"\begin{{tabular}}{{{'l' * len(found.heads)}}}",
+            r"\hline",
+            head,
+            r"\hline",
+            *body,
+            r"\hline",
+            r"\end{tabular}",
+            r"\end{table}",
+            "",
+        ]
+    )
+
+
+def _short(x: fmpq) -> str:
+    return digits_of(arb(x), 6)
+
+
+def _signed(x: arb) -> str:
+    return ("+" if x > 0 else "") + digits_of(x, 3)
+
+
+def _power(x: fmpq) -> str:
+    return str(float(x)) if float(x) < 1 else str(int(x.p))
