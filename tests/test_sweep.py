@@ -1,0 +1,649 @@
+"""Sweeps: the same rows whatever the executor, the restarts and the order; nothing lost or twice.
+
+The kill tests are repeated 20 times where ``HYPOTHESIS_PROFILE`` is ``deep``.
+"""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import json
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
+from contextlib import closing, contextmanager
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from flint import arb, ctx, fmpq
+
+from tresym import flip_defect
+from tresym.arithmetic import ball_precision, balls
+from tresym.cli import main
+from tresym.exact import InputError, parse_number
+from tresym.formulas import printed
+from tresym.sweep import CsvFile, Grid, cluster, processes, sweep
+from tresym.sweep.rows import FORMULAS, Row, compute
+from tresym.sweep.run import Progress, batch_size, duration
+from tresym.sweep.source import LONGEST_LINE, read_values
+from tresym.sweep.workers import Here, Workers
+
+ROOT = Path(__file__).resolve().parent.parent
+KILLS = 20 if os.environ.get("HYPOTHESIS_PROFILE") == "deep" else 2
+GRID = Grid.read("0.01:100:9log", "1/1000,0.31,1", "-1e-4,0,1/200")
+
+
+def rows_of(path: Path | str) -> list[tuple[Any, ...]]:
+    with closing(sqlite3.connect(path)) as connection:
+        return list(connection.execute("SELECT * FROM rows ORDER BY line"))
+
+
+@contextmanager
+def serial() -> Iterator[Workers]:
+    yield Workers(Here(), 1)
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[Any, ...]]:
+    path = tmp_path_factory.mktemp("serial") / "table"
+    found = sweep(GRID, str(path), 20, serial)
+    assert (found.rows, found.bad, found.computed) == (81, 0, 81)
+    return rows_of(path)
+
+
+# What a row says
+
+
+def test_rows_are_what_flip_says(expected: list[tuple[Any, ...]]) -> None:
+    points = list(itertools.product(*GRID))
+    assert [row[0] for row in expected] == list(range(1, 82))
+    for values, (a, b, gamma) in zip(expected, points, strict=True):
+        row = Row(*values)
+        answer = flip_defect(a, b, gamma, 40)
+        assert [parse_number(str(x)) for x in (row.a, row.b, row.gamma)] == [a, b, gamma]
+        assert row.realizable == answer.realizable
+        with ball_precision(300):
+            mid, rad = arb(str(row.defect)), arb(str(row.radius))
+            assert abs(mid - answer.defect) <= rad
+            assert rad <= abs(mid) * arb("1e-20")
+
+
+def test_errors_of_the_formulas_are_right_to_six_digits(expected: list[tuple[Any, ...]]) -> None:
+    shown = 0
+    for values in expected:
+        row = Row(*values)
+        a, b, gamma = (parse_number(str(x)) for x in (row.a, row.b, row.gamma))
+        with ball_precision(400):
+            truth, middle = (flip_defect(a, b, g, 90).defect for g in (gamma, 0))
+            wanted = {
+                name: formula(arb(a), arb(b), balls) / truth - 1
+                for name, formula in FORMULAS.items()
+            }
+            if gamma != 0:
+                linear = printed.linear_defect(middle, arb(b), arb(gamma)) / truth - 1
+                wanted = dict.fromkeys(FORMULAS, None) | {"error_linear": linear}
+        for name, error in wanted.items():
+            said = getattr(row, name)
+            assert (said is None) or error is not None
+            if said is not None:
+                assert said == pytest.approx(float(error), rel=1e-5)
+                shown += 1
+    assert shown > 150
+
+
+def test_float_rows_are_right_to_twelve_digits(tmp_path: Path) -> None:
+    grid = Grid.read("1e-6:1e4:8log", "1e-6,0.03,1", "-1e-7,0,1e-7")
+    sweep(grid, str(tmp_path / "t"), None, serial)
+    for values in rows_of(tmp_path / "t"):
+        row = Row(*values)
+        assert row.radius is None
+        truth = flip_defect(*(str(x) for x in (row.a, row.b, row.gamma)), 17)
+        assert row.defect == pytest.approx(float(truth.defect), rel=2e-13)
+
+
+def test_float64_says_what_it_cannot_hold(tmp_path: Path) -> None:
+    grid = Grid.read("1,1e6,1e400,1e-400", "1,1e-400", "0,1/2")
+    found = sweep(grid, str(tmp_path / "t"), None, serial)
+    assert found.bad >= 6
+    for row in (Row(*values) for values in rows_of(tmp_path / "t")):
+        assert (row.defect is None) == (row.problem is not None)
+        if row.defect is not None:
+            truth = flip_defect(*(str(x) for x in (row.a, row.b, row.gamma)), 17).defect
+            assert row.defect == pytest.approx(float(truth), rel=1e-11)
+
+
+def test_threads_of_one_process_take_turns(tmp_path: Path, expected: list[tuple[Any, ...]]) -> None:
+    @contextmanager
+    def threads() -> Iterator[Workers]:
+        with ThreadPoolExecutor(4) as executor:
+            yield Workers(executor, 8)
+
+    before = ctx.prec
+    sweep(GRID, str(tmp_path / "t"), 20, threads)
+    assert ctx.prec == before
+    assert rows_of(tmp_path / "t") == expected
+
+
+def test_batches_computed_backwards_are_the_same(expected: list[tuple[Any, ...]]) -> None:
+    for size in (1, 7, 81):
+        parts = [part for _, part in GRID.parts(size, ())]
+        rows = [row for part in reversed(parts) for row in compute(part, 20)]
+        assert sorted(map(tuple, rows)) == expected
+
+
+# Sources
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("1/3", ["1/3"]),
+        (" 1, 0.5 ,2e-3", ["1", "1/2", "1/500"]),
+        ("0:1:3", ["0", "1/2", "1"]),
+        ("1:0:5", ["1", "3/4", "1/2", "1/4", "0"]),
+        ("1e-2:1e2:3log", ["1/100", "1", "100"]),
+        ("-1e-3:1e-3:3", ["-1/1000", "0", "1/1000"]),
+    ],
+)
+def test_values(text: str, values: list[str]) -> None:
+    assert read_values(text, "a") == tuple(map(parse_number, values))
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", ",", "1,", "1:2", "1:2:", "1:2:1", "1:2:0", "1:2:999999999", "0:1:5log", "-1:1:5log",
+     "1:2:3lin", "1:2:3:4", "nan", "1:inf:3", "1:2:-3", "1:2:٣", "1:2:3e1"],
+)  # fmt: skip
+def test_values_that_are_refused(text: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read_values(text, "a")
+    assert "\n" not in str(caught.value)
+
+
+def test_equal_ratios_are_exact_decimals() -> None:
+    values = read_values("1e-3:7:50log", "a")
+    assert (values[0], values[-1], len(values)) == (fmpq(1, 1000), fmpq(7), 50)
+    ratios = [float(Fraction(str(y / x))) for x, y in itertools.pairwise(values)]
+    assert max(ratios) == pytest.approx(min(ratios), rel=1e-13)
+
+
+def test_a_grid_beyond_the_limit_is_refused() -> None:
+    with pytest.raises(InputError, match="beyond the limit"):
+        Grid.read("1:2:100000", "0.1:1:100000", "0:1:1000")
+
+
+CSV = (
+    b"\xef\xbb\xbfname, I1,I2,I3,gamma,maker\r\n"
+    b"r1,886,16336,18270,,Head\r\n"
+    b"back,3,2,1,,\r\n"
+    b"short,1,2\r\n"
+    b'"quoted, name",1210,16380,17480,1/100,Wilson\r\n'
+    b"\r\n"
+    b"decimal comma,\"1,5\",2,3,,\r\n"
+    b"far,1210,16380,17480,50,\r\n"
+    b"\xff\xfe,\x00,2,3,,\r\n"
+    b'open quote,"1,2,3,,\r\n'
+    b"long," + b"1" * LONGEST_LINE + b",2,3,,\r\n"
+    b"digits,1,2," + b"9" * 10_001 + b",,\r\n"
+    b"last,1,2,2.5,0,"
+)  # fmt: skip
+
+
+def test_bad_rows_stand_beside_good_ones(tmp_path: Path) -> None:
+    source = tmp_path / "bodies.csv"
+    source.write_bytes(CSV)
+    found = sweep(CsvFile(str(source)), str(tmp_path / "t"), 15, serial)
+    rows = {values[0]: Row(*values) for values in rows_of(tmp_path / "t")}
+    assert sorted(rows) == [2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13]
+    good = {line for line, row in rows.items() if row.problem is None}
+    assert good == {2, 5, 13}
+    assert found.bad == 8
+    assert found.problems[0] == (3, rows[3].problem)
+    wanted = {
+        3: "expected order", 4: "3 values under 6 columns", 7: "'1,5' is not a number",
+        8: "gamma: must be between", 9: "is not a number", 10: "line: ", 11: "longer than",
+        12: "beyond the limit of 10000",
+    }  # fmt: skip
+    for line, words in wanted.items():
+        assert words in str(rows[line].problem)
+        assert "\n" not in str(rows[line].problem)
+    assert (rows[5].name, rows[5].gamma) == ("quoted, name", "1/100")
+    with ball_precision(200):
+        answer = flip_defect("1517/121", "55/874", "1/100", 40).defect
+        assert abs(arb(str(rows[5].defect)) - answer) <= arb(str(rows[5].radius))
+
+
+def test_named_bodies_and_shapes_are_read(tmp_path: Path) -> None:
+    for text in ("body\nbook\nethylene\n", "gamma,b,a\n0,31/100,1.11\n,0.5,2\n"):
+        (tmp_path / "c.csv").write_text(text)
+        (tmp_path / "t").unlink(missing_ok=True)
+        assert sweep(CsvFile(str(tmp_path / "c.csv")), str(tmp_path / "t"), 5, serial).bad == 0
+
+
+@pytest.mark.parametrize(
+    "text", ["", "\n", "a\n1\n", "a,b,body\n", "a,a,b\n", "x,y\n", '"a,b\n', "\0", "1,2\n3,4\n"]
+)
+def test_a_header_that_says_nothing_is_refused(tmp_path: Path, text: str) -> None:
+    (tmp_path / "c.csv").write_text(text)
+    with pytest.raises(InputError, match="first line must name the columns"):
+        CsvFile(str(tmp_path / "c.csv"))
+
+
+def test_an_empty_file_of_bodies_makes_an_empty_table(tmp_path: Path) -> None:
+    (tmp_path / "c.csv").write_text("a,b\n")
+    assert sweep(CsvFile(str(tmp_path / "c.csv")), str(tmp_path / "t"), 5).rows == 0
+
+
+# The table
+
+
+class Failing(Executor):
+    """Computes a few batches and then breaks, as a pool does whose workers die."""
+
+    def __init__(self, batches: int) -> None:
+        self.left = batches
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        self.left -= 1
+        if self.left < 0:
+            future.set_exception(BrokenExecutor("all workers have died"))
+        else:
+            future.set_result(fn(*args, **kwargs))
+        return future
+
+
+def test_what_landed_before_the_workers_died_is_kept(
+    tmp_path: Path, expected: list[tuple[Any, ...]]
+) -> None:
+    @contextmanager
+    def failing() -> Iterator[Workers]:
+        yield Workers(Failing(3), 1)
+
+    with pytest.raises(InputError, match="all workers have died"):
+        sweep(GRID, str(tmp_path / "t"), 20, failing)
+    assert rows_of(tmp_path / "t") == expected[:15]
+    assert sweep(GRID, str(tmp_path / "t"), 20, serial).computed == 81 - 15
+    assert rows_of(tmp_path / "t") == expected
+
+
+def test_processes_that_only_die_are_given_up() -> None:
+    with processes(2) as workers:
+        with pytest.raises(BrokenExecutor, match="3 processes have died"):
+            workers.executor.submit(os._exit, 1).result()
+        assert workers.executor.submit(abs, -1).result() == 1
+
+
+def test_what_fails_in_a_process_fails_here() -> None:
+    with processes(2) as workers, pytest.raises(ZeroDivisionError):
+        workers.executor.submit(divmod, 1, 0).result()
+
+
+def test_a_table_belongs_to_its_request(tmp_path: Path) -> None:
+    path = str(tmp_path / "t")
+    sweep(GRID, path, 5, serial)
+    with pytest.raises(InputError, match="other rows or other digits"):
+        sweep(GRID, path, 6, serial)
+    with pytest.raises(InputError, match="other rows or other digits"):
+        sweep(Grid.read("1", "1"), path, 5, serial)
+    assert sweep(GRID, path, 5, serial).computed == 0
+
+
+def test_a_strangers_database_is_left_alone(tmp_path: Path) -> None:
+    path = tmp_path / "stranger"
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute("CREATE TABLE rows (x)")
+        connection.commit()
+    before = path.read_bytes()
+    with pytest.raises(InputError, match="something else"):
+        sweep(GRID, str(path), 5, serial)
+    assert path.read_bytes() == before
+
+
+def test_a_table_in_use_is_not_shared(tmp_path: Path) -> None:
+    path = str(tmp_path / "t")
+    seen: list[str] = []
+
+    def again(_: str) -> None:
+        if not seen:
+            with pytest.raises(InputError) as caught:
+                sweep(GRID, path, 5, serial)
+            seen.append(str(caught.value))
+
+    sweep(GRID, path, 5, serial, notice=again)
+    assert "in use by another process" in seen[0]
+
+
+# Export
+
+
+def test_exports_say_what_the_table_says(tmp_path: Path, expected: list[tuple[Any, ...]]) -> None:
+    sweep(GRID, str(tmp_path / "t"), 20, serial, export=str(tmp_path / "t.csv"))
+    with open(tmp_path / "t.csv", newline="", encoding="utf-8") as file:
+        header, *lines = csv.reader(file)
+    assert tuple(header) == Row._fields
+    assert lines == [["" if x is None else str(x) for x in row] for row in expected]
+    parquet = pytest.importorskip("pyarrow.parquet")
+    sweep(GRID, str(tmp_path / "t"), 20, serial, export=str(tmp_path / "t.parquet"))
+    table = parquet.read_table(tmp_path / "t.parquet")
+    assert table.column_names == list(Row._fields)
+    assert [tuple(row.values()) for row in table.to_pylist()] == expected
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["t", "t.csv", "t.parquet"]
+
+
+def test_floats_are_floats_in_parquet(tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    sweep(GRID, str(tmp_path / "t"), None, serial, export=str(tmp_path / "t.parquet"))
+    found = parquet.read_table(tmp_path / "t.parquet").column("defect").to_pylist()
+    assert found == [row[5] for row in rows_of(tmp_path / "t")]
+
+
+def test_parquet_without_pyarrow_is_refused_before_any_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(InputError, match="Parquet needs pyarrow"):
+        sweep(GRID, str(tmp_path / "t"), 20, serial, export=str(tmp_path / "t.parquet"))
+    assert not (tmp_path / "t").exists()
+
+
+@pytest.mark.parametrize("name", ["t.xlsx", "nowhere/t.csv", "folder.csv"])
+def test_an_export_that_cannot_be_written_is_one_line(tmp_path: Path, name: str) -> None:
+    (tmp_path / "folder.csv").mkdir()
+    with pytest.raises(InputError) as caught:
+        sweep(Grid.read("1", "1"), str(tmp_path / "t"), 5, serial, export=str(tmp_path / name))
+    assert "\n" not in str(caught.value)
+    assert not list(tmp_path.glob("*.part"))
+
+
+# Progress
+
+
+def test_what_is_left_is_a_range_between_the_mean_and_the_latest_rate() -> None:
+    progress = Progress(100_000, 10_000, lambda _: None)
+    progress.computed = 30_000
+    progress.latest.clear()
+    progress.latest.append((progress.start + 10, 20_000))
+    line = progress.line(progress.start + 20)
+    # mean 1500 a second, latest 1000: 60 000 rows take 40 s to 60 s
+    assert line == "40000 of 100000 rows, 1.5e+03 a second, about 40 s to 60 s left"
+    assert [duration(x) for x in (0.4, 119, 120, 7300, 1e6)] == [
+        "0 s", "119 s", "2 min", "2 h", "12 d",
+    ]  # fmt: skip
+
+
+def test_progress_is_told_as_rows_land(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Progress, "EVERY", 0.0)
+    said: list[str] = []
+    sweep(GRID, str(tmp_path / "t"), 20, serial, notice=said.append)
+    assert said[0] == "81 rows; 17 batches of 5 to go"
+    assert said[-1].startswith("81 of 81 rows")
+    sweep(GRID, str(tmp_path / "t"), 20, serial, notice=said.append)
+    assert said[-1] == "81 rows; 81 of them computed before; 0 batches of 5 to go"
+
+
+@pytest.mark.parametrize("digits", [None, 1, 50, 1000, 10_000])
+@pytest.mark.parametrize("total", [0, 1, 416, 10**6, 10**12])
+def test_batches_are_bounded(total: int, digits: int | None) -> None:
+    size = batch_size(total, digits)
+    assert 1 <= size <= 20_000
+    assert digits is None or size * digits <= 50_000
+
+
+# Whole processes
+
+
+def command(*words: str) -> list[str]:
+    return [sys.executable, "-m", "tresym", "sweep", *words]
+
+
+def environment(**more: str) -> dict[str, str]:
+    return {**os.environ, "PYTHONPATH": str(ROOT), **more}
+
+
+def family(token: str) -> list[int]:
+    """The processes whose environment holds ``token``."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if token.encode() in (folder / "environ").read_bytes():
+                found.append(int(folder.name))
+        except OSError:
+            continue
+    return found
+
+
+BIG = ("--a", "0.01:100:24log", "--b", "0.02:1:20", "--gamma", "-1e-3,0", "--digits", "60")
+
+
+@pytest.fixture(scope="module")
+def big_rows(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[Any, ...]]:
+    path = tmp_path_factory.mktemp("big") / "table"
+    sweep(Grid.read(BIG[1], BIG[3], BIG[5]), str(path), 60, serial)
+    return rows_of(path)
+
+
+needs_proc = pytest.mark.skipif(not Path("/proc/self/environ").exists(), reason="needs /proc")
+
+
+def wait_for(condition: Callable[[], Any], seconds: float = 60) -> Any:
+    until = time.monotonic() + seconds
+    while not (value := condition()):
+        assert time.monotonic() < until, "waited too long"
+        time.sleep(0.01)
+    return value
+
+
+@pytest.mark.slow
+@needs_proc
+@pytest.mark.parametrize("kill", range(KILLS))
+def test_kill_9_loses_nothing_and_nothing_is_computed_twice(
+    tmp_path: Path, kill: int, big_rows: list[tuple[Any, ...]]
+) -> None:
+    path, token = tmp_path / "t", f"tresym-kill-{os.getpid()}-{kill}"
+    wal = tmp_path / "t-wal"
+    before = 0
+    for attempt in range(2):
+        process = subprocess.Popen(
+            command("-o", str(path), *BIG, "--workers", "2"),
+            env=environment(TOKEN=token),
+            stderr=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+        )
+        # Other moments each time: after so many bytes have been written, and a little more.
+        size = 4096 * (1 + 37 * kill % 50) * (1 - attempt)
+        wait_for(lambda p=process, s=size: p.poll() is not None or _size(wal) > s)
+        time.sleep(0.007 * (kill % 13))
+        process.kill()
+        process.wait()
+        wait_for(lambda: not family(token), 20)
+        with closing(sqlite3.connect(path)) as connection:
+            (rows,) = connection.execute("SELECT count(*) FROM rows").fetchone()
+            (sent,) = connection.execute("SELECT total(rows) FROM batches").fetchone()
+        assert before <= rows == sent
+        before = rows
+    done = subprocess.run(
+        command("-o", str(path), *BIG, "--workers", "2", "--json"),
+        env=environment(),
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["computed"] == len(big_rows) - before
+    assert rows_of(path) == big_rows
+
+
+def _size(path: Path) -> int:
+    return path.stat().st_size if path.exists() else 0
+
+
+@pytest.mark.slow
+@needs_proc
+def test_a_killed_worker_loses_nothing(tmp_path: Path, big_rows: list[tuple[Any, ...]]) -> None:
+    path, token = tmp_path / "t", f"tresym-worker-{os.getpid()}"
+    process = subprocess.Popen(
+        command("-o", str(path), *BIG, "--workers", "2"),
+        env=environment(TOKEN=token),
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+    )
+    wait_for(lambda: _size(tmp_path / "t-wal") > 0)
+    children = [
+        pid for pid in family(token) if b"spawn_main" in Path(f"/proc/{pid}/cmdline").read_bytes()
+    ]
+    os.kill(children[0], signal.SIGKILL)
+    _, err = process.communicate(timeout=120)
+    assert process.returncode == 0
+    assert b"Traceback" not in err
+    assert rows_of(path) == big_rows
+
+
+@pytest.mark.slow
+@needs_proc
+@pytest.mark.parametrize("delay", [0.15, 0.35, 0.6, 0.9])
+def test_ctrl_c_is_one_line_and_leaves_nobody_behind(tmp_path: Path, delay: float) -> None:
+    token = f"tresym-int-{os.getpid()}-{delay}"
+    process = subprocess.Popen(
+        command("-o", str(tmp_path / "t"), *BIG[:-1], "600", "--workers", "2"),
+        env=environment(TOKEN=token),
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    time.sleep(delay)
+    os.killpg(process.pid, signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode in (130, -signal.SIGINT)
+    # Before the command has begun the interpreter itself speaks.
+    assert b"Traceback" not in err or b"tresym: " not in err
+    wait_for(lambda: not family(token), 20)
+
+
+def test_the_command_in_this_process(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = str(tmp_path / "t")
+    words = ["sweep", "-o", path, "--a", "1,2", "--b", "1/2", "--gamma", "-1e-3,5", "--digits", "9"]
+    assert main(words) == 1
+    out, err = capsys.readouterr()
+    assert "4 rows, 4 of them computed now" in out
+    assert "line 2: gamma: must be between" in out
+    assert err.startswith("tresym: 4 rows; ")
+    assert main([*words, "--json"]) == 1
+    assert json.loads(capsys.readouterr().out)["bad"] == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["--a", "1"], "give either --csv, or --a and --b"),
+        (["--csv", "x", "--a", "1"], "give either --csv"),
+        (["--csv", "/nonexistent"], "no such file"),
+        (["--csv", "/dev/null"], "not a plain one"),
+        (["--a", "1", "--b", "x"], "b: 'x' is not a number"),
+        (["--a", "1", "--b", "1", "--digits", "0"], "from 1 to 10000"),
+        (["--a", "1", "--b", "1", "--digits", "5", "--float64"], "not allowed with"),
+        (["--a", "1", "--b", "1", "--workers", "0"], "from 1 to 1024"),
+        (["--a", "1", "--b", "1", "--workers", "٣"], "from 1 to 1024"),
+        (["--a", "1", "--b", "1", "-o", "/nonexistent/t"], "unable to open"),
+        (["--a", "1", "--b", "1", "-o", "/"], "unable to open"),
+    ],
+)
+def test_bad_requests_are_one_line(
+    words: list[str], says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["sweep", "-o", str(tmp_path / "t"), *words]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert says in err
+    assert err.count("\n") == 1
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+@pytest.mark.parametrize("where", [["-o", "/dev/full"], ["--export", "/dev/full/x.csv"]])
+def test_a_full_disk_is_one_line(
+    where: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["sweep", "-o", str(tmp_path / "t"), "--a", "1", "--b", "1", *where]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+# A real cluster
+
+
+@pytest.fixture(scope="module")
+def scheduler() -> Iterator[Any]:
+    """A scheduler with three worker processes of two threads each."""
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=3, threads_per_worker=2, processes=True, dashboard_address=None
+    ) as local:
+        yield local
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_gives_the_same_rows(
+    scheduler: Any, tmp_path: Path, expected: list[tuple[Any, ...]]
+) -> None:
+    path = str(tmp_path / "t")
+    found = sweep(GRID, path, 20, lambda: cluster(scheduler.scheduler_address))
+    assert found.computed == 81
+    assert rows_of(path) == expected
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_killed_cluster_worker_loses_nothing(
+    scheduler: Any, tmp_path: Path, big_rows: list[tuple[Any, ...]]
+) -> None:
+    killed: list[int] = []
+
+    def kill(text: str) -> None:
+        if " of " in text and not killed:
+            killed.append(next(iter(scheduler.workers.values())).pid)
+            os.kill(killed[0], signal.SIGKILL)
+
+    every, Progress.EVERY = Progress.EVERY, 0.0
+    try:
+        grid = Grid.read(BIG[1], BIG[3], BIG[5])
+        address = scheduler.scheduler_address
+        sweep(grid, str(tmp_path / "t"), 60, lambda: cluster(address), notice=kill)
+    finally:
+        Progress.EVERY = every
+    assert killed
+    assert rows_of(tmp_path / "t") == big_rows
+
+
+@pytest.mark.filterwarnings("default")
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "nonsense", "", "tcp://"])
+def test_an_unreachable_scheduler_is_one_line(
+    address: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pytest.importorskip("distributed")
+    monkeypatch.setattr("tresym.sweep.workers.PATIENCE", 1)
+    words = ["sweep", "-o", str(tmp_path / "t"), "--a", "1", "--b", "1", "--dask", address]
+    assert main(words) == 2
+    assert "cluster: no scheduler answers" in capsys.readouterr().err
+
+
+def test_no_dask_is_one_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    words = ["sweep", "-o", str(tmp_path / "t"), "--a", "1", "--b", "1", "--dask", "tcp://h:1"]
+    assert main(words) == 2
+    assert "needs Dask" in capsys.readouterr().err
+
+
+def test_processes_of_one_is_this_process() -> None:
+    with processes(1) as workers:
+        assert workers.executor.submit(os.getpid).result() == os.getpid()

@@ -1,0 +1,222 @@
+"""The numbers of a sweep: what one row says, certified or in float64.
+
+Every row is a function of its entry and the digits alone, so it is the same wherever it is
+computed.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, balls, bits
+from tresym.body import Shape
+from tresym.exact import InputError, decimal_ball, fraction_text
+from tresym.flip import uniform
+from tresym.flip.defect import checked_gamma, float_defect
+from tresym.flip.ladder import climb
+from tresym.formulas import printed, stable
+from tresym.sweep.source import Entry, Part
+
+ERROR_BITS = 128
+"""Working precision of the errors, which are given to six digits."""
+
+FLOAT_DIGITS = 15
+
+FLOAT_NOISE = 1e-10
+"""Errors in float64 are shown down to here; their own error is near 1e-13."""
+
+_one_at_a_time = threading.Lock()
+"""Precision belongs to the process, so threads of one process take turns."""
+
+
+class Row(NamedTuple):
+    """One row of the table; text, numbers, and None where something does not apply.
+
+    ``defect`` and ``radius`` (radians) are decimal text, the truth within ``radius`` of ``defect``;
+    in float64 ``defect`` is a float and ``radius`` None. Each ``error_…`` is formula/ε − 1 to six
+    digits (in float64 to 1e-12), None where it does not show at the digits asked for: the paper's
+    asymptotic formula, its correct leading term, and the explicit formulas for all shapes, on the
+    separatrix; the paper's formula linear in γ elsewhere.
+    """
+
+    line: int
+    name: str | None
+    a: str | None = None
+    b: str | None = None
+    gamma: str | None = None
+    defect: str | float | None = None
+    radius: str | None = None
+    rung: str | None = None
+    realizable: bool | None = None
+    error_paper: float | None = None
+    error_leading: float | None = None
+    error_one_line: float | None = None
+    error_balanced: float | None = None
+    error_one_step: float | None = None
+    error_linear: float | None = None
+    problem: str | None = None
+
+
+def _leading(a: Any, b: Any, m: Any) -> Any:
+    return stable.leading_term(m.sqrt(a * b), m.sqrt(b / a), m)
+
+
+FORMULAS: dict[str, Callable[[Any, Any, Any], Any]] = {
+    "error_paper": printed.asymptotic_defect,
+    "error_leading": _leading,
+    "error_one_line": uniform.one_line,
+    "error_balanced": uniform.balanced,
+    "error_one_step": uniform.one_step,
+}
+
+
+def compute(part: Part, digits: int | None) -> list[Row]:
+    """The rows of a part: certified to ``digits``, or in float64 where that is None."""
+    with _one_at_a_time:
+        entries = list(part.entries())
+        if digits is None:
+            return float_rows(entries)
+        return [certified_row(entry, digits) for entry in entries]
+
+
+def certified_row(entry: Entry, digits: int) -> Row:
+    """One row in balls."""
+    row = _blank(entry)
+    if row.problem is not None:
+        return row
+    shape, gamma = _asked(entry)
+    try:
+        answer = climb(shape, gamma, digits)
+        errors = _certified_errors(shape, gamma, answer.defect, digits)
+    except (InputError, ArithmeticError) as error:
+        return row._replace(problem=_one_line(error))
+    with ball_precision(bits(digits, 64)):
+        mid, rad = decimal_ball(answer.defect, digits)
+    return row._replace(defect=mid, radius=rad, rung=answer.rung, **errors)
+
+
+def _certified_errors(shape: Shape, gamma: fmpq, defect: arb, digits: int) -> dict[str, Any]:
+    if gamma != 0:
+        middle = climb(shape, 0, digits).defect
+        with ball_precision(ERROR_BITS):
+            estimate = printed.linear_defect(middle, arb(shape.b), arb(gamma))
+            return {"error_linear": _shown_error(estimate / defect - 1)}
+    with ball_precision(ERROR_BITS):
+        a, b = arb(shape.a), arb(shape.b)
+        return {
+            name: _shown_error(formula(a, b, balls) / defect - 1)
+            for name, formula in FORMULAS.items()
+        }
+
+
+def _shown_error(error: arb) -> float | None:
+    """Six digits of an error, or None where its ball does not show them."""
+    if not error.is_finite() or error.rel_accuracy_bits() < 24:
+        return None
+    return _six_digits(float(error))
+
+
+def _float_error(error: float) -> float | None:
+    """An error computed in float64, or None where most of it is rounding."""
+    return _six_digits(error) if abs(error) > FLOAT_NOISE else None
+
+
+def _six_digits(error: float) -> float | None:
+    return float(f"{error:.6g}") if math.isfinite(error) else None
+
+
+def float_rows(entries: Sequence[Entry]) -> list[Row]:
+    """Rows in float64: on the separatrix all at once, elsewhere one by one."""
+    rows = [_blank(entry) for entry in entries]
+    level = []
+    for i, entry in enumerate(entries):
+        if rows[i].problem is not None:
+            continue
+        if entry.gamma == 0:
+            level.append(i)
+        else:
+            rows[i] = _float_row(rows[i], *_asked(entry))
+    shapes = [_asked(entries[i])[0] for i in level]
+    for i, found in zip(level, _on_separatrix(shapes), strict=True):
+        rows[i] = rows[i]._replace(**found)
+    return rows
+
+
+def _on_separatrix(shapes: list[Shape]) -> list[dict[str, Any]]:
+    """ε₀ and the errors of the formulas for many shapes in numpy: two Newton steps more."""
+    import numpy as np
+
+    a = np.array([_float(shape.a) for shape in shapes])
+    b = np.array([_float(shape.b) for shape in shapes])
+    with np.errstate(all="ignore"):
+        k, r = np.sqrt(a) * np.sqrt(b), np.sqrt(b / a)
+        phase = uniform.newton_phase(np.pi, k, r, np)
+        for _ in range(2):
+            residual = phase - stable.phase_map(phase, k, r, np)
+            phase = phase - residual / stable.phase_slope(phase, k, r, np)
+        defect = stable.defect_at(phase, k, r, np)
+        errors = [
+            list(map(_float_error, (formula(a, b, np) / defect - 1).tolist()))
+            for formula in FORMULAS.values()
+        ]
+    found: list[dict[str, Any]] = []
+    for value, *row in zip(defect.tolist(), *errors, strict=True):
+        if not value >= 1e-300:
+            found.append({"problem": "float64 does not hold this row; ask for digits"})
+            continue
+        found.append({"defect": value, "rung": "float64"} | dict(zip(FORMULAS, row, strict=True)))
+    return found
+
+
+def _float_row(row: Row, shape: Shape, gamma: fmpq) -> Row:
+    """One row off the separatrix; where float64 alone has no answer a certified one is rounded."""
+    try:
+        checked_gamma(*shape, gamma)
+        value, rung = float_defect(*map(_float, (*shape, gamma))), "float64"
+        if value is None:
+            answer = climb(shape, gamma, FLOAT_DIGITS)
+            value, rung = float(answer.defect), answer.rung
+        middle = float(climb(shape, 0, FLOAT_DIGITS).defect)
+        error = printed.linear_defect(middle, _float(shape.b), _float(gamma)) / value - 1
+    except (InputError, ArithmeticError) as error_:
+        return row._replace(problem=_one_line(error_))
+    return row._replace(defect=value, rung=rung, error_linear=_float_error(error))
+
+
+def _float(x: fmpq) -> float:
+    """The nearest float64; infinite beyond its range."""
+    try:
+        return int(x.p) / int(x.q)
+    except OverflowError:
+        return math.copysign(math.inf, float(x.p > 0) - 0.5)
+
+
+def _asked(entry: Entry) -> tuple[Shape, fmpq]:
+    """Shape and γ of an entry without a problem."""
+    assert entry.shape is not None
+    assert entry.gamma is not None
+    return entry.shape, entry.gamma
+
+
+def _blank(entry: Entry) -> Row:
+    """The row before its numbers."""
+    if entry.shape is None or entry.gamma is None:
+        return Row(entry.line, entry.name, problem=entry.problem)
+    return Row(
+        entry.line,
+        entry.name,
+        fraction_text(entry.shape.a),
+        fraction_text(entry.shape.b),
+        fraction_text(entry.gamma),
+        realizable=None if entry.problem else entry.shape.realizable,
+        problem=entry.problem,
+    )
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split()) or type(error).__name__

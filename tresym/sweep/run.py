@@ -1,0 +1,187 @@
+"""The sweep itself: batches out to an executor, rows back into the table.
+
+Any ``concurrent.futures`` executor will do. No more batches are under way than keep the workers
+busy, so memory is bounded however long the sweep.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
+from contextlib import AbstractContextManager
+from typing import Any, NamedTuple
+
+from tresym.exact import InputError
+from tresym.flip.ladder import checked_digits
+from tresym.sweep.rows import Row, compute
+from tresym.sweep.source import Source
+from tresym.sweep.table import Table, check_export, open_table
+from tresym.sweep.workers import Workers, processes
+
+FLOAT_BATCH = 20_000
+LARGEST_BATCH = 1000
+FEWEST_BATCHES = 16
+"""So many batches at least, so that few rows, too, are shared out."""
+
+SHOWN_PROBLEMS = 10
+
+
+class Summary(NamedTuple):
+    """What a sweep has come to: rows in the table, with problems, and computed in this run."""
+
+    path: str
+    rows: int
+    bad: int
+    computed: int
+    problems: list[tuple[int, str]]
+    seconds: float
+
+    def as_json(self) -> dict[str, Any]:
+        """As a JSON object."""
+        problems = [{"line": line, "reason": reason} for line, reason in self.problems]
+        return {**self._asdict(), "problems": problems}
+
+
+def sweep(
+    source: Source,
+    path: str,
+    digits: int | None = 50,
+    workers: Callable[[], AbstractContextManager[Workers]] | None = None,
+    *,
+    export: str | None = None,
+    notice: Callable[[str], None] = lambda _: None,
+) -> Summary:
+    """Compute every row of ``source`` that is not yet in the table at ``path``.
+
+    Args:
+        source: a :class:`~tresym.sweep.source.Grid` or a :class:`~tresym.sweep.source.CsvFile`.
+        path: the SQLite file; one that the same sweep has begun is gone on with.
+        digits: certified digits, 1 to 10 000; None for float64.
+        workers: opens the executor, :func:`~tresym.sweep.workers.processes` on every core unless
+            given.
+        export: also write the rows to this .csv or .parquet file at the end.
+        notice: told now and then how far it is, in one line.
+
+    Raises:
+        InputError: bad digits, a table or an export that cannot be, workers that keep dying.
+    """
+    if digits is not None:
+        checked_digits(digits)
+    if export is not None:
+        check_export(export)
+    began = time.perf_counter()
+    size = batch_size(source.total, digits)
+    asked = {"digits": digits, "batch": size, **source.fingerprint()}
+    with open_table(path, asked) as table:
+        left = -(-source.total // size) - len(table.done())
+        opened = workers or (lambda: processes(min(os.cpu_count() or 1, max(left, 1))))
+        progress = Progress(source.total, min(len(table.done()) * size, source.total), notice)
+        progress.announce(size, left)
+        if left:
+            _run(opened, source.parts(size, table.done()), digits, table, progress)
+        if export is not None:
+            table.export(export)
+        rows, bad = table.counts()
+        seconds = time.perf_counter() - began
+        problems = table.problems(SHOWN_PROBLEMS)
+        return Summary(path, rows, bad, progress.computed, problems, seconds)
+
+
+def batch_size(total: int, digits: int | None) -> int:
+    """Rows in a batch: enough that sending it costs little, few enough to lose little."""
+    most = FLOAT_BATCH if digits is None else max(1, min(LARGEST_BATCH, 50_000 // digits))
+    return max(1, min(most, total // FEWEST_BATCHES))
+
+
+def _run(
+    opened: Callable[[], AbstractContextManager[Workers]],
+    parts: Iterator[tuple[int, Any]],
+    digits: int | None,
+    table: Table,
+    progress: Progress,
+) -> None:
+    """Keep the window full until nothing is left."""
+    pending: dict[Future[list[Row]], int] = {}
+    with opened() as workers:
+        while True:
+            while len(pending) < workers.window and (batch := next(parts, None)) is not None:
+                pending[workers.executor.submit(compute, batch[1], digits)] = batch[0]
+            if not pending:
+                return
+            for future in wait(pending, return_when=FIRST_COMPLETED).done:
+                try:
+                    rows = future.result()
+                except BrokenExecutor as error:
+                    raise InputError(f"sweep: {error or 'the workers have died'}") from None
+                table.add(pending.pop(future), rows)
+                progress.landed(len(rows))
+
+
+class Progress:
+    """How far a sweep is, and an honest guess at what is left: at the mean and the latest rate."""
+
+    EVERY = 2.0
+    """Seconds between two notices."""
+
+    def __init__(self, total: int, already: int, notice: Callable[[str], None]) -> None:
+        """Start the clock."""
+        self.total, self.already, self.notice = total, already, notice
+        self.computed = 0
+        self.start = self.said = time.monotonic()
+        self.latest = deque([(self.start, 0)], maxlen=10)
+
+    def announce(self, size: int, batches: int) -> None:
+        """Say what is to be done before it is begun."""
+        found = f"{self.already} of them computed before; " if self.already else ""
+        self.notice(f"{self.total} rows; {found}{batches} batches of {size} to go")
+
+    def landed(self, rows: int) -> None:
+        """Count rows that are in the table."""
+        self.computed += rows
+        now = time.monotonic()
+        if now - self.said >= self.EVERY:
+            self.said = now
+            self.notice(self.line(now))
+            self.latest.append((now, self.computed))
+
+    def line(self, now: float) -> str:
+        """Rows so far, rate, and the time left as a range."""
+        done = min(self.already + self.computed, self.total)
+        then, before = self.latest[0]
+        rates = sorted(
+            (self.computed / (now - self.start), (self.computed - before) / (now - then))
+        )
+        slow, fast = ((self.total - done) / max(rate, 1e-9) for rate in rates)
+        left = (
+            duration(fast)
+            if duration(fast) == duration(slow)
+            else (f"{duration(fast)} to {duration(slow)}")
+        )
+        return f"{done} of {self.total} rows, {rates[1]:.3g} a second, about {left} left"
+
+
+def duration(seconds: float) -> str:
+    """Seconds as one says them."""
+    for unit, size in (("d", 86_400), ("h", 3600), ("min", 60)):
+        if seconds >= 2 * size:
+            return f"{seconds / size:.0f} {unit}"
+    return f"{seconds:.0f} s"
+
+
+def summary_text(found: Summary) -> str:
+    """What a sweep has come to, in lines for people."""
+    lines = [f"{found.path}: {found.rows} rows, {found.computed} of them computed now"]
+    lines += [f"  line {line}: {reason}" for line, reason in found.problems]
+    if found.bad > len(found.problems):
+        lines.append(f"  and {found.bad - len(found.problems)} more rows with a problem")
+    return "\n".join(lines) + "\n"
+
+
+def to_stderr(text: str) -> None:
+    """A notice on standard error, where there is one."""
+    if sys.stderr is not None:
+        print(f"tresym: {text}", file=sys.stderr, flush=True)

@@ -1,0 +1,193 @@
+"""The table a sweep fills: one SQLite file, a batch a transaction, and what is exported of it.
+
+A batch is in the file whole or not at all, whatever happens to the process. While a sweep runs the
+file is its own: a second sweep, or a reader, is told to wait.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import sqlite3
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from typing import Any
+
+from tresym.exact import InputError
+from tresym.sweep.rows import Row
+
+APPLICATION = 0x74726573
+"""What SQLite's ``application_id`` says in a table of ours."""
+
+FORMAT = 1
+
+EXPORT_ROWS = 20_000
+"""Rows in memory at once while exporting."""
+
+_SCHEMA = (
+    f"PRAGMA application_id = {APPLICATION}",
+    "CREATE TABLE sweep (request TEXT NOT NULL)",
+    "CREATE TABLE batches (number INTEGER PRIMARY KEY, rows INTEGER NOT NULL)",
+    f"CREATE TABLE rows (line INTEGER PRIMARY KEY, {', '.join(Row._fields[1:])})",
+)
+
+
+class Table:
+    """The file of one sweep, open."""
+
+    def __init__(self, path: str, connection: sqlite3.Connection, in_floats: bool) -> None:
+        """Take what :func:`open_table` has opened."""
+        self.path = path
+        self.in_floats = in_floats
+        self._connection = connection
+
+    def done(self) -> set[int]:
+        """The numbers of the batches that have landed."""
+        return {number for (number,) in self._connection.execute("SELECT number FROM batches")}
+
+    def add(self, number: int, rows: Sequence[Row]) -> None:
+        """Land one batch, in one transaction."""
+        marks = ", ".join("?" * len(Row._fields))
+        with _plainly(self.path):
+            self._connection.execute("BEGIN")
+            self._connection.execute("INSERT INTO batches VALUES (?, ?)", (number, len(rows)))
+            self._connection.executemany(f"INSERT INTO rows VALUES ({marks})", rows)
+            self._connection.execute("COMMIT")
+
+    def counts(self) -> tuple[int, int]:
+        """How many rows there are, and how many of them have a problem."""
+        query = "SELECT count(*), count(problem) FROM rows"
+        rows, bad = self._connection.execute(query).fetchone()
+        return rows, bad
+
+    def problems(self, limit: int) -> list[tuple[int, str]]:
+        """The first rows with a problem: line and reason."""
+        query = "SELECT line, problem FROM rows WHERE problem IS NOT NULL ORDER BY line LIMIT ?"
+        return list(self._connection.execute(query, (limit,)))
+
+    def _pieces(self) -> Iterator[list[tuple[Any, ...]]]:
+        """All rows in order, some at a time."""
+        cursor = self._connection.execute("SELECT * FROM rows ORDER BY line")
+        while piece := cursor.fetchmany(EXPORT_ROWS):
+            yield piece
+
+    def export(self, path: str) -> None:
+        """Write all rows to ``path``: Parquet if it ends so, else CSV; whole or not at all.
+
+        Raises:
+            InputError: the file cannot be written, or Parquet is wanted without pyarrow.
+        """
+        aside = f"{path}.{os.getpid()}.part"
+        try:
+            if path.endswith(".parquet"):
+                _write_parquet(aside, self._pieces(), self.in_floats)
+            else:
+                _write_csv(aside, self._pieces())
+            os.replace(aside, path)
+        except OSError as error:
+            raise InputError(f"{path}: cannot be written ({error.strerror or error})") from None
+        finally:
+            with suppress(OSError):
+                os.remove(aside)
+
+
+@contextmanager
+def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
+    """The table at ``path``, for this process alone: a new one, or the one this request began.
+
+    Raises:
+        InputError: it cannot be opened or written, is in use, or belongs to something else.
+    """
+    with _plainly(path):
+        connection = sqlite3.connect(os.path.abspath(path), timeout=1, isolation_level=None)
+    try:
+        with _plainly(path):
+            connection.execute("PRAGMA locking_mode = EXCLUSIVE")
+            _begin(connection, path, json.dumps({"format": FORMAT, **request}, sort_keys=True))
+            # A killed process loses nothing that has landed; no wait for the disk at each batch.
+            connection.execute("PRAGMA journal_mode = WAL")
+            connection.execute("PRAGMA synchronous = NORMAL")
+        yield Table(path, connection, request["digits"] is None)
+    finally:
+        connection.close()
+
+
+def _begin(connection: sqlite3.Connection, path: str, request: str) -> None:
+    """Make the table, or see that it is ours and was begun by the same request."""
+    connection.execute("BEGIN EXCLUSIVE")
+    (tables,) = connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
+    if tables == 0:
+        for statement in _SCHEMA:
+            connection.execute(statement)
+        connection.execute("INSERT INTO sweep VALUES (?)", (request,))
+    elif connection.execute("PRAGMA application_id").fetchone() != (APPLICATION,):
+        raise InputError(f"{path}: is a database of something else; name another file")
+    elif connection.execute("SELECT request FROM sweep").fetchone() != (request,):
+        raise InputError(
+            f"{path}: was begun with other rows or other digits; name another file, or delete it"
+        )
+    connection.execute("COMMIT")
+
+
+@contextmanager
+def _plainly(path: str) -> Iterator[None]:
+    """SQLite's complaints as bad input, in one line."""
+    try:
+        yield
+    except (sqlite3.Error, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        if "locked" in str(error):
+            raise InputError(f"{path}: is in use by another process") from None
+        raise InputError(f"{path}: {error}") from None
+
+
+def check_export(path: str) -> None:
+    """See, before any work, that what ``path`` asks for can be written.
+
+    Raises:
+        InputError: another ending than .csv or .parquet, no such folder, or no pyarrow.
+    """
+    if not path.endswith((".csv", ".parquet")):
+        raise InputError(f"{path}: an export ends in .csv or .parquet")
+    if not os.path.isdir(os.path.dirname(path) or "."):
+        raise InputError(f"{path}: there is no such folder")
+    if path.endswith(".parquet"):
+        _pyarrow()
+
+
+def _pyarrow() -> Any:
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError:
+        raise InputError(
+            "Parquet needs pyarrow (pip install 'tresym[parquet]'); CSV needs nothing"
+        ) from None
+    return pyarrow
+
+
+def _write_csv(path: str, pieces: Iterator[list[tuple[Any, ...]]]) -> None:
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(Row._fields)
+        for piece in pieces:
+            writer.writerows(piece)
+
+
+def _write_parquet(path: str, pieces: Iterator[list[tuple[Any, ...]]], in_floats: bool) -> None:
+    """Columns keep their type: text, float64, or boolean; ``defect`` is text unless in float64."""
+    pyarrow = _pyarrow()
+    types = dict.fromkeys(Row._fields, pyarrow.string())
+    types |= {name: pyarrow.float64() for name in Row._fields if name.startswith("error_")}
+    types |= {"line": pyarrow.int64(), "realizable": pyarrow.bool_()}
+    if in_floats:
+        types["defect"] = pyarrow.float64()
+    schema = pyarrow.schema(list(types.items()))
+    with pyarrow.parquet.ParquetWriter(path, schema) as writer:
+        for piece in pieces:
+            rows = [dict(zip(Row._fields, row, strict=True)) for row in piece]
+            for row in rows:
+                row["realizable"] = None if row["realizable"] is None else bool(row["realizable"])
+            writer.write_table(pyarrow.Table.from_pylist(rows, schema=schema))
