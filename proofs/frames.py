@@ -159,7 +159,7 @@ perfect_flip = Claim(
         about_z(phi + 2 * pi) * about_y(theta) * about_z(psi + pi),
         rotation * ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]),
     ),
-    proof=by(trigonometry),
+    proof=by(),
     note="e₁ comes back, e₂ and e₃ are reversed.",
 )
 

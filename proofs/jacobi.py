@@ -164,14 +164,14 @@ rotating_amplitudes = Claim(
     label="rotating_amplitudes",
     says=_first_integrals[0],
     given=_rotating,
-    proof=together(*(by(roots, trigonometry, citing(parameter_rotating)) for _ in range(2))),
+    proof=together(*(by(trigonometry) for _ in range(2))),
 )
 
 oscillating_amplitudes = Claim(
     label="oscillating_amplitudes",
     says=_first_integrals[1],
     given=_oscillating,
-    proof=together(*(by(roots, trigonometry, citing(parameter_oscillating)) for _ in range(2))),
+    proof=together(*(by(trigonometry) for _ in range(2))),
 )
 
 separatrix_amplitudes = Claim(
@@ -181,7 +181,7 @@ separatrix_amplitudes = Claim(
         equal(printed.momentum_squared(*separatrix_motion), M**2),
     ),
     given=_separatrix,
-    proof=together(by(roots, exponentials), by(roots, exponentials)),
+    proof=together(by(exponentials), by(exponentials)),
 )
 
 jacobi_solutions = Claim(
@@ -230,7 +230,7 @@ meeting_point = Claim(
         equal(printed.momentum_squared(_first, 0, _third), M**2),
     ),
     given=(*ordered_moments, I3 - I1 > 0, up >= 0, down >= 0),
-    proof=together(by(roots), by(roots)),
+    proof=together(by(), by()),
     note="Between the two bounds the surfaces meet in the plane of e₁ and e₃.",
 )
 

@@ -50,7 +50,6 @@ from tresym.claims.claim import (
     Place,
     all_of,
     by,
-    citing,
     equal,
     equations,
     formally,
@@ -107,7 +106,7 @@ turning_points = Claim(
         b * (a + b * _sine) * sin(psi) * cos(psi) / (1 - b * _sine) ** 2,
     ),
     given=shape_of_a_body,
-    proof=by(trigonometry),
+    proof=by(),
     note="d²ψ/dφ² where dψ/dφ = 0: not zero off the equilibria, so dψ/dφ changes its sign there.",
 )
 
@@ -466,8 +465,8 @@ rotating_tilt_between = Claim(
     ),
     given=rotating,
     proof=together(
-        by(substituting(rotating_bounds), citing(cosines_of_bounds), *_roots),
-        by(substituting(rotating_bounds), citing(cosines_of_bounds), *_roots),
+        by(substituting(rotating_bounds), *_roots),
+        by(substituting(rotating_bounds), *_roots),
     ),
     note="For θ in [0, π/2] neither is negative exactly between θ_min and θ_max.",
 )
@@ -492,6 +491,7 @@ tilt_is_bounded = Claim(
     proof=all_of(
         rotating_bounds,
         oscillating_bounds,
+        cosines_of_bounds,
         rotating_tilt_between,
         oscillating_tilt_between,
         tilts_in_order,

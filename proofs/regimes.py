@@ -161,7 +161,7 @@ tilt_after_flip = Claim(
     label="tilt_after_flip",
     says=equal(_tilts[0].subs(_flips[0], _flips[0] + pi), _tilts[0]),
     given=shape_of_a_body,
-    proof=by(trigonometry),
+    proof=by(),
 )
 
 tilt_near_flip = Claim(
@@ -215,7 +215,7 @@ flip_components = Claim(
             s * m for s, m in zip((1, -1, -1), printed.momentum(theta, psi, M, sympy), strict=True)
         ),
     ),
-    proof=together(by(), by(trigonometry), by(trigonometry)),
+    proof=together(by(), by(), by()),
     where=Place(line=102),
 )
 
@@ -273,7 +273,7 @@ mirror_images = Claim(
         *equations(_mirrored, tuple(-r for r in _flow)).args, *equations(_shifted, _flow).args
     ),
     given=shape_of_a_body,
-    proof=together(*(by(trigonometry) for _ in range(4))),
+    proof=together(*(by() for _ in range(4))),
     where=Place(line=103),
     note="(π − θ, −ψ) moves as (θ, ψ), so θ ≤ π/2 is no restriction; nor is a half turn of ψ.",
 )
