@@ -16,6 +16,7 @@ from sympy import (
     exp,
     log,
     pi,
+    sign,
     sin,
     sqrt,
     tanh,
@@ -298,3 +299,59 @@ def test_a_true_claim_with_a_broken_chain_is_not_refuted() -> None:
 
 def test_no_unique_root_where_there_is_none() -> None:
     assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.REFUTED
+
+
+def test_nothing_is_proved_by_nothing() -> None:
+    from sympy import Equivalent
+
+    assert verdict(claim(equal(x, x + 1), ())) is not Verdict.PROVED
+    assert verdict(claim(Gt(x, 1, evaluate=False), ())) is not Verdict.PROVED
+    assert verdict(claim(Equivalent(equal(x, 1), equal(x, 2)), ())) is not Verdict.PROVED
+    assert verdict(claim(Tuple(), together())) is Verdict.UNDECIDED
+    assert verdict(claim("nothing", all_of())) is Verdict.UNDECIDED
+    assert verdict(claim("nothing", formally())) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    "says",
+    [
+        equal(Integer(1), Integer(2)),
+        equal(x + 1, x + 2),
+        equal(x**2, Integer(-1)),
+        equal(x, sqrt(-1 - y**2)),
+        Tuple(equal(x, y), equal(x, y + 1)),
+        Tuple(equal(x, y + 1), equal(y, x + 1)),
+        Tuple(equal(x, y), Gt(x, 0, evaluate=False)),
+        equal(Integral(t**2, (t, 0, x)), -1 - x**4),
+    ],
+    ids=str,
+)
+def test_what_defines_nothing_is_no_definition(says: object) -> None:
+    assert verdict(claim(says, Definition())) is Verdict.UNDECIDED
+
+
+def test_a_primitive_that_jumps_is_none() -> None:
+    jump = equal(Integral(1, (x, -1, 1)), 4)
+    assert verdict(claim(jump, by(integrating(x + sign(x))))) is Verdict.REFUTED
+    turned = equal(Integral(-1 / (1 + x**2), (x, -1, 1)), pi / 2)
+    assert verdict(claim(turned, by(integrating(atan(1 / x)), inverses))) is Verdict.REFUTED
+
+
+def test_a_factor_must_be_defined() -> None:
+    from sympy import Equivalent
+
+    divided = Equivalent(equal(x * y, y), equal(x, 1))
+    steps = (step(equal(x, 1), multiplying(1 / y)),)
+    assert verdict(claim(divided, steps, (y >= 0,))) is not Verdict.PROVED
+    assert verdict(claim(divided, steps, (y > 0,))) is Verdict.PROVED
+
+
+def test_definitions_do_not_reach_bound_variables() -> None:
+    square = Claim("square", equal(y, x**2), Definition())
+    held = {"square": judge(square, {})}
+    for says, reason in (
+        (equal(Derivative(y, x), 2 * x), differentiation),
+        (equal(Integral(y, (x, 0, 1)), Rational(1, 3)), integrating(x**3 / 3)),
+    ):
+        user = Claim("user", says, by(substituting(square), reason))
+        assert judge(user, held).verdict is Verdict.UNDECIDED

@@ -11,10 +11,13 @@ from typing import Any
 from tresym.claims.claim import Claim
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
+from tresym.claims.mutants import Mutant, mutants
 from tresym.exact import InputError, fraction_text
 from tresym.verdict import Verdict
 
 JSON_VERSION = 1
+MUTANTS = 5
+"""Changes that are tried at each place of a claim."""
 
 
 @dataclass(frozen=True)
@@ -58,11 +61,21 @@ class Report:
 
     def as_json(self) -> dict[str, Any]:
         """The report as `tresym verify --json` prints it."""
+        lines = display_lines()
         return {
             "version": JSON_VERSION,
             "counts": self.counts,
-            "claims": [_row_json(row) for row in self.rows],
+            "claims": [_row_json(row, lines) for row in self.rows],
         }
+
+
+def display_lines() -> dict[int | None, int]:
+    """The line of the paper's source on which each display begins."""
+    import json
+    from importlib.resources import files
+
+    index = json.loads((files("tresym.proofs") / "index.json").read_text(encoding="utf-8"))
+    return {display["number"]: display["line"] for display in index["displays"]}
 
 
 def verify(labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = None) -> Report:
@@ -84,6 +97,80 @@ def verify(labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = No
         if on_row is not None:
             on_row(rows[-1])
     return Report(tuple(rows))
+
+
+@dataclass(frozen=True)
+class MutantRow:
+    """What became of the mutants of one claim."""
+
+    claim: Claim
+    counts: dict[str, int]
+    """How many got each verdict; all four are always present."""
+    survivors: tuple[Mutant, ...]
+    """Mutants that were PROVED or ENCLOSED: there must be none."""
+
+    @property
+    def total(self) -> int:
+        """How many mutants were judged."""
+        return sum(self.counts.values())
+
+
+@dataclass(frozen=True)
+class MutantReport:
+    """The score of the verifier against mutants, a row per claim that has any."""
+
+    rows: tuple[MutantRow, ...]
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many mutants got each verdict."""
+        return {v.value: sum(row.counts[v.value] for row in self.rows) for v in Verdict}
+
+    @property
+    def survivors(self) -> tuple[Mutant, ...]:
+        """Every mutant that was PROVED or ENCLOSED."""
+        return tuple(mutant for row in self.rows for mutant in row.survivors)
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as `tresym verify --mutants --json` prints it."""
+        return {
+            "version": JSON_VERSION,
+            "counts": self.counts,
+            "survivors": [
+                {"label": m.origin.label, "place": m.place, "change": m.change}
+                for m in self.survivors
+            ],
+            "claims": [{"label": row.claim.label, **row.counts} for row in self.rows],
+        }
+
+
+def verify_mutants(
+    labels: Iterable[str] = (),
+    wanted: int = MUTANTS,
+    on_row: Callable[[MutantRow], None] | None = None,
+) -> MutantReport:
+    """Judge mutants of every claim, or of those named by ``labels``: none may hold.
+
+    Args:
+        labels: labels of claims; none means all.
+        wanted: at most this many changes at each place of a claim.
+        on_row: called with each row as it is found, for progress.
+
+    Raises:
+        InputError: a label that no claim has.
+    """
+    report = verify(labels)
+    found = {row.claim.label: row.finding for row in report.rows}
+    rows = []
+    for claim in (row.claim for row in report.rows if row.requested):
+        judged = [(m, judge(m.claim, found).verdict) for m in mutants(claim, wanted)]
+        counted = Counter(verdict for _, verdict in judged)
+        counts = {v.value: counted[v] for v in Verdict}
+        survivors = tuple(mutant for mutant, verdict in judged if verdict.holds)
+        rows.append(MutantRow(claim, counts, survivors))
+        if on_row is not None:
+            on_row(rows[-1])
+    return MutantReport(tuple(rows))
 
 
 def all_claims() -> tuple[Claim, ...]:
@@ -125,7 +212,7 @@ def _choose(
     return tuple(claim for claim in claims if claim in wanted), frozenset(labels)
 
 
-def _row_json(row: Row) -> dict[str, Any]:
+def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
     from tresym.report.latex import given_latex, says_latex
 
     claim, finding = row.claim, row.finding
@@ -146,7 +233,12 @@ def _row_json(row: Row) -> dict[str, Any]:
             {"verdict": s.verdict.value, "why": s.why, "seconds": round(s.seconds, 6)}
             for s in finding.steps
         ],
-        "where": where and {"display": where.display, "line": where.line, "cell": where.cell},
+        "where": where
+        and {
+            "display": where.display,
+            "line": where.line or lines.get(where.display),
+            "cell": where.cell,
+        },
         "witness": finding.witness
         and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
         "amended_by": [claim.label for claim in claim.amended_by],

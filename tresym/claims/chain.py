@@ -42,6 +42,8 @@ def _undecided(why: str) -> StepFinding:
 
 def check_chain(says: Basic, chain: Chain, given: Conditions) -> tuple[StepFinding, ...]:
     """Findings for every step; all are PROVED exactly when the chain proves ``says``."""
+    if not chain:
+        return (_undecided("the chain has no step"),)
     start, goal = _ends(says, chain)
     findings, before = [], start
     if goal is None and chain:
@@ -137,6 +139,11 @@ def _check_equation(
     """Both sides rewritten, or one one-to-one operation applied to both."""
     left, right = before.args
     given = _with_bounds(given, reasons)
+    # Looked at before SymPy merges them with a side: x·y·(1/y) is written x at once.
+    for e in (left, right, *(r.factor for r in reasons), *(r.term for r in reasons)):
+        gap = None if e is None else undefined(e, given)
+        if gap is not None:
+            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
     for reason in reasons:
         if reason.term is not None:
             left, right = left + reason.term, right + reason.term

@@ -24,6 +24,7 @@ from sympy import (
     csc,
     log,
     sec,
+    sign,
     sin,
     sinh,
     tan,
@@ -96,7 +97,7 @@ def continuous_on(e: Basic, given: Conditions) -> Basic | None:
             wanted = POSITIVE if strict or isinstance(node, asin | acos | acosh) else allowed
             if manifest_sign(condition, given) not in wanted:
                 return condition
-        if isinstance(node, Abs) and manifest_sign(node.args[0], given) not in NON_ZERO:
+        if isinstance(node, Abs | sign) and manifest_sign(node.args[0], given) not in NON_ZERO:
             return node.args[0]
     return None
 

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from flint import arb, fmpq
-from sympy import Basic, Equivalent, Symbol, Tuple
+from sympy import Basic, Equivalent, Integral, Symbol, Tuple
 from sympy.core.relational import Equality, Relational
 
 from tresym.arithmetic import ball_precision
@@ -41,7 +41,7 @@ from tresym.claims.translate import (
     to_expression,
     to_given,
 )
-from tresym.claims.violation import rootless, violation
+from tresym.claims.violation import rootless, satisfiable, scalars, violation
 from tresym.exact import fraction_text
 from tresym.identity import Given, decide, evaluate
 from tresym.verdict import Verdict
@@ -88,7 +88,9 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_unique_root(claim.proof, claim.given)
         case Together(chains):
             return _judge_together(claim, chains)
-        case tuple() if isinstance(claim.says, Relational | Equivalent):
+        case tuple() if (
+            isinstance(claim.says, Relational | Equivalent) and len(claim.says.args) == 2
+        ):
             return _judge_chains(claim, ((claim.says, claim.proof),))
         case tuple():
             return Finding(UNDECIDED, "a chain proves a relation, and this is none")
@@ -111,6 +113,8 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Findi
     for says, chain in parts:
         steps.extend(check_chain(says, chain, claim.given))
     failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if not steps:
+        return Finding(UNDECIDED, "there is nothing to prove")
     if failed is None:
         return Finding(PROVED, "every step follows from the reasons it names", steps=tuple(steps))
     for says, _ in parts:
@@ -125,26 +129,44 @@ def refute(says: Basic, claim: Claim) -> Finding | None:
     known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
     for used in claim.uses:
         known.update(dict.fromkeys(p for p in parts_of(used.says) if isinstance(p, Relational)))
-    found = violation(says, claim.given, tuple(known))
+    try:
+        found = violation(says, claim.given, tuple(known))
+    except CircularError:
+        return None
     return Finding(REFUTED, found.why, witness=found.point) if found else None
 
 
 def _judge_definition(claim: Claim) -> Finding:
-    """A definition holds when its symbols are new and none is defined by itself."""
-    rules = definitions((claim,))
-    if not rules:
-        return Finding(UNDECIDED, "the statement defines no symbol")
-    earlier = definitions(claim.rests_on)
-    for symbol, value in rules.items():
-        if symbol in value.free_symbols or symbol in earlier:
-            return Finding(UNDECIDED, f"{symbol} is not a new symbol")
-    if to_given(claim.given).satisfying_point() is None:
+    """A definition holds when its symbols are new, each defined once, by what has a value.
+
+    An equation for an integral defines a symbol in it implicitly: a point is looked for that
+    satisfies it.
+    """
+    if Given.from_sympy(*claim.given).satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    return Finding(PROVED, "introduces " + ", ".join(sorted(map(str, rules))))
+    if not all(isinstance(part, Equality) for part in parts_of(claim.says)):
+        return Finding(UNDECIDED, "a definition consists of equations")
+    earlier = definitions(claim.rests_on)
+    pairs = [entry.args for part in parts_of(claim.says) for entry in scalars(part)]
+    explicit = {left: right for left, right in pairs if isinstance(left, Symbol)}
+    implicit = [left for left, _ in pairs if isinstance(left, Integral)]
+    if not pairs or len(explicit) + len(implicit) < len(pairs):
+        return Finding(UNDECIDED, "a definition gives each of its symbols one value")
+    for symbol, meaning in explicit.items():
+        if symbol in earlier or put_in(meaning, explicit).has(symbol):
+            return Finding(UNDECIDED, f"{symbol} is not a new symbol")
+        gap = undefined(meaning, claim.given)
+        if gap is not None:
+            return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+    if implicit and not satisfiable(claim.given, parts_of(claim.says)):
+        return Finding(UNDECIDED, "no point is found that satisfies the equation")
+    return Finding(PROVED, "introduces " + ", ".join(sorted(map(str, (*explicit, *implicit)))))
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
     """A conjunction: as strong as its weakest part; one refuted part refutes it."""
+    if not claims:
+        return Finding(UNDECIDED, "there is nothing to prove")
     for claim in claims:
         finding = found[claim.label]
         if finding.verdict is REFUTED:

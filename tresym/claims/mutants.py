@@ -11,10 +11,11 @@ definition says cannot be false, and a conjunction is as false as its parts: nei
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import islice, product
-from typing import Any
+from typing import Any, cast
 
 from flint import arb
 from sympy import (
@@ -41,6 +42,7 @@ from sympy import (
 from sympy.core.relational import Relational
 
 from tresym.arithmetic import ball_precision, balls
+from tresym.claims.bounds import Asymptotics, Boxes
 from tresym.claims.claim import (
     Chain,
     Claim,
@@ -53,17 +55,19 @@ from tresym.claims.claim import (
     formally,
     parts_of,
 )
+from tresym.claims.enclosure import Bound, Box, Point, value_at
 from tresym.claims.judge import refute
 from tresym.claims.violation import rootless, scalars
-from tresym.exact import Interval, printed
+from tresym.exact import Interval, fraction_text, printed
 from tresym.notation import a, b
 
 Variant = Any
 """A changed expression, relation or printed text."""
 
 BITS = 128
-SPLITS = (1, 4, 12)
-"""Pieces that each input of a printed number is cut into, to show a mutant violated."""
+SPLITS = (1, 4, 16)
+CELLS = 64
+"""Pieces that each input of a printed number is cut into, and the most cells they may make."""
 
 
 @dataclass(frozen=True)
@@ -110,6 +114,10 @@ def _spots(claim: Claim) -> Iterator[_Spot]:
     match claim.proof:
         case Printed():
             yield from _printed_spots(claim, claim.proof)
+        case Boxes():
+            yield from _box_spots(claim, claim.proof)
+        case Asymptotics(statement=statement) if statement.kind == "~" and claim.expect.holds:
+            yield _equivalence_spot(claim, claim.proof)
         case UniqueRoot():
             yield from _root_spots(claim, claim.proof)
         case Formally(relations=relations):
@@ -239,6 +247,8 @@ def _no_inputs_give_it(claim: Claim) -> bool:
 
 def _missed(number: Printed, box: list[Interval], target: Interval, pieces: int) -> bool:
     sides = [_pieces(side, pieces if side.low < side.high else 1) for side in box]
+    if math.prod(map(len, sides)) > CELLS:
+        return False
     with ball_precision(BITS):
         for cell in product(*sides):
             value = number.formula(*cell, balls)
@@ -253,6 +263,78 @@ def _pieces(side: Interval, pieces: int) -> list[arb]:
     return [Interval(*pair).ball() for pair in ends]
 
 
+# Bounds on boxes, and orders
+
+
+@dataclass(frozen=True)
+class _Named:
+    """A changed function, with the change in words."""
+
+    text: str
+    function: Callable[..., Any]
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def _box_spots(claim: Claim, proof: Boxes) -> Iterator[_Spot]:
+    """Each margin negated, or lowered by twice its value at the centre or at a corner."""
+
+    def violated(mutated: Claim) -> bool:
+        bounds = cast(Boxes, mutated.proof).bounds
+        with ball_precision(BITS):
+            return any(bound_fails(bound, p) for bound in bounds for p in _places(bound.box))
+
+    for n, bound in enumerate(proof.bounds):
+
+        def claims(changed: Variant, n: int = n, bound: Bound = bound) -> tuple[Claim, ...]:
+            margin = replace(bound, margin=changed.function)
+            bounds = (*proof.bounds[:n], margin, *proof.bounds[n + 1 :])
+            return (replace(claim, proof=replace(proof, bounds=bounds, stored=lambda: None)),)
+
+        yield _Spot(f"bound {n + 1}", _lowered(bound), claims, violated)
+
+
+def bound_fails(bound: Bound, point: Point) -> bool:
+    """Whether a ball shows the bound violated at ``point``."""
+    return bool(value_at(bound.margin, point) < 0)
+
+
+def _places(region: Box) -> list[Point]:
+    """The centre of the box, then points near its corners."""
+    inward = [(s.low + (s.high - s.low) / 2**32, s.high - (s.high - s.low) / 2**32) for s in region]
+    return [tuple((low + high) / 2 for low, high in region), *product(*inward)]
+
+
+def _lowered(bound: Bound) -> Iterator[_Named]:
+    margin = bound.margin
+    yield _Named("the margin negated", lambda *x: -margin(*x))
+    for point in _places(bound.box):
+        where = ", ".join(fraction_text(x) for x in point)
+        with ball_precision(BITS):
+            excess = 2 * value_at(margin, point)
+        if excess.is_finite():
+            yield _Named(f"2 x its value at {where} less", lambda *x, e=excess: margin(*x) - e)
+
+
+def _equivalence_spot(claim: Claim, proof: Asymptotics) -> _Spot:
+    """f ~ g, where it holds, denies f ~ h for every h that is not ~ g."""
+    gauge = proof.statement.gauge
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        statement = replace(proof.statement, gauge=changed.function)
+        return (replace(claim, proof=replace(proof, statement=statement)),)
+
+    variants = (
+        _Named("-g", lambda x, m: -gauge(x, m)),
+        _Named("2 g", lambda x, m: 2 * gauge(x, m)),
+        _Named("g/2", lambda x, m: gauge(x, m) / 2),
+        _Named("x g", lambda x, m: x * gauge(x, m)),
+        _Named("g/x", lambda x, m: gauge(x, m) / x),
+    )
+    return _Spot("gauge", variants, claims, lambda mutated: True)
+
+
 # Changes of an expression
 
 
@@ -265,9 +347,17 @@ def mutations(e: Basic) -> Iterator[Basic]:
     seen = {e}
     for path, changed in _scattered(edits):
         whole = _replaced(e, path, changed)
-        if whole not in seen and not whole.has(nan, oo, zoo, I):
+        if _is_alike(e, whole) and whole not in seen and not whole.has(nan, oo, zoo, I):
             seen.add(whole)
             yield whole
+
+
+def _is_alike(e: Basic, changed: Basic) -> bool:
+    """Whether a changed relation is still one: SymPy evaluates some to true or false."""
+    for kind in (Relational, Equivalent):
+        if isinstance(e, kind):
+            return isinstance(changed, kind) and len(changed.args) == len(e.args)
+    return True
 
 
 def _edits(e: Basic, path: Path) -> Iterator[tuple[Path, Basic]]:

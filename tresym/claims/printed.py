@@ -36,13 +36,15 @@ def judge_printed(number: Printed) -> Finding:
     centre = tuple((i.low + i.high) / 2 for i in box)
     with ball_precision(bits(DIGITS, 64)) as m:
         value = decimal_ball(number.formula(*(arb(p) for p in centre), m), DIGITS)
-    witness = _find_inputs(number, box, target)
+    # The whole box at once: cheap, and no inputs need be looked for where it misses.
+    missed = _misses(number, box, target)
+    witness = None if missed else _find_inputs(number, box, target)
     if witness is not None:
         names = dict(zip(number.inputs, witness, strict=True))
         exact = "the inputs as printed" if witness == centre else "inputs that round to them"
         why = f"{exact} give a value that rounds to {number.text}"
         return Finding(Verdict.ENCLOSED, why, value=value, witness=names)
-    if _excluded(number, box, target):
+    if missed or _excluded(number, box, target):
         point = dict(zip(number.inputs, centre, strict=True))
         why = f"no inputs that round to the printed ones give {number.text}; as printed they give "
         return Finding(Verdict.REFUTED, why + value.mid[:12], value=value, witness=point)
@@ -110,10 +112,7 @@ def _excluded(number: Printed, box: Box, target: Interval) -> bool:
     while pending:
         cell = pending.pop()
         seen += 1
-        with ball_precision(BITS):
-            value = number.formula(*(i.ball() for i in cell), balls)
-            outside = value.is_finite() and (value > target.high or value < target.low)
-        if outside:
+        if _misses(number, cell, target):
             continue
         widest = max(range(len(cell)), key=lambda n: cell[n].high - cell[n].low, default=None)
         if widest is None or cell[widest].low == cell[widest].high or seen > CELLS:
@@ -123,3 +122,10 @@ def _excluded(number: Printed, box: Box, target: Interval) -> bool:
         for half in (Interval(low, middle), Interval(middle, high)):
             pending.append((*cell[:widest], half, *cell[widest + 1 :]))
     return True
+
+
+def _misses(number: Printed, cell: Box, target: Interval) -> bool:
+    """True when the ball over a box of inputs stays outside the printed interval."""
+    with ball_precision(BITS):
+        value = number.formula(*(i.ball() for i in cell), balls)
+        return bool(value.is_finite() and (value > target.high or value < target.low))

@@ -22,7 +22,7 @@ REMEMBERED = 4096
 
 
 class CircularError(ValueError):
-    """Definitions that define a symbol by itself, or a variable of integration."""
+    """Definitions that define a symbol by itself, or reach a variable that is bound."""
 
 
 def definitions(claims: Iterable[Claim]) -> Rules:
@@ -46,17 +46,24 @@ def put_in(expression: Basic, rules: Rules) -> Basic:
     """Replace left sides by right sides until none is left.
 
     Raises:
-        CircularError: a symbol is defined by itself.
+        CircularError: a symbol is defined by itself, or by a variable that is bound where it is.
     """
-    bound = {v for integral in expression.atoms(Integral) for v in integral.variables}
-    if bound & rules.keys():
-        raise CircularError("a definition of a variable of integration")
     for _ in range(MAX_PASSES):
+        _keep_bound_variables(expression, rules)
         replaced = expression.xreplace(rules)
         if replaced == expression:
             return expression
         expression = replaced
     raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
+
+
+def _keep_bound_variables(expression: Basic, rules: Rules) -> None:
+    """A symbol inside an integral or a derivative does not depend on its variable."""
+    for node in expression.atoms(Integral, Derivative, Subs):
+        bound = set(node.variables)
+        for symbol in (node.free_symbols | bound) & rules.keys():
+            if symbol in bound or bound & rules[symbol].free_symbols:
+                raise CircularError(f"a definition reaches {symbol}, where a variable is bound")
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -133,6 +133,11 @@ def rootless(
     return None
 
 
+def satisfiable(given: Conditions, known: tuple[Basic, ...]) -> bool:
+    """Whether a point is found under ``given`` where all of ``known`` holds."""
+    return bool(_points(_world(given, known), frozenset()))
+
+
 def excluded(difference: arb, relation: str) -> bool:
     """Whether a ball shows that ``difference`` does not stand in ``relation`` to zero."""
     if not difference.is_finite():
@@ -261,7 +266,8 @@ def _segment(function: Callable[[fmpq], arb], low: fmpq, high: fmpq) -> Interval
         if first == second:
             continue
         while end - start > WIDTH:
-            middle = (start + end) / 2
+            # Not halved: roots like to lie on halves, where a ball cannot tell the sign.
+            middle = (5 * start + 4 * end) / 9
             side = _side(function(middle))
             if not side:
                 return None

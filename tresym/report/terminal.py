@@ -10,7 +10,15 @@ from rich.text import Text
 from tresym.exact import fraction_text
 from tresym.report.place import place_text
 from tresym.verdict import Verdict
-from tresym.verification import Report, Row, choose, verify
+from tresym.verification import (
+    MutantReport,
+    MutantRow,
+    Report,
+    Row,
+    choose,
+    verify,
+    verify_mutants,
+)
 
 STYLES = {
     Verdict.PROVED: "green",
@@ -25,15 +33,7 @@ PLACE_WIDTH = 22
 
 def show_verification(labels: tuple[str, ...], console: Console) -> Report:
     """Verify, print each row as it is found under a progress bar, then the count by verdict."""
-    progress = Progress(
-        TextColumn("verifying"),
-        BarColumn(bar_width=None),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
+    progress = _progress("verifying", console)
     console.print(_headings())
     with progress:
         task = progress.add_task("claims", total=len(choose(labels)))
@@ -46,6 +46,49 @@ def show_verification(labels: tuple[str, ...], console: Console) -> Report:
         report = verify(labels, on_row=show)
     console.print(_summary(report))
     return report
+
+
+def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
+    """Judge mutants, print those that hold as they are found, then the score."""
+    progress = _progress("judging mutants", console)
+    with progress:
+        task = progress.add_task("claims", total=len(labels) or len(choose(labels)))
+
+        def show(row: MutantRow) -> None:
+            for mutant in row.survivors:
+                text = f"{row.claim.label}, {mutant.place}: {mutant.change}"
+                console.print(Text(text, style="bold red"), soft_wrap=True)
+            progress.advance(task)
+
+        report = verify_mutants(labels, on_row=show)
+    refuted, total = report.counts[Verdict.REFUTED.value], sum(report.counts.values())
+    of = sum(row.total > 0 for row in report.rows)
+    console.print(f"{total} false variants of {of} claims:")
+    console.print(_counts(report.counts))
+    share = f"{100 * refuted / total:.1f} % refuted with a witness" if total else "nothing to judge"
+    held = len(report.survivors)
+    outcome = "none holds" if not held else f"{held} of them hold: the verifier is wrong"
+    console.print(Text(f"{share}, {outcome}", style="green" if not held else "bold red"))
+    return report
+
+
+def _progress(doing: str, console: Console) -> Progress:
+    return Progress(
+        TextColumn(doing),
+        BarColumn(bar_width=None),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
+
+
+def _counts(counts: dict[str, int]) -> Table:
+    table = Table(show_header=False, box=None, pad_edge=False)
+    for verdict in Verdict:
+        table.add_row(Text(verdict.value, style=STYLES[verdict]), str(counts[verdict.value]))
+    return table
 
 
 def _columns(label: str, place: str, verdict: Text, time: str) -> Text:
@@ -78,9 +121,7 @@ def _row_lines(row: Row) -> list[Text]:
 
 
 def _summary(report: Report) -> Table:
-    table = Table(show_header=False, box=None, pad_edge=False)
-    for verdict in Verdict:
-        table.add_row(Text(verdict.value, style=STYLES[verdict]), str(report.counts[verdict.value]))
+    table = _counts(report.counts)
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
     table.add_row("", Text(outcome, style="green" if not unexpected else "bold red"))

@@ -1,0 +1,151 @@
+"""The verifier is itself verified: no false variant of any claim comes out PROVED or ENCLOSED."""
+
+import json
+
+import pytest
+from flint import arb, fmpq
+from sympy import Ge, Integral, Symbol, Tuple, cos, exp, sin, sqrt, tan
+
+from tresym.claims.claim import AllOf, Claim, Definition, Printed, by, equal, formally, trigonometry
+from tresym.claims.mutants import mutants, mutations
+from tresym.claims.violation import value, violation
+from tresym.cli import main
+from tresym.notation import a, b
+from tresym.verdict import Verdict
+from tresym.verification import MutantReport, all_claims, verify_mutants
+
+x, y, t = (Symbol(name, real=True) for name in "xyt")
+
+
+@pytest.fixture(scope="module")
+def score() -> MutantReport:
+    return verify_mutants(wanted=1)
+
+
+def test_no_mutant_holds(score: MutantReport) -> None:
+    assert [(m.origin.label, m.place, m.change) for m in score.survivors] == []
+
+
+def test_mutants_are_refuted_with_a_witness(score: MutantReport) -> None:
+    counts = score.counts
+    assert sum(counts.values()) > 300
+    assert counts["REFUTED"] >= 0.98 * sum(counts.values())
+
+
+@pytest.mark.parametrize("label", ["eq_gamma", "range_of_gamma", "d37", "table_str_a"])
+def test_a_claim_has_five_mutants_or_more(label: str) -> None:
+    claim = next(c for c in all_claims() if c.label == label)
+    assert len({(m.place, m.change) for m in mutants(claim, 5)}) >= 5
+
+
+def test_mutants_are_the_same_in_every_run() -> None:
+    claim = next(c for c in all_claims() if c.label == "eq_gamma")
+    first, second = ([(m.place, m.change) for m in mutants(claim, 3)] for _ in range(2))
+    assert first == second
+
+
+def test_what_can_be_changed_is_changed() -> None:
+    found = set(mutations(a * sin(x) ** 2 + 3 * b))
+    assert {
+        3 * b,
+        a * sin(x) ** 2,
+        a * sin(x) ** 2 - 3 * b,
+        a * sin(x) ** 2 + 4 * b,
+        a * sin(x) ** 3 + 3 * b,
+        a * sin(x) + 3 * b,
+        a * sin(x) ** 4 + 3 * b,
+        a * cos(x) ** 2 + 3 * b,
+        sin(x) ** 2 + 3 * b,
+        b * sin(x) ** 2 + 3 * a,
+    } <= found
+    assert a * sin(x) ** 2 + 3 * b not in found
+
+
+def test_bound_variables_stay() -> None:
+    for changed in mutations(Integral(x * t, (t, 0, x))):
+        assert all(integral.variables == (t,) for integral in changed.atoms(Integral))
+
+
+def test_a_true_variant_does_not_count() -> None:
+    bound = Claim("bound", Ge(x**2 + 1, 0, evaluate=False), by())
+    assert all(m.claim.says != Ge(x**2 + 2, 0, evaluate=False) for m in mutants(bound, 50))
+
+
+def test_definitions_and_conjunctions_have_no_mutants() -> None:
+    assert list(mutants(Claim("new", equal(x, a + b), Definition()), 5)) == []
+    assert list(mutants(Claim("all", "all", AllOf(())), 5)) == []
+
+
+def test_moved_digits_count_only_where_no_inputs_give_them() -> None:
+    number = Claim("n", "n", Printed("0.33", lambda p, m: p / 3, {"p": "1.0"}))
+    changes = {m.change for m in mutants(number, 20) if m.place == "printed number"}
+    assert "0.34" not in changes
+    assert {"0.43", "1.33", "-0.33", "0.31"} & changes
+
+
+def test_a_verifier_that_believes_everything_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    from tresym import verification
+    from tresym.claims.finding import Finding
+
+    def gullible(claim: Claim, found: object) -> Finding:
+        return Finding(Verdict.PROVED, "it looks right")
+
+    monkeypatch.setattr(verification, "judge", gullible)
+    assert len(verify_mutants(["eq_gamma"], 1).survivors) > 5
+    assert main(["verify", "--mutants", "eq_gamma"]) == 1
+
+
+def test_the_command_prints_the_score(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", "--mutants", "sign_squared"]) == 0
+    assert "none holds" in capsys.readouterr().out
+    assert main(["verify", "--mutants", "sign_squared", "--json"]) == 0
+    printed = json.loads(capsys.readouterr().out)
+    assert printed["survivors"] == []
+    assert printed["counts"]["REFUTED"] >= 5
+
+
+# Violations
+
+
+def test_no_violation_of_what_is_true() -> None:
+    assert violation(equal(sin(x) ** 2 + cos(x) ** 2, 1), ()) is None
+    assert violation(Ge(x**2, 0, evaluate=False), ()) is None
+    assert violation(Ge(x, 0, evaluate=False), (x > 1,)) is None
+
+
+def test_violations_respect_everything_known() -> None:
+    assert violation(equal(x + y, 1), ()) is not None
+    assert violation(equal(x + y, 1), (), (equal(y, 1 - x),)) is None
+    assert violation(equal(x**2 + 2 * x * y + y**2, 1), (), (equal(x + y, 1),)) is None
+    assert violation(equal(x, 2), (x > 0,), (equal(exp(x) + x, exp(2) + 2),)) is None
+    found = violation(equal(x, 1), (x > 0,), (equal(exp(x) + x, exp(2) + 2),))
+    assert found is not None
+    assert abs(found.point["x"] - 2) < fmpq(1, 10**9)
+
+
+def test_a_pole_is_not_taken_for_a_root() -> None:
+    given = (x > 1, x < 2)
+    assert violation(equal(y, 0), given, (equal(tan(x) * exp(tan(x) ** 2), 0),)) is None
+
+
+def test_systems_fall_with_one_part() -> None:
+    assert violation(Tuple(equal(x, x + 0 * y), equal(x, x + 1)), ()) is not None
+
+
+def test_integrals_are_enclosed() -> None:
+    area = value(Integral(sqrt(1 - t**2), (t, 0, x)), {x: arb("0.5")})
+    known = (arb(3).sqrt() / 4 + arb.pi() / 6) / 2
+    assert area.overlaps(known)
+    assert area.rad() < arb("1e-9")
+    assert not value(Integral(1 / t, (t, -1, x)), {x: arb(1)}).is_finite()
+
+
+def test_sentences_without_a_chain_have_mutants() -> None:
+    sentence = Claim("s", "x² + y > 0", formally(x**2 + y > 0, y**2 + x > 1), given=(y > 1, x > 1))
+    assert {m.place for m in mutants(sentence, 2)} == {"relation 1", "relation 2"}
+
+
+def test_a_chain_follows_what_it_must_show() -> None:
+    double = Claim("double", equal(sin(2 * x), 2 * sin(x) * cos(x)), by(trigonometry))
+    for mutant in mutants(double, 5):
+        assert violation(mutant.claim.says, ()) is not None
