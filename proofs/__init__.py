@@ -26,6 +26,9 @@ PARTS = (
     "rigid_bodies",
     "numbers_in_text",
     "table_of_objects",
+    "book",
+    "conclusion",
+    "bibliography",
     "promises",
 )
 

@@ -1,0 +1,187 @@
+"""Section 7, end: the book as a box, and the units and columns of Table 1.
+
+A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along them.
+
+- `box_a`, `box_b`: the shape of a box; `box_order`: its moments are in the paper's order;
+- `book_length`, `book_height`: the proportions that the printed a and b need, a box that exists;
+- `table_units`: the printed unit is none of a moment of inertia;
+- `last_column`: the last column is π − 2ε₀.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy import Rational, Symbol, Tuple
+from tresym.proofs.numbers_in_text import number
+from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, standard_racket
+
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    Place,
+    all_of,
+    by,
+    equal,
+    equations,
+    formally,
+    step,
+    substituting,
+    together,
+)
+from tresym.formulas import printed
+from tresym.notation import I1, I2, I3, a, b
+from tresym.verdict import Verdict
+
+mass, length, width, height = (Symbol(name, real=True) for name in ("m", "L", "W", "H"))
+_box = (
+    mass > 0,
+    length > 0,
+    width > 0,
+    height > 0,
+    width - height > 0,
+    length - width > 0,
+)
+
+box_moments = Claim(
+    label="box_moments",
+    says=equations(
+        (I1, I2, I3),
+        tuple(
+            mass * (p**2 + q**2) / 12
+            for p, q in ((width, height), (length, height), (length, width))
+        ),
+    ),
+    proof=Definition(),
+    where=Place(line=291),
+    note="A homogeneous box: length along e₁, width along e₂, height along e₃.",
+)
+
+box_order = Claim(
+    label="box_order",
+    says=Tuple(I1 > 0, I2 - I1 > 0, I3 - I2 > 0),
+    kind="bound",
+    given=_box,
+    proof=together(
+        (step(mass * (width**2 + height**2) / 12, substituting(box_moments)),),
+        (step(mass * (length - width) * (length + width) / 12, substituting(box_moments)),),
+        (step(mass * (width - height) * (width + height) / 12, substituting(box_moments)),),
+    ),
+    where=Place(line=291),
+    note="With L > W > H the axes are in the order the paper assumes.",
+)
+
+_a, _b = printed.shape(I1, I2, I3)
+
+box_a = Claim(
+    label="box_a",
+    says=equal(_a, (length**2 - width**2) / (width**2 + height**2)),
+    given=_box,
+    proof=by(substituting(box_moments)),
+    where=Place(line=291),
+)
+
+box_b = Claim(
+    label="box_b",
+    says=equal(_b, (width**2 - height**2) / (length**2 + width**2)),
+    given=_box,
+    proof=by(substituting(box_moments)),
+    where=Place(line=291),
+)
+
+_PRINTED = {"a": "1.11", "b": "0.31"}
+
+
+def _length_squared(a: Any, b: Any) -> Any:
+    """(L/W)² of the box with the shape (a, b)."""
+    return (1 + 2 * a - a * b) / (1 + a * b)
+
+
+def _height_squared(a: Any, b: Any) -> Any:
+    """(H/W)²."""
+    return (1 - 2 * b - a * b) / (1 + a * b)
+
+
+box_of_a_shape = Claim(
+    label="box_of_a_shape",
+    says="The box with (L/W)² = (1 + 2a − ab)/(1 + ab), (H/W)² = (1 − 2b − ab)/(1 + ab) has the "
+    "shape (a, b).",
+    kind="statement",
+    given=(a > 0, b > 0),
+    proof=formally(
+        equal(_length_squared(a, b) - 1, a * (1 + _height_squared(a, b))),
+        equal(1 - _height_squared(a, b), b * (_length_squared(a, b) + 1)),
+    ),
+)
+
+book_length = number(
+    "book_length",
+    "The printed a and b need a book with L/W = 1.46.",
+    "1.46",
+    lambda a, b, m: m.sqrt(_length_squared(a, b)),
+    _PRINTED,
+)
+
+book_height = number(
+    "book_height",
+    "The printed a and b need a book with H/W = 0.16.",
+    "0.16",
+    lambda a, b, m: m.sqrt(_height_squared(a, b)),
+    _PRINTED,
+)
+
+book_shape = Claim(
+    label="d30",
+    says="A box can have a = 1.11 and b = 0.31, in proportions such as books have.",
+    kind="number",
+    proof=all_of(box_a, box_b, box_of_a_shape, book_length, book_height),
+    where=Place(display=30),
+    expect=Verdict.ENCLOSED,
+    note="No dimensions are printed, so this is all that can be checked.",
+)
+
+_x, _y = (Symbol(name, real=True) for name in "xy")
+_changed = (_x > 0, _y > 0)
+
+unit_of_inertia = Claim(
+    label="unit_of_inertia",
+    says="1 kg m² is 10⁶ kg mm², a unit that changes by the square of the length unit.",
+    kind="statement",
+    given=_changed,
+    proof=formally(
+        equal((_x * Rational(1, 1000)) ** 2 * 10**6, _x**2),
+    ),
+)
+
+table_units = Claim(
+    label="table_units",
+    says="kg mm⁻¹ s⁻² is a unit of a moment of inertia: with a length unit x times and a time "
+    "unit y times as large it changes by x².",
+    kind="statement",
+    given=_changed,
+    proof=formally(equal(1 / (_x * _y**2), _x**2)),
+    where=Place(line=295),
+    expect=Verdict.REFUTED,
+    amended_by=(unit_of_inertia,),
+    note="It is a unit of pressure; the numbers are those of the bibliography in kg mm².",
+)
+
+
+def _named(claims: tuple[Claim, ...], end: str) -> list[Claim]:
+    return [claim for claim in claims if claim.label.endswith(end)]
+
+
+last_column = Claim(
+    label="last_column",
+    says="The last column of Table 1 is π − 2ε₀ with the ε₀ of the same row.",
+    kind="number",
+    proof=all_of(
+        *(
+            claim
+            for row in (standard_racket, racket_1, racket_2, racket_3, book)
+            for claim in _named(row, "_flip_from_epsilon0")
+        )
+    ),
+    where=Place(line=293),
+    expect=Verdict.ENCLOSED,
+)

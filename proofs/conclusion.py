@@ -1,0 +1,122 @@
+"""Section 8: ethylene, from its printed rotational constants.
+
+- `rotational_constants`: a = B₁/B₂ − 1 and b = 1 − B₃/B₂;
+- `ethylene_flip` is not what the constants give; `ethylene_flip_exact` and
+  `ethylene_flip_formula` are; `ethylene_without_prefactor` is where the printed number comes from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from flint import arb
+from sympy import Symbol, Tuple
+from tresym.proofs.numbers_in_text import number
+from tresym.proofs.table_of_objects import exact_defect, formula_defect, share_of_pi
+
+from tresym.claims.claim import Claim, Place, all_of, by, equal, step, together
+from tresym.formulas import printed
+from tresym.verdict import Verdict
+
+B1, B2, B3 = (Symbol(f"B{n}", real=True) for n in (1, 2, 3))
+_ordered = (B1 > 0, B2 > 0, B3 > 0, B2 - B3 > 0, B1 - B2 > 0)
+_a, _b = printed.shape(1 / B1, 1 / B2, 1 / B3)
+
+CONSTANTS = {"B1": "4.64", "B2": "1.001", "B3": "0.828"}
+
+rotational_constants = Claim(
+    label="rotational_constants",
+    says=Tuple(equal(_a, B1 / B2 - 1), equal(_b, 1 - B3 / B2)),
+    given=_ordered,
+    proof=together(by(), by()),
+    where=Place(line=320),
+    note="The constants are inversely proportional to the moments; the factor drops out.",
+)
+
+rotational_order = Claim(
+    label="rotational_order",
+    says=Tuple(1 / B2 - 1 / B1 > 0, 1 / B3 - 1 / B2 > 0),
+    kind="bound",
+    given=_ordered,
+    proof=together(
+        (step((B1 - B2) / (B1 * B2)),),
+        (step((B2 - B3) / (B2 * B3)),),
+    ),
+)
+
+
+def _of_constants(quantity: Callable[..., arb]) -> Callable[..., arb]:
+    """A function of the shape, as a function of the rotational constants."""
+    return lambda B1, B2, B3, m: quantity(B1 / B2 - 1, 1 - B3 / B2, m)
+
+
+ethylene_flip_exact = number(
+    "ethylene_flip_exact",
+    "By the exact equation ethylene flips by π(1 − 0.0870).",
+    "0.0870",
+    _of_constants(share_of_pi(exact_defect)),
+    CONSTANTS,
+)
+
+ethylene_flip_formula = number(
+    "ethylene_flip_formula",
+    "By the asymptotic formula ethylene flips by π(1 − 0.0871).",
+    "0.0871",
+    _of_constants(share_of_pi(formula_defect)),
+    CONSTANTS,
+)
+
+
+def _bare_exponential(a: Any, b: Any, m: Any) -> Any:
+    return m.exp(-m.pi * m.sqrt(a * b))
+
+
+ethylene_without_prefactor = number(
+    "ethylene_without_prefactor",
+    "The printed 0.0528 is (2/π) e^{−π√(ab)}: the formula without its prefactor.",
+    "0.0528",
+    _of_constants(share_of_pi(_bare_exponential)),
+    CONSTANTS,
+)
+
+_AMENDED = (ethylene_flip_exact, ethylene_flip_formula, ethylene_without_prefactor)
+
+ethylene_flip = number(
+    "ethylene_flip",
+    "Ethylene flips by π(1 − 0.0528) at γ = 0.",
+    "0.0528",
+    _of_constants(share_of_pi(exact_defect)),
+    CONSTANTS,
+    where=Place(line=320),
+    expect=Verdict.REFUTED,
+    amended_by=_AMENDED,
+)
+
+ethylene_flip_by_formula = number(
+    "ethylene_flip_by_formula",
+    "By the asymptotic formula ethylene flips by π(1 − 0.0528) at γ = 0.",
+    "0.0528",
+    _of_constants(share_of_pi(formula_defect)),
+    CONSTANTS,
+    where=Place(line=320),
+    expect=Verdict.REFUTED,
+    amended_by=_AMENDED,
+)
+
+ethylene_plane = number(
+    "ethylene_plane",
+    "1/B₃ and 1/B₁ + 1/B₂ differ by 0.6 %: the molecule is flat, as its constants say.",
+    "0.006",
+    lambda B1, B2, B3, m: (1 / B1 + 1 / B2) * B3 - 1,
+    CONSTANTS,
+)
+
+ethylene = Claim(
+    label="ethylene",
+    says="From its rotational constants ethylene is a body as the paper considers it.",
+    kind="statement",
+    proof=all_of(rotational_constants, rotational_order, ethylene_plane),
+    where=Place(line=320),
+    expect=Verdict.ENCLOSED,
+)

@@ -1,0 +1,619 @@
+"""Sections 6 and 7: every number in running text, and what is concluded from the numbers.
+
+Printed inputs and outputs are intervals of half a unit in the last place. Where a value belongs to
+the asymptotic formula and not to the exact equation there is a claim for each reading.
+
+- `d26` … `accuracy`: ε₀ of the standard racket; `d27`: the slope at the separatrix;
+- `d29` and its four readings: the levels at which the tolerance is reached;
+- `each_eps0_one_a`, `larger_ab_less_robust`, `linear_range`: what the formula is said to show;
+- `no_tre_far`, `zero_on_separatrix`, `slow_on_separatrix`, …: what the figures are said to show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import sympy
+from flint import acb, arb, fmpq
+from sympy import (
+    Equivalent,
+    Ge,
+    Gt,
+    Lt,
+    Rational,
+    Symbol,
+    Tuple,
+    cos,
+    pi,
+    sin,
+)
+from tresym.proofs.conditions import shape_of_a_body
+from tresym.proofs.euler_angles import elimination_of_time
+from tresym.proofs.flip_definition import eq_TRE, tre_only_if
+from tresym.proofs.flip_dynamics import sign_of_tilt
+from tresym.proofs.model import angular_velocity
+from tresym.proofs.monotonicity import monotonicity
+from tresym.proofs.table_of_objects import exact_defect, formula_defect, of_moments, share_of_pi
+
+from tresym.claims.bounds import Boxes
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Place,
+    Printed,
+    adding,
+    all_of,
+    by,
+    equal,
+    formally,
+    multiplying,
+    step,
+    substituting,
+    together,
+)
+from tresym.claims.denial import Denied
+from tresym.claims.enclosure import Bound, box
+from tresym.exact import Interval
+from tresym.flip.angle import Angle
+from tresym.flip.levels import level_of
+from tresym.flip.quadrature import rigorous
+from tresym.formulas import printed
+from tresym.notation import (
+    W1,
+    S,
+    a,
+    b,
+    dphi_dt,
+    dpsi_dphi,
+    dpsi_dt,
+    epsilon0,
+    gamma,
+    psi,
+    theta,
+)
+from tresym.verdict import Verdict
+
+STR = {"I1": "1210", "I2": "16380", "I3": "17480"}
+"""The standard racket's moments as Table 1 prints them."""
+EXACT_STR = {name: fmpq(int(text)) for name, text in STR.items()}
+A, B = fmpq(1517, 121), fmpq(55, 874)
+"""a and b of exactly these moments."""
+TWELFTH = fmpq(1, 12)
+
+
+def number(
+    label: str,
+    says: str,
+    text: str,
+    formula: Callable[..., arb],
+    inputs: dict[str, Any],
+    *,
+    expect: Verdict = Verdict.ENCLOSED,
+    half_units: int = 1,
+    **rest: Any,
+) -> Claim:
+    """A claim that says a printed number."""
+    proof = Printed(text, formula, inputs, half_units)
+    return Claim(label=label, says=says, kind="number", proof=proof, expect=expect, **rest)
+
+
+# -- ε₀ of the standard racket --------------------------------------------------------------------
+
+defect_formula = number(
+    "eps0_str_formula",
+    "By the asymptotic formula the standard racket has ε₀ = 0.1150.",
+    "0.1150",
+    of_moments(formula_defect),
+    STR,
+    where=Place(line=252),
+)
+defect_exact = number(
+    "eps0_str_exact",
+    "By the exact equation the standard racket has ε₀ = 0.1150.",
+    "0.1150",
+    of_moments(exact_defect),
+    STR,
+    where=Place(line=252),
+    note="The printed moments give 0.11494…; moments that round to them give 0.1150.",
+)
+d26 = Claim(
+    label="d26",
+    says="ε₀ = 0.1150 rad, by the formula and by the exact equation.",
+    kind="number",
+    proof=all_of(defect_formula, defect_exact),
+    where=Place(display=26),
+    expect=Verdict.ENCLOSED,
+)
+flip_str = number(
+    "flip_str",
+    "The standard racket flips by π(1 − 0.073).",
+    "0.073",
+    lambda e, m: 2 * e / m.pi,
+    {"epsilon0": "0.1150"},
+    where=Place(line=253),
+)
+flip_str_exact = number(
+    "flip_str_exact",
+    "By the exact equation the standard racket flips by π(1 − 0.073) on the separatrix.",
+    "0.073",
+    of_moments(share_of_pi(exact_defect)),
+    STR,
+    where=Place(line=253),
+)
+
+
+def _difference(a: arb, b: arb, m: Any) -> arb:
+    return formula_defect(a, b, m) - exact_defect(a, b, m)
+
+
+accuracy = number(
+    "accuracy",
+    "For the standard racket the formula agrees with the exact equation to an accuracy of 10⁻³.",
+    "0.000",
+    of_moments(_difference),
+    STR,
+    half_units=2,
+    where=Place(line=253),
+)
+accuracy_relative = number(
+    "accuracy_relative",
+    "The same holds relative to ε₀.",
+    "0.000",
+    of_moments(lambda a, b, m: _difference(a, b, m) / exact_defect(a, b, m)),
+    STR,
+    half_units=2,
+    where=Place(line=253),
+)
+
+# -- the slope ------------------------------------------------------------------------------------
+
+
+def exact_slope(a: arb, b: arb, m: Any) -> arb:
+    """dε/dγ at γ = 0 for every shape in the balls: ∂ε/∂F times ∂F/∂γ, in closed form."""
+    defect = exact_defect(a, b, m)
+    sine, cosine = m.sin(defect), m.cos(defect)
+    root = m.sqrt(a + b * sine * sine)
+    product = m.sqrt(a * b)
+    time = m.asinh(m.sqrt(a / (a + b)) * cosine / sine)
+    turn = (a - b - 2 * a * b) * time / (4 * product**3)
+    turn += root * cosine / (4 * b * m.sqrt(b) * a * sine * sine)
+    return -m.sqrt(b) * sine * root / (1 - b * sine * sine) * turn
+
+
+def formula_slope(a: arb, b: arb, m: Any) -> arb:
+    """−1/(4 b ε₀) with ε₀ by the asymptotic formula."""
+    return printed.defect_slope_asymptotic(formula_defect(a, b, m), b)
+
+
+slope_of_formula = number(
+    "slope_str_formula",
+    "By the asymptotic formulas the standard racket has dε/dγ = −34.5 at γ = 0.",
+    "-34.5",
+    of_moments(formula_slope),
+    STR,
+    where=Place(line=255),
+)
+slope_exact_value = number(
+    "slope_str_exact",
+    "The derivative itself is −35.6.",
+    "-35.6",
+    of_moments(exact_slope),
+    STR,
+)
+d27 = number(
+    "d27",
+    "For the standard racket dε/dγ = −34.5 at γ = 0.",
+    "-34.5",
+    of_moments(exact_slope),
+    STR,
+    where=Place(display=27),
+    expect=Verdict.REFUTED,
+    amended_by=(slope_exact_value, slope_of_formula),
+    note="Read of ε(γ) itself; the number is that of −1/(4bε₀).",
+)
+
+# -- the levels at which the tolerance is reached -------------------------------------------------
+
+
+def linear_level(share: fmpq) -> Callable[..., arb]:
+    """γ at which the linear formula gives ε = ``share``·π."""
+
+    def level(a: arb, b: arb, m: Any) -> arb:
+        defect = formula_defect(a, b, m)
+        return 4 * b * defect * (defect - share * m.pi)
+
+    return level
+
+
+def rotating_level(a: arb, b: arb, m: Any) -> arb:
+    """γ > 0 with ε(γ) = −π/12 for every shape in the balls, by one interval Newton step.
+
+    F(ε, γ) − π falls with γ, so it has at most one root, and it is in the interval if the step is.
+    """
+    start, target = -m.pi / 12, arb("0.01035")
+    around = arb("0.01035", "0.0001")
+
+    def falling(psi: acb, analytic: bool) -> acb:
+        square = psi.sin() ** 2
+        z = around + b * square
+        roots = (a + b * square).sqrt(analytic=analytic) * z.sqrt(analytic=analytic)
+        return -(1 - b * square) / (2 * roots * z)
+
+    slope = acb.integral(falling, start, m.pi / 2).real
+    image = target - (rigorous(start, a, b, target) - m.pi) / slope
+    return image if around.contains_interior(image) else arb.nan()
+
+
+upper_linear = number(
+    "upper_level_linear",
+    "By the linear formula the standard racket reaches ε = −π/12 at γ = 1.09·10⁻².",
+    "1.09e-2",
+    of_moments(linear_level(-TWELFTH)),
+    STR,
+    where=Place(line=262),
+)
+upper_exact_value = number(
+    "upper_level_exact",
+    "It does so at γ = 1.04·10⁻² in fact.",
+    "1.04e-2",
+    of_moments(rotating_level),
+    STR,
+)
+upper_exact = number(
+    "upper_level",
+    "For the standard racket ε = −π/12 at γ = 1.09·10⁻².",
+    "1.09e-2",
+    of_moments(rotating_level),
+    STR,
+    where=Place(line=262),
+    expect=Verdict.REFUTED,
+    amended_by=(upper_exact_value, upper_linear),
+    note="Read of ε(γ) itself; the number is that of the linear formula.",
+)
+lower_linear = number(
+    "lower_level_linear",
+    "By the linear formula the standard racket reaches ε = π/12 at γ = −4.2·10⁻³.",
+    "-4.2e-3",
+    of_moments(linear_level(TWELFTH)),
+    STR,
+    where=Place(line=262),
+)
+lower_exact = number(
+    "lower_level",
+    "For the standard racket ε = π/12 at γ = −4.2·10⁻³.",
+    "-4.2e-3",
+    lambda m: level_of(A, B, Angle(TWELFTH, fmpq(0)), 20),
+    {},
+    where=Place(line=262),
+    note="On a motion that has turned once: below γ* = −0.00348 the sign S changes on the way.",
+)
+d29 = Claim(
+    label="d29",
+    says="By the linear formula ε = −π/12 and ε = π/12 at γ = 1.09·10⁻² and −4.2·10⁻³.",
+    kind="number",
+    proof=all_of(upper_linear, lower_linear),
+    where=Place(display=29),
+    expect=Verdict.ENCLOSED,
+)
+lower_level_exists = number(
+    "lower_level_exists",
+    "At ψ = π/12 no motion has γ + b sin²ψ < 0: γ ≥ −b sin²(π/12) = −4.22·10⁻³.",
+    "-4.22e-3",
+    of_moments(lambda a, b, m: -b * m.sin(m.pi / 12) ** 2),
+    STR,
+)
+threshold_impossible = Claim(
+    label="threshold_impossible",
+    says="At the γ of the linear formula for ε = π/12 a motion passes ψ = π/12.",
+    kind="bound",
+    proof=Boxes(
+        (
+            Bound(
+                lambda a, b, m: linear_level(TWELFTH)(a, b, m) + b * m.sin(m.pi / 12) ** 2,
+                (Interval(A, A), Interval(B, B)),
+            ),
+        ),
+        ("a", "b"),
+        "the standard racket",
+    ),
+    where=Place(line=262),
+    expect=Verdict.REFUTED,
+    amended_by=(lower_level_exists, lower_exact),
+    note="It lies below the least γ with which ψ = π/12 can be reached.",
+)
+
+# -- what the formula is said to show -------------------------------------------------------------
+
+_REALIZABLE = tuple((v, v) for v in ("1", "3/10", "10", "31/1000"))
+
+
+def _falls_with_product(defect: Callable[..., arb]) -> Callable[..., arb]:
+    """Positive if the first shape, with the smaller product ab, has the larger defect."""
+
+    def margin(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
+        return defect(a1, b1, m) - defect(a2, b2, m) if a1 * b1 < a2 * b2 else arb(1)
+
+    return margin
+
+
+larger_ab_smaller_eps0 = tuple(
+    Claim(
+        label=label,
+        says=f"The larger the product ab is, the smaller ε₀ is{how}.",
+        kind="bound",
+        proof=Boxes(
+            (Bound(_falls_with_product(defect), box(*_REALIZABLE)),),
+            ("a1", "b1", "a2", "b2"),
+            "two shapes that bodies can have",
+        ),
+        where=Place(line=251),
+        expect=Verdict.REFUTED,
+        amended_by=(monotonicity,),
+        note="True at fixed a and at fixed b.",
+    )
+    for label, how, defect in (
+        ("larger_ab_smaller_eps0", "", exact_defect),
+        ("formula_shows_larger_ab", ", by the formula", formula_defect),
+    )
+)
+
+robustness_at_fixed_b = Claim(
+    label="robustness_at_fixed_b",
+    says="At fixed b the slope −1/(4bε₀) is the steeper the smaller ε₀ is, so the larger a is.",
+    kind="statement",
+    proof=all_of(monotonicity),
+    expect=Verdict.ENCLOSED,
+)
+
+larger_ab_less_robust = Claim(
+    label="larger_ab_less_robust",
+    says="The larger the product ab is, the larger |dε/dγ| at γ = 0.",
+    kind="bound",
+    proof=Boxes(
+        (
+            Bound(
+                lambda a1, b1, a2, b2, m: exact_slope(a1, b1, m) - exact_slope(a2, b2, m),
+                box(*((v, v) for v in ("1", "1/100", "1", "3/10"))),
+            ),
+        ),
+        ("a1", "b1", "a2", "b2"),
+        "two shapes that bodies can have",
+    ),
+    where=Place(line=254),
+    expect=Verdict.REFUTED,
+    amended_by=(robustness_at_fixed_b,),
+)
+
+sensitive_if_small = Claim(
+    label="sensitive_if_small",
+    says=Ge(1 / (4 * b * epsilon0), 1 / (4 * epsilon0), evaluate=False),
+    kind="bound",
+    given=(b > 0, b <= 1, epsilon0 > 0),
+    proof=(step((1 - b) / (4 * b * epsilon0)),),
+    where=Place(line=254),
+    note="The second term grows without bound as ε₀ → 0.",
+)
+
+_three = tuple(Symbol(f"a{n}", real=True) for n in (1, 2, 3))
+_at_tenth = [printed.asymptotic_defect(s, Rational(1, 10), sympy) for s in _three]
+
+each_eps0_one_a = Claim(
+    label="each_eps0_one_a",
+    says="By the theorem's formula with b = 0.1 each ε₀ belongs to one a: the formula is monotone.",
+    kind="statement",
+    given=(_three[0] > 0, _three[1] - _three[0] > 0, _three[2] - _three[1] > 0),
+    proof=Counterexample(
+        {"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)},
+        Lt((_at_tenth[1] - _at_tenth[0]) * (_at_tenth[2] - _at_tenth[1]), 0, evaluate=False),
+    ),
+    where=Place(line=263),
+    expect=Verdict.REFUTED,
+    amended_by=(monotonicity,),
+    note="A continuous function that rises and falls takes values twice: 1/5 between the points.",
+)
+
+_linear = printed.linear_defect(epsilon0, b, gamma)
+
+exact_flip_line = Claim(
+    label="fig_roban",
+    says=Equivalent(equal(_linear, 0), equal(gamma, 4 * b * epsilon0**2)),
+    given=(b > 0, epsilon0 > 0),
+    proof=(
+        step(equal(gamma - 4 * b * epsilon0**2, 0), multiplying(-4 * b * epsilon0)),
+        step(equal(gamma, 4 * b * epsilon0**2), adding(4 * b * epsilon0**2)),
+    ),
+    where=Place(line=267),
+    note="The line of exact flips in the linear formula.",
+)
+
+_upper, _lower = 4 * b * epsilon0 * (epsilon0 + pi / 12), 4 * b * epsilon0 * (epsilon0 - pi / 12)
+
+linear_range = Claim(
+    label="linear_range",
+    says=equal(_upper - _lower, 2 * pi / 3 * b * epsilon0),
+    proof=by(),
+    where=Place(line=269),
+    note="The range of γ with a flip within the tolerance; it grows with ε₀ at fixed b.",
+)
+linear_range_ends = Claim(
+    label="linear_range_ends",
+    says="In the linear formula the tolerance is reached at γ = 4bε₀(ε₀ ± π/12).",
+    kind="statement",
+    given=(b > 0, epsilon0 > 0),
+    proof=formally(
+        equal(_linear.subs(gamma, _upper), -pi / 12), equal(_linear.subs(gamma, _lower), pi / 12)
+    ),
+)
+close_to_separatrix = Claim(
+    label="close_to_separatrix",
+    says="For small ε₀ the tolerance is met close to the separatrix, and the range of γ grows "
+    "with ε₀.",
+    kind="statement",
+    proof=all_of(linear_range, linear_range_ends),
+    where=Place(line=269),
+)
+
+# -- Section 7 ------------------------------------------------------------------------------------
+
+
+def _misses(gamma: Any, m: Any) -> Any:
+    """Positive if the symmetric motion of the standard racket misses the tolerance at ``gamma``.
+
+    F falls with ε, so −π/12 < ε < π/12 exactly when F(π/12, γ) < π < F(−π/12, γ).
+    """
+    below, above = (rigorous(side * m.pi / 12, arb(A), arb(B), gamma) for side in (-1, 1))
+    return (m.pi - below).max(above - m.pi)
+
+
+no_tre_far = Claim(
+    label="no_tre_far",
+    says="The standard racket shows no effect where |γ| > 10⁻².",
+    kind="bound",
+    proof=Boxes(
+        (Bound(_misses, box(("51/5000", "51/5000"))),),
+        ("gamma",),
+        "the standard racket, symmetric start",
+    ),
+    where=Place(line=272),
+    expect=Verdict.REFUTED,
+    amended_by=(upper_exact_value, lower_exact),
+    note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035.",
+)
+
+_rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
+
+angular_velocity_of_the_handle = Claim(
+    label="angular_velocity_of_the_handle",
+    says=equal(W1, dphi_dt * (dpsi_dphi + cos(theta))),
+    given=(dphi_dt > 0,),
+    proof=by(substituting(angular_velocity, elimination_of_time)),
+)
+
+initial_rate_is_angular_velocity = Claim(
+    label="initial_rate_is_angular_velocity",
+    says="dψ/dφ is the angular velocity along the handle, counted in units of dφ/dt.",
+    kind="statement",
+    given=(dphi_dt > 0, cos(theta) > 0),
+    proof=Counterexample(
+        {"theta": fmpq(1), "dphi_dt": fmpq(1), "dpsi_dt": fmpq(1)},
+        Gt(dphi_dt * cos(theta) + dpsi_dt, dpsi_dt, evaluate=False),
+    ),
+    where=Place(line=283),
+    expect=Verdict.REFUTED,
+    amended_by=(angular_velocity_of_the_handle,),
+    note="The precession adds cos θ.",
+)
+
+unstable_rotation_characterized = Claim(
+    label="unstable_rotation_characterized",
+    says=Gt((a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2), 0, evaluate=False),
+    kind="bound",
+    given=shape_of_a_body,
+    proof=(step((a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2)),),
+    where=Place(line=283),
+    note="The factor of cos θ in dψ/dφ: the rate is 0 only at θ = π/2, where M is along e₂ if ψ is "
+    "a multiple of π.",
+)
+
+central_symmetry = Claim(
+    label="fig_rob",
+    says=Tuple(
+        equal(printed.psi_rate(-psi, a, b, gamma, -S, sympy), -_rate),
+        equal(printed.psi_rate(psi + pi, a, b, gamma, S, sympy), _rate),
+    ),
+    given=(*shape_of_a_body, gamma + b * sin(psi) ** 2 > 0),
+    proof=together(by(), by()),
+    where=Place(line=283),
+    note="(ψ, dψ/dφ) → (−ψ, −dψ/dφ) takes motions to motions and Δψ to −Δψ; so about every π.",
+)
+
+zero_on_separatrix = Claim(
+    label="zero_on_separatrix",
+    says="On the separatrix the flip in one turn is approximately zero.",
+    kind="statement",
+    proof=Denied((flip_str_exact,), {"gamma": fmpq(0)}),
+    where=Place(line=284),
+    expect=Verdict.REFUTED,
+    amended_by=(flip_str_exact,),
+    note="From ψ₀ = ε₀ it is π − 2ε₀. It is small only for starts at an unstable point or running "
+    "into one.",
+)
+
+rate_at_the_top = number(
+    "rate_at_the_top",
+    "Half way on the separatrix the standard racket has dψ/dφ = 0.950.",
+    "0.950",
+    of_moments(lambda a, b, m: m.sqrt(b) * m.sqrt(a + b) / (1 - b)),
+    STR,
+)
+
+slow_on_separatrix = Claim(
+    label="slow_on_separatrix",
+    says="On the separatrix ψ changes very slowly: |dψ/dφ| ≤ 1/2 for the standard racket.",
+    kind="statement",
+    given=(Gt(psi, 0), Lt(psi, pi)),
+    proof=Counterexample(
+        {"psi": fmpq(3, 2)},
+        Gt(
+            printed.psi_rate(psi, Rational(1517, 121), Rational(55, 874), 0, 1, sympy),
+            Rational(1, 2),
+            evaluate=False,
+        ),
+    ),
+    where=Place(line=284),
+    expect=Verdict.REFUTED,
+    amended_by=(rate_at_the_top,),
+    note="It is slow near the unstable points only.",
+)
+
+separatrix_curve = Claim(
+    label="separatrix_curve",
+    says=equal(
+        printed.psi_rate(psi, a, b, 0, S, sympy) ** 2,
+        b * sin(psi) ** 2 * (a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2) ** 2,
+    ),
+    given=(*shape_of_a_body, cos(theta) ** 2 > 0),
+    proof=by(substituting(sign_of_tilt)),
+    where=Place(line=288),
+    note="The dotted line of the contour plot.",
+)
+
+tre_if_eps0_small = Claim(
+    label="tre_if_eps0_small",
+    says="Along the separatrix the tolerance is met if ε₀ ≤ π/12.",
+    kind="statement",
+    proof=all_of(eq_TRE, tre_only_if),
+    where=Place(line=291),
+)
+
+
+def _same_product(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
+    """Positive if two shapes of one product ab have the same ε₀ (never: a ball refutes it)."""
+    return -abs(exact_defect(a1, b1, m) - exact_defect(a2, b2, m))
+
+
+hyperbolic_levels = Claim(
+    label="hyperbolic_levels",
+    says="The level curves of ε₀ are the hyperbolas ab = const.",
+    kind="bound",
+    proof=Boxes(
+        (Bound(_same_product, box(*((v, v) for v in ("1", "3/10", "10", "3/100")))),),
+        ("a1", "b1", "a2", "b2"),
+        "two shapes of one product",
+    ),
+    where=Place(line=291),
+    expect=Verdict.REFUTED,
+    amended_by=(monotonicity,),
+    note="The curves fall, as hyperbolas do, since ε₀ falls with a and with b.",
+)
+
+flip_of_no_flip = number(
+    "flip_of_no_flip",
+    "A body can have ε₀ = 1.2573, beyond π/12: a = 1, b = 1/100.",
+    "1.2573",
+    exact_defect,
+    {"a": fmpq(1), "b": fmpq(1, 100)},
+    where=Place(line=318),
+    note="So the effect needs constraints on the moments, as the conclusion says.",
+)
