@@ -76,6 +76,14 @@ one_component_is_parallel = Claim(
     where=Place(line=61),
 )
 
+axes_of_the_racket = Claim(
+    label="fig_racket",
+    says="The three axes of the racket are perpendicular unit vectors, in every position.",
+    kind="statement",
+    proof=all_of(rotation_orthogonal),
+    where=Place(line=53),
+)
+
 handle_in_space = Claim(
     label="handle_in_space",
     says=equal(rotation * upright, handle),

@@ -28,7 +28,8 @@ from sympy import (
     sqrt,
 )
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
-from tresym.proofs.euler_angles import eq_Euler, eq_gamma
+from tresym.proofs.euler_angles import eq_Euler, eq_gamma, gamma_conserved
+from tresym.proofs.flip_dynamics import eq_dpsidphi
 from tresym.proofs.regimes import (
     depth_at_e3,
     handle_crosses,
@@ -94,6 +95,14 @@ sign_constant = Claim(
     ),
     where=Place(line=160),
     note="dψ/dφ has the sign of cos θ, which for γ > 0 never vanishes.",
+)
+
+second_equation_is_enough = Claim(
+    label="second_equation_enough",
+    says="The flip angle alone obeys an equation: cos θ is eliminated by the constant γ.",
+    kind="statement",
+    proof=all_of(gamma_conserved, eq_dpsidphi),
+    where=Place(line=143),
 )
 
 _flow = printed.planar_rates(theta, psi, a, b, sympy)

@@ -8,6 +8,7 @@
 import sympy
 from flint import fmpq
 from sympy import Equivalent, Gt, Integer
+from tresym.proofs.asymptotics import uniform_formulas
 from tresym.proofs.conditions import defect, ordered_moments, shape
 from tresym.proofs.euler_angles import precession_forward, shape_and_depth
 from tresym.proofs.frames import perfect_flip
@@ -72,7 +73,7 @@ general_formula = Claim(
     proof=_far_off,
     where=Place(line=38),
     expect=Verdict.REFUTED,
-    amended_by=(one_flip_defect,),
+    amended_by=(one_flip_defect, uniform_formulas),
     note="For a → 0 at fixed b the formula goes to 0 and the defect does not. The exact equation "
     "has one root for every shape; the formula is its limit for large ab.",
 )
@@ -85,7 +86,7 @@ formula_for_any_body = Claim(
     proof=_far_off,
     where=Place(line=45),
     expect=Verdict.REFUTED,
-    amended_by=(one_flip_defect,),
+    amended_by=(one_flip_defect, uniform_formulas),
 )
 
 shapes_of_bodies = Claim(
