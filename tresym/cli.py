@@ -48,10 +48,12 @@ def build_parser() -> Parser:
     _add_verify(commands)
     _add_derive(commands)
     _add_table(commands)
+    _add_docs(commands)
     _add_flip(commands)
     _add_audit(commands)
     _add_bench(commands)
     _add_sweep(commands)
+    _add_figure(commands)
     return parser
 
 
@@ -162,6 +164,28 @@ def _table(args: argparse.Namespace) -> int:
         _deliver(json.dumps(found._asdict(), ensure_ascii=False, indent=1) + "\n", args.path)
         return 0
     _deliver(tables.written(found, args.format), args.path)
+    return 0
+
+
+def _add_docs(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "docs",
+        help="build the generated documents, or check that none is stale",
+        description="Write docs/generated from the ledger and the tables.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 when stale")
+    parser.set_defaults(run=_docs)
+
+
+def _docs(args: argparse.Namespace) -> int:
+    from tresym.report import documents
+
+    if args.check:
+        stale = documents.stale()
+        print("\n".join(f"stale: {path}" for path in stale) or "every document is up to date")
+        return UNEXPECTED if stale else 0
+    print("\n".join(documents.build()))
     return 0
 
 
@@ -381,6 +405,30 @@ def _sweep(args: argparse.Namespace) -> int:
     else:
         _deliver(summary_text(found), None)
     return UNEXPECTED if found.bad else 0
+
+
+def _add_figure(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "figure",
+        help="a figure of the paper, recomputed, as SVG",
+        description="Draw one figure as SVG; without a name, list them.",
+        epilog="Needs matplotlib: pip install 'tresym[docs]'.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")
+    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.set_defaults(run=_figure)
+
+
+def _figure(args: argparse.Namespace) -> int:
+    from tresym.report import figures
+
+    if args.name is None:
+        names = (f"{name:<16} {title}\n" for name, title in figures.FIGURES.items())
+        _deliver("".join(names), args.path)
+    else:
+        _deliver(figures.svg(args.name), args.path)
+    return 0
 
 
 def _deliver(text: str, path: str | None) -> None:

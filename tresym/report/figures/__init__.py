@@ -1,0 +1,44 @@
+"""The paper's figures, recomputed: each file has ``data()``, arrays, and ``draw(data)``, a picture.
+
+What a caption says is tested on the arrays of ``data()``. The pictures are SVG, the same bytes on
+every build with the same matplotlib: no dates, no random names, text drawn as paths.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from tresym.exact import InputError
+
+FIGURES = {
+    "racket-frame": "Fig. 1: the frame attached to the racket",
+    "euler-angles": "Fig. 2: the Euler angles",
+    "momentum-sphere": "Fig. 3: energy ellipsoid and momentum sphere, and the curves on it",
+    "flip-portrait": "Fig. 4: phase portrait of the flip angle psi",
+    "handle-portrait": "Fig. 5: phase portrait of the angle theta",
+    "handle-curves": "Fig. 6: the curve of the handle on the sphere",
+    "symmetric-flips": "Fig. 7: the symmetric trajectories of one full turn",
+    "defect-map": "Fig. 8: epsilon over epsilon_0 and gamma, exact beside linear",
+    "flip-curves": "Fig. 9: psi over phi, six values of gamma",
+    "flip-map": "Fig. 10: the flip of every start, and a zoom",
+    "shape-map": "Fig. 11: epsilon_0 over the shapes, with the bodies",
+    "racket-flip": "an animation: two turns of the racket in space",
+}
+"""The figures ``tresym figure`` knows, by name; the file of ``a-b`` is ``a_b.py``."""
+
+
+def svg(name: str) -> str:
+    """The figure ``name`` as the text of an SVG file.
+
+    Raises:
+        InputError: an unknown name, or matplotlib is not installed.
+    """
+    if name not in FIGURES:
+        raise InputError(f"figure: {name[:40]!a} is not known; known: {', '.join(FIGURES)}")
+    module = import_module(f"{__name__}.{name.replace('-', '_')}")
+    if name == "racket-flip":
+        return str(module.draw(module.data()))
+    from tresym.report.figures import style
+
+    with style.looks():
+        return style.svg_text(module.draw(module.data()))

@@ -1,0 +1,63 @@
+"""Fig. 9: ψ over φ during one turn of the standard racket, from many ψ₀, for six values of γ."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tresym.flip.flipmap import Floats, arrivals
+from tresym.report.figures import style
+from tresym.report.figures.curves import rate_at, shape_of
+
+GAMMAS = (-0.03, 0.03, -0.003, 0.003, -0.0003, 0.0003)
+STARTS = 13
+
+
+class Panel(NamedTuple):
+    """φ, shape (n,), and ψ of each start, shape (starts, n), in radians."""
+
+    gamma: float
+    phi: Floats
+    psi: Floats
+
+
+Data = tuple[Panel, ...]
+
+
+def data() -> Data:
+    """Starts with dψ/dφ ≥ 0, evenly between the turning points or, rotating, over a half turn."""
+    a, b = shape_of("str")
+    return tuple(_panel(a, b, gamma) for gamma in GAMMAS)
+
+
+def _panel(a: float, b: float, gamma: float) -> Panel:
+    least = np.arcsin(np.sqrt(max(-gamma, 0.0) / b))
+    start = np.linspace(least, np.pi - least, STARTS)
+    rate = np.nan_to_num(rate_at(start, gamma, a, b))
+    phi = np.linspace(0.0, 2 * np.pi, 121)
+    turn = arrivals(a, b, start[:, None], rate[:, None], phi).turn
+    return Panel(gamma, phi, start[:, None] + turn)
+
+
+def draw(data: Data) -> Any:
+    """γ < 0 left, γ > 0 right; nearer to the separatrix from top to bottom."""
+    figure, grid = style.canvas(7.2, 7.6, 3, 2, sharex=True)
+    for sheet, panel in zip(grid.flat, data, strict=True):
+        for x in (0, np.pi, 2 * np.pi):
+            sheet.axhline(x, color="0.75", linewidth=0.6, zorder=0)
+        for psi in panel.psi:
+            look = {**style.kind(panel.gamma), "linestyle": "-", "linewidth": 0.9}
+            sheet.plot(panel.phi, psi, **look)
+        sheet.set_title(f"γ = {panel.gamma:g}".replace("-", "−"))
+        sheet.set_xlim(0, 2 * np.pi)
+        style.pi_ticks(sheet.xaxis, [Fraction(i, 2) for i in range(5)])
+        whole = panel.gamma > 0
+        sheet.set_ylim(-0.15, 3 * np.pi if whole else np.pi + 0.15)
+        style.pi_ticks(sheet.yaxis, [0, 1, 2, 3] if whole else [Fraction(i, 4) for i in range(5)])
+    for sheet in grid[-1]:
+        sheet.set_xlabel("φ (rad)")
+    for sheet in grid[:, 0]:
+        sheet.set_ylabel("ψ (rad)")
+    return figure

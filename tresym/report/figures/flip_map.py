@@ -1,0 +1,79 @@
+"""Fig. 10: |Δψ| after one turn of the handle, over the starts (ψ₀, dψ/dφ) of the standard racket.
+
+The right panel is the rectangle around the unstable point (0, 0) of the left one.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tresym.flip.flipmap import Floats, flip_map
+from tresym.report.figures import style
+from tresym.report.figures.curves import rate_at, shape_of
+
+REACH = (np.pi, 1.5)
+ZOOM = (0.3, 0.27)
+TOP = 1.5 * np.pi
+"""The flip at the end of the colours; above it every flip looks alike."""
+
+
+class Flips(NamedTuple):
+    """Columns ψ₀ and rows dψ/dφ, both symmetric about 0; |Δψ| (radians), shape (rows, columns)."""
+
+    psi: Floats
+    rate: Floats
+    flip: Floats
+
+
+class Data(NamedTuple):
+    """Both panels, and the separatrix dψ/dφ ≥ 0 over ``psi`` of the left one."""
+
+    whole: Flips
+    zoom: Flips
+    separatrix: Floats
+
+
+def data() -> Data:
+    """The flips at the middles of the pixels."""
+    a, b = shape_of("str")
+    whole, zoom = _flips(a, b, *REACH, 360, 240), _flips(a, b, *ZOOM, 280, 280)
+    return Data(whole, zoom, rate_at(whole.psi, 0.0, a, b))
+
+
+def _flips(a: float, b: float, width: float, height: float, columns: int, rows: int) -> Flips:
+    psi = width * (2 * np.arange(columns) + 1 - columns) / columns
+    rate = height * (2 * np.arange(rows) + 1 - rows) / rows
+    return Flips(psi, rate, np.abs(flip_map(a, b, psi[None, :], rate[:, None])))
+
+
+def draw(data: Data) -> Any:
+    """One scale of colours for both; the exact flip Δψ = π is outlined."""
+    figure, grid = style.canvas(7.4, 3.5, 1, 2, width_ratios=(1.45, 1))
+    for sheet, part, reach in zip(grid[0], data[:2], (REACH, ZOOM), strict=True):
+        image = sheet.imshow(
+            part.flip,
+            extent=(-reach[0], reach[0], -reach[1], reach[1]),
+            origin="lower",
+            aspect="auto",
+            interpolation="none",
+            cmap="cividis",
+            vmin=0,
+            vmax=TOP,
+        )
+        sheet.contour(part.psi, part.rate, part.flip, [np.pi], colors="white", linewidths=0.9)
+        sheet.set_xlabel(r"$\psi_0$ (rad)")
+        sheet.plot(0, 0, "o", color="black", markerfacecolor="white", markersize=4)
+    left, right = grid[0]
+    for sign in (1, -1):
+        left.plot(data.whole.psi, sign * data.separatrix, **style.SEPARATRIX)
+    x, y = ZOOM
+    left.plot([-x, x, x, -x, -x], [-y, -y, y, y, -y], color="black", linewidth=1.2)
+    left.set_ylabel(r"$(d\psi/d\phi)_0$")
+    style.pi_ticks(left.xaxis, [Fraction(i, 2) for i in range(-2, 3)])
+    right.set_title("zoom; white line: Δψ = π")
+    bar = figure.colorbar(image, ax=grid[0].tolist(), label="|Δψ| (rad)", extend="max")
+    style.pi_ticks(bar.ax.yaxis, [Fraction(i, 4) for i in range(7)])
+    return figure

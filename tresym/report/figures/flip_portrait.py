@@ -1,0 +1,72 @@
+"""Fig. 4: the phase portrait of the flip angle, (ψ, dψ/dφ), of the standard racket."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tresym.flip.flipmap import Floats
+from tresym.report.figures import style
+from tresym.report.figures.curves import flip_plane, orbit, rate_at, shape_of
+
+OSCILLATING = (-0.06, -0.05, -0.036, -0.022, -0.01, -0.003)
+ROTATING = (0.003, 0.012, 0.03, 0.06, 0.1)
+
+
+class Curve(NamedTuple):
+    """An orbit in the phase plane: its γ, ψ (radians) and dψ/dφ."""
+
+    gamma: float
+    psi: Floats
+    rate: Floats
+
+
+class Data(NamedTuple):
+    """The curves of one cell 0 ≤ ψ ≤ π (the portrait has period π) and its separatrix."""
+
+    a: float
+    b: float
+    oscillating: tuple[Curve, ...]
+    rotating: tuple[Curve, ...]
+    separatrix: Curve
+
+
+def data() -> Data:
+    """The standard racket's orbits at a few values of γ."""
+    a, b = shape_of("str")
+    psi = np.linspace(0.0, np.pi, 181)
+    closed = tuple(Curve(g, *flip_plane(orbit(a, b, g).momentum, a, b)) for g in OSCILLATING)
+    through = tuple(Curve(g, psi, rate_at(psi, g, a, b)) for g in ROTATING)
+    return Data(a, b, closed, through, Curve(0.0, psi, rate_at(psi, 0.0, a, b)))
+
+
+def draw(data: Data) -> Any:
+    """Two cells, so that two unstable points are inside."""
+    figure, grid = style.canvas(6.4, 3.9)
+    sheet = grid[0, 0]
+    lines(sheet, data)
+    for x, name in ((0, "unstable"), (np.pi, "unstable"), (np.pi / 2, "stable")):
+        face = "white" if name == "unstable" else "black"
+        sheet.plot(x, 0, "o", color="black", markerfacecolor=face, markersize=5, zorder=5)
+    sheet.set_ylim(-1.75, 1.75)
+    style.legend(sheet, style.ORBITS, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
+    return figure
+
+
+def lines(sheet: Any, data: Data, look: dict[str, Any] | None = None) -> None:
+    """All orbits for −π/2 ≤ ψ ≤ 3π/2, each in its own look or all in the given one."""
+    for shift in (-np.pi, 0.0, np.pi):
+        for on in data.oscillating:
+            sheet.plot(on.psi + shift, on.rate, **(look or style.OSCILLATING))
+        for on in data.rotating:
+            for sign in (1, -1):
+                sheet.plot(on.psi + shift, sign * on.rate, **(look or style.ROTATING))
+        for sign in (1, -1):
+            psi = data.separatrix.psi + shift
+            sheet.plot(psi, sign * data.separatrix.rate, **style.SEPARATRIX)
+    sheet.set_xlim(-np.pi / 2, 3 * np.pi / 2)
+    style.pi_ticks(sheet.xaxis, [Fraction(i, 2) for i in range(-1, 4)])
+    sheet.set_xlabel("ψ (rad)")
+    sheet.set_ylabel("dψ/dφ")

@@ -1,0 +1,106 @@
+"""The looks of all figures, and how they become SVG: the only file that imports matplotlib.
+
+Rotating motions are solid and dark, oscillating ones dashed and lighter, the separatrix dotted:
+told apart without colour too. The two colours are from the palette of Okabe and Ito.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
+from fractions import Fraction
+from typing import Any
+
+from tresym.exact import InputError
+
+ROTATING = {"color": "#0072b2", "linewidth": 1.1, "linestyle": "-"}
+OSCILLATING = {"color": "#d55e00", "linewidth": 1.1, "linestyle": (0, (5, 1.6))}
+SEPARATRIX = {"color": "black", "linewidth": 1.5, "linestyle": (0, (1, 1.4))}
+QUIET = {"color": "0.75", "linewidth": 0.7, "linestyle": "-"}
+INK = "0.15"
+
+_LOOKS = {
+    "svg.hashsalt": "tresym",
+    "svg.fonttype": "path",
+    "path.simplify": True,
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.titlesize": 9,
+    "axes.labelsize": 9,
+    "axes.linewidth": 0.7,
+    "axes.edgecolor": INK,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "legend.fontsize": 8,
+    "legend.frameon": False,
+    "hatch.linewidth": 0.5,
+    "figure.dpi": 100,
+    "savefig.facecolor": "white",
+    "mathtext.fontset": "dejavusans",
+}
+
+
+def looks() -> AbstractContextManager[None]:
+    """The settings every figure is drawn and saved with.
+
+    Raises:
+        InputError: matplotlib is not installed.
+    """
+    try:
+        import matplotlib
+    except ModuleNotFoundError:
+        raise InputError("figure: needs matplotlib (pip install 'tresym[docs]')") from None
+    context: AbstractContextManager[None] = matplotlib.rc_context(_LOOKS)
+    return context
+
+
+def canvas(
+    width: float, height: float, rows: int = 1, columns: int = 1, **options: Any
+) -> tuple[Any, Any]:
+    """A matplotlib figure of this size in inches, and its array of axes, shape (rows, columns)."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, figure.subplots(rows, columns, squeeze=False, **options)
+
+
+def svg_text(figure: Any) -> str:
+    """The figure as SVG without anything of the day or the machine in it."""
+    out = io.StringIO()
+    figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
+    return "\n".join(line.rstrip() for line in out.getvalue().splitlines()) + "\n"
+
+
+def pi_ticks(axis: Any, parts: Sequence[Fraction | int]) -> None:
+    """Ticks at these multiples of π, written as such."""
+    axis.set_ticks([float(x) * math.pi for x in parts], [_multiple(Fraction(x)) for x in parts])
+
+
+def _multiple(x: Fraction) -> str:
+    if x == 0:
+        return "0"
+    sign, top = "−" if x < 0 else "", abs(x.numerator)
+    bottom = "" if x.denominator == 1 else f"/{x.denominator}"
+    return f"{sign}{'' if top == 1 else top}π{bottom}"
+
+
+def kind(gamma: float) -> dict[str, Any]:
+    """The line of an orbit of this γ."""
+    return OSCILLATING if gamma < 0 else ROTATING if gamma > 0 else SEPARATRIX
+
+
+def legend(axes: Any, kinds: Sequence[tuple[str, dict[str, Any]]], **options: Any) -> None:
+    """A legend of line kinds, whatever was drawn with them."""
+    from matplotlib.lines import Line2D
+
+    axes.legend([Line2D([], [], **line) for _, line in kinds], [x for x, _ in kinds], **options)
+
+
+ORBITS = (
+    ("rotating, γ > 0", ROTATING),
+    ("oscillating, γ < 0", OSCILLATING),
+    ("separatrix, γ = 0", SEPARATRIX),
+)
+"""The three kinds of orbit, for :func:`legend`."""
