@@ -1,0 +1,92 @@
+"""The generated documents: pure functions of the ledger and the tables, and whether they are stale.
+
+Everything below docs/generated is written by `tresym docs` and never by hand; `tresym docs --check`
+compares what is there with what would be written. Nothing in them depends on time or machine.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import tresym
+from tresym.exact import InputError
+from tresym.report.corrections import corrections
+from tresym.report.derivation import article
+from tresym.report.latex import says_latex
+from tresym.report.output import write_text
+from tresym.report.place import place_text
+from tresym.report.tables import TABLES, table, written
+from tresym.verification import Report, sections, verify
+
+
+def documents() -> Iterator[tuple[str, str]]:
+    """Every generated document as its path below docs/generated and its text."""
+    report = verify()
+    yield "derivation.tex", article(report)
+    yield "ledger.md", ledger(report)
+    yield "corrections.md", corrections(report)
+    for name in TABLES:
+        found = table(name)
+        yield f"tables/{name}.md", written(found, "markdown")
+        yield f"tables/{name}.tex", written(found, "latex")
+
+
+def ledger(report: Report) -> str:
+    """Every claim with its place and verdict, in the order of the proofs."""
+    rows = {row.claim.label: row for row in report.rows}
+    counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
+    lines = ["# The ledger", "", f"{len(rows)} claims: {counts}.", ""]
+    for title, claims in sections():
+        lines += [
+            f"## {title}",
+            "",
+            "| claim | in the paper | verdict | says |",
+            "|---|---|---|---|",
+        ]
+        for claim in claims:
+            says = claim.shown or says_latex(claim.says)
+            said = says if isinstance(claim.says, str) else f"${says}$"
+            cells = (
+                f"`{claim.label}`",
+                place_text(claim),
+                rows[claim.label].finding.verdict.value,
+                said.replace("|", r"\|"),
+            )
+            lines.append(f"| {' | '.join(cells)} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def folder() -> Path:
+    """docs/generated of the checkout.
+
+    Raises:
+        InputError: this is not a checkout.
+    """
+    root = Path(tresym.__file__).resolve().parent.parent
+    if not (root / "docs").is_dir():
+        raise InputError("docs: the documents live in a checkout's docs folder; this is none")
+    return root / "docs" / "generated"
+
+
+def build() -> list[str]:
+    """Write every document; returns the paths written."""
+    home, done = folder(), []
+    for name, text in documents():
+        path = home / name
+        os.makedirs(path.parent, exist_ok=True)
+        write_text(str(path), text)
+        done.append(f"docs/generated/{name}")
+    return done
+
+
+def stale() -> list[str]:
+    """The documents that differ from what would be written."""
+    home = folder()
+    return [
+        f"docs/generated/{name}"
+        for name, text in documents()
+        if not (home / name).is_file() or (home / name).read_text(encoding="utf-8") != text
+    ]
