@@ -2,6 +2,7 @@
 
 import pytest
 from sympy import (
+    Abs,
     Derivative,
     Ge,
     Gt,
@@ -355,3 +356,14 @@ def test_definitions_do_not_reach_bound_variables() -> None:
     ):
         user = Claim("user", says, by(substituting(square), reason))
         assert judge(user, held).verdict is Verdict.UNDECIDED
+
+
+def test_coefficients_of_any_size_are_answered() -> None:
+    tiny = x**2 - 2 * x * y + y**2 - Rational(1, 10**30)
+    assert verdict(claim(equal(Abs(tiny), tiny), by(*EVERYTHING))) is not Verdict.PROVED
+
+
+def test_the_sign_of_zero_is_not_one() -> None:
+    assert verdict(claim(equal(sign(x), 1), by(*EVERYTHING), (x >= 0,))) is not Verdict.PROVED
+    assert verdict(claim("…", formally(equal(sign(x) ** 2, 1)))) is not Verdict.PROVED
+    assert verdict(claim("…", formally(equal(sign(x) ** 2, 1)), (x < 0,))) is Verdict.PROVED

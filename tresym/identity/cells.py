@@ -13,7 +13,7 @@ from itertools import pairwise
 from flint import arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from tresym.arithmetic import ball_precision
-from tresym.identity.ring import TooLargeError
+from tresym.identity.ring import TooLargeError, factors_of
 
 MAX_POLYNOMIALS = 40
 MAX_DEGREE = 24
@@ -39,7 +39,7 @@ def _irreducible(polynomials: list[fmpz_mpoly]) -> list[fmpz_mpoly]:
     for p in polynomials:
         if p.is_zero() or p.is_constant():
             continue
-        for factor, _ in p.factor()[1]:
+        for factor, _ in factors_of(p)[1]:
             found[str(factor)] = factor
     if len(found) > MAX_POLYNOMIALS or any(p.total_degree() > MAX_DEGREE for p in found.values()):
         raise TooLargeError("too many regions to visit one by one")

@@ -287,7 +287,7 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
     used = ring.used(p)
     context = fmpz_mpoly_ctx.get([f"h{i}" for i in range(len(used))], Ordering.lex)
     small = context.from_dict({tuple(m[i] for i in used): c for m, c in p.terms()})
-    unit, factors = small.factor()
+    unit, factors = factors_of(small)
     result = []
     for factor, exponent in factors:
         big = {}
@@ -298,3 +298,16 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
             big[tuple(vector)] = value
         result.append((ring.context.from_dict(big), int(exponent)))
     return unit, result
+
+
+def factors_of(p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
+    """FLINT's unit and factors of ``p``.
+
+    Raises:
+        TooLargeError: python-flint cannot sort factors whose coefficients differ by more than a
+            machine integer.
+    """
+    try:
+        return p.factor()
+    except OverflowError:
+        raise TooLargeError("coefficients too large for the factors to be sorted") from None
