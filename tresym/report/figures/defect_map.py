@@ -14,6 +14,17 @@ from tresym.report.figures.curves import rate_at
 
 B = 0.1
 TOLERANCE = math.pi / 12
+_FIRM = {"linestyles": "solid", "linewidths": 1.8}
+_DASHED = {"linestyles": [(0, (4, 2))], "linewidths": 1.0}
+_THIN = {"linestyles": "solid", "linewidths": 0.5}
+LINES: tuple[tuple[float, str, dict[str, Any]], ...] = (
+    (0.0, "0", _FIRM),
+    (-TOLERANCE, "−π/12", _DASHED),
+    (TOLERANCE, "π/12", _DASHED),
+    (-math.pi / 4, "−π/4", _THIN),
+    (math.pi / 4, "π/4", _THIN),
+)
+"""Level lines of both panels: the exact flip, the paper's tolerance, and one more on each side."""
 
 
 class Data(NamedTuple):
@@ -67,8 +78,7 @@ def draw(data: Data) -> Any:
         filled = sheet.contourf(
             data.defect0, data.gamma, values, steps, cmap="PuOr_r", extend="both"
         )
-        for level, name in ((0.0, "0"), (-TOLERANCE, "−π/12"), (TOLERANCE, "π/12")):
-            look = {"linestyles": [(0, (4, 2))], "linewidths": 1.0} if level else {}
+        for level, name, look in LINES:
             line = sheet.contour(data.defect0, data.gamma, values, [level], colors="black", **look)
             sheet.clabel(line, fmt={level: name}, fontsize=8)
         sheet.set_title(f"{title}, b = {data.b}")
