@@ -7,27 +7,23 @@
 
 import sympy
 from flint import fmpq
-from sympy import Equivalent, Gt, Integer
+from sympy import Gt
 from tresym.proofs.asymptotics import uniform_formulas
-from tresym.proofs.conditions import defect, ordered_moments, shape
+from tresym.proofs.conditions import defect, shape
 from tresym.proofs.euler_angles import precession_forward, shape_and_depth
 from tresym.proofs.frames import perfect_flip
-from tresym.proofs.regimes import realizable
+from tresym.proofs.regimes import realizable as realizable_shape
+from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.claims.claim import (
     Claim,
     Counterexample,
     Place,
-    adding,
     all_of,
-    equal,
-    multiplying,
-    step,
-    substituting,
 )
 from tresym.formulas import printed
-from tresym.notation import I1, I2, I3, a, b, epsilon
+from tresym.notation import a, b, epsilon
 from tresym.verdict import Verdict
 
 abstract_flip = Claim(
@@ -40,16 +36,11 @@ abstract_flip = Claim(
 
 planar_constraint = Claim(
     label="planar_constraint",
-    says=Equivalent(equal(I1 + I2, I3), equal(b, 1 / (a + 2))),
-    given=ordered_moments,
-    proof=(
-        step(equal(I2 / I3, I2 / (I1 + I2)), multiplying(I2 / (I3 * (I1 + I2)))),
-        step(equal(-I2 / I3, -I2 / (I1 + I2)), multiplying(Integer(-1))),
-        step(equal(1 - I2 / I3, I1 / (I1 + I2)), adding(Integer(1))),
-        step(equal(b, 1 / (a + 2)), substituting(shape_and_depth)),
-    ),
+    says="The case studied before, I₃ = I₁ + I₂, is that of the shapes with b = 1/(a + 2).",
+    kind="statement",
+    proof=all_of(shape_and_depth, realizable),
     where=Place(line=45),
-    note="The bodies of the earlier study are the planar ones; the shape then has one parameter.",
+    note="These are the flat bodies; their shape has one parameter.",
 )
 
 _below_root = (
@@ -93,5 +84,5 @@ shapes_of_bodies = Claim(
     label="shapes_of_bodies",
     says="Every rigid body has b ≤ 1/(a + 2) and b < 1/2, and equality in the first is a flat one.",
     kind="statement",
-    proof=all_of(realizable, planar_constraint),
+    proof=all_of(realizable_shape, planar_constraint),
 )
