@@ -363,7 +363,7 @@ def test_the_rectangle_is_around_the_unstable_point_and_inside(whole):
 
 def test_the_separatrix_has_gamma_zero(whole):
     square = B * np.sin(whole.whole.psi) ** 2
-    gamma = whole.separatrix**2 * (1 - square) ** 2 / (A + square) - square
+    gamma = whole.separatrices[0] ** 2 * (1 - square) ** 2 / (A + square) - square
     assert np.abs(gamma).max() < 1e-14
 
 
@@ -423,6 +423,21 @@ def test_the_animation_closes_and_half_way_the_racket_has_flipped():
     assert (np.diff(data.time) > 0).all()
 
 
+def test_every_moment_of_the_animation_has_its_time_and_the_same_commands():
+    root = ElementTree.fromstring(racket_flip.draw(racket_flip.data()))
+    moving = [node for node in root.iter() if node.tag.endswith("animate")]
+    assert len(moving) == 4
+    for node in moving:
+        times = [float(x) for x in node.get("keyTimes").split(";")]
+        values = node.get("values").split(";")
+        assert len(times) == len(values) == racket_flip.STEPS + 1
+        assert (times[0], times[-1]) == (0, 1)
+        assert times == sorted(times)
+        assert values[0] == values[-1]
+        if node.get("attributeName") == "d":
+            assert len({"".join(c for c in value if c.isalpha()) for value in values}) == 1
+
+
 # As pictures
 
 
@@ -433,6 +448,7 @@ def test_the_saved_figure_is_what_is_built(name):
     text = figures.svg(name)
     root = ElementTree.fromstring(text)
     assert root.tag.endswith("svg")
+    assert "<title>" in text
     assert "<text" not in text
     assert "<script" not in text
     assert "dc:date" not in text

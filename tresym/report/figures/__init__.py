@@ -41,4 +41,4 @@ def svg(name: str) -> str:
     from tresym.report.figures import style
 
     with style.looks():
-        return style.svg_text(module.draw(module.data()))
+        return style.svg_text(module.draw(module.data()), FIGURES[name])

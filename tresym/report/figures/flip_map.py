@@ -20,6 +20,10 @@ TOP = 1.5 * np.pi
 """The flip at the end of the colours; above it every flip looks alike."""
 
 
+_DOTS = {**style.SEPARATRIX, "linewidth": 1.1, "linestyle": (0, (1, 3))}
+"""The separatrix, sparse enough to see the colour it lies on."""
+
+
 class Flips(NamedTuple):
     """Columns ψ₀ and rows dψ/dφ, both symmetric about 0; |Δψ| (radians), shape (rows, columns)."""
 
@@ -29,18 +33,19 @@ class Flips(NamedTuple):
 
 
 class Data(NamedTuple):
-    """Both panels, and the separatrix dψ/dφ ≥ 0 over ``psi`` of the left one."""
+    """Both panels, and the separatrix dψ/dφ ≥ 0 over ``psi`` of each."""
 
     whole: Flips
     zoom: Flips
-    separatrix: Floats
+    separatrices: tuple[Floats, Floats]
 
 
 def data() -> Data:
     """The flips at the middles of the pixels."""
     a, b = shape_of("str")
     whole, zoom = _flips(a, b, *REACH, 360, 240), _flips(a, b, *ZOOM, 280, 280)
-    return Data(whole, zoom, rate_at(whole.psi, 0.0, a, b))
+    separatrices = rate_at(whole.psi, 0.0, a, b), rate_at(zoom.psi, 0.0, a, b)
+    return Data(whole, zoom, separatrices)
 
 
 def _flips(a: float, b: float, width: float, height: float, columns: int, rows: int) -> Flips:
@@ -52,7 +57,9 @@ def _flips(a: float, b: float, width: float, height: float, columns: int, rows: 
 def draw(data: Data) -> Any:
     """One scale of colours for both; the exact flip Δψ = π is outlined."""
     figure, grid = style.canvas(7.4, 3.5, 1, 2, width_ratios=(1.45, 1))
-    for sheet, part, reach in zip(grid[0], data[:2], (REACH, ZOOM), strict=True):
+    for sheet, part, rate, reach in zip(
+        grid[0], data[:2], data.separatrices, (REACH, ZOOM), strict=True
+    ):
         image = sheet.imshow(
             part.flip,
             extent=(-reach[0], reach[0], -reach[1], reach[1]),
@@ -65,15 +72,16 @@ def draw(data: Data) -> Any:
         )
         sheet.contour(part.psi, part.rate, part.flip, [np.pi], colors="white", linewidths=0.9)
         sheet.set_xlabel(r"$\psi_0$ (rad)")
+        for sign in (1, -1):
+            sheet.plot(part.psi, sign * rate, **_DOTS)
         sheet.plot(0, 0, "o", color="black", markerfacecolor="white", markersize=4)
     left, right = grid[0]
-    for sign in (1, -1):
-        left.plot(data.whole.psi, sign * data.separatrix, **style.SEPARATRIX)
     x, y = ZOOM
     left.plot([-x, x, x, -x, -x], [-y, -y, y, y, -y], color="black", linewidth=1.2)
     left.set_ylabel(r"$(d\psi/d\phi)_0$")
     style.pi_ticks(left.xaxis, [Fraction(i, 2) for i in range(-2, 3)])
-    right.set_title("zoom; white line: Δψ = π")
+    left.set_title("dotted: γ = 0; white: |Δψ| = π")
+    right.set_title("the rectangle")
     bar = figure.colorbar(image, ax=grid[0].tolist(), label="|Δψ| (rad)", extend="max")
     style.pi_ticks(bar.ax.yaxis, [Fraction(i, 4) for i in range(7)])
     return figure

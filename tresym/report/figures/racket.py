@@ -10,7 +10,7 @@ from tresym.flip.flipmap import Floats
 
 
 class Racket(NamedTuple):
-    """Points (M₁, M₂, M₃)-wise, along e₁, e₂, e₃: the two ends of the handle, the rim, strings."""
+    """Points by coordinates along e₁, e₂, e₃: the two ends of the handle, the rim, the strings."""
 
     handle: Floats
     rim: Floats

@@ -128,8 +128,6 @@ def _planar(sheet: Any, a: Floats) -> None:
 
 
 def _name(sheet: Any, point: Point) -> None:
-    from matplotlib.patheffects import withStroke
-
     sheet.annotate(
         point.name,
         (point.a, point.b),
@@ -137,6 +135,6 @@ def _name(sheet: Any, point: Point) -> None:
         textcoords="offset points",
         ha="right" if point.a > 15 else "left",
         fontsize=8,
-        path_effects=[withStroke(linewidth=2.2, foreground="white")],
+        path_effects=style.halo(),
         zorder=6,
     )

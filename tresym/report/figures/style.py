@@ -66,11 +66,19 @@ def canvas(
     return figure, figure.subplots(rows, columns, squeeze=False, **options)
 
 
-def svg_text(figure: Any) -> str:
-    """The figure as SVG without anything of the day or the machine in it."""
+def svg_text(figure: Any, title: str) -> str:
+    """The figure as SVG with a title, and without anything of the day or the machine in it."""
     out = io.StringIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
-    return "\n".join(line.rstrip() for line in out.getvalue().splitlines()) + "\n"
+    text = out.getvalue().replace(" <metadata>", f" <title>{title}</title>\n <metadata>", 1)
+    return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def halo() -> list[Any]:
+    """A white edge around words, so that they can be read on any ground (``path_effects``)."""
+    from matplotlib.patheffects import withStroke
+
+    return [withStroke(linewidth=2.2, foreground="white")]
 
 
 def pi_ticks(axis: Any, parts: Sequence[Fraction | int]) -> None:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tresym.flip.flipmap import Floats
+from tresym.report.figures import style
 
 
 class View(NamedTuple):
@@ -59,10 +60,8 @@ def curve(axes: Any, eye: View, points: Floats, seen: Any = None, **line: Any) -
 
 def ball(axes: Any, **look: Any) -> None:
     """The outline of the unit sphere, filled."""
-    from matplotlib.patches import Circle
-
     options = {"facecolor": "0.96", "edgecolor": "0.5", "linewidth": 0.7, "zorder": 0, **look}
-    axes.add_patch(Circle((0, 0), 1, **options))
+    axes.fill(*circle([0, 0, 1])[:, :2].T, **options)
 
 
 def arrow(axes: Any, eye: View, end: Any, start: Any = (0, 0, 0), **look: Any) -> None:
@@ -74,12 +73,9 @@ def arrow(axes: Any, eye: View, end: Any, start: Any = (0, 0, 0), **look: Any) -
 
 def label(axes: Any, eye: View, point: Any, text: str, **look: Any) -> None:
     """Words at a point in space, readable on any ground."""
-    from matplotlib.patheffects import withStroke
-
     options = {"ha": "center", "va": "center", "color": "0.1"}
     x, y = eye.flat(np.asarray(point, dtype=float))
-    halo = [withStroke(linewidth=2.2, foreground="white")]
-    axes.text(x, y, text, path_effects=halo, **{**options, **look})
+    axes.text(x, y, text, path_effects=style.halo(), **{**options, **look})
 
 
 def arc(start: Any, end: Any, radius: float = 1.0, points: int = 61) -> Floats:
