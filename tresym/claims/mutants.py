@@ -66,7 +66,7 @@ Variant = Any
 
 BITS = 128
 SPLITS = (1, 4, 16)
-CELLS = 64
+CELLS = 16
 """Pieces that each input of a printed number is cut into, and the most cells they may make."""
 
 
@@ -303,7 +303,8 @@ def bound_fails(bound: Bound, point: Point) -> bool:
 def _places(region: Box) -> list[Point]:
     """The centre of the box, then points near its corners."""
     inward = [(s.low + (s.high - s.low) / 2**32, s.high - (s.high - s.low) / 2**32) for s in region]
-    return [tuple((low + high) / 2 for low, high in region), *product(*inward)]
+    centre = tuple((low + high) / 2 for low, high in region)
+    return list(dict.fromkeys((centre, *product(*inward))))
 
 
 def _lowered(bound: Bound) -> Iterator[_Named]:

@@ -50,16 +50,16 @@ BITS = 128
 POINTS = 40
 """Exact points tried before a relation is taken to be unviolated."""
 LOOKS = ((BITS, POINTS), (1024, 2))
-ROOTS = 2
+ROOTS = 1
 """Points on an implicit equation that are looked for."""
 SPAN, GRID = fmpq(8), 16
 """Where a root is looked for along an unbounded coordinate, and in how many steps."""
-CELLS = 256
-"""Cells that an interval without a root is cut into."""
+PARAMETERS, CELLS = 2, 256
+"""Points tried, and cells cut, to show an interval without a root."""
 TOLERANCE = arb(2) ** -48
 EVALUATIONS = 300
 """How far an integral is refined."""
-WIDTH = fmpq(1, 2**40)
+WIDTH = fmpq(1, 2**24)
 """Width of the segment on which an implicit equation holds somewhere."""
 
 
@@ -119,7 +119,7 @@ def rootless(
 ) -> Violation | None:
     """A point under ``given`` at which balls show ``function`` without root between ``ends``."""
     names = function.free_symbols.union(*(end.free_symbols for end in ends)) - {variable}
-    for place in _points(_world(given, ()), frozenset(names))[:ROOTS]:
+    for place in _points(_world(given, ()), frozenset(names))[:PARAMETERS]:
         with ball_precision(BITS):
             point = {s: i.ball() for s, i in place.items()}
             low, high = (value(end, point) for end in ends)
@@ -260,8 +260,8 @@ def _reach(where: Range) -> tuple[fmpq, fmpq]:
 
 def _segment(function: Callable[[fmpq], arb], low: fmpq, high: fmpq) -> Interval | None:
     """A tiny segment at whose ends ``function`` has opposite signs."""
-    grid = [low + (high - low) * n / GRID for n in range(1, GRID)]
-    signed = [(v, s) for v in grid if (s := _side(function(v)))]
+    grid = (low + (high - low) * n / GRID for n in range(1, GRID))
+    signed = ((v, s) for v in grid if (s := _side(function(v))))
     for (start, first), (end, second) in pairwise(signed):
         if first == second:
             continue
