@@ -1,0 +1,322 @@
+"""Appendix: the argument for the leading term of ε₀ by an implicit function, step by step.
+
+- `d40`, `u`, `equ`: the parameters λ and μ, the unknown u, and the equation G = 0;
+- `flat_function`: e^{−1/s} is flat from one side only, and so ε₀(u, λ, μ) is smooth for λ ≥ 0;
+- `slope_by_u`, `slope_by_lambda`, `slope_by_mu`: the derivatives of G where ε₀ is e + p·(…), with
+  the slope p of ε₀ a symbol; at the origin they are 1, 0 and 0;
+- `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; du/dλ = 0 follows from ∂G/∂μ = 0 instead.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+from flint import fmpq
+from sympy import Derivative, Equivalent, Gt, Integer, Subs, Tuple, asin, cos, exp, pi, sin, sqrt
+from tresym.proofs.conditions import shape
+from tresym.proofs.separatrix import stable_equation
+from tresym.proofs.table_of_objects import exact_defect
+
+from tresym.claims.bounds import Asymptotics, Boxes
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Definition,
+    Place,
+    adding,
+    all_of,
+    applying,
+    by,
+    differentiation,
+    equal,
+    exponentials,
+    formally,
+    multiplying,
+    roots,
+    step,
+    substituting,
+)
+from tresym.claims.enclosure import Bound, box
+from tresym.claims.order import Order
+from tresym.formulas import printed
+from tresym.notation import a, b, epsilon, epsilon0, lam, mu, u, x
+from tresym.verdict import Verdict
+
+_small = (mu > -1, mu < 1)
+
+d40 = Claim(
+    label="d40",
+    says=Tuple(equal(lam, 1 / sqrt(a * b)), equal(mu, sqrt(b / (a + b)))),
+    given=shape,
+    proof=Definition(),
+    where=Place(display=40),
+)
+
+mu_by_lambda = Claim(
+    label="mu_by_lambda",
+    says=equal(sqrt(b / (a + b)), printed.mu_of_lambda(lam, b, sympy)),
+    given=shape,
+    proof=by(substituting(d40), roots),
+    where=Place(display=40),
+)
+
+small_together = Claim(
+    label="small_together",
+    says=b * lam - printed.mu_of_lambda(lam, b, sympy) >= 0,
+    kind="bound",
+    given=(b > 0, lam > 0),
+    proof=(
+        step(
+            b**3 * lam**3 / (sqrt(1 + lam**2 * b**2) * (1 + sqrt(1 + lam**2 * b**2))),
+            roots,
+        ),
+    ),
+    where=Place(line=353),
+    note="0 < μ ≤ bλ ≤ λ, so μ → 0 with λ because b ≤ 1.",
+)
+
+right_sides = Claim(
+    label="right_sides",
+    says=equal(
+        printed.implicit_right_reduced(epsilon0, lam, mu, sympy),
+        printed.implicit_right(epsilon0, a, b, sympy),
+    ),
+    given=shape,
+    proof=by(substituting(d40)),
+    where=Place(line=354),
+    note="Only the right side of the equation before is rewritten.",
+)
+
+
+def _reduced_residual(a: Any, b: Any, m: Any) -> Any:
+    """−|right side/ε₀ − 1| of the reduced equation at the exact ε₀."""
+    defect = exact_defect(a, b, m)
+    return -abs(printed.implicit_right(defect, a, b, m) / defect - 1)
+
+
+reduced_equation = Claim(
+    label="equation",
+    says=equal(epsilon0, printed.implicit_right_reduced(epsilon0, lam, mu, sympy)),
+    kind="bound",
+    proof=Boxes(
+        (Bound(_reduced_residual, box(("1517/121",) * 2, ("55/874",) * 2)),),
+        ("a", "b"),
+        "the standard racket",
+    ),
+    where=Place(display=41),
+    expect=Verdict.REFUTED,
+    amended_by=(stable_equation, right_sides),
+    note="The higher orders of the equation before are dropped, one part in a thousand here.",
+)
+
+_in_front = 2 * sqrt(1 - mu**2)
+_by_u = printed.defect_of_u(u, lam, mu, sympy)
+
+unknown = Claim(
+    label="u",
+    says=equal(epsilon0, _by_u),
+    given=(lam > 0, *_small),
+    proof=Definition(),
+    where=Place(display=42),
+)
+
+unknown_flat = Claim(
+    label="u_flat",
+    says=equal(_by_u, printed.defect_of_u_flat(u, lam, mu, sympy)),
+    given=(lam > 0, mu > 0, mu < 1, u > -1, pi + asin(mu) + u > 0),
+    proof=by(),
+    where=Place(display=42),
+)
+
+_arc = asin(mu * cos(epsilon))
+_given = (lam > 0, *_small, 1 - mu**2 > 0, 1 - mu**2 * cos(epsilon) ** 2 > 0)
+
+equation_for_u = Claim(
+    label="equ",
+    says=Equivalent(
+        equal(_by_u, printed.implicit_right_reduced(epsilon, lam, mu, sympy)),
+        equal(u + asin(mu) - _arc, 0),
+    ),
+    given=_given,
+    proof=(
+        step(
+            equal(exp(-(pi + asin(mu) + u) / lam), exp(-(pi + _arc) / lam)),
+            multiplying(1 / _in_front),
+        ),
+        step(
+            equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam),
+            applying("log"),
+            exponentials,
+        ),
+        step(equal(pi + asin(mu) + u, pi + _arc), multiplying(-lam)),
+        step(equal(u + asin(mu) - _arc, 0), adding(-pi - _arc)),
+    ),
+    where=Place(display=43),
+    note="Exact for the reduced equation, with no higher orders; ε₀ depends on (u, λ, μ), where "
+    "the paper prints a product.",
+)
+
+# -- the flat function ----------------------------------------------------------------------------
+
+flat_from_above = Claim(
+    label="flat_from_above",
+    says="e^{−1/s} = o(s¹⁰) as s → 0 from above; with the value 0 for s ≤ 0 it is flat at 0.",
+    kind="order",
+    proof=Asymptotics(
+        Order("o", lambda s, m: m.exp(-1 / s), lambda s, m: s**10),
+        "s -> 0 from above",
+    ),
+    expect=Verdict.ENCLOSED,
+)
+
+flat_function = Claim(
+    label="flat_function",
+    says="e^{−1/s} with the value 0 at 0 is flat there: |e^{−1/s}| ≤ |s| for |s| ≤ 1/10.",
+    kind="statement",
+    given=(x**2 <= sympy.Rational(1, 100),),
+    proof=Counterexample(
+        {"x": fmpq(-1, 20)}, Gt(printed.flat_function(x, sympy), 1, evaluate=False)
+    ),
+    where=Place(line=358),
+    expect=Verdict.REFUTED,
+    amended_by=(flat_from_above,),
+    note="For s < 0 it is unbounded. The argument needs s ≥ 0 only.",
+)
+
+# -- the derivatives of G -------------------------------------------------------------------------
+
+
+def _g_with(defect: Any, mu_: Any = mu) -> Any:
+    """G with ε₀ written as ``defect``."""
+    return u + asin(mu_) - asin(mu_ * cos(defect))
+
+
+_root = sqrt(1 - mu**2 * cos(epsilon) ** 2)
+
+slope_by_u = Claim(
+    label="slope_by_u",
+    says=equal(
+        Subs(Derivative(_g_with(epsilon + x * u), u), u, 0),
+        1 + mu * sin(epsilon) * x / _root,
+    ),
+    given=_given,
+    proof=by(differentiation, roots),
+    note="p (here x) is ∂ε₀/∂u.",
+)
+
+slope_by_lambda = Claim(
+    label="slope_by_lambda",
+    says=equal(
+        Subs(Derivative(_g_with(epsilon + x * lam), lam), lam, 0),
+        mu * sin(epsilon) * x / _root,
+    ),
+    given=_given[1:],
+    proof=by(differentiation, roots),
+)
+
+slope_by_mu = Claim(
+    label="slope_by_mu",
+    says=equal(
+        Derivative(_g_with(epsilon), mu),
+        1 / sqrt(1 - mu**2) - cos(epsilon) / _root,
+    ),
+    given=_given[1:],
+    proof=by(differentiation, roots),
+    note="For ε₀ of slope 0 in μ; a slope would enter with the factor μ sin ε₀.",
+)
+
+at_origin = {mu: Integer(0), epsilon: Integer(0)}
+"""μ = 0, and ε₀ = 0 there because e^{−1/s} is."""
+
+G_at_origin = Claim(
+    label="G_at_origin",
+    says="G(0, 0, 0) = 0.",
+    kind="statement",
+    proof=formally(equal(_g_with(epsilon).subs(at_origin).subs(u, 0), 0)),
+    where=Place(line=367),
+)
+
+
+def _at_origin(label: str, says: str, slope: Claim, value: int, **rest: Any) -> tuple[Claim, Claim]:
+    """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
+    says_value = equal(slope.says.args[1].subs(at_origin), value)
+    found = Claim(label=f"{label}_value", says=says_value, proof=by())
+    return found, Claim(
+        label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
+    )
+
+
+G_u_value, G_u_at_origin = _at_origin(
+    "G_u_at_origin",
+    "∂G/∂u(0, 0, 0) = 1, so the implicit function theorem applies.",
+    slope_by_u,
+    1,
+    where=Place(line=375),
+)
+
+G_lambda_value, G_lambda_at_origin = _at_origin(
+    "G_lambda_at_origin",
+    "∂G/∂λ(0, 0, 0) = 0.",
+    slope_by_lambda,
+    0,
+    where=Place(line=379),
+)
+
+G_mu_value, G_mu_at_origin = _at_origin(
+    "G_mu_at_origin",
+    "∂G/∂μ(0, 0, 0) = 0, because 1 − cos ε₀ = 0 there.",
+    slope_by_mu,
+    0,
+)
+
+_mu_of_lambda = printed.mu_of_lambda(lam, b, sympy)
+
+dmu_dlambda = Claim(
+    label="dmu_dlambda",
+    says=equal(Derivative(_mu_of_lambda, lam), b / sqrt(1 + lam**2 * b**2) ** 3),
+    given=(b > 0,),
+    proof=by(differentiation, roots),
+    note="It is b at λ = 0, not 0.",
+)
+
+dmu_dlambda_zero = Claim(
+    label="dmu_dlambda_zero",
+    says="∂μ/∂λ = 0 at the origin.",
+    kind="statement",
+    given=(b > 0,),
+    proof=formally(equal(dmu_dlambda.says.args[1].subs(lam, 0), 0)),
+    where=Place(line=379),
+    expect=Verdict.REFUTED,
+    amended_by=(dmu_dlambda, G_mu_at_origin),
+    note="The conclusion stands: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",
+)
+
+chain_rule = Claim(
+    label="d45",
+    says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
+    kind="statement",
+    proof=all_of(G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
+    where=Place(display=45),
+    note="Both terms vanish, the second because ∂G/∂μ does.",
+)
+
+implicit_slope = Claim(
+    label="d44",
+    says="du/dλ = −(dG/dλ)/(dG/du) at the origin, where dG/du is not 0.",
+    kind="statement",
+    proof=all_of(G_at_origin, G_u_at_origin, flat_from_above),
+    where=Place(display=44),
+    expect=Verdict.ENCLOSED,
+    note="The implicit function theorem, on λ ≥ 0.",
+)
+
+slope_of_u = Claim(
+    label="dudlam",
+    says="du/dλ = 0 at the origin.",
+    kind="statement",
+    proof=all_of(implicit_slope, chain_rule, G_lambda_at_origin, G_mu_at_origin),
+    where=Place(display=46),
+    expect=Verdict.ENCLOSED,
+    note="By the mended reason.",
+)

@@ -1,0 +1,107 @@
+"""Appendix, second part: the integral F whose level lines are ε(γ).
+
+- `d48`: the turn is twice F, by the symmetry of the flip angle about π/2; `d49` defines F;
+- `end_of_F`: ∂F/∂ε = −f; `eq_depsdgamma_form`: dε/dγ = −(∂ε/∂F)(∂F/∂γ);
+- `d53`: the derivative goes under the integral, whose integrand is smooth there;
+- `S_drops_out`: the sign S does not matter for dε/dγ.
+"""
+
+from __future__ import annotations
+
+import sympy
+from sympy import Gt, Integral, cos, pi, sin
+from tresym.proofs.conditions import defect, shape
+from tresym.proofs.flip_definition import equal_rates
+from tresym.proofs.flip_dynamics import sign_of_tilt
+from tresym.proofs.slope import inverse_slope, slope_of_integral, slope_of_integrand
+
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    Place,
+    all_of,
+    by,
+    changing_variable,
+    equal,
+    step,
+    substituting,
+)
+from tresym.formulas import printed
+from tresym.notation import F, S, a, b, epsilon, gamma, psi, theta, x
+
+_f = printed.integrand(psi, a, b, gamma, S, sympy)
+_rotating = (*shape, b < 1, *defect, gamma > 0)
+
+second_half = Claim(
+    label="second_half",
+    says=equal(
+        Integral(_f, (psi, pi / 2, pi - epsilon)),
+        Integral(-_f.subs(psi, x), (x, pi / 2, epsilon)),
+    ),
+    given=_rotating,
+    proof=by(changing_variable(pi - psi)),
+)
+
+half_turn = Claim(
+    label="d48",
+    says="The integral of f from ε to π − ε is twice that from ε to π/2.",
+    kind="statement",
+    proof=all_of(second_half, equal_rates),
+    where=Place(display=48),
+)
+
+half_integral = Claim(
+    label="d49",
+    says=equal(F, Integral(_f, (psi, epsilon, pi / 2))),
+    given=_rotating,
+    proof=Definition(),
+    where=Place(display=49),
+)
+
+one_turn = Claim(
+    label="one_turn",
+    says=equal(Integral(_f, (psi, epsilon, pi / 2)), pi),
+    given=_rotating,
+    proof=Definition(),
+    where=Place(display=49),
+    note="What one turn of the handle means, by d48, while the motion has not turned.",
+)
+
+smooth_under_the_integral = Claim(
+    label="smooth_under_the_integral",
+    says=Gt(b * sin(psi) ** 2 + gamma, 0, evaluate=False),
+    kind="bound",
+    given=(*shape, psi > 0, psi < pi, sin(psi) > 0, gamma >= 0),
+    proof=(step(b * sin(psi) ** 2 + gamma),),
+)
+
+derivative_under_the_integral = Claim(
+    label="d53",
+    says="∂F/∂γ at γ = 0 is the integral of ∂f/∂γ.",
+    kind="statement",
+    proof=all_of(slope_of_integrand, slope_of_integral, smooth_under_the_integral),
+    where=Place(display=53),
+    note="On [ε₀, π/2] the integrand is smooth in ψ and γ; that F itself converges is not enough.",
+)
+
+implicit_derivative = Claim(
+    label="eq_depsdgamma_form",
+    says="dε/dγ = −(∂ε/∂F)(∂F/∂γ) at γ = 0.",
+    kind="statement",
+    proof=all_of(inverse_slope, derivative_under_the_integral),
+    where=Place(display=50),
+    note="F(ε(γ), γ) = π is differentiated; ∂F/∂ε = −f is not 0.",
+)
+
+S_drops_out = Claim(
+    label="S_drops_out",
+    says=equal(
+        printed.defect_per_turn(epsilon, a, b, S, sympy)
+        * printed.turn_slope_asymptotic(epsilon, a, b, S, sympy),
+        printed.defect_per_turn(epsilon, a, b, 1, sympy)
+        * printed.turn_slope_asymptotic(epsilon, a, b, 1, sympy),
+    ),
+    given=(*shape, b < 1, *defect, cos(theta) ** 2 > 0),
+    proof=by(substituting(sign_of_tilt)),
+    where=Place(line=417),
+)
