@@ -367,3 +367,14 @@ def test_the_sign_of_zero_is_not_one() -> None:
     assert verdict(claim(equal(sign(x), 1), by(*EVERYTHING), (x >= 0,))) is not Verdict.PROVED
     assert verdict(claim("…", formally(equal(sign(x) ** 2, 1)))) is not Verdict.PROVED
     assert verdict(claim("…", formally(equal(sign(x) ** 2, 1)), (x < 0,))) is Verdict.PROVED
+
+
+def test_only_inequalities_are_cited() -> None:
+    bound = Claim("bound", Gt(x, y, evaluate=False), (step(x - y),), given=(x - y > 0,))
+    prose = Claim("prose", "x is larger", all_of(bound))
+    equation = Claim("equation", equal(x, x), by())
+    held = {"bound": judge(bound, {})}
+    held |= {c.label: judge(c, held) for c in (prose, equation)}
+    for cited in (bound, prose, equation):
+        user = Claim("user", Gt(x, y, evaluate=False), (step(x - y, citing(cited)),))
+        assert not judge(user, held).verdict.holds

@@ -236,7 +236,8 @@ def _with_bounds(given: Conditions, reasons: tuple[Reason, ...]) -> Conditions:
         if reason.name == "citing":
             for claim in reason.claims:
                 if set(claim.given) <= set(bounds):
-                    bounds += parts_of(claim.says)
+                    parts = parts_of(claim.says)
+                    bounds += (p for p in parts if isinstance(p, Rel) and not isinstance(p, Eq))
     return tuple(bounds)
 
 

@@ -50,7 +50,7 @@ BITS = 128
 POINTS = 40
 """Exact points tried before a relation is taken to be unviolated."""
 LOOKS = ((BITS, POINTS), (1024, 2))
-ROOTS = 1
+ROOTS = 2
 """Points on an implicit equation that are looked for."""
 SPAN, GRID = fmpq(8), 16
 """Where a root is looked for along an unbounded coordinate, and in how many steps."""
