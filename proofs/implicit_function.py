@@ -33,6 +33,7 @@ from tresym.claims.claim import (
     exponentials,
     formally,
     multiplying,
+    parts_of,
     roots,
     step,
     substituting,
@@ -240,7 +241,7 @@ G_at_origin = Claim(
 
 def _at_origin(label: str, says: str, slope: Claim, value: int, **rest: Any) -> tuple[Claim, Claim]:
     """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
-    says_value = equal(slope.says.args[1].subs(at_origin), value)
+    says_value = equal(parts_of(slope.says)[0].args[1].subs(at_origin), value)
     found = Claim(label=f"{label}_value", says=says_value, proof=by())
     return found, Claim(
         label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
@@ -285,7 +286,7 @@ dmu_dlambda_zero = Claim(
     says="∂μ/∂λ = 0 at the origin.",
     kind="statement",
     given=(b > 0,),
-    proof=formally(equal(dmu_dlambda.says.args[1].subs(lam, 0), 0)),
+    proof=formally(equal(parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0), 0)),
     where=Place(line=379),
     expect=Verdict.REFUTED,
     amended_by=(dmu_dlambda, G_mu_at_origin),
