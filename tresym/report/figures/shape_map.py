@@ -19,7 +19,7 @@ from tresym.report.figures.curves import floats
 
 BODIES = ("str", "racket-1", "racket-2", "racket-3", "book", "ethylene")
 REACH = (20.0, 0.4)
-LEVELS = (0.01, 0.02, 0.05, 0.15, 0.25, 0.4, 0.6, 0.9, 1.2)
+LEVELS = (0.01, 0.02, 0.05, 0.15, 0.25, 0.4, 0.6)
 BEST = 2 * math.atan(math.exp(-math.pi))
 """No rigid body has a smaller ε₀: the limit of planar bodies (b = 1/(a+2)) as a → ∞."""
 
@@ -68,7 +68,7 @@ def separatrix_defect(a: Floats, b: Floats) -> Floats:
 
 
 def draw(data: Data) -> Any:
-    """Labelled level curves on a ground that darkens with ε₀."""
+    """Labelled level curves on a ground that is lighter where ε₀ is larger."""
     figure, grid = style.canvas(6.6, 4.8)
     sheet = grid[0, 0]
     ground = sheet.imshow(
@@ -94,9 +94,9 @@ def draw(data: Data) -> Any:
     sheet.set_ylabel(r"$b = 1 - I_2/I_3$")
     kinds = (
         ("planar bodies, $I_3 = I_1 + I_2$", {"color": "black", "linewidth": 1.4}),
-        ("a rigid body can have it", _dot(True)),
+        ("shape of a rigid body", _dot(True)),
         (r"$\varepsilon_0 = 2\,\arctan\,e^{-\pi}$", {"color": "0.5", "linestyle": (0, (4, 2))}),
-        ("no rigid body can", _dot(False)),
+        ("printed, but of no rigid body", _dot(False)),
     )
     style.legend(sheet, kinds, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
     bar = figure.colorbar(ground, label=r"$\varepsilon_0$ (rad)", extend="min")

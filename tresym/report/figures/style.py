@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
@@ -42,8 +42,9 @@ _LOOKS = {
 }
 
 
-def looks() -> AbstractContextManager[None]:
-    """The settings every figure is drawn and saved with.
+@contextmanager
+def looks() -> Iterator[None]:
+    """The settings every figure is drawn and saved with, whatever the user's own are.
 
     Raises:
         InputError: matplotlib is not installed.
@@ -52,8 +53,10 @@ def looks() -> AbstractContextManager[None]:
         import matplotlib
     except ModuleNotFoundError:
         raise InputError("figure: needs matplotlib (pip install 'tresym[docs]')") from None
-    context: AbstractContextManager[None] = matplotlib.rc_context(_LOOKS)
-    return context
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_LOOKS)
+        yield
 
 
 def canvas(
