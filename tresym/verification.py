@@ -17,7 +17,7 @@ from tresym.verdict import Verdict
 
 JSON_VERSION = 1
 MUTANTS = 5
-"""Changes that are tried at each place of a claim."""
+"""Changes that are tried on each claim, one or more at each place of it."""
 
 
 @dataclass(frozen=True)
@@ -153,7 +153,7 @@ def verify_mutants(
 
     Args:
         labels: labels of claims; none means all.
-        wanted: at most this many changes at each place of a claim.
+        wanted: changes to each claim, spread over its places, one or more at each.
         on_row: called with each row as it is found, for progress.
 
     Raises:

@@ -94,12 +94,13 @@ def mutants(claim: Claim, wanted: int) -> Iterator[Mutant]:
     """Mutants of ``claim`` that balls show violated, the same ones in every run.
 
     Args:
-        wanted: at most this many changes at each place.
+        wanted: changes to each claim, spread over its places, one or more at each.
     """
-    for spot in _spots(claim):
+    spots = list(_spots(claim))
+    for spot in spots:
         changed = ((v, spot.claims(v)) for v in spot.variants)
         counted = ((v, claims) for v, claims in changed if spot.violated(claims[0]))
-        for variant, claims in islice(counted, wanted):
+        for variant, claims in islice(counted, math.ceil(wanted / len(spots))):
             for mutated in claims:
                 yield Mutant(claim, spot.name, str(variant), mutated)
 
