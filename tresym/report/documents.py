@@ -1,4 +1,4 @@
-"""The generated documents: pure functions of the ledger and the tables, and whether they are stale.
+"""The generated documents: pure functions of the ledger, tables and figures; are any stale?
 
 Everything below docs/generated is written by `tresym docs` and never by hand; `tresym docs --check`
 compares what is there with what would be written. Nothing in them depends on time or machine.
@@ -12,6 +12,7 @@ from pathlib import Path
 
 import tresym
 from tresym.exact import InputError
+from tresym.report import figures
 from tresym.report.corrections import corrections
 from tresym.report.derivation import article
 from tresym.report.latex import says_latex
@@ -27,6 +28,8 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "derivation.tex", article(report)
     yield "ledger.md", ledger(report)
     yield "corrections.md", corrections(report)
+    for name in figures.FIGURES:
+        yield f"figures/{name}.svg", figures.svg(name)
     for name in TABLES:
         found = table(name)
         yield f"tables/{name}.md", written(found, "markdown")
