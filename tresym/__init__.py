@@ -17,13 +17,14 @@ _HOMES = {
     "Body": "tresym.body",
     "InputError": "tresym.exact",
     "Verdict": "tresym.verdict",
+    "check": "tresym.checking",
     "flip_angle": "tresym.flip",
     "flip_defect": "tresym.flip",
     "flip_map": "tresym.flip.flipmap",
     "verify": "tresym.verification",
 }
 
-__all__ = ["Body", "InputError", "Verdict", "__version__", "flip_defect", "verify"]
+__all__ = ["Body", "InputError", "Verdict", "__version__", "check", "flip_defect", "verify"]
 
 # In a wheel the proofs lie inside the package; in a checkout they lie beside it.
 _checkout = Path(__file__).resolve().parent.parent

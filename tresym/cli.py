@@ -50,6 +50,7 @@ def build_parser() -> Parser:
     _add_table(commands)
     _add_docs(commands)
     _add_flip(commands)
+    _add_check(commands)
     _add_audit(commands)
     _add_bench(commands)
     _add_sweep(commands)
@@ -216,6 +217,35 @@ def _add_flip(commands: Commands) -> None:
     )
     _add_output(parser)
     parser.set_defaults(run=_flip)
+
+
+def _add_check(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "check",
+        help="a claim of your own: an identity, an inequality, an order",
+        description="Decide claims such as 'diff(F, x) == f', 'exp(x) >= 1 + x' or, with a path, "
+        "'sin(x) == x + O(x**3)': PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
+        epilog="Exit status 0 when it holds, 1 when refuted, 3 when undecided, 2 when not read; "
+        "of many claims the first of 2, 1, 3 that occurs.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
+    parser.add_argument("--given", default="", metavar="CONDITIONS", help="a > 0, 0 < b <= 1")
+    parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
+    parser.add_argument("-f", dest="file", metavar="FILE", help="one claim a line; # comments")
+    parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+    _add_output(parser)
+    parser.set_defaults(run=_check)
+
+
+def _check(args: argparse.Namespace) -> int:
+    from tresym.report import check
+
+    if (args.claim is None) == (args.file is None):
+        raise InputError("check: give either one claim or -f FILE")
+    if args.file is None:
+        return check.one(args.claim, args.given, args.tends, args.limit, args.json, args.path)
+    return check.many(args.file, args.given, args.tends, args.limit, args.json, args.path)
 
 
 def _add_audit(commands: Commands) -> None:

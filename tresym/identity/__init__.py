@@ -19,7 +19,7 @@ from tresym.identity.expression import (
 )
 from tresym.identity.field import ALL_THEORIES
 from tresym.identity.given import Given
-from tresym.identity.parsing import parse
+from tresym.identity.parsing import parse, parse_claim
 
 __all__ = [
     "ALL_THEORIES",
@@ -32,6 +32,7 @@ __all__ = [
     "from_sympy",
     "nonzero_denominators",
     "parse",
+    "parse_claim",
     "sign",
     "substitute",
     "symbols",

@@ -18,7 +18,7 @@ from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import Expr, apply, symbols
 from tresym.identity.field import Field
 from tresym.identity.given import Given, Range
-from tresym.identity.ring import TooLargeError, UndefinedError
+from tresym.identity.ring import Poly, TooLargeError, UndefinedError
 
 MAX_ATOMS = 8
 MAX_TERMS = 200
@@ -99,10 +99,23 @@ def _open_sign(e: Expr, given: Given) -> str | None:
         (value,) = field.normal(e)
         if value.num.is_zero():
             return "0"
-        found = field.sign(value.num) * field.sign(value.den)
+        found = _factored_sign(field, value.num) * _factored_sign(field, value.den)
     except (TooLargeError, UndefinedError):
         return None
     return {1: ">=0", -1: "<=0", 0: None}[found]
+
+
+def _factored_sign(field: Field, p: Poly) -> int:
+    """The sign of ``p`` where it is not zero, even factors left out; 0 if unknown."""
+    found = field.sign(p)
+    if found:
+        return found
+    content, parts = field.factor(p)
+    total = 1 if content > 0 else -1
+    for part, multiplicity in parts:
+        if multiplicity % 2:
+            total *= field.sign(part)
+    return total
 
 
 class _Bounds:

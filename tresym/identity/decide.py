@@ -70,7 +70,7 @@ def decide(
     """
     names = sorted(symbols(left) | symbols(right))
     defined: dict[str, fmpq] | None = None
-    for point, values in _values(left, right, given, names, FIRST_POINTS, FIRST_BITS):
+    for point, values in sampled_values(left, right, given, names, FIRST_POINTS, FIRST_BITS):
         if not values[0].overlaps(values[1]):
             return _refutation(point, values)
         defined = point
@@ -81,16 +81,16 @@ def decide(
         shown = _shown(defined)
         return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown}")
     for bits, count in LATER_LOOKS:
-        for point, values in _values(left, right, given, names, count, bits):
+        for point, values in sampled_values(left, right, given, names, count, bits):
             if not values[0].overlaps(values[1]):
                 return _refutation(point, values)
     return Decision(Verdict.UNDECIDED, obstacle)
 
 
-def _values(
+def sampled_values(
     left: Expr, right: Expr, given: Given, names: list[str], count: int, bits: int
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-    """Points where both sides are defined, with their values as balls."""
+    """Points where both sides are defined, at most ``count``, with their values as balls."""
     found = 0
     for point in given.points(names, SEARCH_POINTS):
         with ball_precision(bits):

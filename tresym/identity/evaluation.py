@@ -75,11 +75,18 @@ def _power(base: Expr, exponent: Expr, walk: Callable[[Expr], arb]) -> arb:
     if p < 0 and x.contains(0):
         raise _UndefinedError
     if q == 1:
-        return x**p
+        return _natural_power(x, p) if x.contains(0) else x**p
     if not x >= 0:
         raise _UndefinedError
     root = x.sqrt() if q == 2 else x.root(q)
     return root if p == 1 else root**p
+
+
+def _natural_power(x: arb, n: int) -> arb:
+    """``x**n`` for a ball that contains 0, from its ends; FLINT's is NaN where the middle is 0."""
+    if n % 2:
+        return (x.lower() ** n).union(x.upper() ** n)
+    return arb(0).union(x.abs_upper() ** n)
 
 
 def _function(name: str, x: arb) -> arb:

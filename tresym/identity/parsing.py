@@ -5,7 +5,8 @@ from the text itself and are exact.
 
 Grammar: ``+ - * / **`` (also ``^``), parentheses, decimals and fractions, names, ``pi``, ``E``, the
 functions of :data:`tresym.identity.expression.FUNCTIONS` with ``sqrt``, ``ln``, ``Abs``, the
-``arc…`` names and ``atan2(y, x)``, and ``diff(expression, x[, n])``.
+``arc…`` names and ``atan2(y, x)``, and ``diff(expression, x[, n])``. Comparisons make conditions
+and claims; ``O(…)`` and ``o(…)`` stand at the right end of a claim.
 """
 
 from __future__ import annotations
@@ -231,3 +232,62 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
             result.append((left, _RELATIONS[type(op)], right))
             left = right
     return result
+
+
+_CLAIMS = _RELATIONS | {ast.Eq: "=="}
+
+
+def parse_claim(text: str) -> list[tuple[Expr, str, Expr]]:
+    """A chain of comparisons, or one order statement, as ``(left, relation, right)``.
+
+    Relations are ``== != > >= < <=``; ``f ~ g``; ``f == O(g)`` and ``f == h + o(g)``, which come
+    out as ``(f - h, "o", g)``.
+
+    Raises:
+        InputError: anything else; one line says what is expected.
+    """
+    source = tidy(text)
+    if source.count("~") == 1:
+        left, right = source.split("~")
+        return [(parse(left), "~", parse(right))]
+    if re.search(r"(?<![=<>!~])=(?!=)", source):
+        raise InputError(f"write == for equality: {_quoted(source)}")
+    body = tree(source)
+    if not isinstance(body, ast.Compare):
+        raise InputError(
+            f"{_quoted(source)} claims nothing; compare two expressions with one of "
+            "== != > >= < <= ~, as in sin(x)**2 + cos(x)**2 == 1"
+        )
+    reader = _Reader(source)
+    nodes = [body.left, *body.comparators]
+    if isinstance(body.ops[0], ast.Eq) and len(nodes) == 2 and (order := _order_term(nodes[1])):
+        return [_order_claim(reader, nodes[0], nodes[1], order)]
+    result = []
+    left_side = reader.read(nodes[0])
+    for op, node in zip(body.ops, nodes[1:], strict=True):
+        if type(op) not in _CLAIMS:
+            raise InputError("a claim uses one of == != > >= < <= ~")
+        right_side = reader.read(node)
+        result.append((left_side, _CLAIMS[type(op)], right_side))
+        left_side = right_side
+    return result
+
+
+def _order_term(node: ast.expr) -> ast.Call | None:
+    """The last term of a sum where it is ``O(…)`` or ``o(…)``."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        node = node.right
+    match node:
+        case ast.Call(func=ast.Name(id="O" | "o"), args=[_], keywords=[]):
+            return node
+    return None
+
+
+def _order_claim(
+    reader: _Reader, left: ast.expr, right: ast.expr, order: ast.Call
+) -> tuple[Expr, str, Expr]:
+    function = reader.read(left)
+    if isinstance(right, ast.BinOp):
+        function = function - reader.read(right.left)
+    name = order.func.id if isinstance(order.func, ast.Name) else ""
+    return function, name, reader.read(order.args[0])

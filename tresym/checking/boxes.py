@@ -1,0 +1,311 @@
+"""An inequality on a region, by branch and bound in balls, with its delicate points apart.
+
+A box is closed because the difference is positive on it, in balls or by the mean value theorem;
+because a condition, or the domain, excludes all of it; or, with one variable, because it lies in a
+neighbourhood of an end or of a point of contact on which the germ of the difference has a sign.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision
+from tresym.checking.answer import Answer, refuted
+from tresym.checking.domain import equal_at, simplest_between
+from tresym.checking.ends import sign_beside
+from tresym.claims.enclosure import Bound, Box, BoxProof, Counterexample, prove_positive
+from tresym.exact import Interval, fraction_text
+from tresym.identity.evaluation import evaluate
+from tresym.identity.expression import PI, ZERO, Expr, differentiate, number, symbols
+from tresym.identity.given import Condition, Given, Range
+from tresym.verdict import Verdict
+
+PRECISION = 64
+BUDGETS = {1: 3_000, 2: 12_000}
+LARGEST_BUDGET = 20_000
+MAX_CONTACTS = 8
+MAX_VARIABLES = 4
+LARGEST_DENOMINATOR = 1_000
+_ONE, _NAN = arb(1), arb.nan()
+
+
+def search(left: Expr, right: Expr, strict: bool, region: Given, given: Given) -> Answer:
+    """ENCLOSED, REFUTED or UNDECIDED for ``left > right`` (or ``>=``).
+
+    Args:
+        region: ``given``, and what holds where both sides are defined.
+    """
+    names = sorted(symbols(left) | symbols(right))
+    search_ = _Search(left, right, strict, region, names)
+    ranges = [region.box.get(name, Range()) for name in names]
+    if len(names) == 1:
+        found = search_.on_line(ranges[0])
+    elif len(names) <= MAX_VARIABLES and all(_bounded(r) for r in ranges):
+        sides = tuple(Interval(r.low, r.high) for r in ranges)
+        found = search_.in_box(sides)
+    else:
+        free = [n for n, r in zip(names, ranges, strict=True) if not _bounded(r)]
+        found = Answer(
+            Verdict.UNDECIDED,
+            "no sign of the difference is proved, and boxes need bounds on at most "
+            f"{MAX_VARIABLES} variables: bounds on {', '.join(free or names)} may help",
+        )
+    if found.verdict is Verdict.ENCLOSED and given.comparisons:
+        return Answer(found.verdict, found.why, region=str(given))
+    return found
+
+
+def _bounded(where: Range) -> bool:
+    return where.low is not None and where.high is not None
+
+
+@dataclass
+class _Search:
+    """One inequality, its derivatives, and the pieces of the line that are closed already."""
+
+    left: Expr
+    right: Expr
+    strict: bool
+    region: Given
+    names: list[str]
+    pieces: list[tuple[fmpq, fmpq]] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.difference = self.left - self.right
+        self.slopes = [differentiate(self.difference, name) for name in self.names]
+
+    # -- one variable -----------------------------------------------------------------------
+
+    def on_line(self, where: Range) -> Answer:
+        """The whole range of the one variable: infinite ends by germs, then boxes."""
+        ends = []
+        for side, end in ((-1, where.low), (1, where.high)):
+            if end is not None:
+                ends.append(end)
+                continue
+            beside = sign_beside(self.difference, self.names[0], None, side)
+            if beside is None or beside[0] < 0 or (self.strict and beside[0] == 0):
+                return self._failure_towards(None, side, beside)
+            ends.append(side / beside[1])
+        low, high = ends
+        if low > high:  # the neighbourhoods of both infinities cover the line
+            low, high = high, low
+        whole = Interval(low, high)
+        for _ in range(MAX_CONTACTS):
+            outcome = self._prove((whole,), BUDGETS[1])
+            if isinstance(outcome, Answer):
+                return outcome
+            failure = self._contact(outcome[0], whole)
+            if failure is not None:
+                return failure
+        return _open(self.names, (whole,))
+
+    def _contact(self, worst: Interval, whole: Interval) -> Answer | None:
+        """Close a neighbourhood of the point of contact in ``worst``; an answer if that fails."""
+        for point in _candidates(worst):
+            inside = self._at_contact(point)
+            if isinstance(inside, Answer):
+                return inside
+            if not inside:
+                continue
+            piece = self._piece(point, whole)
+            if isinstance(piece, Answer):
+                return piece
+            if piece is not None and piece[0] <= worst.low and worst.high <= piece[1]:
+                self.pieces.append(piece)
+                return None
+        return _open(self.names, (worst,))
+
+    def _piece(self, point: Expr, whole: Interval) -> tuple[fmpq, fmpq] | Answer | None:
+        """An interval about ``point``, within ``whole``, where the claim holds off the point."""
+        low, high = _enclosure(point)
+        ends = [low, high]
+        for k, side in enumerate((-1, 1)):
+            if low == high == whole[k]:
+                ends[k] += side  # nothing is claimed beyond the end, where the box's ball may reach
+                continue
+            beside = sign_beside(self.difference, self.names[0], point, side)
+            if beside is not None and beside[0] < 0:
+                return self._failure_towards(point, side, beside)
+            if beside is None or (self.strict and beside[0] == 0):
+                return None
+            ends[k] = (low if side > 0 else high) + side * beside[1]
+        return (ends[0], ends[1]) if ends[0] <= ends[1] else None
+
+    def _at_contact(self, point: Expr) -> bool | Answer:
+        """Whether the claim holds at the point itself or does not speak of it."""
+        name = self.names[0]
+        with ball_precision(2 * PRECISION):
+            at = {name: evaluate(point, {})}
+            if any(self._fails(condition, point, at) for condition in self.region.conditions):
+                return True
+            value = evaluate(self.difference, at)
+        if value > 0:
+            return True
+        if point.op != "number" or not value.is_finite():
+            return value.is_finite() and not self.strict and self._equal(point)
+        exact = {name: point.args[0]}
+        if not equal_at(self.left, self.right, exact):
+            return False
+        if not self.strict:
+            return True
+        with ball_precision(2 * PRECISION):
+            if all(condition.holds_exactly(at) for condition in self.region.conditions):
+                values = [evaluate(side, at) for side in (self.left, self.right)]
+                shown = f"{name} = {fraction_text(exact[name])}"
+                return refuted(f"both sides are equal at {shown}", exact, *values)
+        return False
+
+    def _equal(self, point: Expr) -> bool:
+        return equal_at(self.left, self.right, {self.names[0]: point})
+
+    def _fails(self, condition: Condition, point: Expr, at: dict[str, arb]) -> bool:
+        """Whether the condition excludes the point."""
+        e, relation = condition.expression, condition.relation
+        value = evaluate(e, at)
+        if value < 0 and relation != "!=":
+            return True
+        if relation == ">=" or not value.contains(0):
+            return False
+        return equal_at(e, ZERO, {self.names[0]: point})
+
+    def _failure_towards(
+        self, point: Expr | None, side: int, beside: tuple[int, fmpq] | None
+    ) -> Answer:
+        """A refutation beside a point where the germ is negative, if a rational shows it."""
+        where = "infinity" if point is None else f"{self.names[0]} = {point}"
+        if beside is not None and (point is None or point.op == "number"):
+            for k in range(1, 12):
+                t = beside[1] / 2**k
+                x = side / t if point is None else point.args[0] + side * t
+                found = self._refute((x,))
+                if found is not None:
+                    return found
+        return Answer(
+            Verdict.UNDECIDED,
+            f"the sign of the difference near {where} is not settled; a condition that keeps "
+            "away from there may help",
+        )
+
+    # -- boxes ------------------------------------------------------------------------------
+
+    def in_box(self, sides: Box) -> Answer:
+        """A bounded region of several variables."""
+        outcome = self._prove(sides, BUDGETS.get(len(sides), LARGEST_BUDGET))
+        return outcome if isinstance(outcome, Answer) else _open(self.names, outcome)
+
+    def _prove(self, sides: Box, budget: int) -> Answer | Box:
+        """ENCLOSED, REFUTED, or the box that stayed open."""
+        outcome = prove_positive(Bound(self._margin, sides, precision=PRECISION), budget)
+        if isinstance(outcome, BoxProof):
+            return Answer(Verdict.ENCLOSED, self._closed(outcome.leaves))
+        if isinstance(outcome, Counterexample):
+            found = self._refute(outcome.point)
+            return found or tuple(Interval(x, x) for x in outcome.point)
+        return outcome.worst
+
+    def _closed(self, leaves: int) -> str:
+        parts = [f"closed in {leaves} box" + "es" * (leaves != 1)]
+        if self.pieces:
+            parts.append(f"and by expansion in {len(self.pieces)} neighbourhood(s) of contact")
+        return " ".join(parts)
+
+    def _refute(self, point: tuple[fmpq, ...]) -> Answer | None:
+        exact = dict(zip(self.names, point, strict=True))
+        for bits in (128, 1000):
+            with ball_precision(bits):
+                at = {name: arb(x) for name, x in exact.items()}
+                if not all(condition.holds_exactly(at) for condition in self.region.conditions):
+                    continue
+                x, y = evaluate(self.left, at), evaluate(self.right, at)
+                if x < y:
+                    shown = ", ".join(f"{n} = {fraction_text(v)}" for n, v in exact.items())
+                    return refuted(f"it fails at {shown}", exact, x, y)
+        return None
+
+    def _margin(self, *arguments: Any) -> arb:
+        """Positive where the claim holds on the whole box; negative where it surely fails."""
+        coordinates = arguments[:-1]
+        at = dict(zip(self.names, coordinates, strict=True))
+        inside = True
+        for condition in self.region.conditions:
+            value = evaluate(condition.expression, at)
+            if value < 0 or (value <= 0 and condition.relation == ">"):
+                if condition.relation != "!=":
+                    return _ONE
+            elif condition.relation == "!=" and value.is_zero():
+                return _ONE
+            inside = inside and condition.holds_exactly(at)
+        if any(_contains(piece, coordinates[0]) for piece in self.pieces):
+            return _ONE
+        value = evaluate(self.difference, at)
+        if value > 0 or (not self.strict and value >= 0):
+            return _ONE
+        if value.is_finite() and not all(x.is_exact() for x in coordinates):
+            bound = self._mean_value(coordinates, at)
+            if bound > 0 or (not self.strict and bound >= 0):
+                return _ONE
+        return value if inside else _NAN
+
+    def _mean_value(self, coordinates: tuple[arb, ...], at: dict[str, arb]) -> arb:
+        """A ball whose lower end bounds the difference below on the box."""
+        corner: dict[str, arb] = {}
+        spread = arb(0)
+        for name, x, derivative in zip(self.names, coordinates, self.slopes, strict=True):
+            slope = evaluate(derivative, at)
+            if not slope.is_finite():
+                return _NAN
+            if slope >= 0 or slope <= 0:
+                corner[name] = x.lower() if slope >= 0 else x.upper()
+            else:
+                corner[name] = x.mid()
+                spread += slope * (x - x.mid())
+        return evaluate(self.difference, corner) + spread
+
+
+def _contains(piece: tuple[fmpq, fmpq], x: arb) -> bool:
+    return bool(x >= arb(piece[0]) and x <= arb(piece[1]))
+
+
+def _candidates(worst: Interval) -> list[Expr]:
+    """Exact points of contact that ``worst`` suggests: a simple rational, and one times π."""
+    low, high = worst
+    gap = (high - low) or fmpq(1, 2**40)
+    found = [number(simplest_between(low - gap, high + gap))]
+    with ball_precision(PRECISION):
+        over_pi = (arb(low - gap) / arb.pi(), arb(high + gap) / arb.pi())
+        multiple = simplest_between(_rational(over_pi[0].lower()), _rational(over_pi[1].upper()))
+    if multiple != 0 and multiple.q < LARGEST_DENOMINATOR:
+        found.append(multiple * PI)
+    return found
+
+
+def _enclosure(point: Expr) -> tuple[fmpq, fmpq]:
+    """Rationals on both sides of the constant, equal to it where it is rational."""
+    if point.op == "number":
+        return point.args[0], point.args[0]
+    with ball_precision(2 * PRECISION):
+        value = evaluate(point, {})
+        return _rational(value.lower()), _rational(value.upper())
+
+
+def _rational(x: arb) -> fmpq:
+    mantissa, exponent = x.man_exp()
+    if exponent >= 0:
+        return fmpq(mantissa * 2 ** int(exponent))
+    return fmpq(mantissa, 2 ** int(-exponent))
+
+
+def _open(names: list[str], worst: Box) -> Answer:
+    with ball_precision(PRECISION):
+        shown = ", ".join(
+            f"{name} = {arb((side.low + side.high) / 2).str(8, radius=False)}"
+            for name, side in zip(names, worst, strict=True)
+        )
+    return Answer(
+        Verdict.UNDECIDED,
+        f"boxes near {shown} stayed open: the two sides may touch there; a smaller region may help",
+    )

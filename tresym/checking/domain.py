@@ -1,0 +1,107 @@
+"""Where an expression is defined, as conditions that its points satisfy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from flint import fmpq
+
+from tresym.identity.expression import (
+    ZERO,
+    Expr,
+    apply,
+    as_expr,
+    differentiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.identity.field import ALL_THEORIES
+from tresym.identity.given import Given
+from tresym.identity.locally_constant import equal_constants
+
+_MIRRORED = {">": "<", ">=": "<="}
+
+
+def with_domain(given: Given, *expressions: Expr) -> Given:
+    """``given`` and what holds at every point where the expressions are defined.
+
+    A claim speaks of those points alone, so a proof may use it.
+    """
+    found: dict[tuple[Expr, str], None] = {}
+    seen: set[Expr] = set()
+    stack = list(expressions)
+    while stack:
+        node = stack.pop()
+        if node in seen or node.op in ("number", "symbol", "pi"):
+            continue
+        seen.add(node)
+        stack.extend(node.args)
+        for part in _needs(node):
+            if symbols(part[0]):
+                found[part] = None
+    extra = tuple(_bound(part, relation) for part, relation in found)
+    return Given(given.comparisons + extra)
+
+
+def _needs(node: Expr) -> list[tuple[Expr, str]]:
+    """Expressions that are ``>``, ``>=`` or ``!=`` zero where the node itself is defined."""
+    x = node.args[0]
+    if node.op == "^":
+        exponent = node.args[1]
+        if exponent.op != "number":
+            return [(x, ">")]
+        r = exponent.args[0]
+        if r.q != 1:
+            return [(x, ">" if r < 0 else ">=")]
+        return [(x, "!=")] if r < 0 else []
+    if node.op == "log":
+        return [(x, ">")]
+    if node.op in ("sign", "coth", "csch"):
+        return [(x, "!=")]
+    if node.op in ("tan", "sec"):
+        return [(apply("cos", x), "!=")]
+    if node.op in ("cot", "csc"):
+        return [(apply("sin", x), "!=")]
+    if node.op in ("asin", "acos"):
+        return [(1 - x, ">="), (1 + x, ">=")]
+    if node.op == "atanh":
+        return [(1 - x, ">"), (1 + x, ">")]
+    if node.op == "acosh":
+        return [(x - 1, ">=")]
+    return []
+
+
+def _bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:
+    """``e relation 0``, written as a bound of one symbol where ``e`` is affine in it alone."""
+    names = sorted(symbols(e))
+    if len(names) == 1 and e.op in ("+", "*", "symbol"):
+        name = names[0]
+        slope = differentiate(e, name)
+        start = substitute(e, {name: ZERO})
+        if slope.op == "number" and start.op == "number" and slope != ZERO:
+            a, b = slope.args[0], start.args[0]
+            sign = relation if a > 0 else _MIRRORED.get(relation, relation)
+            return symbol(name), sign, number(-b / a)
+    return e, relation, ZERO
+
+
+def equal_at(left: Expr, right: Expr, point: Mapping[str, fmpq | Expr]) -> bool:
+    """Whether both sides, defined at the exact ``point``, are exactly equal there."""
+    at = {name: as_expr(value) for name, value in point.items()}
+    return equal_constants(substitute(left, at), substitute(right, at), ALL_THEORIES)
+
+
+def simplest_between(low: fmpq, high: fmpq) -> fmpq:
+    """The rational of smallest denominator in ``[low, high]`` (Stern and Brocot)."""
+    if low <= 0 <= high:
+        return fmpq(0)
+    if high < 0:
+        return -simplest_between(-high, -low)
+    whole = low.floor()
+    if whole == low:
+        return fmpq(whole)
+    if whole + 1 <= high:
+        return fmpq(whole + 1)
+    return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole))

@@ -1,0 +1,114 @@
+"""An expression as a formula that runs in balls, gradients and germs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.claims.germ import Germ, UnresolvedError
+from tresym.claims.gradient import Gradient
+from tresym.identity.evaluation import evaluate
+from tresym.identity.expression import Expr
+
+_RECIPROCALS = {"sec": "cos", "csc": "sin", "sech": "cosh", "csch": "sinh"}
+
+
+def formula(e: Expr, name: str) -> Callable[[Any, Any], Any]:
+    """``e`` as a function of the variable ``name`` and the arithmetic.
+
+    Over balls it is :func:`tresym.identity.evaluate`, NaN where it is not shown to be defined.
+    """
+
+    def run(x: Any, m: Any) -> Any:
+        if isinstance(x, arb):
+            return evaluate(e, {name: x})
+        return _Run(name, x, m).value(e)
+
+    return run
+
+
+class _Run:
+    """One run in gradients or germs; shared parts are computed once."""
+
+    def __init__(self, name: str, x: Any, m: Any) -> None:
+        self.name, self.x, self.m = name, x, m
+        self.done: dict[Expr, Any] = {}
+
+    def value(self, e: Expr) -> Any:
+        if e not in self.done:
+            self.done[e] = self._value(e)
+        return self.done[e]
+
+    def _constant(self, x: fmpq) -> Any:
+        return x if not isinstance(self.x, Gradient) else arb(x)
+
+    def _value(self, e: Expr) -> Any:
+        m = self.m
+        if e.op == "symbol":
+            return self.x
+        if e.op == "number":
+            return m.constant(e.args[0]) if isinstance(self.x, Germ) else arb(e.args[0])
+        if e.op == "pi":
+            return m.pi
+        if e.op == "^":
+            return self._power(*e.args)
+        values = [self.value(arg) for arg in e.args]
+        if e.op in ("+", "*"):
+            total = values[0]
+            for value in values[1:]:
+                total = total + value if e.op == "+" else total * value
+            return total
+        return self._function(e.op, values[0])
+
+    def _power(self, base: Expr, exponent: Expr) -> Any:
+        x, m = self.value(base), self.m
+        if exponent.op != "number":
+            return m.exp(self.value(exponent) * m.log(x))
+        r = exponent.args[0]
+        if r.q == 1 and isinstance(x, Gradient | arb):
+            return x ** int(r.p) if r >= 0 else 1 / x ** int(-r.p)
+        if isinstance(x, Germ):
+            return self._germ_power(x, r)
+        return m.sqrt(x) ** int(r.p) if r.q == 2 and r > 0 else m.exp(m.log(x) * arb(r))
+
+    def _germ_power(self, x: Germ, r: fmpq) -> Any:
+        if x.vanishes:
+            if r > 0:
+                return x
+            raise UnresolvedError("a negative power of zero")
+        if r.q != 1 and not x.range() > 0:
+            raise UnresolvedError("the argument of a root is not certainly positive")
+        return self.m.power(x, r)
+
+    def _function(self, name: str, x: Any) -> Any:
+        m = self.m
+        if name in _RECIPROCALS:
+            return 1 / getattr(m, _RECIPROCALS[name])(x)
+        if name == "cot":
+            return m.cos(x) / m.sin(x)
+        if name == "coth":
+            return 1 / m.tanh(x)
+        if name == "abs":
+            return abs(x)
+        if name in ("sign", "cbrt"):
+            side = self._side(x)
+            return side if name == "sign" else self._root(x * side) * side
+        return getattr(m, name)(x)
+
+    def _side(self, x: Any) -> int:
+        """±1, the sign of ``x``.
+
+        Raises:
+            UnresolvedError: it is not certain.
+        """
+        size = x.range() if isinstance(x, Germ) else x.value if isinstance(x, Gradient) else x
+        if size > 0 or size < 0:
+            return 1 if size > 0 else -1
+        raise UnresolvedError("the sign of an argument is not certain")
+
+    def _root(self, x: Any) -> Any:
+        if isinstance(x, Germ):
+            return self.m.power(x, fmpq(1, 3))
+        return self.m.exp(self.m.log(x) / 3)

@@ -1,0 +1,60 @@
+"""One statement to one answer: every comparison in it is decided by the procedure of its kind."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import Any
+
+from tresym.checking.answer import Answer, refuted
+from tresym.checking.statement import ORDERS, Comparison, Statement, read
+from tresym.identity.decide import decide
+from tresym.verdict import Verdict
+
+_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
+
+
+def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
+    """Read a claim and decide it; see :func:`tresym.checking.statement.read`.
+
+    Raises:
+        InputError: the claim is not read.
+    """
+    start = time.perf_counter()
+    statement = read(claim, given, path)
+    answers = [_decide(comparison, statement) for comparison in statement.comparisons]
+    answer = min(answers, key=lambda found: _WORST.index(found.verdict))
+    if len(answers) > 1:
+        broken = statement.comparisons[answers.index(answer)]
+        which = f"{broken.left} {broken.relation} {broken.right}: "
+        answer = replace(answer, why=which + answer.why)
+    return replace(
+        answer,
+        statement=_short(statement.text),
+        given=_short(str(statement.given)),
+        seconds=time.perf_counter() - start,
+    )
+
+
+def _decide(comparison: Comparison, statement: Statement) -> Answer:
+    left, relation, right = comparison.left, comparison.relation, comparison.right
+    if relation == "==":
+        found = decide(left, right, statement.given)
+        if found.witness is not None and found.values is not None:
+            return refuted(found.why, found.witness, *found.values)
+        return Answer(found.verdict, found.why)
+    if relation in ORDERS:
+        from tresym.checking.orders import decide_order
+
+        if statement.path is None:
+            raise TypeError("an order claim is read with its path")
+        return decide_order(comparison, statement.path)
+    from tresym.checking.inequalities import decide_inequality
+
+    return decide_inequality(left, relation, right, statement.given)
+
+
+def _short(text: str) -> str:
+    """``text`` on one line, the middle of a very long one left out."""
+    line = " ".join(text.split())
+    return line if len(line) <= 400 else f"{line[:200]} … {line[-100:]}"

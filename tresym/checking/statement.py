@@ -1,0 +1,204 @@
+"""Reading a claim: text in the expression grammar, LaTeX, or SymPy's relations."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from tresym.exact import InputError
+from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
+from tresym.identity.given import Given
+from tresym.identity.parsing import parse, parse_claim
+
+ORDERS = ("O", "o", "~")
+MAX_CHARACTERS = 30_000
+
+_WORD = re.compile(r"\s(?:--)?(given|as)\s")
+_LATEX = re.compile(r"[\\{}]")
+_PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:->|\\to)\s*(.+?)\s*")
+_INFINITE = frozenset(("oo", "inf", "infinity", r"\infty"))
+_SYMPY = {
+    "Equality": "==",
+    "Unequality": "!=",
+    "StrictGreaterThan": ">",
+    "GreaterThan": ">=",
+    "StrictLessThan": "<",
+    "LessThan": "<=",
+}
+_ASSUMPTIONS = {
+    "is_positive": ">",
+    "is_negative": "<",
+    "is_nonnegative": ">=",
+    "is_nonpositive": "<=",
+    "is_nonzero": "!=",
+}
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """``left relation right``; for ``O`` and ``o`` the right side is the gauge."""
+
+    left: Expr
+    relation: str
+    right: Expr
+
+
+@dataclass(frozen=True)
+class Path:
+    """A variable that tends to a point.
+
+    Attributes:
+        name: the variable.
+        point: where it tends, None for infinity.
+        sides: +1 for from above or to +∞, −1 for from below or to −∞.
+    """
+
+    name: str
+    point: Expr | None
+    sides: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A claim as it was read.
+
+    Attributes:
+        comparisons: all of them are claimed.
+        given: the conditions.
+        path: for an order statement.
+        text: how it was written.
+    """
+
+    comparisons: tuple[Comparison, ...]
+    given: Given
+    path: Path | None
+    text: str
+
+
+def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
+    """A claim with its conditions.
+
+    Args:
+        claim: text, LaTeX or a SymPy relation. Text may end in ``given CONDITIONS`` and
+            ``as PATH``.
+        given: text, LaTeX, SymPy relations, or a :class:`~tresym.identity.Given`.
+        path: such as ``"x -> 0+"``.
+
+    Raises:
+        InputError: what is not read; one line says why.
+    """
+    if isinstance(claim, str):
+        text, own, own_path = _split(claim)
+        comparisons = tuple(Comparison(*part) for part in parse_claim(_plain(text)))
+        conditions = _given(given) & _given(own)
+        path = own_path or path
+    else:
+        text = str(claim)
+        comparisons, assumed = _from_sympy(claim)
+        conditions = _given(given) & assumed
+    return _checked(Statement(comparisons, conditions, read_path(path) if path else None, text))
+
+
+def _split(text: str) -> tuple[str, str, str]:
+    """The claim, its conditions and its path, quotes around the latter two dropped."""
+    if len(text) > MAX_CHARACTERS:
+        raise InputError(f"{len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
+    claim, *rest = _WORD.split(text)
+    found = {"given": "", "as": ""}
+    for word, part in zip(rest[::2], rest[1::2], strict=True):
+        if found[word]:
+            raise InputError(f"a claim has one part that begins with the word {word}")
+        found[word] = part.strip().strip("'\"")
+    return claim.strip(), found["given"], found["as"]
+
+
+def _plain(text: str) -> str:
+    """``text``, translated where it is LaTeX."""
+    if not _LATEX.search(text):
+        return text
+    from tresym.identity.latex import read_latex
+
+    chains = read_latex(text)
+    if len(chains) != 1 or chains[0].condition is not None:
+        raise InputError("LaTeX: one claim at a time; conditions are given apart")
+    return str(chains[0]).replace(" = ", " == ")
+
+
+def _given(given: Any) -> Given:
+    if isinstance(given, Given):
+        return given
+    if isinstance(given, str):
+        if _LATEX.search(given):
+            from tresym.identity.latex import read_latex
+
+            given = ", ".join(str(chain) for chain in read_latex(given))
+        return Given.parse(given)
+    if isinstance(given, Iterable):
+        result = Given()
+        for part in given:
+            result = result & _given(part)
+        return result
+    return Given.from_sympy(given)
+
+
+def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
+    """A SymPy relation, and the assumptions its symbols carry."""
+    name = type(claim).__name__
+    if name not in _SYMPY:
+        hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
+        raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
+    comparison = Comparison(from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs))
+    conditions = []
+    names: set[str] = set()
+    for variable in sorted(claim.free_symbols, key=str):
+        if variable.name in names:
+            raise InputError(f"two different symbols are called {variable.name}")
+        if variable.is_integer or variable.is_extended_real is False:
+            raise InputError(f"{variable.name} is not a real variable, and all variables here are")
+        names.add(variable.name)
+        for assumption, sign in _ASSUMPTIONS.items():
+            if getattr(variable, assumption):
+                conditions.append((symbol(variable.name), sign, number(0)))
+    return (comparison,), Given(tuple(conditions))
+
+
+def read_path(text: str) -> Path:
+    """``x -> 0``, ``0+``, ``0-``, ``pi/2``, ``oo`` or ``-oo``, for any variable and any constant.
+
+    Raises:
+        InputError: anything else.
+    """
+    match = _PATH.fullmatch(text) if len(text) <= 200 else None
+    if match is None:
+        raise InputError("a path is written like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
+    name, end = match[1], match[2].replace(" ", "").replace("^", "")
+    if end.lstrip("+-") in _INFINITE:
+        return Path(name, None, (-1 if end.startswith("-") else 1,))
+    sides = {"+": (1,), "-": (-1,)}.get(end[-1], (1, -1))
+    point = parse(end.rstrip("+-"))
+    if symbols(point):
+        raise InputError("a path ends at a constant or at oo")
+    return Path(name, point, sides)
+
+
+def _checked(statement: Statement) -> Statement:
+    """The statement, if its parts belong together."""
+    order = statement.comparisons[0].relation in ORDERS
+    if not order:
+        if statement.path is not None:
+            raise InputError("a path belongs to O, o and ~ alone; use given for conditions")
+        return statement
+    if statement.path is None:
+        raise InputError("an order claim needs its path, such as --as 'x -> 0+'")
+    if statement.given.comparisons:
+        raise InputError("an order claim takes no conditions; its path says where it holds")
+    (comparison,) = statement.comparisons
+    others = (symbols(comparison.left) | symbols(comparison.right)) - {statement.path.name}
+    if others:
+        raise InputError(
+            f"an order claim has one variable, {statement.path.name}; "
+            f"{', '.join(sorted(others))} must be numbers"
+        )
+    return statement

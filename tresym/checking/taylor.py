@@ -1,0 +1,124 @@
+"""The sign of a difference by Taylor's theorem about one point, with signs that are proved.
+
+On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. Where all terms have
+one sign, d has it; the other symbols are parameters. No floating point takes part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flint import fmpq
+
+from tresym.exact import fraction_text
+from tresym.identity.bounds import sign
+from tresym.identity.expression import Expr, differentiate, number, substitute, symbols
+from tresym.identity.given import Given, Range
+from tresym.identity.locally_constant import singularities
+
+MAX_ORDER = 5
+MAX_SIZE = 2_000
+_WEAK = ("+", ">=0", "0")
+_FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
+
+
+def sign_by_taylor(difference: Expr, relation: str, region: Given) -> str | None:
+    """A sentence that proves ``difference relation 0`` on ``region``, or None.
+
+    Args:
+        relation: ``">"``, ``">="`` or ``"!="``.
+        region: conditions that hold wherever the claim speaks.
+    """
+    for name in sorted(symbols(difference)):
+        if any(name in symbols(condition.expression) for condition in region.beyond_box):
+            continue
+        inside = _opened(region, name)
+        where = region.box.get(name, Range())
+        for c in _bases(where):
+            if _within(region, name, c) and _smooth(difference, name, c, inside):
+                proof = _expansion(difference, relation, name, c, where, inside)
+                if proof is not None:
+                    return proof
+    return None
+
+
+def _opened(region: Given, name: str) -> Given:
+    """``region`` with strict bounds on the variable, as they hold inside every segment."""
+    opened = [
+        (left, sign_.replace("=", "") if name in symbols(left) | symbols(right) else sign_, right)
+        for left, sign_, right in region.comparisons
+    ]
+    return Given(tuple(opened))
+
+
+def _bases(where: Range) -> Iterator[fmpq]:
+    """Points of the closed range about which to expand."""
+    for c in (where.low, where.high, fmpq(0), fmpq(1)):
+        if c is not None and c.q < 2**64:
+            yield c
+
+
+def _within(region: Given, name: str, c: fmpq) -> bool:
+    """Whether ``c`` satisfies the bounds of the variable, exactly, with equality allowed."""
+    at = {name: number(c)}
+    return all(
+        sign(substitute(condition.expression, at), Given()) in _WEAK
+        for condition in region.conditions
+        if name in symbols(condition.expression)
+    )
+
+
+def _smooth(e: Expr, name: str, c: fmpq, inside: Given) -> bool:
+    """Whether ``e`` is analytic in the variable on every segment from ``c``, ``c`` included."""
+    at = {name: number(c)}
+    for part, _ in singularities(e):
+        if sign(part, inside) not in ("+", "-"):
+            return False
+        if sign(substitute(part, at), inside) not in ("+", "-"):
+            return False
+    return True
+
+
+def _expansion(
+    difference: Expr, relation: str, name: str, c: fmpq, where: Range, inside: Given
+) -> str | None:
+    """Raise the order until every term has the sign that is claimed."""
+    sides = []
+    if where.high is None or where.high > c:
+        sides.append(1)
+    if where.low is None or where.low < c:
+        sides.append(-1)
+    at = {name: number(c)}
+    terms: list[str | None] = []
+    derivative = difference
+    for order in range(1, MAX_ORDER + 1):
+        terms.append(sign(substitute(derivative, at), inside))
+        if terms[-1] is None:
+            return None
+        derivative = differentiate(derivative, name)
+        if derivative.size > MAX_SIZE:
+            return None
+        last = sign(derivative, inside)
+        if last is None:
+            continue
+        if all(_has_sign([*terms, last], side, relation, c, where) for side in sides):
+            return (
+                f"about {name} = {fraction_text(c)} the terms below order {order} and the "
+                f"derivative of order {order} have the sign that is claimed"
+            )
+    return None
+
+
+def _has_sign(terms: list[str | None], side: int, relation: str, c: fmpq, where: Range) -> bool:
+    """Whether the terms, on this side of c, add up to ``relation`` zero."""
+    signs = [_FLIP[term] if side < 0 and j % 2 else term for j, term in enumerate(terms)]
+    if not all(term in _WEAK for term in signs):
+        return False
+    if relation == ">=" or signs[0] == "+":
+        return True
+    # Off c one positive term is enough; c itself must lie outside.
+    return "+" in signs and c in (where.low, where.high) and _excluded(c, where)
+
+
+def _excluded(c: fmpq, where: Range) -> bool:
+    return bool((c == where.low and where.low_open) or (c == where.high and where.high_open))

@@ -1,0 +1,129 @@
+"""The answers of ``tresym check``, as text and as JSON lines, and the exit status they come to."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterable
+
+from tresym.checking.answer import Answer
+from tresym.checking.workers import Task, check_all, check_within
+from tresym.exact import InputError, parse_number
+from tresym.report.output import bold, colour_wanted, dim, write_text
+from tresym.verdict import Verdict
+
+MAX_BYTES = 50_000_000
+MAX_SECONDS = 86_400
+REFUTED, BAD, UNDECIDED = 1, 2, 3
+_STATUS = {Verdict.REFUTED: REFUTED, Verdict.UNDECIDED: UNDECIDED}
+
+
+def one(
+    claim: str, given: str, path: str | None, limit: str, as_json: bool, target: str | None
+) -> int:
+    """Decide one claim and show the answer; returns the exit status."""
+    answer = check_within(Task(claim.strip(), given, path), _seconds(limit))
+    colour = colour_wanted() and target is None
+    text = _line(answer) if as_json else answer_text(answer, colour)
+    _deliver([text], target)
+    return _STATUS.get(answer.verdict, 0)
+
+
+def many(
+    file: str, given: str, path: str | None, limit: str, as_json: bool, target: str | None
+) -> int:
+    """Decide every claim of a file, show each answer as it comes; returns the exit status."""
+    tasks = read_tasks(file, given, path)
+    seconds = _seconds(limit)
+    statuses: list[int] = []
+    counts = dict.fromkeys([*(verdict.value for verdict in Verdict), "not read"], 0)
+    colour = colour_wanted() and target is None
+    kept: list[str] = []
+    show = kept.append if target is not None else _print
+    for task, found in check_all(tasks, seconds):
+        if isinstance(found, InputError):
+            print(f"tresym: {file}, line {task.line}: {found}", file=sys.stderr)
+            statuses.append(BAD)
+            counts["not read"] += 1
+            if as_json:
+                show(_bad_line(task, found))
+        else:
+            statuses.append(_STATUS.get(found.verdict, 0))
+            counts[found.verdict.value] += 1
+            show(_line(found) if as_json else answer_text(found, colour))
+        _progress(len(statuses), len(tasks))
+    if target is not None:
+        write_text(target, "".join(kept))
+    summary = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
+    print(f"{len(tasks)} claims: {summary}", file=sys.stderr)
+    return next((status for status in (BAD, REFUTED, UNDECIDED) if status in statuses), 0)
+
+
+def read_tasks(file: str, given: str, path: str | None) -> list[Task]:
+    """The claims of a file, one a line; what follows a ``#`` is a comment.
+
+    Raises:
+        InputError: the file cannot be read, or holds no claim.
+    """
+    try:
+        with open(file, "rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read ({error.strerror})") from None
+    if len(data) > MAX_BYTES:
+        raise InputError(f"{file}: more than {MAX_BYTES} bytes")
+    lines = data.decode("utf-8-sig", errors="replace").splitlines()
+    stripped = [(number, line.split("#")[0].strip()) for number, line in enumerate(lines, 1)]
+    tasks = [Task(line, given, path, number) for number, line in stripped if line]
+    if not tasks:
+        raise InputError(f"{file}: no claim in it; write one a line")
+    return tasks
+
+
+def answer_text(answer: Answer, colour: bool = False) -> str:
+    """An answer in lines for people."""
+    head = bold(answer.verdict.value, colour)
+    where = "" if answer.line is None else dim(f"  line {answer.line}", colour)
+    time = f"{1000 * answer.seconds:.3g} ms" if answer.seconds < 1 else f"{answer.seconds:.3g} s"
+    rows = [*answer.rows(), ("time", time)]
+    return "\n".join([head + where, *(f"  {dim(f'{n:<11}', colour)}{t}" for n, t in rows)]) + "\n"
+
+
+def _line(answer: Answer) -> str:
+    return json.dumps(answer.as_json(), ensure_ascii=False) + "\n"
+
+
+def _bad_line(task: Task, error: InputError) -> str:
+    keys = Answer(Verdict.UNDECIDED, "").as_json()
+    value = dict.fromkeys(keys) | {
+        "statement": str(task.claim)[:400],
+        "line": task.line,
+        "error": str(error),
+    }
+    return json.dumps(value, ensure_ascii=False) + "\n"
+
+
+def _seconds(text: str) -> float:
+    value = parse_number(text, "--limit")
+    if not 0 < value <= MAX_SECONDS:
+        raise InputError(f"--limit: more than 0 and at most {MAX_SECONDS} seconds")
+    return float(value.p) / float(value.q)
+
+
+def _deliver(parts: Iterable[str], target: str | None) -> None:
+    if target is not None:
+        write_text(target, "".join(parts))
+        return
+    for part in parts:
+        _print(part)
+
+
+def _print(text: str) -> None:
+    print(text, end="", flush=True)
+
+
+def _progress(done: int, total: int) -> None:
+    """A counter on standard error, where that is a terminal."""
+    if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
+        print(f"\r{done}/{total}\r", end="", file=sys.stderr, flush=True)
