@@ -135,7 +135,7 @@ def rootless(
 
 def satisfiable(given: Conditions, known: tuple[Basic, ...]) -> bool:
     """Whether a point is found under ``given`` where all of ``known`` holds."""
-    return bool(_points(_world(given, known), frozenset()))
+    return bool(_points(_world(given, known), frozenset(), enough=1))
 
 
 def excluded(difference: arb, relation: str) -> bool:
@@ -217,7 +217,9 @@ def _solved(difference: Basic, kept: frozenset[Symbol]) -> tuple[Symbol, Basic] 
 
 
 @lru_cache(maxsize=512)
-def _points(world: World, names: frozenset[Symbol]) -> tuple[dict[Symbol, Interval], ...]:
+def _points(
+    world: World, names: frozenset[Symbol], enough: int = ROOTS
+) -> tuple[dict[Symbol, Interval], ...]:
     """Points, or tiny segments, on which every condition and equation holds somewhere."""
     if len(world.implicit) > 1:
         return ()
@@ -227,7 +229,7 @@ def _points(world: World, names: frozenset[Symbol]) -> tuple[dict[Symbol, Interv
     for named in Given.from_sympy(*world.conditions).points(sorted(symbols), POINTS):
         exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
         found += _on_equation(world, exact) if world.implicit else [exact]
-        if world.implicit and len(found) >= ROOTS:
+        if world.implicit and len(found) >= enough:
             break
     return tuple(found)
 
