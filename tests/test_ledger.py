@@ -6,7 +6,7 @@ import pytest
 import sympy
 
 from tresym.claims.chain import check_chain
-from tresym.claims.claim import Chain, Claim, Step, Together, UniqueRoot, equal
+from tresym.claims.claim import AllOf, Chain, Claim, Definition, Step, Together, UniqueRoot, equal
 from tresym.claims.translate import definitions, put_in
 from tresym.exact import InputError
 from tresym.identity import Given
@@ -157,3 +157,26 @@ def test_sympy_does_not_disagree(
 
 def test_replacing_evidence_keeps_the_label() -> None:
     assert replace(CLAIMS[0], note="x").label == CLAIMS[0].label
+
+
+DEFINED_TWICE = {
+    "M1": "M = I Ω in the body and M along Z in space: the two together are the physics",
+    "M2": "as M1",
+    "M3": "as M1",
+    "theta_min": "one bound for each regime; no chain uses both",
+    "theta_max": "as theta_min",
+}
+
+
+def test_symbols_are_defined_once_or_for_a_reason() -> None:
+    """Two definitions of one symbol together could prove anything: each pair is listed here."""
+    defined: dict[sympy.Basic, list[Claim]] = {}
+    for claim in CLAIMS:
+        if isinstance(claim.proof, Definition):
+            for left in definitions((claim,)):
+                defined.setdefault(left, []).append(claim)
+    twice = {left: claims for left, claims in defined.items() if len(claims) > 1}
+    assert {str(left) for left in twice if left.is_Symbol} == set(DEFINED_TWICE)
+    bounds = {c for left, cs in twice.items() if "theta" in str(left) for c in cs}
+    inferred = [claim for claim in CLAIMS if not isinstance(claim.proof, AllOf)]
+    assert all(len(bounds & set(claim.uses)) <= 1 for claim in inferred)
