@@ -23,7 +23,7 @@ from tresym.identity.expression import PI, ZERO, Expr, differentiate, number, sy
 from tresym.identity.given import Condition, Given, Range
 from tresym.verdict import Verdict
 
-PRECISION = 64
+PRECISION = 128
 BUDGETS = {1: 3_000, 2: 12_000}
 LARGEST_BUDGET = 20_000
 MAX_CONTACTS = 8
@@ -204,7 +204,7 @@ class _Search:
             return Answer(Verdict.ENCLOSED, self._closed(outcome.leaves))
         if isinstance(outcome, Counterexample):
             found = self._refute(outcome.point)
-            return found or tuple(Interval(x, x) for x in outcome.point)
+            return tuple(Interval(x, x) for x in outcome.point) if found is None else found
         return outcome.worst
 
     def _closed(self, leaves: int) -> str:
@@ -272,15 +272,17 @@ def _contains(piece: tuple[fmpq, fmpq], x: arb) -> bool:
 
 def _candidates(worst: Interval) -> list[Expr]:
     """Exact points of contact that ``worst`` suggests: a simple rational, and one times π."""
-    low, high = worst
-    gap = (high - low) or fmpq(1, 2**40)
-    found = [number(simplest_between(low - gap, high + gap))]
-    with ball_precision(PRECISION):
-        over_pi = (arb(low - gap) / arb.pi(), arb(high + gap) / arb.pi())
-        multiple = simplest_between(_rational(over_pi[0].lower()), _rational(over_pi[1].upper()))
-    if multiple != 0 and multiple.q < LARGEST_DENOMINATOR:
-        found.append(multiple * PI)
-    return found
+    found: dict[Expr, None] = {}
+    for wider in (1, 2**12, 2**24):
+        gap = wider * ((worst.high - worst.low) or fmpq(1, 2**40))
+        low, high = worst.low - gap, worst.high + gap
+        found[number(simplest_between(low, high))] = None
+        with ball_precision(PRECISION):
+            ends = (arb(low) / arb.pi()).lower(), (arb(high) / arb.pi()).upper()
+            multiple = simplest_between(*(_rational(end) for end in ends))
+        if multiple != 0 and multiple.q < LARGEST_DENOMINATOR:
+            found[multiple * PI] = None
+    return list(found)
 
 
 def _enclosure(point: Expr) -> tuple[fmpq, fmpq]:

@@ -1,0 +1,360 @@
+"""A user's own claims: what is decided, what is refused, and that nothing false is ever proved."""
+
+import json
+import subprocess
+import sys
+from fractions import Fraction
+
+import mpmath
+import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import tresym
+from tresym.checking.answer import Answer
+from tresym.checking.domain import simplest_between
+from tresym.checking.workers import Task, check_all, check_within
+from tresym.cli import main
+from tresym.exact import InputError, parse_number
+from tresym.verdict import Verdict
+
+PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
+REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
+
+TRUE = [
+    "diff(x**2*log(x), x) == 2*x*log(x) + x",
+    "sqrt(1 - cos(x)**2) == abs(sin(x))",
+    "sqrt(a*b) == sqrt(a)*sqrt(b) given a > 0, b > 0",
+    r"\sin^2 x + \cos^2 x = 1",
+    "exp(x) >= 1 + x given -2 <= x <= 3",
+    "exp(x) >= 1 + x",
+    "sin(x) < x given x > 0",
+    "tan(x) >= x given 0 <= x < 3/2",
+    "cos(x) >= 1 - x**2/2",
+    "log(1 + x) <= x",
+    "(1 + x)**n >= 1 + n*x given n >= 1, x > -1",
+    "sqrt(a*b) <= (a + b)/2 given a > 0, b > 0",
+    "x**4 - x + 1 > 0",
+    "x*log(x) >= -0.4",
+    "x**2*exp(-x) <= 1 given x > 0",
+    "sin(x)*cos(y) + y < 3/2 given 0 <= x <= 1, 0 <= y <= 1",
+    "x**2 + y**2 <= 2 given -1 <= x <= 1, -1 <= y <= 1",
+    "0 < x < 2 given 1/2 < x < 1",
+    "x**2 + 1 != 0",
+    "pi > 3",
+    "sqrt(2)*sqrt(3) >= sqrt(6)",
+    "sin(x) - x == O(x**3) as x -> 0",
+    "sin(x) == x - x**3/6 + O(x**5) as x -> 0+",
+    "sqrt(x**2 + 1) - x ~ 1/(2*x) as x -> oo",
+    "exp(-x) == o(x**(-3)) as x -> oo",
+    "exp(1/x) == O(1) as x -> 0-",
+    "x*log(x) == o(sqrt(x)) as x -> 0+",
+    "log(x) == o(x**(1/10)) as x -> oo",
+]
+
+FALSE = [
+    "diff(x**2*log(x), x) == 2*x*log(x) - x",
+    "sqrt(x**2) == x",
+    "exp(x) > 1 + x",  # touches at 0
+    "x**2 > 0",
+    "(x - 1/3)**2*(2 + sin(x)) > 0 given 0 <= x <= 1",  # touches inside, at no dyadic point
+    "sin(x) < x given x >= 0",  # touches at the closed end
+    "x**3 - x <= 0.3849 given 0 <= x <= 2",
+    "x <= 0.9999999999 given 0 <= x <= 1",  # false only near an end
+    "1/x <= 10**6 given 0 < x <= 1",
+    "x - x**3 <= 0.38490017 given 0 <= x <= 1",  # the maximum is 0.384900179…
+    "x**2 + y**2 <= 1 given -1 <= x <= 1, -1 <= y <= 1",
+    "exp(x) >= 1 + x + x**2/2",  # true for x > 0 only
+    "exp(-x) <= 10**(-6) given x > 0",
+    "x**4 - 2*x**2 + 1 != 0",
+    "pi > 22/7",
+    "sqrt(2)*sqrt(3) > sqrt(6)",
+    "sin(x) - x == O(x**4) as x -> 0",
+    "sin(x) - x == o(x**3) as x -> 0",
+    "sin(x) - x ~ x**3/6 as x -> 0",
+    "sin(x) - x ~ -x**3/6.00001 as x -> 0",
+    "abs(x) ~ x as x -> 0",  # on one side only
+    "exp(1/x) == O(1) as x -> 0",
+    "sqrt(x) == O(x) as x -> 0+",
+    "log(x) == O(1) as x -> oo",
+]
+
+OPEN = [
+    "x >= 0 given x > 1, x < 0",  # nothing satisfies the conditions
+    "sqrt(x) >= -1 given x < -1",  # nothing is defined there
+    "x == x given x**2 < -1",
+    "log(x) == log(x) given x < 0",
+    "sqrt(x) + sqrt(-1 - x) >= 0",
+]
+
+
+@pytest.mark.parametrize("claim", TRUE)
+def test_true_claims_hold(claim: str) -> None:
+    assert tresym.check(claim).verdict in (PROVED, ENCLOSED)
+
+
+@pytest.mark.parametrize("claim", FALSE)
+def test_planted_falsehoods_are_refuted(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is REFUTED
+    assert answer.witness is not None
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_nothing_is_proved_vacuously(claim: str) -> None:
+    assert tresym.check(claim).verdict is UNDECIDED
+
+
+def test_a_refutation_shows_both_sides_apart() -> None:
+    answer = tresym.check("x == x + 10**(-60)")
+    assert answer.verdict is REFUTED
+    assert answer.values is not None
+    left, right = answer.values
+    gap = abs(parse_number(left.mid) - parse_number(right.mid))
+    assert gap > parse_number(left.rad) + parse_number(right.rad)
+
+
+def test_an_order_comes_with_a_certified_constant_and_range() -> None:
+    answer = tresym.check("sin(x) - x == O(x**3)", path="x -> 0")
+    assert answer.region == "0 < |x| <= 1"
+    assert answer.constant is not None
+    low = parse_number(answer.constant.mid) - parse_number(answer.constant.rad)
+    high = parse_number(answer.constant.mid) + parse_number(answer.constant.rad)
+    assert low <= parse_number("1/6") <= high
+    assert high < parse_number("0.17")
+
+
+def test_the_true_order_is_named() -> None:
+    assert "x^(3)" in tresym.check("sin(x) - x == O(x**4)", path="x -> 0+").why
+
+
+# -- soundness by trial -------------------------------------------------------------------------
+
+COEFFICIENTS = st.integers(-6, 6)
+UNITS = st.sampled_from(["exp(x)", "cos(x)", "1/(2 + x)", "sqrt(4 + x)", "(3 - x)", "cosh(x)"])
+SHAPES = st.sampled_from(
+    ["x", "x**2", "x**3", "sin(x)", "cos(3*x)", "exp(x)", "exp(-x**2)", "sqrt(1 + x**2)", "atan(x)"]
+)
+
+
+@given(
+    st.lists(st.tuples(COEFFICIENTS, SHAPES), min_size=1, max_size=3),
+    st.integers(-8, 8),
+    st.sampled_from([">", ">=", "<", "<="]),
+    st.integers(-3, 2),
+    st.integers(1, 4),
+)
+@settings(max_examples=120)
+def test_random_inequalities(
+    terms: list[tuple[int, str]], bound: int, relation: str, low: int, width: int
+) -> None:
+    """Where it holds no sample contradicts it; where it is refuted the witness does."""
+    text = " + ".join(f"({c})*{shape}" for c, shape in terms)
+    conditions = f"{low} <= x <= {low + width}"
+    answer = tresym.check(f"{text} {relation} {bound}", given=conditions)
+
+    def holds(x: mpmath.mpf) -> bool:
+        names = {name: getattr(mpmath, name) for name in ("sin", "cos", "exp", "sqrt", "atan")}
+        value = eval(text, {"x": x, **names})
+        return bool(eval(f"v {relation} b", {"v": value, "b": bound}))
+
+    with mpmath.workdps(40):
+        if answer:
+            for k in range(201):
+                assert holds(low + mpmath.mpf(width) * k / 200) or relation in ("<=", ">=")
+                assert holds(low + mpmath.mpf(width) * (k + mpmath.mpf("0.31")) / 201)
+        elif answer.verdict is REFUTED:
+            assert answer.witness is not None
+            x = Fraction(answer.witness["x"])
+            assert low <= x <= low + width
+            assert not holds(mpmath.mpf(x.numerator) / x.denominator)
+
+
+@given(
+    st.integers(0, 4),
+    st.integers(1, 4),
+    UNITS,
+    UNITS,
+    st.integers(0, 4),
+    st.sampled_from(["O", "o"]),
+    st.sampled_from(["0+", "0-", "0"]),
+)
+@settings(max_examples=60)
+def test_random_orders(
+    power: int, scale: int, unit: str, other: str, gauge: int, kind: str, end: str
+) -> None:
+    """x**p times something that does not vanish is O(x**q) for p >= q alone."""
+    function = f"{scale}*x**{power}*{unit} + x**{power + 1}*{other}"
+    answer = tresym.check(f"{function} == {kind}(x**{gauge}*{other})", path=f"x -> {end}")
+    truth = power >= gauge if kind == "O" else power > gauge
+    assert answer.verdict is (ENCLOSED if truth else REFUTED)
+
+
+@given(st.integers(1, 5), st.integers(1, 5), st.integers(1, 3), UNITS)
+@settings(max_examples=40)
+def test_random_asymptotic_equalities(power: int, scale: int, wrong: int, unit: str) -> None:
+    claim = f"{scale}*x**{power}*{unit}/({unit} + x)"
+    assert tresym.check(f"{claim} ~ {scale}*x**{power}", path="x -> 0+").verdict is ENCLOSED
+    assert tresym.check(f"{claim} ~ {scale + wrong}*x**{power}", path="x -> 0+").verdict is REFUTED
+
+
+@given(st.integers(-5, 5), st.integers(-5, 5), st.integers(1, 9), UNITS, SHAPES)
+@settings(max_examples=60)
+def test_random_identities(a: int, b: int, c: int, unit: str, shape: str) -> None:
+    """The product rule holds, and is refuted with anything added to it."""
+    left = f"diff(({a})*{unit}*({shape}) + ({b})*x, x)"
+    right = f"({a})*diff({unit}, x)*({shape}) + ({a})*{unit}*diff({shape}, x) + ({b})"
+    assert tresym.check(f"{left} == {right}").verdict is PROVED
+    assert tresym.check(f"{left} == {right} + {c}*10**(-20)*{shape}").verdict is REFUTED
+
+
+@given(st.fractions(-5, 5, max_denominator=400), st.fractions(0, 1, max_denominator=400))
+def test_the_simplest_rational(low: Fraction, width: Fraction) -> None:
+    pair = [parse_number(str(x)) for x in (low, low + width)]
+    found = simplest_between(*pair)
+    assert pair[0] <= found <= pair[1]
+    for q in range(1, int(found.q)):
+        assert (pair[0] * q).ceil() > (pair[1] * q).floor()
+
+
+# -- SymPy, LaTeX, bad input ----------------------------------------------------------------------
+
+
+def test_sympy_relations_and_assumptions() -> None:
+    x = sympy.Symbol("x")
+    a = sympy.Symbol("a", positive=True)
+    assert tresym.check(sympy.Eq(sympy.Derivative(sympy.sin(x), x), sympy.cos(x)))
+    assert tresym.check(sympy.Eq(sympy.sqrt(a**2, evaluate=False), a, evaluate=False))
+    assert tresym.check(sympy.Eq(sympy.Abs(x), x, evaluate=False), given=x > 0)
+    assert tresym.check(sympy.Eq(sympy.Abs(x), x, evaluate=False)).verdict is REFUTED
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [sympy.true, sympy.Eq(sympy.Symbol("n", integer=True), 1), sympy.Symbol("x"), 3, None],
+)
+def test_sympy_that_is_no_claim_is_refused(claim: object) -> None:
+    with pytest.raises(InputError):
+        tresym.check(claim)
+
+
+HOSTILE = [
+    "",
+    "x",
+    "x = y",
+    "x ==",
+    "2 x == y",
+    "x**(10**9) == 1",
+    "2**2**2**2**2 == 1",
+    "(" * 5000 + "x" + ")" * 5000 + " == 1",
+    "x == " + "+".join(["x"] * 400_000),
+    "x == " + "-" * 2000 + "x",
+    "__import__('os').system('true') == 0",
+    "x.y == 0",
+    "x == 1 if x else 2",
+    "f(x) == 1",
+    "x == O(x)",
+    "x == O(x) as x",
+    "x == O(x) as x -> y",
+    "a*x == O(x) as x -> 0",
+    "x == O(x) given x > 0 as x -> 0",
+    "x == 1 as x -> 0",
+    "x == 1 given a given b",
+    "x == 1 given a = 1",
+    "x ~ y ~ z as x -> 0",
+    "x in y",
+    "1 == 1e999999999",
+    "\\frac{1}{2} = \\undefinedcommand",
+    "é == 1",
+    "x\0 == 1",
+]
+
+
+@pytest.mark.parametrize("claim", HOSTILE, ids=range(len(HOSTILE)))
+def test_bad_input_is_one_line(claim: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", claim]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("tresym: ")
+    assert err.count("\n") == 1
+    assert len(err) < 400
+
+
+# -- the command -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "status"),
+    [
+        (["1 + 1 == 2"], 0),
+        (["exp(x) >= 1 + x", "--given", "-2 <= x <= 3"], 0),
+        (["sin(x) - x == O(x**3)", "--as", "x -> 0"], 0),
+        (["x == x + 1"], 1),
+        (["log(x) == log(x)", "--given", "x < 0"], 3),
+        (["1 + 1"], 2),
+        ([], 2),
+        (["1 == 1", "--limit", "0"], 2),
+        (["-f", "/no/such/file"], 2),
+    ],
+)
+def test_exit_status(words: list[str], status: int) -> None:
+    assert main(["check", *words]) == status
+
+
+def test_json_has_every_key(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["check", "sqrt(x**2) == x", "--json"])
+    value = json.loads(capsys.readouterr().out)
+    keys = {"verdict", "witness", "constant", "region", "seconds", "why", "statement", "line"}
+    assert keys <= set(value)
+    assert value["verdict"] == "REFUTED"
+    assert Fraction(value["witness"]["x"]) < 0
+
+
+def test_a_file_of_claims(tmp_path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "claims"
+    file.write_text(
+        "# three that are read, one that is not\n"
+        "sin(x)**2 + cos(x)**2 == 1\n\nx ==\n"
+        "sqrt(x**2) == x given x > 0   # a condition of its own\n"
+        "sin(x) == O(x**2) as x -> 0\n",
+        encoding="utf-8",
+    )
+    assert main(["check", "-f", str(file), "--json"]) == 2
+    out, err = capsys.readouterr()
+    rows = [json.loads(line) for line in out.splitlines()]
+    assert [row["line"] for row in rows] == [2, 4, 5, 6]
+    assert [row["verdict"] for row in rows] == ["PROVED", None, "PROVED", "REFUTED"]
+    assert "line 4" in err
+
+
+def test_a_claim_that_takes_too_long_is_stopped_and_the_rest_decided() -> None:
+    slow = "(sin(x*y*z) + cos(x + y))**60*(x + y + z)**50 - 1 <= 0"
+    conditions = "0 <= x <= 1, 0 <= y <= 1, 0 <= z <= 1"
+    tasks = [Task("1 == 1"), Task(slow, conditions), Task("2 == 2"), Task("x ==")]
+    found = [answer for _, answer in check_all(tasks, 10, processes=1)]
+    assert [getattr(a, "verdict", None) for a in found[::2]] == [PROVED, PROVED]
+    assert isinstance(found[3], InputError)
+    stopped = check_within(Task("exp(sin(x*y)) + z >= cos(x*y*z)", conditions), 1e-4)
+    assert stopped.verdict is UNDECIDED
+    assert "stopped after" in stopped.why
+
+
+def test_an_answer_prints_in_a_notebook() -> None:
+    answer = tresym.check("x < x + 1")
+    assert isinstance(answer, Answer)
+    assert "PROVED" in answer._repr_html_()
+    assert "&lt;" in answer._repr_html_()
+    assert str(answer).startswith("PROVED")
+
+
+@pytest.mark.parametrize("claim", ["sin(x)**2 + cos(x)**2 == 1", "exp(x) >= 1 + x"])
+def test_check_loads_flint_alone(claim: str) -> None:
+    program = (
+        "import sys; from tresym.cli import main; "
+        f"status = main(['check', {claim!r}]); "
+        "heavy = {'sympy', 'numpy', 'mpmath', 'rich', 'scipy'} & set(sys.modules); "
+        "sys.exit(status or bool(heavy))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
