@@ -32,8 +32,10 @@ class Parser(argparse.ArgumentParser):
     """argparse, with its complaints as one line."""
 
     def error(self, message: str) -> NoReturn:
-        """Raise the complaint as bad input."""
-        raise InputError(f"{message} (see {self.prog} --help)")
+        """Raise the complaint as bad input; what it quotes may be long, or not printable."""
+        shown = message if message.isprintable() else ascii(message)[1:-1]
+        shown = shown if len(shown) <= 200 else shown[:197] + "..."
+        raise InputError(f"{shown} (see {self.prog} --help)")
 
 
 def build_parser() -> Parser:
@@ -71,11 +73,28 @@ def _add_verify(commands: Commands) -> None:
     parser.add_argument(
         "--mutants", action="store_true", help="judge false variants of the claims: none may hold"
     )
+    parser.add_argument(
+        "--full", action="store_true", help="find the stored box proofs anew instead of re-checking"
+    )
+    parser.add_argument(
+        "--save-certificates", action="store_true", help="with --full, store what was found"
+    )
     _add_output(parser)
     parser.set_defaults(run=_verify)
 
 
 def _verify(args: argparse.Namespace) -> int:
+    if args.save_certificates and not args.full:
+        raise InputError("--save-certificates stores what --full finds: give both")
+    if not args.full:
+        return _verify_claims(args)
+    from tresym.claims.bounds import finding_anew
+
+    with finding_anew():
+        return _verify_claims(args)
+
+
+def _verify_claims(args: argparse.Namespace) -> int:
     from tresym import verification
 
     labels = tuple(args.labels)
@@ -95,6 +114,8 @@ def _verify(args: argparse.Namespace) -> int:
         from tresym.report.terminal import show_verification
 
         report = show_verification(labels, Console(highlight=False))
+    if args.save_certificates:
+        verification.save_certificates(report)
     return 0 if report.as_expected else UNEXPECTED
 
 

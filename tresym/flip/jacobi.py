@@ -79,7 +79,7 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
     one, two, three, four = sin, cos, arb(1) / 2, arb(1) / 2
     power, qn, sigma = q, q, -1
     small = arb((1, -ctx.prec - 4))
-    while True:
+    for _ in range(ctx.prec):
         odd_sin, odd_cos = (
             odd_sin * turn_cos + odd_cos * turn_sin,
             odd_cos * turn_cos - sign * odd_sin * turn_sin,
@@ -101,3 +101,4 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
             even_cos * turn_cos - sign * even_sin * turn_sin,
         )
         power, qn, sigma = power * step, qn * q, -sigma
+    raise ArithmeticError("the argument of the theta functions is too wide")
