@@ -21,8 +21,11 @@ from collections.abc import Callable
 from typing import Any
 
 from flint import arb, fmpq
+from sympy import Function, exp, pi, sqrt
 from tresym.proofs import margins
 from tresym.proofs.certificates import certificate
+from tresym.proofs.conditions import shape
+from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.arithmetic import balls
@@ -34,7 +37,7 @@ from tresym.claims.order import Order
 from tresym.exact import as_rational
 from tresym.flip.separatrix import defect_over
 from tresym.formulas import stable
-from tresym.notation import b, epsilon0, gamma
+from tresym.notation import a, b, epsilon0, gamma
 from tresym.verdict import Verdict
 
 RESTS_ON = (one_flip_defect,)
@@ -85,7 +88,7 @@ def _printed_error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
     return algebraic - scaled * middle, scaled * (radius + square)
 
 
-def _boxed(
+def boxed(
     label: str,
     says: str,
     parts: tuple[Callable[..., Any], ...],
@@ -104,7 +107,7 @@ def _boxed(
     return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
 
 
-def _within(error: Callable[..., tuple[Any, Any]], constant: str) -> tuple[Callable[..., Any], ...]:
+def within(error: Callable[..., tuple[Any, Any]], constant: str) -> tuple[Callable[..., Any], ...]:
     """The two margins of |error| < constant, for an error given as middle and radius."""
     limit = as_rational(constant)
 
@@ -123,10 +126,42 @@ KAPPA = ((0, 1), (0, 2))
 """The chart (b, κ) of ab ≥ 1/4."""
 BY_KAPPA = ("b", "kappa")
 
+printed_error = boxed(
+    "printed_error",
+    "|log(printed leading term/ε₀)| ≤ 0.17/(ab).",
+    within(_printed_error, "17/100"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "17/100",
+    note="The printed formula's own relative error; b²/(6a) = b³/(6ab) is its leading term.",
+)
+
+printed_error_too_small = boxed(
+    "printed_error_too_small",
+    "|log(printed leading term/ε₀)| ≤ 0.166/(ab).",
+    within(_printed_error, "166/1000"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "166/1000",
+    expect=Verdict.REFUTED,
+    amended_by=(printed_error,),
+)
+
+
 printed_remainder = Claim(
     label="eps0",
-    says="ε₀ e^{π√(ab)} − 2√(a/(a+b)) e^{−b/√(1+b/a)} = o(e^{−π√(ab)}).",
+    says=equal(
+        epsilon0,
+        exp(-sqrt(a * b) * pi)
+        * (
+            2 * sqrt(a / (a + b)) * exp(-b / sqrt(1 + b / a))
+            + Function("o")(exp(-sqrt(a * b) * pi))
+        ),
+    ),
     kind="order",
+    given=shape,
     proof=Asymptotics(
         Order(
             "o",
@@ -138,31 +173,8 @@ printed_remainder = Claim(
     ),
     expect=Verdict.REFUTED,
     where=Place(display=47),
+    amended_by=(printed_leading_term, printed_error),
     note="On this path the printed remainder is −t²/(3e), algebraic and not exponentially small.",
-)
-
-
-printed_error = _boxed(
-    "printed_error",
-    "|log(printed leading term/ε₀)| ≤ 0.17/(ab).",
-    _within(_printed_error, "17/100"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "17/100",
-    note="The printed formula's own relative error; b²/(6a) = b³/(6ab) is its leading term.",
-)
-
-printed_error_too_small = _boxed(
-    "printed_error_too_small",
-    "|log(printed leading term/ε₀)| ≤ 0.166/(ab).",
-    _within(_printed_error, "166/1000"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "166/1000",
-    expect=Verdict.REFUTED,
-    amended_by=(printed_error,),
 )
 
 
@@ -176,27 +188,31 @@ def _series_error(order: int) -> Callable[..., tuple[Any, Any]]:
     return error
 
 
-def _repaired(label: str, order: int, constant: str, expect: Verdict) -> Claim:
+def _repaired(label: str, order: int, constant: str, **rest: Any) -> Claim:
     """|ε₀/ε* − Σ_{n≤order} c_n ε*^{2n}| ≤ constant · ε*^{2·order+2} on ab ≥ 1/4."""
     terms = " − ".join(["1", "c₁ε*²", "c₂ε*⁴", "c₃ε*⁶"][: order + 1])
-    return _boxed(
+    return boxed(
         label,
         f"|ε₀/ε* − {terms}| ≤ {constant} ε*^{2 * order + 2}.",
-        _within(_series_error(order), constant),
+        within(_series_error(order), constant),
         KAPPA,
         BY_KAPPA,
         QUARTER,
         constant,
-        expect,
         slopes=True,
+        **rest,
     )
 
 
-repaired = _repaired("repaired", 0, "1.451", Verdict.ENCLOSED)
-repaired_too_small = _repaired("repaired_too_small", 0, "1.45", Verdict.REFUTED)
-second_order = _repaired("second_order", 1, "2.98", Verdict.ENCLOSED)
-second_order_too_small = _repaired("second_order_too_small", 1, "2.96", Verdict.REFUTED)
-third_order = _repaired("third_order", 2, "7.36", Verdict.ENCLOSED)
+def _refuted(amended: Claim) -> dict[str, Any]:
+    return {"expect": Verdict.REFUTED, "amended_by": (amended,)}
+
+
+repaired = _repaired("repaired", 0, "1.451")
+repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repaired))
+second_order = _repaired("second_order", 1, "2.98")
+second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
+third_order = _repaired("third_order", 2, "7.36")
 
 
 def _sides(a0: fmpq, root: fmpq, constant: fmpq) -> tuple[Bound, ...]:
@@ -328,10 +344,10 @@ def _cubic_ratio(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
     return weight * middle, weight * radius
 
 
-everywhere_too_small = _boxed(
+everywhere_too_small = boxed(
     "everywhere_too_small",
     "|ε₀ − ε*| ≤ 3.33 e^{−3√(ab)(π + arcsin √(b/(a+b)))}.",
-    _within(_cubic_ratio, "3.33"),
+    within(_cubic_ratio, "3.33"),
     KAPPA,
     BY_KAPPA,
     QUARTER,
@@ -368,7 +384,7 @@ def _newton(start: str, constant: str) -> Callable[..., Any]:
     return margin
 
 
-one_line = _boxed(
+one_line = boxed(
     "one_line",
     "The sweep from π errs by at most 2.8 % of ε₀ for √(ab) ≤ 7/4.",
     (_sweep("pi", "0.028", 1),),
@@ -380,7 +396,7 @@ one_line = _boxed(
     note="It errs on the side of too large an ε₀, as the phase exceeds π.",
 )
 
-one_line_too_small = _boxed(
+one_line_too_small = boxed(
     "one_line_too_small",
     "The sweep from π errs by at most 2.7 % of ε₀ for √(ab) ≤ 7/4.",
     (_sweep("pi", "0.027", 1),),
@@ -393,7 +409,7 @@ one_line_too_small = _boxed(
     amended_by=(one_line,),
 )
 
-balanced_line = _boxed(
+balanced_line = boxed(
     "balanced_line",
     "The sweep from 4 errs by at most 0.65 % of ε₀, on either side, for √(ab) ≤ 7/4.",
     (_sweep("4", "0.0065", 1), _sweep("4", "0.0065", -1)),
@@ -404,7 +420,7 @@ balanced_line = _boxed(
     slopes=True,
 )
 
-newton_line = _boxed(
+newton_line = boxed(
     "newton_line",
     "One Newton step after the sweep from π errs by at most 0.01 % of ε₀ for √(ab) ≤ 7/4.",
     (_newton("pi", "1e-4"),),
@@ -415,7 +431,7 @@ newton_line = _boxed(
     note="It errs on the side of too small an ε₀: the phase equation is convex.",
 )
 
-balanced_newton = _boxed(
+balanced_newton = boxed(
     "balanced_newton",
     "One Newton step after the sweep from 4 errs by at most 0.0004 % of ε₀ for √(ab) ≤ 7/4.",
     (_newton("4", "4e-6"),),
@@ -432,7 +448,7 @@ def _tail(kappa: Any, m: Any) -> Any:
     return arb("4e-5") - twice / (1 - twice)
 
 
-uniform_tail = _boxed(
+uniform_tail = boxed(
     "uniform_tail",
     "For √(ab) ≥ 7/4 every sweep from π or above errs by at most 0.004 % of ε₀.",
     (_tail,),
@@ -450,7 +466,7 @@ def _newton_tail(kappa: Any, m: Any) -> Any:
     return arb("4e-6") - twice**2 / (1 - twice) ** 4
 
 
-newton_tail = _boxed(
+newton_tail = boxed(
     "newton_tail",
     "For √(ab) ≥ 7/4 a Newton step after such a sweep errs by at most 0.0004 % of ε₀.",
     (_newton_tail,),
@@ -483,7 +499,7 @@ def _product_alone(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
     return defect_over(a1, b1) - defect_over(a2, b2)
 
 
-product_alone = _boxed(
+product_alone = boxed(
     "product_alone",
     "The larger the product ab is, the smaller ε₀ is.",
     (_product_alone,),
@@ -491,6 +507,7 @@ product_alone = _boxed(
     ("a1", "b1", "a2", "b2"),
     "two shapes",
     expect=Verdict.REFUTED,
+    amended_by=(monotonicity,),
     note="Read of the product alone. At fixed a or fixed b it is true.",
 )
 
@@ -502,10 +519,10 @@ def _slope_error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
     return margins.slope_rest(b, kappa, m), arb(0)
 
 
-slope_leading_term = _boxed(
+slope_leading_term = boxed(
     "slope_leading_term",
     "|dε/dγ + 1/(4bε₀)| ≤ 3.15 √(ab) ε₀/b at γ = 0.",
-    _within(_slope_error, "12.6"),
+    within(_slope_error, "12.6"),
     KAPPA,
     BY_KAPPA,
     QUARTER,
@@ -513,10 +530,10 @@ slope_leading_term = _boxed(
     note="The remainder is of order ε₀ log(1/ε₀) at fixed b, where the paper prints O(1).",
 )
 
-slope_constant_too_small = _boxed(
+slope_constant_too_small = boxed(
     "slope_constant_too_small",
     "|dε/dγ + 1/(4bε₀)| ≤ 3.1 √(ab) ε₀/b at γ = 0.",
-    _within(_slope_error, "12.4"),
+    within(_slope_error, "12.4"),
     KAPPA,
     BY_KAPPA,
     QUARTER,

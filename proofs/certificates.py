@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from importlib.resources import files
+from pathlib import Path
 
 from tresym.claims.enclosure import BoxProof
+from tresym.exact import InputError
 
 FILE = "certificates.json"
 
@@ -26,3 +28,31 @@ def certificate(label: str) -> Callable[[], tuple[BoxProof, ...] | None]:
         return None if trees is None else tuple(BoxProof(tree) for tree in trees)
 
     return stored
+
+
+def save(found: Mapping[str, tuple[str, ...]]) -> None:
+    """Write the trees of these claims over the stored ones.
+
+    Args:
+        found: for each label the tree of each of its bounds.
+
+    Raises:
+        InputError: the proofs are installed and not a checkout's.
+    """
+    path = checkout_file()
+    kept = {**_trees(), **{label: list(trees) for label, trees in found.items()}}
+    text = json.dumps(dict(sorted(kept.items())), ensure_ascii=False, indent=1)
+    path.write_text(text + "\n", encoding="utf-8")
+    _trees.cache_clear()
+
+
+def checkout_file() -> Path:
+    """The file of the stored proofs, in a checkout.
+
+    Raises:
+        InputError: the proofs are installed and not a checkout's.
+    """
+    path = Path(str(files("tresym.proofs"))) / FILE
+    if not (path.parent.parent / "pyproject.toml").is_file():
+        raise InputError("stored proofs can only be written in a checkout")
+    return path

@@ -13,7 +13,22 @@ from typing import Any
 
 import sympy
 from flint import fmpq
-from sympy import Derivative, Equivalent, Gt, Integer, Subs, Tuple, asin, cos, exp, pi, sin, sqrt
+from sympy import (
+    Derivative,
+    Equivalent,
+    Function,
+    Gt,
+    Integer,
+    Subs,
+    Symbol,
+    Tuple,
+    asin,
+    cos,
+    exp,
+    pi,
+    sin,
+    sqrt,
+)
 from tresym.proofs.conditions import shape
 from tresym.proofs.separatrix import stable_equation
 from tresym.proofs.table_of_objects import exact_defect
@@ -314,7 +329,7 @@ implicit_slope = Claim(
 
 slope_of_u = Claim(
     label="dudlam",
-    says="du/dλ = 0 at the origin.",
+    says=equal(Function("value")(Symbol("du_dlambda", real=True), 0, 0, 0), 0),
     kind="statement",
     proof=all_of(implicit_slope, chain_rule, G_lambda_at_origin, G_mu_at_origin),
     where=Place(display=46),

@@ -297,19 +297,33 @@ def defect_between(shape: Shape, m: Any) -> Any:
     return shape.leading * (1 + y * (middle + radius * arb(0, 1)))
 
 
+def phase_by_kappa(b: Any, kappa: Any, m: Any) -> Any:
+    """The phase P = π + arctan(r tanh P/κ) in the chart (b, κ), a ball, by iteration."""
+    phase = balls.pi.union(3 * balls.pi / 2)
+    for _ in range(4):
+        small = flat(kappa, 2 * phase)
+        phase = m.pi + m.atan(b * kappa * (1 - 2 * small / (1 + small)))
+    return phase
+
+
+def defect_over_kappa(b: arb, kappa: arb, m: Any) -> arb:
+    """A ball around ε₀/κ on ab ≥ 1/4."""
+    shape = by_kappa(b, kappa, m)
+    middle, radius = remainder(shape, 0, 6, m)
+    growth = 1 + shape.leading * shape.leading * (middle + radius * arb(0, 1))
+    return growth * m.sqrt(leading_square_over(b, kappa, m).nonnegative_part())
+
+
 def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     """κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), a ball.
 
     −4bε dε/dγ = [(ε/s) c (1 + Rs²) + ε s (1 − R − 2b) T √(1 + Rs²)]/(1 − bs²) with s = sin ε₀,
-    c = cos ε₀ and κT the phase P = π + arctan(r tanh P/κ), by iteration.
+    c = cos ε₀ and κT the phase.
     """
     shape = by_kappa(b, kappa, m)
     e, r = defect_between(shape, m), shape.r
     sinc, half = sine_over(e), sine_over(e / 2)
-    phase = balls.pi.union(3 * balls.pi / 2)
-    for _ in range(4):
-        small = flat(kappa, 2 * phase)
-        phase = m.pi + m.atan(r * (1 - 2 * small / (1 + small)))
+    phase = phase_by_kappa(b, kappa, m)
     square = e * e * sinc * sinc
     root = m.sqrt(1 + r * r * square)
     cotangent_rest = (-half * half / 2 - sine_rest(e)) / sinc

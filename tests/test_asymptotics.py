@@ -2,14 +2,17 @@
 
 import pytest
 from flint import arb, fmpq
-from tresym.proofs import asymptotics, margins, rigid_bodies
+from tresym.proofs import asymptotics, certificates, margins, orders, rigid_bodies
 
+from tresym import verification
 from tresym.arithmetic import ball_precision, balls
 from tresym.claims.bounds import Asymptotics, Boxes, finding_anew
 from tresym.claims.claim import Claim
 from tresym.claims.enclosure import Bound, BoxProof, CertificateError, box, decide
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
+from tresym.cli import main
+from tresym.exact import InputError
 from tresym.flip import uniform
 from tresym.flip.separatrix import solve
 from tresym.formulas import printed, stable
@@ -31,7 +34,7 @@ def stated(module):
     return [c for c in claims if isinstance(c.proof, Boxes | Asymptotics)]
 
 
-CLAIMS = [*stated(asymptotics), *stated(rigid_bodies)]
+CLAIMS = list(dict.fromkeys([*stated(asymptotics), *stated(orders), *stated(rigid_bodies)]))
 
 
 @pytest.mark.slow
@@ -47,7 +50,7 @@ def test_every_claim_gets_its_verdict_when_found_anew(claim):
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.label)
 def test_stored_proofs_are_those_of_the_enclosed_bounds(claim):
-    if not isinstance(claim.proof, Boxes):
+    if not isinstance(claim.proof, Boxes) or claim.proof.stored is None:
         return
     proofs = claim.proof.stored()
     assert (proofs is not None) is (claim.expect is Verdict.ENCLOSED)
@@ -59,6 +62,29 @@ def test_a_tampered_certificate_is_refused():
     proof = asymptotics.repaired.proof
     with pytest.raises(CertificateError):
         decide(proof.bounds[0], stored=BoxProof("b"))
+
+
+def test_what_is_found_anew_is_what_is_stored(tmp_path, monkeypatch):
+    kept = certificates.checkout_file().read_text(encoding="utf-8")
+    with finding_anew():
+        report = verification.verify(["rigid_body_floor"])
+    (tmp_path / "proofs").mkdir()
+    (tmp_path / "pyproject.toml").touch()
+    copy = tmp_path / "proofs" / certificates.FILE
+    monkeypatch.setattr(certificates, "checkout_file", lambda: copy)
+    assert verification.save_certificates(report) == 1
+    assert copy.read_text(encoding="utf-8") == kept
+
+
+def test_stored_proofs_are_written_in_a_checkout_only(tmp_path, monkeypatch):
+    monkeypatch.setattr(certificates, "files", lambda package: tmp_path / "proofs")
+    with pytest.raises(InputError, match="checkout"):
+        certificates.checkout_file()
+
+
+def test_saving_needs_a_full_search(capsys):
+    assert main(["verify", "--save-certificates", "rigid_body_floor"]) == 2
+    assert "--full" in capsys.readouterr().err
 
 
 def balls_of(a, b):
@@ -131,14 +157,21 @@ def test_the_printed_error_is_as_enclosed(a, b):
 
 
 WRONG = [
-    (asymptotics._within(asymptotics._series_error(0), "1.4506"), asymptotics.KAPPA),
-    (asymptotics._within(asymptotics._series_error(1), "2.97"), asymptotics.KAPPA),
-    (asymptotics._within(asymptotics._series_error(0), "0.083"), ((0, "1/2"), (0, "1/4"))),
+    (asymptotics.within(asymptotics._series_error(0), "1.4506"), asymptotics.KAPPA),
+    (asymptotics.within(asymptotics._series_error(1), "2.97"), asymptotics.KAPPA),
+    (asymptotics.within(asymptotics._series_error(0), "0.083"), ((0, "1/2"), (0, "1/4"))),
     ((asymptotics._sweep("pi", "0.0272", 1),), asymptotics.CHART),
     ((asymptotics._sweep("4", "0.006", 1),), asymptotics.CHART),
     ((asymptotics._sweep("4", "0.006", -1),), asymptotics.CHART),
     ((asymptotics._newton("pi", "7e-5"),), asymptotics.CHART),
     ((asymptotics._newton("4", "2.5e-6"),), asymptotics.CHART),
+    (asymptotics.within(orders._quadratic_u, "0.0086"), asymptotics.KAPPA),
+    (asymptotics.within(orders._per_turn_square, "0.3"), asymptotics.KAPPA),
+    (asymptotics.within(orders._turn_slope_times_defect, "0.95"), asymptotics.KAPPA),
+    (asymptotics.within(orders._slope_times_defect, "0.17"), asymptotics.KAPPA),
+    (asymptotics.within(orders._square_rest, "1.83"), orders.WIDE),
+    (asymptotics.within(orders._root_rest, "0.91"), orders.WIDE),
+    ((orders._bending(1, "-105"),), (("-1e-4", "1e-4"),)),
 ]
 
 
@@ -150,7 +183,7 @@ def test_constants_beyond_the_supremum_are_never_enclosed(margins_, sides):
 
 def test_a_range_too_long_is_never_enclosed():
     """The constant of ab ≥ 1/4 fails on ab ≥ 1/5."""
-    parts = asymptotics._within(asymptotics._series_error(0), "1.451")
+    parts = asymptotics.within(asymptotics._series_error(0), "1.451")
     verdicts = {decide(Bound(p, box((0, 1), (0, "9/4"))), budget=1500).verdict for p in parts}
     assert verdicts != {Verdict.ENCLOSED}
 

@@ -90,6 +90,10 @@ def _verify(args: argparse.Namespace) -> int:
         return _verify_claims(args)
     from tresym.claims.bounds import finding_anew
 
+    if args.save_certificates:
+        from tresym.proofs.certificates import checkout_file
+
+        checkout_file()  # refused before the search, not after it
     with finding_anew():
         return _verify_claims(args)
 

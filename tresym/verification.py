@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
+from tresym.claims.bounds import Boxes
 from tresym.claims.claim import Claim
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
@@ -97,6 +98,26 @@ def verify(labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = No
         if on_row is not None:
             on_row(rows[-1])
     return Report(tuple(rows))
+
+
+def save_certificates(report: Report) -> int:
+    """Store the box proofs that ``report`` found, for the claims that look for stored ones.
+
+    Returns:
+        How many claims were written.
+
+    Raises:
+        InputError: the proofs are installed and not a checkout's.
+    """
+    from tresym.proofs.certificates import save
+
+    found = {
+        row.claim.label: row.finding.trees
+        for row in report.rows
+        if row.finding.trees and isinstance(row.claim.proof, Boxes) and row.claim.proof.stored
+    }
+    save(found)
+    return len(found)
 
 
 @dataclass(frozen=True)

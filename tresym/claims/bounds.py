@@ -41,7 +41,8 @@ class Boxes:
         region: where the statement holds, in words.
         constant: the constant of the statement, where it has one.
         claims: claims the reduction to these bounds rests on.
-        stored: gives the stored proofs, or None where there are none.
+        stored: gives the stored proofs, or None where there are none; None itself where none are
+            kept, because the search is short or ends at a counterexample.
         budget: boxes a search may look at, for each bound.
     """
 
@@ -50,12 +51,12 @@ class Boxes:
     region: str
     constant: fmpq | None = None
     claims: tuple[Claim, ...] = ()
-    stored: Callable[[], tuple[BoxProof, ...] | None] = lambda: None
+    stored: Callable[[], tuple[BoxProof, ...] | None] | None = None
     budget: int = 20_000
 
     def decisions(self) -> tuple[Decision, ...]:
         """What each bound came to, by its stored proof where there is one."""
-        proofs = None if _anew.get() else self.stored()
+        proofs = None if _anew.get() or self.stored is None else self.stored()
         if proofs is None:
             return tuple(decide(bound, self.budget) for bound in self.bounds)
         pairs = zip(self.bounds, proofs, strict=True)
@@ -73,12 +74,13 @@ class Boxes:
                 return Finding(Verdict.REFUTED, why, constant=constant, witness=point)
         if any(found.verdict is not Verdict.ENCLOSED for found in decisions):
             return Finding(Verdict.UNDECIDED, "the search left boxes open", constant=constant)
-        count = sum(found.proof.leaves for found in decisions if found.proof is not None)
+        proofs = [found.proof for found in decisions if found.proof is not None]
         return Finding(
             Verdict.ENCLOSED,
-            f"closed in {count} boxes",
+            f"closed in {sum(proof.leaves for proof in proofs)} boxes",
             constant=constant,
             region=self.region,
+            trees=tuple(proof.tree for proof in proofs),
         )
 
 

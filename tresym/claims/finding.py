@@ -32,6 +32,7 @@ class Finding:
         region: where the constant holds, in words.
         witness: exact point that refutes the claim (or exhibits it, for a printed number).
         steps: one finding for each step of a chain, in order.
+        trees: for bounds on boxes, the bisection tree that closes each.
         seconds: time taken.
     """
 
@@ -43,4 +44,5 @@ class Finding:
     parameter: str | None = None
     witness: Mapping[str, fmpq] | None = None
     steps: tuple[StepFinding, ...] = field(default=())
+    trees: tuple[str, ...] = ()
     seconds: float = 0.0

@@ -1,0 +1,478 @@
+"""Every O, o and "hot" of the paper as printed, each judged with its constant or its witness.
+
+S = +1 throughout; constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they are of one body.
+
+- `d24`, `eps0` (in `asymptotics`): the remainder of the theorem, which is not exponentially small;
+  `d38`, `eqnew`: what the higher orders left out on the way are, with constants;
+- `u_flat_order`: u = O(λ²) holds, and is far from sharp: `u_exponentially_small`;
+- `d52`, `d56`, `d57`: the printed orders hold; `d52_true_order`, `d56_true_order` and
+  `d57_true_order` say what they are in truth, with lower and upper constants;
+- `eq_epsilon_gen`: ε is quadratically close to its tangent, with a constant for the standard
+  racket; without the remainder (`d31`) or with −1/(4bε₀) for the slope (`eq_pavao`, `d58`) that is
+  false, and so is the theorem `prop1` as a whole;
+- `remark1`: ε₀ tends to zero exponentially; `remark1_speed`: not at the printed speed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import sympy
+from flint import acb, arb, fmpq
+from sympy import Function, Integer, Subs, Symbol, asin, cos, exp, pi, sqrt
+from tresym.proofs import margins
+from tresym.proofs.asymptotics import (
+    BY_KAPPA,
+    KAPPA,
+    QUARTER,
+    boxed,
+    printed_error,
+    printed_leading_term,
+    printed_remainder,
+    repaired,
+    slope_leading_term,
+    within,
+)
+from tresym.proofs.certificates import certificate
+from tresym.proofs.conditions import shape
+from tresym.proofs.separatrix import one_flip_defect
+
+from tresym.arithmetic import balls
+from tresym.claims.bounds import Asymptotics, Boxes
+from tresym.claims.claim import Claim, Place, all_of, equal
+from tresym.claims.enclosure import Bound, box
+from tresym.claims.germ import Germs
+from tresym.claims.order import Order
+from tresym.exact import as_rational
+from tresym.flip.quadrature import rigorous
+from tresym.flip.separatrix import defect_over
+from tresym.formulas import printed, stable
+from tresym.notation import S, a, b, epsilon, epsilon0, gamma
+from tresym.verdict import Verdict
+
+O, o = Function("O"), Function("o")  # noqa: E741
+hot = Symbol("hot", real=True)
+_derivative = Subs(Symbol("depsilon_dgamma", real=True), gamma, 0)
+_per_turn = Subs(Symbol("partialepsilon_partialF", real=True), gamma, 0)
+_turn_slope = Subs(Symbol("partialF_partialgamma", real=True), gamma, 0)
+_slope = Subs(Symbol("partialepsilon_partialgamma", real=True), gamma, 0)
+_exponent = pi + asin(sqrt(b / (a + b)) * cos(epsilon0))
+
+WIDE = ((0, 4), (0, "1/4"))
+"""The chart (R, ε₀) with R = b/a ≤ 4, of which ab ≥ 1/4 is a part."""
+
+
+# -- the theorem's remainder ----------------------------------------------------------------------
+
+theorem_remainder = Claim(
+    label="d24",
+    says=printed_remainder.says,
+    kind="order",
+    given=shape,
+    proof=printed_remainder.proof,
+    where=Place(display=24),
+    expect=Verdict.REFUTED,
+    amended_by=(printed_leading_term, printed_error, repaired),
+)
+
+
+# -- what "higher orders" leave out ---------------------------------------------------------------
+
+
+def _left_side_rest(R: Any, e: Any, m: Any) -> Any:
+    """(√L / (√(1+R) e/2) − 1)/e² for the left side L of the equation; L = (1+R)s²/(ρ+c)²."""
+    sinc, half = margins.sine_over(e), margins.sine_over(e / 2)
+    root = m.sqrt(1 + R * e * e * sinc * sinc)
+    mean = (R * sinc * sinc / (1 + root) - half * half / 2) / 2
+    return (margins.sine_rest(e) - mean) / (1 + e * e * mean)
+
+
+def _root_rest(R: Any, e: Any, m: Any) -> tuple[Any, Any]:
+    return _left_side_rest(R, e, m), arb(0)
+
+
+def _square_rest(R: Any, e: Any, m: Any) -> tuple[Any, Any]:
+    rest = _left_side_rest(R, e, m)
+    return rest * (2 + e * e * rest), arb(0)
+
+
+quadratic_left = boxed(
+    "d38",
+    equal(
+        (1 + b / a) * epsilon0**2 / 4 + hot,
+        exp(-2 * sqrt(a * b) * _exponent),
+    ),
+    within(_square_rest, "1.84"),
+    WIDE,
+    ("R", "epsilon0"),
+    "b/a <= 4, epsilon0 <= 1/4",
+    "1.84",
+    slopes=True,
+    given=shape,
+    where=Place(display=38),
+    note="The higher orders are at most 1.84 ε₀² times the term before them.",
+)
+
+linear_left = boxed(
+    "eqnew",
+    equal(epsilon0 + hot, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent)),
+    within(_root_rest, "0.92"),
+    WIDE,
+    ("R", "epsilon0"),
+    "b/a <= 4, epsilon0 <= 1/4",
+    "0.92",
+    slopes=True,
+    given=shape,
+    where=Place(display=39),
+    note="The higher orders are at most 0.92 ε₀³.",
+)
+
+
+def _log_ratio(b: Any, kappa: Any, m: Any) -> Any:
+    """log(ε₀/ε*)/ε*² = −u/(λε*²), u = −λ log(ε₀/ε*)."""
+    shape_ = margins.by_kappa(b, kappa, m)
+    middle, radius = margins.remainder(shape_, 0, 6, m)
+    ratio = middle + radius * arb(0, 1)
+    return ratio * margins.log1p_over(shape_.leading * shape_.leading * ratio)
+
+
+def _flat_u(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    return _log_ratio(b, kappa, m), arb(0)
+
+
+def _quadratic_u(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    return kappa * margins.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m), arb(0)
+
+
+u_exponentially_small = boxed(
+    "u_exponentially_small",
+    "|u| ≤ 1.44 λ ε*², so that u is smaller than every power of λ.",
+    within(_flat_u, "1.44"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "1.44",
+    note="u = −λ log(ε₀/ε*) is defined by ε₀ = 2√(1−μ²) exp(−(π + arcsin μ + u)/λ).",
+)
+
+u_flat_order = boxed(
+    "u_flat_order",
+    "u = O(λ²): |u| ≤ 0.009 λ².",
+    within(_quadratic_u, "0.009"),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "0.009",
+    where=Place(display=46),
+    note="True, and far from sharp: u is exponentially small.",
+)
+
+
+# -- the factors of the slope ---------------------------------------------------------------------
+
+
+def _per_turn_rest(b: Any, kappa: Any, m: Any) -> Any:
+    """−(∂ε/∂F + √(ab) ε₀)/(√(ab) ε₀³) at γ = 0."""
+    e, r = margins.defect_between(margins.by_kappa(b, kappa, m), m), b * kappa
+    sinc = margins.sine_over(e)
+    square = e * e * sinc * sinc
+    root = m.sqrt(1 + r * r * square)
+    inside = margins.sine_rest(e) * root + r * r * sinc * sinc / (1 + root) + b * sinc * sinc
+    return inside / (1 - b * square)
+
+
+def _per_turn_square(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    e = margins.defect_between(margins.by_kappa(b, kappa, m), m)
+    return e * _per_turn_rest(b, kappa, m), arb(0)
+
+
+def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
+    """κ · 4b√(ab) · −(∂F/∂γ + 1/(4b√(ab) ε₀²)) at γ = 0; κT is the phase P."""
+    shape_ = margins.by_kappa(b, kappa, m)
+    e, r = margins.defect_between(shape_, m), shape_.r
+    sinc, half = margins.sine_over(e), margins.sine_over(e / 2)
+    root = m.sqrt(1 + r * r * e * e * sinc * sinc)
+    # (c√(1 + Rs²)/s² − 1/e²): the differences c − 1, √ − 1 and e²/s² − 1, each over e².
+    cosine, stretched = -half * half / 2, r * r * sinc * sinc / (1 + root)
+    algebraic = (m.cos(e) * stretched + cosine - margins.sine_rest(e) * (1 + sinc)) / (sinc * sinc)
+    return kappa * algebraic + (1 - r * r - 2 * b) * margins.phase_by_kappa(b, kappa, m)
+
+
+def _turn_slope_times_defect(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    return margins.defect_over_kappa(b, kappa, m) * _turn_slope_rest(b, kappa, m), arb(0)
+
+
+def _slope_times_defect(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    return margins.defect_over_kappa(b, kappa, m) * margins.slope_rest(b, kappa, m) / 4, arb(0)
+
+
+def _printed_order(
+    label: str,
+    display: int,
+    left: Any,
+    right: Any,
+    error: Callable[..., Any],
+    constant: str,
+    **k: Any,
+) -> Claim:
+    return boxed(
+        label,
+        equal(left, right),
+        within(error, constant),
+        KAPPA,
+        BY_KAPPA,
+        QUARTER,
+        constant,
+        given=(*shape, S**2 > 0),
+        where=Place(display=display),
+        **k,
+    )
+
+
+def _true_order(
+    label: str, says: str, rest: Callable[..., Any], low: str, high: str, b0: str
+) -> Claim:
+    """``low`` < rest < ``high`` on the part b ≥ b₀ of ab ≥ 1/4."""
+    least, most = as_rational(low), as_rational(high)
+    return boxed(
+        label,
+        says,
+        (
+            lambda b, kappa, m: rest(b, kappa, m) - arb(least),
+            lambda b, kappa, m: arb(most) - rest(b, kappa, m),
+        ),
+        ((b0, 1), (0, 2)),
+        BY_KAPPA,
+        f"ab >= 1/4, {b0} <= b <= 1",
+        high,
+    )
+
+
+d52 = _printed_order(
+    "d52",
+    52,
+    _per_turn,
+    printed.defect_per_turn_asymptotic(epsilon0, a, b, S, sympy) + O(epsilon0**2),
+    _per_turn_square,
+    "0.31",
+    note="|∂ε/∂F + √(ab) ε₀| ≤ 0.31 √(ab) ε₀². The true order is ε₀³.",
+)
+
+d52_true_order = _true_order(
+    "d52_true_order",
+    "1/4 < |∂ε/∂F + √(ab) ε₀|/(√(ab) ε₀³) < 2.9 for b ≥ 1/2: O(ε₀²) is true and not sharp.",
+    _per_turn_rest,
+    "1/4",
+    "2.9",
+    "1/2",
+)
+
+d56 = _printed_order(
+    "d56",
+    56,
+    _turn_slope,
+    printed.turn_slope_asymptotic(epsilon0, a, b, S, sympy) + O(1 / epsilon0),
+    _turn_slope_times_defect,
+    "0.96",
+    note="The rest is at most 0.96/(4b√(ab) ε₀). Its true order is log(1/ε₀), which √(ab) is.",
+)
+
+d56_true_order = _true_order(
+    "d56_true_order",
+    "3/2 √(ab) < 4 b^{3/2} √a (∂F/∂γ + 1/(4 b^{3/2} √a ε₀²)) < 18 √(ab) for b ≥ 3/4: "
+    "O(1/ε₀) is true and not sharp.",
+    lambda b, kappa, m: -_turn_slope_rest(b, kappa, m),
+    "3/2",
+    "18",
+    "3/4",
+)
+
+d57 = _printed_order(
+    "d57",
+    57,
+    _slope,
+    printed.defect_slope_asymptotic(epsilon0, b) + O(Integer(1)),
+    _slope_times_defect,
+    "0.18",
+    note="|dε/dγ + 1/(4bε₀)| ≤ 0.18/b: O(1) at fixed b. The true order is √(ab) ε₀.",
+)
+
+d57_true_order = _true_order(
+    "d57_true_order",
+    "3/8 √(ab) ε₀/b < dε/dγ + 1/(4bε₀) < 3.15 √(ab) ε₀/b at γ = 0 for b ≥ 3/4: "
+    "O(1) is true and not sharp.",
+    lambda b, kappa, m: -margins.slope_rest(b, kappa, m),
+    "3/2",
+    "12.6",
+    "3/4",
+)
+
+
+# -- near the separatrix --------------------------------------------------------------------------
+
+RACKET = (fmpq(1517, 121), fmpq(55, 874))
+"""The standard racket."""
+CURVATURE, REACH = "1000", "1e-4"
+COARSE = arb("1e-6")
+"""Tolerance of the integral: the boxes are wider."""
+
+
+def _racket() -> tuple[arb, arb, arb, arb]:
+    """a, b, ε₀ and dε/dγ of the standard racket."""
+    p, q = (arb(x) for x in RACKET)
+    defect = defect_over(p, q)
+    slope = stable.turn_slope(defect, p, q, balls)
+    return p, q, defect, slope / printed.integrand(defect, p, q, arb(0), 1, balls)
+
+
+def _second_slope(defect: arb, a: arb, b: arb, gamma: arb) -> arb:
+    """∂²F/∂γ² = ¾ ∫ (1 − b sin²ψ)/(√(a + b sin²ψ) (γ + b sin²ψ)^{5/2}) dψ."""
+
+    def f(psi: acb, analytic: bool) -> acb:
+        square = b * psi.sin() ** 2
+        long = (a + square).sqrt(analytic=analytic)
+        short = gamma + square
+        return (1 - square) / (long * short**2 * short.sqrt(analytic=analytic))
+
+    return 3 * acb.integral(f, defect, balls.pi / 2, rel_tol=COARSE).real / 4
+
+
+def _bending(side: int, constant: str) -> Callable[..., Any]:
+    """−side · H″ for H(γ) = F(ε₀ + ε′γ + Cγ², γ) − π, which has a double root at γ = 0.
+
+    F decreases in ε, so that H ≤ 0 says that ε(γ) lies below the parabola.
+    """
+    curvature = as_rational(constant)
+
+    def margin(gamma_: arb, m: Any) -> arb:
+        p, q, defect, slope = _racket()
+        e = defect + gamma_ * (slope + gamma_ * arb(curvature))
+        turning = slope + 2 * arb(curvature) * gamma_
+        square = q * m.sin(e) ** 2
+        f = printed.integrand(e, p, q, gamma_, 1, m)
+        f_gamma = -f / (2 * (gamma_ + square))
+        pull = 2 * q / (1 - square) + q / (p + square) + q / (gamma_ + square)
+        f_psi = -f * m.sin(e) * m.cos(e) * pull
+        second = -f_psi * turning**2 - 2 * f_gamma * turning - 2 * f * arb(curvature)
+        return -side * (second + _second_slope(e, p, q, gamma_))
+
+    return margin
+
+
+tangent = Claim(
+    label="eq_epsilon_gen",
+    says=equal(epsilon, epsilon0 + gamma * _derivative + O(gamma**2)),
+    kind="order",
+    proof=Boxes(
+        (
+            Bound(_bending(1, CURVATURE), box((f"-{REACH}", REACH))),
+            Bound(_bending(-1, f"-{CURVATURE}"), box((f"-{REACH}", REACH))),
+        ),
+        ("gamma",),
+        f"the standard racket, |gamma| <= {REACH}",
+        as_rational(CURVATURE),
+        (one_flip_defect,),
+        certificate("eq_epsilon_gen"),
+    ),
+    where=Place(display=22),
+    expect=Verdict.ENCLOSED,
+    note="ε is an analytic function of γ as long as γ + b sin²ε > 0.",
+)
+
+
+def _off_tangent(gamma_: arb, m: Any) -> arb:
+    """−|F − π| where ε is on the tangent."""
+    p, q, defect, slope = _racket()
+    return -abs(rigorous(defect + slope * gamma_, p, q, gamma_) - m.pi)
+
+
+linear = Claim(
+    label="d31",
+    says=equal(epsilon, epsilon0 + gamma * _derivative),
+    kind="bound",
+    proof=Boxes(
+        (Bound(_off_tangent, box((REACH, REACH)), precision=128),),
+        ("gamma",),
+        "the standard racket",
+        claims=(one_flip_defect,),
+    ),
+    where=Place(display=31),
+    expect=Verdict.REFUTED,
+    amended_by=(tangent,),
+    note="A tangent, not the curve; the paper calls it an idea and adds O(γ²) elsewhere.",
+)
+
+
+def _printed_slope(label: str, display: int) -> Claim:
+    def difference(t: Any, m: Any) -> Any:
+        _, q, defect, slope = _racket()
+        bend = arb(0, as_rational(CURVATURE))
+        first = (slope + 1 / (4 * q * defect)) * t
+        return first + (m.bounded(bend) if isinstance(m, Germs) else bend) * t**2
+
+    return Claim(
+        label=label,
+        says=equal(epsilon, printed.linear_defect(epsilon0, b, gamma) + O(gamma**2)),
+        kind="order",
+        given=(b > 0, epsilon0 > 0),
+        proof=Asymptotics(
+            Order("O", difference, lambda t, m: t**2, upto=as_rational(REACH)),
+            "t = gamma -> 0 from above, the standard racket",
+            (tangent,),
+        ),
+        where=Place(display=display),
+        expect=Verdict.REFUTED,
+        amended_by=(tangent, slope_leading_term),
+        note="−1/(4bε₀) is only the leading term of dε/dγ as ab → ∞.",
+    )
+
+
+pavao = _printed_slope("eq_pavao", 23)
+summary = _printed_slope("d58", 58)
+
+theorem = Claim(
+    label="prop1",
+    says="The theorem: both formulas, each with its remainder, for every body.",
+    kind="statement",
+    proof=all_of(pavao, theorem_remainder),
+    where=Place(line=231),
+    expect=Verdict.REFUTED,
+    amended_by=(printed_leading_term, printed_error, repaired, tangent, slope_leading_term),
+    note="The leading terms of ε₀ and of dε/dγ are right; neither remainder is.",
+)
+
+
+def _decay(b: Any, kappa: Any, m: Any) -> Any:
+    """ε₀ e^{π√(ab)} = 2 cos θ e^{−b arctan(r)/r} ε₀/ε*."""
+    shape_ = margins.by_kappa(b, kappa, m)
+    middle, radius = margins.remainder(shape_, 0, 6, m)
+    growth = 1 + shape_.leading * shape_.leading * (middle + radius * arb(0, 1))
+    cosine = 1 / m.sqrt(1 + shape_.r * shape_.r)
+    return 2 * cosine * m.exp(-b * margins.arctangent_over(shape_.r)) * growth
+
+
+exponential_decay = boxed(
+    "remark1",
+    "ε₀ tends to zero exponentially as ab → ∞: 0.52 < ε₀ e^{π√(ab)} < 2.01.",
+    (
+        lambda b, kappa, m: _decay(b, kappa, m) - arb("0.52"),
+        lambda b, kappa, m: arb("2.01") - _decay(b, kappa, m),
+    ),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    "2.01",
+    where=Place(line=243),
+)
+
+remark_speed = Claim(
+    label="remark1_speed",
+    says="For fixed a and b, ε tends to ε₀ with γ at the speed −1/(4bε₀).",
+    kind="order",
+    proof=pavao.proof,
+    where=Place(line=243),
+    expect=Verdict.REFUTED,
+    amended_by=(tangent, slope_leading_term),
+    note="It tends to ε₀; its speed is dε/dγ, whose leading term this is.",
+)
