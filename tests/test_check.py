@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 from fractions import Fraction
+from pathlib import Path
 
 import mpmath
 import pytest
@@ -30,7 +31,9 @@ TRUE = [
     "exp(x) >= 1 + x given -2 <= x <= 3",
     "exp(x) >= 1 + x",
     "sin(x) < x given x > 0",
-    "tan(x) >= x given 0 <= x < 3/2",
+    "tan(x) >= x given 0 <= x < pi/2",
+    "abs(x) >= x",
+    "abs(x + y) <= abs(x) + abs(y)",
     "cos(x) >= 1 - x**2/2",
     "log(1 + x) <= x",
     "(1 + x)**n >= 1 + n*x given n >= 1, x > -1",
@@ -51,6 +54,7 @@ TRUE = [
     "exp(1/x) == O(1) as x -> 0-",
     "x*log(x) == o(sqrt(x)) as x -> 0+",
     "log(x) == o(x**(1/10)) as x -> oo",
+    "cos(x) ~ pi/2 - x as x -> pi/2",
 ]
 
 FALSE = [
@@ -68,6 +72,8 @@ FALSE = [
     "exp(x) >= 1 + x + x**2/2",  # true for x > 0 only
     "exp(-x) <= 10**(-6) given x > 0",
     "x**4 - 2*x**2 + 1 != 0",
+    "x != 0",
+    "x + y < 2 given 0 <= x <= 1, 0 <= y <= 1",  # touches at a corner
     "pi > 22/7",
     "sqrt(2)*sqrt(3) > sqrt(6)",
     "sin(x) - x == O(x**4) as x -> 0",
@@ -311,7 +317,7 @@ def test_json_has_every_key(capsys: pytest.CaptureFixture[str]) -> None:
     assert Fraction(value["witness"]["x"]) < 0
 
 
-def test_a_file_of_claims(tmp_path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_of_claims(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "claims"
     file.write_text(
         "# three that are read, one that is not\n"

@@ -112,9 +112,9 @@ class _Search:
             if not inside:
                 continue
             piece = self._piece(point, whole)
-            if isinstance(piece, Answer):
+            if isinstance(piece, Answer) and piece.verdict is Verdict.REFUTED:
                 return piece
-            if piece is not None and piece[0] <= worst.low and worst.high <= piece[1]:
+            if isinstance(piece, tuple) and piece[0] <= worst.low and worst.high <= piece[1]:
                 self.pieces.append(piece)
                 return None
         return _open(self.names, (worst,))
@@ -127,13 +127,24 @@ class _Search:
             if low == high == whole[k]:
                 ends[k] += side  # nothing is claimed beyond the end, where the box's ball may reach
                 continue
-            beside = sign_beside(self.difference, self.names[0], point, side)
-            if beside is not None and beside[0] < 0:
-                return self._failure_towards(point, side, beside)
+            beside = self._excluded_beside(point, side)
+            if beside is None:
+                beside = sign_beside(self.difference, self.names[0], point, side)
+                if beside is not None and beside[0] < 0:
+                    return self._failure_towards(point, side, beside)
             if beside is None or (self.strict and beside[0] == 0):
                 return None
             ends[k] = (low if side > 0 else high) + side * beside[1]
         return (ends[0], ends[1]) if ends[0] <= ends[1] else None
+
+    def _excluded_beside(self, point: Expr, side: int) -> tuple[int, fmpq] | None:
+        """A neighbourhood on that side which a condition excludes."""
+        for condition in self.region.conditions:
+            if condition.relation != "!=":
+                beside = sign_beside(condition.expression, self.names[0], point, side)
+                if beside is not None and beside[0] < 0:
+                    return beside
+        return None
 
     def _at_contact(self, point: Expr) -> bool | Answer:
         """Whether the claim holds at the point itself or does not speak of it."""

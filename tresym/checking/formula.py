@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpq_poly
 
 from tresym.claims.germ import Germ, UnresolvedError
 from tresym.claims.gradient import Gradient
@@ -40,9 +40,6 @@ class _Run:
         if e not in self.done:
             self.done[e] = self._value(e)
         return self.done[e]
-
-    def _constant(self, x: fmpq) -> Any:
-        return x if not isinstance(self.x, Gradient) else arb(x)
 
     def _value(self, e: Expr) -> Any:
         m = self.m
@@ -85,9 +82,11 @@ class _Run:
     def _function(self, name: str, x: Any) -> Any:
         m = self.m
         if name in _RECIPROCALS:
-            return 1 / getattr(m, _RECIPROCALS[name])(x)
+            return 1 / self._function(_RECIPROCALS[name], x)
         if name == "cot":
-            return m.cos(x) / m.sin(x)
+            return self._function("cos", x) / self._function("sin", x)
+        if name in ("sin", "cos", "tan") and isinstance(x, Germ):
+            return self._wave(name, x)
         if name == "coth":
             return 1 / m.tanh(x)
         if name == "abs":
@@ -96,6 +95,21 @@ class _Run:
             side = self._side(x)
             return side if name == "sign" else self._root(x * side) * side
         return getattr(m, name)(x)
+
+    def _wave(self, name: str, x: Germ) -> Any:
+        """Sine, cosine or tangent, turned back by a limit kπ/2, so that a zero there is exact."""
+        m, limit = self.m, x.terms[0] if x.terms and x.power == 0 and not x.exponent else None
+        if not isinstance(limit, fmpq_poly) or limit.degree() != 1 or limit[0] != 0:
+            return getattr(m, name)(x)
+        quarters = 2 * limit[1]
+        if quarters.q != 1:
+            return getattr(m, name)(x)
+        k, y = int(quarters.p), x - m.constant(limit)
+        if name == "tan":
+            return -m.cos(y) / m.sin(y) if k % 2 else m.tan(y)
+        k += name == "cos"
+        value = m.cos(y) if k % 2 else m.sin(y)
+        return -value if k % 4 >= 2 else value
 
     def _side(self, x: Any) -> int:
         """±1, the sign of ``x``.

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from flint import fmpq
+from flint import arb, fmpq
 
+from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.boxes import search
 from tresym.checking.domain import equal_at, with_domain
@@ -17,11 +18,13 @@ from tresym.checking.taylor import sign_by_taylor
 from tresym.exact import fraction_text
 from tresym.identity.bounds import sign
 from tresym.identity.decide import sampled_values
-from tresym.identity.expression import Expr, number, substitute, symbols
-from tresym.identity.given import Given
+from tresym.identity.evaluation import evaluate
+from tresym.identity.expression import ZERO, Expr, number, rebuild, substitute, symbols
+from tresym.identity.given import Given, corners
 from tresym.verdict import Verdict
 
 LOOKS = ((128, 40), (700, 10))
+MAX_CASES = 3
 _STRICT = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-")}
 
 
@@ -45,20 +48,48 @@ def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> A
         return _constants(left, relation, right)
     difference = left - right
     region = with_domain(given, left, right)
-    found_sign = sign(difference, region)
-    if found_sign in _STRICT[relation]:
-        return Answer(
-            Verdict.PROVED,
-            f"the difference {_words(found_sign)} by the signs of its parts; "
-            f"both sides are defined at {_shown(defined)}",
-        )
-    proof = sign_by_taylor(difference, relation, region)
+    proof = _proved(difference, relation, region)
     if proof is not None:
-        why = f"Taylor's theorem: {proof}; both sides are defined at {_shown(defined)}"
-        return Answer(Verdict.PROVED, why)
+        return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {_shown(defined)}")
     if relation == "!=":
         return _apart(left, right, region, defined)
     return search(left, right, relation == ">", region, given)
+
+
+def _proved(difference: Expr, relation: str, region: Given, depth: int = 0) -> str | None:
+    """A sentence that proves ``difference relation 0``, absolute values taken apart by cases."""
+    found = sign(difference, region)
+    if found in _STRICT[relation]:
+        return f"the difference {_words(found)} by the signs of its parts"
+    proof = sign_by_taylor(difference, relation, region)
+    if proof is not None:
+        return f"Taylor's theorem: {proof}"
+    inner = _absolute(difference)
+    if inner is None or depth == MAX_CASES:
+        return None
+    for side in (inner, -inner):
+        case = region & Given(((side, ">=", ZERO),))
+        if _proved(_without(difference, inner, side), relation, case, depth + 1) is None:
+            return None
+    return f"by cases, in the sign of {inner}"
+
+
+def _absolute(e: Expr) -> Expr | None:
+    """The argument of an absolute value in ``e`` that has none within, if there is one."""
+    for arg in e.args if e.op not in ("number", "symbol", "pi") else ():
+        found = _absolute(arg)
+        if found is not None:
+            return found
+    return e.args[0] if e.op == "abs" else None
+
+
+def _without(e: Expr, inner: Expr, side: Expr) -> Expr:
+    """``e`` with ``abs(inner)`` replaced by ``side``."""
+    if e.op in ("number", "symbol", "pi"):
+        return e
+    if e.op == "abs" and e.args[0] == inner:
+        return side
+    return rebuild(e, tuple(_without(arg, inner, side) for arg in e.args))
 
 
 def _sampled(
@@ -73,7 +104,27 @@ def _sampled(
                 return defined, refuted(f"it fails at {_shown(point)}", point, x, y)
             if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
                 return defined, refuted(f"both sides are equal at {_shown(point)}", point, x, y)
-    return defined, None
+    return defined, _at_corners(left, relation, right, given, names) if defined else None
+
+
+def _at_corners(
+    left: Expr, relation: str, right: Expr, given: Given, names: list[str]
+) -> Answer | None:
+    """A refutation where variables are 0, 1 or at closed ends of their ranges."""
+    for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
+        exact = dict(point)
+        with ball_precision(LOOKS[0][0]):
+            at = {name: arb(value) for name, value in point}
+            if not all(condition.holds_exactly(at) for condition in given.conditions):
+                continue
+            x, y = evaluate(left, at), evaluate(right, at)
+        if not (x.is_finite() and y.is_finite()):
+            continue
+        if relation != "!=" and x < y:
+            return refuted(f"it fails at {_shown(exact)}", exact, x, y)
+        if relation != ">=" and x.overlaps(y) and equal_at(left, right, exact):
+            return refuted(f"both sides are equal at {_shown(exact)}", exact, x, y)
+    return None
 
 
 def _constants(left: Expr, relation: str, right: Expr) -> Answer:
@@ -105,9 +156,9 @@ def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> 
     )
 
 
-def _words(found: str) -> str:
+def _words(found: str | None) -> str:
     words = {"+": "is positive", "-": "is negative", "0": "has normal form 0"}
-    return words.get(found, "is nowhere negative")
+    return words.get(found or "", "is nowhere negative")
 
 
 def _shown(point: dict[str, fmpq]) -> str:
