@@ -293,9 +293,9 @@ def test_the_float_map_is_as_good_as_it_says(start: Start, phi: Fraction) -> Non
 def test_many_floats_compose_and_keep_gamma(shape: Shape, chunk: int) -> None:
     a, b = (float(fraction(x)) for x in shape)
     random = np.random.default_rng(chunk)
-    psi = random.uniform(-4, 4, 200)
+    psi = random.uniform(-4, 4, 60)
     largest = (a + b * np.sin(psi) ** 2) / (1 - b * np.sin(psi) ** 2)
-    rate, phi = largest * random.uniform(-0.99, 0.99, 200), random.uniform(0, 6, 200)
+    rate, phi = largest * random.uniform(-0.99, 0.99, 60), random.uniform(0, 6, 60)
     whole, half = arrivals(a, b, psi, rate, phi), arrivals(a, b, psi, rate, phi / 3)
     end = psi + whole.turn
     gamma = a - (1 - whole.handle**2) * (a + b * np.sin(end) ** 2)
