@@ -48,15 +48,26 @@ from tresym.exact import as_rational
 from tresym.flip.quadrature import rigorous
 from tresym.flip.separatrix import defect_over
 from tresym.formulas import printed, stable
-from tresym.notation import S, a, b, epsilon, epsilon0, gamma
+from tresym.notation import (
+    S,
+    a,
+    b,
+    depsilon_dgamma,
+    epsilon,
+    epsilon0,
+    gamma,
+    partialepsilon_partialF,
+    partialepsilon_partialgamma,
+    partialF_partialgamma,
+)
 from tresym.verdict import Verdict
 
 O, o = Function("O"), Function("o")  # noqa: E741
 hot = Symbol("hot", real=True)
-_derivative = Subs(Symbol("depsilon_dgamma", real=True), gamma, 0)
-_per_turn = Subs(Symbol("partialepsilon_partialF", real=True), gamma, 0)
-_turn_slope = Subs(Symbol("partialF_partialgamma", real=True), gamma, 0)
-_slope = Subs(Symbol("partialepsilon_partialgamma", real=True), gamma, 0)
+_derivative = Subs(depsilon_dgamma, gamma, 0)
+_per_turn = Subs(partialepsilon_partialF, gamma, 0)
+_turn_slope = Subs(partialF_partialgamma, gamma, 0)
+_slope = Subs(partialepsilon_partialgamma, gamma, 0)
 _exponent = pi + asin(sqrt(b / (a + b)) * cos(epsilon0))
 
 WIDE = ((0, 4), (0, "1/4"))

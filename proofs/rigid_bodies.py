@@ -1,10 +1,10 @@
 """Rigid bodies: what I₃ ≤ I₁ + I₂ means for the shape, and how perfect a flip can be.
 
 - `realizable`: I₁ + I₂ − I₃ has the sign of 1 − b(a + 2);
-- `product_below_one`: ab < 1 for every rigid body;
+- `product_below_one`: ab < 1 for every rigid body, and `product_is_approached`: no less will do;
 - `rigid_body_floor`: on b = 1/(a+2) (planar bodies) ε₀ > 2 arctan e^{−π}, for every a > 0;
 - `floor_is_approached`: and ε₀ < 2 arctan e^{−π} + 1/(a+1) there, for every a ≥ 7, so it is the
-  infimum.
+  infimum; with `monotonicity` that is so for every body, `floor_of_every_body`.
 
 With u = 1/(a + 1) planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
 e = 2 arctan e^{−π} (tan e = 1/sinh π, cos e = tanh π) the claim ε₀ > e is
@@ -19,14 +19,16 @@ from typing import Any
 from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import ordered_moments, shape
 from tresym.proofs.margins import arcsine_over
+from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.arithmetic import balls
-from tresym.claims.bounds import Boxes
-from tresym.claims.claim import Claim, algebra, by, equal, step
+from tresym.claims.bounds import Asymptotics, Boxes
+from tresym.claims.claim import Claim, algebra, all_of, by, equal, step
 from tresym.claims.enclosure import Bound, box
 from tresym.claims.gradient import coordinates, gradients
-from tresym.notation import I1, I2, I3, a
+from tresym.claims.order import Order
+from tresym.notation import I1, I2, I3, a, b
 from tresym.verdict import Verdict
 
 realizable = Claim(
@@ -39,11 +41,24 @@ realizable = Claim(
 
 product_below_one = Claim(
     label="product_below_one",
-    says=1 - a / (a + 2) > 0,
+    says=1 - a * b > 0,
     kind="bound",
-    given=shape,
-    proof=(step(2 / (a + 2), algebra),),
-    note="ab ≤ a/(a + 2) for rigid bodies.",
+    given=(*shape, 1 - b * (a + 2) >= 0),
+    proof=(step((1 - b * (a + 2)) + 2 * b, algebra),),
+    note="b ≤ 1/(a + 2) for rigid bodies.",
+)
+
+product_is_approached = Claim(
+    label="product_is_approached",
+    says="For planar bodies, b = 1/(a + 2), the product ab = a/(a + 2) tends to 1 as a → ∞.",
+    kind="order",
+    proof=Asymptotics(
+        Order("~", lambda a, m: a / (a + 2), lambda a, m: a / a, at=None),
+        "a -> infinity, b = 1/(a+2)",
+        (realizable,),
+    ),
+    expect=Verdict.ENCLOSED,
+    note="So no bound below 1 holds for every rigid body.",
 )
 
 
@@ -95,4 +110,13 @@ floor_is_approached = Claim(
     ),
     expect=Verdict.ENCLOSED,
     note="Hence the floor is the infimum, approached by planar bodies as a → ∞.",
+)
+
+floor_of_every_body = Claim(
+    label="floor_of_every_body",
+    says="2 arctan e^{−π} is the infimum of ε₀ over all rigid bodies, and none attains it.",
+    kind="statement",
+    proof=all_of(realizable, monotonicity, rigid_body_floor, floor_is_approached),
+    expect=Verdict.ENCLOSED,
+    note="Of the bodies with one a, ε₀ decreases in b up to the planar b = 1/(a + 2).",
 )

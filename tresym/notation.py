@@ -36,6 +36,15 @@ gamma = _real("gamma")
 """Distance from the separatrix: γ = 2 I₂ E/M² − 1."""
 epsilon, epsilon0 = _real("epsilon"), _real("epsilon0")
 """Flip defect, and the flip defect on the separatrix."""
+depsilon_dgamma, partialepsilon_partialgamma = (
+    _real("depsilon_dgamma"),
+    _real("partialepsilon_partialgamma"),
+)
+partialepsilon_partialF, partialF_partialgamma = (
+    _real("partialepsilon_partialF"),
+    _real("partialF_partialgamma"),
+)
+"""Derivatives of the flip defect and of F, as symbols of their own."""
 psi0, psi_f = _real("psi0"), _real("psi_f")
 Delta_psi, Delta_phi = _real("Delta_psi"), _real("Delta_phi")
 """Flip angle at the start and at the end; the changes of the flip and precession angles."""
@@ -59,6 +68,10 @@ LATEX = {
     dM3_dt: r"\dot M_3",
     dtheta_dphi: r"\frac{d\theta}{d\phi}",
     dpsi_dphi: r"\frac{d\psi}{d\phi}",
+    depsilon_dgamma: r"\frac{d\epsilon}{d\gamma}",
+    partialepsilon_partialgamma: r"\frac{\partial\epsilon}{\partial\gamma}",
+    partialepsilon_partialF: r"\frac{\partial\epsilon}{\partial F}",
+    partialF_partialgamma: r"\frac{\partial F}{\partial\gamma}",
     epsilon0: r"\epsilon_0",
     psi_f: r"\psi_f",
     Delta_psi: r"\Delta\psi",
