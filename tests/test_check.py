@@ -9,7 +9,7 @@ from pathlib import Path
 import mpmath
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import tresym
@@ -151,7 +151,6 @@ SHAPES = st.sampled_from(
     st.integers(-3, 2),
     st.integers(1, 4),
 )
-@settings(max_examples=120)
 def test_random_inequalities(
     terms: list[tuple[int, str]], bound: int, relation: str, low: int, width: int
 ) -> None:
@@ -186,7 +185,6 @@ def test_random_inequalities(
     st.sampled_from(["O", "o"]),
     st.sampled_from(["0+", "0-", "0"]),
 )
-@settings(max_examples=60)
 def test_random_orders(
     power: int, scale: int, unit: str, other: str, gauge: int, kind: str, end: str
 ) -> None:
@@ -198,7 +196,6 @@ def test_random_orders(
 
 
 @given(st.integers(1, 5), st.integers(1, 5), st.integers(1, 3), UNITS)
-@settings(max_examples=40)
 def test_random_asymptotic_equalities(power: int, scale: int, wrong: int, unit: str) -> None:
     claim = f"{scale}*x**{power}*{unit}/({unit} + x)"
     assert tresym.check(f"{claim} ~ {scale}*x**{power}", path="x -> 0+").verdict is ENCLOSED
@@ -206,7 +203,6 @@ def test_random_asymptotic_equalities(power: int, scale: int, wrong: int, unit: 
 
 
 @given(st.integers(-5, 5), st.integers(-5, 5), st.integers(1, 9), UNITS, SHAPES)
-@settings(max_examples=60)
 def test_random_identities(a: int, b: int, c: int, unit: str, shape: str) -> None:
     """The product rule holds, and is refuted with anything added to it."""
     left = f"diff(({a})*{unit}*({shape}) + ({b})*x, x)"

@@ -135,6 +135,9 @@ class Given:
                     _tighten(box, side.args[0], _FLIP[relation], -bound)
                 elif not symbols(bound):
                     _tighten(box, side, relation, bound)
+        for _ in range(2):
+            for condition in self.conditions:
+                _propagate(box, condition)
         return box
 
     @cached_property
@@ -160,7 +163,7 @@ class Given:
         wanted = sorted(self.names | set(names))
         for point in self.points(wanted, 1):
             return point
-        for corner in _corners(wanted, self.box):
+        for corner in corners(wanted, self.box):
             with ball_precision(CHECK_BITS):
                 at = {name: arb(value) for name, value in corner.items()}
                 if all(condition.holds_exactly(at) for condition in self.conditions):
@@ -216,6 +219,47 @@ def _tighten(box: dict[str, Range], side: Expr, relation: str, bound: Expr) -> N
         box[name] = was._replace(
             high=high, high_open=is_open, pi_high=pi if pi is not None else _over_pi(high, False)
         )
+
+
+def _propagate(box: dict[str, Range], condition: Condition) -> None:
+    """Narrow the symbols of a linear condition by the bounds of the others: x > a > 0 is x > 0."""
+    form = _linear(condition.expression)
+    if condition.relation == "!=" or form is None or len(form) < 3:
+        return
+    for name, slope in form.items():
+        total, relation = form[""], condition.relation
+        for other, c in form.items():
+            if other in ("", name):
+                continue
+            where = box.get(other, Range())
+            end, is_open = (where.high, where.high_open) if c > 0 else (where.low, where.low_open)
+            if end is None:
+                break
+            total += c * end
+            relation = ">" if is_open else relation
+        else:
+            if name:
+                sign = relation if slope > 0 else _FLIP[relation]
+                _tighten(box, symbol(name), sign, number(-total / slope))
+
+
+def _linear(e: Expr) -> dict[str, fmpq] | None:
+    """The coefficients of a linear expression, the constant under the empty name, or None."""
+    form = {"": fmpq(0)}
+    stack = [(e, fmpq(1))]
+    while stack:
+        term, scale = stack.pop()
+        if term.op == "+":
+            stack.extend((arg, scale) for arg in term.args)
+        elif term.op == "*" and len(term.args) == 2 and term.args[0].op == "number":
+            stack.append((term.args[1], scale * term.args[0].args[0]))
+        elif term.op in ("number", "symbol"):
+            name = term.args[0] if term.op == "symbol" else ""
+            value = scale if name else scale * term.args[0]
+            form[name] = form.get(name, fmpq(0)) + value
+        else:
+            return None
+    return {name: c for name, c in form.items() if c != 0 or not name}
 
 
 def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
@@ -298,7 +342,7 @@ def _sample(where: Range, k: int, j: int) -> fmpq:
     return -x if negative else x
 
 
-def _corners(names: list[str], box: dict[str, Range]) -> Iterator[dict[str, fmpq]]:
+def corners(names: list[str], box: dict[str, Range]) -> Iterator[dict[str, fmpq]]:
     """Points with some symbols at closed ends of their ranges."""
     choices = []
     for name in names:
