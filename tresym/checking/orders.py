@@ -16,7 +16,7 @@ from tresym.verdict import Verdict
 
 PRECISION = 128
 _PARAMETER = "_t"
-"""No name that a reader of text lets through begins like this and is used by people."""
+"""The small parameter; the only symbol left once the path is put in."""
 
 
 def decide_order(claim: Comparison, path: Path) -> Answer:
