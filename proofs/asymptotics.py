@@ -21,23 +21,33 @@ from collections.abc import Callable
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import Function, exp, pi, sqrt
+from sympy import Derivative, Function, cosh, exp, pi, sinh, sqrt, tanh
 from tresym.proofs import margins
 from tresym.proofs.certificates import certificate
-from tresym.proofs.conditions import shape
-from tresym.proofs.monotonicity import monotonicity
-from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.conditions import auxiliary, shape
+from tresym.proofs.monotonicity import monotonicity, slope_in_T_positive
+from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.arithmetic import balls
 from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import Claim, Place, algebra, all_of, by, equal
+from tresym.claims.claim import (
+    Claim,
+    Place,
+    algebra,
+    all_of,
+    by,
+    differentiation,
+    equal,
+    exponentials,
+    step,
+)
 from tresym.claims.enclosure import Bound, box
 from tresym.claims.germ import Germs
 from tresym.claims.order import Order
 from tresym.exact import as_rational
 from tresym.flip.separatrix import defect_over
 from tresym.formulas import stable
-from tresym.notation import a, b, epsilon0, gamma
+from tresym.notation import T, a, b, epsilon0, gamma, k, r, x
 from tresym.verdict import Verdict
 
 RESTS_ON = (one_flip_defect,)
@@ -147,6 +157,45 @@ printed_error_too_small = boxed(
     "166/1000",
     expect=Verdict.REFUTED,
     amended_by=(printed_error,),
+)
+
+
+def _printed_relative(b: Any, kappa: Any, m: Any) -> Any:
+    """(printed/ε₀ − 1) a/b² in the chart (b, κ), away from b = 0; a/b² = (1/κ²)/b³."""
+    shape_ = margins.by_kappa(b, kappa, m)
+    middle, radius = margins.remainder(shape_, 0, 6, m)
+    rest = middle + radius * arb(0, 1)
+    rest = rest * margins.log1p_over(shape_.leading * shape_.leading * rest)
+    cube = b * b * b
+    scaled = margins.printed_excess(shape_.r, m)
+    scaled = scaled - margins.leading_square_over(b, kappa, m) * rest / cube
+    return scaled * margins.expm1_over(cube * kappa * kappa * scaled)
+
+
+printed_relative_error = boxed(
+    "printed_relative_error",
+    "0.133 b²/a < printed leading term/ε₀ − 1 < 0.168 b²/a for b ≥ 1/4, ab ≥ 4.",
+    (
+        lambda b, kappa, m: _printed_relative(b, kappa, m) - arb(fmpq(133, 1000)),
+        lambda b, kappa, m: arb(fmpq(168, 1000)) - _printed_relative(b, kappa, m),
+    ),
+    (("1/4", 1), (0, "1/2")),
+    BY_KAPPA,
+    "ab >= 4, 1/4 <= b <= 1",
+    "0.168",
+    note="It is too large there, by b²/(6a) in the limit. As b → 0 at fixed a it is too small.",
+)
+
+printed_relative_too_small = boxed(
+    "printed_relative_too_small",
+    "printed leading term/ε₀ − 1 < 0.166 b²/a for b ≥ 1/4, ab ≥ 4.",
+    (lambda b, kappa, m: arb(fmpq(166, 1000)) - _printed_relative(b, kappa, m),),
+    (("1/4", 1), (0, "1/2")),
+    BY_KAPPA,
+    "ab >= 4, 1/4 <= b <= 1",
+    "0.166",
+    expect=Verdict.REFUTED,
+    amended_by=(printed_relative_error,),
 )
 
 
@@ -489,6 +538,50 @@ uniform_formulas = Claim(
 )
 
 
+_D = cosh(T) ** 2 + r**2 * sinh(T) ** 2
+
+sweep_below = Claim(
+    label="sweep_below",
+    says=tanh(T + x) - tanh(T) > 0,
+    kind="bound",
+    given=(T > 0, x > 0, exp(x) - 1 > 0, exp(T) > 0),
+    proof=(
+        step(
+            2
+            * exp(2 * T)
+            * (exp(x) - 1)
+            * (exp(x) + 1)
+            / ((exp(2 * T + 2 * x) + 1) * (exp(2 * T) + 1)),
+            exponentials,
+        ),
+    ),
+)
+
+one_line_side = Claim(
+    label="one_line_side",
+    says="The sweep from π gives too large an ε₀, for every shape.",
+    kind="statement",
+    proof=all_of(stable_equation, one_flip_defect, sweep_below),
+    note="The phase P = π + arctan(r tanh kP) exceeds π, so P₁ = π + arctan(r tanh kπ) < P.",
+)
+
+phase_equation_convex = Claim(
+    label="phase_equation_convex",
+    says=equal(Derivative(-k * r / _D, T), 2 * k * r * (1 + r**2) * sinh(T) * cosh(T) / _D**2),
+    given=(*auxiliary, T > 0),
+    proof=by(differentiation, exponentials),
+    note="1 − kr/D is the slope of T − k(π + arctan(r tanh T)); it increases with T.",
+)
+
+newton_side = Claim(
+    label="newton_side",
+    says="A Newton step on the phase gives too small an ε₀, from wherever it starts.",
+    kind="statement",
+    proof=all_of(slope_in_T_positive, phase_equation_convex),
+    note="A tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
+)
+
+
 # -- the product alone ----------------------------------------------------------------------------
 
 
@@ -551,4 +644,36 @@ bend = Claim(
     given=(b > 0, epsilon0 > 0),
     proof=by(algebra),
     note="The linear formula solves ε + √(ε² + γ/b) = 2ε₀ exactly, as long as ε ≤ 2ε₀.",
+)
+
+_linear = epsilon0 - gamma / (4 * b * epsilon0)
+
+bend_allowed = Claim(
+    label="bend_allowed",
+    says=_linear**2 + gamma / b >= 0,
+    kind="bound",
+    given=(b > 0, epsilon0 > 0),
+    proof=(step((epsilon0 + gamma / (4 * b * epsilon0)) ** 2, algebra),),
+    note="With sin ε ≈ ε the linear formula never leaves γ ≥ −bε²; it touches at γ = −4bε₀².",
+)
+
+
+def _beyond_turning(defect: Any, m: Any) -> Any:
+    """(4ε₀² − sin² 2ε₀)/(2ε₀)⁴, which is −(γ + b sin²ε)/(16bε₀⁴) at γ = −4bε₀², ε = 2ε₀."""
+    sinc = margins.sine_over(2 * defect)
+    return -margins.sine_rest(2 * defect) * (1 + sinc)
+
+
+bend_leaves = boxed(
+    "bend_leaves",
+    "At γ = −4bε₀² the linear formula, ε = 2ε₀, lies where γ < −b sin²ε, by 3.5 to 6 times bε₀⁴.",
+    (
+        lambda e, m: 16 * _beyond_turning(e, m) - arb(fmpq(7, 2)),
+        lambda e, m: 6 - 16 * _beyond_turning(e, m),
+    ),
+    ((0, "3/4"),),
+    ("epsilon0",),
+    "0 < epsilon0 <= 3/4",
+    "6",
+    note="There is no such trajectory: √(γ + b sin²ε) is not real.",
 )

@@ -25,6 +25,8 @@ sine_rest = Divided(lambda s: s.sin(), 3)
 """(sin x − x)/x³."""
 log1p_over = Divided(lambda s: (1 + s).log())
 """log(1 + x)/x."""
+expm1_over = Divided(lambda s: s.exp())
+"""(exp x − 1)/x."""
 arcsine_over = Divided(lambda s: s.asin())
 """arcsin x / x."""
 arctangent_over = Divided(lambda s: s.atan())
