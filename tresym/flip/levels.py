@@ -7,11 +7,13 @@ one φ_K = π/3 (γ**):
 
 - γ > γ*: the trajectory has not turned, F(ε, γ) = π, and dε/dγ = F_γ/f < 0, as F_γ is an integral
   of a negative function;
-- γ** < γ ≤ γ*: it has turned once, 2φ_K − F(ε, γ) = π, and again dε/dγ < 0, as F_γ < 0 < dφ_K/dγ;
+- γ** < γ ≤ γ*: it has turned once, 2φ_K − F(ε, γ) = π, and where ε ≤ π/2 again dε/dγ < 0, as
+  F_γ ≤ 0 < dφ_K/dγ; beyond π/2 F and F_γ change sign, and ε need not be monotone;
 - γ < γ**: it has turned more than once; ε(γ) goes up and down, within [ψ_min, π − ψ_min].
 
-So ε decreases strictly on (γ**, a), and below γ** it stays nearer to π/2 than at γ**: the largest γ
-at which ε takes a value is the only one above γ**. Levels are computed in x = log of the odds
+So above γ**, once ε(γ) ≤ π/2 it decreases strictly all the way to γ = a: a value below π/2 is taken
+at one γ above γ**, which is the largest with that value. Values from π/2 on are not looked for.
+Levels are computed in x = log of the odds
 (γ+b)/(−γ) or (a−γ)/γ, in which all this is nearly linear.
 """
 
@@ -57,19 +59,14 @@ def turning_level(a: fmpq, b: fmpq, digits: int, turns: int = 1) -> arb | None:
 
 
 def level_of(a: fmpq, b: fmpq, defect: Angle, digits: int) -> arb:
-    """The largest γ < a with ε(γ) = ``defect``, as a ball; the only one above γ**.
+    """The largest γ < a with ε(γ) = ``defect`` < π/2, as a ball; the only one above γ**.
 
     Raises:
-        InputError: ε takes this value nowhere above γ** (the message gives the range).
+        InputError: a defect of π/2 or more, or one that ε takes nowhere (the message says which).
     """
     regime = _regime_of(a, b, defect)
     lowest = turning_level(a, b, 20, 3)
-    if regime < 0 and lowest is not None:
-        with ball_precision(128):
-            highest = arb.pi() - (-lowest / b).sqrt().asin()
-            if not defect.ball() < highest:
-                raise _out_of_range(f"less than {highest.str(8, radius=False)}")
-    elif regime < 0 and not defect.ball() < arb.pi() / 2:
+    if regime < 0 and not defect.ball() < arb.pi() / 2:
         raise _out_of_range("less than pi/2")
 
     def excess(x: arb) -> arb:
