@@ -116,7 +116,7 @@ def links(says: sympy.Eq, chain: Chain) -> list[tuple[sympy.Basic, sympy.Basic, 
     return list(zip(reached, reached[1:], chain, strict=False))
 
 
-LARGEST_SIMPLIFIED = 80
+LARGEST_SIMPLIFIED = 60
 """Differences of more operations are left to the points: simplify would take minutes."""
 
 STEPS = [

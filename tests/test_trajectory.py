@@ -228,7 +228,7 @@ def taylor(shape: Shape, psi0: str, rate: str) -> mpmath.mpf:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("psi0", "rate"),
-    [("0.3", "0.5"), ("0.3", "-0.2"), ("-2.5", "0"), ("4", "-1.5"), ("1.57", "0.1")],
+    [("0.3", "-0.2"), ("1.57", "0.1")],
 )
 def test_an_ode_solver_agrees(psi0, rate):
     shape = named_body("book").shape
