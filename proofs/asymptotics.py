@@ -9,8 +9,11 @@
   `everywhere`: one bound for all shapes, with its best constant 10/3;
 - `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas,
   together `uniform_formulas`, for every shape;
+- `one_line_side`, `newton_side`: on which side each errs;
+- `printed_relative_error`: the printed formula's own error, between two multiples of b²/a;
 - `product_alone`: ε₀ does not depend on ab alone, not even monotonically;
-- `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root.
+- `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root, `bend_leaves` where
+  it leaves what is possible (and `bend_carries` in `orders` how far it is good).
 
 How each bound becomes one sign in a chart is told in `margins`.
 """
@@ -569,7 +572,7 @@ phase_equation_convex = Claim(
     label="phase_equation_convex",
     says=equal(Derivative(-k * r / _D, T), 2 * k * r * (1 + r**2) * sinh(T) * cosh(T) / _D**2),
     given=(*auxiliary, T > 0),
-    proof=by(differentiation, exponentials),
+    proof=by(differentiation),
     note="1 − kr/D is the slope of T − k(π + arctan(r tanh T)); it increases with T.",
 )
 
