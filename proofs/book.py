@@ -130,11 +130,29 @@ book_height = number(
     _PRINTED,
 )
 
+_PROPORTIONS = {"length": "1.46", "height": "0.16"}
+
+book_a = number(
+    "book_a",
+    "A book with L/W = 1.46 and H/W = 0.16 has a = 1.11.",
+    "1.11",
+    lambda length, height, m: (length**2 - 1) / (1 + height**2),
+    _PROPORTIONS,
+)
+
+book_b = number(
+    "book_b",
+    "A book with L/W = 1.46 and H/W = 0.16 has b = 0.31.",
+    "0.31",
+    lambda length, height, m: (1 - height**2) / (length**2 + 1),
+    _PROPORTIONS,
+)
+
 book_shape = Claim(
     label="d30",
     says="A box can have a = 1.11 and b = 0.31, in proportions such as books have.",
     kind="number",
-    proof=all_of(box_a, box_b, box_of_a_shape, book_length, book_height),
+    proof=all_of(box_a, box_b, box_of_a_shape, book_length, book_height, book_a, book_b),
     where=Place(display=30),
     expect=Verdict.ENCLOSED,
     note="No dimensions are printed, so this is all that can be checked.",
@@ -184,4 +202,21 @@ last_column = Claim(
     ),
     where=Place(line=293),
     expect=Verdict.ENCLOSED,
+)
+
+objects_on_the_map = Claim(
+    label="fig_compar_racket",
+    says="The dots, at the printed a and b, are the five objects of Table 1 with their ε₀.",
+    kind="number",
+    proof=all_of(
+        *(
+            claim
+            for row in (standard_racket, racket_1, racket_2, racket_3, book)
+            for claim in _named(row, "_epsilon0")
+            if not claim.label.endswith("_from_epsilon0")
+        )
+    ),
+    where=Place(line=314),
+    expect=Verdict.ENCLOSED,
+    note="The ε₀ of each body, by the exact equation.",
 )

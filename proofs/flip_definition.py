@@ -117,6 +117,14 @@ integrand_of_the_turn = Claim(
 
 _inside = (psi > -pi / 2, psi < pi / 2, cos(psi) > 0)
 
+integrand_again = Claim(
+    label="d33",
+    says="f, as the appendix repeats it, is dφ/dψ.",
+    kind="statement",
+    proof=all_of(precession_integrand),
+    where=Place(display=33),
+)
+
 elementary_at_the_top = Claim(
     label="elementary_at_the_top",
     says=equal(
@@ -218,6 +226,14 @@ eqdefect = Claim(
     says=equal(Delta_psi, pi - 2 * epsilon),
     proof=by(substituting(flip_angle, eq_psi0psif)),
     where=Place(display=21),
+)
+
+symmetric_curves = Claim(
+    label="fig_symtraj",
+    says="The symmetric curves, from ε to π − ε, are those of one full turn of the handle.",
+    kind="statement",
+    proof=all_of(eq_robust_gen, eq_psi0psif, eqdefect),
+    where=Place(line=227),
 )
 
 perfect_is_zero = Claim(

@@ -242,6 +242,15 @@ slope_by_mu = Claim(
     note="For ε₀ of slope 0 in μ; a slope would enter with the factor μ sin ε₀.",
 )
 
+G_lambda, G_mu, mu_lambda = (
+    Symbol(name, real=True)
+    for name in ("partialG_partiallambda", "partialG_partialmu", "partialmu_partiallambda")
+)
+dG_dlambda, dG_du, du_dlambda = (
+    Symbol(name, real=True) for name in ("dG_dlambda", "dG_du", "du_dlambda")
+)
+"""Derivatives at the origin, as symbols of their own."""
+
 at_origin = {mu: Integer(0), epsilon: Integer(0)}
 """μ = 0, and ε₀ = 0 there because e^{−1/s} is."""
 
@@ -308,20 +317,43 @@ dmu_dlambda_zero = Claim(
     note="The conclusion stands: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",
 )
 
+total_slope = Claim(
+    label="total_slope",
+    says=equal(dG_dlambda, G_lambda + G_mu * mu_lambda),
+    proof=Definition(),
+    where=Place(display=45),
+    note="What dG/dλ stands for: the derivative of G(u, λ, μ(λ)) while u is held.",
+)
+
 chain_rule = Claim(
     label="d45",
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
     kind="statement",
-    proof=all_of(G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
+    proof=all_of(total_slope, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
     where=Place(display=45),
     note="Both terms vanish, the second because ∂G/∂μ does.",
+)
+
+implicit_rule = Claim(
+    label="implicit_rule",
+    says=Equivalent(
+        equal(dG_dlambda + dG_du * du_dlambda, 0),
+        equal(du_dlambda, -dG_dlambda / dG_du),
+    ),
+    given=(dG_du > 0,),
+    proof=(
+        step(equal(dG_dlambda / dG_du + du_dlambda, 0), multiplying(1 / dG_du)),
+        step(equal(du_dlambda, -dG_dlambda / dG_du), adding(-dG_dlambda / dG_du)),
+    ),
+    where=Place(display=44),
+    note="On the left G(u(λ), λ, μ(λ)) = 0, differentiated.",
 )
 
 implicit_slope = Claim(
     label="d44",
     says="du/dλ = −(dG/dλ)/(dG/du) at the origin, where dG/du is not 0.",
     kind="statement",
-    proof=all_of(G_at_origin, G_u_at_origin, flat_from_above),
+    proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, flat_from_above),
     where=Place(display=44),
     expect=Verdict.ENCLOSED,
     note="The implicit function theorem, on λ ≥ 0.",

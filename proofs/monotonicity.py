@@ -23,7 +23,6 @@ from tresym.claims.claim import (
     differentiation,
     equal,
     exponentials,
-    inverses,
     roots,
     step,
 )
@@ -56,7 +55,7 @@ slope_in_a = Claim(
     label="slope_in_a",
     says=equal(-Derivative(_g, a), (T - _g) / (2 * a) - b * _share / (2 * a)),
     given=(*shape, *later),
-    proof=by(differentiation, exponentials, roots, inverses),
+    proof=by(differentiation, roots),
     note="At the root g = 0, so the first term is T/(2a).",
 )
 
@@ -64,7 +63,7 @@ slope_in_b = Claim(
     label="slope_in_b",
     says=equal(-Derivative(_g, b), (T - _g) / (2 * b) + _share / 2),
     given=(*shape, *later),
-    proof=by(differentiation, exponentials, roots, inverses),
+    proof=by(differentiation, roots),
 )
 
 decrease_in_a = Claim(

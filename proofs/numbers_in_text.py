@@ -34,6 +34,8 @@ from tresym.proofs.flip_definition import eq_TRE, tre_only_if
 from tresym.proofs.flip_dynamics import sign_of_tilt
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
+from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
+from tresym.proofs.regimes import three_regimes
 from tresym.proofs.table_of_objects import exact_defect, formula_defect, of_moments, share_of_pi
 
 from tresym.claims.bounds import Boxes
@@ -425,6 +427,15 @@ exact_flip_line = Claim(
     ),
     where=Place(line=267),
     note="The line of exact flips in the linear formula.",
+)
+
+colours_of_motions = Claim(
+    label="fig_psiphi",
+    says="The red curves (γ < 0) are oscillating motions, which turn back at ψ_min and ψ_max; the "
+    "blue ones (γ > 0) are rotating motions, whose dψ/dφ keeps its sign.",
+    kind="statement",
+    proof=all_of(three_regimes, sign_constant, flip_is_bounded),
+    where=Place(line=281),
 )
 
 _upper, _lower = 4 * b * epsilon0 * (epsilon0 + pi / 12), 4 * b * epsilon0 * (epsilon0 - pi / 12)

@@ -259,7 +259,7 @@ logarithm_of_artanh = Claim(
     says=equal(atanh(x), log((1 + x) / (1 - x)) / 2),
     given=(x > -1, x < 1),
     proof=by(exponentials, inverses),
-    where=Place(line=412),
+    where=Place(line=340),
 )
 
 _argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) ** 2)

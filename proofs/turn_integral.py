@@ -9,7 +9,7 @@
 from __future__ import annotations
 
 import sympy
-from sympy import Gt, Integral, cos, pi, sin
+from sympy import Derivative, Equivalent, Gt, Integral, Ne, Subs, Symbol, cos, pi, sin
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_definition import equal_rates
 from tresym.proofs.flip_dynamics import sign_of_tilt
@@ -19,10 +19,12 @@ from tresym.claims.claim import (
     Claim,
     Definition,
     Place,
+    adding,
     all_of,
     by,
     changing_variable,
     equal,
+    multiplying,
     step,
     substituting,
 )
@@ -30,6 +32,11 @@ from tresym.formulas import printed
 from tresym.notation import F, S, a, b, epsilon, gamma, psi, theta, x
 
 _f = printed.integrand(psi, a, b, gamma, S, sympy)
+F_epsilon, F_gamma, defect_F, defect_gamma = (
+    Symbol(f"partial{of}_partial{by}", real=True)
+    for of, by in (("F", "epsilon"), ("F", "gamma"), ("epsilon", "F"), ("epsilon", "gamma"))
+)
+"""Partial derivatives, as symbols of their own."""
 _rotating = (*shape, b < 1, *defect, gamma > 0)
 
 second_half = Claim(
@@ -44,10 +51,14 @@ second_half = Claim(
 
 half_turn = Claim(
     label="d48",
-    says="The integral of f from ε to π − ε is twice that from ε to π/2.",
+    says=equal(
+        Integral(_f, (psi, epsilon, pi - epsilon)), 2 * Integral(_f, (psi, epsilon, pi / 2))
+    ),
     kind="statement",
+    given=_rotating,
     proof=all_of(second_half, equal_rates),
     where=Place(display=48),
+    note="The second half is the first, run backwards.",
 )
 
 half_integral = Claim(
@@ -75,20 +86,69 @@ smooth_under_the_integral = Claim(
     proof=(step(b * sin(psi) ** 2 + gamma),),
 )
 
+_slope_of_turn = Subs(Derivative(Integral(_f, (psi, epsilon, pi / 2)), gamma), gamma, 0)
+
 derivative_under_the_integral = Claim(
     label="d53",
-    says="∂F/∂γ at γ = 0 is the integral of ∂f/∂γ.",
+    says=equal(
+        _slope_of_turn,
+        Integral(Subs(Derivative(_f, gamma), gamma, 0), (psi, epsilon, pi / 2)),
+    ),
     kind="statement",
+    given=(*shape, *defect),
     proof=all_of(slope_of_integrand, slope_of_integral, smooth_under_the_integral),
     where=Place(display=53),
     note="On [ε₀, π/2] the integrand is smooth in ψ and γ; that F itself converges is not enough.",
+)
+
+_ends = tuple(printed.turn_slope_antiderivative(end, a, b, S, sympy) for end in (epsilon, pi / 2))
+
+slope_of_turn = Claim(
+    label="slope_of_turn",
+    says=equal(_slope_of_turn, _ends[1] - _ends[0]),
+    kind="statement",
+    given=(*shape, *defect),
+    proof=all_of(derivative_under_the_integral, slope_of_integrand, slope_of_integral),
+    where=Place(display=55),
+)
+
+slope_by_end = Claim(
+    label="slope_by_end",
+    says=equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
+    given=_rotating,
+    proof=Definition(),
+    where=Place(display=51),
+    note="What ∂F/∂ε is: F is an integral from ε.",
+)
+
+defect_by_turn = Claim(
+    label="defect_by_turn",
+    says=equal(defect_F, -1 / printed.integrand(epsilon, a, b, 0, S, sympy)),
+    given=(*shape, *defect, Ne(S, 0), 1 - b * sin(epsilon) ** 2 > 0),
+    proof=Definition(),
+    where=Place(display=51),
+    note="What ∂ε/∂F is: the inverse of ∂F/∂ε, here at γ = 0.",
+)
+
+differentiated_turn = Claim(
+    label="differentiated_turn",
+    says=Equivalent(
+        equal(F_gamma + defect_gamma / defect_F, 0), equal(defect_gamma, -defect_F * F_gamma)
+    ),
+    given=(defect_F < 0,),
+    proof=(
+        step(equal(defect_F * F_gamma + defect_gamma, 0), multiplying(defect_F)),
+        step(equal(defect_gamma, -defect_F * F_gamma), adding(-defect_F * F_gamma)),
+    ),
+    where=Place(display=50),
+    note="On the left F(ε(γ), γ) = π, differentiated; for S = 1, where F falls as ε grows.",
 )
 
 implicit_derivative = Claim(
     label="eq_depsdgamma_form",
     says="dε/dγ = −(∂ε/∂F)(∂F/∂γ) at γ = 0.",
     kind="statement",
-    proof=all_of(inverse_slope, derivative_under_the_integral),
+    proof=all_of(differentiated_turn, inverse_slope, derivative_under_the_integral),
     where=Place(display=50),
     note="F(ε(γ), γ) = π is differentiated; ∂F/∂ε = −f is not 0.",
 )
