@@ -1,7 +1,7 @@
 """Appendix, second part: the integral F whose level lines are ε(γ).
 
 - `d48`: the turn is twice F, by the symmetry of the flip angle about π/2; `d49` defines F;
-- `end_of_F`: ∂F/∂ε = −f; `eq_depsdgamma_form`: dε/dγ = −(∂ε/∂F)(∂F/∂γ);
+- `slope_by_end`: ∂F/∂ε = −f; `eq_depsdgamma_form`: dε/dγ = −(∂ε/∂F)(∂F/∂γ);
 - `d53`: the derivative goes under the integral, whose integrand is smooth there;
 - `S_drops_out`: the sign S does not matter for dε/dγ.
 """
