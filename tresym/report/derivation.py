@@ -41,7 +41,11 @@ chain uses only the reasons that stand at its right.
 """
 
 _LETTERS = {
-    "₀": "$_0$", "₁": "$_1$", "₂": "$_2$", "₃": "$_3$", "ᵢ": "$_i$", "²": "$^2$", "³": "$^3$",
+    "₀": r"\textsubscript{0}", "₁": r"\textsubscript{1}", "₂": r"\textsubscript{2}",
+    "₃": r"\textsubscript{3}", "ᵢ": r"\textsubscript{i}", "₊": r"\textsubscript{+}",
+    "₋": r"\textsubscript{$-$}", "⁰": r"\textsuperscript{0}", "²": r"\textsuperscript{2}",
+    "³": r"\textsuperscript{3}", "⁴": r"\textsuperscript{4}", "⁵": r"\textsuperscript{5}",
+    "⁶": r"\textsuperscript{6}", "⁻": r"\textsuperscript{$-$}", "ᵀ": r"\textsuperscript{T}",
     "α": r"$\alpha$", "β": r"$\beta$", "γ": r"$\gamma$", "δ": r"$\delta$", "Δ": r"$\Delta$",
     "ε": r"$\epsilon$", "θ": r"$\theta$", "κ": r"$\kappa$", "λ": r"$\lambda$", "μ": r"$\mu$",
     "π": r"$\pi$", "ρ": r"$\rho$", "σ": r"$\sigma$", "τ": r"$\tau$", "φ": r"$\phi$",
@@ -51,8 +55,8 @@ _LETTERS = {
     "⟺": r"$\Leftrightarrow$", "±": r"$\pm$", "·": r"$\cdot$", "×": r"$\times$", "−": "$-$",
     "∈": r"$\in$", "∉": r"$\notin$", "∥": r"$\parallel$", "∫": r"$\int$", "′": "$'$",
     "<": "$<$", ">": "$>$", "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}",
-    "{": r"\{", "}": r"\}", "…": r"\dots{}", "ᵀ": "$^T$", "Ṙ": r"$\dot R$", "*": "$^*$",
-    "~": r"\textasciitilde{}", "⁻": "$^-$", "⁴": "$^4$", "∝": r"$\propto$", "∓": r"$\mp$",
+    "{": r"\{", "}": r"\}", "…": r"\dots{}", "Ṙ": r"$\dot R$", "″": "$''$",
+    "Σ": r"$\Sigma$", "~": r"\textasciitilde{}", "∝": r"$\propto$", "∓": r"$\mp$",
     "\\": r"\textbackslash{}", "°": r"$^\circ$",
 }  # fmt: skip
 
@@ -62,8 +66,7 @@ def prose(text: str) -> str:
 
     Anything else outside Latin-1 falls back to a visible placeholder rather than a broken run.
     """
-    out = "".join(_LETTERS.get(c, c if ord(c) < 256 or c in "–—’“”šćž" else "?") for c in text)
-    return out.replace("$$", "")
+    return "".join(_LETTERS.get(c, c if ord(c) < 256 or c in "–—’“”šćž" else "?") for c in text)
 
 
 def article(report: Report) -> str:
@@ -115,7 +118,7 @@ def _outcome(row: Row, known: Collection[str]) -> Iterator[str]:
             yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(point[:400])}}}.\par"
     if row.claim.amended_by:
         names = ", ".join(_reference(c, known) for c in row.claim.amended_by)
-        yield rf"\textsf{{\small True instead:}} {names}.\par"
+        yield rf"{{\raggedright\textsf{{\small True instead:}} {names}.\par}}"
 
 
 def _reference(claim: Claim, known: Collection[str]) -> str:
