@@ -31,7 +31,7 @@ from sympy import (
     sqrt,
     tan,
 )
-from tresym.proofs.conditions import defect, shape, tilted
+from tresym.proofs.conditions import shape, tilted
 from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, precession_integrand, sign_of_tilt
 from tresym.proofs.separatrix import (
     between,
@@ -335,14 +335,12 @@ eps0_shape_only = Claim(
 
 without_approximation = Claim(
     label="d25",
-    says=equal(
-        printed.separatrix_left(epsilon, a, b, sympy),
-        printed.separatrix_right(epsilon, a, b, sympy),
-    ),
-    given=(*shape, *defect),
+    says="The flip defect on the separatrix is given, without any approximation, by the "
+    "exponential equation of d37: it is equivalent to the condition of one turn.",
+    kind="statement",
     proof=all_of(exact_equation, stable_equation, one_flip_defect),
     where=Place(display=25),
-    note="Equivalent to the condition of one turn; ε₀ (here ε) is its only root.",
+    note="ε₀ (here ε) is its only root.",
 )
 
 # -- tops -----------------------------------------------------------------------------------------

@@ -378,3 +378,10 @@ def test_only_inequalities_are_cited() -> None:
     for cited in (bound, prose, equation):
         user = Claim("user", Gt(x, y, evaluate=False), (step(x - y, citing(cited)),))
         assert not judge(user, held).verdict.holds
+
+
+def test_a_conjunction_proves_no_formula() -> None:
+    good = Claim("good", equal(sin(a) ** 2 + cos(a) ** 2, 1), by(trigonometry))
+    found = {"good": judge(good, {})}
+    assert judge(Claim("formula", equal(a, b), all_of(good)), found).verdict is Verdict.UNDECIDED
+    assert judge(Claim("sentence", "so it is", all_of(good)), found).verdict is Verdict.PROVED

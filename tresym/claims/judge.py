@@ -78,6 +78,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_definition(claim)
         case Printed():
             return judge_printed(claim.proof)
+        case AllOf() if not isinstance(claim.says, str):
+            return Finding(UNDECIDED, "a conjunction proves a sentence; a formula needs a chain")
         case AllOf(claims):
             return _judge_all(claims, found)
         case Formally(relations=relations):
