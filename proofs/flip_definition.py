@@ -90,13 +90,19 @@ _slow, _fast = 1 - b * _square, a + b * _square
 
 eq_robust_gen = Claim(
     label="eq_robust_gen",
-    says=Tuple(
-        equal(Integral(_integrand, (psi, psi0, psi_f)), Delta_phi), equal(Delta_phi, 2 * pi)
-    ),
+    says=equal(Delta_phi, Integral(_integrand, (psi, psi0, psi_f))),
     given=shape,
     proof=Definition(),
     where=Place(display=18),
-    note="One turn of the handle, while the flip angle does not turn back; d19 is its integrand.",
+    note="While the flip angle does not turn back; d19 is its integrand.",
+)
+
+full_turn = Claim(
+    label="full_turn",
+    says=equal(Delta_phi, 2 * pi),
+    proof=Definition(),
+    where=Place(display=18),
+    note="The turn that is studied: one of the handle.",
 )
 
 flip_angle = Claim(
@@ -232,7 +238,7 @@ symmetric_curves = Claim(
     label="fig_symtraj",
     says="The symmetric curves, from ε to π − ε, are those of one full turn of the handle.",
     kind="statement",
-    proof=all_of(eq_robust_gen, eq_psi0psif, eqdefect),
+    proof=all_of(eq_robust_gen, full_turn, eq_psi0psif, eqdefect),
     where=Place(line=227),
 )
 

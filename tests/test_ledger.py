@@ -163,6 +163,7 @@ DEFINED_TWICE = {
     "M1": "M = I Ω in the body and M along Z in space: the two together are the physics",
     "M2": "as M1",
     "M3": "as M1",
+    "Delta_phi": "the precession of a motion, and the one full turn that is studied",
     "theta_min": "one bound for each regime; no chain uses both",
     "theta_max": "as theta_min",
 }
