@@ -385,3 +385,9 @@ def test_a_conjunction_proves_no_formula() -> None:
     found = {"good": judge(good, {})}
     assert judge(Claim("formula", equal(a, b), all_of(good)), found).verdict is Verdict.UNDECIDED
     assert judge(Claim("sentence", "so it is", all_of(good)), found).verdict is Verdict.PROVED
+
+
+def test_conditions_do_not_restrict_the_interval_of_a_root() -> None:
+    function, slope = x**3 - x - 1, 3 * x**2 - 1
+    assert root(function, slope, 0, 2, x > 1) is not Verdict.PROVED
+    assert root(function, slope, 1, 2) is Verdict.PROVED

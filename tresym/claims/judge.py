@@ -193,6 +193,8 @@ def _judge_unique_root(proof: UniqueRoot, given: Conditions) -> Finding:
 def _one_root(proof: UniqueRoot, given: Conditions) -> Finding:
     """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
     v, h = proof.variable, proof.function
+    # The root is looked for in the whole interval, whatever is assumed of the symbol.
+    given = tuple(condition for condition in given if v not in condition.free_symbols)
     gap = continuous_on(h, (*given, v >= proof.low, v <= proof.high))
     if gap is not None:
         return Finding(UNDECIDED, f"nothing shows that {gap} stays off its singularity")

@@ -466,6 +466,8 @@ def from_sympy(e: Any) -> Expr:
             done[node] = _from_sympy_node(sympy, node, walk)
         return done[node]
 
+    if isinstance(e, str):
+        raise InputError("text is read by parse, never as a SymPy expression")
     return walk(sympy.sympify(e))
 
 
