@@ -621,7 +621,10 @@ def test_a_killed_cluster_worker_loses_nothing(
 
 
 @pytest.mark.filterwarnings("default")
-@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "nonsense", "", "tcp://"])
+@pytest.mark.parametrize(
+    "address",
+    ["tcp://127.0.0.1:1", "nonsense", "", "tcp://", "tcp://h:99999", "tcp://[::1", "inproc://h:1"],
+)
 def test_an_unreachable_scheduler_is_one_line(
     address: str,
     tmp_path: Path,

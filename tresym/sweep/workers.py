@@ -6,6 +6,7 @@ Each is a ``concurrent.futures`` executor, and the sweep knows nothing else of i
 from __future__ import annotations
 
 import signal
+import socket
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import (
@@ -20,6 +21,7 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
+from urllib.parse import urlsplit
 
 from tresym.exact import InputError
 
@@ -161,6 +163,23 @@ def processes(count: int) -> Iterator[Workers]:
         executor.shutdown(cancel_futures=True)
 
 
+def _no_answer(address: str, error: Exception) -> InputError:
+    """What to say of a scheduler that cannot be reached."""
+    reason = " ".join(str(error).split())[:200]
+    return InputError(f"cluster: no scheduler answers at {address!a} ({reason})")
+
+
+def _knock(address: str) -> None:
+    """Connect once: at an address that is none, the client of Dask may wait for ever."""
+    try:
+        parts = urlsplit(address if "://" in address else f"tcp://{address}")
+        if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
+            raise ValueError("the address reads tcp://HOST:PORT")
+        socket.create_connection((parts.hostname, parts.port), timeout=PATIENCE).close()
+    except (OSError, ValueError) as error:
+        raise _no_answer(address, error) from None
+
+
 @contextmanager
 def cluster(address: str) -> Iterator[Workers]:
     """The workers of a Dask scheduler; they need the same tresym.
@@ -173,11 +192,11 @@ def cluster(address: str) -> Iterator[Workers]:
         from distributed.comm import CommClosedError
     except ImportError:
         raise InputError("cluster: needs Dask (pip install 'tresym[cluster]')") from None
+    _knock(address)
     try:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
-        reason = " ".join(str(error).split())[:200]
-        raise InputError(f"cluster: no scheduler answers at {address!a} ({reason})") from None
+        raise _no_answer(address, error) from None
     with client:
         threads = sum(client.nthreads().values())
         if threads == 0:
