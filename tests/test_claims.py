@@ -1,6 +1,7 @@
 """Every checker of claims rejects the falsehoods planted for it."""
 
 import pytest
+from flint import arb
 from sympy import (
     Abs,
     Derivative,
@@ -9,6 +10,7 @@ from sympy import (
     Integer,
     Integral,
     Rational,
+    Subs,
     Symbol,
     Tuple,
     asin,
@@ -391,3 +393,51 @@ def test_conditions_do_not_restrict_the_interval_of_a_root() -> None:
     function, slope = x**3 - x - 1, 3 * x**2 - 1
     assert root(function, slope, 0, 2, x > 1) is not Verdict.PROVED
     assert root(function, slope, 1, 2) is Verdict.PROVED
+
+
+def test_what_hangs_on_a_variable_is_not_taken_for_a_constant() -> None:
+    """An integral stays a symbol of its own, but no derivative by what it depends on is zero."""
+    area = Integral(t * x, (t, 0, 1))
+    for says in (
+        equal(Derivative(Integral(1, (t, 0, x)), x), 0),
+        equal(Derivative(Derivative(area * x, x), x), 0),
+        equal(Derivative(Subs(Integral(t * y, (t, 0, 1)), y, x), x), 0),
+        equal(Subs(area, x, 0), area),
+    ):
+        assert verdict(claim(says, by(*EVERYTHING, differentiation))) is Verdict.REFUTED
+    free = equal(Derivative(x * Integral(y, (y, 0, 1)), x), Integral(y, (y, 0, 1)))
+    assert verdict(claim(free, by(differentiation))) is Verdict.PROVED
+
+
+def test_what_holds_of_a_symbol_does_not_hold_of_a_bound_one() -> None:
+    lemma = Claim("lemma", equal(Abs(x), x), by(roots), given=(x > 0,))
+    held = {"lemma": judge(lemma, {})}
+    assert held["lemma"].verdict is Verdict.PROVED
+    for says in (
+        equal(Integral(Abs(x), (x, -1, 1)), Integral(x, (x, -1, 1))),
+        equal(Subs(Abs(x), x, -1), Subs(x, x, -1)),
+        equal(Derivative(Abs(x), x), Derivative(x, x)),
+    ):
+        user = Claim("user", says, by(substituting(lemma), differentiation), given=(x > 0,))
+        assert judge(user, held).verdict is Verdict.UNDECIDED
+
+
+def test_the_name_of_a_variable_of_integration_does_not_matter() -> None:
+    renamed = equal(Integral(sin(x), (x, 0, y)), Integral(sin(t), (t, 0, y)))
+    assert verdict(claim(renamed, by())) is Verdict.PROVED
+    free = equal(Integral(sin(x), (x, 0, x)), Integral(sin(t), (t, 0, t)))
+    assert verdict(claim(free, by())) is Verdict.REFUTED
+    captured = equal(Integral(x * t, (x, 0, 1)), Integral(t * t, (t, 0, 1)))
+    assert verdict(claim(captured, by())) is Verdict.REFUTED
+
+
+def test_a_stored_proof_that_does_not_hold_leaves_its_claim_undecided() -> None:
+    from tresym.claims.bounds import Boxes
+    from tresym.claims.enclosure import Bound, BoxProof, box
+
+    bound = Bound(lambda x, m: x - arb("0.5"), box(("0", "1")))
+    for proofs in ((BoxProof("b"),), (BoxProof("?"),), (BoxProof("xb"),), ()):
+        stale = Boxes((bound,), ("x",), "0 <= x <= 1", stored=lambda proofs=proofs: proofs)
+        finding = judge(claim("x > 1/2", stale), {})
+        assert finding.verdict is Verdict.UNDECIDED
+        assert "stored proof" in finding.why

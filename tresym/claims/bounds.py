@@ -11,7 +11,7 @@ from flint import fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.claims.claim import Claim
-from tresym.claims.enclosure import Bound, BoxProof, Decision, decide
+from tresym.claims.enclosure import Bound, BoxProof, CertificateError, Decision, decide
 from tresym.claims.finding import Finding
 from tresym.claims.order import Judgement, Order
 from tresym.claims.order import decide as decide_order
@@ -55,10 +55,16 @@ class Boxes:
     budget: int = 20_000
 
     def decisions(self) -> tuple[Decision, ...]:
-        """What each bound came to, by its stored proof where there is one."""
+        """What each bound came to, by its stored proof where there is one.
+
+        Raises:
+            CertificateError: stored proofs that do not prove the bounds.
+        """
         proofs = None if _anew.get() or self.stored is None else self.stored()
         if proofs is None:
             return tuple(decide(bound, self.budget) for bound in self.bounds)
+        if len(proofs) != len(self.bounds):
+            raise CertificateError("stored proofs of another number of bounds")
         pairs = zip(self.bounds, proofs, strict=True)
         return tuple(decide(bound, self.budget, proof) for bound, proof in pairs)
 

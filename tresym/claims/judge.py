@@ -31,6 +31,7 @@ from tresym.claims.claim import (
     parts_of,
 )
 from tresym.claims.domain import Conditions, continuous_on, undefined
+from tresym.claims.enclosure import CertificateError
 from tresym.claims.finding import Finding, StepFinding
 from tresym.claims.printed import judge_printed
 from tresym.claims.signs import is_manifest, manifest_sign
@@ -58,6 +59,9 @@ def judge(claim: Claim, found: Findings) -> Finding:
         finding = _resting_on_sand(claim, found) or _judge(claim, found)
     except CircularError as error:
         finding = Finding(UNDECIDED, str(error))
+    except CertificateError as error:
+        why = f"the stored proof does not hold ({error}); --full searches for a new one"
+        finding = Finding(UNDECIDED, why)
     return replace(finding, seconds=time.perf_counter() - began)
 
 

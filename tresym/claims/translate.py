@@ -17,6 +17,8 @@ from tresym.identity import Expr, Given, differentiate, from_sympy, substitute
 Rules = dict[Basic, Basic]
 
 MAX_PASSES = 20
+BOUND = Symbol("[bound]", real=True)
+"""The name of every variable of integration: ∫ f(x) dx and ∫ f(y) dy are one number."""
 REMEMBERED = 4096
 """Translations and signs kept: the same conditions come back at every step of a chain."""
 
@@ -58,12 +60,12 @@ def put_in(expression: Basic, rules: Rules) -> Basic:
 
 
 def _keep_bound_variables(expression: Basic, rules: Rules) -> None:
-    """A symbol inside an integral or a derivative does not depend on its variable."""
+    """What is said of a variable under conditions is not said where another takes its name."""
     for node in expression.atoms(Integral, Derivative, Subs):
         bound = set(node.variables)
-        for symbol in (node.free_symbols | bound) & rules.keys():
-            if symbol in bound or bound & rules[symbol].free_symbols:
-                raise CircularError(f"a definition reaches {symbol}, where a variable is bound")
+        for left, right in rules.items():
+            if bound & (left.free_symbols | right.free_symbols) and node.has(left):
+                raise CircularError(f"a definition reaches {left}, where a variable is bound")
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -78,21 +80,41 @@ def to_expression(e: Basic, open_derivatives: bool = False) -> Expr:
     opaque: dict[Basic, Basic] = {}
     opened: dict[str, Expr] = {}
     for node in _outermost(e):
-        factor, kept = _constant_factor(node)
+        factor, kept = _normal(node)
         symbol = Symbol(f"[{srepr(kept)}]", real=True)
         opaque[node] = factor * symbol
-        if open_derivatives and isinstance(node, Derivative | Subs):
+        if open_derivatives and _opens(node):
             opened[symbol.name] = _carried_out(node)
     tree = from_sympy(e.xreplace(opaque) if opaque else e)
     return substitute(tree, opened) if opened else tree
 
 
-def _constant_factor(node: Basic) -> tuple[Basic, Basic]:
-    """An integral as a constant times an integral; anything else as it is."""
-    if not isinstance(node, Integral):
+def _normal(node: Basic) -> tuple[Basic, Basic]:
+    """An integral as a constant times one over the variable ``BOUND``; anything else as it is."""
+    if not isinstance(node, Integral) or len(node.limits) != 1 or len(node.limits[0]) != 3:
         return Integer(1), node
-    factor, rest = node.function.as_independent(node.variables[0], as_Add=False)
-    return factor, Integral(rest, *node.limits)
+    variable, low, high = node.limits[0]
+    factor, rest = node.function.as_independent(variable, as_Add=False)
+    return factor, Integral(rest.xreplace({variable: BOUND}), (BOUND, low, high))
+
+
+def _opens(node: Basic) -> bool:
+    """Whether a derivative or substitution sees all that depends on its variables."""
+    if isinstance(node, Integral):
+        return False
+    return not any(set(node.variables) & kept.free_symbols for kept in _kept(node.expr))
+
+
+def _kept(e: Basic) -> list[Basic]:
+    """What stays a symbol of its own in ``e`` when its derivatives are carried out."""
+    kept: list[Basic] = []
+    for node in _outermost(e):
+        if not _opens(node):
+            kept.append(node)
+            continue
+        kept += _kept(node.expr)
+        kept += [n for p in getattr(node, "point", ()) for n in _outermost(p)]
+    return kept
 
 
 def _carried_out(node: Basic) -> Expr:
