@@ -7,9 +7,11 @@ loaded when first used.
 
 from __future__ import annotations
 
-from importlib import import_module
-from pathlib import Path
-from typing import Any
+import os
+
+TYPE_CHECKING = False  # typing itself is not loaded: before the command listens, Ctrl-C is Python's
+if TYPE_CHECKING:
+    from typing import Any
 
 __version__ = "0.1.0"
 
@@ -27,13 +29,16 @@ _HOMES = {
 __all__ = ["Body", "InputError", "Verdict", "__version__", "check", "flip_defect", "verify"]
 
 # In a wheel the proofs lie inside the package; in a checkout they lie beside it.
-_checkout = Path(__file__).resolve().parent.parent
-if not (Path(__file__).parent / "proofs").is_dir() and (_checkout / "proofs").is_dir():
-    __path__.append(str(_checkout))
+_package = os.path.dirname(os.path.realpath(__file__))
+_checkout = os.path.dirname(_package)
+if not os.path.isdir(f"{_package}/proofs") and os.path.isdir(f"{_checkout}/proofs"):
+    __path__.append(_checkout)
 
 
 def __getattr__(name: str) -> Any:
     if name in _HOMES:
+        from importlib import import_module
+
         return getattr(import_module(_HOMES[name]), name)
     raise AttributeError(f"module 'tresym' has no attribute {name!r}")
 
