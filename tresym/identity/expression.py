@@ -32,6 +32,7 @@ MAX_DEPTH = 120
 MAX_SIZE = 20_000
 MAX_BITS = 40_000
 MAX_POWER = 1_000
+MAX_DERIVATIVES = 10
 
 
 class Expr:
@@ -240,6 +241,11 @@ def apply(name: str, argument: Expr) -> Expr:
 def sqrt(x: Expr) -> Expr:
     """The square root."""
     return power(x, HALF)
+
+
+def angle(y: Expr, x: Expr) -> Expr:
+    """atan2(y, x), the angle of the point (x, y) in (−π, π), off the negative x-axis."""
+    return 2 * apply("atan", y / (sqrt(x**2 + y**2) + x))
 
 
 class Trees:
@@ -494,14 +500,33 @@ def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
         return multiply(*map(walk, node.args))
     if node.is_Pow:
         return power(*map(walk, node.args))
-    if isinstance(node, sympy.Derivative):
-        return walk(node.doit())
+    if isinstance(node, sympy.Derivative) and not node.has(sympy.Integral):
+        return _from_sympy_derivative(node, walk)
     name = type(node).__name__
     if name in _SYMPY_NAMES and len(node.args) == 1:
         return apply(_SYMPY_NAMES[name], walk(node.args[0]))
     if name in _SYMPY_RECIPROCALS:
         return apply(_SYMPY_RECIPROCALS[name], 1 / walk(node.args[0]))
+    if name == "atan2":
+        return angle(*map(walk, node.args))
+    if node is sympy.I:
+        raise InputError("I is no real number or variable, and all here are real")
     raise InputError(f"{name} is outside the expressions that tresym decides")
+
+
+def _from_sympy_derivative(node: Any, walk: Any) -> Expr:
+    """The formal derivative, made by :func:`differentiate`: SymPy's asks whether symbols are real.
+
+    Raises:
+        InputError: derivatives beyond the tenth, or with respect to something else than a symbol.
+    """
+    result = walk(node.expr)
+    for variable, order in node.variable_count:
+        if not (variable.is_Symbol and order.is_Integer and 0 < order <= MAX_DERIVATIVES):
+            raise InputError(f"a derivative is of order 1 to {MAX_DERIVATIVES}, by a symbol")
+        for _ in range(int(order)):
+            result = differentiate(result, variable.name)
+    return result
 
 
 def to_sympy(e: Expr) -> Any:

@@ -618,7 +618,8 @@ class Field(SignedRing):
         that balls keep from such multiples, or varies.
         """
         kinds = [self.at(i).kind for p in (x.num, x.den) for i in self.used(p)]
-        if sum(kind in ("log", "atan", "opaque") for kind in kinds) > 1:
+        mixed = sum(kind in ("log", "atan", "opaque") for kind in kinds) > 1
+        if mixed and not self.varies(x):
             raise TooLargeError("an angle that mixes inverse functions")
         if "sign" in kinds and not {"symbol", "tan", "exp"} & set(kinds):
             raise TooLargeError("an angle that is constant on each side of a sign change")

@@ -19,10 +19,12 @@ from tresym.exact import InputError, parse_number
 from tresym.identity.expression import (
     FUNCTIONS,
     MAX_DEPTH,
+    MAX_DERIVATIVES,
     PI,
     E,
     Expr,
     add,
+    angle,
     apply,
     differentiate,
     multiply,
@@ -32,15 +34,20 @@ from tresym.identity.expression import (
     symbol,
 )
 
-MAX_CHARACTERS = 10_000
-MAX_DERIVATIVES = 10
+MAX_CHARACTERS = 30_000
 
 _ALIASES = {"ln": "log", "Abs": "abs", "sgn": "sign"} | {
-    f"arc{name}": f"a{name}" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+    f"arc{name}": f"a{name}"
+    for name in (
+        *("sin", "cos", "tan", "cot", "sec", "csc"),
+        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
+    )
 }
+_NOT_REAL = frozenset(("I", "oo", "zoo", "nan", "inf"))
 _RECIPROCALS = {
     "asec": "acos",
     "acsc": "asin",
+    "acot": "atan",
     "asech": "acosh",
     "acsch": "asinh",
     "acoth": "atanh",
@@ -122,6 +129,8 @@ class _Reader:
             case ast.Name(id="E"):
                 return E
             case ast.Name(id=name):
+                if name in _NOT_REAL:
+                    raise InputError(f"{name} is no real number or variable, and all here are real")
                 if name in FUNCTIONS or name in _ALIASES or name.startswith("__"):
                     raise InputError(f"{name} cannot be the name of a variable")
                 return symbol(name)
@@ -157,13 +166,12 @@ class _Reader:
         return join(*reversed(parts))
 
     def _call(self, name: str, args: list[ast.expr]) -> Expr:
-        if name == "diff":
+        if name in ("diff", "Derivative"):
             return self._diff(args)
         values = [self._read(arg) for arg in args]
         name = _ALIASES.get(name, name)
         if name == "atan2" and len(values) == 2:
-            y, x = values
-            return 2 * apply("atan", y / (sqrt(x**2 + y**2) + x))
+            return angle(*values)
         if name == "log" and len(values) == 2:
             return apply("log", values[0]) / apply("log", values[1])
         if len(values) != 1:

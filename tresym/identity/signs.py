@@ -208,6 +208,8 @@ class SignedRing(Ring):
         functions, roots within roots, values of unknown functions, sums with signs.
         """
         kinds = [self.at(i).kind for i in self.used(p)]
+        if len(p) == 1 and set(kinds) == {"exp"}:
+            return False
         if "opaque" in kinds or "sign" in kinds:
             return len(p) > 1
         inner = self._involved(p)
@@ -219,6 +221,28 @@ class SignedRing(Ring):
             for j in self._involved(self.at(i).data[0])
         )
         return inverses > 1 or nested
+
+    def varies(self, x: Fraction) -> bool:
+        """Whether ``x``, of symbols and logarithms of their polynomials, is constant nowhere.
+
+        Logarithms of distinct irreducible polynomials are algebraically independent over the
+        rational functions on every region (Ostrowski), so ``x`` is constant on one region only if
+        it is the same constant on all: two values apart exclude that.
+        """
+        for i in self._involved(x.num) | self._involved(x.den):
+            generator = self.at(i)
+            if generator.kind == "log":
+                if any(self.at(j).kind != "symbol" for j in self.used(generator.data[0])):
+                    return False
+            elif generator.kind != "symbol":
+                return False
+        with ball_precision(SIGN_BITS):
+            values = [
+                self.ball(x, {name: arb(value) for name, value in point.items()})
+                for point in Given().points(self.dependence(x), 4)
+            ]
+        finite = [value for value in values if value.is_finite()]
+        return any(not value.overlaps(finite[0]) for value in finite[1:])
 
     def _involved(self, p: Poly) -> set[int]:
         """The generators of ``p``, those inside them, and so on; constants left out."""
