@@ -10,11 +10,14 @@ and 1 − x/2 ≤ (1+x)^(−1/2) ≤ 1 − x/2 + 3x²/8, s ≤ t, 1/s ≥ 1/t + 
     C = K + (b + R/2)/24 + (bR/2 + 3R²/8)/4,    K = (log(4/π) − π²/48)/(π/2)⁴.
 
 K comes from ∫₀^e (1/sin t − 1/t) dt = log(tan(e/2)/(e/2)), all of whose Taylor coefficients are
-positive, so that (… − e²/12)/e⁴ increases up to e = π/2. A first upper bound of ε₀ is what the
-phase π, its smallest value, gives.
+positive, so that (… − e²/12)/e⁴ increases up to e = π/2. From 0 < ε₀ < π/2 each pass through the
+bounds narrows them.
 """
 
 from __future__ import annotations
+
+import math
+from typing import Any
 
 from flint import arb, fmpq
 
@@ -24,6 +27,9 @@ from tresym.formulas import stable
 
 SWEEPS = 3
 
+LARGEST_K = fmpq(5905, 10**6)
+"""An upper bound of the constant K = 0.0059046…, so that it is not computed anew each time."""
+
 
 def enclose(a: fmpq, b: fmpq, digits: int) -> arb | None:
     """A ball around ε₀ at a precision that serves ``digits``; as wide as the formula leaves it.
@@ -32,20 +38,31 @@ def enclose(a: fmpq, b: fmpq, digits: int) -> arb | None:
     """
     with ball_precision(bits(digits, 84)):
         p, q = arb(a), arb(b)
-        k, r = (p * q).sqrt(), (q / p).sqrt()
+        k, R = (p * q).sqrt(), q / p
         if k > LARGEST_ARGUMENT:
             return None
+        r = R.sqrt()
         leading, first = stable.leading_term(k, r, balls), stable.first_coefficient(k, r)
-        second = arb(0).union(_quartic(q, r * r))
-        defect = arb(0).union(stable.defect_at(arb.pi(), k, r, balls).upper())
+        second = arb(0).union(_quartic(q, R))
+        defect = arb(0).union(arb.pi() / 2)
         for _ in range(SWEEPS):
             square = defect * defect
             defect = leading * (square * (first - second * square)).exp()
         return defect
 
 
-def _quartic(b: arb, R: arb) -> arb:
+def reach(a: float, b: float) -> float:
+    """About how many digits :func:`enclose` can have: −log₁₀ of C ε*⁴, in float64.
+
+    Says where it is worth trying; nothing rests on it.
+    """
+    R = b / a
+    exponent = math.sqrt(a * b) * (math.pi + math.atan(math.sqrt(R)))
+    second = _quartic(b, R)
+    return (4 * (exponent - math.log(2) + math.log1p(R) / 2) - math.log(second)) / math.log(10)
+
+
+def _quartic(b: Any, R: Any) -> Any:
     """C of the lower bound."""
-    quarter = arb.pi() / 2
-    K = ((4 / arb.pi()).log() - arb.pi() ** 2 / 48) / quarter**4
-    return K + (b + R / 2) / 24 + (b * R / 2 + 3 * R * R / 8) / 4
+    K = 0.005905 if isinstance(b, float) else LARGEST_K
+    return K + (b + R / 2) / 24 + R * (4 * b + 3 * R) / 32

@@ -8,6 +8,7 @@ every start.
 
 from __future__ import annotations
 
+import math
 import time
 from typing import NamedTuple
 
@@ -60,7 +61,7 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     _checked_rung(rung)
     level = defect.checked_gamma(shape.a, shape.b, fmpq(gamma))
     start = time.perf_counter()
-    for used in RUNGS if rung is None else (rung,):
+    for used in _worth_trying(shape, level, digits) if rung is None else (rung,):
         answer, shortfall = _on_rung(used, shape, level, digits)
         if answer is not None:
             seconds = time.perf_counter() - start
@@ -90,6 +91,15 @@ def follow(
 def _checked_rung(rung: str | None) -> None:
     if rung is not None and rung not in RUNGS:
         raise InputError(f"rung: {rung!a} is not known; known: {', '.join(RUNGS)}")
+
+
+def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
+    """The rungs from the first that may have the digits; a float64 estimate spares the attempts."""
+    if gamma != 0:
+        return RUNGS[2:]
+    a, b = float(arb(shape.a)), float(arb(shape.b))
+    in_reach = 0 < a < math.inf and b > 0 and asymptotic.reach(a, b) > digits
+    return RUNGS if in_reach else RUNGS[1:]
 
 
 def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[Answer | None, str]:
