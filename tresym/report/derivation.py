@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 
-from sympy import Basic, Eq, Equivalent, Tuple
-
-from tresym.claims.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, equal
+from tresym.claims.claim import Claim
 from tresym.exact import fraction_text
-from tresym.report.latex import bracketed, expression_latex, given_latex, says_latex
+from tresym.report.chains import Display, Said, displays
+from tresym.report.latex import given_latex
 from tresym.report.place import place_text
 from tresym.verdict import Verdict
 from tresym.verification import Report, Row, sections
@@ -127,82 +126,24 @@ def _reference(claim: Claim, known: Collection[str]) -> str:
 
 
 def _displays(claim: Claim) -> list[str]:
-    """One display for every part of the statement, with its chain where it has one."""
-    proof, says = claim.proof, claim.says
-    if claim.shown is not None:
-        why = f" && {_reasons(proof[-1])}" if isinstance(proof, tuple) else ""
-        return [_environment([f"&{claim.shown}{why}"])]
-    if isinstance(proof, UniqueRoot):
-        slope = equal(
-            proof.function.diff(proof.variable, evaluate=False), proof.derivative[-1].expression
-        )
-        return [_aligned(slope, proof.derivative)]
-    if isinstance(says, str):
-        return []
-    if isinstance(proof, Together) and isinstance(says, Tuple):
-        pairs = zip(says.args, proof.chains, strict=True)
-        return [_aligned(part, chain) for part, chain in pairs]
-    if isinstance(proof, tuple):
-        return [_aligned(says, proof)]
-    return [says_latex(part) for part in (says.args if isinstance(says, Tuple) else (says,))]
+    """The displays of a claim, each in `aligned`; a formula alone stands by itself."""
+    return [_aligned(display) for display in displays(claim)]
 
 
-def _aligned(says: Basic, chain: Chain) -> str:
-    """A chain in the manner of a textbook: each expression, and its reason at the right."""
-    if isinstance(says, Equivalent):
-        return _equivalence(says, chain)
-    strict = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}.get(getattr(says, "rel_op", ""))
-    if strict is not None:
-        difference = expression_latex(says.gts - says.lts)
-        sign = ">" if strict in "<>" else r"\ge"
-        return _environment(_rows(difference, chain, None, rf" {sign} 0"))
-    goal = says.rhs if isinstance(says, Eq) else None
-    return _environment(_rows(expression_latex(says.lhs), chain, goal))
-
-
-def _rows(start: str, chain: Chain, goal: Basic | None, sign: str = "") -> list[str]:
+def _aligned(display: Display) -> str:
+    if len(display) == 1 and not display[0].reasons:
+        return display[0].right
     rows = []
-    for n, link in enumerate(chain):
-        expression = goal if link.expression is None else link.expression
-        left = start if n == 0 else ""
-        end = sign if n == len(chain) - 1 else ""
-        rows.append(rf"{left} &= {_shown(expression)}{end} && {_reasons(link)}")
-    return rows
-
-
-def _shown(expression: Basic | None) -> str:
-    return "" if expression is None else expression_latex(expression)
-
-
-def _equivalence(says: Equivalent, chain: Chain) -> str:
-    first, second = says.args
-    start = second if chain[-1].expression == first else first
-    rows = [f"&{says_latex(start)}"]
-    for link in chain:
-        assert link.expression is not None
-        rows.append(rf"\iff{{}} &{says_latex(link.expression)} && {_reasons(link)}")
-    return _environment(rows)
-
-
-def _environment(rows: Iterable[str]) -> str:
+    for line in display:
+        why = ", ".join(map(_reason, line.reasons))
+        rows.append(
+            f"{line.left} &{line.right}" + (rf" && \text{{\footnotesize {why}}}" if why else "")
+        )
     body = " \\\\\n".join(rows)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
-def _reasons(link: Step) -> str:
-    names = [_reason(reason) for reason in link.reasons if reason.name != "algebra"]
-    return rf"\text{{\footnotesize {', '.join(names) or 'algebra'}}}"
-
-
-def _reason(reason: Reason) -> str:
-    if reason.claims:
-        labels = ", ".join(rf"\texttt{{{prose(c.label)}}}" for c in reason.claims)
-        name = {"substituting": "by", "citing": "since"}.get(reason.name, reason.name + ",")
-        return f"{name} {labels}"
-    if reason.function is not None:
-        return f"{reason.function} of both sides"
-    if reason.factor is not None:
-        return f"times ${bracketed(expression_latex(reason.factor))}$"
-    if reason.term is not None:
-        return f"adding ${expression_latex(reason.term)}$"
-    return reason.name
+def _reason(said: Said) -> str:
+    if said.labels:
+        return f"{said.words} " + ", ".join(rf"\texttt{{{prose(name)}}}" for name in said.labels)
+    return f"{said.words} ${said.formula}$" if said.formula else said.words

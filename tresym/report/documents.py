@@ -6,6 +6,7 @@ compares what is there with what would be written. Nothing in them depends on ti
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,8 +17,10 @@ from tresym.report import figures
 from tresym.report.corrections import corrections
 from tresym.report.derivation import article
 from tresym.report.latex import says_latex
+from tresym.report.numbers import numbers
 from tresym.report.output import write_text
 from tresym.report.place import place_text
+from tresym.report.record import record
 from tresym.report.tables import TABLES, table, written
 from tresym.verification import Report, sections, verify
 
@@ -27,6 +30,8 @@ def documents() -> Iterator[tuple[str, str]]:
     report = verify()
     yield "derivation.tex", article(report)
     yield "ledger.md", ledger(report)
+    yield "ledger.json", _json(record(report))
+    yield "numbers.json", _json(numbers(report))
     yield "corrections.md", corrections(report)
     for name in figures.FIGURES:
         yield f"figures/{name}.svg", figures.svg(name)
@@ -60,6 +65,10 @@ def ledger(report: Report) -> str:
             lines.append(f"| {' | '.join(cells)} |")
         lines.append("")
     return "\n".join(lines)
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, indent=1) + "\n"
 
 
 def folder() -> Path:

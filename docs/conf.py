@@ -1,0 +1,49 @@
+"""The site: ``sphinx-build -W -j 2 docs build/site`` after ``tresym docs``."""
+
+import json
+from pathlib import Path
+
+import tresym
+
+_generated = Path(__file__).parent / "generated"
+
+project = "tresym"
+author = "the tresym contributors"
+copyright = "the tresym contributors"
+version = release = tresym.__version__
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "tresym.report.site.extension",
+]
+root_doc = "index"
+exclude_patterns = ["generated/ledger.md", "explorer", "measurements/*.md"]
+smartquotes = False
+
+myst_enable_extensions = [
+    "attrs_inline",
+    "colon_fence",
+    "deflist",
+    "dollarmath",
+    "substitution",
+]
+myst_substitutions = json.loads((_generated / "numbers.json").read_text(encoding="utf-8"))
+myst_heading_anchors = 3
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_default_options = {"members": True, "show-inheritance": False}
+napoleon_google_docstring = True
+napoleon_numpy_docstring = False
+
+html_theme = "furo"
+html_title = "tresym"
+html_static_path = ["_static", "_built"]
+html_css_files = ["site.css"]
+html_js_files = ["ledger.js"]
+html_math_renderer = "mathml"
+html_copy_source = False
+html_show_sourcelink = False
+html_show_sphinx = False

@@ -1,0 +1,136 @@
+"""The ledger as pages: one for each claim, and one that lists them all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from tresym.report.site.markdown import badge, chain, display, escaped, inline, link, statement
+
+Record = dict[str, Any]
+
+
+def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]]:
+    """Every page as its name and its text.
+
+    Args:
+        ledger: as `tresym.report.record.record` makes it.
+        seconds: saved cost of judging, by label; claims without one show none.
+    """
+    yield "index.md", index(ledger)
+    titles = {label: part["title"] for part in ledger["parts"] for label in part["claims"]}
+    for label in ledger["claims"]:
+        yield f"{label}.md", page(label, ledger["claims"], titles.get(label), seconds.get(label))
+
+
+def index(ledger: Record) -> str:
+    """Every claim with its verdict, place and statement, in the order of the proofs."""
+    total = sum(ledger["counts"].values())
+    counts = ", ".join(f"{n} {badge(name)}" for name, n in ledger["counts"].items() if n)
+    lines = [
+        "# The ledger",
+        f"{total} claims: {counts}. A claim without a place in the paper is a lemma of the proofs.",
+    ]
+    for part in ledger["parts"]:
+        lines.append(f"## {part['title'][:1].upper()}{part['title'][1:]}")
+        lines.append("::::{container} ledger")
+        lines += [_item(label, ledger["claims"][label]) for label in part["claims"]]
+        lines.append("::::")
+    return "\n\n".join(lines) + "\n"
+
+
+def _item(label: str, claim: Record) -> str:
+    place = f" [{claim['place']}]{{.place}}" if claim["place"] else ""
+    return f"{link(label)} {badge(claim['verdict'])}{place}\\\n{inline(claim)}"
+
+
+def page(label: str, claims: dict[str, Record], title: str | None, seconds: float | None) -> str:
+    """The page of one claim."""
+    claim = claims[label]
+    sections = [
+        f"---\norphan: true\n---\n\n# `{label}`",
+        _heading(claim, title),
+        statement(claim),
+        *_conditions(claim),
+        *_proof(claim),
+        *_numbers(claim),
+        *_truth(claim, claims),
+        *_relations(claim, claims),
+        *_cost(claim, seconds),
+        f"```sh\ntresym verify {label}\ntresym derive {label}\n```",
+    ]
+    return "\n\n".join(sections) + "\n"
+
+
+def _heading(claim: Record, title: str | None) -> str:
+    where = f"the paper's {claim['place']}" if claim["place"] else "a lemma of the proofs"
+    if claim["line"] and "line" not in (claim["place"] or ""):
+        where += f" (line {claim['line']} of its source)"
+    part = f"\\\n[{escaped(title)}](index.md)" if title else ""
+    return f"{badge(claim['verdict'])} {claim['kind']}, {where}{part}"
+
+
+def _conditions(claim: Record) -> Iterator[str]:
+    if claim["given"]:
+        yield "Given " + ", ".join(f"${condition}$" for condition in claim["given"]) + "."
+
+
+def _proof(claim: Record) -> Iterator[str]:
+    yield "## Evidence"
+    yield f"By {claim['evidence']}." if claim["evidence"] else ""
+    for lines in claim["chains"]:
+        yield chain(lines)
+    if not claim["chains"]:
+        yield f"Found: {escaped(claim['why'])}."
+    if claim["verdict"] == "REFUTED" and claim["witness"]:
+        point = "\n".join(f"| {name} | {value} |" for name, value in claim["witness"].items())
+        yield f"**Witness.** The statement fails here:\n\n| | |\n|---|---|\n{point}"
+    if claim["note"]:
+        yield escaped(claim["note"])
+
+
+def _numbers(claim: Record) -> Iterator[str]:
+    for name in ("value", "constant"):
+        if claim[name]:
+            yield f"{name.capitalize()}: {claim[name]['mid']}, to within {claim[name]['rad']}."
+    if claim["region"]:
+        yield f"Region: {escaped(claim['region'])}."
+    if claim["parameter"]:
+        yield f"Parameter: {escaped(claim['parameter'])}."
+
+
+def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
+    if claim["amended_by"]:
+        yield "## True instead"
+        yield "\n\n".join(_named(label, claims) for label in claim["amended_by"])
+    if claim["amends"]:
+        yield "## Stands in place of"
+        yield "\n\n".join(_named(label, claims) for label in claim["amends"])
+
+
+def _named(label: str, claims: dict[str, Record]) -> str:
+    claim = claims[label]
+    said = escaped(claim["says"]) if claim["says"] else ""
+    shown = display(claim["formula"]) if claim["formula"] else ""
+    head = f"{link(label)} {badge(claim['verdict'])}"
+    return "\n\n".join(part for part in (f"{head}\\\n{said}" if said else head, shown) if part)
+
+
+def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
+    for title, key in (("What it uses", "uses"), ("What uses it", "used_by")):
+        if claim[key]:
+            yield f"## {title}"
+            items = (
+                f"- {link(n)} {badge(claims[n]['verdict'])} {_brief(claims[n])}" for n in claim[key]
+            )
+            yield "\n".join(items)
+
+
+def _brief(claim: Record) -> str:
+    said = inline(claim)
+    return said if claim["says"] or len(claim["formula"]) < 90 else ""
+
+
+def _cost(claim: Record, seconds: float | None) -> Iterator[str]:
+    if seconds is not None:
+        yield f"Judged in {seconds * 1000:.3g} ms (saved measurement)."

@@ -1,0 +1,72 @@
+"""The command reference, read off the parsers; and what a command prints, for examples."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import io
+import re
+import shlex
+from collections.abc import Iterator
+
+from tresym.report.site.markdown import escaped
+
+_TIME = re.compile(r"\b\d[\d.e-]*( ?)(ms|s|µs)\b")
+
+
+def reference() -> str:
+    """Every command with its usage, arguments and exit status, in Markdown."""
+    from tresym.cli import build_parser
+
+    parser = build_parser()
+    parts = ["# Commands", escaped(parser.description or "")]
+    for name, command in _commands(parser).items():
+        parts += _command(name, command)
+    return "\n\n".join(parts) + "\n"
+
+
+def _commands(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
+    (found,) = (a for a in parser._actions if isinstance(a, argparse._SubParsersAction))
+    return dict(found.choices)
+
+
+def _command(name: str, parser: argparse.ArgumentParser) -> Iterator[str]:
+    yield f"## tresym {name}"
+    yield escaped(parser.description or "")
+    usage = argparse.HelpFormatter(parser.prog, width=78)
+    usage.add_usage(None, parser._actions, parser._mutually_exclusive_groups, prefix="")
+    yield f"```text\n{usage.format_help().strip()}\n```"
+    rows = [_argument(action) for action in parser._actions if action.dest != "help"]
+    yield "\n".join(rows)
+    if parser.epilog:
+        yield escaped(parser.epilog)
+
+
+def _argument(action: argparse.Action) -> str:
+    """An argument as an entry of a definition list."""
+    value = action.metavar if action.nargs != 0 else None
+    if action.choices:
+        value = "{" + ",".join(map(str, action.choices)) + "}"
+    shown = " ".join(value) if isinstance(value, tuple) else value or ""
+    if action.option_strings:
+        names = [f"`{f'{option} {shown}'.strip()}`" for option in action.option_strings]
+    else:
+        names = [f"`{shown}`"]
+    return f"{', '.join(names)}\n: {escaped(action.help or '')}\n"
+
+
+def transcript(command: str) -> str:
+    """A command line and what it prints; times are left out, for they are the machine's.
+
+    Raises:
+        ValueError: the command is not of ours, or was refused.
+    """
+    from tresym.cli import main
+
+    name, *words = shlex.split(command)
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        status = main(words) if name == "tresym" else 2
+    if status == 2:
+        raise ValueError(f"{command}: is refused")
+    return f"$ {command}\n{_TIME.sub('…', printed.getvalue()).rstrip()}\n"

@@ -1,0 +1,147 @@
+"""The Sphinx extension that docs/conf.py names: claim pages, formulas, examples that are run."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
+from sphinx.util.docutils import SphinxDirective
+from sphinx.writers.html5 import HTML5Translator
+
+from tresym.report.site import claims, commands, mathematics
+from tresym.report.site.markdown import badge, inline, link, statement
+
+BUILT = "_built"
+"""Folder of the source tree that the build writes style sheets to; like claims/, not kept."""
+
+
+@cache
+def _ledger(path: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return found
+
+
+def ledger_of(source: Path) -> dict[str, Any]:
+    """The saved ledger of the source tree.
+
+    Raises:
+        ExtensionError: `tresym docs` was not run.
+    """
+    path = source / "generated" / "ledger.json"
+    if not path.is_file():
+        raise ExtensionError(f"{path.name} is missing: run `tresym docs` first")
+    return _ledger(path)
+
+
+def costs(source: Path) -> dict[str, float]:
+    """Seconds that judging took, by label, where a measurement of the ledger is saved."""
+    path = source / "measurements" / "ledger.json"
+    if not path.is_file():
+        return {}
+    found: dict[str, float] = json.loads(path.read_text(encoding="utf-8")).get("claims", {})
+    return found
+
+
+def write_pages(app: Sphinx) -> None:
+    """Write what is made rather than written: claim pages, command reference, the font."""
+    source = Path(app.srcdir)
+    written = {
+        source / "claims" / name: text
+        for name, text in claims.pages(ledger_of(source), costs(source))
+    }
+    written[source / "reference" / "commands.md"] = commands.reference()
+    style = source / BUILT / "mathematics.css"
+    if not style.is_file():
+        written[style] = mathematics.stylesheet(mathematics.font_file())
+    for path, text in written.items():
+        path.parent.mkdir(exist_ok=True)
+        if not path.is_file() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+    for path in (source / "claims").glob("*.md"):
+        if path not in written:
+            path.unlink()
+
+
+class ClaimDirective(SphinxDirective):
+    """``{claim} LABEL``: the statement, its verdict and a link to its page."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The statement in a frame."""
+        (label,) = self.arguments
+        claim = _named(self, label)
+        box = nodes.container(classes=["claim"])
+        text = f"{link(label)} {badge(claim['verdict'])}\n\n{statement(claim)}"
+        box += self.parse_text_to_nodes(text)
+        return [box]
+
+
+class FindingsDirective(SphinxDirective):
+    """``{findings}`` with labels as its body: what the paper says, and what is true instead."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """A table of three columns."""
+        rows = ["| the paper | verdict | what is true |", "|---|---|---|"]
+        for label in "\n".join(self.content).split():
+            claim = _named(self, label)
+            truths = (f"{inline(_named(self, n))} {link(n)}" for n in claim["amended_by"])
+            cells = (f"{inline(claim)} {link(label)}", badge(claim["verdict"]), "; ".join(truths))
+            rows.append(f"| {' | '.join(cells)} |")
+        box = nodes.container(classes=["findings"])
+        box += self.parse_text_to_nodes("\n".join(rows))
+        return [box]
+
+
+def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
+    found = ledger_of(Path(directive.env.srcdir))["claims"]
+    if label not in found:
+        raise directive.error(f"no claim is labelled {label}")
+    claim: dict[str, Any] = found[label]
+    return claim
+
+
+class RunDirective(SphinxDirective):
+    """``{run} tresym …``: the command and what it prints, run while the page is built."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """A block of console text."""
+        try:
+            text = commands.transcript(self.arguments[0])
+        except ValueError as error:
+            raise self.error(str(error)) from None
+        return [nodes.literal_block(text, text, language="console")]
+
+
+def visit_inline(translator: HTML5Translator, node: nodes.math) -> None:
+    """A formula in a line."""
+    translator.body.append(mathematics.mathml(node.astext(), block=False))
+    raise nodes.SkipNode
+
+
+def visit_block(translator: HTML5Translator, node: nodes.math_block) -> None:
+    """A formula on its own; the theme sets it in a frame that scrolls where it is too wide."""
+    shown = mathematics.mathml(node.astext(), block=True)
+    translator.body.append(f'<div class="math">{shown}</div>\n')
+    raise nodes.SkipNode
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """What Sphinx asks of an extension."""
+    app.connect("builder-inited", write_pages)
+    app.add_html_math_renderer("mathml", (visit_inline, None), (visit_block, None))
+    app.add_directive("claim", ClaimDirective)
+    app.add_directive("findings", FindingsDirective)
+    app.add_directive("run", RunDirective)
+    app.add_css_file("mathematics.css")
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
