@@ -1,32 +1,32 @@
 """Appendix, second part: the integral F whose level lines are ε(γ).
 
-- `d48`: the turn is twice F, by the symmetry of the flip angle about π/2; `d49` defines F;
-- `slope_by_end`: ∂F/∂ε = −f; `eq_depsdgamma_form`: dε/dγ = −(∂ε/∂F)(∂F/∂γ);
-- `d53`: the derivative goes under the integral, whose integrand is smooth there;
+- `half_turn`: the turn is twice F, by the symmetry of the flip angle about π/2; `d49` defines F;
+- `slope_by_end`: ∂F/∂ε = −f, and `defect_by_turn`: ∂ε/∂F = −1/f at γ = 0;
+- `derivative_under_the_integral`: ∂F/∂γ is the integral of ∂f/∂γ, and `slope_of_turn`: its value;
+- `implicit_defect`: F(ε(γ), γ) = π has a slope, and `implicit_derivative`: which it is;
 - `S_drops_out`: the sign S does not matter for dε/dγ.
 """
 
-from __future__ import annotations
-
 import sympy
-from sympy import Equivalent, Gt, Integral, Ne, Symbol, cos, pi, sin
+from sympy import Derivative, Expr, Integer, Integral, Ne, Subs, Symbol, Tuple, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
-from tresym.proofs.flip_definition import equal_rates
 from tresym.proofs.flip_dynamics import sign_of_tilt
-from tresym.proofs.slope import inverse_slope, slope_of_integral, slope_of_integrand
 
 from tresym.claims.claim import (
     Claim,
     Definition,
+    ImplicitFunction,
     Place,
-    adding,
-    all_of,
     by,
     changing_variable,
+    citing,
+    cutting,
+    differentiating_integral,
     equal,
-    multiplying,
+    integrating,
     step,
     substituting,
+    together,
 )
 from tresym.formulas import printed
 from tresym.notation import F, S, a, b, epsilon, gamma, psi, theta, x
@@ -36,31 +36,36 @@ F_epsilon, F_gamma, defect_F, defect_gamma = (
     Symbol(f"partial{of}_partial{by}", real=True)
     for of, by in (("F", "epsilon"), ("F", "gamma"), ("epsilon", "F"), ("epsilon", "gamma"))
 )
-"""Partial derivatives, as symbols of their own."""
+F_epsilon0 = Symbol("partialF_partialepsilon0", real=True)
+"""Partial derivatives, as symbols of their own; the last of F by ε at γ = 0."""
 _rotating = (*shape, b < 1, *defect, gamma > 0)
 
-second_half = Claim(
-    label="second_half",
-    says=equal(
-        Integral(_f, (psi, pi / 2, pi - epsilon)),
-        Integral(-_f.subs(psi, x), (x, pi / 2, epsilon)),
-    ),
-    given=_rotating,
-    proof=by(changing_variable(pi - psi)),
-)
+
+def _turn(level: Expr, start: Expr = epsilon) -> Integral:
+    """F as an integral from ``start``, for the motions with γ = ``level``."""
+    return Integral(printed.integrand(psi, a, b, level, S, sympy), (psi, start, pi / 2))
+
+
+_mirrored = printed.integrand(x, a, b, gamma, S, sympy)
 
 half_turn = Claim(
     label="d48",
-    says="The integral of f from ε to π − ε is twice that from ε to π/2.",
-    kind="statement",
-    proof=all_of(second_half, equal_rates),
+    says=equal(Integral(_f, (psi, epsilon, pi - epsilon)), 2 * _turn(gamma)),
+    given=_rotating,
+    proof=(
+        step(_turn(gamma) + Integral(_f, (psi, pi / 2, pi - epsilon)), cutting(pi / 2)),
+        step(
+            _turn(gamma) + Integral(_mirrored, (x, epsilon, pi / 2)),
+            changing_variable(pi - psi),
+        ),
+    ),
     where=Place(display=48),
     note="The second half is the first, run backwards.",
 )
 
 half_integral = Claim(
     label="d49",
-    says=equal(F, Integral(_f, (psi, epsilon, pi / 2))),
+    says=equal(F, _turn(gamma)),
     given=_rotating,
     proof=Definition(),
     where=Place(display=49),
@@ -68,77 +73,153 @@ half_integral = Claim(
 
 one_turn = Claim(
     label="one_turn",
-    says=equal(Integral(_f, (psi, epsilon, pi / 2)), pi),
-    given=_rotating,
+    says=equal(_turn(gamma), pi),
+    given=(*shape, b < 1, *defect, gamma >= 0),
     proof=Definition(),
     where=Place(display=49),
     note="What one turn of the handle means, by d48, while the motion has not turned.",
 )
 
-smooth_under_the_integral = Claim(
-    label="smooth_under_the_integral",
-    says=Gt(b * sin(psi) ** 2 + gamma, 0, evaluate=False),
+sine_to_the_middle = Claim(
+    label="sine_to_the_middle",
+    says=sin(psi) > 0,
     kind="bound",
-    given=(*shape, psi > 0, psi < pi, sin(psi) > 0, gamma >= 0),
-    proof=(step(b * sin(psi) ** 2 + gamma),),
+    given=(*defect, psi >= epsilon, psi <= pi / 2),
+    proof=(step(sin(psi)),),
+    note="From ε to π/2 the flip angle is away from the unstable point.",
 )
+
+cosine_to_the_middle = Claim(
+    label="cosine_to_the_middle",
+    says=sqrt(a) * cos(psi) >= 0,
+    kind="bound",
+    given=(a > 0, *defect, psi >= epsilon, psi <= pi / 2),
+    proof=(step(sqrt(a) * cos(psi)),),
+)
+
+logarithm_to_the_middle = Claim(
+    label="logarithm_to_the_middle",
+    says=sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2) > 0,
+    kind="bound",
+    given=(*shape, *defect, psi >= epsilon, psi <= pi / 2),
+    proof=(step(sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2), citing(cosine_to_the_middle)),),
+    note="The antiderivative of d55 is smooth up to π/2.",
+)
+
+# -- the derivative by the end --------------------------------------------------------------------
+
+slope_symbol = Claim(
+    label="slope_symbol",
+    says=Tuple(
+        equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
+        equal(F_epsilon0, Derivative(_turn(Integer(0)), epsilon)),
+    ),
+    given=(*shape, *defect),
+    proof=Definition(),
+    note="∂F/∂ε, for any γ and at γ = 0.",
+)
+
+slope_by_end = Claim(
+    label="slope_by_end",
+    says=Tuple(
+        equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
+        equal(F_epsilon0, -printed.integrand(epsilon, a, b, 0, S, sympy)),
+    ),
+    given=(*shape, b < 1, *defect, gamma > 0),
+    proof=together(
+        by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
+        by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
+    ),
+    where=Place(display=51),
+    note="F is an integral from ε.",
+)
+
+inverse_symbol = Claim(
+    label="inverse_symbol",
+    says=equal(defect_F, 1 / F_epsilon0),
+    given=(Ne(F_epsilon0, 0),),
+    proof=Definition(),
+    note="∂ε/∂F at γ = 0: the slope of the inverse function.",
+)
+
+defect_by_turn = Claim(
+    label="defect_by_turn",
+    says=equal(defect_F, -1 / printed.integrand(epsilon, a, b, 0, S, sympy)),
+    given=(*shape, b < 1, *defect, gamma > 0, Ne(S, 0), Ne(F_epsilon0, 0)),
+    proof=(
+        step(1 / F_epsilon0, substituting(inverse_symbol)),
+        step(None, substituting(slope_by_end)),
+    ),
+    where=Place(display=51),
+)
+
+# -- the derivative by γ --------------------------------------------------------------------------
+
+_slope = Subs(Derivative(_turn(gamma), gamma), gamma, 0)
+_slope_of_f = printed.integrand_slope(psi, a, b, S, sympy)
+_primitive = printed.turn_slope_antiderivative(psi, a, b, S, sympy)
 
 derivative_under_the_integral = Claim(
     label="d53",
-    says="At γ = 0 the derivative of F by γ is the integral of that of f.",
-    kind="statement",
-    proof=all_of(slope_of_integrand, slope_of_integral, smooth_under_the_integral),
+    says=equal(_slope, Integral(_slope_of_f, (psi, epsilon, pi / 2))),
+    given=(*shape, *defect),
+    proof=by(differentiating_integral(_slope_of_f, sine_to_the_middle)),
     where=Place(display=53),
     note="On [ε₀, π/2] the integrand is smooth in ψ and γ; that F itself converges is not enough.",
 )
 
 slope_of_turn = Claim(
     label="slope_of_turn",
-    says="At γ = 0 the derivative of F by γ is the antiderivative of d55 between its ends.",
-    kind="statement",
-    proof=all_of(derivative_under_the_integral, slope_of_integrand, slope_of_integral),
+    says=equal(_slope, _primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
+    given=(*shape, *defect),
+    proof=(
+        step(
+            Integral(_slope_of_f, (psi, epsilon, pi / 2)),
+            substituting(derivative_under_the_integral),
+        ),
+        step(None, integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle)),
+    ),
     where=Place(display=55),
 )
 
-slope_by_end = Claim(
-    label="slope_by_end",
-    says=equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
-    given=_rotating,
+turn_symbol = Claim(
+    label="turn_symbol",
+    says=equal(F_gamma, _slope),
+    given=(*shape, *defect),
     proof=Definition(),
-    where=Place(display=51),
-    note="What ∂F/∂ε is: F is an integral from ε.",
+    note="∂F/∂γ at γ = 0.",
 )
 
-defect_by_turn = Claim(
-    label="defect_by_turn",
-    says=equal(defect_F, -1 / printed.integrand(epsilon, a, b, 0, S, sympy)),
-    given=(*shape, *defect, Ne(S, 0), 1 - b * sin(epsilon) ** 2 > 0),
-    proof=Definition(),
-    where=Place(display=51),
-    note="What ∂ε/∂F is: the inverse of ∂F/∂ε, here at γ = 0.",
-)
-
-differentiated_turn = Claim(
-    label="differentiated_turn",
-    says=Equivalent(
-        equal(F_gamma + defect_gamma / defect_F, 0), equal(defect_gamma, -defect_F * F_gamma)
-    ),
-    given=(defect_F < 0,),
-    proof=(
-        step(equal(defect_F * F_gamma + defect_gamma, 0), multiplying(defect_F)),
-        step(equal(defect_gamma, -defect_F * F_gamma), adding(-defect_F * F_gamma)),
+implicit_defect = Claim(
+    label="implicit_defect",
+    says=equal(defect_gamma, -_slope / Derivative(_turn(Integer(0)), epsilon)),
+    given=(*shape, b < 1, *defect, S > 0),
+    proof=ImplicitFunction(
+        equation=one_turn,
+        unknown=epsilon,
+        parameter=gamma,
+        at=Integer(0),
+        slope=(
+            step(
+                -printed.integrand(epsilon, a, b, 0, S, sympy),
+                differentiating_integral(Integer(0), sine_to_the_middle),
+            ),
+        ),
+        bounds=(sine_to_the_middle,),
     ),
     where=Place(display=50),
-    note="On the left F(ε(γ), γ) = π, differentiated; for S = 1, where F falls as ε grows.",
+    note="∂ε/∂γ at γ = 0, where F(ε(γ), γ) = π; the sign S is 1 there.",
 )
 
 implicit_derivative = Claim(
     label="eq_depsdgamma_form",
-    says="dε/dγ = −(∂ε/∂F)(∂F/∂γ) at γ = 0.",
-    kind="statement",
-    proof=all_of(differentiated_turn, inverse_slope, derivative_under_the_integral),
+    says=equal(defect_gamma, -defect_F * F_gamma),
+    given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
+    proof=(
+        step(-F_gamma / F_epsilon0, substituting(implicit_defect, turn_symbol, slope_symbol)),
+        step(None, substituting(inverse_symbol)),
+    ),
     where=Place(display=50),
-    note="F(ε(γ), γ) = π is differentiated; ∂F/∂ε = −f is not 0.",
 )
 
 S_drops_out = Claim(

@@ -6,12 +6,26 @@ import time
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sympy import Basic, Eq, Equivalent, Expr, Integer, Integral, MatrixBase, Rel, Symbol, Tuple, pi
+from sympy import (
+    Basic,
+    Derivative,
+    Eq,
+    Equivalent,
+    Expr,
+    Integer,
+    Integral,
+    MatrixBase,
+    Rel,
+    Subs,
+    Tuple,
+    pi,
+)
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
-from tresym.claims.claim import Chain, Claim, Definition, Reason, Step, citing, parts_of
-from tresym.claims.domain import Conditions, continuous_on, undefined
+from tresym.claims.claim import Chain, Claim, Definition, Reason, Step, parts_of
+from tresym.claims.domain import Conditions, undefined
 from tresym.claims.finding import StepFinding
+from tresym.claims.integrals import NotShownError, is_non_negative, with_bounds, without_integrals
 from tresym.claims.signs import NON_NEGATIVE, is_manifest, manifest_sign
 from tresym.claims.translate import Rules, definitions, put_in, to_expression, to_given
 from tresym.identity import decide
@@ -85,7 +99,7 @@ def _compared(says: Basic, reasons: tuple[Reason, ...], given: Conditions) -> Ba
     Where the first step applies a monotone function, it is the difference of their values.
     """
     sides = (says.gts, says.lts)
-    given = _with_bounds(given, reasons)
+    given = with_bounds(given, reasons)
     for name in (r.function for r in reasons if r.function is not None):
         if name not in MONOTONE:
             return _undecided(f"{name} is not known to be monotone")
@@ -104,7 +118,14 @@ def _arrives(
     """The end of a chain: the right side itself, or a manifest sign."""
     if goal is not None:
         return PROVED if last == goal else _check_step(last, Step(goal, ()), given)
-    found = manifest_sign(last, _with_bounds(given, link.reasons))
+    given = with_bounds(given, link.reasons)
+    found = manifest_sign(last, given)
+    if isinstance(last, Integral):
+        bounds = tuple(c for r in link.reasons if r.name == "citing" for c in r.claims)
+        try:
+            found = ">=0" if is_non_negative(last, bounds, given) else found
+        except NotShownError as error:
+            return _undecided(str(error))
     strict = isinstance(says, StrictGreaterThan | StrictLessThan)
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED
@@ -138,7 +159,7 @@ def _check_equation(
 ) -> StepFinding:
     """Both sides rewritten, or one one-to-one operation applied to both."""
     left, right = before.args
-    given = _with_bounds(given, reasons)
+    given = with_bounds(given, reasons)
     # Looked at before SymPy merges them with a side: x·y·(1/y) is written x at once.
     for e in (left, right, *(r.factor for r in reasons), *(r.term for r in reasons)):
         gap = None if e is None else undefined(e, given)
@@ -175,8 +196,10 @@ def _check_scalar(
     """The step from one number to the next, after definitions and integrals are dealt with."""
     used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
     rules = definitions(used)
-    given = _with_bounds(given, reasons)
-    given = tuple(dict.fromkeys((*given, *(put_in(condition, rules) for condition in given))))
+    given = with_bounds(given, reasons)
+    meant = (put_in(condition, rules) for condition in given)
+    elementary = (c for c in meant if not c.has(Integral, Derivative, Subs))
+    given = tuple(dict.fromkeys((*given, *elementary)))
     spoken_of = frozenset().union(*(e.free_symbols for e in (before, after, *given)))
     unmet = unmet_condition(used, rules, given, spoken_of)
     if unmet is not None:
@@ -189,12 +212,11 @@ def _check_scalar(
             return _undecided(f"nothing shows that {gap} allows the operation it stands in")
     if before == after:
         return PROVED
-    for reason in reasons:
-        if reason.expression is not None and (before.has(Integral) or after.has(Integral)):
-            prepared = _without_integral(before, after, reason, given)
-            if isinstance(prepared, StepFinding):
-                return prepared
-            before, after = prepared
+    if before.has(Integral) or after.has(Integral):
+        try:
+            before, after = without_integrals(before, after, reasons, given)
+        except NotShownError as error:
+            return _undecided(str(error))
     theories = frozenset().union(*(reason.theories for reason in reasons))
     opening = any(reason.name == "differentiation" for reason in reasons)
     decision = decide(
@@ -226,101 +248,4 @@ def unmet_condition(
                 continue
             if not is_manifest(meant, given):
                 return condition
-    return None
-
-
-def _with_bounds(given: Conditions, reasons: tuple[Reason, ...]) -> Conditions:
-    """The conditions, and the cited bounds whose own conditions are among them."""
-    bounds = list(given)
-    for reason in reasons:
-        if reason.name == "citing":
-            for claim in reason.claims:
-                if set(claim.given) <= set(bounds):
-                    parts = parts_of(claim.says)
-                    bounds += (p for p in parts if isinstance(p, Rel) and not isinstance(p, Eq))
-    return tuple(bounds)
-
-
-def _without_integral(
-    before: Basic, after: Basic, reason: Reason, given: Conditions
-) -> tuple[Basic, Basic] | StepFinding:
-    """Carry out a change of variable or an integration; what is left is plain algebra."""
-    primitive = reason.expression
-    assert primitive is not None
-    if reason.name == "integrating":
-        integrals = before.atoms(Integral) | after.atoms(Integral)
-        if len(integrals) != 1:
-            return _undecided("the step needs exactly one integral")
-        (integral,) = integrals
-        failure = _check_antiderivative(integral, primitive, reason.claims, given)
-        if failure is not None:
-            return failure
-        variable, low, high = integral.limits[0]
-        value = {integral: primitive.subs(variable, high) - primitive.subs(variable, low)}
-        return before.xreplace(value), after.xreplace(value)
-    pair = (*before.atoms(Integral), *after.atoms(Integral))
-    if len(pair) != 2:
-        return _undecided("the step needs one integral on each side")
-    old, new = pair if pair[0].variables[0] in primitive.free_symbols else pair[::-1]
-    failure = _check_substitution(old, new, primitive, reason.claims, given)
-    if failure is not None:
-        return failure
-    same = {integral: Symbol("[the integral]", real=True) for integral in pair}
-    return before.xreplace(same), after.xreplace(same)
-
-
-def _inside(integral: Integral, bounds: tuple[Claim, ...], given: Conditions) -> Conditions:
-    """The conditions on the interval of integration, with the bounds cited for it.
-
-    Conditions on the variable of integration are dropped: it runs over the whole interval,
-    whatever a claim assumes of a symbol of that name.
-    """
-    variable, low, high = integral.limits[0]
-    outside = tuple(c for c in given if variable not in c.free_symbols)
-    inside = (*outside, (variable - low) * (high - variable) >= 0)
-    if manifest_sign(high - low, outside) in NON_NEGATIVE:
-        inside = (*inside, variable >= low, variable <= high)
-    return _with_bounds(inside, (citing(*bounds),))
-
-
-def _check_antiderivative(
-    integral: Integral, primitive: Expr, bounds: tuple[Claim, ...], given: Conditions
-) -> StepFinding | None:
-    """None when ``primitive`` is smooth on the interval and its derivative is the integrand."""
-    conditions = _inside(integral, bounds, given)
-    for e in (primitive, integral.function):
-        gap = continuous_on(e, conditions)
-        if gap is not None:
-            return _undecided(f"nothing shows that {gap} stays off its singularity")
-    slope = primitive.diff(integral.variables[0], evaluate=False)
-    decision = decide(
-        to_expression(slope, open_derivatives=True),
-        to_expression(integral.function),
-        to_given(conditions),
-    )
-    return None if decision.verdict is Verdict.PROVED else _undecided(decision.why)
-
-
-def _check_substitution(
-    old: Integral, new: Integral, change: Expr, bounds: tuple[Claim, ...], given: Conditions
-) -> StepFinding | None:
-    """∫ g(u(ψ)) u′(ψ) dψ = ∫ g dx: integrands, limits and continuity."""
-    variable, low, high = old.limits[0]
-    fresh, start, end = new.limits[0]
-    conditions = _inside(old, bounds, given)
-    pulled = new.function.subs(fresh, change)
-    for e in (old.function, change, pulled):
-        gap = continuous_on(e, conditions)
-        if gap is not None:
-            return _undecided(f"nothing shows that {gap} stays off its singularity")
-    slope = to_expression(change.diff(variable, evaluate=False), open_derivatives=True)
-    pairs = (
-        (to_expression(old.function), to_expression(pulled) * slope),
-        (to_expression(change.subs(variable, low)), to_expression(start)),
-        (to_expression(change.subs(variable, high)), to_expression(end)),
-    )
-    for left, right in pairs:
-        decision = decide(left, right, to_given(conditions))
-        if decision.verdict is not Verdict.PROVED:
-            return _undecided(decision.why)
     return None

@@ -56,7 +56,8 @@ class Reason:
     function: str | None = None
     """For ``applying``: the one-to-one function applied to both sides of an equation."""
     expression: Expr | None = None
-    """For ``changing_variable`` the new variable, for ``integrating`` the antiderivative."""
+    """For ``changing_variable`` the new variable, for ``integrating`` the antiderivative, for
+    ``cutting`` the point, for ``differentiating_integral`` the derivative of the integrand."""
     factor: Expr | None = None
     """For ``multiplying``: the non-zero factor of both sides of an equation."""
     term: Expr | None = None
@@ -111,6 +112,25 @@ def integrating(antiderivative: Expr, *bounds: Claim) -> Reason:
     return Reason("integrating", expression=antiderivative, claims=bounds)
 
 
+def cutting(at: Expr, *bounds: Claim) -> Reason:
+    """Cut an integral at a point of its interval; its integrand must be continuous there."""
+    return Reason("cutting", expression=at, claims=bounds)
+
+
+def collecting(*bounds: Claim) -> Reason:
+    """Write a sum of multiples of integrals over one interval as one integral."""
+    return Reason("collecting", claims=bounds)
+
+
+def differentiating_integral(slope: Expr, *bounds: Claim) -> Reason:
+    """Differentiate an integral by a parameter, or by an end of it: Leibniz's rule.
+
+    ``slope`` is the derivative of the integrand by the parameter, 0 where it has none. That it
+    is, and that the integrand is smooth on the closed interval, is checked.
+    """
+    return Reason("differentiating the integral", expression=slope, claims=bounds)
+
+
 @dataclass(frozen=True)
 class Step:
     """The next expression (or equation) of a chain, and the reasons that lead to it."""
@@ -163,6 +183,26 @@ class UniqueRoot:
     at_low: Chain
     at_high: Chain
     """Chains from the values at the ends to forms whose signs are manifest."""
+
+
+@dataclass(frozen=True)
+class ImplicitFunction:
+    """The claim says what the slope of a function is that an earlier equation defines implicitly.
+
+    ``equation`` relates ``unknown`` and ``parameter``, and its right side does not depend on them.
+    Where the left side L is smooth and its derivative by the unknown is not zero, the implicit
+    function theorem gives the unknown as a smooth function of the parameter, all else held; its
+    slope at parameter = ``at`` is a new symbol, −L_parameter/L_unknown there.
+    """
+
+    equation: Claim
+    unknown: Symbol
+    parameter: Symbol
+    at: Expr
+    slope: Chain
+    """A chain from the derivative by the unknown, at ``at``, to a form whose sign is manifest."""
+    bounds: tuple[Claim, ...] = ()
+    """Proved inequalities that hold on the intervals of integration in the equation."""
 
 
 @dataclass(frozen=True)
@@ -221,7 +261,16 @@ class Counterexample:
 
 
 Evidence = (
-    Chain | Definition | Together | UniqueRoot | Printed | AllOf | Formally | Counterexample | Any
+    Chain
+    | Definition
+    | Together
+    | UniqueRoot
+    | ImplicitFunction
+    | Printed
+    | AllOf
+    | Formally
+    | Counterexample
+    | Any
 )
 
 
@@ -282,6 +331,9 @@ def _named(proof: Evidence) -> Iterator[Claim]:
         case UniqueRoot():
             for chain in (proof.derivative, proof.at_low, proof.at_high):
                 yield from _named(chain)
+        case ImplicitFunction():
+            yield from (proof.equation, *proof.bounds)
+            yield from _named(proof.slope)
         case tuple():
             for link in proof:
                 for reason in link.reasons:

@@ -92,8 +92,13 @@ def _conditions(e: Basic) -> list[tuple[Basic, tuple[str, ...]]]:
 
 
 def continuous_on(e: Basic, given: Conditions) -> Basic | None:
-    """As `undefined`, but roots must stay off zero: then ``e`` is smooth there."""
+    """As `undefined`, but roots must stay off zero: then ``e`` is smooth there.
+
+    A substitution or an integral inside ``e`` has variables that the conditions do not mean.
+    """
     for node in _nodes(e):
+        if isinstance(node, Integral | Subs):
+            return node
         strict = isinstance(node, Pow) and node.exp.is_Rational and not node.exp.is_integer
         for condition, allowed in _conditions(node):
             wanted = POSITIVE if strict or isinstance(node, asin | acos | acosh) else allowed

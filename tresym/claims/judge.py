@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from flint import arb, fmpq
-from sympy import Basic, Equivalent, Integral, Symbol, Tuple
+from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol, Tuple
 from sympy.core.relational import Equality, Relational
 
 from tresym.arithmetic import ball_precision
@@ -24,6 +24,7 @@ from tresym.claims.claim import (
     Counterexample,
     Definition,
     Formally,
+    ImplicitFunction,
     Printed,
     Together,
     UniqueRoot,
@@ -33,6 +34,7 @@ from tresym.claims.claim import (
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.enclosure import CertificateError
 from tresym.claims.finding import Finding, StepFinding
+from tresym.claims.integrals import NotShownError, need_smooth
 from tresym.claims.printed import judge_printed
 from tresym.claims.signs import is_manifest, manifest_sign
 from tresym.claims.translate import (
@@ -92,6 +94,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_counterexample(claim, claim.proof)
         case UniqueRoot():
             return _judge_unique_root(claim.proof, claim.given)
+        case ImplicitFunction():
+            return _judge_implicit_function(claim, claim.proof)
         case Together(chains):
             return _judge_together(claim, chains)
         case tuple() if (
@@ -222,6 +226,42 @@ def _one_root(proof: UniqueRoot, given: Conditions) -> Finding:
         return Finding(UNDECIDED, why, steps=tuple(steps))
     why = "opposite signs at the ends, derivative of one sign"
     return Finding(PROVED, why, steps=tuple(steps))
+
+
+def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
+    """PROVED when the claim says the slope of the implicit function, and the theorem applies."""
+    u, p, at = proof.unknown, proof.parameter, proof.at
+    equation, says = proof.equation.says, claim.says
+    if not isinstance(equation, Equality) or not isinstance(says, Equality):
+        return Finding(UNDECIDED, "an equation is differentiated, and an equation is its slope")
+    left, right = equation.args
+    if {u, p} & right.free_symbols or {u, p} & at.free_symbols or u == p:
+        return Finding(UNDECIDED, "the right side depends on what varies")
+    rate, by_unknown = says.args[0], Derivative(left.xreplace({p: at}), u)
+    if not isinstance(rate, Symbol) or rate in definitions(claim.rests_on):
+        return Finding(UNDECIDED, f"{rate} is not a new symbol")
+    if says.args[1] != -Subs(Derivative(left, p), p, at) / by_unknown or rate in left.free_symbols:
+        return Finding(UNDECIDED, "that is not the slope of the implicit function")
+    if to_given(claim.given).satisfying_point() is None:
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    outside = tuple(c for c in claim.given if p not in c.free_symbols)
+    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)), frozenset())
+    if unmet is not None:
+        return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
+    try:
+        need_smooth(left, proof.bounds, (*outside, Ge(p, at), Le(p, at)))
+    except NotShownError as error:
+        return Finding(UNDECIDED, str(error))
+    last = proof.slope[-1].expression
+    steps = check_chain(equal(by_unknown, last), proof.slope, outside)
+    failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if failed is not None or manifest_sign(last, outside) not in ("+", "-"):
+        why = failed.why if failed else f"the sign of {last} is not manifest"
+        return Finding(UNDECIDED, why, steps=steps)
+    if not satisfiable(outside, (equal(left.xreplace({p: at}), right),)):
+        return Finding(UNDECIDED, "no point is found that satisfies the equation", steps=steps)
+    why = f"the equation is smooth and its derivative by {u} is not zero"
+    return Finding(PROVED, why, steps=steps)
 
 
 def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:

@@ -27,8 +27,8 @@ def manifest_sign(e: Basic, conditions: tuple[Basic, ...], depth: int = DEPTH) -
     found = sign(to_expression(e), to_given(conditions))
     if found in ("+", "-", "0", "<=0"):
         return found
-    if isinstance(e, sin | cos) and _in_half_turn(e, conditions):
-        return "+"
+    if isinstance(e, sin | cos):
+        found = _in_half_turn(e, conditions) or found
     if isinstance(e, Mul):
         found = _product([manifest_sign(f, conditions, depth) for f in e.args]) or found
     if found == "+" or depth == 0:
@@ -59,11 +59,11 @@ def _split(e: Basic, conditions: tuple[Basic, ...], depth: int) -> str | None:
     return found
 
 
-def _in_half_turn(e: Basic, conditions: tuple[Basic, ...]) -> bool:
-    """Whether the angle lies strictly inside the half turn where its sine or cosine is positive."""
+def _in_half_turn(e: Basic, conditions: tuple[Basic, ...]) -> str | None:
+    """``+`` inside the half turn where the sine or cosine is positive, ``>=0`` with its ends."""
     (angle,) = e.args
     ends = (angle, pi - angle) if isinstance(e, sin) else (angle + pi / 2, pi / 2 - angle)
-    return all(manifest_sign(end, conditions) == "+" for end in ends)
+    return _product([manifest_sign(end, conditions) for end in ends])
 
 
 def is_manifest(relation: Relational, conditions: tuple[Basic, ...]) -> bool:

@@ -40,6 +40,7 @@ from tresym.claims.claim import equal
 from tresym.claims.translate import Rules, put_in, to_expression
 from tresym.exact import Interval, fraction_text
 from tresym.identity import Given, decide
+from tresym.identity.expression import FUNCTIONS
 from tresym.identity.given import Range
 from tresym.verdict import Verdict
 
@@ -225,9 +226,14 @@ def _points(
         return ()
     symbols = {s.name: s for s in names.union(*(d.free_symbols for d in world.implicit))}
     symbols |= {s.name: s for condition in world.conditions for s in condition.free_symbols}
+    hard = [c for c in world.conditions if c.has(Integral, Derivative, Subs)]
+    plain = [c for c in world.conditions if c not in hard]
     found: list[dict[Symbol, Interval]] = []
-    for named in Given.from_sympy(*world.conditions).points(sorted(symbols), POINTS):
+    for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
         exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
+        with ball_precision(BITS):
+            if not all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard):
+                continue
         found += _on_equation(world, exact) if world.implicit else [exact]
         if world.implicit and len(found) >= enough:
             break
@@ -237,7 +243,8 @@ def _points(
 def _on_equation(world: World, exact: dict[Symbol, Interval]) -> Iterator[dict[Symbol, Interval]]:
     """At most one segment across the implicit equation, along one coordinate through a point."""
     (difference,) = world.implicit
-    box = Given.from_sympy(*world.conditions).box
+    plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
+    box = Given.from_sympy(*plain).box
     with ball_precision(BITS):
         fixed = {s: i.ball() for s, i in exact.items()}
         for symbol in sorted(difference.free_symbols, key=lambda s: (s.name not in box, s.name)):
@@ -321,12 +328,25 @@ def value(e: Basic, point: Point, analytic: bool = False) -> Any:
             return value(e.args[0], point, analytic).exp()
         case Pow():
             return _power(value(e.base, point, analytic), e.exp, point, analytic)
-        case Derivative() | Subs():
-            return value(e.doit(), point, analytic)
+        case Derivative():
+            return value(_differentiated(e), point, analytic)
+        case Subs():
+            at = (value(p, point, analytic) for p in e.point)
+            return value(e.expr, {**point, **dict(zip(e.variables, at, strict=True))}, analytic)
         case Integral():
             return _integral(e, point)
-        case _:
+        case _ if len(e.args) == 1:
             return _function(e.func.__name__, value(e.args[0], point, analytic), analytic)
+        case _:
+            return arb.nan()
+
+
+def _differentiated(e: Derivative) -> Basic:
+    """The derivative by SymPy's rules: Leibniz's for integrals, which stay unevaluated."""
+    found = e.expr
+    for variable in e.variables:
+        found = found.diff(variable)
+    return found
 
 
 def _power(base: Any, exponent: Basic, point: Point, analytic: bool) -> Any:
@@ -349,11 +369,13 @@ def _function(name: str, x: Any, analytic: bool) -> Any:
     if name == "Abs":
         return abs(x) if isinstance(x, arb) else x.real_abs(analytic)
     if name == "sign":
+        if isinstance(x, acb):
+            return x.real_sgn(analytic)
         side = _side(x)
         return arb(side) if side else arb.nan()
     if analytic and isinstance(x, acb) and name in ("log", "asin", "acos", "atanh", "acosh"):
         return x.log(analytic) if name == "log" else acb(arb.nan())
-    return getattr(x, name)()
+    return getattr(x, name)() if name in FUNCTIONS else arb.nan()
 
 
 def _integral(e: Integral, point: Point) -> arb:
