@@ -26,6 +26,8 @@ _EVIDENCE = {
     "Formally": "the relations that the sentence states, decided as they stand",
     "Counterexample": "an exact point at which the conditions hold and the statement fails",
     "UniqueRoot": "opposite signs at the ends and a derivative of one sign, each by a chain",
+    "ImplicitFunction": "an earlier equation, smooth and with a derivative that is not zero: the "
+    "implicit function theorem",
     "Printed": "balls from the printed inputs, each known to half a unit of its last place",
     "Boxes": "balls on boxes that cover the region",
     "Asymptotics": "an expansion with a certified remainder",
