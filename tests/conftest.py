@@ -1,10 +1,13 @@
 """Hypothesis profiles: dev while writing, ci in every run, deep for long hunts.
 
-All are seeded by the test itself (derandomised), so a failure is the same failure tomorrow.
+All are seeded by the test itself (derandomised), or by the number of the chunk (see chunks.py), so
+a failure is the same failure tomorrow.
 """
 
 import os
 
+import chunks
+import pytest
 from hypothesis import HealthCheck, settings
 
 _COMMON = {
@@ -14,5 +17,19 @@ _COMMON = {
 }
 settings.register_profile("dev", max_examples=50, **_COMMON)
 settings.register_profile("ci", max_examples=200, **_COMMON)
-settings.register_profile("deep", max_examples=10_000, **_COMMON)
+settings.register_profile(
+    "deep", max_examples=1000 if chunks.IN_CHUNKS else 10_000, print_blob=True, **_COMMON
+)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    finished = chunks.done()
+    if finished:
+        config.hook.pytest_deselected(items=[item for item in items if item.nodeid in finished])
+        items[:] = [item for item in items if item.nodeid not in finished]
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    if report.when == "call":
+        chunks.record(report.nodeid, report.outcome, report.duration)
