@@ -189,8 +189,8 @@ function addLevel(group, frame, level, kind) {
   const turning = level.gamma < 0 ? Math.asin(Math.sqrt(-level.gamma / level.b)) : 0;
   for (let cell = -1; cell <= 1; cell++) {
     // Cosine steps: dense at the turning points, where the curve is steep.
-    for (let i = 0; i <= 80; i++) {
-      const share = (1 - Math.cos((Math.PI * i) / 80)) / 2;
+    for (let i = 0; i <= 40; i++) {
+      const share = (1 - Math.cos((Math.PI * i) / 40)) / 2;
       const psi = cell * Math.PI + turning + share * (Math.PI - 2 * turning);
       const rate = rateAt(level, psi) || 0;
       sides[0].push([psi, rate]);
@@ -239,8 +239,8 @@ function motionCurve(orbit, end) {
   const last = Math.min(end, 2.02 * orbit.quarterTime);
   /** @type {Point[]} */
   const points = [];
-  for (let i = 0; i <= 600; i++) {
-    const point = phasePoint(orbit, last * (i / 300 - 1));
+  for (let i = 0; i <= 300; i++) {
+    const point = phasePoint(orbit, last * (i / 150 - 1));
     const before = points.at(-1);
     if (before && Math.abs(point[0] - before[0]) > Math.PI) points.push([NaN, NaN]);
     points.push(point);
@@ -279,8 +279,8 @@ function drawChart(svg, level, defect, turning) {
   const high = Math.min(wide, a * (1 - 1e-6));
   /** @type {Point[]} */
   const exact = [];
-  for (let i = 0; i <= 240; i++) {
-    const x = low + ((high - low) * i) / 240;
+  for (let i = 0; i <= 120; i++) {
+    const x = low + ((high - low) * i) / 120;
     exact.push([x, flipDefect(onLevel(level, x)) / DEGREE]);
   }
   const heights = [...exact.map(([, y]) => y), defect / DEGREE];

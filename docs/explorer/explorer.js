@@ -27,6 +27,7 @@ const shown = {
   rest: 0,
   playing: false,
   stale: false,
+  remembering: 0,
 };
 
 /**
@@ -223,7 +224,8 @@ function show({ level, realizable }) {
   tabulate("flip", Math.PI - 2 * defect, 15);
   describe(level, defect, turning, realizable, body);
   setSliders(level);
-  remember();
+  clearTimeout(shown.remembering);
+  shown.remembering = setTimeout(remember, 300);
   requestAnimationFrame(redraw);
 }
 
@@ -391,7 +393,8 @@ function advance(before, now) {
   requestAnimationFrame((next) => advance(now, next));
 }
 
-// The address keeps the choice, so that it can be sent to somebody.
+// The address keeps the choice, so that it can be sent to somebody; browsers allow a few changes of
+// it a second, so it waits for the end of a drag.
 
 function remember() {
   const choice = new URLSearchParams({ a: plain("a"), b: plain("b"), gamma: plain("gamma") });

@@ -123,17 +123,26 @@ function phaseFrom(orbit, at) {
  */
 function integralsAt({ k, characteristic }, { sn, cn, dn }) {
   const square = sn * sn;
-  let [x, y, z, p] = [cn * cn, dn * dn, 1, 1 + characteristic * square];
+  let x = cn * cn;
+  let y = dn * dn;
+  let z = 1;
+  let p = 1 + characteristic * square;
   let delta = square ** 3 * (1 + characteristic) * (k * k + characteristic) * characteristic;
   let sum = 0;
   let share = 1;
   for (let step = 0; step < 60; step++) {
     if (Math.max(p, z) - Math.min(x, y) < 4e-3 * p) break;
-    const [rx, ry, rz, rp] = [x, y, z, p].map(Math.sqrt);
+    const rx = Math.sqrt(x);
+    const ry = Math.sqrt(y);
+    const rz = Math.sqrt(z);
+    const rp = Math.sqrt(p);
     const product = (rp + rx) * (rp + ry) * (rp + rz);
-    sum += (share / product) * arcOver(delta / product ** 2);
+    sum += (share / product) * arcOver(delta / (product * product));
     const shift = rx * ry + ry * rz + rz * rx;
-    [x, y, z, p] = [x, y, z, p].map((value) => (value + shift) / 4);
+    x = (x + shift) / 4;
+    y = (y + shift) / 4;
+    z = (z + shift) / 4;
+    p = (p + shift) / 4;
     share /= 4;
     delta /= 64;
   }
