@@ -2,7 +2,7 @@
 
 - `energy_by_gamma`: 2I₂E, 2I₃E and 2I₁E against M², each as a multiple of γ, γ + b, a − γ;
 - `tilt_by_flip`: cos²θ from ψ alone, hence θ comes back when ψ has turned by π;
-- `rotating_tilt`, `rotating_speed`: for γ > 0 the handle stays on one side, ψ is unbounded;
+- `rotating_tilt`, `every_angle`: for γ > 0 the handle stays on one side, ψ is unbounded;
 - `oscillating_flip`, `handle_crosses`: for γ < 0 the racket oscillates, the handle crosses;
 - `mirror_images`: the symmetries of the planar system;
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles rest.
@@ -10,7 +10,7 @@
 
 import sympy
 from flint import fmpq
-from sympy import Le, Ne, Symbol, Tuple, cos, pi, sin
+from sympy import Integral, Le, Ne, Symbol, Tuple, cos, pi, sin, sqrt
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body
 from tresym.proofs.euler_angles import (
     eq_Euler,
@@ -30,9 +30,13 @@ from tresym.claims.claim import (
     Place,
     all_of,
     by,
+    citing,
+    collecting,
     equal,
     equations,
     formally,
+    integrating,
+    roots,
     step,
     substituting,
     together,
@@ -238,7 +242,7 @@ rotating_tilt = Claim(
 )
 
 rotating_speed = Claim(
-    label="psi_unbounded",
+    label="rotating_speed",
     says=printed.psi_rate(psi, a, b, gamma, 1, sympy) ** 2 >= a * gamma,
     kind="bound",
     given=rotating,
@@ -250,8 +254,56 @@ rotating_speed = Claim(
             / (1 - b * _sine) ** 2,
         ),
     ),
+    note="|dψ/dφ| ≥ √(aγ) > 0, with one sign.",
+)
+
+_turned = Symbol("Psi", real=True)
+_per_angle = printed.integrand(psi, a, b, gamma, 1, sympy)
+_at_most = 1 / sqrt(a * gamma)
+
+rotating_time = Claim(
+    label="rotating_time",
+    says=_at_most - _per_angle >= 0,
+    kind="bound",
+    given=rotating,
+    proof=(
+        step(
+            b
+            * _sine
+            * (a + gamma + b * _sine + a * gamma * (1 + (1 - b * _sine)))
+            / (
+                sqrt(a * gamma)
+                * sqrt(a + b * _sine)
+                * sqrt(gamma + b * _sine)
+                * (
+                    sqrt(a + b * _sine) * sqrt(gamma + b * _sine)
+                    + (1 - b * _sine) * sqrt(a * gamma)
+                )
+            ),
+            roots,
+        ),
+    ),
+    note="f = dφ/dψ is at most 1/√(aγ).",
+)
+
+every_angle = Claim(
+    label="psi_unbounded",
+    says=Integral(_per_angle, (psi, 0, _turned)) <= _turned / sqrt(a * gamma),
+    kind="bound",
+    given=(*rotating, _turned > 0),
+    proof=(
+        step(
+            Integral(_at_most, (psi, 0, _turned)) - Integral(_per_angle, (psi, 0, _turned)),
+            integrating(_at_most * psi),
+        ),
+        step(
+            Integral(_at_most - _per_angle, (psi, 0, _turned)),
+            collecting(),
+            citing(rotating_time),
+        ),
+    ),
     where=Place(line=103),
-    note="|dψ/dφ| ≥ √(aγ) > 0 with one sign, so ψ grows or falls without bound.",
+    note="Every angle Ψ is reached, after a finite precession; with S = −1 likewise −Ψ.",
 )
 
 handle_side = Claim(
@@ -259,7 +311,7 @@ handle_side = Claim(
     says="In a rotating motion the handle stays above or below the plane (X, Y) while the "
     "racket turns about it.",
     kind="statement",
-    proof=all_of(handle_in_space, rotating_tilt, rotating_speed),
+    proof=all_of(handle_in_space, rotating_tilt, rotating_speed, every_angle),
     where=Place(line=103),
 )
 

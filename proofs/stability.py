@@ -1,11 +1,13 @@
 """Sections 2 and 3: the permanent rotations and their stability.
 
 Around M along a principal axis, Euler's equations are linearised; the eigenvalues λ solve
-λ(λ² − …) = 0 exactly. Where λ² < 0 the energy on the sphere of M has a strict extremum, which is
-what makes the rotation stable; where λ² > 0 one eigenvalue is positive.
+λ(λ² − …) = 0 exactly. Where λ² < 0 the energy on the sphere of M has a strict extremum, and the
+distance from the axis stays below a constant times what it was; where λ² > 0 one eigenvalue is
+positive.
 
 - `eigenvalues_e1`, `eigenvalues_e2`, `eigenvalues_e3`, and the signs of λ²;
 - `energy_near_e1`, `energy_near_e3`: the energy on the sphere of M, with its extrema;
+- `stays_near_e1`, `stays_near_e3`: stability, with a constant;
 - `permanent_rotations`: the equilibria are the six points with two components zero.
 """
 
@@ -27,7 +29,7 @@ from sympy import (
 )
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, velocity_from_momentum
-from tresym.proofs.momentum import energy_of_momentum, eq_dMi
+from tresym.proofs.momentum import energy_conserved, energy_of_momentum, eq_dMi, momentum_conserved
 
 from tresym.claims.claim import (
     Claim,
@@ -75,6 +77,14 @@ def _characteristic(*at: Expr) -> Expr:
     slope = _rates.jacobian(_components).subs(dict(zip(_components, at, strict=True)))
     return det(eigenvalue * eye(3) - slope)
 
+
+outer_moments = Claim(
+    label="outer_moments",
+    says=I3 - I1 > 0,
+    kind="bound",
+    given=ordered_moments,
+    proof=(step((I3 - I2) + (I2 - I1)),),
+)
 
 _square1 = -(M**2) * (1 / I1 - 1 / I2) * (1 / I1 - 1 / I3)
 _square2 = M**2 * (1 / I1 - 1 / I2) * (1 / I2 - 1 / I3)
@@ -144,11 +154,65 @@ energy_near_e3 = Claim(
     note="At given M the energy is least at M₁ = M₂ = 0, and nowhere else.",
 )
 
+# Where M began: its length and the energy were the same there.
+_began = tuple(Symbol(f"N{n}", real=True) for n in (1, 2, 3))
+
+
+def _stays_near(
+    label: str, excess: Expr, across: tuple[Expr, Expr], slopes: tuple[Expr, Expr], gap: Expr
+) -> Claim:
+    """That the distance from the axis stays below a multiple of what it was at the start.
+
+    Args:
+        excess: the energy above that on the axis, or below it, as the claims before give it.
+        across: the two components across the axis.
+        slopes: the factors of their squares in ``excess``, the smaller first.
+        gap: the difference of the two.
+    """
+    start = dict(zip(_components, _began, strict=True))
+    low, high = slopes
+    first, second = across
+    conserved = excess.xreplace(start) - excess
+    distance = first**2 + second**2
+    return Claim(
+        label=label,
+        says=distance <= high / low * distance.xreplace(start),
+        kind="bound",
+        given=(*ordered_moments, conserved >= 0),
+        proof=(
+            step(
+                (conserved + gap * (first.xreplace(start) ** 2 + second**2)) / low,
+                citing(outer_moments),
+            ),
+        ),
+        note="N is where M began, with as much energy and momentum. The distance stays as small "
+        "as one likes if it begins small enough: the rotation is stable.",
+    )
+
+
+stays_near_e1 = _stays_near(
+    "stays_near_e1",
+    _below_first,
+    (M2, M3),
+    ((I2 - I1) / (I1 * I2), (I3 - I1) / (I1 * I3)),
+    (I3 - I2) / (I2 * I3),
+)
+
+stays_near_e3 = _stays_near(
+    "stays_near_e3",
+    _above_third,
+    (M2, M1),
+    ((I3 - I2) / (I2 * I3), (I3 - I1) / (I1 * I3)),
+    (I2 - I1) / (I1 * I2),
+)
+
+_conserved = (energy_conserved, momentum_conserved)
+
 stable_e1 = Claim(
     label="stable_e1",
     says="The rotation about the handle is stable.",
     kind="statement",
-    proof=all_of(eigenvalues_e1, center_at_e1, energy_near_e1),
+    proof=all_of(eigenvalues_e1, center_at_e1, *_conserved, energy_near_e1, stays_near_e1),
     where=Place(line=49),
 )
 
@@ -156,7 +220,7 @@ stable_e3 = Claim(
     label="stable_e3",
     says="The rotation about the normal of the face is stable.",
     kind="statement",
-    proof=all_of(eigenvalues_e3, center_at_e3, energy_near_e3),
+    proof=all_of(eigenvalues_e3, center_at_e3, *_conserved, energy_near_e3, stays_near_e3),
     where=Place(line=49),
 )
 
@@ -184,14 +248,6 @@ any_body = Claim(
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
-
-outer_moments = Claim(
-    label="outer_moments",
-    says=I3 - I1 > 0,
-    kind="bound",
-    given=ordered_moments,
-    proof=(step((I3 - I2) + (I2 - I1)),),
-)
 
 _order = ((), (citing(outer_moments),), ())
 

@@ -119,13 +119,14 @@ def _arrives(
     if goal is not None:
         return PROVED if last == goal else _check_step(last, Step(goal, ()), given)
     given = with_bounds(given, link.reasons)
-    found = manifest_sign(last, given)
     if isinstance(last, Integral):
         bounds = tuple(c for r in link.reasons if r.name == "citing" for c in r.claims)
         try:
-            found = ">=0" if is_non_negative(last, bounds, given) else found
+            found = ">=0" if is_non_negative(last, bounds, given) else None
         except NotShownError as error:
             return _undecided(str(error))
+    else:
+        found = manifest_sign(last, given)
     strict = isinstance(says, StrictGreaterThan | StrictLessThan)
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED

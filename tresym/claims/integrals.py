@@ -13,7 +13,7 @@ from sympy import Basic, Derivative, Eq, Expr, Integer, Integral, Rel, Subs, Sym
 
 from tresym.claims.claim import Claim, Reason, citing, parts_of
 from tresym.claims.domain import Conditions, continuous_on
-from tresym.claims.signs import NON_NEGATIVE, manifest_sign
+from tresym.claims.signs import NON_NEGATIVE, is_stated, manifest_sign
 from tresym.claims.translate import to_expression, to_given
 from tresym.identity import Expr as Tree
 from tresym.identity import decide
@@ -63,8 +63,10 @@ def is_non_negative(integral: Basic, bounds: tuple[Claim, ...], given: Condition
     _, low, high = _plain(integral)
     conditions = _inside(integral, bounds, given)
     _need_continuous((integral.function,), conditions)
-    signs = (manifest_sign(high - low, given), manifest_sign(integral.function, conditions))
-    return all(found in NON_NEGATIVE for found in signs)
+    if manifest_sign(high - low, given) not in NON_NEGATIVE:
+        return False
+    f = integral.function
+    return is_stated(f, conditions) or manifest_sign(f, conditions) in NON_NEGATIVE
 
 
 def need_smooth(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:

@@ -37,6 +37,11 @@ def manifest_sign(e: Basic, conditions: tuple[Basic, ...], depth: int = DEPTH) -
     return "+" if by_parts == "+" else found or by_parts
 
 
+def is_stated(e: Basic, conditions: tuple[Basic, ...]) -> bool:
+    """Whether a condition says as it stands that ``e`` is not negative."""
+    return any(c.rel_op != "!=" and c.gts - c.lts == e for c in conditions)
+
+
 def _split(e: Basic, conditions: tuple[Basic, ...], depth: int) -> str | None:
     """The sign of ``e`` as a condition and a rest that is not negative."""
     found = None
