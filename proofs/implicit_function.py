@@ -262,9 +262,14 @@ G_at_origin = Claim(
 )
 
 
+def _value(slope: Claim) -> Any:
+    """What a derivative of G, as ``slope`` says it is, comes to at the origin."""
+    return parts_of(slope.says)[0].args[1].subs(at_origin)
+
+
 def _at_origin(label: str, says: str, slope: Claim, value: int, **rest: Any) -> tuple[Claim, Claim]:
     """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
-    says_value = equal(parts_of(slope.says)[0].args[1].subs(at_origin), value)
+    says_value = equal(_value(slope), value)
     found = Claim(label=f"{label}_value", says=says_value, proof=by())
     return found, Claim(
         label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
@@ -316,19 +321,47 @@ dmu_dlambda_zero = Claim(
     note="The conclusion stands: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",
 )
 
+slopes_at_origin = Claim(
+    label="slopes_at_origin",
+    says=Tuple(
+        equal(dG_du, _value(slope_by_u)),
+        equal(G_lambda, _value(slope_by_lambda)),
+        equal(G_mu, _value(slope_by_mu)),
+        equal(mu_lambda, parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0)),
+    ),
+    proof=Definition(),
+    note="The derivatives at the origin, from λ ≥ 0, where ε₀ and its slopes are 0.",
+)
+
+_G = printed.implicit_function(u, lam, mu, sympy)
+_along = printed.implicit_function(u, lam, _mu_of_lambda, sympy)
+
+chain_rule_of_G = Claim(
+    label="chain_rule_of_G",
+    says=equal(
+        Derivative(_along, lam),
+        Subs(Derivative(_G, lam), mu, _mu_of_lambda)
+        + Subs(Derivative(_G, mu), mu, _mu_of_lambda) * Derivative(_mu_of_lambda, lam),
+    ),
+    given=(b > 0, b <= 1, lam > 0),
+    proof=by(differentiation, roots),
+    where=Place(display=45),
+    note="Along μ = μ(λ), at every λ > 0.",
+)
+
 total_slope = Claim(
     label="total_slope",
     says=equal(dG_dlambda, G_lambda + G_mu * mu_lambda),
     proof=Definition(),
     where=Place(display=45),
-    note="What dG/dλ stands for: the derivative of G(u, λ, μ(λ)) while u is held.",
+    note="What dG/dλ is at the origin, by the chain rule.",
 )
 
 chain_rule = Claim(
     label="d45",
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
     kind="statement",
-    proof=all_of(total_slope, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
+    proof=all_of(chain_rule_of_G, total_slope, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
     where=Place(display=45),
     note="Both terms vanish, the second because ∂G/∂μ does.",
 )
@@ -358,12 +391,22 @@ implicit_slope = Claim(
     note="The implicit function theorem, on λ ≥ 0.",
 )
 
+slope_symbol_of_u = Claim(
+    label="slope_symbol_of_u",
+    says=equal(du_dlambda, -dG_dlambda / dG_du),
+    given=(dG_du > 0,),
+    proof=Definition(),
+    note="What du/dλ is at the origin, by `implicit_rule`; `u_flat_order` bounds u itself.",
+)
+
 slope_of_u = Claim(
     label="dudlam",
-    says="The derivative of u along λ vanishes at the origin.",
-    kind="statement",
-    proof=all_of(implicit_slope, chain_rule, G_lambda_at_origin, G_mu_at_origin),
+    says=equal(du_dlambda, 0),
+    given=(dG_du > 0,),
+    proof=(
+        step(-(G_lambda + G_mu * mu_lambda) / dG_du, substituting(slope_symbol_of_u, total_slope)),
+        step(None, substituting(slopes_at_origin)),
+    ),
     where=Place(display=46),
-    expect=Verdict.ENCLOSED,
-    note="By the mended reason.",
+    note="By the mended reason: ∂G/∂μ is 0 there, not ∂μ/∂λ.",
 )

@@ -78,14 +78,6 @@ def _characteristic(*at: Expr) -> Expr:
     return det(eigenvalue * eye(3) - slope)
 
 
-outer_moments = Claim(
-    label="outer_moments",
-    says=I3 - I1 > 0,
-    kind="bound",
-    given=ordered_moments,
-    proof=(step((I3 - I2) + (I2 - I1)),),
-)
-
 _square1 = -(M**2) * (1 / I1 - 1 / I2) * (1 / I1 - 1 / I3)
 _square2 = M**2 * (1 / I1 - 1 / I2) * (1 / I2 - 1 / I3)
 _square3 = -(M**2) * (1 / I1 - 1 / I3) * (1 / I2 - 1 / I3)
@@ -179,12 +171,7 @@ def _stays_near(
         says=distance <= high / low * distance.xreplace(start),
         kind="bound",
         given=(*ordered_moments, conserved >= 0),
-        proof=(
-            step(
-                (conserved + gap * (first.xreplace(start) ** 2 + second**2)) / low,
-                citing(outer_moments),
-            ),
-        ),
+        proof=(step((conserved + gap * (first.xreplace(start) ** 2 + second**2)) / low),),
         note="N is where M began, with as much energy and momentum. The distance stays as small "
         "as one likes if it begins small enough: the rotation is stable.",
     )
@@ -248,6 +235,14 @@ any_body = Claim(
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
+
+outer_moments = Claim(
+    label="outer_moments",
+    says=I3 - I1 > 0,
+    kind="bound",
+    given=ordered_moments,
+    proof=(step((I3 - I2) + (I2 - I1)),),
+)
 
 _order = ((), (citing(outer_moments),), ())
 
