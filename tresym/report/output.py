@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import suppress
 
 from tresym.exact import InputError
 
@@ -11,18 +12,35 @@ from tresym.exact import InputError
 def write_text(path: str, text: str) -> None:
     """Write ``text`` (UTF-8) to ``path``: aside first, then renamed, so no half file is ever seen.
 
+    A device or a pipe is written to as it is; of a link, the file it leads to is replaced.
+
     Raises:
         InputError: the file cannot be written there.
     """
+    try:
+        if os.path.exists(path) and not os.path.isfile(path):
+            _write(path, text)
+        else:
+            _replace(os.path.realpath(path), text)
+    except (OSError, ValueError) as error:
+        shown = path if path.isprintable() else ascii(path)
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise InputError(f"{shown}: cannot be written ({reason})") from None
+
+
+def _replace(path: str, text: str) -> None:
     aside = f"{path}.{os.getpid()}.part"
     try:
-        with open(aside, "w", encoding="utf-8") as file:
-            file.write(text)
+        _write(aside, text)
         os.replace(aside, path)
-    except OSError as error:
-        if os.path.exists(aside):
+    finally:
+        with suppress(OSError):
             os.remove(aside)
-        raise InputError(f"{path}: cannot be written ({error.strerror})") from None
+
+
+def _write(path: str, text: str) -> None:
+    with open(path, "w", encoding="utf-8", errors="backslashreplace") as file:
+        file.write(text)
 
 
 def colour_wanted() -> bool:
