@@ -19,7 +19,7 @@ extensions = [
     "tresym.report.site.extension",
 ]
 root_doc = "index"
-exclude_patterns = ["generated/ledger.md", "explorer", "measurements/*.md"]
+exclude_patterns = ["generated/ledger.md", "generated/tables", "explorer"]
 smartquotes = False
 
 myst_enable_extensions = [

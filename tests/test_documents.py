@@ -18,7 +18,7 @@ def test_the_corrections_are_the_refuted_statements_of_the_paper(report: Report)
     assert "`table_racket_3_b`" in page
     assert "`racket_3_third_moment`" in page
     assert "`table_str_a`" not in page
-    assert page.count("\n## ") == sum(
+    assert page.count("\n### ") == sum(
         row.finding.verdict is Verdict.REFUTED and row.claim.where is not None
         for row in report.rows
     )

@@ -2,29 +2,89 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from tresym.claims.claim import Claim
 from tresym.exact import fraction_text
 from tresym.report.latex import says_latex
+from tresym.report.markdown import finding as found_text
+from tresym.report.markdown import sentence
 from tresym.report.place import place_text
 from tresym.verdict import Verdict
 from tresym.verification import Report, Row
 
+LONGEST = 200
+
 PREFACE = """# Corrections
 
-Statements of the paper that do not hold as they stand, in its order, each with the evidence and
-with the nearest statement that does hold. Printed decimals are read as intervals of half a unit in
-their last place, and a printed value stands here only if no inputs that round to the printed inputs
-give it. The paper's main result, that the flip is nearly complete and that its defect decreases
+Statements of the paper that do not hold as they stand, each with its place, the evidence, and the
+nearest statement that does hold. Printed decimals are read as intervals of half a unit in their
+last place, and a printed value stands here only if no inputs that round to the printed inputs give
+it. The paper's main result, that the flip is nearly complete and that its defect decreases
 exponentially, stands.
 """
 
-LONGEST = 200
+
+class Fault(NamedTuple):
+    """A kind of correction: its title, what it means, and the labels of its claims."""
+
+    title: str
+    meaning: str
+    labels: frozenset[str]
+
+
+MISPRINTS = Fault(
+    "Misprints",
+    "What is meant is plain from the context, and what is built on it stands.",
+    frozenset(
+        {
+            "angles_of_the_reference",
+            "ordered_moments",
+            "positive_only_if",
+            "table_racket_3_order",
+            "table_racket_3_b",
+            "table_units",
+            "ethylene_flip",
+            "ethylene_flip_by_formula",
+        }
+    ),
+)
+ROUNDING = Fault(
+    "Rounding, and approximations printed as equalities",
+    "The number or the formula is near the truth, and not as near as it is printed.",
+    frozenset({"table_racket_3_a", "equation", "d31", "d27", "upper_level"}),
+)
+REASONS = Fault(
+    "Reasons",
+    "The conclusion holds; the reason given for it does not.",
+    frozenset(
+        {"components_are_sufficient", "dmu_dlambda_zero", "flat_function", "threshold_impossible"}
+    ),
+)
+STATEMENTS = Fault(
+    "Statements",
+    "What is said does not hold for everything it is said of.",
+    frozenset(),
+)
+"""Every correction that is none of the three before."""
+
+FAULTS = (STATEMENTS, REASONS, ROUNDING, MISPRINTS)
 
 
 def corrections(report: Report) -> str:
-    """The page in Markdown."""
+    """The page in Markdown: wrong statements first, each kind in the order of the paper."""
     refuted = [row for row in report.rows if _stands_in_the_paper(row)]
-    return "\n".join([PREFACE, *(_entry(row) for row in refuted)])
+    parts = [PREFACE]
+    for fault in FAULTS:
+        rows = [row for row in refuted if fault_of(row.claim.label) is fault]
+        if rows:
+            parts += [f"## {fault.title}", "", fault.meaning, "", *map(_entry, rows)]
+    return "\n".join(parts)
+
+
+def fault_of(label: str) -> Fault:
+    """The kind of correction that a refuted claim is."""
+    return next((fault for fault in FAULTS if label in fault.labels), STATEMENTS)
 
 
 def _stands_in_the_paper(row: Row) -> bool:
@@ -33,20 +93,28 @@ def _stands_in_the_paper(row: Row) -> bool:
 
 def _entry(row: Row) -> str:
     claim, finding = row.claim, row.finding
-    lines = [f"## `{claim.label}` ({place_text(claim)})", "", f"**As printed:** {_said(claim)}", ""]
-    lines += [f"**Evidence:** {_clipped(finding.why)}.", ""]
-    if finding.witness:
+    lines = [
+        f"### `{claim.label}` ({place_text(claim)})",
+        "",
+        f"**As printed:** {_said(claim)}",
+        "",
+    ]
+    lines += [f"**Evidence:** {found_text(_clipped(finding.why))}.", ""]
+    if finding.witness and " = " not in finding.why:
         point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in sorted(finding.witness.items()))
-        lines += [f"**Witness:** {_clipped(point)}", ""]
+        lines += [f"**Witness:** {found_text(_clipped(point))}.", ""]
     for amendment in claim.amended_by:
         lines += [f"**True instead** (`{amendment.label}`): {_said(amendment)}", ""]
     if claim.note:
-        lines += [claim.note, ""]
+        lines += [sentence(claim.note), ""]
     return "\n".join(lines)
 
 
 def _said(claim: Claim) -> str:
-    return claim.says if isinstance(claim.says, str) else f"${says_latex(claim.says)}$"
+    if isinstance(claim.says, str):
+        return sentence(claim.says)
+    parts = (claim.shown or says_latex(claim.says)).replace("|", r"\vert ").split(r",\quad ")
+    return ", ".join(f"${part}$" for part in parts)
 
 
 def _clipped(text: str) -> str:

@@ -26,6 +26,17 @@ SCALE, WIDTH, HEIGHT = 150.0, 380, 310
 FACES = ("#e69f00", "#0072b2")
 """The colours of the two faces of the head; +e₃ first."""
 
+WORDS = (
+    "The handle goes round the angular momentum M, which stays upright, in an almost level circle. "
+    "In each turn of the handle the head makes half a turn about it: the blue face, in front at "
+    "first, gives way to the orange one, and after two turns all is as it was."
+)
+LESS_MOTION = (
+    ".held{display:none}"
+    "@media (prefers-reduced-motion:reduce){.held{display:inline}.moving{display:none}}"
+)
+"""Who asks for less motion sees the first moment, held."""
+
 
 class Data(NamedTuple):
     """Two turns of the handle: γ, times as shares of the whole, φ, ψ, and the frames.
@@ -65,30 +76,41 @@ def draw(data: Data) -> str:
         "".join(_line(eye, string @ frame) for string in shape.strings) for frame in data.frames
     ]
     faces = [FACES[0 if eye.depth(frame[2]) > 0 else 1] for frame in data.frames]
+    moves = (
+        _moves("d", rims, clock) + _moves("fill", faces, clock, "discrete"),
+        _moves("d", strings, clock),
+        _moves("d", handles, clock),
+    )
+    first = rims[0], faces[0], strings[0], handles[0]
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
-            f'width="{WIDTH}" height="{HEIGHT}" role="img">',
-            "<title>A tennis racket flips once in every turn of its handle</title>",
+            f'width="{WIDTH}" height="{HEIGHT}" role="img" aria-labelledby="title words">',
+            '<title id="title">A tennis racket flips once in every turn of its handle</title>',
+            f'<desc id="words">{WORDS}</desc>',
+            f"<style>{LESS_MOTION}</style>",
             f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
             *_still(eye),
-            _path(rims[0], "rim", f'fill="{faces[0]}" stroke="#222" stroke-width="3"')
-            + _moves("d", rims, clock)
-            + _moves("fill", faces, clock, "discrete")
-            + "</path>",
-            _path(strings[0], "strings", 'fill="none" stroke="white" stroke-width="0.8"')
-            + _moves("d", strings, clock)
-            + "</path>",
-            _path(
-                handles[0],
-                "handle",
-                'fill="none" stroke="#222" stroke-width="7" stroke-linecap="round"',
-            )
-            + _moves("d", handles, clock)
-            + "</path>",
+            *_body("moving", *first, moves),
+            *_body("held", *first, ("", "", "")),
             "</svg>\n",
         ]
     )
+
+
+def _body(
+    name: str, rim: str, face: str, strings: str, handle: str, moves: tuple[str, str, str]
+) -> list[str]:
+    """The racket, each of its three parts with what moves it."""
+    ink = 'stroke="#222"'
+    return [
+        f'<g class="{name}">',
+        f'<path d="{rim}" fill="{face}" {ink} stroke-width="3">{moves[0]}</path>',
+        f'<path d="{strings}" fill="none" {ink} stroke-width="0.6">{moves[1]}</path>',
+        f'<path d="{handle}" fill="none" {ink} stroke-width="7" stroke-linecap="round">'
+        f"{moves[2]}</path>",
+        "</g>",
+    ]
 
 
 def _still(eye: View) -> list[str]:
@@ -115,10 +137,6 @@ def _at(eye: View, point: Floats) -> tuple[float, float]:
 def _line(eye: View, points: Floats) -> str:
     """The drawing commands of a line through points in space."""
     return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in (_at(eye, point) for point in points))
-
-
-def _path(commands: str, name: str, look: str) -> str:
-    return f'<path id="{name}" d="{commands}" {look}>'
 
 
 def _moves(attribute: str, values: Iterable[str], clock: str, mode: str = "linear") -> str:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from tresym.report.site.markdown import badge, chain, display, escaped, inline, link, statement
+from tresym.report.markdown import finding, sentence
+from tresym.report.site.markdown import badge, chain, display, inline, link, statement
 
 Record = dict[str, Any]
 
@@ -66,7 +67,7 @@ def _heading(claim: Record, title: str | None) -> str:
     where = f"the paper's {claim['place']}" if claim["place"] else "a lemma of the proofs"
     if claim["line"] and "line" not in (claim["place"] or ""):
         where += f" (line {claim['line']} of its source)"
-    part = f"\\\n[{escaped(title)}](index.md)" if title else ""
+    part = f"\\\n[{sentence(title)}](index.md)" if title else ""
     return f"{badge(claim['verdict'])} {claim['kind']}, {where}{part}"
 
 
@@ -81,12 +82,12 @@ def _proof(claim: Record) -> Iterator[str]:
     for lines in claim["chains"]:
         yield chain(lines)
     if not claim["chains"]:
-        yield f"Found: {escaped(claim['why'])}."
+        yield f"Found: {finding(claim['why'])}."
     if claim["verdict"] == "REFUTED" and claim["witness"]:
-        point = "\n".join(f"| {name} | {value} |" for name, value in claim["witness"].items())
-        yield f"**Witness.** The statement fails here:\n\n| | |\n|---|---|\n{point}"
+        point = ", ".join(f"{name} = {value}" for name, value in claim["witness"].items())
+        yield f"**Witness.** {finding(point)}."
     if claim["note"]:
-        yield escaped(claim["note"])
+        yield sentence(claim["note"])
 
 
 def _numbers(claim: Record) -> Iterator[str]:
@@ -94,9 +95,9 @@ def _numbers(claim: Record) -> Iterator[str]:
         if claim[name]:
             yield f"{name.capitalize()}: {claim[name]['mid']}, to within {claim[name]['rad']}."
     if claim["region"]:
-        yield f"Region: {escaped(claim['region'])}."
+        yield f"Region: {finding(claim['region'])}."
     if claim["parameter"]:
-        yield f"Parameter: {escaped(claim['parameter'])}."
+        yield f"Parameter: {finding(claim['parameter'])}."
 
 
 def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
@@ -110,7 +111,7 @@ def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 
 def _named(label: str, claims: dict[str, Record]) -> str:
     claim = claims[label]
-    said = escaped(claim["says"]) if claim["says"] else ""
+    said = sentence(claim["says"]) if claim["says"] else ""
     shown = display(claim["formula"]) if claim["formula"] else ""
     head = f"{link(label)} {badge(claim['verdict'])}"
     return "\n\n".join(part for part in (f"{head}\\\n{said}" if said else head, shown) if part)

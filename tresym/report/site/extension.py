@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -67,6 +68,13 @@ def write_pages(app: Sphinx) -> None:
             path.unlink()
 
 
+def link_corrections(app: Sphinx, name: str, source: list[str]) -> None:
+    """On the page of corrections, every label leads to the page of its claim."""
+    if name == "generated/corrections":
+        known = ledger_of(Path(app.srcdir))["claims"]
+        source[0] = re.sub(r"`(\w+)`", lambda m: link(m[1]) if m[1] in known else m[0], source[0])
+
+
 class ClaimDirective(SphinxDirective):
     """``{claim} LABEL``: the statement, its verdict and a link to its page."""
 
@@ -108,6 +116,26 @@ def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
     return claim
 
 
+class ChartsDirective(SphinxDirective):
+    """``{charts}``: every chart below generated/charts, under the title that its file has."""
+
+    def run(self) -> list[nodes.Node]:
+        """A figure for each, in alphabetical order."""
+        folder = Path(self.env.srcdir) / "generated" / "charts"
+        figures = []
+        for path in sorted(folder.glob("*.svg")):
+            title = _title(path.read_text(encoding="utf-8")) or path.stem.replace("-", " ")
+            picture = f"/generated/charts/{path.name}"
+            figures.append(f":::{{figure}} {picture}\n:alt: {title}\n:width: 100%\n\n{title}\n:::")
+        return self.parse_text_to_nodes("\n\n".join(figures))
+
+
+def _title(svg: str) -> str:
+    """The title of a picture, which says what it shows."""
+    found = re.search(r"<title>(.*?)</title>", svg, re.DOTALL)
+    return " ".join(found[1].split()) if found else ""
+
+
 class RunDirective(SphinxDirective):
     """``{run} tresym …``: the command and what it prints, run while the page is built."""
 
@@ -142,6 +170,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_block, None))
     app.add_directive("claim", ClaimDirective)
     app.add_directive("findings", FindingsDirective)
+    app.add_directive("charts", ChartsDirective)
+    app.connect("source-read", link_corrections)
     app.add_directive("run", RunDirective)
     app.add_css_file("mathematics.css")
     return {"parallel_read_safe": True, "parallel_write_safe": True}

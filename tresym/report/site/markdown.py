@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
+
+from tresym.report.markdown import sentence
 
 LONGEST_IN_A_LIST = 220
 """Formulas of more LaTeX characters than this stand on the page of their claim only."""
-
-_SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|$~])")
-
-
-def escaped(text: str) -> str:
-    """Plain text as Markdown that reads the same."""
-    return _SPECIAL.sub(r"\\\1", text)
 
 
 def badge(verdict: str) -> str:
@@ -28,7 +22,7 @@ def link(label: str, folder: str = "/claims/") -> str:
 
 def statement(claim: dict[str, Any]) -> str:
     """What a claim says, on a line of its own: a sentence, a formula, or both."""
-    parts = [escaped(claim["says"])] if claim["says"] else []
+    parts = [sentence(claim["says"])] if claim["says"] else []
     parts += [display(claim["formula"])] if claim["formula"] else []
     return "\n\n".join(parts)
 
@@ -36,7 +30,7 @@ def statement(claim: dict[str, Any]) -> str:
 def inline(claim: dict[str, Any]) -> str:
     """What a claim says, within a line; a formula too long for that is named as such."""
     if claim["says"]:
-        return escaped(claim["says"])
+        return sentence(claim["says"])
     formula = claim["formula"]
     if len(formula) > LONGEST_IN_A_LIST:
         return "a formula of several lines"

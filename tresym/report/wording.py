@@ -1,0 +1,27 @@
+"""What judging found, which is written in plain characters, with signs and letters as we print."""
+
+from __future__ import annotations
+
+import re
+
+_GREEK = {
+    "alpha": "α", "gamma": "γ", "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ",
+    "phi": "φ", "psi": "ψ",
+}  # fmt: skip
+_NAME = re.compile(rf"\b({'|'.join(_GREEK)}|[A-Za-z])([0-9]?)(_f|_dt)?\b(?=\s*(?:=|->))")
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+def readable(text: str) -> str:
+    """``violated at psi1 = -1/2`` as ``violated at ψ₁ = −1/2``; powers keep their ``^``."""
+    text = re.sub(r"\^\((-?[\d/]+)\)", r"^{\1}", text)
+    text = re.sub(r"\^(?:\{1\}|1\b(?!/))", "", text)
+    text = re.sub(r"(?<=\d)\.0{4,}(?!\d)", "", text)
+    text = re.sub(r"(?<![\w)])-(?=[\w.])", "−", text)
+    text = _NAME.sub(_named, text)
+    return text.replace(" * ", " · ").replace("->", "→")
+
+
+def _named(found: re.Match[str]) -> str:
+    name, index, rest = found.groups()
+    return _GREEK.get(name, name) + index.translate(_LOWERED) + (rest or "")
