@@ -4,8 +4,8 @@
 
 - `printed_leading_term`: it is right; the remainder o(e^{−π√(ab)}) of `eps0` is not, and
   `printed_error` says what is true;
-- `repaired`, `second_order`, `third_order` and the table `repaired_from`: ε₀ by powers of ε*² with
-  constants that cannot be improved by one per cent; `no_single_constant`: K depends on the range;
+- `repaired`, `second_order`, `third_order`: ε₀ by powers of ε*² with constants that cannot be
+  improved by one per cent on ab ≥ 1/4 (in `constants` on a ≥ a₀, down to a₀ = 1/100);
   `everywhere`: one bound for all shapes, with its best constant 10/3;
 - `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas,
   together `uniform_formulas`, for every shape;
@@ -28,6 +28,7 @@ from sympy import Derivative, Function, cosh, exp, pi, sinh, sqrt, tanh
 from tresym.proofs import margins
 from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import auxiliary, shape
+from tresym.proofs.exponent import logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import monotonicity, slope_in_T_positive
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
@@ -53,7 +54,7 @@ from tresym.formulas import stable
 from tresym.notation import T, a, b, epsilon0, gamma, k, r, x
 from tresym.verdict import Verdict
 
-RESTS_ON = (one_flip_defect,)
+RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases)
 QUARTER = "ab >= 1/4, 0 < b <= 1"
 EVERY = "a > 0, 0 < b <= 1"
 
@@ -89,16 +90,20 @@ printed_leading_term = Claim(
 )
 
 
-def _printed_error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    """log(printed/ε₀) · ab as middle and radius, in the chart (b, κ)."""
-    shape = margins.by_kappa(b, kappa, m)
-    middle, radius = margins.remainder(shape, 0, 6, m)
-    # log(printed/ε*) = b (arctan r/r − 1/√(1 + r²)), divided by κ² = r²/b².
-    algebraic = b * b * b * margins.printed_excess(shape.r, m)
-    scaled = margins.leading_square_over(b, kappa, m)
-    # |log(1 + z) − z| ≤ z² for |z| ≤ 1/2, z = ε₀/ε* − 1.
-    square = (abs(middle) + radius) ** 2 * shape.leading * shape.leading
-    return algebraic - scaled * middle, scaled * (radius + square)
+def _printed_parts(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    """log(printed/ε₀) = b³κ² p − κ² q in the chart (b, κ): p and q, from ε* and from Q(ε₀)."""
+    root = margins.root_by_kappa(b, kappa, m)
+    rate = margins.exponent_rate(*root, m)
+    growth = m.exp(2 * root.defect * root.defect * rate)
+    star = margins.leading_square_over(b, kappa, m)
+    # log(printed/ε*) = b (arctan r/r − 1/√(1 + r²)), which is b r² p.
+    return margins.printed_excess(root.r, m), star * rate * growth
+
+
+def _printed_error(b: Any, kappa: Any, m: Any) -> Any:
+    """log(printed/ε₀) · ab in the chart (b, κ)."""
+    algebraic, flat = _printed_parts(b, kappa, m)
+    return b * b * b * algebraic - flat
 
 
 def boxed(
@@ -120,19 +125,13 @@ def boxed(
     return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
 
 
-def within(error: Callable[..., tuple[Any, Any]], constant: str) -> tuple[Callable[..., Any], ...]:
-    """The two margins of |error| < constant, for an error given as middle and radius."""
+def within(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
+    """The two margins of |error| < constant."""
     limit = as_rational(constant)
-
-    def upper(x: Any, y: Any, m: Any) -> Any:
-        middle, radius = error(x, y, m)
-        return arb(limit) - middle - radius
-
-    def lower(x: Any, y: Any, m: Any) -> Any:
-        middle, radius = error(x, y, m)
-        return arb(limit) + middle - radius
-
-    return upper, lower
+    return (
+        lambda x, y, m: arb(limit) - error(x, y, m),
+        lambda x, y, m: arb(limit) + error(x, y, m),
+    )
 
 
 KAPPA = ((0, 1), (0, 2))
@@ -165,13 +164,9 @@ printed_error_too_small = boxed(
 
 def _printed_relative(b: Any, kappa: Any, m: Any) -> Any:
     """(printed/ε₀ − 1) a/b² in the chart (b, κ), away from b = 0; a/b² = (1/κ²)/b³."""
-    shape_ = margins.by_kappa(b, kappa, m)
-    middle, radius = margins.remainder(shape_, 0, 6, m)
-    rest = middle + radius * arb(0, 1)
-    rest = rest * margins.log1p_over(shape_.leading * shape_.leading * rest)
+    algebraic, flat = _printed_parts(b, kappa, m)
     cube = b * b * b
-    scaled = margins.printed_excess(shape_.r, m)
-    scaled = scaled - margins.leading_square_over(b, kappa, m) * rest / cube
+    scaled = algebraic - flat / cube
     return scaled * margins.expm1_over(cube * kappa * kappa * scaled)
 
 
@@ -233,11 +228,12 @@ printed_remainder = Claim(
 # -- the theorem repaired -------------------------------------------------------------------------
 
 
-def _series_error(order: int) -> Callable[..., tuple[Any, Any]]:
-    def error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-        return margins.remainder(margins.by_kappa(b, kappa, m), order, order + 7, m)
-
-    return error
+EXCESS: tuple[Callable[..., Any], ...] = (
+    lambda b, kappa, m: margins.first_excess(margins.root_by_kappa(b, kappa, m), m),
+    lambda b, kappa, m: margins.second_excess(margins.root_by_kappa(b, kappa, m), m),
+    margins.third_excess,
+)
+"""(ε₀/ε* − Σ_{n≤N} c_n ε*^{2n})/ε*^{2N+2} for N = 0, 1, 2, in the chart (b, κ)."""
 
 
 def _repaired(label: str, order: int, constant: str, **rest: Any) -> Claim:
@@ -246,12 +242,11 @@ def _repaired(label: str, order: int, constant: str, **rest: Any) -> Claim:
     return boxed(
         label,
         f"|ε₀/ε* − {terms}| ≤ {constant} ε*^{2 * order + 2}.",
-        within(_series_error(order), constant),
+        within(EXCESS[order], constant),
         KAPPA,
         BY_KAPPA,
         QUARTER,
         constant,
-        slopes=True,
         **rest,
     )
 
@@ -265,78 +260,6 @@ repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repai
 second_order = _repaired("second_order", 1, "2.98")
 second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
 third_order = _repaired("third_order", 2, "7.36")
-
-
-def _sides(a0: fmpq, root: fmpq, constant: fmpq) -> tuple[Bound, ...]:
-    """The four bounds of |ε₀/ε* − 1| ≤ K ε*² on a ≥ a₀: both sides in the charts (b, κ), (k, α)."""
-    near, far = box((0, 1), (0, 1 / root)), box((0, root), (0, 1 / a0))
-    bounds = []
-    for side in (margins.above_anywhere, margins.below_anywhere):
-        for chart, region in ((margins.by_kappa, near), (margins.by_k, far)):
-
-            def margin(x: Any, y: Any, m: Any, side: Any = side, chart: Any = chart) -> Any:
-                return side(chart(x, y, m), arb(constant), m)
-
-            bounds.append(Bound(margin, region))
-    return tuple(bounds)
-
-
-def _repaired_from(a0: str, root: str, constant: str) -> Claim:
-    bounds = _sides(as_rational(a0), as_rational(root), as_rational(constant))
-    label = f"repaired_from_{a0.replace('/', '_')}"
-    region = f"a >= {a0}, 0 < b <= 1"
-    exact = as_rational(constant)
-    stored = certificate(label)
-    return Claim(
-        label=label,
-        says=f"|ε₀/ε* − 1| ≤ {constant} ε*².",
-        kind="bound",
-        proof=Boxes(bounds, ("x", "y"), region, exact, RESTS_ON, stored),
-        expect=Verdict.ENCLOSED,
-    )
-
-
-repaired_from = tuple(
-    _repaired_from(*row)
-    for row in (
-        ("16", "4", "0.4325"),
-        ("4", "2", "0.4795"),
-        ("1", "1", "0.6674"),
-        ("1/4", "1/2", "1.451"),
-        ("1/16", "1/4", "5.08"),
-    )
-)
-"""K against a₀; each is within one per cent of the value at b = 1, a = a₀."""
-
-
-def _leading_at_unit_b(t: Any, m: Any) -> Any:
-    """ε* of the shape b = 1, a = t²."""
-    return 2 * t / m.sqrt(1 + t * t) * m.exp(-t * (3 * m.pi / 2 - m.atan(t)))
-
-
-def _excess_as_a_vanishes(t: Any, m: Any) -> Any:
-    """ε₀/ε* − 1 of the shape b = 1, a = t²: tan ε₀ = t/(√(1 + t²) sinh tP), π ≤ P ≤ 3π/2."""
-    if not isinstance(m, Germs):
-        defect = defect_over(t**2, arb(1))
-    else:
-        phase = m.constant(balls.pi * arb("1.25", "0.25"))
-        defect = m.atan(t / (m.sqrt(1 + t * t) * m.sinh(t * phase)))
-    return defect / _leading_at_unit_b(t, m) - 1
-
-
-no_single_constant = Claim(
-    label="no_single_constant",
-    says="One constant K serves all shapes: ε₀/ε* − 1 = O(ε*²) for a > 0, 0 < b ≤ 1.",
-    kind="order",
-    proof=Asymptotics(
-        Order("O", _excess_as_a_vanishes, lambda t, m: _leading_at_unit_b(t, m) ** 2),
-        "t = sqrt(a) -> 0 along b = 1",
-        RESTS_ON,
-    ),
-    expect=Verdict.REFUTED,
-    amended_by=(repaired, *repaired_from),
-    note="At b = 1 the defect tends to a positive limit as a → 0 while ε* tends to 0.",
-)
 
 
 TEN_THIRDS = fmpq(10, 3)
@@ -388,12 +311,11 @@ everywhere = Claim(
 )
 
 
-def _cubic_ratio(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    """(ε₀ − ε*)/q³ = 8 cos³θ (ε₀/ε* − 1)/ε*² as middle and radius."""
-    shape = margins.by_kappa(b, kappa, m)
-    weight = 8 / (m.sqrt(1 + shape.r * shape.r) * (1 + shape.r * shape.r))
-    middle, radius = margins.remainder(shape, 0, 6, m)
-    return weight * middle, weight * radius
+def _cubic_ratio(b: Any, kappa: Any, m: Any) -> Any:
+    """(ε₀ − ε*)/q³ = 8 cos³θ (ε₀/ε* − 1)/ε*²."""
+    root = margins.root_by_kappa(b, kappa, m)
+    square = 1 + root.r * root.r
+    return 8 / (m.sqrt(square) * square) * margins.first_excess(root, m)
 
 
 everywhere_too_small = boxed(
@@ -405,7 +327,6 @@ everywhere_too_small = boxed(
     QUARTER,
     "3.33",
     expect=Verdict.REFUTED,
-    slopes=True,
     amended_by=(everywhere,),
 )
 
@@ -611,14 +532,10 @@ product_alone = boxed(
 # -- the slope and the bend -----------------------------------------------------------------------
 
 
-def _slope_error(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    return margins.slope_rest(b, kappa, m), arb(0)
-
-
 slope_leading_term = boxed(
     "slope_leading_term",
     "|dε/dγ + 1/(4bε₀)| ≤ 3.15 √(ab) ε₀/b at γ = 0.",
-    within(_slope_error, "12.6"),
+    within(margins.slope_rest, "12.6"),
     KAPPA,
     BY_KAPPA,
     QUARTER,
@@ -629,7 +546,7 @@ slope_leading_term = boxed(
 slope_constant_too_small = boxed(
     "slope_constant_too_small",
     "|dε/dγ + 1/(4bε₀)| ≤ 3.1 √(ab) ε₀/b at γ = 0.",
-    within(_slope_error, "12.4"),
+    within(margins.slope_rest, "12.4"),
     KAPPA,
     BY_KAPPA,
     QUARTER,

@@ -1,8 +1,9 @@
 """The functions whose positivity the bounds on ε₀ come down to, in charts where no corner is left.
 
-Everything rests on the exact equation log(ε₀/ε*) = Q(ε₀): since log e − Q(e) increases on (0, π/2),
-ε₀ ≤ e exactly when Q(e) ≤ log(e/ε*). A bound on ε₀ is therefore one sign at an explicit candidate e
-and no root is solved in a box. Two charts cover what is needed:
+Everything rests on the exact equation log(ε₀/ε*) = Q(ε₀). It makes ε* explicit in ε₀, so that what
+is said of ε₀/ε* becomes a function of ε₀, b and √(b/a), which the charts enclose; and since
+log e − Q(e) increases on (0, π/2), "ε₀ ≤ e" is one sign at an explicit candidate e. No root is
+solved in a box. Two charts cover what is needed:
 
 - (b, κ) with κ = 1/√(ab): then r = √(b/a) = bκ, and ε*² is flat at κ = 0;
 - (b, k, …) with k = √(ab): then r tanh kP = bP tanh(kP)/(kP), so that a → 0 and b → 0 are edges.
@@ -23,12 +24,20 @@ sine_over = Divided(lambda s: s.sin())
 """sin x / x."""
 sine_rest = Divided(lambda s: s.sin(), 3)
 """(sin x − x)/x³."""
+sine_further = Divided(lambda s: s.sin(), 5)
+"""(sin x − x + x³/6)/x⁵."""
 log1p_over = Divided(lambda s: (1 + s).log())
 """log(1 + x)/x."""
+log1p_rest = Divided(lambda s: (1 + s).log(), 2)
+"""(log(1 + x) − x)/x²."""
 expm1_over = Divided(lambda s: s.exp())
 """(exp x − 1)/x."""
+expm1_rest = Divided(lambda s: s.exp(), 2)
+"""(exp x − 1 − x)/x²."""
 arcsine_over = Divided(lambda s: s.asin())
 """arcsin x / x."""
+arcsine_rest = Divided(lambda s: s.asin(), 3)
+"""(arcsin x − x)/x³."""
 arctangent_over = Divided(lambda s: s.atan())
 """arctan x / x."""
 
@@ -49,6 +58,26 @@ def exponent_rate(defect: Any, b: Any, r: Any, m: Any) -> Any:
         mean * log1p_over(square * mean)
         + short * log1p_over(-square * short)
         + b * turn * arcsine_over(r * square * turn)
+    )
+
+
+def exponent_bend(defect: Any, b: Any, r: Any, m: Any) -> Any:
+    """(Q(e)/e² − c₁)/e², regular at e = 0: every difference in ``exponent_rate`` over e²."""
+    R, square = r * r, defect * defect
+    sinc, half, cosine = sine_over(defect), sine_over(defect / 2), m.cos(defect)
+    short, root = -sine_rest(defect), m.sqrt(1 + R * square * sinc * sinc)
+    rise, fall = R * sinc * sinc / (1 + root), -short * (1 + sinc)  # of the root, of (sin e/e)²
+    mean = (rise - half * half / 2) / 2
+    turn = sinc * sinc / (root + cosine)
+    mean_bend = R * (2 * fall - rise) / (4 * (1 + root)) - sine_rest(defect / 2) * (1 + half) / 16
+    turn_bend = (2 * fall - rise + half * half / 2) / (2 * (root + cosine))
+    cube = turn * turn * turn
+    return (
+        mean_bend
+        + mean * mean * log1p_rest(square * mean)
+        - sine_further(defect)
+        - short * short * log1p_rest(-square * short)
+        + b * (turn_bend + R * square * cube * arcsine_rest(r * square * turn))
     )
 
 
@@ -99,41 +128,58 @@ def by_root(b: Any, k: Any, m: Any) -> Shape:
     return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), b, r)
 
 
-def above(shape: Shape, constant: Any, m: Any) -> Any:
-    """Positive where ε₀ < ε*(1 + K ε*²); divided by ε*²."""
-    y = shape.leading * shape.leading
-    growth = 1 + constant * y
-    rate = exponent_rate(shape.leading * growth, shape.b, shape.r, m)
-    return constant * log1p_over(constant * y) - growth * growth * rate
+class Root(NamedTuple):
+    """The exact defect ε₀ of a shape in a chart, with b and r = √(b/a)."""
+
+    defect: Any
+    b: Any
+    r: Any
 
 
-def below(shape: Shape, constant: Any, m: Any) -> Any:
-    """Positive where ε₀ > ε*(1 − K ε*²); divided by ε*²."""
-    y = shape.leading * shape.leading
-    growth = 1 - constant * y
-    rate = exponent_rate(shape.leading * growth, shape.b, shape.r, m)
-    return growth * growth * rate + constant * log1p_over(-constant * y)
+def root_by_kappa(b: Any, kappa: Any, m: Any) -> Root:
+    """ε₀ in the chart (b, κ), a ball: tan ε₀ = cos θ/sinh(P/κ), flat at κ = 0."""
+    r = b * kappa
+    small = flat(kappa, phase_by_kappa(b, kappa, m))
+    tangent = 2 / m.sqrt(1 + r * r) * small / (1 - small * small)
+    return Root(m.atan(tangent), b, r)
 
 
-def above_anywhere(shape: Shape, constant: Any, m: Any) -> Any:
-    """As ``above`` (balls only), also where the candidate is beyond π/2 and nothing is to show."""
-    candidate = shape.leading * (1 + constant * shape.leading**2)
-    beyond = candidate - m.pi / 2
-    return beyond if beyond > 0 else above(shape, constant, m).max(beyond)
+def root_by_k(k: Any, alpha: Any, m: Any) -> Root:
+    """ε₀ in the chart (k, α), α = 1/a, a ball."""
+    r = alpha * k
+    b = r * k
+    return Root(m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m)), b, r)
 
 
-def below_anywhere(shape: Shape, constant: Any, m: Any) -> Any:
-    """As ``below`` (balls only), also where the candidate is negative and nothing is to show.
+def first_excess(root: Root, m: Any) -> Any:
+    """(ε₀/ε* − 1)/ε*², in terms of ε₀ itself: ε₀/ε* = exp Q and ε*² = ε₀² exp(−2Q)."""
+    rate = exponent_rate(root.defect, root.b, root.r, m)
+    exponent = root.defect * root.defect * rate
+    return m.exp(2 * exponent) * rate * expm1_over(exponent)
 
-    log(1 − z)/(−z) increases with z, so that it is bounded below by its value at min(z, 1/2).
+
+def second_excess(root: Root, m: Any) -> Any:
+    """(ε₀/ε* − 1 − c₁ε*²)/ε*⁴, with exp Q − 1 − c₁ε₀² exp(−2Q) expanded so that nothing cancels."""
+    first = (6 * root.b + 3 * root.r * root.r - 1) / 12
+    square, bend = root.defect * root.defect, exponent_bend(root.defect, root.b, root.r, m)
+    rate = first + square * bend
+    exponent = square * rate
+    rest = rate * rate * expm1_rest(exponent) + 2 * first * rate * expm1_over(-2 * exponent)
+    return m.exp(4 * exponent) * (bend + rest)
+
+
+def gap_over(a: Any, root_b: Any, order: int, m: Any) -> tuple[Any, Any]:
+    """(ε₀ − ε*(1 + …), ε*^{2·order+3}) with ``order`` = 0 or 1 terms, in the chart (a, √b).
+
+    A difference of two numbers: for a where ε* is not small.
     """
-    part = constant * shape.leading**2
-    if part > 1:
-        return part - 1
-    growth = 1 - part
-    rate = exponent_rate(shape.leading * growth, shape.b, shape.r, m)
-    least = log1p_over(-part.min(arb(1) / 2))
-    return (growth * growth * rate + constant * least).max(part - 1)
+    root_a = m.sqrt(a)
+    k, b, r = root_a * root_b, root_b * root_b, root_b / root_a
+    leading = 2 / m.sqrt(1 + b / a) * m.exp(-k * (m.pi + m.atan(r)))
+    square = leading * leading
+    series = 1 + order * square * (6 * b + 3 * b / a - 1) / 12
+    defect = m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m))
+    return defect - leading * series, leading * square * (square if order else 1)
 
 
 def remainder(shape: Shape, order: int, terms: int, m: Any) -> tuple[Any, Any]:
@@ -148,6 +194,12 @@ def remainder(shape: Shape, order: int, terms: int, m: Any) -> tuple[Any, Any]:
     for c in reversed(values[:-1]):
         middle = middle * y + c
     return middle, tail(terms, y, shape.b, R, 4 / (4 + 9 * R), m, order + 1)
+
+
+def third_excess(b: Any, kappa: Any, m: Any) -> Any:
+    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶ in the chart (b, κ), ab ≥ 1/4, a ball: Lagrange's series."""
+    middle, radius = remainder(by_kappa(b, kappa, m), 2, 9, m)
+    return middle + radius * arb(0, 1)
 
 
 def _between_ends(x: arb, function: Callable[[arb], arb]) -> arb:
@@ -292,27 +344,22 @@ def leading_square_over(b: arb, kappa: arb, m: Any) -> arb:
     return 4 / (1 + r * r) * _between_ends(kappa, flat_over) * m.exp(-2 * b * arctangent_over(r))
 
 
-def defect_between(shape: Shape, m: Any) -> Any:
-    """A ball around ε₀ on ab ≥ 1/4."""
-    middle, radius = remainder(shape, 0, 6, m)
-    y = shape.leading * shape.leading
-    return shape.leading * (1 + y * (middle + radius * arb(0, 1)))
-
-
 def phase_by_kappa(b: Any, kappa: Any, m: Any) -> Any:
-    """The phase P = π + arctan(r tanh P/κ) in the chart (b, κ), a ball, by iteration."""
+    """The phase P = π + arctan(r tanh P/κ) in the chart (b, κ), a ball: as ``phase_over``."""
     phase = balls.pi.union(3 * balls.pi / 2)
-    for _ in range(4):
+    while True:
         small = flat(kappa, 2 * phase)
-        phase = m.pi + m.atan(b * kappa * (1 - 2 * small / (1 + small)))
-    return phase
+        image = m.pi + m.atan(b * kappa * (1 - 2 * small / (1 + small)))
+        image = image.intersection(phase)
+        if not image.rad() < phase.rad() * arb("0.9"):
+            return phase
+        phase = image
 
 
 def defect_over_kappa(b: arb, kappa: arb, m: Any) -> arb:
-    """A ball around ε₀/κ on ab ≥ 1/4."""
-    shape = by_kappa(b, kappa, m)
-    middle, radius = remainder(shape, 0, 6, m)
-    growth = 1 + shape.leading * shape.leading * (middle + radius * arb(0, 1))
+    """ε₀/κ = (ε*/κ) exp Q in the chart (b, κ), κ ≤ 3."""
+    e, _, r = root_by_kappa(b, kappa, m)
+    growth = m.exp(e * e * exponent_rate(e, b, r, m))
     return growth * m.sqrt(leading_square_over(b, kappa, m).nonnegative_part())
 
 
@@ -322,8 +369,7 @@ def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     −4bε dε/dγ = [(ε/s) c (1 + Rs²) + ε s (1 − R − 2b) T √(1 + Rs²)]/(1 − bs²) with s = sin ε₀,
     c = cos ε₀ and κT the phase.
     """
-    shape = by_kappa(b, kappa, m)
-    e, r = defect_between(shape, m), shape.r
+    e, _, r = root_by_kappa(b, kappa, m)
     sinc, half = sine_over(e), sine_over(e / 2)
     phase = phase_by_kappa(b, kappa, m)
     square = e * e * sinc * sinc
@@ -343,9 +389,9 @@ def cubic_gap(b: Any, k: Any, m: Any) -> tuple[Any, Any]:
 
 
 def cubic_above(shape: Shape, bound: Any, m: Any) -> Any:
-    """Positive where ε₀ < ε* + M q³, q = ε*/(2 cos θ): ``above`` with K = (M/8)(1+R)^{3/2}.
+    """Positive where ε₀ < ε* + M q³ = ε*(1 + Kε*²), q = ε*/(2 cos θ), K = (M/8)(1+R)^{3/2}.
 
-    Divided by (1 + R)ε*², and by balls only: beyond π/2 there is nothing to show.
+    log(1 + Kε*²) − Q at that candidate, divided by (1 + R)ε*²; beyond π/2 nothing is to show.
     """
     R = shape.r * shape.r
     weight = bound / 8 * m.sqrt(1 + R)
@@ -358,7 +404,10 @@ def cubic_above(shape: Shape, bound: Any, m: Any) -> Any:
 
 
 def cubic_below(shape: Shape, bound: Any, m: Any) -> Any:
-    """Positive where ε₀ > ε* − M q³; as ``below_anywhere``, divided by (1 + R)ε*²."""
+    """Positive where ε₀ > ε* − M q³; as ``cubic_above``, or where the candidate is negative.
+
+    log(1 − z)/(−z) increases with z, so that it is bounded below by its value at min(z, 1/2).
+    """
     R = shape.r * shape.r
     weight = bound / 8 * m.sqrt(1 + R)
     part = weight * (1 + R) * shape.leading * shape.leading

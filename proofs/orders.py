@@ -99,13 +99,9 @@ def _left_side_rest(R: Any, e: Any, m: Any) -> Any:
     return (margins.sine_rest(e) - mean) / (1 + e * e * mean)
 
 
-def _root_rest(R: Any, e: Any, m: Any) -> tuple[Any, Any]:
-    return _left_side_rest(R, e, m), arb(0)
-
-
-def _square_rest(R: Any, e: Any, m: Any) -> tuple[Any, Any]:
+def _square_rest(R: Any, e: Any, m: Any) -> Any:
     rest = _left_side_rest(R, e, m)
-    return rest * (2 + e * e * rest), arb(0)
+    return rest * (2 + e * e * rest)
 
 
 quadratic_left = boxed(
@@ -128,7 +124,7 @@ quadratic_left = boxed(
 linear_left = boxed(
     "eqnew",
     equal(epsilon0 + hot, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent)),
-    within(_root_rest, "0.92"),
+    within(_left_side_rest, "0.92"),
     WIDE,
     ("R", "epsilon0"),
     "b/a <= 4, epsilon0 <= 1/4",
@@ -142,24 +138,19 @@ linear_left = boxed(
 
 def _log_ratio(b: Any, kappa: Any, m: Any) -> Any:
     """log(ε₀/ε*)/ε*² = −u/(λε*²), u = −λ log(ε₀/ε*)."""
-    shape_ = margins.by_kappa(b, kappa, m)
-    middle, radius = margins.remainder(shape_, 0, 6, m)
-    ratio = middle + radius * arb(0, 1)
-    return ratio * margins.log1p_over(shape_.leading * shape_.leading * ratio)
+    root = margins.root_by_kappa(b, kappa, m)
+    rate = margins.exponent_rate(*root, m)
+    return rate * m.exp(2 * root.defect * root.defect * rate)
 
 
-def _flat_u(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    return _log_ratio(b, kappa, m), arb(0)
-
-
-def _quadratic_u(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    return kappa * margins.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m), arb(0)
+def _quadratic_u(b: Any, kappa: Any, m: Any) -> Any:
+    return kappa * margins.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m)
 
 
 u_exponentially_small = boxed(
     "u_exponentially_small",
     "|u| ≤ 1.44 λ ε*², so that u is smaller than every power of λ.",
-    within(_flat_u, "1.44"),
+    within(_log_ratio, "1.44"),
     KAPPA,
     BY_KAPPA,
     QUARTER,
@@ -185,7 +176,7 @@ u_flat_order = boxed(
 
 def _per_turn_rest(b: Any, kappa: Any, m: Any) -> Any:
     """−(∂ε/∂F + √(ab) ε₀)/(√(ab) ε₀³) at γ = 0."""
-    e, r = margins.defect_between(margins.by_kappa(b, kappa, m), m), b * kappa
+    e, _, r = margins.root_by_kappa(b, kappa, m)
     sinc = margins.sine_over(e)
     square = e * e * sinc * sinc
     root = m.sqrt(1 + r * r * square)
@@ -193,15 +184,13 @@ def _per_turn_rest(b: Any, kappa: Any, m: Any) -> Any:
     return inside / (1 - b * square)
 
 
-def _per_turn_square(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    e = margins.defect_between(margins.by_kappa(b, kappa, m), m)
-    return e * _per_turn_rest(b, kappa, m), arb(0)
+def _per_turn_square(b: Any, kappa: Any, m: Any) -> Any:
+    return margins.root_by_kappa(b, kappa, m).defect * _per_turn_rest(b, kappa, m)
 
 
 def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     """κ · 4b√(ab) · −(∂F/∂γ + 1/(4b√(ab) ε₀²)) at γ = 0; κT is the phase P."""
-    shape_ = margins.by_kappa(b, kappa, m)
-    e, r = margins.defect_between(shape_, m), shape_.r
+    e, _, r = margins.root_by_kappa(b, kappa, m)
     sinc, half = margins.sine_over(e), margins.sine_over(e / 2)
     root = m.sqrt(1 + r * r * e * e * sinc * sinc)
     # (c√(1 + Rs²)/s² − 1/e²): the differences c − 1, √ − 1 and e²/s² − 1, each over e².
@@ -210,12 +199,12 @@ def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     return kappa * algebraic + (1 - r * r - 2 * b) * margins.phase_by_kappa(b, kappa, m)
 
 
-def _turn_slope_times_defect(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    return margins.defect_over_kappa(b, kappa, m) * _turn_slope_rest(b, kappa, m), arb(0)
+def _turn_slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
+    return margins.defect_over_kappa(b, kappa, m) * _turn_slope_rest(b, kappa, m)
 
 
-def _slope_times_defect(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
-    return margins.defect_over_kappa(b, kappa, m) * margins.slope_rest(b, kappa, m) / 4, arb(0)
+def _slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
+    return margins.defect_over_kappa(b, kappa, m) * margins.slope_rest(b, kappa, m) / 4
 
 
 def _printed_order(
@@ -491,11 +480,10 @@ theorem = Claim(
 
 def _decay(b: Any, kappa: Any, m: Any) -> Any:
     """ε₀ e^{π√(ab)} = 2 cos θ e^{−b arctan(r)/r} ε₀/ε*."""
-    shape_ = margins.by_kappa(b, kappa, m)
-    middle, radius = margins.remainder(shape_, 0, 6, m)
-    growth = 1 + shape_.leading * shape_.leading * (middle + radius * arb(0, 1))
-    cosine = 1 / m.sqrt(1 + shape_.r * shape_.r)
-    return 2 * cosine * m.exp(-b * margins.arctangent_over(shape_.r)) * growth
+    root = margins.root_by_kappa(b, kappa, m)
+    exponent = root.defect * root.defect * margins.exponent_rate(*root, m)
+    cosine = 1 / m.sqrt(1 + root.r * root.r)
+    return 2 * cosine * m.exp(exponent - b * margins.arctangent_over(root.r))
 
 
 exponential_decay = boxed(

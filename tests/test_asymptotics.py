@@ -2,7 +2,18 @@
 
 import pytest
 from flint import arb, fmpq
-from tresym.proofs import asymptotics, certificates, margins, orders, rigid_bodies
+from hypothesis import given
+from hypothesis import strategies as st
+from tresym.proofs import (
+    asymptotics,
+    certificates,
+    constants,
+    exponent,
+    margins,
+    monotonicity,
+    orders,
+    rigid_bodies,
+)
 
 from tresym import verification
 from tresym.arithmetic import ball_precision, balls
@@ -12,8 +23,9 @@ from tresym.claims.enclosure import Bound, BoxProof, CertificateError, box, deci
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
 from tresym.cli import main
-from tresym.exact import InputError
+from tresym.exact import InputError, as_rational
 from tresym.flip import uniform
+from tresym.flip.constants import CONSTANTS, excesses
 from tresym.flip.separatrix import solve
 from tresym.formulas import printed, stable
 from tresym.verdict import Verdict
@@ -34,7 +46,8 @@ def stated(module):
     return [c for c in claims if isinstance(c.proof, Boxes | Asymptotics)]
 
 
-CLAIMS = list(dict.fromkeys([*stated(asymptotics), *stated(orders), *stated(rigid_bodies)]))
+PARTS = (asymptotics, constants, exponent, monotonicity, orders, rigid_bodies)
+CLAIMS = list(dict.fromkeys(claim for part in PARTS for claim in stated(part)))
 
 
 @pytest.mark.slow
@@ -152,14 +165,13 @@ def test_the_printed_error_is_as_enclosed(a, b):
     with ball_precision(256):
         a_, b_, k, _, exact = balls_of(a, b)
         true = (printed.asymptotic_defect(a_, b_, balls) / exact).log() * k * k
-        middle, radius = asymptotics._printed_error(b_, 1 / k, balls)
-        assert abs(true - middle) < radius + 1e-9
+        assert abs(true - asymptotics._printed_error(b_, 1 / k, balls)) < 1e-9
 
 
 WRONG = [
-    (asymptotics.within(asymptotics._series_error(0), "1.4506"), asymptotics.KAPPA),
-    (asymptotics.within(asymptotics._series_error(1), "2.97"), asymptotics.KAPPA),
-    (asymptotics.within(asymptotics._series_error(0), "0.083"), ((0, "1/2"), (0, "1/4"))),
+    (asymptotics.within(asymptotics.EXCESS[0], "1.4506"), asymptotics.KAPPA),
+    (asymptotics.within(asymptotics.EXCESS[1], "2.97"), asymptotics.KAPPA),
+    (asymptotics.within(asymptotics.EXCESS[0], "0.083"), ((0, "1/2"), (0, "1/4"))),
     ((asymptotics._sweep("pi", "0.0272", 1),), asymptotics.CHART),
     ((asymptotics._sweep("4", "0.006", 1),), asymptotics.CHART),
     ((asymptotics._sweep("4", "0.006", -1),), asymptotics.CHART),
@@ -170,7 +182,7 @@ WRONG = [
     (asymptotics.within(orders._turn_slope_times_defect, "0.95"), asymptotics.KAPPA),
     (asymptotics.within(orders._slope_times_defect, "0.17"), asymptotics.KAPPA),
     (asymptotics.within(orders._square_rest, "1.83"), orders.WIDE),
-    (asymptotics.within(orders._root_rest, "0.91"), orders.WIDE),
+    (asymptotics.within(orders._left_side_rest, "0.91"), orders.WIDE),
     ((orders._bending(1, "-105"),), (("-1e-4", "1e-4"),)),
 ]
 
@@ -183,7 +195,7 @@ def test_constants_beyond_the_supremum_are_never_enclosed(margins_, sides):
 
 def test_a_range_too_long_is_never_enclosed():
     """The constant of ab ≥ 1/4 fails on ab ≥ 1/5."""
-    parts = asymptotics.within(asymptotics._series_error(0), "1.451")
+    parts = asymptotics.within(asymptotics.EXCESS[0], "1.451")
     verdicts = {decide(Bound(p, box((0, 1), (0, "9/4"))), budget=1500).verdict for p in parts}
     assert verdicts != {Verdict.ENCLOSED}
 
@@ -198,3 +210,61 @@ def test_the_floor_is_not_higher():
             assert exact > floor
             if a >= 7:
                 assert exact < floor + 1 / arb(a + 1)
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+@pytest.mark.parametrize("order", [0, 1])
+def test_the_excesses_are_those_of_the_exact_root(a, b, order):
+    with ball_precision(256):
+        _, b_, k, _, _ = balls_of(a, b)
+        expected = excesses(a, b, 12)[order]
+        ratio = constants.EXCESSES[order]
+        assert abs(ratio(margins.root_by_k(k, 1 / arb(a), balls), balls) - expected) < 1e-9
+        assert abs(ratio(margins.root_by_kappa(b_, 1 / k, balls), balls) - expected) < 1e-9
+        gap, power = margins.gap_over(arb(a), b_.sqrt(), order, balls)
+        assert abs(gap / power - expected) < 1e-9
+    with ball_precision(64):
+        wide = arb(b, fmpq(1, 1000)), 1 / arb(a * b).sqrt() * arb(1, fmpq(1, 1000))
+        assert ratio(margins.root_by_kappa(*wide, balls), balls).contains(expected)
+
+
+@pytest.mark.parametrize("row", CONSTANTS, ids=lambda row: row.least)
+@pytest.mark.parametrize("order", [0, 1])
+def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
+    """At a = a₀, b = 1 the ratio exceeds 99 % of the constant, and boxes find that out."""
+    a0, constant = as_rational(row.least), as_rational(row[1 + order])
+    least = excesses(a0, fmpq(1))[order]
+    assert least < arb(constant)
+    assert least > arb(constant) * arb("0.99")
+    short = constant * fmpq(99, 100)
+    proofs = [constants._charts(order, a0, short)]
+    if a0 < constants.SMALL:
+        proofs.append(constants._slab(order, a0, 2 * a0, short))
+    for bounds in proofs:
+        assert Verdict.REFUTED in {decide(bound, budget=50).verdict for bound in bounds}
+
+
+@pytest.mark.parametrize("order", [0, 1])
+@pytest.mark.parametrize(("a0", "row"), [("1/5", 3), ("9/10", 5), ("9", 8)])
+def test_a_constant_does_not_reach_below_its_least_a(order, a0, row):
+    constant = as_rational(CONSTANTS[row][1 + order])
+    bounds = constants._charts(order, as_rational(a0), constant)
+    assert Verdict.REFUTED in {decide(bound, budget=50).verdict for bound in bounds}
+
+
+@given(
+    st.fractions(min_value="1/100", max_value=50, max_denominator=10**4),
+    st.fractions(min_value="1/1000", max_value=1, max_denominator=10**4),
+)
+def test_the_constants_hold_at_every_shape(a, b):
+    shape = fmpq(a.numerator, a.denominator), fmpq(b.numerator, b.denominator)
+    first, second = excesses(*shape)
+    for row in CONSTANTS:
+        if shape[0] >= as_rational(row.least):
+            assert abs(first) < arb(as_rational(row.first))
+            assert abs(second) < arb(as_rational(row.second))
+    assert first > -arb(fmpq(1, 12))
+
+
+def test_a_claim_without_bounds_shows_nothing():
+    assert Boxes((), (), "nowhere").judge().verdict is Verdict.UNDECIDED

@@ -78,6 +78,8 @@ class Boxes:
                 where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
                 why = f"the bound fails at {where}"
                 return Finding(Verdict.REFUTED, why, constant=constant, witness=point)
+        if not decisions:
+            return Finding(Verdict.UNDECIDED, "there is no bound to show", constant=constant)
         if any(found.verdict is not Verdict.ENCLOSED for found in decisions):
             return Finding(Verdict.UNDECIDED, "the search left boxes open", constant=constant)
         proofs = [found.proof for found in decisions if found.proof is not None]

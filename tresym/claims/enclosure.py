@@ -37,6 +37,10 @@ SMALLEST = fmpq(1, 2**40)
 """The search ends at a box whose longest side is this part of the whole: it touches zero there."""
 
 
+SLENDER = 2**8
+"""No box is made longer than this times its width, both as parts of the whole."""
+
+
 class CertificateError(ValueError):
     """A stored box proof that is malformed or does not prove its bound."""
 
@@ -167,7 +171,7 @@ def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
             if _extreme(bound.margin, here, slopes, lowest=True) > 0:
                 tree.append(BY_SLOPES)
                 continue
-            axis = _steepest(here, slopes, axis)
+            axis = _steepest(here, bound.box, slopes, axis)
         tree.append(AXES[axis])
         stack.extend(reversed(halves(here, axis)))
     return Open(stack[-1]) if stack else BoxProof("".join(tree))
@@ -274,7 +278,7 @@ def _upper(function: Margin, here: Box, whole: Box, slopes: bool) -> tuple[arb, 
     found = _slopes(function, here)
     refined = _extreme(function, here, found, lowest=False).upper()
     best = plain if not refined.is_finite() or refined > plain else refined
-    return best, _steepest(here, found, axis)
+    return best, _steepest(here, whole, found, axis)
 
 
 def value_at(function: Margin, point: Point) -> arb:
@@ -335,14 +339,19 @@ def _slopes(function: Margin, here: Box) -> tuple[arb, ...]:
     return function(*coordinates(_sides(here)), gradients).slopes
 
 
-def _steepest(here: Box, slopes: tuple[arb, ...], otherwise: int) -> int:
-    """The axis along which the function can vary most; ``otherwise`` where that is unknown."""
+def _steepest(here: Box, whole: Box, slopes: tuple[arb, ...], longest: int) -> int:
+    """The axis along which the function can vary most, of those not far shorter than the longest.
+
+    The longest where the slopes are unknown: they may be large along one axis however short it is.
+    """
     if not all(s.is_finite() for s in slopes):
-        return otherwise
-    reach = [
-        float(abs(s).upper() * (side.high - side.low)) for s, side in zip(slopes, here, strict=True)
-    ]
-    return max(range(len(here)), key=reach.__getitem__)
+        return longest
+    least = _relative(here, whole, longest) / SLENDER
+    long = [axis for axis in range(len(here)) if _relative(here, whole, axis) >= least]
+    return max(
+        long,
+        key=lambda axis: float(abs(slopes[axis]).upper() * (here[axis].high - here[axis].low)),
+    )
 
 
 def _extreme(function: Margin, here: Box, slopes: tuple[arb, ...], lowest: bool) -> arb:

@@ -1,0 +1,185 @@
+"""The separatrix equation as one exponent, and the lower bound that follows by hand.
+
+ε* = 2√(a/(a+b)) e^{−√(ab)(π + arcsin μ)}, μ = √(b/(a+b)), is the leading term of ε₀.
+
+- `logarithmic_equation`: the stable equation is log(ε₀/ε*) = Q(ε₀), where
+  Q(e) = log(e/sin e) + log((cos e + ρ)/2) + √(ab)(arcsin μ − arcsin(μ cos e)),
+  ρ = √(1 + (b/a) sin²e);
+- `sine_of_turn`: the sine of that difference of angles, in a form that does not cancel;
+- `residual_increases`: log e − Q(e) increases with e, so that ε₀ ≤ e exactly when
+  Q(e) ≤ log(e/ε*): a bound on ε₀ is one sign at an explicit candidate;
+- `half_exponent`, `half_tangent`: log(tan(ε₀/2)/(ε*/2)) is a sum of two terms, positive by
+  `root_above_one` and by `turn_increases`, as the turn vanishes at e = 0. Hence `leading_below`:
+  ε₀ > 2 arctan(ε*/2), and by `arctangent_above` ε₀/ε* > 1 − ε*²/12, for every shape.
+"""
+
+from __future__ import annotations
+
+from flint import fmpq
+from sympy import Derivative, Equivalent, asin, asinh, cos, exp, log, pi, sin, sinh, sqrt, tan
+from tresym.proofs.conditions import defect, shape
+from tresym.proofs.separatrix import one_flip_defect, root_under_cosine, stable_equation
+
+from tresym.claims.bounds import Asymptotics
+from tresym.claims.claim import (
+    Claim,
+    adding,
+    all_of,
+    applying,
+    by,
+    citing,
+    differentiation,
+    equal,
+    exponentials,
+    inverses,
+    multiplying,
+    roots,
+    step,
+    trigonometry,
+)
+from tresym.claims.order import Order
+from tresym.notation import a, b, epsilon
+from tresym.verdict import Verdict
+
+_mu = sqrt(b / (a + b))
+_cosine = sqrt(a / (a + b))
+_root = sqrt(1 + b / a * sin(epsilon) ** 2)
+_time = sqrt(a * b) * (pi + asin(_mu * cos(epsilon)))
+_turn = asin(_mu) - asin(_mu * cos(epsilon))
+_leading = 2 * _cosine * exp(-sqrt(a * b) * (pi + asin(_mu)))
+_exponent = log(epsilon / sin(epsilon)) + log((cos(epsilon) + _root) / 2) + sqrt(a * b) * _turn
+
+logarithmic_equation = Claim(
+    label="logarithmic_equation",
+    says=Equivalent(
+        equal(_cosine / sinh(_time), tan(epsilon)),
+        equal(_exponent, log(epsilon / _leading)),
+    ),
+    given=(*shape, *defect),
+    proof=(
+        step(
+            equal(_cosine * cos(epsilon) / sin(epsilon), sinh(_time)),
+            multiplying(cos(epsilon) * sinh(_time) / sin(epsilon)),
+            trigonometry,
+        ),
+        step(
+            equal(asinh(_cosine * cos(epsilon) / sin(epsilon)), _time),
+            applying("asinh"),
+            exponentials,
+            inverses,
+        ),
+        step(
+            equal(log(_cosine * (cos(epsilon) + _root) / sin(epsilon)), _time),
+            exponentials,
+            inverses,
+            roots,
+            trigonometry,
+        ),
+        step(
+            equal(_exponent, log(epsilon / _leading)),
+            adding(log(epsilon) - log(2 * _cosine) + sqrt(a * b) * _turn),
+            exponentials,
+            roots,
+        ),
+    ),
+    note="Solved for the logarithm of ε₀/ε*; what is left on the other side is Q(ε₀).",
+)
+
+sine_of_turn = Claim(
+    label="sine_of_turn",
+    says=equal(sin(_turn), sqrt(b / a) * sin(epsilon) ** 2 / (cos(epsilon) + _root)),
+    given=(*shape, *defect),
+    proof=by(inverses, roots, trigonometry),
+    note="Both arcsines are between 0 and π/2, so that their difference is the arcsine of this.",
+)
+
+residual_increases = Claim(
+    label="residual_increases",
+    says=Derivative(log(epsilon) - _exponent, epsilon) > 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(
+        step(
+            (cos(epsilon) ** 2 + (1 - b) * sin(epsilon) ** 2) / (sin(epsilon) * _root),
+            differentiation,
+            trigonometry,
+            roots,
+        ),
+    ),
+    note="The derivative is (1 − b sin²e)/(sin e √(1 + (b/a) sin²e)).",
+)
+
+half_exponent = Claim(
+    label="half_exponent",
+    says=equal(
+        _exponent + log(2 * sin(epsilon) / (epsilon * (1 + cos(epsilon)))),
+        log((cos(epsilon) + _root) / (1 + cos(epsilon))) + sqrt(a * b) * _turn,
+    ),
+    given=(*shape, *defect),
+    proof=by(exponentials),
+)
+
+half_tangent = Claim(
+    label="half_tangent",
+    says=equal(tan(epsilon / 2), sin(epsilon) / (1 + cos(epsilon))),
+    given=defect,
+    proof=by(trigonometry),
+)
+
+root_above_one = Claim(
+    label="root_above_one",
+    says=_root > 1,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(step(b / a * sin(epsilon) ** 2 / (1 + _root), roots),),
+)
+
+turn_increases = Claim(
+    label="turn_increases",
+    says=Derivative(_turn, epsilon) > 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(
+        step(
+            _mu * sin(epsilon) / sqrt(1 - _mu**2 * cos(epsilon) ** 2),
+            differentiation,
+            citing(root_under_cosine),
+            roots,
+        ),
+    ),
+)
+
+arctangent_above = Claim(
+    label="arctangent_above",
+    says="x − arctan x ≤ x³/3 for every x > 0.",
+    kind="order",
+    proof=Asymptotics(
+        Order(
+            "<=",
+            lambda x, m: x - m.atan(x),
+            lambda x, m: x**3,
+            constant=fmpq(1, 3),
+            upto=None,
+        ),
+        "x > 0",
+    ),
+    expect=Verdict.ENCLOSED,
+)
+
+leading_below = Claim(
+    label="leading_below",
+    says="ε₀ > 2 arctan(ε*/2), and therefore ε₀/ε* > 1 − ε*²/12, for a > 0, 0 < b ≤ 1.",
+    kind="statement",
+    proof=all_of(
+        stable_equation,
+        one_flip_defect,
+        logarithmic_equation,
+        half_exponent,
+        half_tangent,
+        root_above_one,
+        turn_increases,
+        arctangent_above,
+    ),
+    expect=Verdict.ENCLOSED,
+    note="Equality would be the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
+)
