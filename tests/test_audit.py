@@ -83,7 +83,7 @@ def index_of(path: Path = PENDULUM) -> tuple[Entry, ...]:
     source = scan(read_source(path))
     pieces = (*source.displays, *source.others)
     entries = [Entry(**entry_of(piece)) for piece in pieces]
-    reading = replace(entries[6].reading, sentence="≃ is no relation")
+    reading = Reading(sentence="≃ is no relation", again=("T ~ 2*pi/w",))
     entries[6] = replace(entries[6], reading=reading)
     return tuple(entries)
 
@@ -134,6 +134,18 @@ def test_full_coverage_of_the_synthetic_paper() -> None:
     assert result.count("figure") == (2, 2)
     assert result.read == DISPLAYS - 1
     assert result.rows[6].transcription is Transcription.SENTENCE
+
+
+@pytest.mark.parametrize(
+    "again",
+    [(), ("T ~ pi/w",), ("T = 2*pi/w",), ("q ~ 2*pi/w",), ("T ~ 2*pi/w", "q ~ 0"), ("T~2",)],
+)
+def test_what_no_claim_can_say_is_transcribed_twice(again: tuple[str, ...]) -> None:
+    entries = list(index_of())
+    reading = replace(entries[6].reading, again=again)
+    entries[6] = replace(entries[6], reading=reading)
+    result = audit(PENDULUM, claims(), entries)
+    assert bad(result) == {"d07": Transcription.DIFFERS}
 
 
 @pytest.mark.parametrize("label", ["energy", "force", "eq_period", "fig_pendulum", "cell"])

@@ -16,7 +16,7 @@ from typing import Any
 
 from tresym.audit.source import Piece, Source, read_source, scan
 from tresym.audit.terms import Function
-from tresym.audit.transcription import Reading, functions_of, unmet
+from tresym.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.claims.claim import Claim
 from tresym.exact import InputError
 from tresym.identity.latex import Relations, read_latex
@@ -38,7 +38,7 @@ class Transcription(Enum):
     """Read from the LaTeX; every relation agrees in balls with what a claim says."""
     DIFFERS = "differs"
     SENTENCE = "sentence"
-    """Nothing to compare; the index gives the reason."""
+    """No claim can say it as it stands, for the reason in the index, which transcribes it twice."""
     NOT_READ = "not read"
     NOT_A_FORMULA = ""
     """A theorem, remark, table or figure; or no claim, or no unaltered text."""
@@ -120,7 +120,12 @@ def load_index(path: Path) -> tuple[Entry, ...]:
     data = json.loads(path.read_text(encoding="utf-8"))
     entries = []
     for item in (*data["displays"], *data["others"]):
-        reading = Reading(item.pop("reads", {}), item.pop("variable", ""), item.pop("sentence", ""))
+        reading = Reading(
+            item.pop("reads", {}),
+            item.pop("variable", ""),
+            item.pop("sentence", ""),
+            tuple(item.pop("again", ())),
+        )
         entries.append(Entry(**item, reading=reading))
     return tuple(entries)
 
@@ -250,10 +255,13 @@ def _compare(
     functions: dict[str, Function],
     reading: Reading,
 ) -> tuple[Transcription, str]:
-    if reading.sentence:
-        return Transcription.SENTENCE, reading.sentence
     if isinstance(chains, str):
         return Transcription.NOT_READ, chains
+    if reading.sentence:
+        other = differing(chains, reading.again)
+        if other is not None:
+            return Transcription.DIFFERS, f"the second transcription does not say {other}"
+        return Transcription.SENTENCE, reading.sentence
     left = unmet(chains, claims, functions, reading)
     if left:
         return Transcription.DIFFERS, f"no claim says {left[0]}"

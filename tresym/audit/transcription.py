@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import zip_longest
 from typing import Any
 
 from tresym.audit.terms import Function, Terms
@@ -30,12 +31,15 @@ class Reading:
     Attributes:
         reads: names that the claims write otherwise, as text of the expression grammar.
         variable: of a bracket with limits.
-        sentence: why there is nothing to compare, if so.
+        sentence: why no claim can say the display as it stands, if so.
+        again: a second transcription of such a display, made apart from the claims: relations as
+            text, each with spaces around its sign.
     """
 
     reads: Mapping[str, str] = field(default_factory=dict)
     variable: str = ""
     sentence: str = ""
+    again: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -75,6 +79,20 @@ def unmet(
     ways = [blank, replace(blank, reads=reading.reads)] if reading.reads else [blank]
     statements = [s for way in ways for claim in claims for s in _statements(claim, way)]
     return [link for chain in chains for link in _links(chain) if not _is_met(link, statements)]
+
+
+def differing(chains: Iterable[Relations], again: Iterable[str]) -> str | None:
+    """The first relation in which a display and its second transcription differ, or None."""
+    links = [link for chain in chains for link in _links(chain)]
+    twice = [tuple(text.split(" ", 2)) for text in again]
+    terms = Terms()
+    for link, second in zip_longest(links, twice):
+        if link is None or second is None or len(second) != 3 or link.op != second[1]:
+            return " ".join(second) if link is None else str(link)
+        pairs = ((link.left, second[0]), (link.right, second[2]))
+        if not all(terms.same(terms.from_text(p), terms.from_text(q)) for p, q in pairs):
+            return str(link)
+    return None
 
 
 def _links(chain: Relations) -> list[Link]:
