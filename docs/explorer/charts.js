@@ -288,7 +288,7 @@ function drawChart(svg, level, defect, turning) {
   const top = Math.max(...heights);
   const margin = 0.08 * (top - bottom);
   const frame = {
-    left: 62, right: 456, top: 26, bottom: 252,
+    left: 62, right: 456, top: 26, bottom: 292,
     across: /** @type {Point} */ ([low, high]),
     along: /** @type {Point} */ ([bottom - margin, top + margin]),
   };

@@ -3,7 +3,7 @@
  */
 "use strict";
 
-/** @typedef {{ name: string, title: string, source: string, a: string, b: string, drawn: string }} Body */
+/** @typedef {{ name: string, title: string, source: string, a: string, b: string, drawn: string }} NamedBody */
 
 /** @typedef {{ level: Level, realizable: boolean }} Choice what the form says, when it says something */
 
@@ -12,7 +12,7 @@ const ONE = /** @type {Fraction} */ ({ top: 1n, bottom: 1n });
 const SECONDS_PER_TURN = 6;
 const SECONDS_OF_REST = 1.2;
 
-/** @type {Body[]} */
+/** @type {NamedBody[]} */
 const BODIES = JSON.parse(byId("bodies").textContent ?? "[]");
 
 /** What is on the screen: the motion drawn and where it stands, from −1 to 1 in time. */
@@ -229,7 +229,7 @@ function show({ level, realizable }) {
   requestAnimationFrame(redraw);
 }
 
-/** @returns {Body | undefined} the named body that the form still describes */
+/** @returns {NamedBody | undefined} the named body that the form still describes */
 function bodyOf() {
   const body = BODIES.find(({ name }) => name === field("body").value);
   return body && body.a === field("a").value && body.b === field("b").value ? body : undefined;
@@ -242,7 +242,7 @@ function bodyOf() {
  * @param {number} defect
  * @param {number | null} turning
  * @param {boolean} realizable
- * @param {Body | undefined} body
+ * @param {NamedBody | undefined} body
  */
 function describe({ a, b, gamma }, defect, turning, realizable, body) {
   const flip = Math.PI - 2 * defect;
@@ -271,13 +271,27 @@ function describe({ a, b, gamma }, defect, turning, realizable, body) {
   const limit = brief(1 / (a + 2));
   write("realizable", realizable ? `✓ yes: b ≤ 1/(a + 2) = ${limit}` : `✗ no: b > 1/(a + 2) = ${limit}`);
   byId("realizable").className = realizable ? "yes" : "no";
-  write("source", body ? body.source : "your own numbers");
+  write("source", body ? body.source : "");
   if (!body) field("body").value = "";
   const shape = body ? `--body ${body.name}` : `--shape ${plain("a")} ${plain("b")}`;
-  byId("command").textContent = `tresym flip ${shape} --gamma=${plain("gamma")}`;
+  showCommand(`tresym flip ${shape} --gamma=${plain("gamma")}`);
   for (const [id, value] of Object.entries({ a, b, gamma })) {
     write(`${id}-value`, field(id).value.includes("/") ? `≈ ${brief(value)}` : "");
   }
+}
+
+/**
+ * A command, broken between words only.
+ *
+ * @param {string} command
+ */
+function showCommand(command) {
+  const words = command.split(" ").flatMap((word) => {
+    const whole = document.createElement("span");
+    whole.textContent = word;
+    return [whole, " "];
+  });
+  byId("command").replaceChildren(...words.slice(0, -1));
 }
 
 /**

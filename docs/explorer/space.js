@@ -117,7 +117,7 @@ function ellipse(x, y, long, wide) {
  * @param {Spot[]} outline
  * @returns {Spot[]} the outline with its first spot again at the end
  */
-function closed(outline) {
+function toItsStart(outline) {
   return [...outline, outline[0]];
 }
 
@@ -211,7 +211,7 @@ function drawThing(scene, thing, attitude) {
   part(scene, "bars").setAttribute("d", drawn(thing.bars));
   part(scene, "lines").setAttribute("d", drawn(thing.lines));
   const outlines = part(scene, "outlines");
-  outlines.setAttribute("d", drawn(thing.outlines.map(closed)));
+  outlines.setAttribute("d", drawn(thing.outlines.map(toItsStart)));
   outlines.setAttribute("class", front ? "outlines front" : "outlines back");
   const mark = part(scene, "dot");
   const [x, y] = onPaper(inSpace(thing.dot)).split(" ");

@@ -27,9 +27,9 @@ FACES = ("#e69f00", "#0072b2")
 """The colours of the two faces of the head; +e₃ first."""
 
 WORDS = (
-    "The handle goes round the angular momentum M, which stays upright, in an almost level circle. "
-    "In each turn of the handle the head makes half a turn about it: the blue face, in front at "
-    "first, gives way to the orange one, and after two turns all is as it was."
+    "The handle goes round the angular momentum M, which stays upright, almost in a level circle. "
+    "While the handle makes one turn the head makes half a turn about it: where the blue face was "
+    "seen before, the orange one is seen after. After two turns all is as it was."
 )
 LESS_MOTION = (
     ".held{display:none}"
