@@ -10,6 +10,7 @@ from typing import Any
 
 from tresym.checking.answer import Answer
 from tresym.checking.judge import judge
+from tresym.checking.statement import read
 
 __all__ = ["Answer", "check"]
 
@@ -31,6 +32,8 @@ def check(
     Raises:
         InputError: the claim is not read; one line says why.
     """
+    if not (isinstance(claim, str) and isinstance(given, str)):
+        claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
     if limit is None:
         return judge(claim, given, path)
     from tresym.checking.workers import Task, check_within

@@ -15,13 +15,15 @@ _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
 def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
-    """Read a claim and decide it; see :func:`tresym.checking.statement.read`.
+    """Read a claim, unless it is read already, and decide it.
+
+    Arguments are those of :func:`tresym.checking.statement.read`.
 
     Raises:
         InputError: the claim is not read.
     """
     start = time.perf_counter()
-    statement = read(claim, given, path)
+    statement = claim if isinstance(claim, Statement) else read(claim, given, path)
     answers = [_decide(comparison, statement) for comparison in statement.comparisons]
     answer = min(answers, key=lambda found: _WORST.index(found.verdict))
     if len(answers) > 1:

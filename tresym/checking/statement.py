@@ -76,6 +76,9 @@ class Statement:
     path: Path | None
     text: str
 
+    def __str__(self) -> str:
+        return self.text
+
 
 def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     """A claim with its conditions.

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 from tresym.checking.answer import Answer
 from tresym.checking.judge import judge
+from tresym.checking.statement import Statement
 from tresym.exact import InputError
 from tresym.verdict import Verdict
 
@@ -122,11 +123,12 @@ class _Worker:
         self.stop()
         self._launch()
         task = self.task or Task("")
+        given = task.claim.given if isinstance(task.claim, Statement) else task.given
         return Answer(
             Verdict.UNDECIDED,
             f"{reason}; fewer variables, a smaller region or a longer --limit may help",
             statement=" ".join(str(task.claim)[:400].split()),
-            given=str(task.given)[:400],
+            given=str(given)[:400],
             seconds=limit,
             line=task.line,
         )

@@ -116,6 +116,8 @@ def _shown(point: Mapping[str, fmpq]) -> str:
 
 
 def _no_point(given: Given, names: list[str]) -> str:
+    if not names:
+        return "one of the sides is not shown to be a real number; nothing is proved vacuously"
     if next(given.points(names, 1), None) is None:
         return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
     return (
@@ -128,6 +130,8 @@ def _prove(
     left: Expr, right: Expr, given: Given, theories: frozenset[str]
 ) -> tuple[str | None, str]:
     """A sentence on the proof, or None and a sentence on what stopped it."""
+    if left == right:
+        return "both sides are the same expression", ""
     try:
         field, value = _difference(left, right, given, theories)
     except (TooLargeError, UndefinedError) as error:

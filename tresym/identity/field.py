@@ -68,8 +68,8 @@ class Field(SignedRing):
         self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
         self._orders: dict[str, int] = {}
         self._half_turn = 1
-        self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": []}
-        self._units: dict[str, list[int]] = {"exp": [], "tan": []}
+        self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": [], "turn": []}
+        self._units: dict[str, list[int]] = {"exp": [], "tan": [], "turn": []}
 
     def normal(self, *expressions: Expr) -> list[Fraction]:
         """The normal forms of ``expressions``, on the domain of all of them and under ``given``.
@@ -223,6 +223,9 @@ class Field(SignedRing):
         """An irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous."""
         if len(f) == 1 or len(f) > CONJUGATE_TERMS or self.is_inverse(f):
             return fmpz(1), [(f, 1)]
+        denested = self._denested(f)
+        if denested is not None:
+            return denested
         for position, degree, _ in self.relations:
             if degree != 2 or f.degrees()[position] != 1 or self.at(position).kind != "root":
                 continue
@@ -248,6 +251,50 @@ class Field(SignedRing):
                 conjugate, unit = -conjugate, -unit
             return unit, [*inner, (conjugate, -1)]
         return fmpz(1), [(f, 1)]
+
+    def _settle(self, key: str) -> None:
+        super()._settle(key)
+        self._factored.clear()
+
+    def _denested(self, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]] | None:
+        """``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` where its norm ``p² − q²A²`` is ``n²``."""
+        for position, degree, _ in self.relations:
+            if (
+                degree % 2
+                or self.at(position).kind != "root"
+                or f.degrees()[position] < degree // 2
+            ):
+                continue
+            parts = self.split(f, position)
+            if set(parts) != {0, degree // 2}:
+                continue
+            p, surd = parts[0], parts[degree // 2] * self.variables[position] ** (degree // 2)
+            n = self._square_root(self.reduce(p**2 - surd**2))
+            if n is None or (p + n).is_zero() or (p - n).is_zero():
+                continue
+            half = min((p + n, p - n), key=lambda s: (s.total_degree(), len(s), str(s)))
+            unit, factors = self.factor(half + surd)
+            below, others = self.factor(half)
+            number = fmpq(unit**2, 2 * abs(below))
+            primes = [(self.context.constant(prime), k) for prime, k in self._primes(number.p)]
+            primes += [(self.context.constant(prime), -k) for prime, k in self._primes(number.q)]
+            squares = [(part, 2 * k) for part, k in factors]
+            inverse = [(part, -k) for part, k in others]
+            return fmpz(1 if below > 0 else -1), [*primes, *squares, *inverse]
+        return None
+
+    def _square_root(self, p: Poly) -> Poly | None:
+        """A polynomial whose square is ``p``, or None."""
+        if p.is_zero() or len(p) > CONJUGATE_TERMS:
+            return None
+        constant = p.is_constant()
+        unit, parts = (p.leading_coefficient(), []) if constant else small_factor(self, p)
+        if unit < 0 or not unit.is_square() or any(k % 2 for _, k in parts):
+            return None
+        result = self.context.constant(unit.isqrt())
+        for part, k in parts:
+            result = result * part ** (k // 2)
+        return result
 
     def factors(self, x: Fraction) -> tuple[int, Factors]:
         """``x`` as a sign times powers of canonical factors, primes among them.
@@ -291,22 +338,39 @@ class Field(SignedRing):
     def sigma(self, f: Poly) -> Poly:
         """The sign of a factor; an arc tangent has the sign of its argument."""
         used = self.used(f)
-        if len(f) == 1 and f.total_degree() == 1 and self.at(used[0]).kind == "atan":
-            return self._sign_function(self.at(used[0]).data[0]).num
+        if len(f) == 1 and f.total_degree() == 1:
+            generator = self.at(used[0])
+            if generator.kind == "atan":
+                return self._sign_function(generator.data[0]).num
+            if generator.kind == "sign":
+                return f
         return super().sigma(f)
+
+    def _by_signs(self, x: Fraction) -> list[tuple[Fraction, Fraction]] | None:
+        """``x`` as a sum of products of signs times what has none; None if it has none itself."""
+        if any(self.at(i).kind == "sign" for i in self.used(x.den)):
+            return None
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
+        signs = [i for i in self.used(x.num) if self.at(i).kind == "sign"]
+        if not signs:
+            return None
+        for monomial, value in x.num.terms():
+            powers = [int(k) for k in monomial]
+            outer = tuple(k if i in signs else 0 for i, k in enumerate(powers))
+            inner = tuple(0 if i in signs else k for i, k in enumerate(powers))
+            groups.setdefault(outer, {})[inner] = value
+        return [
+            (
+                Fraction(self.context.from_dict({outer: 1}), self.one_poly),
+                self.make(self.context.from_dict(part), x.den),
+            )
+            for outer, part in groups.items()
+        ]
 
     def _sign_content(self, x: Fraction) -> tuple[Fraction, Fraction] | None:
         """A product of signs that every term of ``x`` contains, and the rest; else None."""
-        sign = self.one_poly
-        num = x.num
-        for position in self.used(num):
-            if self.at(position).kind == "sign":
-                parts = self.split(num, position)
-                if set(parts) == {1}:
-                    sign, num = sign * self.variables[position], parts[1]
-        if sign.is_one():
-            return None
-        return Fraction(sign, self.one_poly), Fraction(num, x.den)
+        parts = self._by_signs(x)
+        return parts[0] if parts is not None and len(parts) == 1 else None
 
     def _require_positive(self, x: Fraction) -> None:
         """Record that ``x`` is positive on the domain."""
@@ -431,17 +495,27 @@ class Field(SignedRing):
 
     def exp(self, x: Fraction) -> Fraction:
         """``exp x``; rational multiples of logarithms turn back into powers."""
-        signed = self._sign_content(x)
-        if signed is not None:
-            y = self.exp(signed[1])
-            z = self.invert(y)
-            odd = self.multiply(signed[0], self.subtract(y, z))
-            return self.multiply(self.constant(fmpq(1, 2)), self.add(self.add(y, z), odd))
+        parts = self._by_signs(x)
+        if parts is not None:
+            return self._exp_by_signs(parts)
         result = self.one
         rest, pieces = self.linear_part(x, "log")
         for generator, r in pieces:
             result = self.multiply(result, self._absolute_power(generator.data[0], r))
         return self.multiply(result, self._basis_exp(self._decompose("exp", rest)))
+
+    def _exp_by_signs(self, parts: list[tuple[Fraction, Fraction]]) -> Fraction:
+        """The exponential of a sum of ``s·w``, each cosh w + s sinh w where s is a sign."""
+        result = self.one
+        for sign, part in parts:
+            y = self.exp(part)
+            if not sign.num.is_one():
+                z = self.invert(y)
+                odd = self.multiply(sign, self.subtract(y, z))
+                total = self.add(self.add(y, z), odd)
+                y = self.multiply(self.constant(fmpq(1, 2)), total)
+            result = self.multiply(result, y)
+        return result
 
     def linear_part(self, x: Fraction, kind: str) -> tuple[Fraction, list[tuple[Generator, fmpq]]]:
         """Split off the rational multiples of generators of ``kind`` that ``x`` contains."""
@@ -455,13 +529,18 @@ class Field(SignedRing):
                 alone = tuple(int(i == position) for i in range(self.size))
                 ratio = fmpq(x.num[alone], x.den.leading_coefficient())
             elif x.num.degrees()[position] == 1:
-                quotient, _ = divmod(x.num.derivative(position), x.den)
-                ratio = fmpq(quotient[(0,) * self.size])
+                ratio = self._share(x, position)
             if ratio != 0:
                 pieces.append((generator, ratio))
         for generator, ratio in pieces:
             x = self.subtract(x, self.multiply(self.constant(ratio), self._fraction(generator)))
         return x, pieces
+
+    def _share(self, x: Fraction, position: int) -> fmpq:
+        """The rational multiple of a generator in ``x``, linear in it, off its proper fraction."""
+        content = x.den.content()
+        quotient, _ = divmod(x.num.derivative(position), x.den // content)
+        return fmpq(quotient[(0,) * self.size], content)
 
     def _basis_exp(self, terms: Iterable[tuple[int, fmpq]]) -> Fraction:
         result = self.one
@@ -538,11 +617,13 @@ class Field(SignedRing):
 
     def _turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
         """Cosine and sine of ``x``."""
-        signed = self._sign_content(x)
-        if signed is not None:
-            c, s = self._turn(signed[1])
-            return c, self.multiply(s, signed[0])
         result = (self.one, self.zero)
+        parts = self._by_signs(x)
+        if parts is not None:
+            for sign, part in parts:
+                c, s = self._turn(part)
+                result = self._rotate(result, (c, self.multiply(s, sign)))
+            return result
         rest, half_turns = self._split_pi(x)
         for sign, r in half_turns:
             c, s = self.turn_of_pi(r)
@@ -556,7 +637,8 @@ class Field(SignedRing):
             else:
                 term = self.multiply(self.constant(r), self._fraction(generator))
                 rest = self.add(rest, self.multiply(term, sign))
-        self._refuse_odd_turn(rest)
+        if self._may_be_odd_turn(rest):
+            return self._rotate(result, self._plain_turn(rest))
         for index, r in self._decompose("tan", rest):
             unit = self._unit("tan", index, int(r.q))
             angle = self._basis["tan"][index]
@@ -611,20 +693,33 @@ class Field(SignedRing):
         s = self.multiply(self.multiply(u, c), self.constant(fmpq(1, 2)))
         return half_c, self.divide(s, half_c)
 
-    def _refuse_odd_turn(self, x: Fraction) -> None:
-        """Refuse an angle that might be an odd multiple of π on a whole region.
+    def _may_be_odd_turn(self, x: Fraction) -> bool:
+        """Whether an angle might be an odd multiple of π on a whole region.
 
         The tangent of its half would be infinite there. What is left of an angle is a constant
         that balls keep from such multiples, or varies.
         """
         kinds = [self.at(i).kind for p in (x.num, x.den) for i in self.used(p)]
-        mixed = sum(kind in ("log", "atan", "opaque") for kind in kinds) > 1
-        if mixed and not self.varies(x):
-            raise TooLargeError("an angle that mixes inverse functions")
-        if "sign" in kinds and not {"symbol", "tan", "exp"} & set(kinds):
-            raise TooLargeError("an angle that is constant on each side of a sign change")
-        if kinds and self.is_constant(x) and not (self.ball(x) / arb.pi() / 2).cos_pi() != 0:
-            raise TooLargeError("a constant angle that may be a multiple of pi")
+        if kinds and self.is_constant(x):
+            return bool((self.ball(x) / arb.pi() / 2).cos_pi().contains(0))
+        if sum(kind in ("log", "atan", "opaque", "cos", "sin") for kind in kinds) > 1:
+            return not self.varies(x)
+        return "sign" in kinds and not {"symbol", "tan", "exp"} & set(kinds)
+
+    def _plain_turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of ``x`` as generators with c² + s² = 1 and no more."""
+        result = (self.one, self.zero)
+        for index, r in self._decompose("turn", x):
+            unit = self._unit("turn", index, int(r.q))
+            data = (index, unit, self._basis["turn"][index])
+            c, s = (self.generator(kind, (index, unit), data) for kind in ("cos", "sin"))
+            self.relate(s, 2, self.one_poly - self.variable(c) ** 2)
+            n = int(r.p * (unit // r.q))
+            if abs(n) > MAX_PASSES * 6:
+                raise TooLargeError("a multiple of an angle beyond 96")
+            step = self._fraction(c), self._fraction(s)
+            result = self._rotate(result, self._turn_power(step, n))
+        return result
 
     def _split_atan(self, x: Fraction) -> tuple[Fraction, list[tuple[Generator, Fraction, fmpq]]]:
         """Split off arc tangents with a rational coefficient, or one that is ± by signs."""
@@ -646,10 +741,13 @@ class Field(SignedRing):
 
     def _split_pi(self, x: Fraction) -> tuple[Fraction, list[tuple[Fraction, fmpq]]]:
         """``x`` without its rational multiples of π and of π times signs, and those multiples."""
-        if not self.known("pi", None) or not x.den.is_constant():
+        if not self.known("pi", None):
             return x, []
         position = self.generator("pi", None).position
         pieces = []
+        if not x.den.is_constant():
+            r = self._share(x, position) if x.num.degrees()[position] == 1 else fmpq(0)
+            return self.subtract(x, self.pi(r)), [(self.one, r)]
         for monomial, value in x.num.terms():
             others = [i for i, k in enumerate(monomial) if k and i != position]
             if monomial[position] == 1 and all(self.at(i).kind == "sign" for i in others):
@@ -738,9 +836,9 @@ class Field(SignedRing):
             return self.subtract(quarter, self.atan(inverse))
         return self._fraction(self.generator("atan", u.key, (u,)))
 
-    @staticmethod
-    def _rank(u: Fraction) -> tuple[int, int, str]:
-        return len(u.den), int(u.den.total_degree()), str(u.den)
+    def _rank(self, u: Fraction) -> tuple[bool, int, int, str]:
+        """Least for the one of u and 1/u that is to be kept: where it can, it has no poles."""
+        return not self.sign(u.den), len(u.den), int(u.den.total_degree()), str(u.den)
 
     def _special_atan(self, u: Fraction) -> Fraction | None:
         """``atan u`` where it is a multiple of π/12."""

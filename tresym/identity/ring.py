@@ -18,6 +18,7 @@ Poly: TypeAlias = fmpz_mpoly
 MAX_TERMS = 4000
 MAX_DEGREE = 400
 CONJUGATE_TERMS = 600
+_INVERSE = frozenset(("log", "atan", "opaque", "cos", "sin"))
 
 
 class TooLargeError(Exception):
@@ -182,8 +183,8 @@ class Ring:
         return self.is_inverse(p)
 
     def is_inverse(self, p: Poly) -> bool:
-        """Whether ``p`` contains a logarithm, arc tangent or opaque value."""
-        return any(self.at(i).kind in ("log", "atan", "opaque") for i in self.used(p))
+        """Whether ``p`` contains a logarithm, arc tangent or value of which little is known."""
+        return any(self.at(i).kind in _INVERSE for i in self.used(p))
 
     def split(self, p: Poly, position: int) -> dict[int, Poly]:
         """``p`` by powers of one generator: ``{k: coefficient of g**k}``."""

@@ -14,11 +14,12 @@ from flint import arb, fmpq, fmpz, fmpz_mpoly
 
 from tresym.arithmetic import ball_precision
 from tresym.identity.given import Given, Range
-from tresym.identity.ring import Fraction, Generator, Poly, Ring
+from tresym.identity.ring import Fraction, Generator, Poly, Ring, small_factor
 
 SIGN_BITS = 256
 MAX_SIGN_TERMS = 60
 MAX_DEPTH = 4
+MAX_TRIALS = 60
 _PI_LOW, _PI_HIGH = fmpq(103993, 33102), fmpq(104348, 33215)
 
 Ends = tuple[fmpq | None, fmpq | None]
@@ -38,11 +39,14 @@ class SignedRing(Ring):
         self.positives: dict[str, Poly] = {}
         self._equations: set[tuple[frozenset[str], int]] = set()
         self._signs: dict[str, int] = {}
+        self._trials = 0
+        self._tried: dict[str, int] = {}  # the least depth at which no sign was proved
         self._supports: dict[int, frozenset[str]] = {}
 
     def begin_pass(self) -> None:
         """Forget the equations of the last pass and the signs that new facts may improve."""
         self._equations = set()
+        self._tried = {}
         self._signs = {key: sign for key, sign in self._signs.items() if sign}
 
     def symbol(self, name: str) -> Generator:
@@ -114,6 +118,8 @@ class SignedRing(Ring):
                 return (self.ball(data[2], point) / data[1]).exp()
             case "tan":
                 return (self.ball(data[2], point) / (2 * data[1])).tan()
+            case "cos" | "sin" as name:
+                return getattr(self.ball(data[2], point) / data[1], name)()
             case "log":
                 return abs(self.ball(data[0], point)).log()
             case "atan":
@@ -143,6 +149,8 @@ class SignedRing(Ring):
                 return f"exp({self.fraction_text(data[2])}/{data[1]})"
             case "tan":
                 return f"tan({self.fraction_text(data[2])}/{2 * data[1]})"
+            case "cos" | "sin" as name:
+                return f"{name}({self.fraction_text(data[2])}/{data[1]})"
             case "atan":
                 return f"atan({self.fraction_text(data[0])})"
             case kind:
@@ -188,10 +196,10 @@ class SignedRing(Ring):
         then says nothing of the other parts: such an equation is not used.
         """
         keys: set[str] = set()
+        for constant in (part for part in parts if part.is_constant()):
+            sign *= 1 if constant.leading_coefficient() > 0 else -1
+        parts = [part for part in parts if not part.is_constant()]
         for part in parts:
-            if part.is_constant():
-                sign *= 1 if part.leading_coefficient() > 0 else -1
-                continue
             known = self.sign(part)
             if known:
                 sign *= known
@@ -210,6 +218,8 @@ class SignedRing(Ring):
         kinds = [self.at(i).kind for i in self.used(p)]
         if len(p) == 1 and set(kinds) == {"exp"}:
             return False
+        if "cos" in kinds or "sin" in kinds:
+            return True
         if "opaque" in kinds or "sign" in kinds:
             return len(p) > 1
         inner = self._involved(p)
@@ -362,16 +372,18 @@ class SignedRing(Ring):
         if key in self.known_signs:
             return self.known_signs[key]
         if key not in self._signs:
-            self._signs[key] = 0
+            if depth >= self._tried.get(key, MAX_DEPTH + 1):
+                return 0
+            self._tried[key] = depth  # also keeps what is being tried from being tried again
             found = self._prove_sign(p, depth)
             if depth and not found:
-                del self._signs[key]
                 return 0
             self._signs[key] = found
         return self._signs[key]
 
     def _prove_sign(self, p: Poly, depth: int) -> int:
-        if len(p) > MAX_SIGN_TERMS or depth > MAX_DEPTH:
+        self._trials = 0 if depth == 0 else self._trials + 1
+        if len(p) > MAX_SIGN_TERMS or depth > MAX_DEPTH or self._trials > MAX_TRIALS:
             return 0
         if self.is_constant(p):
             return self._constant_sign(p)
@@ -386,13 +398,13 @@ class SignedRing(Ring):
 
     def definite(self, p: Poly) -> int:
         """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0."""
-        kept = self.box, self.known_signs, self.positives, self._signs
+        kept = self.box, self.known_signs, self.positives, self._signs, self._tried
         self.box, self.known_signs = dict(self.given.box), {}
-        self.positives, self._signs = {}, {}
+        self.positives, self._signs, self._tried = {}, {}, {}
         try:
             return self.sign(p)
         finally:
-            self.box, self.known_signs, self.positives, self._signs = kept
+            self.box, self.known_signs, self.positives, self._signs, self._tried = kept
 
     def _constant_sign(self, p: Poly) -> int:
         for bits in (64, SIGN_BITS, 4 * SIGN_BITS):
@@ -423,7 +435,7 @@ class SignedRing(Ring):
                 return self._numeric_ends(generator) or (None, None)
             case "tan":
                 return self._tangent_ends(generator)
-            case "sign":
+            case "sign" | "cos" | "sin":
                 return fmpq(-9, 8), fmpq(9, 8)  # an open interval that contains ±1
             case "atan":
                 return self._atan_ends(generator)
@@ -553,8 +565,21 @@ class SignedRing(Ring):
             a, c = parts[degree], parts.get(0, self.zero_poly)
             b = parts.get(step, self.zero_poly)
             lead = self.sign(a, depth + 1)
-            if lead and self.sign(self.reduce(4 * a * c - b * b), depth + 1) > 0:
+            if lead and self._product_sign(self.reduce(4 * a * c - b * b), depth + 1) > 0:
                 return lead
+        return 0
+
+    def _product_sign(self, p: Poly, depth: int) -> int:
+        """The sign of ``p`` from those of its factors, where its own is not proved."""
+        found = self.sign(p, depth)
+        if found or p.is_zero() or len(p) > MAX_SIGN_TERMS:
+            return found
+        unit, parts = small_factor(self, p)
+        total = 1 if unit > 0 else -1
+        if len(parts) > 1:
+            for part, k in parts:
+                total *= self.sign(part, depth) if k % 2 else 1
+            return total
         return 0
 
     def _by_conjugate(self, p: Poly, depth: int) -> int:
@@ -570,7 +595,7 @@ class SignedRing(Ring):
                 return first
             x = self.variables[position]
             norm = self.reduce(parts[0] ** 2 - parts[1] ** 2 * x**2)
-            size = self.sign(norm, depth + 1)
+            size = self._product_sign(norm, depth + 1)
             if size > 0 and first:
                 return first
             if size < 0 and second:
