@@ -136,13 +136,13 @@ function brief(x) {
 
 /**
  * @param {number} x in radians
- * @returns {string}
+ * @returns {string} in degrees, without their sign
  */
 function inDegrees(x) {
   const degrees = x / DEGREE;
   const size = Math.abs(degrees);
-  if (size === 0) return "0°";
-  return withMinus(size >= 1e5 || size < 1e-3 ? degrees.toExponential(3) : degrees.toFixed(4)) + "°";
+  if (size === 0) return "0";
+  return withMinus(size >= 1e4 || size < 1e-3 ? degrees.toExponential(2) : degrees.toFixed(4));
 }
 
 /**
@@ -356,9 +356,9 @@ function redraw() {
   drawStage(scene, thing, path);
   shown.frame = drawPortrait(byId("portrait"), orbit, end);
   drawChart(byId("chart"), orbit.level, defect, turning);
-  write("portrait-text", `${byId("kind").textContent}; from ψ = ${inDegrees(defect)} to ${inDegrees(Math.PI - defect)}.`);
+  write("portrait-text", `${byId("kind").textContent}; from ψ = ${inDegrees(defect)}° to ${inDegrees(Math.PI - defect)}°.`);
   write("scene-text", byId("sentence").textContent ?? "");
-  write("chart-text", `At γ = ${brief(orbit.level.gamma)} the exact defect is ${inDegrees(defect)}, the paper’s ${byId("line-degrees").textContent}.`);
+  write("chart-text", `At γ = ${brief(orbit.level.gamma)} the exact defect is ${inDegrees(defect)}°, the paper’s ${inDegrees(printedLine(orbit.level))}°.`);
   showMoment();
 }
 

@@ -85,9 +85,9 @@ def draw(data: Data) -> str:
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
-            f'width="{WIDTH}" height="{HEIGHT}" role="img" aria-labelledby="title words">',
-            '<title id="title">A tennis racket flips once in every turn of its handle</title>',
-            f'<desc id="words">{WORDS}</desc>',
+            f'width="{WIDTH}" height="{HEIGHT}" role="img">',
+            "<title>A tennis racket flips once in every turn of its handle</title>",
+            f"<desc>{WORDS}</desc>",
             f"<style>{LESS_MOTION}</style>",
             f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
             *_still(eye),
