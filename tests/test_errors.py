@@ -37,3 +37,13 @@ def test_the_slope_is_the_limit_of_the_linear_formula():
         slope, leading = errors.slope_at(fmpq(2 * product), fmpq(1, 2))
         gaps.append(abs(slope / leading - 1))
     assert gaps[0] > gaps[1] > gaps[2]
+
+
+@pytest.mark.parametrize("product", [1, 100, 10_000])
+def test_the_error_of_the_slope_is_certified_however_small(product):
+    """It is near 4√(ab) ε₀² times a number of size 1: 10⁻²⁷² at ab = 10⁴."""
+    slope, leading, error = errors.slope_with_error(fmpq(product), fmpq(1))
+    assert error.rel_accuracy_bits() >= 13
+    assert slope < 0
+    assert leading < 0
+    assert 0 < abs(error) < abs(1 / slope)

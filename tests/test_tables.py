@@ -60,3 +60,26 @@ def test_unknown_tables_are_answered_with_the_nearest() -> None:
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["table", "slope", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["heads"][0] == "body"
+
+
+def test_the_constants_are_above_what_is_found_by_less_than_one_per_cent(
+    tables: dict[str, Table],
+) -> None:
+    for row in tables["constants"].rows:
+        for proved, found, above in (row[1:4], row[4:7]):
+            assert float(found) < float(proved) < 1.01 * float(found)
+            assert 0 < float(above.removesuffix(" %")) < 1
+
+
+def test_the_slope_table_tells_every_error_from_zero(tables: dict[str, Table]) -> None:
+    for row in tables["slope"].rows:
+        assert float(row[3].removesuffix(" %")) != 0
+        assert float(row[1]) < 0
+
+
+@pytest.mark.parametrize("name", ["errors", "slope", "thresholds"])
+def test_the_shapes_go_from_a_thousandth_to_ten_thousand(
+    tables: dict[str, Table], name: str
+) -> None:
+    shapes = [row[0] for row in tables[name].rows]
+    assert {"ab = 0.001, b = 1", "ab = 10000, b = 1", "ab = 1, b = 1/10", "str"} <= set(shapes)

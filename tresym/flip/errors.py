@@ -70,6 +70,21 @@ def slope_at(a: fmpq, b: fmpq, digits: int = 20) -> tuple[arb, arb]:
         return slope, printed.defect_slope_asymptotic(exact, q)
 
 
+def slope_with_error(a: fmpq, b: fmpq, digits: int = 4) -> tuple[arb, arb, arb]:
+    """``slope_at`` and the relative error of the leading term, to ``digits`` certified digits.
+
+    The error falls like ε₀², so that the precision rises until it is told from 0.
+    """
+    working = 20
+    while True:
+        slope, leading = slope_at(a, b, working)
+        with ball_precision(4 * working + 128):
+            error = leading / slope - 1
+        if proves(error, digits) and not error.contains(0):
+            return slope, leading, error
+        working *= 2
+
+
 def linear_thresholds(a: fmpq, b: fmpq, digits: int = 20) -> tuple[arb, arb]:
     """γ at which the printed linear formula gives ε = −π/12 and ε = π/12, from the exact ε₀."""
     exact = solve(a, b, digits + 10).defect

@@ -14,7 +14,8 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.body import NAMED_BODIES, Shape
-from tresym.exact import InputError, fraction_text
+from tresym.exact import InputError, as_rational, fraction_text
+from tresym.report.markdown import escaped
 
 FORMATS = ("text", "markdown", "latex")
 
@@ -63,18 +64,24 @@ def objects() -> Table:
     )
 
 
-def errors() -> Table:
-    """Relative error of each formula for ε₀, against the exact equation."""
-    from tresym.flip.errors import FORMULAS, PRODUCTS, WIDTHS, errors_at
+def _shapes(widths: tuple[fmpq, ...]) -> list[tuple[str, Shape]]:
+    """The shapes of the tables: ab from 10⁻³ to 10⁴ for each b in ``widths``, and the bodies."""
+    from tresym.flip.errors import PRODUCTS
 
-    shapes = [
+    grid = [
         (f"ab = {_power(p)}, b = {fraction_text(b)}", Shape(p / b, b))
-        for b in WIDTHS
+        for b in widths
         for p in PRODUCTS
     ]
-    shapes += [(name, body.shape) for name, body in NAMED_BODIES.items()]
+    return grid + [(name, body.shape) for name, body in NAMED_BODIES.items()]
+
+
+def errors() -> Table:
+    """Relative error of each formula for ε₀, against the exact equation."""
+    from tresym.flip.errors import FORMULAS, WIDTHS, errors_at
+
     rows = []
-    for name, shape in shapes:
+    for name, shape in _shapes(WIDTHS):
         found = errors_at(*shape)
         rows.append((name, *(_signed(found[f]) for f in FORMULAS)))
     return Table(
@@ -85,20 +92,39 @@ def errors() -> Table:
     )
 
 
-def slope() -> Table:
-    """dε/dγ at γ = 0 exactly and by its leading term."""
-    from tresym.flip.errors import slope_at
+def constants() -> Table:
+    """The constants of ε₀/ε* on a ≥ a₀, beside what is found at the corner a = a₀, b = 1."""
+    from tresym.flip.constants import CONSTANTS, excesses
 
     rows = []
-    for name, body in NAMED_BODIES.items():
-        exact, leading = slope_at(*body.shape)
-        with ball_precision(128):
-            off = _percent(leading / exact - 1)
-        rows.append((name, digits_of(exact, 15), digits_of(leading, 15), off))
+    for row in CONSTANTS:
+        cells = []
+        for proved, found in zip(row[1:], excesses(as_rational(row.least), fmpq(1)), strict=True):
+            with ball_precision(64):
+                over = _percent(arb(as_rational(proved)) / found - 1)
+            cells += [proved, digits_of(found, 5), over]
+        rows.append((row.least, *cells))
+    return Table(
+        "Constants of |ε₀/ε* − 1| ≤ K ε*² and |ε₀/ε* − 1 − c₁ε*²| ≤ K₂ ε*⁴ on a ≥ a₀, 0 < b ≤ 1, "
+        "proved by boxes; the ratio at a = a₀, b = 1, which no constant can be below; and how far "
+        "the constant is above it.",
+        ("a₀", "K", "at a₀", "above", "K₂", "at a₀", "above"),
+        tuple(rows),
+    )
+
+
+def slope() -> Table:
+    """dε/dγ at γ = 0 exactly and by its leading term."""
+    from tresym.flip.errors import WIDTHS, slope_with_error
+
+    rows = []
+    for name, shape in _shapes(WIDTHS):
+        exact, leading, off = slope_with_error(*shape)
+        rows.append((name, digits_of(exact, 15), digits_of(leading, 15), _percent(off)))
     return Table(
         "Slope dε/dγ at γ = 0: the closed form, its leading term −1/(4bε₀) with the exact ε₀, and "
         "the relative error of the latter.",
-        ("body", "dε/dγ", "−1/(4bε₀)", "error"),
+        ("shape", "dε/dγ", "−1/(4bε₀)", "error"),
         tuple(rows),
     )
 
@@ -111,21 +137,24 @@ def thresholds() -> Table:
 
     ends = {"-pi/12": 0, "pi/12": 1}
     rows = []
-    for name, body in NAMED_BODIES.items():
-        turn = turning_level(*body.shape, 20)
-        linear = linear_thresholds(*body.shape)
+    for name, shape in _shapes((fmpq(1), fmpq(1, 10))):
+        turn = turning_level(*shape, 20)
+        linear = linear_thresholds(*shape)
         cells = []
         for text, n in ends.items():
             try:
-                cells.append(digits_of(level_of(*body.shape, parse_angle(text), 20), 12))
+                cells.append(digits_of(level_of(*shape, parse_angle(text), 20), 12))
             except InputError:
                 cells.append("none")
+            except ArithmeticError:
+                cells.append("not told")
             cells.append(digits_of(linear[n], 12))
         rows.append((name, *cells, "none" if turn is None else digits_of(turn, 12)))
     return Table(
         "Levels γ at which ε(γ) = ∓π/12, exactly and by the linear formula with the exact ε₀, and "
-        "the level γ* below which the trajectory turns first.",
-        ("body", "ε = −π/12", "linear", "ε = π/12", "linear", "γ*"),
+        "the level γ* below which the trajectory turns first. None: ε(γ) is never that where it is "
+        "monotone; not told: the level is not certain, among many turns.",
+        ("shape", "ε = −π/12", "linear", "ε = π/12", "linear", "γ*"),
         tuple(rows),
     )
 
@@ -149,6 +178,7 @@ def routes() -> Table:
 TABLES: dict[str, Callable[[], Table]] = {
     "objects": objects,
     "errors": errors,
+    "constants": constants,
     "slope": slope,
     "thresholds": thresholds,
     "routes": routes,
@@ -187,7 +217,7 @@ def _text(found: Table) -> str:
 def _markdown(found: Table) -> str:
     lines = [found.heads, tuple("---" for _ in found.heads), *found.rows]
     body = ["| " + " | ".join(row) + " |" for row in lines]
-    return "\n".join([*body, "", f"*{found.caption}*", ""])
+    return "\n".join([*body, "", f"*{escaped(found.caption)}*", ""])
 
 
 def _latex(found: Table) -> str:
