@@ -59,7 +59,7 @@ def test_unknown_tables_are_answered_with_the_nearest() -> None:
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["table", "slope", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["heads"][0] == "body"
+    assert json.loads(capsys.readouterr().out)["heads"][0] == "shape"
 
 
 def test_the_constants_are_above_what_is_found_by_less_than_one_per_cent(
