@@ -33,9 +33,13 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Raise the complaint as bad input; what it quotes may be long, or not printable."""
-        shown = message if message.isprintable() else ascii(message)[1:-1]
-        shown = shown if len(shown) <= 200 else shown[:197] + "..."
-        raise InputError(f"{shown} (see {self.prog} --help)")
+        raise InputError(f"{_one_line(message, 200)} (see {self.prog} --help)")
+
+
+def _one_line(text: str, longest: int) -> str:
+    """``text`` as it may be shown: what it quotes may be long, or not printable."""
+    shown = text if text.isprintable() else ascii(text)[1:-1]
+    return shown if len(shown) <= longest else shown[: longest - 3] + "..."
 
 
 def build_parser() -> Parser:
@@ -57,6 +61,7 @@ def build_parser() -> Parser:
     _add_bench(commands)
     _add_sweep(commands)
     _add_figure(commands)
+    _add_chart(commands)
     return parser
 
 
@@ -107,7 +112,7 @@ def _verify_claims(args: argparse.Namespace) -> int:
         return 0
     if args.mutants:
         return _verify_mutants(labels, args)
-    if args.json or args.path:
+    if args.json or args.path is not None:
         import json
 
         report = verification.verify(labels)
@@ -126,7 +131,7 @@ def _verify_claims(args: argparse.Namespace) -> int:
 def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
     from tresym import verification
 
-    if args.json or args.path:
+    if args.json or args.path is not None:
         import json
 
         report = verification.verify_mutants(labels)
@@ -168,11 +173,11 @@ def _derive(args: argparse.Namespace) -> int:
 def _add_table(commands: Commands) -> None:
     parser = commands.add_parser(
         "table",
-        help="certified tables: objects, errors, slope, thresholds, routes",
+        help="certified tables: objects, errors, constants, slope, thresholds, routes",
         description="A table of certified numbers, for the terminal, in Markdown or in LaTeX.",
         allow_abbrev=False,
     )
-    parser.add_argument("name", metavar="NAME", help="objects, errors, slope, thresholds, routes")
+    parser.add_argument("name", metavar="NAME", help="objects, errors, constants, slope, …")
     parser.add_argument(
         "--format", choices=("text", "markdown", "latex"), default="text", help="default: text"
     )
@@ -294,7 +299,7 @@ def _audit(args: argparse.Namespace) -> int:
 
     index = audit.load_index(Path(proofs.__file__).with_name("index.json"))
     found = audit.audit(Path(args.paper), proofs.claims(), index)
-    if args.json or args.path:
+    if args.json or args.path is not None:
         import json
 
         _deliver(json.dumps(found.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
@@ -329,7 +334,7 @@ def _flip(args: argparse.Namespace) -> int:
         from tresym.report.flip import flip_text
         from tresym.report.output import colour_wanted
 
-        _deliver(flip_text(answer, title, colour_wanted() and not args.path), args.path)
+        _deliver(flip_text(answer, title, colour_wanted() and args.path is None), args.path)
     return 0
 
 
@@ -354,7 +359,7 @@ def _journey(args: argparse.Namespace) -> int:
         from tresym.report.flip import journey_text
         from tresym.report.output import colour_wanted
 
-        _deliver(journey_text(answer, title, colour_wanted() and not args.path), args.path)
+        _deliver(journey_text(answer, title, colour_wanted() and args.path is None), args.path)
     return 0
 
 
@@ -377,34 +382,31 @@ def _body(args: argparse.Namespace) -> tuple[Shape, str]:
 
 
 def _add_bench(commands: Commands) -> None:
+    from tresym.bench.names import WORKLOADS
+
+    width = max(map(len, WORKLOADS))
     parser = commands.add_parser(
         "bench",
-        help="time a workload against its peers",
+        help="time workloads against their peers",
         description="Time workloads, every contender in turn; quote only ratios within one run.",
+        epilog="\n".join(
+            ["workloads (default: all):"]
+            + [f"  {name:<{width}}  {says}" for name, says in WORKLOADS.items()]
+            + ["", "Interrupted with Ctrl-C, it shows (and with --save keeps) what it has."]
+        ),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
-    parser.add_argument(
-        "workloads", nargs="*", metavar="WORKLOAD", help="separatrix, startup (default: all)"
-    )
+    parser.add_argument("workloads", nargs="*", metavar="WORKLOAD", help="see below")
     parser.add_argument("--save", action="store_true", help="keep it in docs/measurements")
     _add_output(parser)
     parser.set_defaults(run=_bench)
 
 
 def _bench(args: argparse.Namespace) -> int:
-    import json
+    from tresym.bench import show
 
-    from tresym.bench import workloads
-
-    measured = [workloads.measure(name) for name in args.workloads or workloads.WORKLOADS]
-    for measurement in measured if args.save else ():
-        print(f"saved {workloads.save(measurement)}", file=sys.stderr)
-    if args.json:
-        values = [measurement.as_json() for measurement in measured]
-        _deliver(json.dumps(values, indent=2) + "\n", args.path)
-    else:
-        _deliver("\n".join(workloads.measurement_text(m) for m in measured), args.path)
-    return 0
+    return show.run(args.workloads, args.save, args.json, args.path)
 
 
 def _add_sweep(commands: Commands) -> None:
@@ -486,6 +488,33 @@ def _figure(args: argparse.Namespace) -> int:
     return 0
 
 
+def _add_chart(commands: Commands) -> None:
+    parser = commands.add_parser(
+        "chart",
+        help="a chart of saved measurements, as SVG",
+        description="Draw one chart of `tresym bench --save` as SVG; without a name, list them.",
+        epilog="Needs matplotlib: pip install 'tresym[docs]'.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("name", nargs="?", metavar="NAME", help="a chart, such as work-precision")
+    parser.add_argument(
+        "--from", dest="source", metavar="FILE", help="a saved measurement (default: the one here)"
+    )
+    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.set_defaults(run=_chart)
+
+
+def _chart(args: argparse.Namespace) -> int:
+    from tresym.report import charts
+
+    if args.name is None:
+        names = (f"{name:<16} {chart.title}\n" for name, chart in charts.CHARTS.items())
+        _deliver("".join(names), args.path)
+    else:
+        _deliver(charts.svg(args.name, args.source), args.path)
+    return 0
+
+
 def _deliver(text: str, path: str | None) -> None:
     if path is None:
         print(text, end="")
@@ -518,7 +547,7 @@ def main(arguments: list[str] | None = None) -> int:
             sys.stdout.flush()
         return status
     except InputError as error:
-        print(f"tresym: {error}", file=sys.stderr)
+        print(f"tresym: {_one_line(str(error), 2000)}", file=sys.stderr)
         return BAD_INPUT
     except KeyboardInterrupt:
         print("tresym: interrupted", file=sys.stderr)
@@ -528,7 +557,8 @@ def main(arguments: list[str] | None = None) -> int:
         _forget_output()
         return 0
     except OSError as error:
-        print(f"tresym: {error.filename or 'output'}: {error.strerror}", file=sys.stderr)
+        name = _one_line(str(error.filename or "output"), 400)
+        print(f"tresym: {name}: {error.strerror}", file=sys.stderr)
         if error.filename is None:
             _forget_output()
         return BAD_INPUT

@@ -1,52 +1,51 @@
 """ε(γ) to 50 digits: the certified ball against ``findroot`` over the paper's integral.
 
-The peer starts from the linear formula at γ = 0. Where the trajectory has turned it has no root to
-find, so there it is not entered.
+The peers start from the paper's formulas. Where the trajectory has turned F(ε, γ) = π has no root,
+and they say so in their ways.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from functools import partial
-from typing import Any
 
-from flint import fmpq
+from flint import arb, fmpq
 
-from tresym.arithmetic import mp_precision, to_mp
-from tresym.bench.run import Measurement, interleave
-from tresym.bench.turn import DIGITS, SHAPE, contender
+from tresym.bench import peers
+from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
+from tresym.bench.truth import by_digits
+from tresym.body import Shape, named_body
 from tresym.exact import parse_number
-from tresym.flip import defect, quadrature
-from tresym.flip.slopes import slopes
+from tresym.flip import defect
 
-SCENES = ("1/10000", "1/100", "-1/1000", "-1/100")
-"""The γ that are timed: not turned with ε > 0, with ε < 0, below the separatrix, turned once."""
+DIGITS = 50
+SHAPE = named_body("str").shape
+SCENES = ("1e-4", "1e-8", "1e-2", "-1e-3", "-1e-2")
+"""The γ that are timed: next to the separatrix, with ε < 0, below the separatrix, turned once."""
+OURS = "tresym, certified"
+
+METHODS: dict[str, peers.Method] = {
+    "mpmath findroot over quad": peers.findroot_quad,
+    "mpmath findroot over R_F, R_J": peers.findroot_carlson,
+}
+
+PACE = Pace(rounds=7, limit=5.0, patience=1.0)
 
 
-def measure(rounds: int = 3) -> Measurement:
+def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
     """The workload ``defect``."""
-    contenders = []
-    for text in SCENES:
-        gamma = parse_number(text)
-        truth = defect.solve(*SHAPE, gamma, 2 * DIGITS).defect
-        works: dict[str, Callable[[], Any]] = {"tresym, certified": partial(_ours, gamma)}
-        if text != SCENES[-1]:
-            works["mpmath findroot over quad"] = partial(_findroot, gamma)
-        contenders += [
-            contender(f"gamma = {text}: {name}", work, truth) for name, work in works.items()
-        ]
-    timings = interleave(contenders, rounds)
-    reference = f"gamma = {SCENES[0]}: tresym, certified"
-    return Measurement("defect", "ε(γ) of str to 50 digits", rounds, timings, reference)
+    contenders = (c for text in SCENES for c in _contenders(parse_number(text), text))
+    timings, complete = interleave(contenders, pace, keep)
+    return Measurement("defect", "ε(γ) of str to 50 digits", timings, OURS, complete=complete)
 
 
-def _ours(gamma: fmpq) -> Any:
-    return defect.solve(*SHAPE, gamma, DIGITS).defect
+def _contenders(gamma: fmpq, text: str) -> Iterator[Contender]:
+    truth = defect.solve(*SHAPE, gamma, 2 * DIGITS).defect
+    for name, method in ({OURS: _ours} | METHODS).items():
+        work = partial(method, SHAPE, gamma, DIGITS)
+        judge = by_digits(truth, DIGITS, DIGITS)
+        yield Contender(f"γ = {text}", name, work, judge, name == OURS, DIGITS)
 
 
-def _findroot(gamma: fmpq) -> Any:
-    found = slopes(*SHAPE, fmpq(0), 15)
-    with mp_precision(DIGITS) as mp:
-        a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
-        start = mp.mpf(float(found.defect)) + g * mp.mpf(float(found.first))
-        return mp.findroot(lambda e: quadrature.printed(e, a, b, g, mp)[0] - mp.pi, start)
+def _ours(shape: Shape, gamma: fmpq, digits: int) -> arb:
+    return defect.solve(*shape, gamma, digits).defect

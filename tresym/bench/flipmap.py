@@ -1,74 +1,171 @@
-"""The flip map in float64: many starts at once against scipy's ODE solver, point by point."""
+"""The flip map in float64: many starts at once against ODE solvers, start by start and in batches.
+
+Every answer is counted against a ball, at the worst of a sample of starts. Two bodies: the standard
+racket, and one with √(ab) = 3, near whose unstable points errors grow by e^{6π}.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
 
-from tresym.bench.run import Contender, Measurement, interleave
-from tresym.bench.separatrix import time_once
+from tresym.bench import peers
+from tresym.bench.run import (
+    WRONG,
+    Contender,
+    Judged,
+    Keep,
+    Measurement,
+    Pace,
+    forget,
+    interleave,
+)
+from tresym.bench.truth import as_ball
 from tresym.body import Shape, named_body
+from tresym.flip import flipmap
 from tresym.flip.angle import Angle
-from tresym.flip.flipmap import flip_map
 from tresym.flip.trajectory import Start, travel
 
-SHAPE = named_body("str").shape
+BODIES = {"standard racket": named_body("str").shape, "√(ab) = 3": Shape(fmpq(18), fmpq(1, 2))}
 STARTS = 100_000
+LOOP = 20
+"""Starts that are solved one by one."""
 SAMPLE = 20
+WANTED = 11
+"""Digits after the point that an answer must have at the worst."""
+
+OURS = "tresym, numpy"
+Floats = flipmap.Floats
+
+PACE = Pace(rounds=5, limit=20.0, patience=1.5)
 
 
-def measure(rounds: int = 5) -> Measurement:
+def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
     """The workload ``flipmap``: seconds for one start; digits after the point, at the worst."""
-    a, b = (int(x.p) / int(x.q) for x in SHAPE)
+    contenders = (c for name, shape in BODIES.items() for c in _contenders(name, shape))
+    timings, complete = interleave(contenders, pace, keep)
+    says = "the flip of one start, of very many; digits after the point, at the worst"
+    return Measurement("flipmap", says, timings, OURS, complete=complete)
+
+
+def starts(count: int) -> tuple[Floats, Floats]:
+    """The first ``count`` starts (ψ₀, dψ/dφ)."""
     rng = np.random.default_rng(1)
     psi, rate = rng.uniform(-3, 3, STARTS), rng.uniform(-2, 2, STARTS)
-    few = list(zip(psi[:SAMPLE], rate[:SAMPLE], strict=True))
-    truths = [_ball_flip(a, b, *start) for start in few]
+    return psi[:count], rate[:count]
 
-    def theirs() -> list[float]:
-        return [_solve_ivp(a, b, *start) for start in few]
 
-    def digits(values: list[float]) -> int:
-        worst = max(abs(float((t - arb(v)).mid())) for t, v in zip(truths, values, strict=True))
-        return int(-math.log10(worst))
+Method = Callable[[float, float, Floats, Floats], Any]
 
-    ours = "tresym, numpy"
-    contenders = [
-        Contender(
-            ours,
-            lambda: time_once(lambda: flip_map(a, b, psi, rate)) / STARTS,
-            digits(flip_map(a, b, psi[:SAMPLE], rate[:SAMPLE]).tolist()),
-        ),
-        Contender(
-            "scipy solve_ivp, RK45 at 1e-10",
-            lambda: time_once(theirs) / SAMPLE,
-            digits(theirs()),
-        ),
+
+def _contenders(name: str, shape: Shape) -> Iterator[Contender]:
+    a, b, _ = peers.floats(shape, fmpq(0))
+    truths = [ball_flip(a, b, *start) for start in zip(*starts(SAMPLE), strict=True)]
+    methods: dict[str, tuple[Method, int]] = {
+        OURS: (flipmap.flip_map, STARTS),
+        "scipy solve_ivp, RK45 at 1e-10": (partial(by_scipy, "RK45", 1e-10), LOOP),
+        "scipy solve_ivp, DOP853 at 1e-13": (partial(by_scipy, "DOP853", 1e-13), LOOP),
+        "heyoka, one by one": (by_heyoka, 1000),
+        "heyoka, batch": (by_heyoka_batch, 1000),
+    }
+    for extra, method in optional().items():
+        methods[extra] = (method, STARTS)
+    for title, (method, count) in methods.items():
+        work = partial(method, a, b, *starts(count))
+        with suppress(Exception):
+            method(a, b, *starts(8))  # compiled and imported before anything is timed
+        judge = partial(judged, truths)
+        ours = title.startswith("tresym")
+        yield Contender(name, title, work, judge, ours, WANTED, pieces=count)
+
+
+def optional() -> dict[str, Method]:
+    """The flip map with numba, where this tresym has it and numba is installed."""
+    compiled = getattr(flipmap, "compiled_flip_map", None)
+    return {} if compiled is None else {"tresym, numba": compiled}
+
+
+def judged(truths: list[arb], values: Any) -> Judged:
+    """Digits after the point at the worst start of the sample."""
+    errors = [
+        abs(float((truth - (as_ball(float(v)) or 0)).mid()))
+        for truth, v in zip(truths, values, strict=False)
     ]
-    says = "the flip of one start of str, of very many; digits after the point at the worst"
-    return Measurement("flipmap", says, rounds, interleave(contenders, rounds), ours)
+    worst = max(errors)
+    digits = 17.0 if worst == 0 else max(0.0, -math.log10(worst))
+    if digits >= WANTED:
+        return Judged(digits)
+    return Judged(digits, None, WRONG, f"an error of {worst:.1e} at the worst start")
 
 
-def _ball_flip(a: float, b: float, psi: float, rate: float) -> arb:
+def ball_flip(a: float, b: float, psi: float, rate: float) -> arb:
+    """Δψ of a start over one turn of the handle, certified."""
     p, q, x, v, turns = (fmpq(*float(y).as_integer_ratio()) for y in (a, b, psi, rate, math.tau))
     return travel(Shape(p, q), Start(Angle(fmpq(0), x), v), Angle(fmpq(0), turns), 20).turn
 
 
-def _solve_ivp(a: float, b: float, psi: float, rate: float) -> float:
+def handle(a: float, b: float, psi: Any, rate: Any) -> Any:
+    """cos θ of a start."""
+    square = np.sin(psi) ** 2
+    return rate * (1 - b * square) / (a + b * square)
+
+
+def by_scipy(
+    method: str, tolerance: float, a: float, b: float, psi: Floats, rate: Floats
+) -> list[float]:
+    """``solve_ivp`` on the planar system, start by start."""
     from scipy.integrate import solve_ivp
 
-    def system(_: float, y: Any) -> list[float]:
-        sine, cosine = math.sin(y[0]), math.cos(y[0])
-        clock = 1 - b * sine * sine
-        return [
-            (a + b * sine * sine) * y[1] / clock,
-            b * (1 - y[1] * y[1]) * sine * cosine / clock,
-        ]
+    found = []
+    for x, z in zip(psi.tolist(), handle(a, b, psi, rate).tolist(), strict=True):
+        path = solve_ivp(
+            lambda _, y: peers.slopes(y, a, b, math),
+            (0, math.tau),
+            [x, z],
+            method=method,
+            rtol=tolerance,
+            atol=tolerance / 100,
+        )
+        found.append(float(path.y[0, -1]) - x)
+    return found
 
-    square = math.sin(psi) ** 2
-    start = [psi, rate * (1 - b * square) / (a + b * square)]
-    found = solve_ivp(system, (0, math.tau), start, method="RK45", rtol=1e-10, atol=1e-12)
-    return float(found.y[0, -1]) - psi
+
+def by_heyoka(a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
+    """heyoka's Taylor integrator at its finest tolerance, start by start."""
+    solver = peers.heyoka_solver(16)
+    found = []
+    for x, z in zip(psi.tolist(), handle(a, b, psi, rate).tolist(), strict=True):
+        solver.time, solver.pars[:], solver.state[:] = 0.0, [a, b], [x, z]
+        solver.propagate_until(math.tau)
+        found.append(float(solver.state[0]) - x)
+    return found
+
+
+def by_heyoka_batch(a: float, b: float, psi: Floats, rate: Floats) -> Floats:
+    """heyoka's batch integrator: as many starts at a time as the processor's vectors hold."""
+    size, solver = _batch()
+    tilt, found = handle(a, b, psi, rate), np.empty_like(psi)
+    solver.pars[0, :], solver.pars[1, :] = a, b
+    for i in range(0, psi.size - size + 1, size):
+        part = slice(i, i + size)
+        solver.set_time(0.0)
+        solver.state[0, :], solver.state[1, :] = psi[part], tilt[part]
+        solver.propagate_until([math.tau] * size)
+        found[part] = solver.state[0, :] - psi[part]
+    return found
+
+
+@lru_cache(maxsize=1)
+def _batch() -> tuple[int, Any]:
+    import heyoka
+
+    size = heyoka.recommended_simd_size()
+    state, pars = np.array([[1.0] * size, [0.0] * size]), np.array([[1.0] * size, [0.1] * size])
+    solver = heyoka.taylor_adaptive_batch(peers.heyoka_system(), state, pars=pars, tol=1e-16)
+    return size, solver

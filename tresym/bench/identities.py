@@ -1,83 +1,188 @@
-"""Deciding identities: the appendix's antiderivative against SymPy, and the ledger's slowest step.
+"""Deciding identities: the steps of the ledger's chains and false variants of them, against SymPy.
 
-The peer is what a reader would type: ``simplify(diff(G, psi) - g)``, with the symbols declared
-positive, without which it does not come to 0.
+An identity is two consecutive expressions of a chain with all definitions put in. The peers are
+what a reader would type: does ``simplify(x - y)`` come to 0, is ``x.equals(y)``, does
+``trigsimp(x - y)``? Symbols that the conditions make positive are declared so to SymPy, without
+which it does worse. A false variant is one that balls show violated; of ``simplify`` and
+``trigsimp`` no more is asked there than not to come to 0.
 """
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
-from typing import Any
+import math
+from collections.abc import Callable, Iterator
+from functools import partial
+from itertools import islice, pairwise
+from typing import Any, NamedTuple
 
 import sympy
 
-from tresym.bench.run import Contender, Measurement, interleave
-from tresym.claims.chain import check_chain
-from tresym.claims.translate import to_expression
-from tresym.formulas import printed
-from tresym.identity import Given, decide, parse
+from tresym.bench.run import (
+    FAILED,
+    RIGHT,
+    TIMED_OUT,
+    WRONG,
+    Contender,
+    Judged,
+    Keep,
+    Measurement,
+    Pace,
+    Timing,
+    forget,
+    interleave,
+)
+from tresym.claims.claim import Chain, Claim, Together, parts_of
+from tresym.claims.mutants import mutations
+from tresym.claims.signs import manifest_sign
+from tresym.claims.translate import definitions, put_in, to_expression, to_given
+from tresym.exact import InputError
+from tresym.identity import decide
 from tresym.verdict import Verdict
-from tresym.verification import verify
+from tresym.verification import all_claims
 
-ROUNDS = 7
 OURS = "tresym, exact normal form"
+OPEN = (sympy.Integral, sympy.Derivative, sympy.Subs, sympy.MatrixBase)
+VARIANTS = 12
+"""Changes that are tried on an identity until one is shown false."""
 
 
-def measure(rounds: int = ROUNDS) -> Measurement:
-    """The workload ``identities``: one decision each, interleaved."""
-    names = ("S", "a", "b", "psi")
-    symbols = sympy.symbols(names, positive=True)
-    integral, integrand = _appendix(*symbols)
-    left = to_expression(sympy.Derivative(integral, symbols[-1]), open_derivatives=True)
-    right = to_expression(integrand)
-    given = Given.parse("a > 0, b > 0, b <= 1, psi > 0, 2*psi < pi")
-    label, slowest = _slowest_step()
-    contenders = [
-        Contender(OURS, _timed(lambda: _expect(decide(left, right, given).verdict))),
-        Contender("sympy.simplify", _timed(lambda: _zero(integral, integrand, symbols[-1]))),
-        Contender(f"tresym, slowest chain of the ledger ({label}), warm", _timed(slowest)),
-        Contender("tresym, reading the identity from text", _timed(lambda: parse(str(right)))),
-    ]
-    says = "the derivative of the appendix's antiderivative is the integrand"
-    return Measurement("identities", says, rounds, interleave(contenders, rounds), OURS)
+class Identity(NamedTuple):
+    """Two sides, the conditions, whether they are equal, and a name."""
+
+    name: str
+    left: Any
+    right: Any
+    given: Any
+    true: bool
 
 
-def _appendix(S: Any, a: Any, b: Any, psi: Any) -> tuple[Any, Any]:
-    return (
-        printed.turn_slope_antiderivative(psi, a, b, S, sympy),
-        printed.integrand_slope(psi, a, b, S, sympy),
-    )
+PACE = Pace(rounds=3, limit=2.0, patience=0.06)
 
 
-def _expect(verdict: Verdict) -> None:
-    if verdict is not Verdict.PROVED:
-        raise ArithmeticError(f"the identity came out {verdict.value}")
+def measure(keep: Keep = forget, pace: Pace = PACE, every: int = 1) -> Measurement:
+    """The workload ``identities``; ``every`` takes each n-th identity only."""
+    wanted = islice(identities(), 0, None, every)
+    contenders = (c for identity in wanted for c in _contenders(identity))
+    timings, complete = interleave(contenders, pace, keep)
+    says = "is an identity of the ledger true, is a false variant of it?"
+    notes = {"summary": summary(timings, pace.limit)}
+    return Measurement("identities", says, timings, OURS, notes=notes, complete=complete)
 
 
-def _zero(integral: Any, integrand: Any, psi: Any) -> None:
-    if sympy.simplify(sympy.diff(integral, psi) - integrand) != 0:
-        raise ArithmeticError("simplify did not come to 0")
+def identities() -> Iterator[Identity]:
+    """Each identity of the ledger, followed by a false variant of it."""
+    seen = set()
+    for claim in all_claims():
+        for says, chain in _chains(claim):
+            for number, (left, right) in enumerate(pairwise(_expressions(says, chain)), 1):
+                if left == right or (left, right) in seen or left.has(*OPEN) or right.has(*OPEN):
+                    continue
+                seen.add((left, right))
+                name = f"{claim.label}, step {number}"
+                if _verdict(left, right, claim.given) is Verdict.PROVED:
+                    yield Identity(name, left, right, claim.given, True)
+                    yield from _variant(name, left, right, claim.given)
 
 
-def _slowest_step() -> tuple[str, Callable[[], Any]]:
-    """The chain of one equation between numbers with the slowest step, to be checked again."""
-    rows = [
-        row
-        for row in verify().rows
-        if isinstance(row.claim.says, sympy.Eq)
-        and isinstance(row.claim.proof, tuple)
-        and not row.claim.says.has(sympy.MatrixBase)
-    ]
-    claim = max(rows, key=lambda row: max(s.seconds for s in row.finding.steps)).claim
-    chain: Any = claim.proof
-    return claim.label, lambda: check_chain(claim.says, chain, claim.given)
+def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:
+    """The chains of a claim between numbers, with what each shows."""
+    pairs: Any = ()
+    if isinstance(claim.proof, tuple):
+        pairs = [(claim.says, claim.proof)]
+    elif isinstance(claim.proof, Together):
+        pairs = zip(parts_of(claim.says), claim.proof.chains, strict=True)
+    for says, chain in pairs:
+        if isinstance(says, sympy.Eq) and chain and not says.has(sympy.MatrixBase):
+            yield says, chain
 
 
-def _timed(work: Callable[[], Any]) -> Callable[[], float]:
-    def sample() -> float:
-        start = time.process_time()
-        work()
-        return time.process_time() - start
+def _expressions(says: Any, chain: Chain) -> list[Any]:
+    """The expressions of a chain, with the definitions that it uses put in."""
+    used = [claim for link in chain for reason in link.reasons for claim in reason.claims]
+    rules = definitions(used)
+    links = [says.rhs if link.expression is None else link.expression for link in chain]
+    return [put_in(e, rules).doit(integrals=False) for e in (says.lhs, *links)]
 
-    return sample
+
+def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]:
+    """The first change of the right side that balls show to be false."""
+    for changed in islice(mutations(right), VARIANTS):
+        if not changed.has(*OPEN) and _verdict(left, changed, given) is Verdict.REFUTED:
+            yield Identity(f"{name}, made false", left, changed, given, False)
+            return
+
+
+def _verdict(left: Any, right: Any, given: Any) -> Verdict:
+    try:
+        return decide(to_expression(left), to_expression(right), to_given(given)).verdict
+    except InputError:
+        return Verdict.UNDECIDED
+
+
+def _contenders(identity: Identity) -> Iterator[Contender]:
+    trees = to_expression(identity.left), to_expression(identity.right)
+    given = to_given(identity.given)
+    left, right = _declared(identity)
+    works: dict[str, Callable[[], Any]] = {
+        OURS: lambda: decide(*trees, given).verdict,
+        "sympy simplify": lambda: sympy.simplify(left - right) == 0,
+        "sympy equals": lambda: left.equals(right),
+        "sympy trigsimp": lambda: sympy.trigsimp(left - right) == 0,
+    }
+    for name, work in works.items():
+        yield Contender(identity.name, name, work, partial(_judge, identity, name), name == OURS)
+
+
+def _declared(identity: Identity) -> tuple[Any, Any]:
+    """Both sides with the symbols declared positive that the conditions make so."""
+    symbols = identity.left.free_symbols | identity.right.free_symbols
+    positive = {
+        s: sympy.Symbol(s.name, positive=True)
+        for s in symbols
+        if manifest_sign(s, identity.given) == "+"
+    }
+    return identity.left.xreplace(positive), identity.right.xreplace(positive)
+
+
+def _judge(identity: Identity, method: str, answer: Any) -> Judged:
+    if method == OURS:
+        answer = {Verdict.PROVED: True, Verdict.REFUTED: False}.get(answer)
+    if answer is identity.true:
+        return Judged(outcome=RIGHT)
+    if answer is None or (answer is False and method in ("sympy simplify", "sympy trigsimp")):
+        return Judged(outcome=FAILED, why="not decided")
+    return Judged(outcome=WRONG, why=f"says {answer}")
+
+
+def summary(timings: list[Timing], limit: float) -> dict[str, dict[str, Any]]:
+    """By method, for true identities and false ones: outcomes, and the geometric mean of ratios.
+
+    The mean is of this method's time by ours over all identities; one that timed out counts with
+    the limit, so that the mean is then too small.
+    """
+    ours = {t.contender.scene: t for t in timings if t.contender.method == OURS}
+    found: dict[str, dict[str, Any]] = {}
+    for kind in ("true", "false"):
+        for method in dict.fromkeys(t.contender.method for t in timings):
+            some = [
+                t
+                for t in timings
+                if t.contender.method == method
+                and t.contender.scene.endswith("made false") == (kind == "false")
+            ]
+            outcomes = [t.judged.outcome for t in some]
+            ratios = [r for t in some if (r := _ratio(t, ours[t.contender.scene], limit))]
+            found[f"{method}, {kind} ones"] = {
+                "identities": len(some),
+                **{word: outcomes.count(word) for word in dict.fromkeys(outcomes)},
+                "ratio": float(f"{math.exp(sum(map(math.log, ratios)) / len(ratios)):.3g}")
+                if ratios
+                else None,
+            }
+    return found
+
+
+def _ratio(timing: Timing, ours: Timing, limit: float) -> float | None:
+    if timing.judged.outcome == TIMED_OUT and ours.seconds:
+        return limit / ours.quartiles[1]
+    return timing.ratio(ours)

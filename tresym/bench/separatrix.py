@@ -1,9 +1,9 @@
-"""ε₀ to 50 digits: mpmath on the paper's own equation against the same root in its phase.
+"""ε₀ to 50 digits: mpmath on the paper's own equations against the same root in its phase.
 
-The peer does what a reader of the paper would do: ``findroot`` on the exact equation as printed,
-from the paper's asymptotic formula. Each contender runs in a process of its own kind, one with
-mpmath on gmpy2 and one with mpmath in pure Python, and hands back what it found so that its digits
-can be counted against the ball.
+The peers do what a reader of the paper would do: ``findroot`` on the exact equation as printed, or
+over ``quad`` of the paper's integral, from the paper's asymptotic formula. Two processes serve the
+contenders, one with mpmath on gmpy2 and one with mpmath in pure Python; each hands back the seconds
+and the digits its answer has in common with the ball.
 """
 
 from __future__ import annotations
@@ -12,95 +12,83 @@ import json
 import os
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import IO, Any
 
-from flint import arb
+from flint import arb, fmpq
 
 import tresym
-from tresym.arithmetic import ball_precision, mp_precision, to_mp
-from tresym.bench.run import Contender, Measurement, interleave
-from tresym.body import named_body
+from tresym.bench import peers
+from tresym.bench.run import (
+    WRONG,
+    Contender,
+    Judged,
+    Keep,
+    Measurement,
+    Pace,
+    forget,
+    interleave,
+    reason,
+    time_once,
+)
+from tresym.bench.truth import SLACK, true_digits
+from tresym.body import Shape, named_body
 from tresym.flip import separatrix
-from tresym.formulas import printed, stable
 
 BODY = "str"
 DIGITS = 50
-SAMPLE_SECONDS = 0.01
+OURS = "tresym, certified"
 
-SHAPE = named_body(BODY).shape
-
-
-def findroot_printed() -> Any:
-    """``mpmath.findroot`` on the printed equation from the paper's asymptotic formula."""
-    with mp_precision(DIGITS) as mp:
-        a, b = to_mp(SHAPE.a, mp), to_mp(SHAPE.b, mp)
-        start = printed.asymptotic_defect(a, b, mp)
-        return mp.findroot(lambda e: printed.separatrix_residual(e, a, b, mp), start)
+PRODUCTS = tuple(fmpq(10) ** (n // 2) * fmpq(3 if n % 2 else 1) for n in range(-6, 9))
+"""The values of ab, 10⁻³ … 10⁴ in steps of about √10."""
+WIDTHS = tuple(fmpq(*x) for x in ((1, 1), (1, 2), (1, 10), (1, 100), (1, 1000)))
+SHAPES = tuple(Shape(p / b, b) for p in PRODUCTS for b in WIDTHS)
+"""The 75 shapes on which correctness is counted."""
 
 
-def newton_phase() -> Any:
-    """Our phase equation in mpmath: Newton's method from the float64 root; not certified."""
-    with mp_precision(DIGITS + 5) as mp:
-        a, b = to_mp(SHAPE.a, mp), to_mp(SHAPE.b, mp)
-        k, r = mp.sqrt(a * b), mp.sqrt(b / a)
-        phase = mp.mpf(separatrix.float_phase(float(k), float(b))[0])
-        for _ in range(2):
-            residual = phase - stable.phase_map(phase, k, r, mp)
-            phase -= residual / stable.phase_slope(phase, k, r, mp)
-        return stable.defect_at(phase, k, r, mp)
-
-
-def certified() -> arb:
+def certified(shape: Shape, _: fmpq, digits: int) -> arb:
     """What ``tresym flip`` computes: the ball, its digits proved."""
-    return separatrix.solve(SHAPE.a, SHAPE.b, DIGITS).defect
+    return separatrix.solve(*shape, digits).defect
 
 
-WORK: dict[str, Callable[[], Any]] = {
-    "findroot on the printed equation": findroot_printed,
-    "our phase equation in mpmath": newton_phase,
-    "tresym, certified": certified,
+WORK: dict[str, peers.Method] = {
+    "findroot on the printed equation": peers.findroot_printed,
+    "findroot over quad": peers.findroot_quad,
+    "our phase equation in mpmath": peers.findroot_phase,
+    OURS: certified,
 }
 
 
-def time_once(work: Callable[[], Any], seconds: float = SAMPLE_SECONDS) -> float:
-    """Processor seconds one call takes, over as many calls as fill ``seconds``.
-
-    Processor time, so that what else the machine does is not counted.
-    """
-    calls = 1
-    while True:
-        start = time.process_time()
-        for _ in range(calls):
-            work()
-        elapsed = time.process_time() - start
-        if elapsed >= seconds:
-            return elapsed / calls
-        calls *= 4
-
-
-def digits_of(value: Any) -> int:
-    """Decimal digits, at most ``DIGITS``, that a value has in common with the ball."""
-    truth = separatrix.solve(SHAPE.a, SHAPE.b, 2 * DIGITS).defect
-    with ball_precision(500):
-        found = value.mid() if isinstance(value, arb) else arb((int(value.man), int(value.exp)))
-        error = abs(found / truth - 1)
-        right = -float(error.upper().log() / arb.const_log10())
-    return min(DIGITS, int(right))
+def digits_at(method: peers.Method, shape: Shape) -> float:
+    """True digits, at most ``DIGITS``, of a method at a shape; 0 where it fails."""
+    truth = separatrix.solve(*shape, 2 * DIGITS).defect
+    try:
+        return true_digits(method(shape, fmpq(0), DIGITS), truth, most=DIGITS)
+    except Exception:
+        return 0.0
 
 
 def serve(commands: IO[str], answers: IO[str]) -> None:
     """The process behind a contender: reads a name, times it once, writes seconds and digits."""
+    shape = named_body(BODY).shape
     for line in commands:
-        work = WORK[line.strip()]
-        print(json.dumps([time_once(work), digits_of(work())]), file=answers, flush=True)
+        method = WORK[line.strip()]
+        try:
+            seconds = time_once(partial(method, shape, fmpq(0), DIGITS))
+            answer = [seconds, digits_at(method, shape), ""]
+        except Exception as error:
+            answer = [0.0, 0.0, reason(error)]
+        print(json.dumps(answer), file=answers, flush=True)
+
+
+Ask = Callable[[str], tuple[float, float]]
 
 
 @contextmanager
-def worker(pure_python: bool) -> Iterator[Callable[[str], tuple[float, int]]]:
+def worker(pure_python: bool) -> Iterator[Ask]:
     """A process that times by name, with mpmath on gmpy2 or in pure Python."""
     environment = {**os.environ, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
     environment.pop("MPMATH_NOGMPY", None)
@@ -117,41 +105,73 @@ def worker(pure_python: bool) -> Iterator[Callable[[str], tuple[float, int]]]:
     assert process.stdout is not None
     commands, answers = process.stdin, process.stdout
 
-    def ask(name: str) -> tuple[float, int]:
+    def ask(name: str) -> tuple[float, float]:
         print(name, file=commands, flush=True)
-        seconds, digits = json.loads(answers.readline())
+        seconds, digits, problem = json.loads(answers.readline())
+        if problem:
+            raise ArithmeticError(problem)
         return seconds, digits
 
     try:
         yield ask
     finally:
         commands.close()
-        process.wait()
+        try:
+            process.wait(5)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
         answers.close()
 
 
-def measure(rounds: int = 40) -> Measurement:
+PACE = Pace(rounds=40, patience=2.0)
+
+
+def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
     """The workload ``separatrix``: both mpmath backends and the certified ball, interleaved."""
     with worker(False) as on_gmpy, worker(True) as on_python:
         backends = {"python": on_python}
         if _has_gmpy():
             backends = {"gmpy2": on_gmpy, **backends}
         first = next(iter(backends.values()))
-        *peers, ours = WORK
         contenders = [
             _contender(f"{name}, {backend}", name, ask)
-            for name in peers
+            for name in WORK
+            if name != OURS
             for backend, ask in backends.items()
         ]
-        contenders.append(_contender(ours, ours, first))
-        timings = interleave(contenders, rounds)
+        contenders.append(_contender(OURS, OURS, first))
+        timings, complete = interleave(contenders, pace, keep)
     says = f"the flip defect of {BODY} on the separatrix to {DIGITS} digits"
-    return Measurement("separatrix", says, rounds, timings, reference=ours)
+    notes = {"shapes": correct_on_shapes()} if complete else {}
+    return Measurement("separatrix", says, timings, OURS, notes=notes, complete=complete)
 
 
-def _contender(label: str, name: str, ask: Callable[[str], tuple[float, int]]) -> Contender:
-    _, digits = ask(name)
-    return Contender(label, lambda: ask(name)[0], digits)
+def correct_on_shapes() -> dict[str, dict[str, int]]:
+    """On how many of the 75 shapes each method has its digits, is short of 45, and of 2."""
+    found = {}
+    for name in ("findroot on the printed equation", OURS):
+        digits = [digits_at(WORK[name], shape) for shape in SHAPES]
+        found[name] = {
+            "shapes": len(digits),
+            "correct": sum(d >= DIGITS - SLACK for d in digits),
+            "below 45 digits": sum(d < 45 for d in digits),
+            "below 2 digits": sum(d < 2 for d in digits),
+        }
+    return found
+
+
+def _contender(method: str, name: str, ask: Ask) -> Contender:
+    def judge(answer: Any) -> Judged:
+        digits = answer[1]
+        if digits >= DIGITS - SLACK:
+            return Judged(digits, DIGITS)
+        return Judged(digits, DIGITS, WRONG, f"{digits:.1f} true digits of {DIGITS}")
+
+    ours = name == OURS or name.startswith("our")
+    return Contender(
+        "ε₀", method, lambda: ask(name), judge, ours, DIGITS, sample=lambda: ask(name)[0]
+    )
 
 
 def _has_gmpy() -> bool:

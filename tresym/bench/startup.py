@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import tresym
-from tresym.bench.run import Contender, Measurement, interleave
+from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
 
 WORK = {
     "python -c 'import flint'": ["-c", "import flint"],
@@ -18,7 +18,8 @@ WORK = {
 }
 
 
-def _launch(words: list[str]) -> Callable[[], float]:
+def launch(words: list[str]) -> Callable[[], float]:
+    """A sample: the seconds on the clock that Python takes with these words, start to end."""
     environment = {**os.environ, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
 
     def sample() -> float:
@@ -31,8 +32,16 @@ def _launch(words: list[str]) -> Callable[[], float]:
     return sample
 
 
-def measure(rounds: int = 20) -> Measurement:
+PACE = Pace(rounds=20, patience=20.0)
+
+
+def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
     """The workload ``startup``: whole processes, interleaved."""
-    contenders = [Contender(name, _launch(words)) for name, words in WORK.items()]
+    contenders = [
+        Contender("start", name, run, ours=name.startswith("tresym"), sample=run)
+        for name, run in ((name, launch(words)) for name, words in WORK.items())
+    ]
+    timings, complete = interleave(contenders, pace, keep)
     says = "a whole process, from its start to its end"
-    return Measurement("startup", says, rounds, interleave(contenders, rounds), next(iter(WORK)))
+    reference = next(iter(WORK))
+    return Measurement("startup", says, timings, reference, "wall clock", complete=complete)

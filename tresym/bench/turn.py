@@ -5,44 +5,51 @@ Digits are counted against a wider ball. mpmath runs in this process, on the bac
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
-from tresym.bench.run import Contender, Measurement, interleave
-from tresym.bench.separatrix import time_once
+from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
+from tresym.bench.truth import by_digits
 from tresym.body import named_body
 from tresym.exact import parse_number
-from tresym.flip import quadrature, routes
+from tresym.flip import quadrature
 from tresym.flip.carlson import Amplitude, amplitude, ball_stop, by_flint, by_gauss, turn
 
 DIGITS = 50
 SHAPE = named_body("str").shape
-SCENES = ("1/100", "1/10000", "1e-8", "0", "-1/1000")
+SCENES = ("1e-2", "1e-4", "1e-8", "1e-16", "1e-30", "0", "-1/1000")
 """The γ that are timed; the last one from its turning point, the others from ε = 1/10."""
+OURS = "tresym, Gauss transformation"
+
+PACE = Pace(rounds=7, limit=5.0, patience=0.6)
 
 
-def measure(rounds: int = 5) -> Measurement:
+def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
     """The workload ``turn``: F(ε, γ) to 50 digits."""
-    contenders = [c for text in SCENES for c in _turn_contenders(text)]
-    reference = f"gamma = {SCENES[1]}: tresym, Gauss transformation"
-    timings = interleave(contenders, rounds)
-    return Measurement("turn", "F(ε, γ) of str to 50 digits", rounds, timings, reference)
+    contenders = (c for text in SCENES for c in _contenders(text))
+    timings, complete = interleave(contenders, pace, keep)
+    return Measurement("turn", "F(ε, γ) of str to 50 digits", timings, OURS, complete=complete)
 
 
-def _turn_contenders(text: str) -> list[Contender]:
+def _contenders(text: str) -> Iterator[Contender]:
     gamma = parse_number(text)
     with ball_precision(bits(2 * DIGITS)):
         truth = _ball_turn(gamma, gauss=False)
     works: dict[str, Callable[[], Any]] = {
-        "tresym, Gauss transformation": lambda: _ball_turn(gamma, gauss=True),
+        OURS: lambda: _ball_turn(gamma, gauss=True),
         "tresym, FLINT's R_F and R_J": lambda: _ball_turn(gamma, gauss=False),
         "mpmath R_F and R_J": lambda: _mp_carlson(gamma),
-        "mpmath quad, tanh-sinh": lambda: _mp_quad(gamma),
+        "mpmath quad, tanh-sinh": lambda: _mp_quad(gamma, "tanh-sinh"),
+        "mpmath quad, Gauss-Legendre": lambda: _mp_quad(gamma, "gauss-legendre"),
+        "mpmath quad of our substitution": lambda: _mp_substituted(gamma),
     }
-    return [contender(f"gamma = {text}: {name}", work, truth) for name, work in works.items()]
+    where = f"γ = {text}" if gamma >= 0 else f"γ = {text}, at the turning point"
+    for name, work in works.items():
+        ours = name.startswith("tresym")
+        yield Contender(where, name, work, by_digits(truth, DIGITS, DIGITS), ours, DIGITS)
 
 
 def _place(gamma: fmpq, m: Any, number: Callable[[fmpq], Any]) -> Amplitude:
@@ -72,13 +79,15 @@ def _mp_carlson(gamma: fmpq) -> Any:
         return ((1 - b) * first + (a + b) * b / a * third) / mp.sqrt(a * (g + b))
 
 
-def _mp_quad(gamma: fmpq) -> Any:
+def _mp_quad(gamma: fmpq, method: str) -> Any:
     with mp_precision(DIGITS) as mp:
         a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
         start = mp.asin(mp.sqrt(-g / b)) if gamma < 0 else mp.mpf(1) / 10
-        return mp.re(quadrature.printed(start, a, b, g, mp)[0])
+        return mp.re(quadrature.printed(start, a, b, g, mp, method)[0])
 
 
-def contender(name: str, work: Callable[[], Any], truth: arb) -> Contender:
-    """A contender whose digits are those it has in common with the ball ``truth``."""
-    return Contender(name, lambda: time_once(work), routes.agreement(work(), truth))
+def _mp_substituted(gamma: fmpq) -> Any:
+    with mp_precision(DIGITS + 5) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
+        t = quadrature.parameter(mp.mpf(1) / 10, b, g, mp) if gamma >= 0 else mp.mpf(0)
+        return quadrature.substituted(t, a, b, g, mp)

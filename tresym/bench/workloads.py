@@ -3,61 +3,138 @@
 from __future__ import annotations
 
 import json
+import time
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import tresym
-from tresym.bench.run import Measurement, Timing
+from tresym.bench.names import WORKLOADS
+from tresym.bench.run import Keep, Measurement, Timing, forget
 from tresym.exact import InputError
 from tresym.report.output import write_text
 
-WORKLOADS = ("separatrix", "startup", "identities", "turn", "defect", "flipmap")
-"""Each is a module of this package with a function ``measure()``."""
+KEEP_EVERY = 0.2
+"""Seconds between two writings of what has been measured so far."""
 
 
-def measure(name: str) -> Measurement:
-    """Run one workload.
+def measure(name: str, keep: Keep = forget) -> Measurement:
+    """Run one workload; ``keep`` is called with its timings after each sample.
 
     Raises:
-        InputError: an unknown name.
+        InputError: an unknown name, or a library that the workload needs is not installed.
     """
     if name not in WORKLOADS:
         raise InputError(f"workload: {name!a} is not known; known: {', '.join(WORKLOADS)}")
-    found: Measurement = import_module(f"tresym.bench.{name}").measure()
+    try:
+        found: Measurement = import_module(f"tresym.bench.{name}").measure(keep)
+    except ModuleNotFoundError as error:
+        raise InputError(f"bench: needs {error.name} (pip install 'tresym[bench]')") from None
     return found
 
 
-def save(measurement: Measurement) -> str:
-    """Write the measurement to docs/measurements/ of the checkout; returns its path there.
+def folder() -> Path:
+    """docs/measurements of the checkout.
 
     Raises:
         InputError: this is not a checkout.
     """
-    folder = Path(tresym.__file__).parent.parent / "docs"
-    if not folder.is_dir():
+    docs = Path(tresym.__file__).resolve().parent.parent / "docs"
+    if not docs.is_dir():
         raise InputError("--save: measurements are kept in a checkout's docs/ folder; this is none")
-    (folder / "measurements").mkdir(exist_ok=True)
-    path = f"measurements/{measurement.workload}.json"
-    write_text(str(folder / path), json.dumps(measurement.as_json(), indent=2) + "\n")
-    return f"docs/{path}"
+    (docs / "measurements").mkdir(exist_ok=True)
+    return docs / "measurements"
+
+
+def save(measurement: Measurement, home: Path | None = None) -> str:
+    """Write the measurement to docs/measurements/ of the checkout; returns its path there.
+
+    An interrupted one is written beside, as NAME.partial.json, and what stood there before stays.
+
+    Raises:
+        InputError: this is not a checkout.
+    """
+    home = home or folder()
+    partial = home / f"{measurement.workload}.partial.json"
+    path = home / f"{measurement.workload}.json" if measurement.complete else partial
+    write_text(str(path), json_text(measurement.as_json()))
+    if measurement.complete:
+        partial.unlink(missing_ok=True)
+    return f"docs/measurements/{path.name}"
+
+
+def keeper(name: str, home: Path) -> Callable[[list[Timing]], None]:
+    """Keeps the samples of a running workload in NAME.partial.json, whole at every moment."""
+    last = time.monotonic()
+
+    def keep(timings: list[Timing]) -> None:
+        nonlocal last
+        if time.monotonic() - last < KEEP_EVERY:
+            return
+        save(Measurement(name, WORKLOADS[name], timings, complete=False), home)
+        last = time.monotonic()
+
+    return keep
+
+
+def json_text(value: dict[str, Any]) -> str:
+    """JSON with one line for each key and for each row, so that changes can be read."""
+    lines = []
+    for key, item in value.items():
+        if isinstance(item, list):
+            rows = ",\n".join(f"  {json.dumps(row, ensure_ascii=False)}" for row in item)
+            text = f"[\n{rows}\n ]"
+        else:
+            text = json.dumps(item, ensure_ascii=False)
+        lines.append(f" {json.dumps(key)}: {text}")
+    return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 def measurement_text(measurement: Measurement) -> str:
-    """The timings as a table for people."""
-    width = max(len(t.name) for t in measurement.timings)
-    lines = [f"{measurement.workload}: {measurement.says} ({measurement.rounds} rounds)", ""]
-    lines += [f"  {_row(t, measurement.base, width)}" for t in measurement.timings]
+    """The timings as a table for people, with machine and versions."""
+    found = measurement.as_json()
+    lines = [f"{measurement.workload}: {measurement.says}"]
+    machine, versions = found["machine"], found["versions"]
+    lines.append(f"  {machine['processor']}, {machine['cores']} cores; {measurement.clock}")
+    lines.append("  " + ", ".join(f"{k} {v}" for k, v in versions.items()))
+    if not measurement.complete:
+        lines.append("  interrupted: these are the samples so far")
+    scene = None
+    for row in found["rows"]:
+        if row["scene"] != scene:
+            scene = row["scene"]
+            lines += ["", f"  {scene}"]
+        lines.append(f"    {_row(row)}")
+    for name, note in found.get("notes", {}).items():
+        lines += ["", f"  {name}", *_note(note)]
     return "\n".join(lines) + "\n"
 
 
-def _row(timing: Timing, base: Timing, width: int) -> str:
-    low, median, high = timing.quartiles
+def _row(row: dict[str, Any]) -> str:
+    name = row["method"] + (f" ({row['asked']:g} digits)" if row["asked"] is not None else "")
+    if row["seconds"] is None:
+        return f"{name:<44} {row['outcome']}: {row['why']}"
+    low, high = row["quartiles"]
+    ratio = "" if row["ratio"] is None else f"{row['ratio']:.3g} x"
     spread = f"{_time(low)} to {_time(high)}"
-    digits = f"{timing.digits} digits" if timing.digits is not None else ""
-    ratio = f"{timing.ratio(base):.3g} x"
-    return f"{timing.name:<{width}}  {_time(median):>9}  {ratio:>8}  {spread:<22} {digits}".rstrip()
+    digits = "" if row["digits"] is None else f"{row['digits']:g} true digits"
+    text = f"{name:<44} {_time(row['seconds']):>9} {ratio:>9}  {spread:<22} {digits}"
+    return text.rstrip() + (f"; {row['outcome']}: {row['why']}" if row["why"] else "")
+
+
+def _note(note: Any) -> list[str]:
+    if not isinstance(note, dict):
+        return [f"    {note}"]
+    return [
+        f"    {key}: "
+        + (", ".join(f"{k} {v}" for k, v in item.items()) if isinstance(item, dict) else str(item))
+        for key, item in note.items()
+    ]
 
 
 def _time(seconds: float) -> str:
-    scale, unit = (1e6, "µs") if seconds < 1e-3 else (1e3, "ms") if seconds < 1 else (1, "s")
-    return f"{seconds * scale:.3g} {unit}"
+    for scale, unit in ((1e9, "ns"), (1e6, "µs"), (1e3, "ms")):
+        if seconds * scale < 999.5:
+            return f"{seconds * scale:.3g} {unit}"
+    return f"{seconds:.3g} s"

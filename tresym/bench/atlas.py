@@ -1,0 +1,340 @@
+"""The stability atlas: digits that each printed formula loses, and its stable form beside it.
+
+Every formula is evaluated in float64 and at 50 digits on a grid of its plane, and counted against
+a ball of the same quantity, formed from the same numbers.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable
+from functools import lru_cache
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, balls, bits, mp_precision
+from tresym.bench import peers
+from tresym.bench.run import Keep, Measurement, forget
+from tresym.bench.truth import true_digits
+from tresym.body import named_body
+from tresym.flip import quadrature, separatrix
+from tresym.flip.carlson import amplitude, ball_stop, by_gauss, turn
+from tresym.flip.many import defects
+from tresym.formulas import printed, stable
+
+FLOAT_DIGITS = 53 * math.log10(2)
+MANY = 50
+STR = named_body("str").shape
+TRUTH = 400
+"""Digits at which the balls are formed."""
+
+Numbers = dict[str, Any]
+"""The coordinates of a point and what follows from them, in some arithmetic."""
+Formula = Callable[[Numbers, Any], Any]
+
+
+class Plane(NamedTuple):
+    """Two logarithmic axes: name, label, and the exponents of ten at the ends."""
+
+    name: str
+    x: tuple[str, float, float]
+    y: tuple[str, float, float]
+    point: Callable[[fmpq, fmpq], Numbers]
+    """From exact coordinates to the numbers that a formula is given there, as balls."""
+
+
+class Pair(NamedTuple):
+    """One quantity: as printed, in its stable form, and as a ball (the stable form unless given).
+
+    A pair that takes long has ``stride`` 2: every second column and row.
+    """
+
+    name: str
+    plane: str
+    printed: Formula
+    stable: Formula
+    truth: Formula | None = None
+    stride: int = 1
+
+
+def _on_separatrix(product_: fmpq, b: fmpq) -> Numbers:
+    a = product_ / b
+    root = separatrix.solve(a, b, 2 * MANY)
+    one, three = arb(1 / (1 + a)), arb(1 / (1 - b) if b < 1 else 2)
+    return {"a": arb(a), "b": arb(b), "defect": root.defect, "I1": one, "I2": arb(1), "I3": three}
+
+
+def _on_level(psi: fmpq, gamma: fmpq) -> Numbers:
+    a, b, x = arb(STR.a), arb(STR.b), arb(psi)
+    square = b * x.sin() ** 2
+    theta = ((gamma + square) / (a + square)).sqrt().acos()
+    M1, M2, M3 = printed.momentum(theta, x, arb(1), balls)
+    one, three = 1 / (1 + a), 1 / (1 - b)
+    angles = {"a": a, "b": b, "psi": x, "theta": theta}
+    return angles | {"M1": M1, "M2": M2, "M3": M3, "I1": one, "I2": arb(1), "I3": three}
+
+
+def _at_turning_point(ahead: fmpq, share: fmpq) -> Numbers:
+    least = arb(share).sqrt().asin()
+    return {"a": arb(STR.a), "b": arb(STR.b), "psi": least + arb(ahead), "psi_min": least}
+
+
+def _near_rotation(below: fmpq, a: fmpq) -> Numbers:
+    return {"a": arb(a), "b": arb(STR.b), "gamma": arb(a * (1 - below))}
+
+
+PLANES = (
+    Plane("separatrix", ("$ab$", -8, 4), ("$b$", -6, 0), _on_separatrix),
+    Plane("levels", (r"$\psi$ (rad)", -6, 0.19), (r"$\gamma$", -16, 0), _on_level),
+    Plane(
+        "turning point",
+        (r"$\psi - \psi_{\min}$ (rad)", -14, -1),
+        (r"$|\gamma|/b$", -8, -0.3),
+        _at_turning_point,
+    ),
+    Plane("stable rotation", (r"$1 - \gamma/a$", -16, 0), ("$a$", -4, 4), _near_rotation),
+)
+
+
+def _root_printed(p: Numbers, m: Any) -> Any:
+    """A root of the printed equation where a root finder leaves it, from near the true one."""
+    if m is np:
+        from scipy.optimize import brentq
+
+        def residual(e: float) -> float:
+            return float(printed.separatrix_residual(np.float64(e), p["a"], p["b"], np))
+
+        return float(brentq(residual, 1e-300, math.pi / 2, maxiter=2000, **peers.FINEST))
+    return m.findroot(
+        lambda e: printed.separatrix_residual(e, p["a"], p["b"], m),
+        (p["defect"] * 0.9, p["defect"] * 1.1),
+        verify=False,
+    )
+
+
+def _root_stable(p: Numbers, m: Any) -> Any:
+    if m is np:
+        return float(defects(p["a"], p["b"]))
+    k, r = _kr(p, m)
+    return stable.defect_at(_phase(p, m), k, r, m)
+
+
+def _phase(p: Numbers, m: Any) -> Any:
+    """The phase of a shape by Newton's method."""
+    k, r = _kr(p, m)
+    phase = k * 0 + separatrix.float_phase(float(k), float(p["b"]))[0]
+    for _ in range(1 if m is np else 3):
+        residual = phase - stable.phase_map(phase, k, r, m)
+        phase -= residual / stable.phase_slope(phase, k, r, m)
+    return phase
+
+
+def _root_truth(p: Numbers, _: Any) -> arb:
+    k, r = _kr(p, balls)
+    return stable.defect_at(separatrix.enclose_phase(k, r, bits(TRUTH)), k, r, balls)
+
+
+def _flip_printed(p: Numbers, m: Any) -> Any:
+    return printed.flip(_root_stable(p, m), m)
+
+
+def _flip_stable(p: Numbers, m: Any) -> Any:
+    k, r = _kr(p, m)
+    return stable.flip_at(_phase(p, m), k, r, m)
+
+
+def _flip_truth(p: Numbers, _: Any) -> arb:
+    k, r = _kr(p, balls)
+    return stable.flip_at(separatrix.enclose_phase(k, r, bits(TRUTH)), k, r, balls)
+
+
+def _energy(p: Numbers, m: Any) -> Any:
+    momentum = p["M1"], p["M2"], p["M3"]
+    energy = printed.energy(*momentum, p["I1"], p["I2"], p["I3"])
+    return printed.depth_from_energy(energy, m.sqrt(printed.momentum_squared(*momentum)), p["I2"])
+
+
+def _momentum(p: Numbers, _: Any) -> Any:
+    a, b = stable.shape(p["I1"], p["I2"], p["I3"])
+    return stable.depth_from_momentum(p["M1"], p["M2"], p["M3"], a, b)
+
+
+def _turning(p: Numbers, m: Any) -> Any:
+    """γ of the trajectory that turns at ψ_min."""
+    return -p["b"] * m.sin(p["psi_min"]) ** 2
+
+
+def _turn_printed(p: Numbers, m: Any) -> Any:
+    a, b, g, psi = p["a"], p["b"], _turning(p, m), p["psi"]
+    if m is np:
+        from scipy.integrate import quad
+
+        ends = float(psi), math.pi / 2
+        return quad(quadrature.integrand, *ends, (float(a), float(b), float(g), math))[0]
+    return m.re(quadrature.printed(psi, a, b, g, m)[0])
+
+
+def _turn_stable(p: Numbers, m: Any) -> Any:
+    a, b, g = p["a"], p["b"], _turning(p, m)
+    z = stable.radicand(p["psi"], p["psi_min"], b, m)
+    at = amplitude(m.sin(p["psi"]), m.cos(p["psi"]), z, a, b, g, m)
+    return turn(by_gauss(at, b / a, m, _stop(m)), a, b, g, m)
+
+
+def _stop(m: Any) -> Callable[[Any], Any]:
+    if m is balls:
+        return ball_stop
+    small = 1e-8 if m is np else m.mpf(10) ** -(MANY // 2 + 3)
+    return lambda ratio: 1 if abs(ratio) < small else None
+
+
+def _radicand(p: Numbers, m: Any) -> Any:
+    return _turning(p, m) + p["b"] * m.sin(p["psi"]) ** 2
+
+
+def _theta_min(p: Numbers, m: Any) -> Any:
+    return printed.theta_bounds_rotating(p["a"], p["b"], p["gamma"], m)[0]
+
+
+PAIRS = (
+    Pair("root of the separatrix equation", "separatrix", _root_printed, _root_stable, _root_truth),
+    Pair(
+        "its left-hand side",
+        "separatrix",
+        lambda p, m: printed.separatrix_left(p["defect"], p["a"], p["b"], m),
+        lambda p, m: stable.separatrix_left(p["defect"], p["a"], p["b"], m),
+    ),
+    Pair(
+        r"$\partial F/\partial\gamma$ at $\gamma = 0$",
+        "separatrix",
+        lambda p, m: printed.turn_slope(p["defect"], p["a"], p["b"], 1, m),
+        lambda p, m: stable.turn_slope(p["defect"], p["a"], p["b"], m),
+    ),
+    Pair(r"flip $\Delta\psi$", "separatrix", _flip_printed, _flip_stable, _flip_truth),
+    Pair(
+        "$a$ by the moments",
+        "separatrix",
+        lambda p, _: printed.shape(p["I1"], p["I2"], p["I3"])[0],
+        lambda p, _: stable.shape(p["I1"], p["I2"], p["I3"])[0],
+    ),
+    Pair(
+        r"$\gamma$ by the angles",
+        "levels",
+        lambda p, m: printed.depth(p["theta"], p["psi"], p["a"], p["b"], m),
+        lambda p, m: stable.depth(p["theta"], p["psi"], p["a"], p["b"], m),
+    ),
+    Pair(r"$\gamma$ by the momentum", "levels", _energy, _momentum),
+    Pair(
+        r"$\gamma + b\,\sin^2\psi$",
+        "turning point",
+        _radicand,
+        lambda p, m: stable.radicand(p["psi"], p["psi_min"], p["b"], m),
+    ),
+    Pair(r"$F(\psi, \gamma)$", "turning point", _turn_printed, _turn_stable, stride=2),
+    Pair(
+        r"$\theta_{\min}$",
+        "stable rotation",
+        _theta_min,
+        lambda p, m: stable.theta_min(p["a"], p["b"], p["gamma"], m),
+    ),
+)
+
+
+def _kr(p: Numbers, m: Any) -> tuple[Any, Any]:
+    return m.sqrt(p["a"] * p["b"]), m.sqrt(p["b"] / p["a"])
+
+
+def plane_of(pair: Pair) -> Plane:
+    """The plane that a pair is shown over."""
+    return next(plane for plane in PLANES if plane.name == pair.plane)
+
+
+def digits_lost(pair: Pair, x: fmpq, y: fmpq, digits: int, form: str) -> float:
+    """Digits that ``form`` (printed, stable) loses of float64's (``digits`` 16) or of 50.
+
+    The truth is that of the numbers as rounded: what the rounding of the input costs is not
+    counted.
+    """
+    numbers, truth = _rounded(pair.name, x, y, digits)
+    formula = pair.printed if form == "printed" else pair.stable
+    most = FLOAT_DIGITS if digits == 16 else float(MANY)
+    try:
+        value = _in_floats(formula, numbers) if digits == 16 else _in_digits(formula, numbers)
+    except (ArithmeticError, ValueError):
+        return most
+    return most - min(most, true_digits(value, truth))
+
+
+@lru_cache(maxsize=2)
+def _rounded(name: str, x: fmpq, y: fmpq, digits: int) -> tuple[Numbers, arb]:
+    """The numbers of a point, exactly as float64 or 50 digits hold them, and the truth there."""
+    pair = next(p for p in PAIRS if p.name == name)
+    with ball_precision(bits(TRUTH)):
+        numbers = plane_of(pair).point(x, y)
+    with ball_precision(53 if digits == 16 else bits(MANY, 0)):
+        numbers = {key: (+value.mid()).mid() for key, value in numbers.items()}
+    with ball_precision(bits(TRUTH)):
+        return numbers, (pair.truth or pair.stable)(numbers, balls)
+
+
+def _in_floats(formula: Formula, numbers: Numbers) -> Any:
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return float(formula({key: np.float64(float(x)) for key, x in numbers.items()}, np))
+
+
+def _in_digits(formula: Formula, numbers: Numbers) -> Any:
+    with mp_precision(MANY) as mp:
+        return formula({key: _mpf(x, mp) for key, x in numbers.items()}, mp)
+
+
+def _mpf(x: arb, mp: Any) -> Any:
+    mantissa, exponent = x.man_exp()
+    return mp.mpf((int(mantissa), int(exponent)))
+
+
+COLUMNS, ROWS = 32, 20
+
+
+def axis(low: float, high: float, count: int) -> list[fmpq]:
+    """``count`` points of equal ratio, each a decimal of four digits, exact."""
+    step = (high - low) / (count - 1)
+    return [fmpq(*_fraction(10.0 ** (low + i * step))) for i in range(count)]
+
+
+def _fraction(x: float) -> tuple[int, int]:
+    from fractions import Fraction
+
+    exact = Fraction(f"{x:.4g}")
+    return exact.numerator, exact.denominator
+
+
+def grid(pair: Pair, digits: int, form: str) -> dict[str, Any]:
+    """Digits lost over the plane of a pair: rows from the lowest y, columns from the lowest x."""
+    plane = plane_of(pair)
+    xs, ys = (
+        axis(low, high, count // pair.stride)
+        for (_, low, high), count in ((plane.x, COLUMNS), (plane.y, ROWS))
+    )
+    lost = [[round(digits_lost(pair, x, y, digits, form), 1) for x in xs] for y in ys]
+    return {"pair": pair.name, "plane": plane.name, "form": form, "digits": digits, "lost": lost}
+
+
+def measure(keep: Keep = forget) -> Measurement:
+    """The workload ``atlas``; nothing is timed."""
+    grids: list[dict[str, Any]] = []
+    complete = True
+    try:
+        for pair, digits, form in product(PAIRS, (16, 50), ("printed", "stable")):
+            grids.append(grid(pair, digits, form))
+            keep([])
+    except KeyboardInterrupt:
+        complete = False
+    planes = [{"plane": p.name, "x": list(p.x), "y": list(p.y)} for p in PLANES]
+    says = "digits lost by each printed formula and by its stable form"
+    tables = {"planes": planes, "grids": grids}
+    return Measurement("atlas", says, [], tables=tables, complete=complete)

@@ -1,0 +1,188 @@
+"""What a method claims of its own error, and what its error is: both as digits, against balls.
+
+Claimed are: ``quad``'s estimate; for root finders and ODE solvers the tolerance they were asked
+for, as they return without complaint only when they think to have met it; for our balls the
+radius; for our float64 map the error that it says to expect.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import partial
+from itertools import product
+from typing import Any
+
+import numpy as np
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
+from tresym.bench import flipmap as starts
+from tresym.bench import peers
+from tresym.bench.limit import TimeUp, time_limit
+from tresym.bench.run import Keep, Measurement, forget
+from tresym.bench.separatrix import SHAPES
+from tresym.bench.truth import true_digits
+from tresym.body import Shape, named_body
+from tresym.exact import parse_number
+from tresym.flip import defect, flipmap, quadrature, separatrix
+from tresym.flip.carlson import amplitude, by_flint, turn
+from tresym.flip.ladder import climb
+
+STR = named_body("str").shape
+GAMMAS = ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12", "1e-14", "1e-20", "1e-30", "0")
+LIMIT = 3.0
+MOST = 60.0
+"""Digits beyond which nothing is told apart."""
+
+Point = dict[str, Any]
+
+
+def measure(keep: Keep = forget) -> Measurement:
+    """The workload ``honesty``; nothing is timed."""
+    points: list[Point] = []
+    complete = True
+    try:
+        for group in (_balls, _quadratures, _roots, _solvers, _float_map):
+            points += group()
+            keep([])
+    except KeyboardInterrupt:
+        complete = False
+    says = "digits that a method claims, and digits that it has"
+    return Measurement("honesty", says, [], tables={"points": points}, complete=complete)
+
+
+def point(method: str, where: str, claims: float, digits: float) -> Point:
+    """One dot of the chart."""
+    claimed, true = (round(max(0.0, min(MOST, x)), 2) for x in (claims, digits))
+    return {"method": method, "where": where, "claims": claimed, "digits": true}
+
+
+def _asked(work: Callable[[], Any]) -> Any:
+    """The answer of a method; None where it says itself that it failed, or took too long."""
+    with suppress(Exception, TimeUp), time_limit(LIMIT):
+        return work()
+    return None
+
+
+def _balls() -> Iterator[Point]:
+    """Our balls: the radius against the distance of the midpoint."""
+    cases = [*product(SHAPES, ["0"]), *product((STR, named_body("book").shape), GAMMAS)]
+    for (shape, text), digits in product(cases, (10, 40)):
+        gamma = parse_number(text)
+        found = climb(shape, gamma, digits).defect
+        truth = defect_truth(shape, gamma)
+        claims = found.rel_accuracy_bits() * math.log10(2)
+        yield point("tresym, balls", _where(shape, text), claims, true_digits(found, truth))
+
+
+def defect_truth(shape: Shape, gamma: fmpq) -> arb:
+    """ε(γ) to 80 digits."""
+    if gamma == 0:
+        return separatrix.solve(*shape, 80).defect
+    return defect.solve(*shape, gamma, 80).defect
+
+
+def _quadratures() -> Iterator[Point]:
+    """``quad`` of the paper's integrand from ε = 1/10, and from the turning point for γ < 0."""
+    for text in (*GAMMAS, "-1/1000", "-1/100"):
+        gamma = parse_number(text)
+        with ball_precision(300):
+            truth = _turn(gamma)
+        for digits, method in product((15, 30, 50), ("tanh-sinh", "gauss-legendre")):
+            found = _asked(partial(_mp_quad, gamma, digits, method))
+            if found is not None and (digits < 50 or method == "tanh-sinh"):
+                value, error = found
+                claims = MOST if error == 0 else -math.log10(float(abs(error / value)))
+                yield point(f"mpmath quad, {method}", text, claims, true_digits(value, truth))
+        value, error = _scipy_quad(gamma)
+        claims = -math.log10(error / value)
+        yield point("scipy quad", text, claims, true_digits(value, truth))
+
+
+def _turn(gamma: fmpq) -> arb:
+    a, b, g = arb(STR.a), arb(STR.b), arb(gamma)
+    if gamma < 0:
+        at = amplitude((-g / b).sqrt(), (1 + g / b).sqrt(), arb(0), a, b, g, balls)
+    else:
+        sine, cosine = (arb(1) / 10).sin_cos()
+        at = amplitude(sine, cosine, g + b * sine * sine, a, b, g, balls)
+    return turn(by_flint(at, b / a), a, b, g, balls)
+
+
+def _mp_quad(gamma: fmpq, digits: int, method: str) -> tuple[Any, Any]:
+    with mp_precision(digits) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*STR, gamma))
+        begin = mp.asin(mp.sqrt(-g / b)) if gamma < 0 else mp.mpf(1) / 10
+        value, error = quadrature.printed(begin, a, b, g, mp, method)
+        return mp.re(value), mp.re(error)
+
+
+def _scipy_quad(gamma: fmpq) -> tuple[float, float]:
+    import warnings
+
+    from scipy.integrate import quad
+
+    a, b, g = peers.floats(STR, gamma)
+    begin = math.asin(math.sqrt(-g / b)) * (1 + 1e-15) if g < 0 else 0.1
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        value, error = quad(quadrature.integrand, begin, math.pi / 2, (a, b, g, math))[:2]
+    return float(value), float(error)
+
+
+def _roots() -> Iterator[Point]:
+    """``findroot`` and ``brentq``: digits asked for, where they return without complaint."""
+    for shape, digits in product(SHAPES, (15, 50)):
+        found = _asked(partial(peers.findroot_printed, shape, fmpq(0), digits))
+        if found is not None:
+            digits_had = true_digits(found, defect_truth(shape, fmpq(0)))
+            name = "mpmath findroot, printed equation"
+            yield point(name, _where(shape, "0"), digits, digits_had)
+    for shape in SHAPES:
+        found = _asked(partial(peers.brentq_printed, shape, fmpq(0), 15))
+        if found is not None:
+            had = true_digits(found, defect_truth(shape, fmpq(0)))
+            claims = -math.log10(peers.FINEST["rtol"])
+            yield point("scipy brentq, printed equation", _where(shape, "0"), claims, had)
+    for text in GAMMAS:
+        gamma = parse_number(text)
+        found = _asked(partial(peers.findroot_quad, STR, gamma, 15))
+        if found is not None:
+            had = true_digits(found, defect_truth(STR, gamma))
+            yield point("mpmath findroot over quad", text, 15, had)
+
+
+def _solvers() -> Iterator[Point]:
+    """ODE solvers: the relative tolerance, on ε(0) of bodies up to √(ab) = 4."""
+    bodies = (STR, *(Shape(fmpq(2 * n * n), fmpq(1, 2)) for n in (1, 2, 3, 4)))
+    methods = {
+        "scipy RK45": peers.scipy_ode("RK45"),
+        "scipy DOP853": peers.scipy_ode("DOP853"),
+        "heyoka": peers.heyoka_ode,
+    }
+    for (name, method), shape, digits in product(methods.items(), bodies, (4, 6, 8, 10, 12, 14)):
+        if name == "scipy RK45" and digits > 12:
+            continue
+        found = _asked(partial(method, shape, fmpq(0), digits))
+        if found is not None:
+            truth = defect_truth(shape, fmpq(0))
+            yield point(name, _where(shape, "0"), digits, true_digits(found, truth))
+
+
+def _float_map() -> Iterator[Point]:
+    """Our float64 map: the error it says to expect."""
+    for shape in starts.BODIES.values():
+        a, b, _ = peers.floats(shape, fmpq(0))
+        psi, rate = starts.starts(40)
+        flips = flipmap.flip_map(a, b, psi, rate).tolist()
+        expected = flipmap.flip_uncertainty(a, b, psi, rate).tolist()
+        for x, v, flip, error in zip(psi.tolist(), rate.tolist(), flips, expected, strict=True):
+            truth = starts.ball_flip(a, b, x, v)
+            claims = -math.log10(error / abs(flip)) if math.isfinite(error) else 0.0
+            yield point("tresym, float64 map", "a start", claims, true_digits(flip, truth))
+
+
+def _where(shape: Shape, gamma: str) -> str:
+    return f"a = {float(arb(shape.a)):.3g}, b = {float(arb(shape.b)):.3g}, γ = {gamma}"

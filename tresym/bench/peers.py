@@ -1,0 +1,204 @@
+"""The methods a reader would reach for today, for ε(γ): each from the paper's own formulas.
+
+A method takes a shape, an exact γ and what it is asked for (decimal digits, or −log₁₀ of a solver's
+tolerance), and returns a number of its own arithmetic. mpmath starts where the paper's formulas do.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+from flint import fmpq
+
+from tresym.arithmetic import mp_precision, to_mp
+from tresym.body import Shape
+from tresym.flip import quadrature
+from tresym.formulas import printed, stable
+
+FINEST = {"xtol": 1e-300, "rtol": 8.9e-16}
+"""The least tolerances that brentq takes."""
+
+Method = Callable[[Shape, fmpq, int], Any]
+
+
+def start(a: Any, b: Any, gamma: Any, m: Any) -> Any:
+    """The paper's two asymptotic formulas; where they leave (ψ_min, π/2), a point inside."""
+    near = printed.linear_defect(printed.asymptotic_defect(a, b, m), b, gamma)
+    least = m.asin(m.sqrt(-gamma / b)) if gamma < 0 else 0
+    if least < near < m.pi / 2:
+        return near
+    return (9 * least + m.pi / 2) / 10
+
+
+def findroot_printed(shape: Shape, gamma: fmpq, digits: int) -> Any:
+    """``mpmath.findroot`` on the exact equation as printed (γ = 0)."""
+    with mp_precision(digits) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
+        return mp.findroot(lambda e: printed.separatrix_residual(e, a, b, mp), start(a, b, g, mp))
+
+
+def findroot_phase(shape: Shape, _: fmpq, digits: int) -> Any:
+    """Newton's method in mpmath on our phase equation (γ = 0), from its float64 root."""
+    from tresym.flip.separatrix import float_phase
+
+    with mp_precision(digits + 5) as mp:
+        a, b = to_mp(shape.a, mp), to_mp(shape.b, mp)
+        k, r = mp.sqrt(a * b), mp.sqrt(b / a)
+        phase, correct = mp.mpf(float_phase(float(k), float(b))[0]), 14
+        while correct < digits + 5:
+            residual = phase - stable.phase_map(phase, k, r, mp)
+            phase -= residual / stable.phase_slope(phase, k, r, mp)
+            correct *= 2
+        return stable.defect_at(phase, k, r, mp)
+
+
+def findroot_quad(shape: Shape, gamma: fmpq, digits: int) -> Any:
+    """``mpmath.findroot`` over ``quad`` (tanh-sinh) of the paper's integrand."""
+    with mp_precision(digits) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
+
+        def residual(e: Any) -> Any:
+            return quadrature.printed(e, a, b, g, mp)[0] - mp.pi
+
+        return mp.findroot(residual, start(a, b, g, mp))
+
+
+def findroot_carlson(shape: Shape, gamma: fmpq, digits: int) -> Any:
+    """``mpmath.findroot`` over mpmath's R_F and R_J."""
+    with mp_precision(digits) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
+
+        def residual(e: Any) -> Any:
+            return carlson_turn(e, a, b, g, mp, mp.elliprf, mp.elliprj) - mp.pi
+
+        return mp.findroot(residual, start(a, b, g, mp))
+
+
+def carlson_turn(e: Any, a: Any, b: Any, gamma: Any, m: Any, rf: Any, rj: Any) -> Any:
+    """F(ε, γ) through R_F and R_J of a library, γ + b sin²ε formed by addition."""
+    sine2, cosine = m.sin(e) ** 2, m.cos(e)
+    x, y, w = sine2, (a + b * sine2) / (a + b), (gamma + b * sine2) / (gamma + b)
+    both = (1 - b) * rf(x, y, w) + b / 3 * cosine**2 * rj(x, y, w, 1)
+    return cosine / m.sqrt((a + b) * (gamma + b)) * both
+
+
+def odefun(shape: Shape, gamma: fmpq, digits: int) -> Any:
+    """mpmath's Taylor solver ``odefun`` on the planar system, from ψ = π/2 over half a turn."""
+    with mp_precision(digits) as mp:
+        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
+
+        def system(_: Any, y: Any) -> list[Any]:
+            return slopes(y, a, b, mp)
+
+        flow = mp.odefun(system, 0, [mp.pi / 2, mp.sqrt((g + b) / (a + b))])
+        return mp.pi - flow(mp.pi)[0]
+
+
+def slopes(y: Any, a: Any, b: Any, m: Any) -> list[Any]:
+    """dψ/dφ and d(cos θ)/dφ of the planar system."""
+    sine, cosine = m.sin(y[0]), m.cos(y[0])
+    clock = 1 - b * sine * sine
+    return [(a + b * sine * sine) * y[1] / clock, b * (1 - y[1] * y[1]) * sine * cosine / clock]
+
+
+def floats(shape: Shape, gamma: fmpq) -> tuple[float, float, float]:
+    """a, b and γ rounded to float64."""
+    a, b, g = (int(x.p) / int(x.q) for x in (*shape, gamma))
+    return a, b, g
+
+
+def _bracket(b: float, gamma: float) -> tuple[float, float]:
+    least = math.asin(math.sqrt(-gamma / b)) if gamma < 0 else 0.0
+    return least + 1e-15, math.pi / 2
+
+
+def brentq_printed(shape: Shape, gamma: fmpq, _: int) -> float:
+    """scipy's ``brentq`` on the exact equation as printed (γ = 0)."""
+    from scipy.optimize import brentq
+
+    a, b, g = floats(shape, gamma)
+    ends = _bracket(b, g)
+    return float(brentq(lambda e: printed.separatrix_residual(e, a, b, math), *ends, **FINEST))
+
+
+def brentq_quad(shape: Shape, gamma: fmpq, _: int) -> float:
+    """scipy's ``brentq`` over ``quad`` of the paper's integrand."""
+    import warnings
+
+    from scipy.integrate import quad
+    from scipy.optimize import brentq
+
+    a, b, g = floats(shape, gamma)
+
+    def residual(e: float) -> float:
+        return float(quad(quadrature.integrand, e, math.pi / 2, (a, b, g, math))[0]) - math.pi
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return float(brentq(residual, *_bracket(b, g), **FINEST))
+
+
+def brentq_carlson(shape: Shape, gamma: fmpq, _: int) -> float:
+    """scipy's ``brentq`` over its R_F and R_J."""
+    from scipy.optimize import brentq
+    from scipy.special import elliprf, elliprj
+
+    a, b, g = floats(shape, gamma)
+
+    def residual(e: float) -> float:
+        return float(carlson_turn(e, a, b, g, math, elliprf, elliprj)) - math.pi
+
+    return float(brentq(residual, *_bracket(b, g), **FINEST))
+
+
+def scipy_ode(method: str) -> Method:
+    """scipy's ``solve_ivp`` on the planar system with rtol = 10^−asked."""
+
+    def run(shape: Shape, gamma: fmpq, asked: int) -> float:
+        from scipy.integrate import solve_ivp
+
+        a, b, g = floats(shape, gamma)
+        begin = [math.pi / 2, math.sqrt((g + b) / (a + b))]
+        tolerance = 10.0**-asked
+        found = solve_ivp(
+            lambda _, y: slopes(y, a, b, math),
+            (0, math.pi),
+            begin,
+            method=method,
+            rtol=tolerance,
+            atol=tolerance / 10,
+        )
+        return math.pi - float(found.y[0, -1])
+
+    return run
+
+
+def heyoka_ode(shape: Shape, gamma: fmpq, asked: int) -> float:
+    """heyoka's Taylor integrator, compiled before, with the tolerance 10^−asked."""
+    a, b, g = floats(shape, gamma)
+    solver = heyoka_solver(asked)
+    solver.time, solver.pars[:] = 0.0, [a, b]
+    solver.state[:] = [math.pi / 2, math.sqrt((g + b) / (a + b))]
+    solver.propagate_until(math.pi)
+    return math.pi - float(solver.state[0])
+
+
+def heyoka_system() -> list[Any]:
+    """The planar system in heyoka's expressions, a and b as parameters."""
+    import heyoka
+
+    psi, handle = heyoka.make_vars("psi", "handle")
+    a, b = heyoka.par[0], heyoka.par[1]
+    right = slopes([psi, handle], a, b, heyoka)
+    return [(psi, right[0]), (handle, right[1])]
+
+
+@lru_cache(maxsize=8)
+def heyoka_solver(asked: int) -> Any:
+    """A compiled integrator of the planar system."""
+    import heyoka
+
+    return heyoka.taylor_adaptive(heyoka_system(), [1.0, 0.0], pars=[1.0, 0.1], tol=10.0**-asked)

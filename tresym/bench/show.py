@@ -1,0 +1,79 @@
+"""`tresym bench`: workloads run one after another, shown as they go, and kept."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Sequence
+
+from tresym.bench import workloads
+from tresym.bench.names import WORKLOADS
+from tresym.bench.run import Keep, Measurement, Timing
+from tresym.exact import InputError
+
+INTERRUPTED = 130
+
+
+def run(names: Sequence[str], save: bool, as_json: bool, path: str | None) -> int:
+    """Run the workloads (all, unless named); returns the exit status.
+
+    Raises:
+        InputError: an unknown name, or ``save`` without a checkout.
+    """
+    chosen = list(dict.fromkeys(names or WORKLOADS))
+    for name in chosen:
+        if name not in WORKLOADS:
+            raise InputError(f"workload: {name!a} is not known; known: {', '.join(WORKLOADS)}")
+    home = workloads.folder() if save else None
+    done: list[Measurement] = []
+    for name in chosen:
+        kept = None if home is None else workloads.keeper(name, home)
+        measurement = workloads.measure(name, _progress(name, kept))
+        _status("")
+        done.append(measurement)
+        if home is not None:
+            print(f"saved {workloads.save(measurement, home)}", file=sys.stderr)
+        if not (as_json or path):
+            print(workloads.measurement_text(measurement), flush=True)
+        if not measurement.complete:
+            break
+    if as_json or path:
+        _deliver(done, as_json, path)
+    return 0 if all(m.complete for m in done) else INTERRUPTED
+
+
+def _deliver(done: list[Measurement], as_json: bool, path: str | None) -> None:
+    from tresym.report.output import write_text
+
+    if as_json:
+        text = json.dumps([m.as_json() for m in done], ensure_ascii=False, indent=1) + "\n"
+    else:
+        text = "\n".join(workloads.measurement_text(m) for m in done)
+    if path is None:
+        print(text, end="")
+    else:
+        write_text(path, text)
+
+
+def _progress(name: str, kept: Keep | None) -> Keep:
+    """Keeps the samples, and says on a terminal what has been done."""
+    began = time.monotonic()
+
+    def keep(timings: list[Timing]) -> None:
+        if kept is not None:
+            kept(timings)
+        who = timings[-1].contender
+        samples = sum(len(t.seconds) for t in timings)
+        seconds = time.monotonic() - began
+        _status(
+            f"{name}: {len(timings)} contenders, {samples} samples, {seconds:.0f} s: {who.method}"
+        )
+
+    return keep
+
+
+def _status(text: str) -> None:
+    """One line on a terminal, written over the last."""
+    if sys.stderr is not None and sys.stderr.isatty():
+        print(f"\r\x1b[K{text[:100]}", end="", file=sys.stderr, flush=True)

@@ -1,0 +1,55 @@
+"""True digits: how far a value of any arithmetic is from a ball that holds the truth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+from tresym.arithmetic import ball_precision
+from tresym.bench.run import RIGHT, WRONG, Judged
+
+SLACK = 1.5
+"""Digits by which a method may miss what it was asked for and still count as right."""
+
+
+def true_digits(value: Any, truth: arb, *, most: float = 1e6) -> float:
+    """−log₁₀ of the relative error of ``value``; never negative, at most ``most``.
+
+    A ball counts by its midpoint. What is no number (NaN, complex, None) has 0 digits.
+    """
+    found = as_ball(value)
+    if found is None or not found.is_finite():
+        return 0.0
+    if truth.is_zero():
+        return most if found.is_zero() else 0.0
+    with ball_precision(max(ctx.prec, min(2 * truth.rel_accuracy_bits(), 100_000), 128)):
+        error = abs(found / truth - 1).upper()
+        if error <= 0:
+            return most
+        return min(most, max(0.0, float(-error.log() / arb.const_log10())))
+
+
+def as_ball(value: Any) -> arb | None:
+    """A float, an mpmath number, a fraction or a ball's midpoint, exactly; None if it is none."""
+    if isinstance(value, arb):
+        return value.mid()
+    if isinstance(value, float | int | fmpq):
+        return arb(value)
+    if hasattr(value, "man") and hasattr(value, "exp"):
+        return arb((-int(value.man) if value < 0 else int(value.man), int(value.exp)))
+    return None
+
+
+def by_digits(truth: arb, asked: float, claims: float | None = None) -> Callable[[Any], Judged]:
+    """A judge that counts true digits against those asked for, and notes those claimed."""
+
+    def judge(value: Any) -> Judged:
+        digits = true_digits(value, truth, most=asked + 50)
+        if digits >= asked - SLACK:
+            return Judged(digits, claims, RIGHT)
+        why = f"{digits:.1f} true digits of the {asked:g} asked for"
+        return Judged(digits, claims, WRONG, why)
+
+    return judge
