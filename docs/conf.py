@@ -15,7 +15,6 @@ version = release = tresym.__version__
 extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
-    "sphinx.ext.napoleon",
     "tresym.report.site.extension",
 ]
 root_doc = "index"
@@ -33,10 +32,11 @@ myst_substitutions = json.loads((_generated / "numbers.json").read_text(encoding
 myst_heading_anchors = 3
 
 autodoc_member_order = "bysource"
-autodoc_typehints = "description"
-autodoc_default_options = {"members": True, "show-inheritance": False}
-napoleon_google_docstring = True
-napoleon_numpy_docstring = False
+autodoc_typehints = "signature"
+autodoc_typehints_format = "short"
+autodoc_type_aliases = {name: name for name in ("Angle", "ArrayLike", "Exact", "Floats")}
+autodoc_default_options = {"members": True, "no-value": True}
+python_use_unqualified_type_names = True
 
 html_theme = "furo"
 html_title = "tresym"

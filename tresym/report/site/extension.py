@@ -14,7 +14,7 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
-from tresym.report.site import claims, commands, mathematics
+from tresym.report.site import claims, commands, docstrings, mathematics
 from tresym.report.site.markdown import badge, inline, link, statement
 
 BUILT = "_built"
@@ -91,17 +91,18 @@ class ClaimDirective(SphinxDirective):
 
 
 class FindingsDirective(SphinxDirective):
-    """``{findings}`` with labels as its body: what the paper says, and what is true instead."""
+    """``{findings}``, each line a claim of the paper, a colon, and what is true instead."""
 
     has_content = True
 
     def run(self) -> list[nodes.Node]:
-        """A table of three columns."""
+        """A table of three columns; on a narrow screen a list."""
         rows = ["| the paper | verdict | what is true |", "|---|---|---|"]
-        for label in "\n".join(self.content).split():
+        for line in self.content:
+            label, truths = line.split(":")
             claim = _named(self, label)
-            truths = (f"{inline(_named(self, n))} {link(n)}" for n in claim["amended_by"])
-            cells = (f"{inline(claim)} {link(label)}", badge(claim["verdict"]), "; ".join(truths))
+            said = (f"{inline(_named(self, name))} {link(name)}" for name in truths.split())
+            cells = (f"{inline(claim)} {link(label)}", badge(claim["verdict"]), "<br>".join(said))
             rows.append(f"| {' | '.join(cells)} |")
         box = nodes.container(classes=["findings"])
         box += self.parse_text_to_nodes("\n".join(rows))
@@ -167,6 +168,8 @@ def visit_block(translator: HTML5Translator, node: nodes.math_block) -> None:
 def setup(app: Sphinx) -> dict[str, Any]:
     """What Sphinx asks of an extension."""
     app.connect("builder-inited", write_pages)
+    app.connect("autodoc-process-docstring", docstrings.process)
+    app.connect("autodoc-skip-member", docstrings.skip)
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_block, None))
     app.add_directive("claim", ClaimDirective)
     app.add_directive("findings", FindingsDirective)

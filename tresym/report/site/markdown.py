@@ -6,6 +6,8 @@ from typing import Any
 
 from tresym.report.markdown import sentence
 
+LONGEST_IN_A_LINE = 60
+"""Systems of more LaTeX characters than this are set one equation below the other."""
 LONGEST_IN_A_LIST = 220
 """Formulas of more LaTeX characters than this stand on the page of their claim only."""
 
@@ -39,8 +41,16 @@ def inline(claim: dict[str, Any]) -> str:
 
 
 def display(formula: str) -> str:
-    """A formula on a line of its own."""
-    return f"$$\n{formula.strip()}\n$$"
+    """A formula on a line of its own; a long system takes a line for each of its parts."""
+    formula = formula.strip()
+    if len(formula) > LONGEST_IN_A_LINE:
+        for joint in (r",\quad ", r" \iff "):
+            parts = formula.split(joint)
+            if len(parts) > 1 and r"\begin" not in formula:
+                mark = r"\iff\quad " if "iff" in joint else ""
+                lines = rf" \\ {mark}".join(parts)
+                return f"$$\n\\begin{{gathered}}{lines}\\end{{gathered}}\n$$"
+    return f"$$\n{formula}\n$$"
 
 
 def chain(lines: list[dict[str, Any]]) -> str:
