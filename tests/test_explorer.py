@@ -207,6 +207,9 @@ def test_every_body_shows_its_numbers(open_page: Open) -> None:
         assert page.inner_text("#realizable").startswith("✓" if body.shape.realizable else "✗")
         star = turning_level(*body.shape, 20)
         assert page.evaluate("shown.turning") == pytest.approx(float(star), rel=1e-12)
+        page.click("#to-perfect")
+        assert abs(certified(*texts, page.input_value("#gamma"))) < 1e-5
+        page.click("#to-separatrix")
         assert page.inner_text("#command") == f"tresym flip --body {name} --gamma=0"
         page.fill("#gamma", "-0.001")
         line = printed.linear_defect(formula, b, -0.001)
@@ -266,7 +269,7 @@ def test_the_keyboard_is_enough(open_page: Open) -> None:
         page.keyboard.press("Tab")
         reached.append(page.evaluate("document.activeElement.id"))
     order = ["body", "a", "a-slider", "b", "b-slider", "gamma", "gamma-slider"]
-    assert reached[:11] == [*order, "to-separatrix", "to-turning", "play", "moment"]
+    assert reached[:11] == [*order, "to-separatrix", "to-perfect", "to-turning", "play"]
     for slider in ("a-slider", "b-slider", "gamma-slider"):
         page.focus(f"#{slider}")
         before = page.inner_text("#defect")

@@ -88,7 +88,8 @@ function emptyChart(svg, frame, xTicks, yTicks, names) {
     add(axes, "text", { x: left - 7, y: y + 4.5, class: "end" }).textContent = text;
   }
   add(axes, "rect", box);
-  add(axes, "text", { x: (left + right) / 2, y: bottom + 38, class: "middle" }).textContent = names[0];
+  add(axes, "text", { x: (left + right) / 2, y: bottom + 38, class: "middle" }).textContent =
+    names[0];
   add(axes, "text", { x: left, y: top - 9 }).textContent = names[1];
   return add(svg, "g", { "clip-path": `url(#${svg.id}-frame)` });
 }
@@ -107,7 +108,8 @@ function roundTicks([low, high], unit = "") {
   const ticks = [];
   for (let i = Math.ceil(low / step); i * step <= high; i++) {
     const at = i * step;
-    const text = at === 0 ? "0" : Math.abs(at) < 1e-3 ? at.toExponential(0) : `${Number(at.toPrecision(3))}`;
+    const text =
+      at === 0 ? "0" : Math.abs(at) < 1e-3 ? at.toExponential(0) : `${Number(at.toPrecision(3))}`;
     ticks.push({ at, text: withMinus(text) + unit });
   }
   return ticks;
@@ -158,12 +160,18 @@ function drawPortrait(svg, orbit, end) {
   const crest = Math.min(rateAt(separatrix, Math.PI / 2), 2.5 * rateAt(separatrix, Math.PI / 4));
   const reach = Math.max(1.7 * crest, Math.min(1.15 * rateAt(level, Math.PI / 2) || 0, 5 * crest));
   const frame = {
-    left: 62, right: 456, top: 26, bottom: 292, across: PORTRAIT, along: /** @type {Point} */ ([-reach, reach]),
+    left: 62,
+    right: 456,
+    top: 26,
+    bottom: 292,
+    across: PORTRAIT,
+    along: /** @type {Point} */ ([-reach, reach]),
   };
   const xTicks = [-90, 0, 90, 180, 270].map((x) => ({ at: x * DEGREE, text: withMinus(`${x}°`) }));
   const inside = emptyChart(svg, frame, xTicks, roundTicks(frame.along), ["flip angle ψ", "dψ/dφ"]);
   const tall = (reach / crest) ** 2;
-  for (const share of [0.85, 0.5, 0.2, 0.05]) addLevel(inside, frame, onLevel(level, -share * level.b), "oscillating");
+  for (const share of [0.85, 0.5, 0.2, 0.05])
+    addLevel(inside, frame, onLevel(level, -share * level.b), "oscillating");
   for (const share of [0.1, 0.5, 1.2, 2.2, 4, 8, 16]) {
     const gamma = share * level.b;
     if (share < tall && gamma < level.a) addLevel(inside, frame, onLevel(level, gamma), "rotating");
@@ -288,16 +296,30 @@ function drawChart(svg, level, defect, turning) {
   const top = Math.max(...heights);
   const margin = 0.08 * (top - bottom);
   const frame = {
-    left: 62, right: 456, top: 26, bottom: 292,
+    left: 62,
+    right: 456,
+    top: 26,
+    bottom: 292,
     across: /** @type {Point} */ ([low, high]),
     along: /** @type {Point} */ ([bottom - margin, top + margin]),
   };
-  const inside = emptyChart(svg, frame, roundTicks(frame.across), roundTicks(frame.along, "°"), ["γ", "defect ε"]);
+  const inside = emptyChart(svg, frame, roundTicks(frame.across), roundTicks(frame.along, "°"), [
+    "γ",
+    "defect ε",
+  ]);
   if (turning !== null) {
-    add(inside, "path", { class: "turning", d: curve(frame, [[turning, frame.along[0]], [turning, frame.along[1]]]) });
+    add(inside, "path", {
+      class: "turning",
+      d: curve(frame, [
+        [turning, frame.along[0]],
+        [turning, frame.along[1]],
+      ]),
+    });
   }
   add(inside, "path", { class: "exact", d: curve(frame, exact) });
-  const line = [low, high].map((x) => /** @type {Point} */ ([x, printedLine(onLevel(level, x)) / DEGREE]));
+  const line = [low, high].map(
+    (x) => /** @type {Point} */ ([x, printedLine(onLevel(level, x)) / DEGREE]),
+  );
   add(inside, "path", { class: "paper", d: curve(frame, clipped(line, frame.along)) });
   addSpot(inside, frame, [gamma, defect / DEGREE], "level");
 }

@@ -23,6 +23,7 @@ const shown = {
   frame: /** @type {Frame | null} */ (null),
   defect: 0,
   turning: /** @type {number | null} */ (null),
+  perfect: /** @type {number | null} */ (null),
   moment: -1,
   rest: 0,
   playing: false,
@@ -108,7 +109,10 @@ function readForm() {
 function typed(id, name) {
   const number = readNumber(field(id).value);
   if (number) return number;
-  throw new Complaint(id, `${name} is not a number I can read; write for example 0.0629, −3e−5 or 55/874`);
+  throw new Complaint(
+    id,
+    `${name} is not a number I can read; write for example 0.0629, −3e−5 or 55/874`,
+  );
 }
 
 /**
@@ -213,6 +217,7 @@ function show({ level, realizable }) {
     thing: THINGS[body?.drawn ?? "racket"],
     defect,
     turning,
+    perfect: perfectLevel(level),
     stale: true,
   });
   tabulate("defect", defect, 15);
@@ -268,8 +273,12 @@ function describe({ a, b, gamma }, defect, turning, realizable, body) {
     turning === null ? "none for this shape: it never turns back within one turn" : brief(turning),
   );
   byId("to-turning").toggleAttribute("disabled", turning === null);
+  byId("to-perfect").toggleAttribute("disabled", shown.perfect === null);
   const limit = brief(1 / (a + 2));
-  write("realizable", realizable ? `✓ yes: b ≤ 1/(a + 2) = ${limit}` : `✗ no: b > 1/(a + 2) = ${limit}`);
+  write(
+    "realizable",
+    realizable ? `✓ yes: b ≤ 1/(a + 2) = ${limit}` : `✗ no: b > 1/(a + 2) = ${limit}`,
+  );
   byId("realizable").className = realizable ? "yes" : "no";
   write("source", body ? body.source : "");
   if (!body) field("body").value = "";
@@ -308,7 +317,9 @@ function plain(id) {
 function setSliders({ a, b, gamma }) {
   field("a-slider").value = String(Math.log10(a));
   field("b-slider").value = String(Math.log10(b));
-  field("gamma-slider").value = String(Math.sign(gamma) * 100 * Math.cbrt(Math.abs(gamma) / (gamma < 0 ? b : a)));
+  field("gamma-slider").value = String(
+    Math.sign(gamma) * 100 * Math.cbrt(Math.abs(gamma) / (gamma < 0 ? b : a)),
+  );
   field("a-slider").setAttribute("aria-valuetext", brief(a));
   field("b-slider").setAttribute("aria-valuetext", brief(b));
   field("gamma-slider").setAttribute("aria-valuetext", brief(gamma));
@@ -356,9 +367,15 @@ function redraw() {
   drawStage(scene, thing, path);
   shown.frame = drawPortrait(byId("portrait"), orbit, end);
   drawChart(byId("chart"), orbit.level, defect, turning);
-  write("portrait-text", `${byId("kind").textContent}; from ψ = ${inDegrees(defect)}° to ${inDegrees(Math.PI - defect)}°.`);
+  write(
+    "portrait-text",
+    `${byId("kind").textContent}; from ψ = ${inDegrees(defect)}° to ${inDegrees(Math.PI - defect)}°.`,
+  );
   write("scene-text", byId("sentence").textContent ?? "");
-  write("chart-text", `At γ = ${brief(orbit.level.gamma)} the exact defect is ${inDegrees(defect)}°, the paper’s ${inDegrees(printedLine(orbit.level))}°.`);
+  write(
+    "chart-text",
+    `At γ = ${brief(orbit.level.gamma)} the exact defect is ${inDegrees(defect)}°, the paper’s ${inDegrees(printedLine(orbit.level))}°.`,
+  );
   showMoment();
 }
 
@@ -368,7 +385,11 @@ function showMoment() {
   if (!orbit || !frame) return;
   const time = moment * end;
   const attitude = attitudeAt(orbit, time);
-  drawThing(/** @type {SVGElement} */ (/** @type {unknown} */ (byId("scene"))), shown.thing, attitude);
+  drawThing(
+    /** @type {SVGElement} */ (/** @type {unknown} */ (byId("scene"))),
+    shown.thing,
+    attitude,
+  );
   movePoint(byId("portrait"), frame, orbit, time);
   const handle = `${Math.round((attitude.phi + Math.PI) / DEGREE)}°`;
   write("turned", handle);
@@ -383,7 +404,6 @@ function showMoment() {
 function setPlaying(playing) {
   shown.playing = playing;
   byId("play").textContent = playing ? "Pause" : "Play";
-  byId("play").setAttribute("aria-pressed", String(playing));
   if (playing) requestAnimationFrame((now) => advance(now, now));
 }
 
@@ -419,7 +439,9 @@ function remember() {
 
 function recall() {
   const choice = new URLSearchParams(location.hash.slice(1));
-  const body = BODIES.find(({ name }) => name === choice.get("body")) ?? (choice.has("a") ? undefined : BODIES[0]);
+  const body =
+    BODIES.find(({ name }) => name === choice.get("body")) ??
+    (choice.has("a") ? undefined : BODIES[0]);
   field("body").value = body?.name ?? "";
   field("a").value = body?.a ?? choice.get("a") ?? "";
   field("b").value = body?.b ?? choice.get("b") ?? "";
@@ -438,8 +460,9 @@ function begin() {
   field("a-slider").addEventListener("input", () => slideShape("a"));
   field("b-slider").addEventListener("input", () => slideShape("b"));
   field("gamma-slider").addEventListener("input", slideGamma);
-  byId("to-separatrix").addEventListener("click", () => setGamma("0"));
-  byId("to-turning").addEventListener("click", () => setGamma(String(Number((shown.turning ?? 0).toPrecision(6)))));
+  byId("to-separatrix").addEventListener("click", () => setGamma(0));
+  byId("to-perfect").addEventListener("click", () => setGamma(shown.perfect));
+  byId("to-turning").addEventListener("click", () => setGamma(shown.turning));
   byId("play").addEventListener("click", () => setPlaying(!shown.playing));
   field("moment").addEventListener("input", () => {
     setPlaying(false);
@@ -459,13 +482,15 @@ function chooseBody() {
   field("a").value = body.a;
   field("b").value = body.b;
   const [a, b, gamma] = ["a", "b", "gamma"].map((id) => readNumber(field(id).value));
-  if (!a || !b || !gamma || signOf(plus(gamma, b)) <= 0 || signOf(minus(a, gamma)) <= 0) field("gamma").value = "0";
+  if (!a || !b || !gamma || signOf(plus(gamma, b)) <= 0 || signOf(minus(a, gamma)) <= 0)
+    field("gamma").value = "0";
   update();
 }
 
-/** @param {string} text */
-function setGamma(text) {
-  field("gamma").value = text;
+/** @param {number | null} gamma */
+function setGamma(gamma) {
+  if (gamma === null) return;
+  field("gamma").value = String(Number(gamma.toPrecision(6)));
   update();
 }
 

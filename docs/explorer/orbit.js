@@ -198,7 +198,13 @@ function thirdKindSeries(x, y, z, p) {
   const e4 = (2 * xyz + e2 * P + 3 * P ** 3) * P;
   const e5 = xyz * P * P;
   const series =
-    1 - (3 * e2) / 14 + e3 / 6 + (9 * e2 * e2) / 88 - (3 * e4) / 22 - (9 * e2 * e3) / 52 + (3 * e5) / 26;
+    1 -
+    (3 * e2) / 14 +
+    e3 / 6 +
+    (9 * e2 * e2) / 88 -
+    (3 * e4) / 22 -
+    (9 * e2 * e3) / 52 +
+    (3 * e5) / 26;
   return series / (mean * Math.sqrt(mean));
 }
 
@@ -381,11 +387,7 @@ function flipDefect(level) {
 function attitudeAt(orbit, time) {
   const { a, b, above, below, total } = orbit.level;
   const halves = Math.round(time / (2 * orbit.quarterTime));
-  const rest = clamp(
-    time - 2 * halves * orbit.quarterTime,
-    -orbit.quarterTime,
-    orbit.quarterTime,
-  );
+  const rest = clamp(time - 2 * halves * orbit.quarterTime, -orbit.quarterTime, orbit.quarterTime);
   const { sn, cn, dn } = amplitudeAt(orbit, rest);
   const phi = phaseAt(orbit, rest) + 2 * halves * orbit.quarterPhase;
   const side = halves % 2 === 0 ? 1 : -1;
@@ -445,6 +447,27 @@ function turningLevel({ a, b, total, clock }) {
     else high = middle;
   }
   return gamma;
+}
+
+/**
+ * The γ > 0 with a perfect flip, ε(γ) = 0, by bisection on log γ: ε falls steadily there.
+ *
+ * @param {Level} level of the shape, any γ
+ * @returns {number | null} null where ε stays positive up to γ = a
+ */
+function perfectLevel({ a, b, total, clock }) {
+  /** @param {number} gamma */
+  const falls = (gamma) =>
+    flipDefect({ a, b, gamma, above: gamma + b, below: a - gamma, total, clock }) < 0;
+  const last = a * (1 - 1e-9);
+  if (!falls(last)) return null;
+  let [low, high] = [-640, Math.log(last)];
+  for (let step = 0; step < 60; step++) {
+    const middle = (low + high) / 2;
+    if (falls(Math.exp(middle))) high = middle;
+    else low = middle;
+  }
+  return Math.exp(high);
 }
 
 /**

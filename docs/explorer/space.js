@@ -50,14 +50,25 @@ function racket() {
   const lines = [-0.66, -0.33, 0, 0.33, 0.66].flatMap((t) => {
     const half = Math.sqrt(1 - t * t);
     return /** @type {Spot[][]} */ ([
-      [[centre - long * half, wide * t], [centre + long * half, wide * t]],
-      [[centre + long * t, -wide * half], [centre + long * t, wide * half]],
+      [
+        [centre - long * half, wide * t],
+        [centre + long * half, wide * t],
+      ],
+      [
+        [centre + long * t, -wide * half],
+        [centre + long * t, wide * half],
+      ],
     ]);
   });
   return {
     outlines: [ellipse(centre, 0, long, wide)],
     lines,
-    bars: [[[-0.95, 0], [centre - long, 0]]],
+    bars: [
+      [
+        [-0.95, 0],
+        [centre - long, 0],
+      ],
+    ],
     dot: [centre, 0],
     tip: centre + long,
   };
@@ -67,13 +78,34 @@ function racket() {
 function book() {
   const [long, wide] = [0.95, 0.62];
   return {
-    outlines: [[[-long, -wide], [long, -wide], [long, wide], [-long, wide]]],
-    lines: [
-      [[-long, 0.84 * wide], [long, 0.84 * wide]],
-      [[0.4, -0.3], [0.4, 0.3]],
-      [[0.55, -0.2], [0.55, 0.2]],
+    outlines: [
+      [
+        [-long, -wide],
+        [long, -wide],
+        [long, wide],
+        [-long, wide],
+      ],
     ],
-    bars: [[[-long, wide], [long, wide]]],
+    lines: [
+      [
+        [-long, 0.84 * wide],
+        [long, 0.84 * wide],
+      ],
+      [
+        [0.4, -0.3],
+        [0.4, 0.3],
+      ],
+      [
+        [0.55, -0.2],
+        [0.55, 0.2],
+      ],
+    ],
+    bars: [
+      [
+        [-long, wide],
+        [long, wide],
+      ],
+    ],
     dot: [-0.35, 0],
     tip: long,
   };
@@ -81,7 +113,12 @@ function book() {
 
 /** @returns {Thing} */
 function molecule() {
-  const hydrogens = /** @type {Spot[]} */ ([[0.76, 0.5], [0.76, -0.5], [-0.76, 0.5], [-0.76, -0.5]]);
+  const hydrogens = /** @type {Spot[]} */ ([
+    [0.76, 0.5],
+    [0.76, -0.5],
+    [-0.76, 0.5],
+    [-0.76, -0.5],
+  ]);
   return {
     outlines: [
       ellipse(0.36, 0, 0.2, 0.2),
@@ -90,8 +127,14 @@ function molecule() {
     ],
     lines: [],
     bars: [
-      [[-0.36, 0.06], [0.36, 0.06]],
-      [[-0.36, -0.06], [0.36, -0.06]],
+      [
+        [-0.36, 0.06],
+        [0.36, 0.06],
+      ],
+      [
+        [-0.36, -0.06],
+        [0.36, -0.06],
+      ],
       ...hydrogens.map((end) => /** @type {Spot[]} */ ([[Math.sign(end[0]) * 0.36, 0], end])),
     ],
     dot: [0.36, 0],
