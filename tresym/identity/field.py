@@ -838,7 +838,7 @@ class Field(SignedRing):
 
     def _rank(self, u: Fraction) -> tuple[bool, int, int, str]:
         """Least for the one of u and 1/u that is to be kept: where it can, it has no poles."""
-        return not self.sign(u.den), len(u.den), int(u.den.total_degree()), str(u.den)
+        return not self.product_sign(u.den), len(u.den), int(u.den.total_degree()), str(u.den)
 
     def _special_atan(self, u: Fraction) -> Fraction | None:
         """``atan u`` where it is a multiple of π/12."""

@@ -565,11 +565,11 @@ class SignedRing(Ring):
             a, c = parts[degree], parts.get(0, self.zero_poly)
             b = parts.get(step, self.zero_poly)
             lead = self.sign(a, depth + 1)
-            if lead and self._product_sign(self.reduce(4 * a * c - b * b), depth + 1) > 0:
+            if lead and self.product_sign(self.reduce(4 * a * c - b * b), depth + 1) > 0:
                 return lead
         return 0
 
-    def _product_sign(self, p: Poly, depth: int) -> int:
+    def product_sign(self, p: Poly, depth: int = 0) -> int:
         """The sign of ``p`` from those of its factors, where its own is not proved."""
         found = self.sign(p, depth)
         if found or p.is_zero() or len(p) > MAX_SIGN_TERMS:
@@ -595,7 +595,7 @@ class SignedRing(Ring):
                 return first
             x = self.variables[position]
             norm = self.reduce(parts[0] ** 2 - parts[1] ** 2 * x**2)
-            size = self._product_sign(norm, depth + 1)
+            size = self.product_sign(norm, depth + 1)
             if size > 0 and first:
                 return first
             if size < 0 and second:
