@@ -32,6 +32,7 @@ rotational_constants = Claim(
     proof=together(by(), by()),
     where=Place(line=320),
     note="The constants are inversely proportional to the moments; the factor drops out.",
+    shown=r"\frac{I_2}{I_1}-1 = \frac{B_1}{B_2}-1,\quad 1-\frac{I_2}{I_3} = 1-\frac{B_3}{B_2}",
 )
 
 rotational_order = Claim(

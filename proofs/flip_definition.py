@@ -150,6 +150,8 @@ integrand_at_the_top = Claim(
     says=equal(printed.integrand(psi, a, b, a, 1, sympy), _slow / _fast),
     given=shape,
     proof=by(algebra),
+    shown=r"\left.\frac{d\phi}{d\psi}\right|_{\gamma=a,\,S=1} = "
+    r"\frac{1-b\sin^2\psi}{a+b\sin^2\psi}",
 )
 
 elementary_levels = Claim(
@@ -280,6 +282,8 @@ equal_rates = Claim(
     ),
     given=(*shape, b < 1, gamma + b * sin(epsilon) ** 2 > 0),
     proof=by(algebra),
+    shown=r"\left.\frac{d\psi}{d\phi}\right|_{\psi=\pi-\epsilon} = "
+    r"\left.\frac{d\psi}{d\phi}\right|_{\psi=\epsilon}",
 )
 
 integrand_falls = Claim(

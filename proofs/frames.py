@@ -90,6 +90,8 @@ handle_in_space = Claim(
     proof=by(),
     where=Place(line=67),
     note="φ is the angle from X to the projection of the handle on the plane (X, Y).",
+    shown=r"R\,(0, 0, 1)^{\mathsf T} = "
+    r"(\sin\theta\cos\phi, \sin\theta\sin\phi, \cos\theta)^{\mathsf T}",
 )
 
 line_of_nodes = Claim(
@@ -98,6 +100,7 @@ line_of_nodes = Claim(
     proof=by(),
     where=Place(line=67),
     note="The line N is perpendicular to Z and to the handle, at the angle φ from Y.",
+    shown=r"\vec Z\times\vec e_1 = \sin\theta\,(-\sin\phi, \cos\phi, 0)^{\mathsf T}",
 )
 
 _about_x = ImmutableMatrix([[1, 0, 0], [0, cos(theta), -sin(theta)], [0, sin(theta), cos(theta)]])
@@ -159,6 +162,8 @@ laboratory_turned = Claim(
     proof=together(by(trigonometry), by(trigonometry)),
     where=Place(line=74),
     note="Turning X and Y about Z shifts φ and changes nothing else, so φ₀ = 0 is a choice.",
+    shown=r"(R_z(\alpha)R)^{\mathsf T}\frac{d}{dt}(R_z(\alpha)R) = R^{\mathsf T}\dot R,\quad "
+    r"R_z(\alpha)\,R = R_z(\phi+\alpha)\,R_y(\theta)\,R_z(\psi)",
 )
 
 perfect_flip = Claim(
@@ -169,6 +174,7 @@ perfect_flip = Claim(
     ),
     proof=by(),
     note="e₁ comes back, e₂ and e₃ are reversed.",
+    shown=r"R_z(\phi+2\pi)\,R_y(\theta)\,R_z(\psi+\pi) = R\,\operatorname{diag}(-1, -1, 1)",
 )
 
 racket_effect = Claim(

@@ -142,6 +142,8 @@ unknown_flat = Claim(
     given=(lam > 0, mu > 0, mu < 1, u > -1, pi + asin(mu) + u > 0),
     proof=by(),
     where=Place(display=42),
+    shown=r"2\sqrt{1-\mu^2}\,e^{-(\pi+u+\arcsin\mu)/\lambda} = "
+    r"2\sqrt{1-\mu^2}\,g\left(\frac{\lambda}{\pi+u+\arcsin\mu}\right),\quad g(s) = e^{-1/s}",
 )
 
 _arc = asin(mu * cos(epsilon))
@@ -270,7 +272,10 @@ def _value(slope: Claim) -> Any:
 def _at_origin(label: str, says: str, slope: Claim, value: int, **rest: Any) -> tuple[Claim, Claim]:
     """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
     says_value = equal(_value(slope), value)
-    found = Claim(label=f"{label}_value", says=says_value, proof=by())
+    name = slope.label.removeprefix("slope_by_")
+    letter = {"lambda": r"\lambda", "mu": r"\mu"}.get(name, name)
+    shown = rf"\frac{{\partial G}}{{\partial {letter}}}(0, 0, 0) = {value}"
+    found = Claim(label=f"{label}_value", says=says_value, proof=by(), shown=shown)
     return found, Claim(
         label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
     )

@@ -537,6 +537,8 @@ central_symmetry = Claim(
     proof=together(by(), by()),
     where=Place(line=283),
     note="(ψ, dψ/dφ) → (−ψ, −dψ/dφ) takes motions to motions and Δψ to −Δψ; so about every π.",
+    shown=r"V(-\psi, -S) = -V(\psi, S),\quad V(\psi+\pi, S) = V(\psi, S),\quad "
+    r"V = \frac{d\psi}{d\phi}",
 )
 
 zero_on_separatrix = Claim(

@@ -117,6 +117,8 @@ turning_points = Claim(
     given=shape_of_a_body,
     proof=by(),
     note="d²ψ/dφ² where dψ/dφ = 0: not zero off the equilibria, so dψ/dφ changes its sign there.",
+    shown=r"\left.\frac{d^2\psi}{d\phi^2}\right|_{\theta=\pi/2} = "
+    r"\frac{b(a+b\sin^2\psi)\sin\psi\cos\psi}{(1-b\sin^2\psi)^2}",
 )
 
 sign_changes = Claim(
@@ -205,6 +207,8 @@ linear_at_e2 = Claim(
     given=shape_of_a_body,
     proof=by(),
     note="Eigenvalues ±√(ab): unstable.",
+    shown=r"\det(\lambda-A) = \lambda^2-ab,\quad A = "
+    r"\left.\frac{\partial(\theta', \psi')}{\partial(\theta, \psi)}\right|_{\theta=\pi/2,\,\psi=0}",
 )
 
 linear_at_e3 = Claim(
@@ -213,6 +217,8 @@ linear_at_e3 = Claim(
     given=shape_of_a_body,
     proof=by(),
     note="Eigenvalues ±i√(b(a + b))/(1 − b): a centre.",
+    shown=r"\det(\lambda-A) = \lambda^2+\frac{b(a+b)}{(1-b)^2},\quad "
+    r"A = \left.\frac{\partial(\theta', \psi')}{\partial(\theta, \psi)}\right|_{\theta=\psi=\pi/2}",
 )
 
 rest_points = Claim(
@@ -252,6 +258,9 @@ momentum_at_rest = Claim(
         )
     ),
     proof=together(*(by() for _ in range(9))),
+    shown=r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, 0\right) = (0, -M, 0),\quad "
+    r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \pi\right) = (0, M, 0),\quad "
+    r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = (0, 0, M)",
 )
 
 correspondence = Claim(

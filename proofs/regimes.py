@@ -166,6 +166,8 @@ tilt_after_flip = Claim(
     says=equal(_tilts[0].subs(_flips[0], _flips[0] + pi), _tilts[0]),
     given=shape_of_a_body,
     proof=by(),
+    shown=r"\frac{\gamma+b\sin^2(\psi_1+\pi)}{a+b\sin^2(\psi_1+\pi)} = "
+    r"\frac{\gamma+b\sin^2\psi_1}{a+b\sin^2\psi_1}",
 )
 
 tilt_near_flip = Claim(
@@ -221,6 +223,7 @@ flip_components = Claim(
     ),
     proof=together(by(), by(), by()),
     where=Place(line=102),
+    shown=r"(M_1, M_2, M_3)(\theta, \psi+\pi) = (M_1, -M_2, -M_3)(\theta, \psi)",
 )
 
 rotating = (*shape_of_a_body, gamma > 0, gamma < a)
@@ -328,6 +331,9 @@ mirror_images = Claim(
     proof=together(*(by() for _ in range(4))),
     where=Place(line=103),
     note="(π − θ, −ψ) moves as (θ, ψ), so θ ≤ π/2 is no restriction; nor is a half turn of ψ.",
+    shown=r"V(\pi-\theta, -\psi) = -V(\theta, \psi),\quad "
+    r"V(\theta, \psi+\pi) = V(\theta, \psi),\quad "
+    r"V = \left(\frac{d\theta}{d\phi}, \frac{d\psi}{d\phi}\right)",
 )
 
 oscillating_flip = Claim(

@@ -72,6 +72,7 @@ circle_about_handle = Claim(
     proof=by(),
     where=Place(line=112),
     note="I₂ = I₃: M₁ is constant, and M runs on a circle about e₁.",
+    shown=r"\dot M_1 = M_2M_3\left(\frac{1}{I_2}-\frac{1}{I_2}\right) = 0",
 )
 
 _other = Symbol("N1", real=True)
@@ -99,6 +100,7 @@ handle_keeps_its_tilt = Claim(
     given=_moments,
     proof=by(),
     where=Place(line=112),
+    shown=r"\dot\theta = M\left(\frac{1}{I_2}-\frac{1}{I_2}\right)\sin\theta\sin\psi\cos\psi = 0",
 )
 
 spin_about_handle = Claim(
@@ -115,6 +117,7 @@ depth_a_zero = Claim(
     says=equal(M**2 * printed.depth(theta, psi, 0, b, sympy), -b * _third**2),
     proof=by(),
     note="I₁ = I₂: γ M² = −b M₃².",
+    shown=r"M^2\left.\gamma\right|_{a=0} = -bM_3^2",
 )
 
 only_oscillation = Claim(
@@ -134,6 +137,7 @@ rest_on_the_circle = Claim(
     says=Tuple(*(equal(rate, 0) for rate in _at_rest)),
     given=(I1 > 0, I3 > 0),
     proof=together(*(by() for _ in range(3))),
+    shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2,\,M_3=0} = (0, 0, 0)",
 )
 
 separatrix_in_the_plane = Claim(
