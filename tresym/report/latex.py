@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise
 from typing import Any
 
@@ -13,6 +14,7 @@ from sympy import (
     Expr,
     Function,
     Integer,
+    Integral,
     Mul,
     Pow,
     Rational,
@@ -38,6 +40,12 @@ _FUNCTIONS = {
     "sign": r"\operatorname{sgn}",
 }
 _PLAIN = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth"])
+
+_RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+)")
+"""Names of rates that are symbols of their own, such as dG_dlambda."""
+
+_LETTERS = {"eigenvalue": r"\lambda"}
+"""Symbols that single proofs introduce, whose names are words."""
 
 _TALL = (r"\frac", r"\begin", r"\int", r"\sum")
 
@@ -70,7 +78,9 @@ class PaperPrinter(LatexPrinter):
         if not below:
             return self._product(above)
         rest = [f for f in above if not f.is_Integer]
-        if all(f.is_Integer for f in below) and any(f.is_Function or f.is_Add for f in rest):
+        if all(f.is_Integer for f in below) and any(
+            f.is_Function or f.is_Add or f.has(Integral) for f in rest
+        ):
             head = [f for f in above if f.is_Integer]
             share = rf"\frac{{{self._product(head)}}}{{{self._product(below)}}}"
             return share + self._product(rest, alone=False)
@@ -103,7 +113,8 @@ class PaperPrinter(LatexPrinter):
         if isinstance(base, Function) and base.func.__name__ in _PLAIN:
             return self._applied(base, shown)
         body = self._print(base)
-        if not (base.is_Symbol or (base.is_Integer and base >= 0)):
+        plain = base.is_Symbol and not body.startswith(r"\frac")
+        if not (plain or (base.is_Integer and base >= 0)):
             body = bracketed(body)
         return f"{body}^{_script(shown)}"
 
@@ -119,9 +130,14 @@ class PaperPrinter(LatexPrinter):
     def _print_Function(self, e: Function, exp: str | None = None) -> str:
         if len(e.args) == 1 and (e.func.__name__ in _PLAIN or e.func.__name__ in _FUNCTIONS):
             return self._applied(e)
-        return str(super()._print_Function(e, exp))
+        name = self._hprint_Function(e.func.__name__)
+        head = name + (f"^{_script(exp)}" if exp else "")
+        return head + bracketed(", ".join(map(self._print, e.args)))
 
     _print_log = _print_Function
+
+    def _print_Order(self, e: Basic) -> str:
+        return f"O{bracketed(self._print(e.args[0]))}"
 
     def _print_ExpBase(self, e: exp, exp: str | None = None) -> str:
         return f"e^{_script(self._print(e.args[0]))}"
@@ -130,9 +146,16 @@ class PaperPrinter(LatexPrinter):
         return rf"|{self._print(e.args[0])}|" + (f"^{_script(exp)}" if exp else "")
 
     def _print_Symbol(self, e: Symbol, style: str = "plain") -> str:
-        return LATEX.get(e) or str(super()._print_Symbol(e, style)).replace("_{1}", "_1").replace(
-            "_{2}", "_2"
-        ).replace("_{3}", "_3").replace("_{0}", "_0")
+        rate = _RATE.fullmatch(e.name)
+        if e in LATEX or e.name in _LETTERS:
+            return LATEX.get(e) or _LETTERS[e.name]
+        if rate is not None:
+            sign = r"\partial " if rate[1] == "partial" else "d"
+            above, below = (
+                str(super(PaperPrinter, self)._print_Symbol(Symbol(n))) for n in rate.groups()[1:]
+            )
+            return rf"\frac{{{sign}{above}}}{{{sign}{below}}}"
+        return re.sub(r"_\{([0-3])\}", r"_\1", str(super()._print_Symbol(e, style)))
 
     def _print_Integral(self, e: Basic) -> str:
         ((variable, low, high),) = e.limits
