@@ -22,7 +22,7 @@ from tresym.bench.run import Keep, Measurement, forget
 from tresym.bench.truth import true_digits
 from tresym.body import named_body
 from tresym.flip import quadrature, separatrix
-from tresym.flip.carlson import amplitude, ball_stop, by_gauss, turn
+from tresym.flip.gauss import FLOAT_ENDING, Ending, ball_ending, turn_by_gauss
 from tresym.flip.many import defects
 from tresym.formulas import printed, stable
 
@@ -181,15 +181,16 @@ def _turn_printed(p: Numbers, m: Any) -> Any:
 def _turn_stable(p: Numbers, m: Any) -> Any:
     a, b, g = p["a"], p["b"], _turning(p, m)
     z = stable.radicand(p["psi"], p["psi_min"], b, m)
-    at = amplitude(m.sin(p["psi"]), m.cos(p["psi"]), z, a, b, g, m)
-    return turn(by_gauss(at, b / a, m, _stop(m)), a, b, g, m)
+    cosine = m.cos(p["psi"])
+    return turn_by_gauss(m.tan(p["psi"]), z / (cosine * cosine), a, b, g, m, _ending(m))
 
 
-def _stop(m: Any) -> Callable[[Any], Any]:
+def _ending(m: Any) -> Ending:
     if m is balls:
-        return ball_stop
-    small = 1e-8 if m is np else m.mpf(10) ** -(MANY // 2 + 3)
-    return lambda ratio: 1 if abs(ratio) < small else None
+        return ball_ending()
+    if m is np:
+        return FLOAT_ENDING
+    return Ending(m.mpf(10) ** -(MANY // 4 + 2), lambda _: 0)
 
 
 def _radicand(p: Numbers, m: Any) -> Any:
@@ -331,7 +332,7 @@ def measure(keep: Keep = forget) -> Measurement:
     try:
         for pair, digits, form in product(PAIRS, (16, 50), ("printed", "stable")):
             grids.append(grid(pair, digits, form))
-            keep([])
+            keep([], {"grids": grids})
     except KeyboardInterrupt:
         complete = False
     planes = [{"plane": p.name, "x": list(p.x), "y": list(p.y)} for p in PLANES]

@@ -46,7 +46,7 @@ def measure(keep: Keep = forget) -> Measurement:
     try:
         for group in (_balls, _quadratures, _roots, _solvers, _float_map):
             points += group()
-            keep([])
+            keep([], {"points": points})
     except KeyboardInterrupt:
         complete = False
     says = "digits that a method claims, and digits that it has"

@@ -31,8 +31,8 @@ from tresym.bench.run import (
     forget,
     interleave,
 )
+from tresym.claims.changes import mutations
 from tresym.claims.claim import Chain, Claim, Together, parts_of
-from tresym.claims.mutants import mutations
 from tresym.claims.signs import manifest_sign
 from tresym.claims.translate import definitions, put_in, to_expression, to_given
 from tresym.exact import InputError

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from tresym.bench.limit import TimeUp, time_limit
 
@@ -130,6 +130,10 @@ class Timing:
         }
 
 
+Tables = dict[str, list[dict[str, Any]]]
+"""Rows of a workload that are no timings, by the name of the list."""
+
+
 @dataclass
 class Measurement:
     """A workload's timings; in each scene ratios are by the method ``reference`` starts with.
@@ -144,7 +148,7 @@ class Measurement:
     reference: str = ""
     clock: str = "processor time"
     notes: dict[str, Any] = field(default_factory=dict)
-    tables: dict[str, list[dict[str, Any]]] = field(default_factory=dict)
+    tables: Tables = field(default_factory=dict)
     complete: bool = True
 
     def base(self, scene: str) -> Timing | None:
@@ -185,11 +189,15 @@ class Pace(NamedTuple):
 
 PACE = Pace()
 
-Keep = Callable[[list[Timing]], None]
-"""Called after each sample with all that has been measured so far."""
+
+class Keep(Protocol):
+    """Called after each sample with all that has been measured so far, timings or tables."""
+
+    def __call__(self, timings: list[Timing], tables: Tables | None = None) -> None:
+        """Keep it."""
 
 
-def forget(_: list[Timing]) -> None:
+def forget(timings: list[Timing], tables: Tables | None = None) -> None:
     """Keep nothing."""
 
 

@@ -18,6 +18,8 @@ from tresym.bench.run import (
     Measurement,
     Pace,
     Rising,
+    Tables,
+    Timing,
     forget,
     interleave,
 )
@@ -38,14 +40,23 @@ BY_DIGITS = "time against digits"
 BY_STARTS = "time against starts"
 BY_CLAIMS = "time against claims"
 
-PACE = Pace(rounds=5, limit=4.0, patience=0.5)
+PACE = Pace(rounds=5, limit=2.5, patience=0.3)
+LONG = Pace(rounds=3, limit=120.0, patience=0.5)
 
 
 def measure(keep: Keep = forget, pace: Pace = PACE, most: int = STARTS[-1]) -> Measurement:
     """The workload ``scaling``; ``most`` starts at the most."""
     counts = [n for n in STARTS if n <= most]
-    contenders = (*_by_digits(), *_by_starts(counts), *_by_claims())
-    timings, complete = interleave(contenders, pace, keep)
+    timings, complete = interleave(_by_digits(), pace, keep)
+    if complete:
+        known = list(timings)
+
+        def keep_all(timings: list[Timing], tables: Tables | None = None) -> None:
+            keep(known + timings)
+
+        more = (*_by_starts(counts), *_by_claims())
+        rest, complete = interleave(more, LONG, keep_all)
+        timings += rest
     memory = [{"starts": n, "megabytes": round(peak(n) / 1e6, 2)} for n in counts]
     says = "time against digits, starts and claims; memory against starts"
     notes = {"chunk": CHUNK, "piece": PIECE}

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from tresym.bench import workloads
 from tresym.bench.names import WORKLOADS
-from tresym.bench.run import Keep, Measurement, Timing
+from tresym.bench.run import Keep, Measurement, Tables, Timing
 from tresym.exact import InputError
 
 INTERRUPTED = 130
@@ -60,15 +60,13 @@ def _progress(name: str, kept: Keep | None) -> Keep:
     """Keeps the samples, and says on a terminal what has been done."""
     began = time.monotonic()
 
-    def keep(timings: list[Timing]) -> None:
+    def keep(timings: list[Timing], tables: Tables | None = None) -> None:
         if kept is not None:
-            kept(timings)
-        who = timings[-1].contender
-        samples = sum(len(t.seconds) for t in timings)
+            kept(timings, tables)
+        who = timings[-1].contender.method if timings else "no times"
+        samples = sum(len(t.seconds) for t in timings) or sum(map(len, (tables or {}).values()))
         seconds = time.monotonic() - began
-        _status(
-            f"{name}: {len(timings)} contenders, {samples} samples, {seconds:.0f} s: {who.method}"
-        )
+        _status(f"{name}: {len(timings)} contenders, {samples} samples, {seconds:.0f} s: {who}")
 
     return keep
 

@@ -16,7 +16,8 @@ from tresym.bench.truth import by_digits
 from tresym.body import named_body
 from tresym.exact import parse_number
 from tresym.flip import quadrature
-from tresym.flip.carlson import Amplitude, amplitude, ball_stop, by_flint, by_gauss, turn
+from tresym.flip.carlson import Amplitude, amplitude, by_flint, turn
+from tresym.flip.gauss import ball_ending, turn_by_gauss
 
 DIGITS = 50
 SHAPE = named_body("str").shape
@@ -37,10 +38,10 @@ def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
 def _contenders(text: str) -> Iterator[Contender]:
     gamma = parse_number(text)
     with ball_precision(bits(2 * DIGITS)):
-        truth = _ball_turn(gamma, gauss=False)
+        truth = _flint_turn(gamma)
     works: dict[str, Callable[[], Any]] = {
-        OURS: lambda: _ball_turn(gamma, gauss=True),
-        "tresym, FLINT's R_F and R_J": lambda: _ball_turn(gamma, gauss=False),
+        OURS: lambda: _gauss_turn(gamma),
+        "tresym, FLINT's R_F and R_J": lambda: _flint_turn(gamma),
         "mpmath R_F and R_J": lambda: _mp_carlson(gamma),
         "mpmath quad, tanh-sinh": lambda: _mp_quad(gamma, "tanh-sinh"),
         "mpmath quad, Gauss-Legendre": lambda: _mp_quad(gamma, "gauss-legendre"),
@@ -62,12 +63,22 @@ def _place(gamma: fmpq, m: Any, number: Callable[[fmpq], Any]) -> Amplitude:
     return amplitude(sine, cosine, g + b * sine * sine, a, b, g, m)
 
 
-def _ball_turn(gamma: fmpq, gauss: bool) -> arb:
+def _gauss_turn(gamma: fmpq) -> arb:
+    with ball_precision(bits(DIGITS, 12)):
+        a, b, g = arb(SHAPE.a), arb(SHAPE.b), arb(gamma)
+        if gamma < 0:
+            tangent, rest = (-g / (g + b)).sqrt(), arb(0)
+        else:
+            tangent = arb(fmpq(1, 10)).tan()
+            rest = g + (g + b) * tangent * tangent
+        return turn_by_gauss(tangent, rest, a, b, g, balls, ball_ending())
+
+
+def _flint_turn(gamma: fmpq) -> arb:
     with ball_precision(bits(DIGITS)):
         a, b, g = arb(SHAPE.a), arb(SHAPE.b), arb(gamma)
         at = _place(gamma, balls, arb)
-        found = by_gauss(at, b / a, balls, ball_stop) if gauss else by_flint(at, b / a)
-        return turn(found, a, b, g, balls)
+        return turn(by_flint(at, b / a), a, b, g, balls)
 
 
 def _mp_carlson(gamma: fmpq) -> Any:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import tresym
 from tresym.bench.names import WORKLOADS
-from tresym.bench.run import Keep, Measurement, Timing, forget
+from tresym.bench.run import Keep, Measurement, Tables, Timing, forget
 from tresym.exact import InputError
 from tresym.report.output import write_text
 
@@ -64,15 +63,16 @@ def save(measurement: Measurement, home: Path | None = None) -> str:
     return f"docs/measurements/{path.name}"
 
 
-def keeper(name: str, home: Path) -> Callable[[list[Timing]], None]:
+def keeper(name: str, home: Path) -> Keep:
     """Keeps the samples of a running workload in NAME.partial.json, whole at every moment."""
     last = time.monotonic()
 
-    def keep(timings: list[Timing]) -> None:
+    def keep(timings: list[Timing], tables: Tables | None = None) -> None:
         nonlocal last
         if time.monotonic() - last < KEEP_EVERY:
             return
-        save(Measurement(name, WORKLOADS[name], timings, complete=False), home)
+        so_far = Measurement(name, WORKLOADS[name], timings, tables=tables or {}, complete=False)
+        save(so_far, home)
         last = time.monotonic()
 
     return keep
@@ -112,7 +112,7 @@ def measurement_text(measurement: Measurement) -> str:
 
 
 def _row(row: dict[str, Any]) -> str:
-    name = row["method"] + (f" ({row['asked']:g} digits)" if row["asked"] is not None else "")
+    name = row["method"] + (f", {row['asked']:g}" if row["asked"] is not None else "")
     if row["seconds"] is None:
         return f"{name:<44} {row['outcome']}: {row['why']}"
     low, high = row["quartiles"]

@@ -1,0 +1,83 @@
+"""Charts of saved measurements: each is a pure function of one JSON file, as SVG.
+
+A chart's file has ``draw(data)``, a picture, and ``caption(data)``, what to see in it. The bytes
+are the same on every build with the same matplotlib. All can be read in black and white: methods
+differ by marker and line, not by colour alone.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any, NamedTuple
+
+from tresym.exact import InputError
+
+
+class Chart(NamedTuple):
+    """A chart: its title, the workload whose file it is drawn from, and the module that draws it.
+
+    ``part`` is handed to the module where it draws several charts.
+    """
+
+    title: str
+    workload: str
+    module: str
+    part: str | None = None
+
+
+CHARTS = {
+    "work-precision": Chart("True digits against time, six scenes", "precision", "work_precision"),
+    "honesty": Chart("Digits claimed and digits had", "honesty", "honesty"),
+    "atlas-separatrix": Chart(
+        "Digits lost over the shapes, on the separatrix", "atlas", "atlas", "separatrix"
+    ),
+    "atlas-levels": Chart("Digits lost over start and level", "atlas", "atlas", "levels"),
+    "atlas-turning": Chart(
+        "Digits lost near turning points and stable rotations", "atlas", "atlas", "turning"
+    ),
+    "scaling": Chart("Time against digits, starts and claims", "scaling", "scaling"),
+    "economy": Chart("What each cell and panel costs, and what more would", "economy", "economy"),
+    "identities": Chart("Deciding identities: SymPy against tresym", "identities", "identities"),
+    "separatrix": Chart("ε₀ to 50 digits", "separatrix", "times"),
+    "many": Chart("A million ε₀ in float64", "many", "times"),
+    "turn": Chart("F(ε, γ) to 50 digits", "turn", "times"),
+    "defect": Chart("ε(γ) to 50 digits", "defect", "times"),
+    "flipmap": Chart("The flip of very many starts", "flipmap", "times"),
+}
+"""The charts ``tresym chart`` knows, by name."""
+
+
+def svg(name: str, source: str | None = None) -> str:
+    """The chart ``name`` as SVG text, from the saved measurement or from the file ``source``.
+
+    Raises:
+        InputError: an unknown name, a file that is no such measurement, or no matplotlib.
+    """
+    if name not in CHARTS:
+        raise InputError(f"chart: {name[:40]!a} is not known; known: {', '.join(CHARTS)}")
+    chart = CHARTS[name]
+    from tresym.report.charts.saved import load
+    from tresym.report.figures import style
+
+    data = load(chart.workload, source)
+    module = import_module(f"{__name__}.{chart.module}")
+    part = () if chart.part is None else (chart.part,)
+    with style.looks():
+        return _svg(chart, module, data, part)
+
+
+def _svg(chart: Chart, module: Any, data: dict[str, Any], part: tuple[str, ...]) -> str:
+    """Draw, put the caption below the picture and into it as a description."""
+    from xml.sax.saxutils import escape
+
+    from tresym.report.charts.common import below, measured_with
+    from tresym.report.figures import style
+
+    try:
+        figure = module.draw(data, *part)
+        caption = f"{module.caption(data, *part)} {measured_with(data)}"
+    except (KeyError, TypeError, ValueError, StopIteration) as error:
+        raise InputError(f"chart: the file is no measurement of {chart.workload}") from error
+    below(figure, caption)
+    text = style.svg_text(figure, escape(chart.title))
+    return text.replace(" <metadata>", f" <desc>{escape(caption)}</desc>\n <metadata>", 1)

@@ -1,0 +1,97 @@
+"""The stability atlas: maps of digits lost, printed and stable side by side, in two precisions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tresym.report.figures import style
+
+PARTS = {
+    "separatrix": ("separatrix",),
+    "levels": ("levels",),
+    "turning": ("turning point", "stable rotation"),
+}
+COLUMNS = (
+    (16, "printed", "float64, as printed"),
+    (16, "stable", "float64, stable form"),
+    (50, "printed", "50 digits, as printed"),
+    (50, "stable", "50 digits, stable form"),
+)
+MOST = 16.0
+LINES = (2, 8)
+
+
+def caption(data: dict[str, Any], part: str) -> str:
+    """What to see."""
+    where = {
+        "separatrix": "over the shapes, at the root ε₀ of each",
+        "levels": "over the start ψ and the level γ of the standard racket",
+        "turning": "over the distance from a turning point (standard racket), and near the stable "
+        "rotation γ = a",
+    }[part]
+    return (
+        f"Decimal digits lost {where}: white none, black 16 or more; the lines are at 2 (thin) and "
+        "8 (thick) digits. The truth is a ball formed from the same rounded numbers, so what is "
+        "lost is lost by the formula. Where all digits are lost at 50 digits no precision that is "
+        "fixed in advance would help: the loss grows with the axes."
+    )
+
+
+def draw(data: dict[str, Any], part: str) -> Any:
+    """A row for each formula, four columns."""
+    planes = {p["plane"]: p for p in data["planes"]}
+    names = [g["pair"] for g in data["grids"] if g["plane"] in PARTS[part]]
+    pairs = list(dict.fromkeys(names))
+    figure, grid = style.canvas(7.6, 0.7 + 1.45 * len(pairs), len(pairs), 4, sharey="row")
+    for row, pair in zip(grid, pairs, strict=True):
+        for sheet, (digits, form, title) in zip(row, COLUMNS, strict=True):
+            found = next(
+                g
+                for g in data["grids"]
+                if (g["pair"], g["digits"], g["form"]) == (pair, digits, form)
+            )
+            image = _map(sheet, found, planes[found["plane"]])
+            if sheet is row[0]:
+                sheet.set_ylabel(f"{pair}\n{planes[found['plane']]['y'][0]}", fontsize=7.5)
+            if row is grid[0]:
+                sheet.set_title(title, fontsize=8)
+            sheet.set_xlabel(planes[found["plane"]]["x"][0], fontsize=7.5, labelpad=1)
+    bar = figure.colorbar(image, ax=grid, location="right", shrink=0.5, aspect=30, pad=0.01)
+    bar.set_label("digits lost")
+    bar.set_ticks([0, 2, 4, 8, 12, 16], labels=["0", "2", "4", "8", "12", "16+"])
+    return figure
+
+
+def _map(sheet: Any, found: dict[str, Any], plane: dict[str, Any]) -> Any:
+    lost = np.array(found["lost"], dtype=float)
+    (_, left, right), (_, bottom, top) = plane["x"], plane["y"]
+    x, y = np.linspace(left, right, lost.shape[1]), np.linspace(bottom, top, lost.shape[0])
+    half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
+    image = sheet.imshow(
+        lost,
+        extent=(left - half_x, right + half_x, bottom - half_y, top + half_y),
+        origin="lower",
+        aspect="auto",
+        interpolation="none",
+        cmap="Greys",
+        vmin=0,
+        vmax=MOST,
+    )
+    if lost.max() > LINES[0] > lost.min():
+        sheet.contour(x, y, lost, LINES, colors="#d55e00", linewidths=(0.7, 1.6))
+    if lost.max() < LINES[0]:
+        words = f"at most {lost.max():.1f}"
+        sheet.text(0.5, 0.5, words, transform=sheet.transAxes, ha="center", fontsize=7, color="0.4")
+    _powers(sheet.xaxis, left, right)
+    _powers(sheet.yaxis, bottom, top)
+    sheet.tick_params(labelsize=6.5)
+    return image
+
+
+def _powers(axis: Any, low: float, high: float) -> None:
+    """Ticks at powers of ten, about four."""
+    step = max(1, round((high - low) / 4))
+    ticks = [n for n in range(round(low), round(high) + 1) if (n - round(high)) % step == 0]
+    axis.set_ticks(ticks, [f"$10^{{{n}}}$" for n in ticks])

@@ -1,0 +1,99 @@
+"""What the charts share: captions below the picture, marks that need no colour, times as text."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import Any, NamedTuple
+
+INK = "0.15"
+
+
+class Mark(NamedTuple):
+    """How a method is drawn: a colour, a marker and a line; open markers for other people's."""
+
+    colour: str
+    marker: str
+    line: Any
+    filled: bool
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """For ``plot``."""
+        return {
+            "color": self.colour,
+            "marker": self.marker,
+            "linestyle": self.line,
+            "markerfacecolor": self.colour if self.filled else "white",
+            "markeredgecolor": self.colour,
+        }
+
+
+BLUE, SKY, GREEN, ORANGE, RED, PURPLE, YELLOW, BLACK = (
+    "#0072b2",
+    "#3a9fd6",
+    "#009e73",
+    "#b87500",
+    "#d55e00",
+    "#a6558a",
+    "#8a7d00",
+    "#000000",
+)
+"""After the palette of Okabe and Ito, the light ones darkened so that they print."""
+
+SOLID, DASHED, DOTTED, DASHDOT = "-", (0, (4, 1.5)), (0, (1, 1.2)), (0, (5, 1.4, 1, 1.4))
+
+
+def measured_with(data: dict[str, Any]) -> str:
+    """With which machine and versions the data were measured."""
+    machine, found = data["machine"], data["versions"]
+    words = [f"{name} {v}" for name, v in found.items() if v != "not installed"]
+    part = "" if data.get("complete", True) else " The run was interrupted."
+    return (
+        f"Measured on {machine['processor']}, {machine['cores']} cores, {', '.join(words)}.{part}"
+    )
+
+
+def below(figure: Any, caption: str) -> None:
+    """Set the caption under the picture, in a strip that the layout leaves free."""
+    width, height = figure.get_size_inches()
+    lines = textwrap.wrap(caption, int(width * 19.5))
+    strip = 0.125 * len(lines) + 0.14
+    figure.set_size_inches(width, height + strip)
+    share = strip / (height + strip)
+    figure.get_layout_engine().set(rect=(0, share, 1, 1 - share))
+    figure.text(
+        0.08 / width,
+        share - 0.05 / (height + strip),
+        "\n".join(lines),
+        va="top",
+        fontsize=6.6,
+        color="0.25",
+        linespacing=1.25,
+    )
+
+
+def time_text(seconds: float) -> str:
+    """A time with three digits and its unit."""
+    for scale, unit in ((1e9, "ns"), (1e6, "µs"), (1e3, "ms")):
+        if seconds * scale < 999.5:
+            return f"{seconds * scale:.3g} {unit}"
+    return f"{seconds:.3g} s"
+
+
+def time_axis(axis: Any, low: float, high: float) -> None:
+    """A logarithmic axis of seconds with ticks at the units people use."""
+    import math
+
+    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
+    step = 1 if last - first <= 5 else 2 if last - first <= 10 else 3
+    exponents = [n for n in range(first, last + 1) if n % step == 0]
+    axis.set_ticks([10.0**n for n in exponents], [tick_text(n) for n in exponents])
+    axis.set_ticks([], minor=True)
+
+
+def tick_text(exponent: int) -> str:
+    """10ⁿ seconds as a round number of a unit."""
+    unit, base = next(
+        (u, n) for u, n in (("s", 0), ("ms", -3), ("µs", -6), ("ns", -9)) if exponent >= n
+    )
+    return f"{10 ** (exponent - base)} {unit}"

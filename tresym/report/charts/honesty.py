@@ -1,0 +1,87 @@
+"""What methods claim against what they have: a dot on the line is honest, one below it is not."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tresym.report.charts.common import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, SKY, YELLOW
+from tresym.report.figures import style
+
+PANELS = (
+    ("tresym", {"tresym, balls": (BLUE, "o"), "tresym, float64 map": (SKY, "^")}),
+    (
+        "quadrature",
+        {
+            "mpmath quad, tanh-sinh": (ORANGE, "^"),
+            "mpmath quad, gauss-legendre": (RED, "v"),
+            "scipy quad": (BLACK, "x"),
+        },
+    ),
+    (
+        "root finders",
+        {
+            "mpmath findroot, printed equation": (RED, "v"),
+            "mpmath findroot over quad": (ORANGE, "^"),
+            "scipy brentq, printed equation": (GREEN, "x"),
+        },
+    ),
+    (
+        "ODE solvers",
+        {"scipy RK45": (YELLOW, "p"), "scipy DOP853": (PURPLE, "d"), "heyoka": (BLACK, "x")},
+    ),
+)
+TOP = 62.0
+
+
+def caption(data: dict[str, Any]) -> str:
+    """What to see, with the counts."""
+    points = data["points"]
+    ours = [p for p in points if p["method"] == "tresym, balls"]
+    others = [p for p in points if not p["method"].startswith("tresym")]
+    over = sum(p["claims"] > p["digits"] + 1 for p in others)
+    most = max(others, key=lambda p: p["claims"] - p["digits"])
+    return (
+        "Digits that a method claims for its answer against the digits that the answer has, by a "
+        "ball. On the line a claim is exact; in the hatched half more is claimed than there is. "
+        "Claimed are: the radius of a ball, the error the float64 map says to expect, quad's "
+        "estimate, the tolerance of a root finder or ODE solver that returned without complaint. "
+        f"{over} of {len(others)} answers of other methods claim more than a digit too much (the "
+        f"most: {most['method']}, {most['claims']:g} claimed, {most['digits']:g} had); "
+        f"{sum(p['claims'] > p['digits'] for p in ours)} of {len(ours)} balls do."
+    )
+
+
+def draw(data: dict[str, Any]) -> Any:
+    """Four panels on one scale."""
+    figure, grid = style.canvas(7.2, 7.0, 2, 2, sharex=True, sharey=True)
+    for sheet, (title, methods) in zip(grid.flat, PANELS, strict=True):
+        ends = [-1, TOP]
+        sheet.fill_between(
+            ends, [-1, -1], ends, facecolor="0.96", edgecolor="0.86", hatch="///", linewidth=0
+        )
+        sheet.plot(ends, ends, color="0.3", linewidth=0.9)
+        for method, (colour, marker) in methods.items():
+            some = [p for p in data["points"] if p["method"] == method]
+            face = {} if marker == "x" else {"markerfacecolor": "white"}
+            sheet.plot(
+                [p["claims"] for p in some],
+                [p["digits"] for p in some],
+                linestyle="",
+                color=colour,
+                marker=marker,
+                markersize=4.2,
+                markeredgewidth=0.9,
+                label=f"{method} ({len(some)})",
+                **face,
+            )
+        sheet.set_title(title, loc="left")
+        sheet.legend(loc="upper left", handletextpad=0.2, fontsize=7)
+        sheet.set_xlim(*ends)
+        sheet.set_ylim(*ends)
+        sheet.set_aspect("equal")
+    grid[0, 0].text(44, 12, "claims more\nthan it has", ha="center", fontsize=8, color="0.35")
+    for row in grid:
+        row[0].set_ylabel("true digits")
+    for sheet in grid[-1]:
+        sheet.set_xlabel("digits claimed")
+    return figure

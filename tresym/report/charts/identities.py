@@ -1,0 +1,104 @@
+"""Deciding identities: each one's time by SymPy against its time by tresym."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tresym.report.charts.common import BLUE, ORANGE, RED, tick_text
+from tresym.report.figures import style
+
+METHODS = {
+    "sympy simplify": (RED, "v"),
+    "sympy equals": (BLUE, "s"),
+    "sympy trigsimp": (ORANGE, "^"),
+}
+OURS = "tresym, exact normal form"
+
+
+def caption(data: dict[str, Any]) -> str:
+    """What to see, with the counts."""
+    notes = data["notes"]["summary"]
+    words = []
+    for method in METHODS:
+        true, false = (notes[f"{method}, {kind} ones"] for kind in ("true", "false"))
+        words.append(
+            f"{method.removeprefix('sympy ')} decides {true.get('right', 0)} of "
+            f"{true['identities']} true ones and takes {true['ratio']:g} (false ones: "
+            f"{false['ratio']:g}) times as long in the geometric mean"
+        )
+    ours = [notes[f"{OURS}, {kind} ones"] for kind in ("true", "false")]
+    total = sum(n["identities"] for n in ours)
+    right = sum(n.get("right", 0) for n in ours)
+    return (
+        "Each mark is one identity of the ledger or a false variant of it: time of a SymPy method "
+        f"against the time of tresym, which decides {right} of {total} and is wrong on none. Open: "
+        "decided; a cross: not decided, wrong, or stopped at the limit. Lines: 1, 100 and 10 000 "
+        f"times slower. {'; '.join(words)}."
+    )
+
+
+def draw(data: dict[str, Any]) -> Any:
+    """True identities on the left, false ones on the right."""
+    figure, grid = style.canvas(7.4, 4.1, 1, 2, sharex=True, sharey=True)
+    ours = {r["scene"]: r["seconds"] for r in data["rows"] if r["method"] == OURS and r["seconds"]}
+    for sheet, false in zip(grid[0], (False, True), strict=True):
+        for factor, line in ((1, "-"), (100, "--"), (10_000, ":")):
+            x = (1e-6, 10)
+            sheet.plot(
+                x, [factor * v for v in x], color="0.6", linewidth=0.8, linestyle=line, zorder=1
+            )
+        for method, (colour, marker) in METHODS.items():
+            rows = [
+                r
+                for r in data["rows"]
+                if r["method"] == method
+                and r["scene"] in ours
+                and r["scene"].endswith("made false") == false
+            ]
+            _dots(sheet, rows, ours, colour, marker, method)
+        sheet.set_title("false variants" if false else "true identities", loc="left")
+        sheet.set_xscale("log")
+        sheet.set_yscale("log")
+        sheet.set_xlabel("time by tresym")
+    grid[0, 0].set_ylabel("time by SymPy")
+    times = list(ours.values())
+    others = [r["seconds"] for r in data["rows"] if r["method"] in METHODS and r["seconds"]]
+    for axis, values, limits in (
+        (sheet.xaxis, times, sheet.set_xlim),
+        (sheet.yaxis, others, sheet.set_ylim),
+    ):
+        limits(min(values) / 2, max(values) * 3)
+        exponents = [n for n in range(-6, 2) if min(values) / 2 < 10.0**n < max(values) * 3]
+        axis.set_ticks([10.0**n for n in exponents], [tick_text(n) for n in exponents])
+        axis.set_ticks([], minor=True)
+    grid[0, 0].legend(loc="lower right", fontsize=7, frameon=True, edgecolor="none", framealpha=0.8)
+    return figure
+
+
+def _dots(
+    sheet: Any,
+    rows: list[dict[str, Any]],
+    ours: dict[str, float],
+    colour: str,
+    marker: str,
+    label: str,
+) -> None:
+    for right in (True, False):
+        some = [r for r in rows if (r["outcome"] == "right") == right]
+        sheet.plot(
+            [ours[r["scene"]] for r in some],
+            [r["seconds"] or _limit(r) for r in some],
+            linestyle="",
+            color=colour,
+            marker=marker if right else "x",
+            markersize=4,
+            markerfacecolor="white",
+            markeredgewidth=0.8,
+            label=label if right else None,
+            zorder=3 if right else 2,
+        )
+
+
+def _limit(row: dict[str, Any]) -> float:
+    """The seconds of "more than 2 s of processor time"."""
+    return next(float(word) for word in row["why"].split() if word.replace(".", "").isdigit())

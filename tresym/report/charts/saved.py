@@ -1,0 +1,40 @@
+"""Where saved measurements are: a checkout's docs/measurements, or those shipped with tresym."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import tresym
+from tresym.exact import InputError
+
+MOST_BYTES = 50_000_000
+
+
+def home() -> Path:
+    """The folder of the saved measurements, whether or not it is there."""
+    package = Path(tresym.__file__).resolve().parent
+    shipped = package / "measurements"
+    return shipped if shipped.is_dir() else package.parent / "docs" / "measurements"
+
+
+def load(workload: str, source: str | None = None) -> dict[str, Any]:
+    """The saved measurement of a workload, or the one in the file ``source``.
+
+    Raises:
+        InputError: there is none, or it is one of another workload.
+    """
+    path = home() / f"{workload}.json" if source is None else Path(source)
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            raise InputError(f"{path.name}: too large for a measurement")
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        hint = "" if source else f"; measure it: tresym bench {workload} --save"
+        raise InputError(f"{path.name}: cannot be read ({error.strerror}){hint}") from None
+    except ValueError:
+        raise InputError(f"{path.name}: is not JSON") from None
+    if not isinstance(data, dict) or data.get("workload") != workload:
+        raise InputError(f"{path.name}: is no measurement of {workload}")
+    return data

@@ -1,0 +1,76 @@
+"""One workload: how long each method takes, scene by scene, and what became of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tresym.report.charts.common import BLUE, RED, time_axis, time_text
+from tresym.report.figures import style
+
+
+def caption(data: dict[str, Any]) -> str:
+    """What to see."""
+    return (
+        f"{data['says'][0].upper()}{data['says'][1:]}: {data['clock']} of one answer, logarithmic, "
+        f"with the quartiles, and the ratio to “{data['reference']}”, taken round by round in one "
+        "interleaved run. Filled: tresym; open: other methods, all digits there; a cross: fewer "
+        "digits than asked for, or no answer, with the reason."
+    )
+
+
+def draw(data: dict[str, Any]) -> Any:
+    """A line for each method, in groups."""
+    rows = data["rows"]
+    scenes = list(dict.fromkeys(r["scene"] for r in rows))
+    count = len(rows) + (len(scenes) if len(scenes) > 1 else 0)
+    figure, grid = style.canvas(7.4, 0.7 + 0.19 * count)
+    sheet = grid[0, 0]
+    seconds = [r["seconds"] for r in rows if r["seconds"]]
+    low, high = min(seconds) / 2, max(seconds) * 60
+    place, ticks, labels = 0, [], []
+    for scene in scenes:
+        if len(scenes) > 1:
+            sheet.text(low * 1.1, place, scene, va="center", fontsize=8, fontweight="bold")
+            place += 1
+        for row in (r for r in rows if r["scene"] == scene):
+            _line(sheet, row, place, low)
+            ticks.append(place)
+            labels.append(row["method"])
+            place += 1
+    sheet.set_yticks(ticks, labels, fontsize=7.5)
+    sheet.tick_params(axis="y", length=0)
+    sheet.set_ylim(place - 0.4, -0.6)
+    sheet.set_xscale("log")
+    sheet.set_xlim(low, high)
+    time_axis(sheet.xaxis, low, max(seconds))
+    sheet.grid(axis="x", color="0.92", linewidth=0.6)
+    sheet.set_axisbelow(True)
+    sheet.set_xlabel("time of one answer")
+    return figure
+
+
+def _line(sheet: Any, row: dict[str, Any], place: int, low: float) -> None:
+    if row["seconds"] is None:
+        words = f"{row['outcome']}: {row['why']}"
+        words = words if len(words) < 70 else words[:67] + "…"
+        sheet.text(low * 1.3, place, f"× {words}", va="center", fontsize=6.5, color=RED)
+        return
+    colour, right = BLUE if row["ours"] else "0.2", row["outcome"] == "right"
+    begin, end = row["quartiles"]
+    sheet.plot((begin, end), (place, place), color=colour, linewidth=2.5, alpha=0.4, zorder=2)
+    sheet.plot(
+        row["seconds"],
+        place,
+        marker="o" if right else "x",
+        markersize=5,
+        color=colour if right else RED,
+        markerfacecolor=colour if row["ours"] else "white",
+        markeredgewidth=1,
+        zorder=3,
+    )
+    words = time_text(row["seconds"])
+    if row["ratio"] is not None and row["ratio"] != 1:
+        words += f", {row['ratio']:,.3g}×" if row["ratio"] < 1000 else f", {row['ratio']:,.0f}×"
+    if not right:
+        words += f"; {row['why']}"
+    sheet.text(max(end, row["seconds"]) * 1.35, place, words, va="center", fontsize=6.5)
