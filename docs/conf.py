@@ -20,6 +20,7 @@ extensions = [
 root_doc = "index"
 exclude_patterns = ["generated/ledger.md", "generated/tables", "explorer"]
 smartquotes = False
+toc_object_entries = False
 
 myst_enable_extensions = [
     "attrs_inline",

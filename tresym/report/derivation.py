@@ -136,9 +136,8 @@ def _aligned(display: Display) -> str:
     rows = []
     for line in display:
         why = ", ".join(map(_reason, line.reasons))
-        rows.append(
-            f"{line.left} &{line.right}" + (rf" && \text{{\footnotesize {why}}}" if why else "")
-        )
+        said = rf" && \text{{\footnotesize {why}}}" if why else ""
+        rows.append(f"{line.left} &{line.right}{said}".lstrip())
     body = " \\\\\n".join(rows)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 

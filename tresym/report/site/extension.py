@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -73,6 +74,13 @@ def link_corrections(app: Sphinx, name: str, source: list[str]) -> None:
     if name == "generated/corrections":
         known = ledger_of(Path(app.srcdir))["claims"]
         source[0] = re.sub(r"`(\w+)`", lambda m: link(m[1]) if m[1] in known else m[0], source[0])
+
+
+def copy_explorer(app: Sphinx, error: Exception | None) -> None:
+    """The explorer is a page of its own, beside the others."""
+    source = Path(app.srcdir) / "explorer"
+    if error is None and source.is_dir():
+        shutil.copytree(source, Path(app.outdir) / "explorer", dirs_exist_ok=True)
 
 
 class ClaimDirective(SphinxDirective):
@@ -174,6 +182,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("claim", ClaimDirective)
     app.add_directive("findings", FindingsDirective)
     app.add_directive("charts", ChartsDirective)
+    app.connect("build-finished", copy_explorer)
     app.connect("source-read", link_corrections)
     app.add_directive("run", RunDirective)
     app.add_css_file("mathematics.css")

@@ -1,0 +1,204 @@
+"""The site: pages are made of the saved ledger alone, formulas need no network, links lead on."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from tresym.report.markdown import finding, sentence
+from tresym.report.numbers import numbers
+from tresym.report.record import record
+from tresym.report.site import claims, commands, links
+from tresym.report.site.docstrings import restructured
+from tresym.report.site.markdown import display, inline
+from tresym.report.wording import readable
+from tresym.verification import Report, verify
+
+ROOT = Path(__file__).resolve().parent.parent
+SOME = (
+    "eq_gamma",
+    "floor_of_every_body",
+    "table_racket_3_b",
+    "racket_3_third_moment",
+    "d27",
+    "slope_str_exact",
+    "slope_str_formula",
+)
+"""Of every kind one, with what is true instead of it."""
+
+
+@pytest.fixture(scope="module")
+def report() -> Report:
+    return verify(SOME)
+
+
+@pytest.fixture(scope="module")
+def ledger(report: Report) -> claims.Record:
+    found: claims.Record = json.loads(json.dumps(record(report)))
+    return found
+
+
+def test_every_claim_has_a_page(ledger: claims.Record) -> None:
+    pages = dict(claims.pages(ledger, {}))
+    assert set(pages) == {"index.md", *(f"{label}.md" for label in ledger["claims"])}
+    for label, claim in ledger["claims"].items():
+        page = pages[f"{label}.md"]
+        assert f"# `{label}`" in page
+        assert f"[{claim['verdict']}]" in page
+        for other in (*claim["uses"], *claim["used_by"], *claim["amended_by"]):
+            assert f"(/claims/{other}.md)" in page, (label, other)
+        assert f"(/claims/{label}.md)" in pages["index.md"]
+
+
+def test_pages_tell_no_time_but_a_saved_one(ledger: claims.Record) -> None:
+    assert "seconds" not in json.dumps(ledger)
+    assert all("Judged in" not in page for _, page in claims.pages(ledger, {}))
+    page = dict(claims.pages(ledger, {"eq_gamma": 0.0125}))["eq_gamma.md"]
+    assert "Judged in 12.5 ms" in page
+
+
+def test_the_page_of_a_chain_links_its_reasons(ledger: claims.Record) -> None:
+    page = dict(claims.pages(ledger, {}))["eq_gamma.md"]
+    assert "by [`eq_Mi`](/claims/eq_Mi.md), trigonometry" in page
+    assert "$$\n= \\frac{2I_2E}{M^2}-1\n$$" in page
+
+
+def test_refuted_pages_say_what_is_true(ledger: claims.Record) -> None:
+    page = dict(claims.pages(ledger, {}))["table_racket_3_b.md"]
+    assert "## True instead" in page
+    assert "(/claims/racket_3_third_moment.md)" in page
+
+
+def test_uses_and_used_by_are_each_other(ledger: claims.Record) -> None:
+    found = ledger["claims"]
+    for label, claim in found.items():
+        assert all(label in found[other]["used_by"] for other in claim["uses"])
+        assert all(label in found[other]["uses"] for other in claim["used_by"])
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("2 arctan e^{−π} < 1", "2 arctan e<sup>−π</sup> \\< 1"),
+        ("≤ 1.451 ε*^2.", "≤ 1.451 ε\\*<sup>2</sup>."),
+        ("between ψ_min and ψ_max", "between ψ<sub>min</sub> and ψ<sub>max</sub>"),
+        ("the label eq_gamma, |x|", "the label eq\\_gamma, \\|x\\|"),
+        ("[a](b) `c` $d$", "\\[a\\](b) \\`c\\` \\$d\\$"),
+    ],
+)
+def test_sentences_read_the_same_in_markdown(text: str, shown: str) -> None:
+    assert sentence(text) == shown
+
+
+def test_what_was_found_in_letters() -> None:
+    assert readable("violated at psi1 = -1/2, I3 = 4") == "violated at ψ₁ = −1/2, I₃ = 4"
+    assert readable("1.00000 * t^(-2) * exp(3.5/t^1)") == "1 · t^{−2} · exp(3.5/t)"
+    assert finding("t -> 0, 2 * t^(10)") == "t → 0, 2 · t<sup>10</sup>"
+
+
+def test_long_systems_take_a_line_for_each_part() -> None:
+    parts = [r"\alpha_{1}+\beta_{1} = 0", r"\gamma_{2}+\delta_{2} \ge 1", "c = d"]
+    shown = display(r",\quad ".join(parts))
+    assert shown.count(r"\\") == 2
+    assert "gathered" in shown
+    assert "gathered" not in display("a = b,\\quad c = d")
+    assert inline({"says": None, "formula": "|a|,\\quad b"}) == r"$\vert a\vert$, $b$"
+
+
+def test_every_formula_becomes_mathml(ledger: claims.Record) -> None:
+    mathematics = pytest.importorskip("tresym.report.site.mathematics")
+    pytest.importorskip("math_core")
+    for claim in ledger["claims"].values():
+        for formula in (*claim["given"], claim["formula"] or "0"):
+            assert mathematics.mathml(formula, block=True).startswith("<math")
+
+
+def test_the_font_comes_along_and_is_small() -> None:
+    pytest.importorskip("fontTools")
+    pytest.importorskip("ziamath")
+    from tresym.report.site import mathematics
+
+    style = mathematics.stylesheet(mathematics.font_file())
+    assert "url(data:font/woff;base64," in style
+    assert "//" not in style.split("base64,")[0]
+    assert len(style) < 250_000
+    assert style == mathematics.stylesheet(mathematics.font_file())
+
+
+def test_the_command_reference_names_every_option() -> None:
+    text = commands.reference()
+    for name in ("verify", "flip", "check", "derive", "table", "figure", "docs", "bench", "sweep"):
+        assert f"## tresym {name}\n" in text
+    for option in ("--inertia I1 I2 I3", "--given CONDITIONS", "--mutants", "-o PATH", "--check"):
+        assert f"`{option}`" in text
+
+
+def test_examples_are_what_the_command_prints() -> None:
+    text = commands.transcript("tresym flip --body str --digits 20")
+    assert text.startswith("$ tresym flip --body str --digits 20\n")
+    assert "0.11494412656569275372" in text
+    assert re.search(r"\d (ms|s)\b", commands.transcript("tresym check 'x == x'")) is None
+    with pytest.raises(ValueError, match="refused"):
+        commands.transcript("tresym flip --body nobody")
+    with pytest.raises(ValueError, match="refused"):
+        commands.transcript("rm -rf x")
+
+
+def test_docstrings_become_fields() -> None:
+    lines = [
+        "Says.",
+        "",
+        "Args:",
+        "    x: a number,",
+        "        exact.",
+        "",
+        "Raises:",
+        "    E: no.",
+    ]
+    found = list(restructured([*lines, "", "More: text."]))
+    assert ":param x: a number," in found
+    assert "        exact." in found
+    assert ":raises E: no." in found
+    assert found[-1] == "More: text."
+
+
+def test_the_checker_sees_what_is_planted(tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    good = '<p id="x"><a href="a/b.html#y">b</a><a href="https://e.org">e</a><a href="#x">x</a>'
+    (tmp_path / "index.html").write_text(good)
+    (tmp_path / "a" / "b.html").write_text('<p id="y"><a href="../index.html">up</a>')
+    (tmp_path / "s.css").write_text("a { background: url(data:image/png;base64,//x) }")
+    assert list(links.faults(tmp_path)) == []
+    assert links.main([str(tmp_path)]) == 0
+    planted = [
+        '<a href="c.html">c</a>',
+        '<a href="a/b.html#z">z</a>',
+        '<script src="https://cdn.e.org/x.js"></script>',
+        '<link rel="stylesheet" href="//e.org/x.css">',
+        '<img src="index.html">',
+    ]
+    for piece in planted:
+        (tmp_path / "index.html").write_text(good + piece)
+        assert len(list(links.faults(tmp_path))) == 1, piece
+    (tmp_path / "index.html").write_text(good)
+    (tmp_path / "s.css").write_text("@import 'https://e.org/f.css';")
+    assert len(list(links.faults(tmp_path))) == 1
+    assert links.main([str(tmp_path)]) == 1
+    assert links.main([str(tmp_path / "nowhere")]) == 2
+
+
+_ASIDE = re.compile(r"```.*?```|`[^`]*`|\{\{.*?\}\}|\]\([^)]*\)|\$\$.*?\$\$", re.DOTALL)
+"""What is not prose: directives and examples, code, substitutions, targets of links, formulas."""
+
+
+def test_no_result_is_typed_into_the_prose(report: Report) -> None:
+    """Numbers with three digits or more stand in pages as includes, examples or substitutions."""
+    allowed = {"3.11", "338", "2017", "1606.08237", "000"}
+    for path in sorted((ROOT / "docs").glob("**/*.md")):
+        if path.parent.name in ("generated", "tables", "claims", "reference"):
+            continue
+        text = _ASIDE.sub("", path.read_text(encoding="utf-8"))
+        found = set(re.findall(r"(?<![\w.])\d[\d.]*\d\d(?!\w)|(?<![\w.])\d+\.\d+(?!\w)", text))
+        assert found <= allowed, (path.name, found - allowed)
+    assert numbers(report)["claims"] == str(len(report.rows))
