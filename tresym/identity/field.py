@@ -30,7 +30,7 @@ from tresym.identity.ring import (
     UndefinedError,
     small_factor,
 )
-from tresym.identity.signs import SignedRing
+from tresym.identity.signs import AgainError, SignedRing
 
 ALL_THEORIES = frozenset({"roots", "trigonometry", "exponentials", "inverses"})
 
@@ -45,17 +45,14 @@ _THEORY: dict[str, frozenset[str]] = (
     | {name: frozenset({"inverses"}) for name in ("asinh", "acosh", "atanh")}
 )
 
-MAX_PASSES = 16
+MAX_PASSES = 40
 MAX_HALF_TURN = 240
+MAX_MULTIPLE = 96
 MAX_PRIME_BITS = 160
 CONJUGATE_TERMS = 10
 MAX_FACTOR_TERMS = 1000
 
 Factors = dict[str, tuple[Poly, fmpq]]
-
-
-class _AgainError(Exception):
-    """A unit, an order or a sign was learnt: normalise again from the start."""
 
 
 class Field(SignedRing):
@@ -87,7 +84,7 @@ class Field(SignedRing):
                     if condition.relation != "!=":
                         self._require_positive(value)
                 result = [self._walk(e) for e in expressions]
-            except _AgainError:
+            except AgainError:
                 continue
             except (TooLargeError, UndefinedError):
                 if not self.learn():
@@ -446,7 +443,7 @@ class Field(SignedRing):
             raise TooLargeError("a root of order beyond 60")
         self._orders[key] = new
         if new != old != 1:
-            raise _AgainError
+            raise AgainError
         return new
 
     def _root_generator(self, f: Poly, order: int) -> Poly:
@@ -556,7 +553,7 @@ class Field(SignedRing):
         old = self._units[kind][index]
         if old % q:
             self._units[kind][index] = lcm(old, q)
-            raise _AgainError
+            raise AgainError
         return old
 
     def _decompose(self, kind: str, x: Fraction) -> list[tuple[int, fmpq]]:
@@ -667,7 +664,7 @@ class Field(SignedRing):
     def _turn_of_half_tangent(self, t: Poly, n: int) -> tuple[Fraction, Fraction]:
         """Cosine and sine of nθ from t = tan(θ/2): (1 + it)^2n/(1 + t²)^n."""
         m = abs(n)
-        if m > MAX_PASSES * 6:
+        if m > MAX_MULTIPLE:
             raise TooLargeError("a multiple of an angle beyond 96")
         real, imaginary = self.zero_poly, self.zero_poly
         for k in range(2 * m + 1):
@@ -715,7 +712,7 @@ class Field(SignedRing):
             c, s = (self.generator(kind, (index, unit), data) for kind in ("cos", "sin"))
             self.relate(s, 2, self.one_poly - self.variable(c) ** 2)
             n = int(r.p * (unit // r.q))
-            if abs(n) > MAX_PASSES * 6:
+            if abs(n) > MAX_MULTIPLE:
                 raise TooLargeError("a multiple of an angle beyond 96")
             step = self._fraction(c), self._fraction(s)
             result = self._rotate(result, self._turn_power(step, n))
@@ -774,7 +771,7 @@ class Field(SignedRing):
             raise TooLargeError(f"an angle of pi/{m}")
         self._half_turn = m
         if m != old != 1:
-            raise _AgainError
+            raise AgainError
         generator = self.generator("cosine", m, (m,))
         z = self.variable(generator)
         minimal = fmpz_poly.cos_minpoly(2 * m)

@@ -8,13 +8,14 @@ impose: each is a product of signs, a linear equation over GF(2).
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 
 from flint import arb, fmpq, fmpz, fmpz_mpoly
 
 from tresym.arithmetic import ball_precision
 from tresym.identity.given import Given, Range
-from tresym.identity.ring import Fraction, Generator, Poly, Ring, small_factor
+from tresym.identity.ring import Fraction, Generator, Poly, Ring, TooLargeError, small_factor
 
 SIGN_BITS = 256
 MAX_SIGN_TERMS = 60
@@ -23,6 +24,10 @@ MAX_TRIALS = 60
 _PI_LOW, _PI_HIGH = fmpq(103993, 33102), fmpq(104348, 33215)
 
 Ends = tuple[fmpq | None, fmpq | None]
+
+
+class AgainError(TooLargeError):
+    """A unit, an order or a sign was learnt: normalise again from the start."""
 
 
 class SignedRing(Ring):
@@ -192,6 +197,8 @@ class SignedRing(Ring):
     def require_sign(self, parts: list[Poly], sign: int) -> None:
         """Record that the product of ``parts`` has the given sign on the domain.
 
+        The sign of a single part is used from the start of the next pass, which begins at once.
+
         A part that mixes inverse functions may vanish on a whole region without our knowing, and
         then says nothing of the other parts: such an equation is not used.
         """
@@ -207,6 +214,9 @@ class SignedRing(Ring):
             keys ^= {self._meet(part)}
         if not keys or (len(parts) > 1 and any(self.is_mixed(part) for part in parts)):
             return
+        if len(keys) == 1:
+            self._know(keys.pop(), sign)
+            raise AgainError
         self._equations.add((frozenset(keys), sign))
 
     def is_mixed(self, p: Poly) -> bool:
@@ -390,7 +400,8 @@ class SignedRing(Ring):
         found = self.orthant_sign(p)
         if found or len(p) == 1:
             return found
-        for method in (self._by_facts, self._by_discriminant, self._by_conjugate):
+        methods = (self._by_facts, self._by_discriminant, self._by_conjugate, self._by_cases)
+        for method in methods:
             found = method(p, depth)
             if found:
                 return found
@@ -398,13 +409,42 @@ class SignedRing(Ring):
 
     def definite(self, p: Poly) -> int:
         """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0."""
-        kept = self.box, self.known_signs, self.positives, self._signs, self._tried
-        self.box, self.known_signs = dict(self.given.box), {}
-        self.positives, self._signs, self._tried = {}, {}, {}
-        try:
+        with self._knowing(dict(self.given.box), {}, {}):
             return self.sign(p)
+
+    @contextmanager
+    def _knowing(
+        self, box: dict[str, Range], signs: dict[str, int], positives: dict[str, Poly]
+    ) -> Iterator[None]:
+        """For a while, only these ranges, signs and positive polynomials are known."""
+        kept = self.box, self.known_signs, self.positives, self._signs, self._tried
+        self.box, self.known_signs, self.positives = box, signs, positives
+        self._signs, self._tried = {}, {}
+        try:
+            yield
         finally:
             self.box, self.known_signs, self.positives, self._signs, self._tried = kept
+
+    def _by_cases(self, p: Poly, depth: int) -> int:
+        """The sign of ``p`` where it is the same whichever value a sign in it has."""
+        for position in self.used(p):
+            generator = self.at(position)
+            if generator.kind != "sign":
+                continue
+            parts = self.split(p, position)
+            found = set()
+            for sign in (1, -1):
+                fact = generator.data[0] * sign
+                key = str(generator.data[0])
+                case = parts.get(0, self.zero_poly) + sign * parts[1]
+                signs, positives = {**self.known_signs, key: sign}, {**self.positives, key: fact}
+                with self._knowing(dict(self.box), signs, positives):
+                    self._narrow(fact)
+                    found.add(self.product_sign(self.reduce(case), depth + 1))
+                if found & {0} or len(found) > 1:
+                    return 0
+            return found.pop()
+        return 0
 
     def _constant_sign(self, p: Poly) -> int:
         for bits in (64, SIGN_BITS, 4 * SIGN_BITS):
