@@ -6,8 +6,23 @@ import pytest
 from flint import arb, fmpq
 from sympy import Ge, Integral, Symbol, Tuple, cos, exp, sin, sqrt, tan
 
-from tresym.claims.claim import AllOf, Claim, Definition, Printed, by, equal, formally, trigonometry
-from tresym.claims.mutants import mutants, mutations
+from tresym.claims.bounds import Asymptotics
+from tresym.claims.changes import mutations
+from tresym.claims.claim import (
+    AllOf,
+    Claim,
+    Counterexample,
+    Definition,
+    Printed,
+    by,
+    equal,
+    formally,
+    substituting,
+    trigonometry,
+)
+from tresym.claims.judge import judge
+from tresym.claims.mutants import mutants
+from tresym.claims.order import Order
 from tresym.claims.violation import value, violation
 from tresym.cli import main
 from tresym.notation import a, b
@@ -79,9 +94,55 @@ def test_a_true_variant_does_not_count() -> None:
     assert all(m.claim.says != Ge(x**2 + 2, 0, evaluate=False) for m in mutants(bound, 50))
 
 
-def test_definitions_and_conjunctions_have_no_mutants() -> None:
-    assert list(mutants(Claim("new", equal(x, a + b), Definition()), 5)) == []
+def test_a_definition_is_changed_where_others_prove_something_by_it() -> None:
+    new = Claim("new", equal(x, a + b), Definition())
+    assert list(mutants(new, 5)) == []
+    square = Claim("square", equal(x**2, a**2 + 2 * a * b + b**2), by(substituting(new)))
+    found = list(mutants(new, 5, (square,)))
+    assert len(found) >= 5
+    held = {"new": judge(new, {})}
+    assert judge(square, held).verdict is Verdict.PROVED
+    for mutant in found:
+        assert mutant.place == "in square"
+        assert judge(mutant.claim, held).verdict is Verdict.REFUTED
+
+
+def test_a_conjunction_has_its_parts_changed() -> None:
     assert list(mutants(Claim("all", "all", AllOf(())), 5)) == []
+    parts = tuple(Claim(str(e), equal(e - e / 2, e / 2), by()) for e in (x, y))
+    both = Claim("both", "both", AllOf(parts))
+    found = list(mutants(both, 6))
+    assert {m.place.split(":")[0] for m in found} == {"part x", "part y"}
+    for mutant in found:
+        changed = {part.label: judge(part, {}) for part in (*parts, *mutant.beneath)}
+        assert judge(mutant.claim, changed).verdict is Verdict.REFUTED
+
+
+def test_a_refuted_sentence_is_changed_and_stays_refuted() -> None:
+    point = Counterexample({"x": fmpq(1, 2)}, sin(x) > x / 2)
+    false = Claim("false", "sin x ≤ x/2", point, given=(x > 0,))
+    found = list(mutants(false, 4))
+    assert found
+    assert all(judge(m.claim, {}).verdict is not Verdict.PROVED for m in found)
+
+
+def test_orders_are_changed_only_to_false_ones() -> None:
+    def order(kind: str, function: object, gauge: object, **rest: object) -> set[str]:
+        statement = Order(kind, function, gauge, **rest)
+        claim = Claim("order", "…", Asymptotics(statement, "x -> 0"))
+        assert judge(claim, {}).verdict is Verdict.ENCLOSED
+        found = list(mutants(claim, 20))
+        assert not any(judge(m.claim, {}).verdict.holds for m in found)
+        return {m.change for m in found}
+
+    sine = order("O", lambda x, m: m.sin(x), lambda x, m: x)
+    assert {"t g", "t^2 g", "f/t"} <= sine
+    assert not {"g/2", "2 g", "-g", "g/t"} & sine
+    assert {"t g", "g/2", "2 g", "-g", "g/t"} <= order("~", lambda x, m: m.sin(x), lambda x, m: x)
+    assert "t g" in order("o", lambda x, m: x**2, lambda x, m: x)
+    bound = order("<=", lambda x, m: m.sin(x), lambda x, m: x, constant=fmpq(1))
+    assert {"C/2", "t g"} <= bound
+    assert "up to 2 times as far" not in bound
 
 
 def test_moved_digits_count_only_where_no_inputs_give_them() -> None:

@@ -129,6 +129,8 @@ class MutantRow:
     """How many got each verdict; all four are always present."""
     survivors: tuple[Mutant, ...]
     """Mutants that were PROVED or ENCLOSED: there must be none."""
+    changes: int
+    """How many changes made them: one change may be judged with and without its chain."""
 
     @property
     def total(self) -> int:
@@ -161,7 +163,10 @@ class MutantReport:
                 {"label": m.origin.label, "place": m.place, "change": m.change}
                 for m in self.survivors
             ],
-            "claims": [{"label": row.claim.label, **row.counts} for row in self.rows],
+            "claims": [
+                {"label": row.claim.label, "changes": row.changes, **row.counts}
+                for row in self.rows
+            ],
         }
 
 
@@ -182,16 +187,42 @@ def verify_mutants(
     """
     report = verify(labels)
     found = {row.claim.label: row.finding for row in report.rows}
+    made: dict[str, tuple[Mutant, ...]] = {}
+
+    def of(claim: Claim) -> tuple[Mutant, ...]:
+        if claim.label not in made:
+            made[claim.label] = tuple(mutants(claim, wanted, using[claim], of))
+        return made[claim.label]
+
+    using = _dependents(all_claims())
     rows = []
     for claim in (row.claim for row in report.rows if row.requested):
-        judged = [(m, judge(m.claim, found).verdict) for m in mutants(claim, wanted)]
+        judged = [(mutant, _judge_mutant(mutant, found).verdict) for mutant in of(claim)]
         counted = Counter(verdict for _, verdict in judged)
         counts = {v.value: counted[v] for v in Verdict}
         survivors = tuple(mutant for mutant, verdict in judged if verdict.holds)
-        rows.append(MutantRow(claim, counts, survivors))
+        changes = len({(mutant.place, mutant.change) for mutant, _ in judged})
+        rows.append(MutantRow(claim, counts, survivors, changes))
         if on_row is not None:
             on_row(rows[-1])
     return MutantReport(tuple(rows))
+
+
+def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
+    """The finding on a mutant, where the changed claims it rests on are judged first."""
+    changed = dict(found)
+    for claim in mutant.beneath:
+        changed[claim.label] = judge(claim, changed)
+    return judge(mutant.claim, changed)
+
+
+def _dependents(claims: tuple[Claim, ...]) -> dict[Claim, tuple[Claim, ...]]:
+    """For every claim those that name it as evidence, in order."""
+    found: dict[Claim, list[Claim]] = {claim: [] for claim in claims}
+    for claim in claims:
+        for used in claim.uses:
+            found[used].append(claim)
+    return {claim: tuple(users) for claim, users in found.items()}
 
 
 def all_claims() -> tuple[Claim, ...]:

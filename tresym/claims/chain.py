@@ -28,7 +28,7 @@ from tresym.claims.finding import StepFinding
 from tresym.claims.integrals import NotShownError, is_non_negative, with_bounds, without_integrals
 from tresym.claims.signs import NON_NEGATIVE, is_manifest, manifest_sign
 from tresym.claims.translate import Rules, definitions, put_in, to_expression, to_given
-from tresym.identity import decide
+from tresym.identity import Decision, decide
 from tresym.verdict import Verdict
 
 PROVED = StepFinding(Verdict.PROVED, "")
@@ -198,35 +198,38 @@ def _check_scalar(
     used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
     rules = definitions(used)
     given = with_bounds(given, reasons)
-    meant = (put_in(condition, rules) for condition in given)
-    elementary = (c for c in meant if not c.has(Integral, Derivative, Subs))
+    replaced = (put_in(condition, rules) for condition in given)
+    elementary = (c for c in replaced if not c.has(Integral, Derivative, Subs))
     given = tuple(dict.fromkeys((*given, *elementary)))
     spoken_of = frozenset().union(*(e.free_symbols for e in (before, after, *given)))
     unmet = unmet_condition(used, rules, given, spoken_of)
     if unmet is not None:
         return _undecided(f"{unmet} is not shown, but a claim that is put in needs it")
     written = (before, after)
-    before, after = put_in(before, rules), put_in(after, rules)
-    for side, meant in zip(written, (before, after), strict=True):
-        gap = undefined(side, given)
-        if gap is not None and (side == meant or undefined(meant, given) is not None):
-            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
-    if before == after:
-        return PROVED
+    before, after = meant_by = put_in(before, rules), put_in(after, rules)
     if before.has(Integral) or after.has(Integral):
         try:
             before, after = without_integrals(before, after, reasons, given)
         except NotShownError as error:
             return _undecided(str(error))
+    if before != after:
+        decision = _decided(before, after, reasons, given)
+        if decision.verdict is not Verdict.PROVED:
+            return _undecided(decision.why)
+    for side, meant in zip(written, meant_by, strict=True):
+        gap = undefined(side, given)
+        if gap is not None and (side == meant or undefined(meant, given) is not None):
+            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
+    return PROVED
+
+
+def _decided(
+    before: Basic, after: Basic, reasons: tuple[Reason, ...], given: Conditions
+) -> Decision:
     theories = frozenset().union(*(reason.theories for reason in reasons))
     opening = any(reason.name == "differentiation" for reason in reasons)
-    decision = decide(
-        to_expression(before, opening),
-        to_expression(after, opening),
-        to_given(given),
-        theories,
-    )
-    return PROVED if decision.verdict is Verdict.PROVED else _undecided(decision.why)
+    left, right = (to_expression(side, opening) for side in (before, after))
+    return decide(left, right, to_given(given), theories)
 
 
 def unmet_condition(

@@ -97,9 +97,9 @@ def _integrate(before: Basic, after: Basic, reason: Reason, given: Conditions) -
     variable, low, high = _plain(integral)
     primitive = _expression(reason)
     conditions = _inside(integral, reason.claims, given)
-    _need_continuous((primitive, integral.function), conditions)
     slope = primitive.diff(variable, evaluate=False)
     _need_equal(slope, integral.function, conditions)
+    _need_continuous((primitive, integral.function), conditions)
     return {integral: primitive.subs(variable, high) - primitive.subs(variable, low)}
 
 
@@ -114,7 +114,6 @@ def _substitute(before: Basic, after: Basic, reason: Reason, given: Conditions) 
     fresh, start, end = _plain(new)
     conditions = _inside(old, reason.claims, given)
     pulled = new.function.subs(fresh, change)
-    _need_continuous((old.function, change, pulled), conditions)
     slope = to_expression(change.diff(variable, evaluate=False), open_derivatives=True)
     first, last = (to_expression(change.subs(variable, end)) for end in (low, high))
     forward = _equal(first, to_expression(start), conditions)
@@ -124,6 +123,7 @@ def _substitute(before: Basic, after: Basic, reason: Reason, given: Conditions) 
     _need(_equal(last, to_expression(end), conditions), "the ends are not those")
     integrand = to_expression(pulled) * slope
     _need(_equal(to_expression(old.function), integrand, conditions), "other integrands")
+    _need_continuous((old.function, change, pulled), conditions)
     same = Symbol("[the integral]", real=True)
     return dict.fromkeys(apart, same)
 
@@ -191,10 +191,9 @@ def _differentiate(before: Basic, after: Basic, reason: Reason, given: Condition
         outside = (*outside, parameter >= node.point[0], parameter <= node.point[0])
         derived = Subs(derived, parameter, node.point[0])
     conditions = _inside(integral, reason.claims, outside)
+    elsewhere = tuple(c for c in conditions if parameter not in c.free_symbols)
+    _need_equal(derived, slope, elsewhere if isinstance(node, Subs) else conditions)
     _need_continuous((f, slope), conditions)
-    if isinstance(node, Subs):
-        conditions = tuple(c for c in conditions if parameter not in c.free_symbols)
-    _need_equal(derived, slope, conditions)
     value: Basic = Integral(slope, (variable, low, high)) if slope != 0 else Integer(0)
     for end, way in ((high, 1), (low, -1)):
         if end == parameter:

@@ -296,17 +296,17 @@ def _without_chain(relation: Relational, claim: Claim) -> Finding:
     if conditions.satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     left, right = (put_in(side, rules) for side in relation.args)
-    for side in (left, right):
-        gap = undefined(side, replaced)
-        if gap is not None:
-            return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
     if isinstance(relation, Equality):
         decision = decide(to_expression(left), to_expression(right), conditions)
-        proved = decision.verdict is PROVED
-        return Finding(PROVED if proved else UNDECIDED, decision.why)
-    if is_manifest(relation.func(left, right, evaluate=False), replaced):
-        return Finding(PROVED, "the sign of the difference of the two sides is proven")
-    return Finding(UNDECIDED, "no sign is manifest")
+        shown, why = decision.verdict is PROVED, decision.why
+    else:
+        shown = is_manifest(relation.func(left, right, evaluate=False), replaced)
+        why = "the sign of the difference of the two sides is " + ("proven" if shown else "open")
+    gaps = (undefined(side, replaced) for side in (left, right)) if shown else ()
+    gap = next((gap for gap in gaps if gap is not None), None)
+    if gap is not None:
+        return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+    return Finding(PROVED if shown else UNDECIDED, why)
 
 
 def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:

@@ -8,13 +8,14 @@ procedures that a violation is to contradict.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
 from itertools import pairwise
 from typing import Any
 
-from flint import acb, arb, fmpq
+from flint import acb, arb, ctx, fmpq
 from sympy import (
     Add,
     Basic,
@@ -46,8 +47,9 @@ from tresym.verdict import Verdict
 
 Conditions = tuple[Basic, ...]
 Point = Mapping[Symbol, Any]
+Program = Callable[[Point, bool], Any]
 
-BITS = 128
+BITS, ROUGH = 128, 64
 POINTS = 40
 """Exact points tried before a relation is taken to be unviolated."""
 LOOKS = ((BITS, POINTS), (1024, 2))
@@ -57,9 +59,10 @@ SPAN, GRID = fmpq(8), 16
 """Where a root is looked for along an unbounded coordinate, and in how many steps."""
 PARAMETERS, CELLS = 2, 256
 """Points tried, and cells cut, to show an interval without a root."""
-TOLERANCE = arb(2) ** -48
-EVALUATIONS = 300
+EVALUATIONS = 120
 """How far an integral is refined."""
+PROGRAMS = 4096
+"""Expressions kept in the form in which balls walk over them."""
 WIDTH = fmpq(1, 2**24)
 """Width of the segment on which an implicit equation holds somewhere."""
 
@@ -245,7 +248,7 @@ def _on_equation(world: World, exact: dict[Symbol, Interval]) -> Iterator[dict[S
     (difference,) = world.implicit
     plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
     box = Given.from_sympy(*plain).box
-    with ball_precision(BITS):
+    with ball_precision(ROUGH):
         fixed = {s: i.ball() for s, i in exact.items()}
         for symbol in sorted(difference.free_symbols, key=lambda s: (s.name not in box, s.name)):
             low, high = _reach(box.get(symbol.name, Range()))
@@ -307,38 +310,58 @@ def value(e: Basic, point: Point, analytic: bool = False) -> Any:
         point: symbols to real or complex balls.
         analytic: for integrands: not finite, too, where ``e`` is not shown to be analytic.
     """
+    return _program(e)(point, analytic)
+
+
+@lru_cache(maxsize=PROGRAMS)
+def _program(e: Basic) -> Program:
+    """``e`` as a function of a point, made once: integrands are evaluated thousands of times."""
     match e:
         case Symbol():
-            return point[e]
+            return lambda point, analytic: point[e]
         case Rational():
-            return arb(fmpq(int(e.p), int(e.q)))
+            exact = fmpq(int(e.p), int(e.q))
+            return lambda point, analytic: arb(exact)
         case NumberSymbol():
-            return {"pi": arb.pi, "E": arb.const_e}[str(e)]()
-        case Add():
-            total = arb(0)
-            for term in e.args:
-                total = total + value(term, point, analytic)
-            return total
-        case Mul():
-            total = arb(1)
-            for factor in e.args:
-                total = total * value(factor, point, analytic)
-            return total
+            constant = {"pi": arb.pi, "E": arb.const_e}[str(e)]
+            return lambda point, analytic: constant()
+        case Add() | Mul():
+            return _fold(operator.add if isinstance(e, Add) else operator.mul, e.args)
         case exp():
-            return value(e.args[0], point, analytic).exp()
+            argument = _program(e.args[0])
+            return lambda point, analytic: argument(point, analytic).exp()
         case Pow():
-            return _power(value(e.base, point, analytic), e.exp, point, analytic)
+            return _power(_program(e.base), e.exp)
         case Derivative():
-            return value(_differentiated(e), point, analytic)
+            return _program(_differentiated(e))
         case Subs():
-            at = (value(p, point, analytic) for p in e.point)
-            return value(e.expr, {**point, **dict(zip(e.variables, at, strict=True))}, analytic)
+            return _substituted(e)
         case Integral():
-            return _integral(e, point)
-        case _ if len(e.args) == 1:
-            return _function(e.func.__name__, value(e.args[0], point, analytic), analytic)
+            return lambda point, analytic: _integral(e, point)
+        case _ if len(e.args) == 1 and (name := e.func.__name__) in (*FUNCTIONS, "Abs"):
+            x = _program(e.args[0])
+            return lambda point, analytic: _function(name, x(point, analytic), analytic)
         case _:
-            return arb.nan()
+            return lambda point, analytic: arb.nan()
+
+
+def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> Program:
+    parts = [_program(argument) for argument in arguments]
+
+    def folded(point: Point, analytic: bool) -> Any:
+        return reduce(combine, (part(point, analytic) for part in parts))
+
+    return folded
+
+
+def _substituted(e: Subs) -> Program:
+    inner = _program(e.expr)
+    values = [(variable, _program(p)) for variable, p in zip(e.variables, e.point, strict=True)]
+
+    def substituted(point: Point, analytic: bool) -> Any:
+        return inner({**point, **{v: at(point, analytic) for v, at in values}}, analytic)
+
+    return substituted
 
 
 def _differentiated(e: Derivative) -> Basic:
@@ -349,19 +372,29 @@ def _differentiated(e: Derivative) -> Basic:
     return found
 
 
-def _power(base: Any, exponent: Basic, point: Point, analytic: bool) -> Any:
-    if isinstance(exponent, Rational) and exponent.is_integer:
-        if exponent < 0 and base.contains(0):
+def _power(base: Program, exponent: Basic) -> Program:
+    if not isinstance(exponent, Rational):
+        power = _program(exponent)
+        return lambda point, analytic: _general_power(
+            base(point, analytic), power(point, analytic), analytic
+        )
+    p, q = int(exponent.p), int(exponent.q)
+    return lambda point, analytic: _rational_power(base(point, analytic), p, q, analytic)
+
+
+def _rational_power(base: Any, p: int, q: int, analytic: bool) -> Any:
+    if q > 1:
+        if isinstance(base, acb):
+            return base.pow(acb(fmpq(p, q)), analytic)
+        if not base >= 0:
             return arb.nan()
-        return base ** int(exponent)
-    power = value(exponent, point, analytic)
-    if isinstance(base, acb):
-        return base.pow(acb(power), analytic)
-    if isinstance(exponent, Rational) and base >= 0:
-        root = base.root(int(exponent.q))
-        if exponent < 0 and root.contains(0):
-            return arb.nan()
-        return root ** int(exponent.p)
+        base = base.root(q)
+    return arb.nan() if p < 0 and base.contains(0) else base**p
+
+
+def _general_power(base: Any, power: Any, analytic: bool) -> Any:
+    if isinstance(base, acb) or isinstance(power, acb):
+        return acb(base).pow(acb(power), analytic)
     return (base.log() * power).exp() if base > 0 else arb.nan()
 
 
@@ -375,7 +408,7 @@ def _function(name: str, x: Any, analytic: bool) -> Any:
         return arb(side) if side else arb.nan()
     if analytic and isinstance(x, acb) and name in ("log", "asin", "acos", "atanh", "acosh"):
         return x.log(analytic) if name == "log" else acb(arb.nan())
-    return getattr(x, name)() if name in FUNCTIONS else arb.nan()
+    return getattr(x, name)()
 
 
 def _integral(e: Integral, point: Point) -> arb:
@@ -387,9 +420,13 @@ def _integral(e: Integral, point: Point) -> arb:
     if not (start.is_finite() and end.is_finite()):
         return arb.nan()
 
-    def integrand(z: acb, analytic: bool) -> acb:
-        return acb(value(e.function, {**point, variable: z}, analytic))
+    function, at = _program(e.function), dict(point)
 
-    fine = {"rel_tol": TOLERANCE, "abs_tol": TOLERANCE, "eval_limit": EVALUATIONS}
+    def integrand(z: acb, analytic: bool) -> acb:
+        at[variable] = z
+        return acb(function(at, analytic))
+
+    tolerance = arb(2) ** -min(48, ctx.prec // 2 + 8)
+    fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
     found = acb.integral(integrand, acb(start), acb(end), **fine)
     return found.real if found.imag.contains(0) else arb.nan()

@@ -1,0 +1,288 @@
+"""The rules for integrals in chains: what each proves, and the falsehoods planted for it."""
+
+import pytest
+from flint import arb
+from sympy import (
+    Abs,
+    Basic,
+    Derivative,
+    Expr,
+    Ge,
+    Gt,
+    Integer,
+    Integral,
+    Ne,
+    Rational,
+    Subs,
+    Symbol,
+    cos,
+    exp,
+    log,
+    pi,
+    sign,
+    sin,
+    sqrt,
+)
+
+from tresym.claims.claim import (
+    Chain,
+    Claim,
+    Definition,
+    ImplicitFunction,
+    Reason,
+    by,
+    changing_variable,
+    citing,
+    collecting,
+    cutting,
+    differentiating_integral,
+    equal,
+    integrating,
+    step,
+    substituting,
+)
+from tresym.claims.finding import Finding
+from tresym.claims.judge import judge
+from tresym.claims.violation import value
+from tresym.verdict import Verdict
+
+a, r, t, x, y = (Symbol(name, real=True) for name in "artxy")
+ZERO, ONE = Integer(0), Integer(1)
+
+
+def area(f: Expr, low: Expr | int = 0, high: Expr | int = 1) -> Integral:
+    return Integral(f, (t, low, high))
+
+
+def by_parameter(f: Expr, low: Expr | int = 0, high: Expr | int = 1) -> Derivative:
+    return Derivative(area(f, low, high), x)
+
+
+def at_zero(f: Expr, low: Expr | int = 0, high: Expr | int = 1) -> Subs:
+    return Subs(by_parameter(f, low, high), x, 0)
+
+
+def verdict(says: Basic, proof: Chain, given: tuple[Basic, ...] = ()) -> Verdict:
+    return judge(Claim("planted", says, proof, given=given), {}).verdict
+
+
+RIGHT = {
+    "cut": (equal(area(exp(t), 0, 2), area(exp(t)) + area(exp(t), 1, 2)), cutting(ONE)),
+    "parameter": (
+        equal(by_parameter(exp(x * t)), area(t * exp(x * t))),
+        differentiating_integral(t * exp(x * t)),
+    ),
+    "upper end": (equal(by_parameter(exp(t), 0, x), exp(x)), differentiating_integral(ZERO)),
+    "lower end": (equal(by_parameter(exp(t), x, 0), -exp(x)), differentiating_integral(ZERO)),
+    "both": (
+        equal(by_parameter(exp(t * x), 0, x), exp(x**2) + area(t * exp(t * x), 0, x)),
+        differentiating_integral(t * exp(t * x)),
+    ),
+    "at a point": (
+        equal(at_zero(exp(x * t), x, 1), area(t) - 1),
+        differentiating_integral(t),
+    ),
+    "sum": (
+        equal(2 * area(exp(t)) - area(t), Integral(2 * exp(y) - y, (y, 0, 1))),
+        collecting(),
+    ),
+    "backwards": (
+        equal(area(exp(t)), Integral(exp(1 - y), (y, 0, 1))),
+        changing_variable(1 - t),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_what_a_rule_proves_it_proves_alone(name: str) -> None:
+    says, reason = RIGHT[name]
+    assert verdict(says, by(reason)) is Verdict.PROVED
+    assert verdict(says, by()) is not Verdict.PROVED
+
+
+WRONG: dict[str, tuple[Basic, Reason]] = {
+    "cut elsewhere": (equal(area(exp(t), 0, 2), area(exp(t)) + area(exp(t), 1, 3)), cutting(ONE)),
+    "cut outside": (
+        equal(area(1 / (t - 2)), area(1 / (t - 2), 0, 3) + area(1 / (t - 2), 3, 1)),
+        cutting(Integer(3)),
+    ),
+    "cut at a pole": (
+        equal(area(1 / t**2, -1, 1), area(1 / t**2, -1, 0) + area(1 / t**2)),
+        cutting(ZERO),
+    ),
+    "cut at its own variable": (
+        equal(area(exp(t)), area(exp(t), 0, t) + area(exp(t), t, 1)),
+        cutting(t),
+    ),
+    "wrong slope": (
+        equal(by_parameter(exp(x * t)), area(exp(x * t))),
+        differentiating_integral(exp(x * t)),
+    ),
+    "sign of the lower end": (
+        equal(by_parameter(exp(t), x, 0), exp(x)),
+        differentiating_integral(ZERO),
+    ),
+    "forgotten end": (
+        equal(by_parameter(exp(t * x), 0, x), area(t * exp(t * x), 0, x)),
+        differentiating_integral(t * exp(t * x)),
+    ),
+    "end that depends on it": (
+        equal(by_parameter(exp(t), 0, x**2), exp(x**2)),
+        differentiating_integral(ZERO),
+    ),
+    "kink in the parameter": (
+        equal(at_zero(Abs(x) * t), ZERO),
+        differentiating_integral(ZERO),
+    ),
+    "kink that moves": (equal(at_zero(Abs(x - t)), -ONE), differentiating_integral(-ONE)),
+    "jump": (equal(by_parameter(sign(t), -1, x), sign(x)), differentiating_integral(ZERO)),
+    "root at its end": (
+        equal(at_zero(sqrt(t**2 + x**2)), ZERO),
+        differentiating_integral(ZERO),
+    ),
+    "pole for one value": (
+        equal(at_zero(x / (x**2 + t**2)), ZERO),
+        differentiating_integral(1 / t**2),
+    ),
+    "the point forgotten": (
+        equal(at_zero(exp(x * t)), area(t * exp(x * t))),
+        differentiating_integral(t * exp(x * t)),
+    ),
+    "sum of another sign": (
+        equal(2 * area(exp(t)) - area(t), area(2 * exp(t) + t)),
+        collecting(),
+    ),
+    "product": (equal(area(exp(t)) * area(t), area(t * exp(t))), collecting()),
+    "square": (equal(area(t) ** 2, area(t**2)), collecting()),
+    "two intervals": (
+        equal(area(exp(t)) + area(exp(t), 1, 2), area(2 * exp(t))),
+        collecting(),
+    ),
+    "factor that varies": (equal(t * area(exp(t)), area(t * exp(t))), collecting()),
+    "constant left": (equal(1 + area(exp(t)), area(exp(t))), collecting()),
+    "backwards with the sign": (
+        equal(area(exp(t)), Integral(-exp(1 - y), (y, 0, 1))),
+        changing_variable(1 - t),
+    ),
+    "half of the interval": (
+        equal(area(t**2, -1, 1), Integral(sqrt(y) / 2, (y, 1, 1))),
+        changing_variable(t**2),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_planted_falsehoods(name: str) -> None:
+    says, reason = WRONG[name]
+    assert not verdict(says, by(reason)).holds
+    assert not verdict(says, by(reason), (x > 0,)).holds
+
+
+def test_conditions_on_the_parameter_do_not_reach_the_point() -> None:
+    """At x = −2 the integrand has a pole, whatever a claim assumes of its own x."""
+    says = equal(Subs(by_parameter(log(x + 1 + t)), x, -2), 0)
+    assert not verdict(says, by(differentiating_integral(1 / (x + 1 + t))), (x > 1,)).holds
+
+
+def test_an_integral_is_not_negative_where_its_integrand_is_not() -> None:
+    def shown(integral: Integral, *given: Basic, strictly: bool = False) -> Verdict:
+        relation = Gt if strictly else Ge
+        return verdict(relation(integral, 0, evaluate=False), (step(integral),), given)
+
+    assert shown(area(t**2)) is Verdict.PROVED
+    assert shown(area(exp(t) - 1)) is Verdict.PROVED
+    assert shown(area(t**2), strictly=True) is not Verdict.PROVED
+    assert shown(area(t**2, 1, 0)) is Verdict.REFUTED
+    assert shown(area(t**2, 0, x)) is not Verdict.PROVED
+    assert shown(area(1 / t, -1, 2), t > 0) is not Verdict.PROVED
+    assert shown(area(t, -2, 1), t > 0) is Verdict.REFUTED
+
+
+def test_bounds_are_cited_inside_only_where_they_hold() -> None:
+    lemma = Claim("lemma", t > 0, (step(t),), given=(t > 0,))
+    held = {"lemma": judge(lemma, {})}
+    integral = area(t, -2, 1)
+    says = Ge(integral, 0, evaluate=False)
+    user = Claim("user", says, (step(integral, citing(lemma)),), given=(t > 0,))
+    assert judge(user, held).verdict is Verdict.REFUTED
+
+
+EQUATION = Claim("equation", equal(area(exp(x * t), 0, y), 3), Definition(), given=(x > -1, y > 0))
+LEFT = area(exp(x * t), 0, y)
+SLOPE = -Subs(Derivative(LEFT, x), x, ZERO) / Derivative(LEFT.xreplace({x: ZERO}), y)
+
+
+def implicit(says: Basic, given: tuple[Basic, ...] = (y > 0,), **changes: object) -> Finding:
+    evidence = {
+        "equation": EQUATION,
+        "unknown": y,
+        "parameter": x,
+        "at": ZERO,
+        "slope": (step(ONE, differentiating_integral(ZERO)),),
+    }
+    proof = ImplicitFunction(**{**evidence, **changes})
+    used = {c.label: judge(c, {}) for c in (proof.equation,)}
+    return judge(Claim("slope", says, proof, given=given), used)
+
+
+def test_the_slope_of_an_implicit_function() -> None:
+    assert implicit(equal(r, SLOPE)).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "says", [equal(r, -SLOPE), equal(r, 1 / SLOPE), equal(y, SLOPE), equal(r, 1), r >= SLOPE]
+)
+def test_any_other_slope_is_none(says: Basic) -> None:
+    assert implicit(says).verdict is Verdict.UNDECIDED
+
+
+def test_the_implicit_function_theorem_needs_its_conditions() -> None:
+    says = equal(r, SLOPE)
+    wrong = (step(Integer(2), differentiating_integral(ZERO)),)
+    assert implicit(says, slope=wrong).verdict is Verdict.UNDECIDED
+    assert implicit(says, given=()).verdict is Verdict.UNDECIDED
+    far = equal(r, -Subs(Derivative(LEFT, x), x, -3) / Derivative(LEFT.xreplace({x: -3}), y))
+    assert implicit(far, at=Integer(-3)).verdict is Verdict.UNDECIDED
+    # y − |x| has a kink at 0, and y³ − x no slope there.
+    for left, slope in ((y - Abs(x), ONE), (y**3 - x, 3 * y**2)):
+        equation = Claim("equation", equal(left, 0), by(), given=(y >= 0,))
+        held = {"equation": Finding(Verdict.PROVED, "assumed")}
+        says = equal(r, -Subs(Derivative(left, x), x, 0) / Derivative(left.xreplace({x: ZERO}), y))
+        proof = ImplicitFunction(equation, y, x, ZERO, (step(slope),))
+        user = Claim("slope", says, proof, given=(y >= 0,))
+        assert judge(user, held).verdict is Verdict.UNDECIDED
+
+
+def test_an_equation_without_solutions_defines_no_function() -> None:
+    none = Claim("equation", equal(LEFT, -1), Definition(), given=(x > -1, y > 0))
+    held = {"equation": Finding(Verdict.PROVED, "assumed")}
+    proof = ImplicitFunction(none, y, x, ZERO, (step(ONE, differentiating_integral(ZERO)),))
+    user = Claim("slope", equal(r, SLOPE), proof, given=(y > 0,))
+    assert judge(user, held).verdict is Verdict.UNDECIDED
+
+
+def test_slopes_and_integrals_work_together() -> None:
+    says = equal(at_zero(exp(x * t)), Rational(1, 2))
+    chain = (step(area(t), differentiating_integral(t)), step(None, integrating(t**2 / 2)))
+    assert verdict(says, chain) is Verdict.PROVED
+    assert verdict(equal(at_zero(exp(x * t)), Rational(1, 3)), chain) is Verdict.REFUTED
+
+
+def test_a_condition_that_holds_an_integral_is_met_or_not() -> None:
+    defined = Claim("defined", equal(r, Derivative(area(exp(t), 0, x), x)), Definition())
+    held = {"defined": judge(defined, {})}
+    says = equal(1 / r, exp(-x))
+    chain = by(substituting(defined), differentiating_integral(ZERO))
+    user = Claim("user", says, chain, given=(Ne(r, 0),))
+    assert judge(user, held).verdict in (Verdict.PROVED, Verdict.UNDECIDED)
+    false = Claim("user", equal(1 / r, exp(x)), chain, given=(Ne(r, 0),))
+    assert judge(false, held).verdict is Verdict.REFUTED
+
+
+def test_balls_differentiate_integrals_by_leibniz_alone() -> None:
+    """SymPy's own integrals are never asked for: some of them are wrong."""
+    found = value(by_parameter(exp(x * t) * cos(t), 0, x), {x: arb(1)})
+    inside = value(area(t * exp(x * t) * cos(t), 0, x), {x: arb(1)})
+    assert found.overlaps(inside + arb(1).exp() * arb(1).cos())
+    assert not value(Subs(by_parameter(1 / (t + x), -1, 1), x, 0), {}).is_finite()
+    assert value(Subs(sin(x), x, pi), {}).contains(0)
