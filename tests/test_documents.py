@@ -1,5 +1,8 @@
 """Generated documents: pure functions of the ledger, honest about what they show."""
 
+import re
+from pathlib import Path
+
 import pytest
 
 from tresym.report.corrections import corrections
@@ -34,3 +37,36 @@ def test_the_ledger_lists_every_claim() -> None:
 def test_pages_are_the_same_twice(report: Report) -> None:
     again = verify(["table_racket_3_b", "table_racket_3_a", "eq_gamma", "table_str_a"])
     assert corrections(report) == corrections(again)
+
+
+README = (Path(__file__).resolve().parent.parent / "README.md").read_text(encoding="utf-8")
+_ROW = re.compile(r"^\| (.+) \| (PROVED|ENCLOSED|REFUTED) \| (.+) \|$", re.MULTILINE)
+_NUMBER = re.compile(r"(?<![\w^(.])\d+(?:\.\d+)?(?![\w)])")
+FINDINGS = [row for row in _ROW.findall(README) if "`" in row[0]]
+
+
+@pytest.mark.parametrize(("said", "verdict", "truth"), FINDINGS)
+def test_the_findings_of_the_readme_are_those_of_the_ledger(
+    said: str, verdict: str, truth: str
+) -> None:
+    labels, reasons = re.findall(r"`(\w+)`", said), re.findall(r"`(\w+)`", truth)
+    whole = verify([*labels, *reasons])
+    assert {whole[label].finding.verdict.value for label in labels} == {verdict}
+    assert all(whole[label].finding.verdict.holds for label in reasons)
+    claims = [whole[label].claim for label in (*labels, *reasons)]
+    told = " ".join(f"{claim.says} {claim.note}" for claim in claims)
+    text = re.sub(r"`\w+`|\]\([^)]*\)|ε₀|b²|I₃", "", f"{said} {truth}")
+    for number in _NUMBER.findall(text):
+        assert number in told, (number, told)
+
+
+def test_the_readme_shows_findings() -> None:
+    assert len(FINDINGS) >= 9
+
+
+def test_links_of_the_readme_lead_somewhere() -> None:
+    root = Path(__file__).resolve().parent.parent
+    for page in ("README.md", "CONTRIBUTING.md"):
+        text = (root / page).read_text(encoding="utf-8")
+        for target in re.findall(r"\]\(([^)#]+)\)", text):
+            assert target.startswith("http") or (root / target).exists(), target
