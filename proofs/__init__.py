@@ -28,6 +28,7 @@ PARTS = (
     "asymptotics",
     "constants",
     "orders",
+    "limits",
     "rigid_bodies",
     "numbers_in_text",
     "table_of_objects",

@@ -211,6 +211,7 @@ gamma_conserved = Claim(
     ),
     given=(*tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
+    where=Place(line=134),
     note="The second route to the constant of motion: its derivative along the flow.",
 )
 

@@ -20,6 +20,7 @@ from sympy import (
     Integer,
     Integral,
     Le,
+    Symbol,
     Tuple,
     atan,
     cos,
@@ -51,6 +52,8 @@ from tresym.claims.claim import (
     algebra,
     all_of,
     by,
+    changing_variable,
+    cutting,
     differentiation,
     equal,
     exponentials,
@@ -184,6 +187,16 @@ level_of_a_start = Claim(
     note="γ tends to 0 with ψ₀ and the initial rate: such starts are close to the separatrix.",
 )
 
+near_separatrix = Claim(
+    label="near_separatrix",
+    says="Roughly speaking the effect is a motion near the separatrix: it starts near an unstable "
+    "point with a small rate.",
+    kind="statement",
+    proof=all_of(level_of_a_start),
+    where=Place(line=164),
+    note="γ is small with the square of the rate and with sin²ψ₀.",
+)
+
 slower_than_cotangent = Claim(
     label="slower_than_cotangent",
     says=Ge((a + b) - cos(psi) ** 2 * _fast, 0, evaluate=False),
@@ -252,6 +265,30 @@ perfect_is_zero = Claim(
         step(equal(pi - 2 * epsilon, pi), adding(pi)),
     ),
     where=Place(line=217),
+)
+
+_start = Symbol("psi_start", real=True)
+_shifted = _integrand.subs(psi, x)
+
+every_start_flips = Claim(
+    label="flip_for_large_range",
+    says=equal(
+        Integral(_integrand, (psi, _start, _start + pi)), Integral(_integrand, (psi, 0, pi))
+    ),
+    given=(*shape, b < 1, gamma > 0, _start > 0, pi - _start > 0),
+    proof=(
+        step(
+            Integral(_integrand, (psi, _start, pi)) + Integral(_integrand, (psi, pi, _start + pi)),
+            cutting(pi),
+        ),
+        step(
+            Integral(_integrand, (psi, _start, pi)) + Integral(_shifted, (x, 0, _start)),
+            changing_variable(psi - pi),
+        ),
+        step(None, cutting(_start)),
+    ),
+    where=Place(line=272),
+    note="At a γ > 0 for which one motion flips by exactly π in one turn, all do; near it, nearly.",
 )
 
 _STR = ("1517/121", "55/874")

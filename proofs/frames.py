@@ -185,6 +185,15 @@ racket_effect = Claim(
     where=Place(display=3),
 )
 
+flip_is_observed = Claim(
+    label="flip_observed",
+    says="After a full turn of the handle and a half turn about it, the two faces have changed "
+    "places.",
+    kind="statement",
+    proof=all_of(perfect_flip),
+    where=Place(line=49),
+)
+
 angles_from_momentum = Claim(
     label="angles_from_momentum",
     says=Tuple(

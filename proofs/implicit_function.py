@@ -201,6 +201,20 @@ flat_function = Claim(
     note="For s < 0 it is unbounded. The argument needs s ≥ 0 only.",
 )
 
+smooth_at_origin = Claim(
+    label="eps0_smooth",
+    says="ε₀(u, λ, μ) is smooth at the origin; near it, it stays below 1.",
+    kind="statement",
+    given=(lam**2 <= sympy.Rational(1, 100), u**2 <= 1, mu**2 <= sympy.Rational(1, 4), *_small),
+    proof=Counterexample(
+        {"lambda": fmpq(-1, 20), "u": fmpq(0), "mu": fmpq(1, 2)}, Gt(_by_u, 1, evaluate=False)
+    ),
+    where=Place(line=363),
+    expect=Verdict.REFUTED,
+    amended_by=(flat_from_above,),
+    note="For λ < 0 it is unbounded; on λ ≥ 0 it is smooth, and so is G.",
+)
+
 # -- the derivatives of G -------------------------------------------------------------------------
 
 

@@ -12,8 +12,10 @@ import sympy
 from flint import fmpq
 from sympy import (
     Abs,
+    Ge,
     ImmutableMatrix,
     Integer,
+    Le,
     Ne,
     Symbol,
     Tuple,
@@ -407,6 +409,29 @@ tilt_portrait = Claim(
     kind="statement",
     proof=all_of(three_regimes, handle_crosses, handle_side, rest_points),
     where=Place(line=179),
+)
+
+_line = Symbol("line", real=True)
+_said_at = Integer(103)
+"""Where `mirror_images` is said: θ in [0, π/2] is enough for γ > 0."""
+
+said_in_section_3 = Claim(
+    label="said_in_section_3",
+    says="That θ in [0, π/2] is enough for γ > 0 is said in Section 3, of lines 81 to 112.",
+    kind="statement",
+    proof=formally(Ge(_said_at, 81, evaluate=False), Le(_said_at, 112, evaluate=False)),
+)
+
+reference_to_section_2 = Claim(
+    label="reference_to_section_2",
+    says="That θ in [0, π/2] is enough for γ > 0 is said in Section 2, of lines 48 to 80.",
+    kind="statement",
+    given=(_line >= _said_at, _line <= _said_at),
+    proof=Counterexample({"line": fmpq(103)}, _line > 80),
+    where=Place(line=179),
+    expect=Verdict.REFUTED,
+    amended_by=(said_in_section_3,),
+    note="A wrong label in the cross reference.",
 )
 
 _least_cosine = (gamma + b) / (a + b)

@@ -10,7 +10,7 @@
 
 import sympy
 from flint import fmpq
-from sympy import Integral, Le, Ne, Symbol, Tuple, cos, pi, sin, sqrt
+from sympy import Equivalent, Integral, Le, Ne, Symbol, Tuple, cos, pi, sin, sqrt
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body
 from tresym.proofs.euler_angles import (
     eq_Euler,
@@ -36,6 +36,7 @@ from tresym.claims.claim import (
     equations,
     formally,
     integrating,
+    multiplying,
     roots,
     step,
     substituting,
@@ -100,11 +101,19 @@ rotating_case = Claim(
     where=Place(line=96),
 )
 
+separatrix_case = Claim(
+    label="separatrix_case",
+    says=Equivalent(equal(2 * I2 * E - M**2, 0), equal(gamma, 0)),
+    given=ordered_moments,
+    proof=(step(equal(gamma, 0), multiplying(1 / M**2), substituting(shape_and_depth)),),
+    where=Place(line=96),
+)
+
 three_regimes = Claim(
     label="three_regimes",
     says="γ < 0 for oscillating motions, γ > 0 for rotating ones, γ = 0 on the separatrix.",
     kind="statement",
-    proof=all_of(energy_by_gamma, oscillating_case, rotating_case),
+    proof=all_of(energy_by_gamma, oscillating_case, rotating_case, separatrix_case),
     where=Place(line=124),
     note="The ends γ = a and γ = −b are the two stable rotations.",
 )

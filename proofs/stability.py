@@ -219,6 +219,14 @@ unstable_e2 = Claim(
     where=Place(line=49),
 )
 
+points_of_the_sphere = Claim(
+    label="points_of_the_sphere",
+    says="p₋ is a stable rotation about e₃, and p_D an unstable one about e₂.",
+    kind="statement",
+    proof=all_of(stable_e3, unstable_e2),
+    where=Place(line=103),
+)
+
 any_body = Claim(
     label="any_rigid_body_is_unstable",
     says="In any rigid body the rotation about the second axis has a positive eigenvalue.",

@@ -1,0 +1,182 @@
+"""Appendix: what is said between the displays, of limits and of what dominates.
+
+- `zero_asymptotic`, `any_delta`: ε₀ → 0, as fast as e^{−π/λ};
+- `dominant_exponential`: the exponent is −2π√(ab) but for a part that stays bounded;
+- `implicit_solution`: what the implicit function theorem gives, on λ ≥ 0;
+- `uniform_convergence`, `terms_dominant`, `remainder_constant`: the remarks on dε/dγ.
+"""
+
+from __future__ import annotations
+
+from flint import fmpq
+from sympy import Symbol, asin, atan, cos, exp, pi, sqrt
+from tresym.proofs.conditions import defect, shape
+from tresym.proofs.implicit_function import (
+    G_at_origin,
+    G_u_at_origin,
+    equation_for_u,
+    flat_from_above,
+    small_together,
+)
+from tresym.proofs.orders import (
+    d56_true_order,
+    exponential_decay,
+    pavao,
+    tangent,
+    u_exponentially_small,
+)
+from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.turn_integral import derivative_under_the_integral, implicit_derivative
+
+from tresym.claims.bounds import Asymptotics
+from tresym.claims.claim import (
+    Claim,
+    Place,
+    all_of,
+    by,
+    equal,
+    exponentials,
+    inverses,
+    roots,
+    step,
+)
+from tresym.claims.order import Order
+from tresym.notation import a, b, epsilon, lam
+from tresym.verdict import Verdict
+
+zero_asymptotic = Claim(
+    label="zero_asymptotic",
+    says="As ab → ∞ the root of the exact equation tends to 0.",
+    kind="statement",
+    proof=all_of(one_flip_defect, exponential_decay),
+    where=Place(line=342),
+    expect=Verdict.ENCLOSED,
+)
+
+arcsine_by_arctangent = Claim(
+    label="arcsine_by_arctangent",
+    says=equal(asin(sqrt(b / (a + b))), atan(sqrt(b / a))),
+    given=shape,
+    proof=by(inverses, roots),
+)
+
+arctangent_below = Claim(
+    label="arctangent_below",
+    says="arctan r ≤ r for every r > 0.",
+    kind="order",
+    proof=Asymptotics(
+        Order("<=", lambda r, m: m.atan(r), lambda r, m: r, constant=fmpq(1), upto=None),
+        "r > 0",
+    ),
+    expect=Verdict.ENCLOSED,
+    note="So √(ab) arctan √(b/a) ≤ b ≤ 1.",
+)
+
+arcsine_grows = Claim(
+    label="cosine_below_one",
+    says=sqrt(b / (a + b)) - sqrt(b / (a + b)) * cos(epsilon) >= 0,
+    kind="bound",
+    given=(*shape, *defect),
+    proof=(step(sqrt(b / (a + b)) * (1 - cos(epsilon))),),
+)
+
+dominant_exponential = Claim(
+    label="dominant_exponential",
+    says="For large ab the exponential dominates: its exponent is −2π√(ab) and a part that stays "
+    "between −2b and 0.",
+    kind="statement",
+    proof=all_of(arcsine_by_arctangent, arctangent_below, arcsine_grows),
+    where=Place(line=342),
+    expect=Verdict.ENCLOSED,
+    note="The two sides of the equation are equal at the root, so neither is larger there.",
+)
+
+# -- the implicit function ------------------------------------------------------------------------
+
+implicit_solution = Claim(
+    label="implicit_solution",
+    says="The implicit function theorem gives a solution u with u(0, 0) = 0, on λ ≥ 0.",
+    kind="statement",
+    proof=all_of(G_at_origin, G_u_at_origin, flat_from_above, u_exponentially_small),
+    where=Place(line=368),
+    expect=Verdict.ENCLOSED,
+    note="Not for λ < 0, where e^{−1/s} is not flat.",
+)
+
+solution_in_that_form = Claim(
+    label="solution_in_that_form",
+    says="So the reduced equation has a solution of the form that is searched.",
+    kind="statement",
+    proof=all_of(implicit_solution, equation_for_u),
+    where=Place(line=369),
+    expect=Verdict.ENCLOSED,
+)
+
+limit_of_eps0 = Claim(
+    label="limit_of_eps0",
+    says="As λ → 0, u and μ tend to 0 and so does ε₀.",
+    kind="statement",
+    proof=all_of(small_together, u_exponentially_small, exponential_decay),
+    where=Place(line=370),
+    expect=Verdict.ENCLOSED,
+)
+
+_delta = Symbol("delta", real=True)
+
+factor_that_vanishes = Claim(
+    label="factor_that_vanishes",
+    says=equal(exp(-pi / lam), exp(-(pi - _delta) / lam) * exp(-_delta / lam)),
+    given=(lam > 0, _delta > 0),
+    proof=by(exponentials),
+)
+
+any_delta = Claim(
+    label="any_delta",
+    says="For every δ > 0, ε₀ = o(e^{−(π − δ)/λ}) as λ → 0.",
+    kind="statement",
+    proof=all_of(exponential_decay, factor_that_vanishes),
+    where=Place(line=370),
+    expect=Verdict.ENCLOSED,
+    note="ε₀ ≤ 2.01 e^{−π/λ}, and the factor e^{−δ/λ} tends to 0.",
+)
+
+# -- remarks on the slope -------------------------------------------------------------------------
+
+slope_is_variation = Claim(
+    label="slope_is_variation",
+    says="Near the separatrix dε/dγ at γ = 0 describes how ε varies with γ.",
+    kind="statement",
+    proof=all_of(tangent, implicit_derivative),
+    where=Place(line=222),
+    expect=Verdict.ENCLOSED,
+)
+
+uniform_convergence = Claim(
+    label="uniform_convergence",
+    says="F may be differentiated by γ under the integral sign at γ = 0.",
+    kind="statement",
+    proof=all_of(derivative_under_the_integral),
+    where=Place(line=407),
+    note="The reason named is the convergence of F; what is needed is a smooth ∂f/∂γ on [ε₀, π/2].",
+)
+
+terms_dominant = Claim(
+    label="terms_dominant",
+    says="For small ε₀ the terms of order 1/ε₀² dominate ∂F/∂γ.",
+    kind="statement",
+    proof=all_of(d56_true_order),
+    where=Place(line=413),
+    expect=Verdict.ENCLOSED,
+)
+
+remainder_constant = Claim(
+    label="remainder_constant",
+    says="With the printed slope the remainder is O(γ²): over γ² it tends to a constant.",
+    kind="order",
+    given=pavao.given,
+    proof=pavao.proof,
+    where=Place(line=426),
+    expect=Verdict.REFUTED,
+    amended_by=(tangent,),
+    note="With dε/dγ itself it does.",
+)
