@@ -292,13 +292,13 @@ everywhere = Claim(
     kind="bound",
     proof=Boxes(
         (
-            Bound(_trivially, box((0, 1), (0, "53/1000"))),
+            Bound(_trivially, box((0, 1), (0, "53/1000")), sufficient=True),
             Bound(_gap(1), box(*_low), slopes=True),
             Bound(_gap(-1), box(*_low), slopes=True),
             Bound(_cubic(margins.cubic_above, margins.by_root), box(*_middle)),
-            Bound(_cubic(margins.cubic_below, margins.by_root), box(*_middle)),
-            Bound(margins.cubic_above_far, box(*_far)),
-            Bound(_cubic(margins.cubic_below, margins.by_kappa), box(*_far)),
+            Bound(_cubic(margins.cubic_below, margins.by_root), box(*_middle), sufficient=True),
+            Bound(margins.cubic_above_far, box(*_far), sufficient=True),
+            Bound(_cubic(margins.cubic_below, margins.by_kappa), box(*_far), sufficient=True),
         ),
         ("x", "y"),
         EVERY,
@@ -415,39 +415,42 @@ balanced_newton = boxed(
 )
 
 
-def _tail(kappa: Any, m: Any) -> Any:
-    """4e−5 − coth T · 2e^{−2π/κ}, with T ≥ π/κ and coth T ≤ 1/(1 − 2e^{−2T})."""
-    twice = 2 * margins.flat(kappa, 2 * balls.pi)
-    return arb("4e-5") - twice / (1 - twice)
+FAR = ((0, 1), (0, "4/7"))
+"""The chart (b, κ) of √(ab) ≥ 7/4."""
+
+
+def _far(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
+    def error(b: Any, kappa: Any, m: Any) -> Any:
+        return margins.far_error(difference(b, kappa, _start(start), m), b, kappa, m)
+
+    return error
+
+
+def _far_margins(difference: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
+    """|ε/ε₀ − 1| < constant from the starts π and 4."""
+    return tuple(
+        margin for start in ("pi", "4") for margin in within(_far(difference, start), constant)
+    )
 
 
 uniform_tail = boxed(
     "uniform_tail",
-    "For √(ab) ≥ 7/4 every sweep from π or above errs by at most 0.004 % of ε₀.",
-    (_tail,),
-    ((0, "4/7"),),
-    ("kappa",),
+    "For √(ab) ≥ 7/4 the sweeps from π and from 4 err by at most 0.004 % of ε₀.",
+    _far_margins(margins.far_difference, "4e-5"),
+    FAR,
+    BY_KAPPA,
     "ab >= 49/16, 0 < b <= 1",
     "4e-5",
-    note="|T − T₁| ≤ b(1 − tanh π√(ab)) ≤ 2e^{−2π√(ab)}, and |d log ε₀/dT| ≤ coth T.",
 )
-
-
-def _newton_tail(kappa: Any, m: Any) -> Any:
-    """4e−6 − coth⁴T · (2e^{−2π/κ})²."""
-    twice = 2 * margins.flat(kappa, 2 * balls.pi)
-    return arb("4e-6") - twice**2 / (1 - twice) ** 4
-
 
 newton_tail = boxed(
     "newton_tail",
     "For √(ab) ≥ 7/4 a Newton step after such a sweep errs by at most 0.0004 % of ε₀.",
-    (_newton_tail,),
-    ((0, "4/7"),),
-    ("kappa",),
+    _far_margins(margins.far_newton_difference, "4e-6"),
+    FAR,
+    BY_KAPPA,
     "ab >= 49/16, 0 < b <= 1",
     "4e-6",
-    note="|T₂ − T| ≤ F″(T₁ − T)²/(2F′) with F″ ≤ 2 coth T and F′ ≥ tanh²T.",
 )
 
 uniform_formulas = Claim(

@@ -324,6 +324,44 @@ def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
     return -angle_error(error, cotangent(b, k, phase, m), m)
 
 
+def far_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
+    """T − T₁ of one sweep from ``start`` in the chart (b, κ), from f = e^{−2T}, g = e^{−2·start/κ}.
+
+    tanh T − tanh(start/κ) = 2(g − f)/((1 + f)(1 + g)), and r/κ = b.
+    """
+    r, f = b * kappa, flat(kappa, 2 * phase_by_kappa(b, kappa, m))
+    g = flat(kappa, 2 * start)
+    gap = 2 * (g - f) / ((1 + f) * (1 + g))
+    gap = gap / (1 + r * r * (1 - f) / (1 + f) * (1 - g) / (1 + g))
+    return b * gap * arctangent_over(r * gap)
+
+
+def far_error(difference: Any, b: Any, kappa: Any, m: Any) -> Any:
+    """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ).
+
+    It is tan ε/tan ε₀ − 1, and as the arctangent is concave ε/ε₀ − 1 is between it and 0.
+    """
+    f, growth = flat(kappa, 2 * phase_by_kappa(b, kappa, m)), m.exp(difference)
+    return m.expm1(difference) * (1 + f * growth) / (1 - f * growth * growth)
+
+
+def far_newton_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
+    """T − T₂ of one Newton step after one sweep from ``start`` in the chart (b, κ).
+
+    As ``newton_error``, with D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P/κ} at P₁ or between.
+    """
+    r, phase = b * kappa, phase_by_kappa(b, kappa, m)
+    difference = far_difference(b, kappa, start, m)
+    swept = phase - kappa * difference
+
+    def spread(small: Any) -> Any:
+        return (1 + small) ** 2 + r * r * (1 - small) ** 2
+
+    between, at = flat(kappa, 2 * phase.union(swept)), flat(kappa, 2 * swept)
+    bend = 4 * b * (1 + r * r) * between * (1 - between * between) / spread(between) ** 2
+    return -bend * difference * difference / (1 - 4 * b * at / spread(at))
+
+
 arctangent_rest = Divided(lambda s: s.atan(), 3)
 """(arctan x − x)/x³."""
 
@@ -364,14 +402,18 @@ def defect_over_kappa(b: arb, kappa: arb, m: Any) -> arb:
 
 
 def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
-    """κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), a ball.
+    """κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), a ball."""
+    e, _, r = root_by_kappa(b, kappa, m)
+    return slope_rest_at(e, b, r, kappa, phase_by_kappa(b, kappa, m), m)
+
+
+def slope_rest_at(e: Any, b: Any, r: Any, kappa: Any, phase: Any, m: Any) -> Any:
+    """As ``slope_rest``, where ε₀ = ``e`` and the phase are known.
 
     −4bε dε/dγ = [(ε/s) c (1 + Rs²) + ε s (1 − R − 2b) T √(1 + Rs²)]/(1 − bs²) with s = sin ε₀,
     c = cos ε₀ and κT the phase.
     """
-    e, _, r = root_by_kappa(b, kappa, m)
     sinc, half = sine_over(e), sine_over(e / 2)
-    phase = phase_by_kappa(b, kappa, m)
     square = e * e * sinc * sinc
     root = m.sqrt(1 + r * r * square)
     cotangent_rest = (-half * half / 2 - sine_rest(e)) / sinc

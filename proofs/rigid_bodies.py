@@ -73,7 +73,7 @@ rigid_body_floor = Claim(
     says="ε₀ > 2 arctan e^{−π} = 0.08637… for every planar body, b = 1/(a + 2), a > 0.",
     kind="bound",
     proof=Boxes(
-        (Bound(_floor_margin, box((0, 1))),),
+        (Bound(_floor_margin, box((0, 1)), sufficient=True),),
         ("u",),
         "b = 1/(a+2), a > 0, u = 1/(a+1)",
         claims=(one_flip_defect, realizable),
@@ -102,7 +102,7 @@ floor_is_approached = Claim(
     says="ε₀ < 2 arctan e^{−π} + 1/(a + 1) for every planar body with a ≥ 7.",
     kind="bound",
     proof=Boxes(
-        (Bound(_excess_slope, box((0, "1/8"))),),
+        (Bound(_excess_slope, box((0, "1/8")), sufficient=True),),
         ("u",),
         "b = 1/(a+2), a >= 7, u = 1/(a+1)",
         claims=(one_flip_defect, realizable),

@@ -211,3 +211,78 @@ def test_a_short_series_is_refused():
         assert taylor_coefficients(lambda s: s.sin(), arb(1), 40)[39] != 0
         with pytest.raises(RuntimeError, match="length"):
             taylor_coefficients(lambda s: s.derivative(), arb(1), 5)
+
+
+@pytest.mark.parametrize("slopes", [False, True])
+def test_a_margin_that_only_suffices_refutes_nothing(slopes):
+    """x² ≤ 1 on [0, 1] is true, and x ≤ 1/2 would suffice: that x = 1 fails shows nothing."""
+    strong = Bound(lambda x, m: arb(fmpq(1, 2)) - x, box((0, 1)), slopes)
+    assert decide(strong).verdict is Verdict.REFUTED
+    sufficient = Bound(strong.margin, strong.box, slopes, sufficient=True)
+    assert decide(sufficient).verdict is Verdict.UNDECIDED
+
+
+def test_no_box_becomes_a_needle():
+    """A slope that is large along one axis alone must not use up the budget along it."""
+
+    def margin(x, y, m):
+        return 1 + arb(10) ** 30 * (x - x) - (y - arb(fmpq(1, 3))) ** 2 / 2
+
+    outcome = prove_positive(Bound(margin, UNIT, slopes=True), budget=4000)
+    assert not isinstance(outcome, Counterexample)
+    if isinstance(outcome, Open):
+        x, y = outcome.worst
+        assert (y.high - y.low) <= 2**9 * (x.high - x.low)
+
+
+FALSEHOODS = {
+    "equality on a line": (lambda x, y, m: (x - y) ** 2, UNIT),
+    "zero at a corner, flat": (lambda x, y, m: x**4 + y**4, UNIT),
+    "zero at an edge": (lambda x, y, m: x * (1 + y), UNIT),
+    "negative on a sliver": (
+        lambda x, y, m: (x - arb(fmpq(355, 1130))) ** 2 - arb(10) ** -9 + 0 * y,
+        UNIT,
+    ),
+    "a pole inside": (lambda x, y, m: 1 / (x - arb(fmpq(1, 3))) ** 2 - 1, UNIT),
+    "a jump of abs": (lambda x, y, m: abs(x - arb(fmpq(1, 3))) - arb(10) ** -12, UNIT),
+    "tangent through its pole": (lambda x, y, m: m.tan(3 * x) + 10**6, UNIT),
+    "logarithm of a sign change": (lambda x, y, m: m.log((x - y) ** 2) + 50, UNIT),
+    "root of a negative number": (lambda x, y, m: 1 + m.sqrt(x - y), UNIT),
+    "arcsine beyond one": (lambda x, y, m: 2 - m.asin(x + y), UNIT),
+    "below the rounding": (lambda x, y, m: (x - x) + arb(2) ** -80 - arb(2) ** -79, UNIT),
+    "cancellation to zero": (lambda x, y, m: m.sin(x) ** 2 + m.cos(x) ** 2 - 1, UNIT),
+    "infinite where it matters": (lambda x, y, m: 1 / y - 1 / y + x, UNIT),
+}
+"""Margins that are not positive everywhere: zero, negative or undefined somewhere."""
+
+
+@pytest.mark.parametrize("slopes", [False, True])
+@pytest.mark.parametrize("name", FALSEHOODS)
+def test_planted_falsehoods_are_never_enclosed(name, slopes):
+    margin, region = FALSEHOODS[name]
+    assert decide(Bound(margin, region, slopes), budget=1500).verdict is not Verdict.ENCLOSED
+    for mark in ("b", "m", "xbb", "xmm", "xbm", "ybb", "xyxbbybbb"):
+        with pytest.raises(CertificateError):
+            recheck(Bound(margin, region), BoxProof(mark))
+
+
+@pytest.mark.parametrize("point", ["1/3", "1/128", "-1/128", "3/2", "1/1000000"])
+@pytest.mark.parametrize("power", [1, 2, 3, 5])
+def test_the_two_forms_of_a_divided_function_agree(power, point):
+    """A point near the seam by the quotient and by the Taylor form; a ball contains both."""
+    divided = Divided(lambda s: s.sin(), power)
+    at = fmpq(*map(int, point.split("/")))
+    with ball_precision(200):
+        exact = sum(
+            (
+                (-1) ** (j // 2) * arb(at) ** (j - power) / (arb(j) + 1).gamma()
+                for j in range(1, 80, 2)
+                if j >= power
+            ),
+            start=arb(0),
+        )
+        assert divided(arb(at)).overlaps(exact) or abs(divided(arb(at)) - exact) < 1e-20
+        for radius in ("1e-3", "0.1", "2"):
+            assert (
+                divided(arb(at, radius)).contains(exact) or not divided(arb(at, radius)).is_finite()
+            )

@@ -66,12 +66,15 @@ class Bound:
         box: the closed box.
         slopes: whether mean-value forms are tried too (the margin must run on gradients).
         precision: working precision in bits.
+        sufficient: whether the margin only suffices for what is claimed. A point at which it is
+            negative then refutes nothing, and the search ends open.
     """
 
     margin: Margin
     box: Box
     slopes: bool = False
     precision: int = 64
+    sufficient: bool = False
 
 
 @dataclass(frozen=True)
@@ -100,7 +103,7 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Open:
-    """The budget was spent; ``worst`` is a box that stayed open."""
+    """Nothing is shown, for lack of budget or of a better margin; ``worst`` stayed open."""
 
     worst: Box
 
@@ -145,8 +148,15 @@ def prove_positive(bound: Bound, budget: int = 20_000) -> BoxProof | Counterexam
         for point in _inner_corners(bound.box):
             value = value_at(bound.margin, point)
             if value < 0:
-                return Counterexample(point, value)
+                return _negative(bound, point, value)
         return _search(bound, budget)
+
+
+def _negative(bound: Bound, point: Point, value: arb) -> Counterexample | Open:
+    """What a point with a negative margin shows: where the margin only suffices, nothing."""
+    if bound.sufficient:
+        return Open(tuple(Interval(x, x) for x in point))
+    return Counterexample(point, value)
 
 
 def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
@@ -162,7 +172,7 @@ def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
         middle = tuple((low + high) / 2 for low, high in here)
         centre = value_at(bound.margin, middle)
         if centre < 0:
-            return Counterexample(middle, centre)
+            return _negative(bound, middle, centre)
         axis = _longest(here, bound.box)
         if _relative(here, bound.box, axis) < SMALLEST:
             return Open(here)

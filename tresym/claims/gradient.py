@@ -135,6 +135,10 @@ def coordinates(point: tuple[arb, ...]) -> tuple[Gradient, ...]:
     )
 
 
+CANCELLED = 6
+"""Beyond 2^−CANCELLED a point is not near 0: a quotient may stand for its Taylor form."""
+
+
 @dataclass(frozen=True)
 class Divided:
     """The function (h(x) − its Taylor polynomial at 0 of degree < p) / x^p, regular at 0.
@@ -160,7 +164,24 @@ class Divided:
         if isinstance(x, Gradient):
             value, slope = self._jet(x.value)
             return x.chain(value, slope)
-        return self._jet(x)[0]
+        middle = x.mid()
+        value = self._point(middle)
+        return value if x.is_exact() else value + self._rough(x) * (x - middle)
+
+    def _point(self, x: arb) -> arb:
+        """The value at an exact point; the quotient loses at most p times ``CANCELLED`` bits."""
+        if not abs(x) > arb(2) ** -CANCELLED:
+            return self._direct(x)[0]
+        start = _expansion(self, ctx.prec)[: self.power]
+        return (taylor_coefficients(self.series, x, 1)[0] - _horner(start, x)) / x**self.power
+
+    def _rough(self, x: arb) -> arb:
+        """The slope over a ball, by few coefficients: h_{p+1} on the hull of 0 and x."""
+        rough = taylor_coefficients(self.series, x.union(arb(0)), self.power + 2)[self.power + 1]
+        if not abs(x) > self.near:
+            return rough
+        slope = self._direct(x)[1]
+        return slope.intersection(rough) if slope.is_finite() and rough.is_finite() else slope
 
     def _jet(self, x: arb) -> tuple[arb, arb]:
         """Value and slope over the ball: the value by the mean value theorem from its middle."""
@@ -168,9 +189,7 @@ class Divided:
         value, slope = self._direct(middle)
         if x.is_exact():
             return value, slope
-        hull = x.union(arb(0))
-        slope = self._direct(x)[1]
-        rough = taylor_coefficients(self.series, hull, self.power + 2)[self.power + 1]
+        slope, rough = self._direct(x)[1], self._rough(x)
         if rough.is_finite():
             slope = slope.intersection(rough) if slope.is_finite() else rough
         return value + slope * (x - middle), slope
