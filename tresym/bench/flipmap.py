@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import lru_cache, partial
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -33,7 +34,7 @@ from tresym.flip.angle import Angle
 from tresym.flip.trajectory import Start, travel
 
 BODIES = {"standard racket": named_body("str").shape, "√(ab) = 3": Shape(fmpq(18), fmpq(1, 2))}
-STARTS = 100_000
+STARTS = 400_000
 LOOP = 20
 """Starts that are solved one by one."""
 SAMPLE = 20
@@ -43,7 +44,7 @@ WANTED = 11
 OURS = "tresym, numpy"
 Floats = flipmap.Floats
 
-PACE = Pace(rounds=5, limit=20.0, patience=1.5)
+PACE = Pace(rounds=5, limit=20.0, patience=3.0)
 
 
 def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
@@ -68,7 +69,7 @@ def _contenders(name: str, shape: Shape) -> Iterator[Contender]:
     a, b, _ = peers.floats(shape, fmpq(0))
     truths = [ball_flip(a, b, *start) for start in zip(*starts(SAMPLE), strict=True)]
     methods: dict[str, tuple[Method, int]] = {
-        OURS: (flipmap.flip_map, STARTS),
+        OURS: (flipmap.flip_map, flipmap.LARGE - 1),
         "scipy solve_ivp, RK45 at 1e-10": (partial(by_scipy, "RK45", 1e-10), LOOP),
         "scipy solve_ivp, DOP853 at 1e-13": (partial(by_scipy, "DOP853", 1e-13), LOOP),
         "heyoka, one by one": (by_heyoka, 1000),
@@ -78,17 +79,16 @@ def _contenders(name: str, shape: Shape) -> Iterator[Contender]:
         methods[extra] = (method, STARTS)
     for title, (method, count) in methods.items():
         work = partial(method, a, b, *starts(count))
-        with suppress(Exception):
-            method(a, b, *starts(8))  # compiled and imported before anything is timed
+        with suppress(Exception):  # compiled and imported before anything is timed
+            method(a, b, *starts(count if title.endswith("numba") else 8))
         judge = partial(judged, truths)
         ours = title.startswith("tresym")
         yield Contender(name, title, work, judge, ours, WANTED, pieces=count)
 
 
 def optional() -> dict[str, Method]:
-    """The flip map with numba, where this tresym has it and numba is installed."""
-    compiled = getattr(flipmap, "compiled_flip_map", None)
-    return {} if compiled is None else {"tresym, numba": compiled}
+    """The same map as it runs from ``LARGE`` starts on where numba is installed."""
+    return {"tresym, numba": flipmap.flip_map} if find_spec("numba") else {}
 
 
 def judged(truths: list[arb], values: Any) -> Judged:

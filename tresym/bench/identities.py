@@ -56,7 +56,7 @@ class Identity(NamedTuple):
     true: bool
 
 
-PACE = Pace(rounds=3, limit=2.0, patience=0.06)
+PACE = Pace(rounds=3, limit=1.0, patience=0.05)
 
 
 def measure(keep: Keep = forget, pace: Pace = PACE, every: int = 1) -> Measurement:

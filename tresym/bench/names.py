@@ -9,6 +9,7 @@ WORKLOADS = {
     "defect": "ε(γ) to 50 digits: findroot over quad and over R_F and R_J, and ours",
     "flipmap": "the flip of very many starts: scipy's and heyoka's ODE solvers, and ours",
     "identities": "deciding identities and false variants: simplify, equals, trigsimp, and ours",
+    "check": "claims of one's own: antiderivatives, mutants and random identities, and SymPy",
     "ledger": "a verdict on every claim, in a new process and in a warm one",
     "startup": "tresym flip from the shell",
     "precision": "true digits against time, 10 to 1000 digits and float64, in six scenes",

@@ -8,7 +8,7 @@ state of the generator that is passed in.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from random import Random
 from typing import Any
@@ -61,7 +61,7 @@ def true_identity(random: Random) -> tuple[Expr, Expr]:
         except InputError:
             continue  # a number or a power outgrew its bounds
         sides = (left, right)
-        if any(None not in [real_value(e, point) for e in sides] for point in _points(random)):
+        if any(None not in [real_value(e, point) for e in sides] for point in points(random)):
             return left, right
 
 
@@ -73,7 +73,7 @@ def false_identity(random: Random) -> tuple[Expr, Expr]:
             right = changed(right, random)
         except InputError:
             continue
-        if any(far_apart(left, right, point) for point in _points(random)):
+        if any(far_apart(left, right, point) for point in points(random)):
             return left, right
 
 
@@ -151,12 +151,12 @@ def _other(e: Expr, random: Random) -> Expr:
     return random.choice((-e, 2 * e, e + 1, abs(e)))
 
 
-def _points(random: Random) -> Iterator[dict[str, Fraction]]:
+def points(random: Random, names: Sequence[str] = VARIABLES) -> Iterator[dict[str, Fraction]]:
+    """Twelve random points, small and large, some with positive coordinates only."""
     for k in range(12):
         size = (1, 4, 1, 30)[k % 4]
         yield {
-            name: Fraction(random.randint(-999 if k % 3 else 1, 999) * size, 1000)
-            for name in VARIABLES
+            name: Fraction(random.randint(-999 if k % 3 else 1, 999) * size, 1000) for name in names
         }
 
 

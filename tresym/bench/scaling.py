@@ -5,6 +5,7 @@ from __future__ import annotations
 import tracemalloc
 from collections.abc import Iterator
 from functools import partial
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,7 @@ from tresym.bench.run import (
 )
 from tresym.body import named_body
 from tresym.exact import parse_number
-from tresym.flip.flipmap import CHUNK, flip_map
+from tresym.flip.flipmap import CHUNK, LARGE, flip_map
 from tresym.flip.ladder import climb
 from tresym.verification import all_claims, verify
 
@@ -59,7 +60,7 @@ def measure(keep: Keep = forget, pace: Pace = PACE, most: int = STARTS[-1]) -> M
         timings += rest
     memory = [{"starts": n, "megabytes": round(peak(n) / 1e6, 2)} for n in counts]
     says = "time against digits, starts and claims; memory against starts"
-    notes = {"chunk": CHUNK, "piece": PIECE}
+    notes = {"chunk": CHUNK, "piece": PIECE, "compiled from": LARGE if find_spec("numba") else None}
     tables = {"memory": memory}
     return Measurement("scaling", says, timings, notes=notes, tables=tables, complete=complete)
 
@@ -118,7 +119,12 @@ def peak(count: int) -> float:
 def _by_starts(counts: list[int]) -> Iterator[Contender]:
     for count in counts:
         yield Contender(
-            BY_STARTS, "tresym, numpy", partial(flips, count), ours=True, asked=count, pieces=count
+            BY_STARTS,
+            "tresym flip map",
+            partial(flips, count),
+            ours=True,
+            asked=count,
+            pieces=count,
         )
 
 

@@ -44,8 +44,10 @@ def draw(data: dict[str, Any], part: str) -> Any:
     planes = {p["plane"]: p for p in data["planes"]}
     names = [g["pair"] for g in data["grids"] if g["plane"] in PARTS[part]]
     pairs = list(dict.fromkeys(names))
-    figure, grid = style.canvas(7.6, 0.7 + 1.45 * len(pairs), len(pairs), 4, sharey="row")
+    figure, grid = style.canvas(7.6, 0.9 + 1.5 * len(pairs), len(pairs), 4, sharey="row")
     for row, pair in zip(grid, pairs, strict=True):
+        row[0].set_title(pair, loc="left", fontsize=8, fontweight="bold")
+        row[0].set_ylabel(planes[_plane_of(data, pair)]["y"][0], fontsize=7.5)
         for sheet, (digits, form, title) in zip(row, COLUMNS, strict=True):
             found = next(
                 g
@@ -53,15 +55,18 @@ def draw(data: dict[str, Any], part: str) -> Any:
                 if (g["pair"], g["digits"], g["form"]) == (pair, digits, form)
             )
             image = _map(sheet, found, planes[found["plane"]])
-            if sheet is row[0]:
-                sheet.set_ylabel(f"{pair}\n{planes[found['plane']]['y'][0]}", fontsize=7.5)
-            if row is grid[0]:
-                sheet.set_title(title, fontsize=8)
+            if pair == pairs[0]:
+                above = {"xytext": (0, 17), "textcoords": "offset points", "ha": "center"}
+                sheet.annotate(title, (0.5, 1), xycoords="axes fraction", fontsize=8.5, **above)
             sheet.set_xlabel(planes[found["plane"]]["x"][0], fontsize=7.5, labelpad=1)
     bar = figure.colorbar(image, ax=grid, location="right", shrink=0.5, aspect=30, pad=0.01)
     bar.set_label("digits lost")
     bar.set_ticks([0, 2, 4, 8, 12, 16], labels=["0", "2", "4", "8", "12", "16+"])
     return figure
+
+
+def _plane_of(data: dict[str, Any], pair: str) -> str:
+    return str(next(g["plane"] for g in data["grids"] if g["pair"] == pair))
 
 
 def _map(sheet: Any, found: dict[str, Any], plane: dict[str, Any]) -> Any:

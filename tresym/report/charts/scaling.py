@@ -33,13 +33,16 @@ def caption(data: dict[str, Any]) -> str:
     """What to see."""
     memory = data["memory"]
     starts = [r for r in data["rows"] if r["scene"] == "time against starts" and r["seconds"]]
+    large = data["notes"]["compiled from"]
+    compiled = f" (compiled by numba from {large:,} starts on)" if large else ""
     per = starts[-1]["seconds"]
     return (
         "Left: processor time of ε(γ) of the standard racket, one answer, 50 to 10 000 digits; a "
         "peer that needs more than 2.5 s is not tried further. Middle: the flip of 1 to 10⁷ starts "
         f"in float64 ({per * 1e6:.2g} µs a start for many) with the most memory held at once: at "
         f"most {max(m['megabytes'] for m in memory):.3g} MB, as starts are handed over "
-        f"{data['notes']['piece']:,} at a time and worked on {data['notes']['chunk']:,} at a time. "
+        f"{data['notes']['piece']:,} at a time and worked on {data['notes']['chunk']:,} at a time"
+        f"{compiled}. "
         "Right: judging the first claims of the proofs, with all that they rest on, in a warm "
         "process. Thin lines: proportional growth."
     )

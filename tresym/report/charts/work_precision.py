@@ -177,8 +177,13 @@ def _legend(figure: Any) -> None:
         for name, mark in MARKS.items()
     ]
     handles.append(Line2D([], [], color="0.8", linewidth=4, label="Pareto front"))
-    ring: dict[str, Any] = {"marker": "o", "markersize": 9, "markerfacecolor": "none", "color": BLACK}
+    ring: dict[str, Any] = {
+        "marker": "o",
+        "markersize": 9,
+        "markerfacecolor": "none",
+        "color": BLACK,
+    }
     handles.append(Line2D([], [], linestyle="", label="the ladder's pick", **ring))
     cross: dict[str, Any] = {"marker": "x", "markersize": 4, "color": "0.3"}
     handles.append(Line2D([], [], linestyle="", label="fewer digits than asked", **cross))
-    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7)
+    figure.legend(handles=handles, loc="outside upper center", ncols=3, fontsize=7)
