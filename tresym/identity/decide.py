@@ -35,7 +35,7 @@ from tresym.verdict import Verdict
 
 FIRST_BITS, FIRST_POINTS = 128, 4
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
-SEARCH_POINTS = 120
+SEARCH_POINTS = 400
 SIZES = (24, 64, 128)
 
 

@@ -231,7 +231,7 @@ class Field(SignedRing):
                 continue
             x = self.variables[position]
             base = self.at(position).data[0]
-            if not base.is_constant() and parts[0].gcd(base) == base:
+            if parts[0].gcd(base) == base:
                 square = self.reduce(x * x)
                 sign = square // base
                 rest = (parts[0] // base) * sign * x + parts[1]

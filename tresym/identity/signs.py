@@ -530,14 +530,18 @@ class SignedRing(Ring):
 
     def _atan_ends(self, generator: Generator) -> Ends:
         argument = generator.data[0]
-        sign = self.sign(argument.num) * self.sign(argument.den)
+        sign = self.sign(argument.num, 1) * self.sign(argument.den, 1)
         return fmpq(0 if sign > 0 else -11, 7), fmpq(0 if sign < 0 else 11, 7)
 
     def orthant_sign(self, p: Poly) -> int:
         """The sign of all coefficients once every generator's range is mapped to (0, ∞)."""
         free: list[int] = []
+        in_pi = self.known("pi", None) and p.degrees()[self.generator("pi", None).position] > 0
         for position in self.used(p):
             low, high = self.ends(position)
+            if in_pi and self.at(position).kind == "atan":
+                p = self._in_quarter_turns(p, position)
+                low, high = (end and fmpq(1 if end > 0 else -1) for end in (low, high))
             if low == 0 and high is None:
                 continue
             if low is None and high is None:
@@ -552,6 +556,16 @@ class SignedRing(Ring):
         if free and any(int(m[i]) % 2 for m, _ in p.terms() for i in free):
             return 0
         return 1 if signs == {True} else -1
+
+    def _in_quarter_turns(self, p: Poly, position: int) -> Poly:
+        """``p`` times a positive number, an arc tangent written as τ·π/2 and its place as τ."""
+        pi, tau = self.variable(self.generator("pi", None)), self.variables[position]
+        parts = self.split(p, position)
+        degree = max(parts)
+        result = self.zero_poly
+        for k, part in parts.items():
+            result = result + part * (pi * tau) ** k * 2 ** (degree - k)
+        return result
 
     def _mapped(self, p: Poly, position: int, low: fmpq | None, high: fmpq | None) -> Poly:
         """``p`` times a positive factor, the generator's range (low, high) mapped to (0, ∞)."""

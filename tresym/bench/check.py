@@ -1,0 +1,196 @@
+"""Claims of one's own: antiderivatives and what is wrong with them, and random identities.
+
+The pairs of antiderivatives.txt are claims ``diff(F, x) == f`` with parameters of which nothing is
+assumed. A mutant is a pair with one change in its integrand. SymPy is asked what a reader would
+type: does ``simplify(diff(F, x) - f)`` come to 0, does ``diff(F, x).equals(f)``? The random
+identities are those of rewriting.py, decided as a file of claims is, each within a limit.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from functools import partial
+from importlib.resources import files
+from random import Random
+from typing import Any, NamedTuple
+
+import sympy
+
+from tresym.bench.rewriting import changed, false_identity, far_apart, points, true_identity
+from tresym.bench.run import (
+    FAILED,
+    RIGHT,
+    TIMED_OUT,
+    WRONG,
+    Contender,
+    Judged,
+    Keep,
+    Measurement,
+    Pace,
+    Timing,
+    forget,
+    interleave,
+)
+from tresym.checking import check
+from tresym.checking.workers import Task, check_all
+from tresym.exact import InputError
+from tresym.identity import Expr, differentiate, parse, symbols
+from tresym.verdict import Verdict
+
+OURS = "tresym check"
+PACE = Pace(rounds=3, limit=20.0, patience=0.5)
+EVERY = 16
+"""One pair in so many is put to SymPy."""
+TRIALS = 10_000
+CHUNK = 500
+LIMIT = 10.0
+
+
+class Pair(NamedTuple):
+    """An antiderivative and its integrand, as text."""
+
+    antiderivative: str
+    integrand: str
+
+    @property
+    def claim(self) -> str:
+        """That the derivative is the integrand."""
+        return f"diff({self.antiderivative}, x) == {self.integrand}"
+
+
+def pairs() -> list[Pair]:
+    """The pairs of antiderivatives.txt."""
+    text = files("tresym.bench").joinpath("antiderivatives.txt").read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    return [Pair(*(side.strip() for side in line.split("|"))) for line in lines]
+
+
+def measure(
+    keep: Keep = forget, pace: Pace = PACE, every: int = EVERY, trials: int = TRIALS
+) -> Measurement:
+    """The workload ``check``; ``every`` and ``trials`` make it smaller."""
+    everything = pairs()
+    notes: dict[str, Any] = {
+        "pairs": decided([pair.claim for pair in everything]),
+        "mutants": mutants(everything),
+    }
+    contenders = (c for pair in everything[::every] for c in _contenders(pair))
+    timings, complete = interleave(contenders, pace, keep)
+    notes["peers"] = summary(timings, pace.limit)
+    if complete:
+        notes["trial"] = {
+            "true": trial(true_identity, trials),
+            "false": trial(false_identity, trials),
+        }
+    says = "is the derivative of this function that one?"
+    return Measurement("check", says, timings, OURS, notes=notes, complete=complete)
+
+
+def decided(claims: list[str]) -> dict[str, Any]:
+    """How often each verdict, and the processor time it took."""
+    check(claims[0])  # what is done once in a process is not counted
+    verdicts: Counter[str] = Counter()
+    seconds = []
+    for claim in claims:
+        start = time.process_time()
+        verdicts[check(claim).verdict.value] += 1
+        seconds.append(time.process_time() - start)
+    seconds.sort()
+    return {
+        "claims": len(claims),
+        **verdicts,
+        "median": _short(seconds[len(seconds) // 2]),
+        "p99": _short(seconds[int(0.99 * len(seconds))]),
+        "longest": _short(seconds[-1]),
+    }
+
+
+def mutants(everything: list[Pair]) -> dict[str, Any]:
+    """The verdicts on one mutant of each pair; one that is PROVED must not be seen to be false."""
+    verdicts: Counter[str] = Counter()
+    wrong = 0
+    for number, pair in enumerate(everything):
+        left, right = _mutant(pair, Random(number))
+        verdict = check(f"{left} == {right}").verdict
+        verdicts[verdict.value] += 1
+        wrong += verdict is Verdict.PROVED and _differ(left, right, Random(number))
+    return {"claims": len(everything), **verdicts, "wrong": wrong}
+
+
+def _mutant(pair: Pair, random: Random) -> tuple[Expr, Expr]:
+    left, right = differentiate(parse(pair.antiderivative), "x"), parse(pair.integrand)
+    while True:
+        other = changed(right, random)
+        if other != right and symbols(other) <= symbols(left) | symbols(right) | {"x"}:
+            return left, other
+
+
+def _differ(left: Expr, right: Expr, random: Random) -> bool:
+    names = sorted(symbols(left) | symbols(right))
+    return any(far_apart(left, right, point) for point in points(random, names))
+
+
+def _contenders(pair: Pair) -> Iterator[Contender]:
+    left, right = (sympy.sympify(side, locals=_names(side)) for side in pair)
+    x = sympy.Symbol("x")
+    works: dict[str, Callable[[], Any]] = {
+        OURS: lambda: check(pair.claim).verdict is Verdict.PROVED,
+        "sympy simplify": lambda: sympy.simplify(sympy.diff(left, x) - right) == 0,
+        "sympy equals": lambda: sympy.diff(left, x).equals(right),
+    }
+    for name, work in works.items():
+        yield Contender(pair.claim, name, work, partial(_judge, name), name == OURS)
+
+
+def _names(text: str) -> dict[str, Any]:
+    """The variables as SymPy symbols, also where SymPy has another use for the letter."""
+    return {name: sympy.Symbol(name) for name in symbols(parse(text))}
+
+
+def _judge(method: str, answer: Any) -> Judged:
+    if answer is True:
+        return Judged(outcome=RIGHT)
+    if answer is False and method == "sympy equals":
+        return Judged(outcome=WRONG, why="says False")
+    return Judged(outcome=FAILED, why="not decided")
+
+
+def summary(timings: list[Timing], limit: float) -> dict[str, dict[str, Any]]:
+    """By method: outcomes, and the geometric mean of its time by ours over the pairs.
+
+    One that timed out counts with the limit, so that the mean is then too small.
+    """
+    ours = {t.contender.scene: t for t in timings if t.contender.ours}
+    found: dict[str, dict[str, Any]] = {}
+    for method in dict.fromkeys(t.contender.method for t in timings):
+        some = [t for t in timings if t.contender.method == method]
+        outcomes = Counter(t.judged.outcome for t in some)
+        ratios = [r for t in some if (r := _ratio(t, ours[t.contender.scene], limit))]
+        mean = math.exp(sum(map(math.log, ratios)) / len(ratios)) if ratios else None
+        found[method] = {"pairs": len(some), **outcomes, "ratio": mean and _short(mean)}
+    return found
+
+
+def _ratio(timing: Timing, ours: Timing, limit: float) -> float | None:
+    if timing.judged.outcome == TIMED_OUT and ours.seconds:
+        return limit / ours.quartiles[1]
+    return timing.ratio(ours)
+
+
+def trial(make: Callable[[Random], tuple[Expr, Expr]], count: int) -> dict[str, int]:
+    """The verdicts on ``count`` random identities, the first of the generators 0, 1, 2, …"""
+    verdicts: Counter[str] = Counter()
+    for first in range(0, count, CHUNK):
+        last = min(first + CHUNK, count)
+        sides = [make(Random(seed)) for seed in range(first, last)]
+        tasks = [Task(f"{left} == {right}") for left, right in sides]
+        for _, found in check_all(tasks, LIMIT, 1):
+            verdicts["not read" if isinstance(found, InputError) else found.verdict.value] += 1
+    return {"identities": count, **verdicts}
+
+
+def _short(x: float) -> float:
+    return float(f"{x:.3g}")
