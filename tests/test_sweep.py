@@ -9,14 +9,16 @@ import csv
 import itertools
 import json
 import os
+import select
 import signal
+import socket
 import sqlite3
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -462,7 +464,7 @@ def test_kill_9_loses_nothing_and_nothing_is_computed_twice(
         wait_for(lambda p=process, s=size: p.poll() is not None or _size(wal) > s)
         time.sleep(0.007 * (kill % 13))
         process.kill()
-        process.wait()
+        process.wait(60)
         wait_for(lambda: not family(token), 20)
         with closing(sqlite3.connect(path)) as connection:
             (rows,) = connection.execute("SELECT count(*) FROM rows").fetchone()
@@ -474,6 +476,7 @@ def test_kill_9_loses_nothing_and_nothing_is_computed_twice(
         env=environment(),
         capture_output=True,
         check=False,
+        timeout=60,
     )
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["computed"] == len(big_rows) - before
@@ -499,7 +502,7 @@ def test_a_killed_worker_loses_nothing(tmp_path: Path, big_rows: list[tuple[Any,
         pid for pid in family(token) if b"spawn_main" in Path(f"/proc/{pid}/cmdline").read_bytes()
     ]
     os.kill(children[0], signal.SIGKILL)
-    _, err = process.communicate(timeout=120)
+    _, err = process.communicate(timeout=60)
     assert process.returncode == 0
     assert b"Traceback" not in err
     assert rows_of(path) == big_rows
@@ -576,48 +579,182 @@ def test_a_full_disk_is_one_line(
 # A real cluster
 
 
+class Cluster:
+    """A Dask scheduler with three worker processes, all of them in a session of their own."""
+
+    def __init__(self) -> None:
+        self.process = subprocess.Popen(
+            [sys.executable, str(ROOT / "tests" / "cluster.py")],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env=environment(),
+            start_new_session=True,
+        )
+        assert self.process.stdout is not None
+        ready, _, _ = select.select([self.process.stdout], [], [], 60)
+        line = self.process.stdout.readline() if ready else b""
+        if not line:
+            self.end()
+            pytest.fail("no cluster within a minute")
+        self.address: str = json.loads(line)
+
+    def end(self) -> None:
+        """Ask it to end, and then end it."""
+        assert self.process.stdin is not None
+        self.process.stdin.close()
+        with suppress(subprocess.TimeoutExpired):
+            self.process.wait(10)
+        with suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.wait(10)
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+
+
 @pytest.fixture(scope="module")
-def scheduler() -> Iterator[Any]:
-    """A scheduler with three worker processes of two threads each."""
-    distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(
-        n_workers=3, threads_per_worker=2, processes=True, dashboard_address=None
-    ) as local:
-        yield local
+def scheduler() -> Iterator[Cluster]:
+    pytest.importorskip("distributed")
+    found = Cluster()
+    yield found
+    found.end()
 
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("default")
 def test_a_cluster_gives_the_same_rows(
-    scheduler: Any, tmp_path: Path, expected: list[tuple[Any, ...]]
+    scheduler: Cluster, tmp_path: Path, expected: list[tuple[Any, ...]]
 ) -> None:
     path = str(tmp_path / "t")
-    found = sweep(GRID, path, 20, lambda: cluster(scheduler.scheduler_address))
+    found = sweep(GRID, path, 20, lambda: cluster(scheduler.address))
     assert found.computed == 81
     assert rows_of(path) == expected
 
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("default")
+@pytest.mark.parametrize("kill", range(KILLS // 2))
 def test_a_killed_cluster_worker_loses_nothing(
-    scheduler: Any, tmp_path: Path, big_rows: list[tuple[Any, ...]]
-) -> None:
+    kill: int, scheduler: Cluster, tmp_path: Path, big_rows: list[tuple[Any, ...]],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
     killed: list[int] = []
 
-    def kill(text: str) -> None:
-        if " of " in text and not killed:
-            killed.append(next(iter(scheduler.workers.values())).pid)
+    def shoot(text: str) -> None:
+        if " left" in text and not killed:
+            # A nanny starts another one, whose number we do not know: the next victim is.
+            killed.append(children_of(scheduler.process.pid)[kill % 3])
             os.kill(killed[0], signal.SIGKILL)
 
-    every, Progress.EVERY = Progress.EVERY, 0.0
-    try:
-        grid = Grid.read(BIG[1], BIG[3], BIG[5])
-        address = scheduler.scheduler_address
-        sweep(grid, str(tmp_path / "t"), 60, lambda: cluster(address), notice=kill)
-    finally:
-        Progress.EVERY = every
+    monkeypatch.setattr(Progress, "EVERY", 0.0)
+    grid = Grid.read(BIG[1], BIG[3], BIG[5])
+    sweep(grid, str(tmp_path / "t"), 60, lambda: cluster(scheduler.address), notice=shoot)
     assert killed
     assert rows_of(tmp_path / "t") == big_rows
+
+
+def children_of(session: int) -> list[int]:
+    """The worker processes of the session that ``session`` leads."""
+    return sorted(
+        int(path.name)
+        for path in Path("/proc").glob("[0-9]*")
+        if _session(path) == session and b"spawn_main" in (path / "cmdline").read_bytes()
+    )
+
+
+def _session(path: Path) -> int:
+    try:
+        return os.getsid(int(path.name))
+    except OSError:
+        return -1
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_that_dies_is_one_line_and_the_rest_is_computed_later(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, big_rows: list[tuple[Any, ...]]
+) -> None:
+    pytest.importorskip("distributed")
+    monkeypatch.setattr("tresym.sweep.run.PATIENCE", 1)
+    monkeypatch.setattr("tresym.sweep.workers.PATIENCE", 2)
+    monkeypatch.setattr(Progress, "EVERY", 0.0)
+    doomed, grid = Cluster(), Grid.read(BIG[1], BIG[3], BIG[5])
+    path = str(tmp_path / "t")
+
+    def shoot(text: str) -> None:
+        if " left" in text:
+            with suppress(ProcessLookupError):
+                os.killpg(doomed.process.pid, signal.SIGKILL)
+
+    try:
+        with pytest.raises(InputError, match="cluster: the scheduler or its workers are lost"):
+            sweep(grid, path, 60, lambda: cluster(doomed.address), notice=shoot)
+    finally:
+        doomed.end()
+    landed = len(rows_of(path))
+    assert 0 < landed < len(big_rows)
+    assert sweep(grid, path, 60, serial).computed == len(big_rows) - landed
+    assert rows_of(path) == big_rows
+
+
+def test_workers_that_are_gone_end_the_wait(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An executor that never answers is asked whether anybody is left."""
+
+    class Silent(Executor):
+        def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+            return Future()
+
+    def gone() -> None:
+        raise InputError("nobody is left")
+
+    @contextmanager
+    def silent() -> Iterator[Workers]:
+        yield Workers(Silent(), 2, gone)
+
+    monkeypatch.setattr("tresym.sweep.run.PATIENCE", 0.01)
+    with pytest.raises(InputError, match="nobody is left"):
+        sweep(GRID, str(tmp_path / "t"), 20, silent)
+
+
+IMPATIENT = (
+    "import sys; from tresym.sweep import workers; workers.PATIENCE = 1;"
+    "from tresym.cli import main; sys.exit(main())"
+)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("greeting", [b"", b"SSH-2.0-OpenSSH_9.2\r\n"])
+def test_a_listener_that_is_no_scheduler_is_one_line(greeting: bytes, tmp_path: Path) -> None:
+    """It takes the call and never says a word, or one that is not Dask's; the process ends."""
+    pytest.importorskip("distributed")
+    with socket.create_server(("127.0.0.1", 0)) as other, ThreadPoolExecutor(1) as waiter:
+        talk = waiter.submit(_greet, other, greeting)
+        address = f"tcp://127.0.0.1:{other.getsockname()[1]}"
+        done = subprocess.run(
+            [sys.executable, "-c", IMPATIENT, "sweep", "-o", str(tmp_path / "t"), "--a", "1",
+             "--b", "1", "--dask", address],
+            env=environment(),
+            capture_output=True,
+            check=False,
+            timeout=60,
+        )  # fmt: skip
+        talk.result(60)
+    assert done.returncode == 2
+    assert b"cluster: no scheduler answers" in done.stderr
+    assert b"Traceback" not in done.stderr
+
+
+def _greet(server: socket.socket, greeting: bytes) -> None:
+    """Answer the call, and keep the line open until the caller hangs up."""
+    server.settimeout(30)
+    line, _ = server.accept()
+    with line, suppress(OSError):
+        line.settimeout(30)
+        line.sendall(greeting)
+        while line.recv(4096):
+            pass
 
 
 @pytest.mark.filterwarnings("default")

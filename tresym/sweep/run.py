@@ -20,7 +20,7 @@ from tresym.flip.ladder import checked_digits
 from tresym.sweep.rows import Row, compute
 from tresym.sweep.source import Source
 from tresym.sweep.table import Table, check_export, open_table
-from tresym.sweep.workers import Workers, processes
+from tresym.sweep.workers import PATIENCE, Workers, processes
 
 FLOAT_BATCH = 20_000
 LARGEST_BATCH = 1000
@@ -112,7 +112,10 @@ def _run(
                 pending[workers.executor.submit(compute, batch[1], digits)] = batch[0]
             if not pending:
                 return
-            for future in wait(pending, return_when=FIRST_COMPLETED).done:
+            done = wait(pending, PATIENCE, FIRST_COMPLETED).done
+            if not done:
+                workers.check()
+            for future in done:
                 try:
                     rows = future.result()
                 except BrokenExecutor as error:

@@ -29,7 +29,10 @@ DEATHS = 3
 """Processes that may die over one batch before it is given up."""
 
 PATIENCE = 10
-"""Seconds to wait for a scheduler."""
+"""Seconds to wait for a scheduler, and for workers to come or to come back."""
+
+LARGEST_GREETING = 2**20
+"""Bytes that a scheduler's greeting may have."""
 
 MOST_WORKERS = 1024
 
@@ -44,11 +47,20 @@ def parse_workers(text: str) -> int:
     return int(word)
 
 
+def _nothing_amiss() -> None:
+    """Processes of this machine are replaced when they die, or the batch is given up."""
+
+
 class Workers(NamedTuple):
-    """An executor, and how many batches it should have under way."""
+    """An executor, and how many batches it should have under way.
+
+    ``check`` is asked whenever nothing has landed for :data:`PATIENCE` seconds; it raises
+    InputError when nobody is left to work, so that no sweep waits for ever.
+    """
 
     executor: Executor
     window: int
+    check: Callable[[], None] = _nothing_amiss
 
 
 class Here(Executor):
@@ -170,14 +182,41 @@ def _no_answer(address: str, error: Exception) -> InputError:
 
 
 def _knock(address: str) -> None:
-    """Connect once: at an address that is none, the client of Dask may wait for ever."""
+    """Connect once and hear the greeting: where there is none Dask's client waits for ever."""
     try:
         parts = urlsplit(address if "://" in address else f"tcp://{address}")
         if parts.scheme not in ("tcp", "tls") or not parts.hostname or not parts.port:
             raise ValueError("the address reads tcp://HOST:PORT")
-        socket.create_connection((parts.hostname, parts.port), timeout=PATIENCE).close()
+        with socket.create_connection((parts.hostname, parts.port), timeout=PATIENCE) as line:
+            if parts.scheme == "tcp" and not 0 < _size(line) < LARGEST_GREETING:
+                raise ValueError("what answers there is something else")
     except (OSError, ValueError) as error:
         raise _no_answer(address, error) from None
+
+
+def _size(line: socket.socket) -> int:
+    """The number that a scheduler opens every conversation with: the size of its greeting."""
+    said = b""
+    while len(said) < 8:
+        more = line.recv(8 - len(said))
+        if not more:
+            raise ValueError("it hung up")
+        said += more
+    return int.from_bytes(said, "little")
+
+
+def _within(seconds: float, call: Callable[[], Any]) -> Any:
+    """What ``call`` returns; TimeoutError after ``seconds``, whatever it may still wait for."""
+    answer: Future[Any] = Future()
+
+    def run() -> None:
+        try:
+            answer.set_result(call())
+        except BaseException as error:
+            answer.set_exception(error)
+
+    threading.Thread(target=run, daemon=True).start()
+    return answer.result(seconds)
 
 
 @contextmanager
@@ -194,17 +233,51 @@ def cluster(address: str) -> Iterator[Workers]:
         raise InputError("cluster: needs Dask (pip install 'tresym[cluster]')") from None
     _knock(address)
     try:
-        client = Client(address, timeout=PATIENCE, set_as_default=False)
-    except (OSError, ValueError) as error:
+        client = _within(
+            2 * PATIENCE, lambda: Client(address, timeout=PATIENCE, set_as_default=False)
+        )
+        threads = _threads(client)
+    except Exception as error:
+        # What speaks there may be anything, and Dask stumbles over it in many ways.
         raise _no_answer(address, error) from None
-    with client:
-        threads = sum(client.nthreads().values())
+    try:
         if threads == 0:
             raise InputError(f"cluster: the scheduler at {address} has no workers")
+        executor = client.get_executor(pure=False)
+        yield Workers(executor, 2 * threads + 2, _Watch(client))
+    except (KilledWorker, CommClosedError, CancelledError) as error:
+        reason = type(error).__name__
+        raise InputError(f"cluster: the scheduler or its workers are lost ({reason})") from None
+    except ImportError as error:
+        raise InputError(f"cluster: the workers need the same tresym ({error})") from None
+    finally:
+        with suppress(OSError):
+            client.close(timeout=PATIENCE)
+
+
+def _threads(client: Any) -> int:
+    """The threads of all workers, by the scheduler's own count; OSError if it does not answer."""
+    counts: dict[str, int] = client.sync(client.scheduler.ncores, callback_timeout=PATIENCE)
+    return sum(counts.values())
+
+
+class _Watch:
+    """Raises InputError when twice in a row the scheduler is gone or has no workers."""
+
+    def __init__(self, client: Any) -> None:
+        self.client = client
+        self.empty = 0
+
+    def __call__(self) -> None:
+        """Look once."""
         try:
-            yield Workers(client.get_executor(pure=False), 2 * threads + 2)
-        except (KilledWorker, CommClosedError, CancelledError) as error:
-            reason = type(error).__name__
-            raise InputError(f"cluster: the scheduler or its workers are lost ({reason})") from None
-        except ImportError as error:
-            raise InputError(f"cluster: the workers need the same tresym ({error})") from None
+            alone = self.client.status != "running" or _threads(self.client) == 0
+        except (OSError, AttributeError, RuntimeError):
+            # of a client that closes while it is asked
+            alone = True
+        self.empty = self.empty + 1 if alone else 0
+        if self.empty >= 2:
+            raise InputError(
+                "cluster: the scheduler or its workers are lost; "
+                "the same command goes on from what has landed"
+            )
