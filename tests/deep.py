@@ -1,4 +1,4 @@
-"""The long hunt: ``python tests/deep.py laws`` (also ``cheap``, ``hostile``, ``kills``, ``show``).
+"""The long hunt: ``python tests/deep.py laws`` (also cheap, hostile, classes, kills; show).
 
 Each hunt is a number of chunks; each chunk is a run of pytest with seeds of its own. What has
 passed is in ``build/deep.jsonl`` and is not run again: an interrupted hunt goes on when it is
@@ -36,10 +36,13 @@ CHEAPEST = " or ".join(
     )
 )
 
+GENERATED = "readers or api or number_that or command_lines or whole_processes or ctrl_c"
+
 HUNTS = {
     "laws": Hunt(("tests/laws",), 10),
     "cheap": Hunt(("tests/laws", "-k", CHEAPEST), 100),
-    "hostile": Hunt(("tests/test_hostile.py",), 10),
+    "hostile": Hunt(("tests/test_hostile.py", "-k", GENERATED), 10),
+    "classes": Hunt(("tests/test_hostile.py", "-k", f"not ({GENERATED})"), 1),
     "kills": Hunt(("tests/test_sweep.py", "-k", "kill"), 1),
 }
 
