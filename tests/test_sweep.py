@@ -47,6 +47,12 @@ def rows_of(path: Path | str) -> list[tuple[Any, ...]]:
         return list(connection.execute("SELECT * FROM rows ORDER BY line"))
 
 
+def float_rows_of(path: Path | str) -> list[Row]:
+    """Rows in float64, whose table has no column for a radius."""
+    radius = Row._fields.index("radius")
+    return [Row(*values[:radius], None, *values[radius:]) for values in rows_of(path)]
+
+
 @contextmanager
 def serial() -> Iterator[Workers]:
     yield Workers(Here(), 1)
@@ -103,9 +109,7 @@ def test_errors_of_the_formulas_are_right_to_six_digits(expected: list[tuple[Any
 def test_float_rows_are_right_to_twelve_digits(tmp_path: Path) -> None:
     grid = Grid.read("1e-6:1e4:8log", "1e-6,0.03,1", "-1e-7,0,1e-7")
     sweep(grid, str(tmp_path / "t"), None, serial)
-    for values in rows_of(tmp_path / "t"):
-        row = Row(*values)
-        assert row.radius is None
+    for row in float_rows_of(tmp_path / "t"):
         truth = flip_defect(*(str(x) for x in (row.a, row.b, row.gamma)), 17)
         assert row.defect == pytest.approx(float(truth.defect), rel=2e-13)
 
@@ -114,7 +118,7 @@ def test_float64_says_what_it_cannot_hold(tmp_path: Path) -> None:
     grid = Grid.read("1,1e6,1e400,1e-400", "1,1e-400", "0,1/2")
     found = sweep(grid, str(tmp_path / "t"), None, serial)
     assert found.bad >= 6
-    for row in (Row(*values) for values in rows_of(tmp_path / "t")):
+    for row in float_rows_of(tmp_path / "t"):
         assert (row.defect is None) == (row.problem is not None)
         if row.defect is not None:
             truth = flip_defect(*(str(x) for x in (row.a, row.b, row.gamma)), 17).defect
@@ -343,8 +347,18 @@ def test_exports_say_what_the_table_says(tmp_path: Path, expected: list[tuple[An
 def test_floats_are_floats_in_parquet(tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     sweep(GRID, str(tmp_path / "t"), None, serial, export=str(tmp_path / "t.parquet"))
-    found = parquet.read_table(tmp_path / "t.parquet").column("defect").to_pylist()
-    assert found == [row[5] for row in rows_of(tmp_path / "t")]
+    table = parquet.read_table(tmp_path / "t.parquet")
+    assert "radius" not in table.column_names
+    found = table.column("defect_float64").to_pylist()
+    assert found == [row.defect for row in float_rows_of(tmp_path / "t")]
+
+
+def test_the_header_says_that_float64_is_not_certified(tmp_path: Path) -> None:
+    export = tmp_path / "t.csv"
+    sweep(Grid.read("1", "1/2"), str(tmp_path / "t"), None, serial, export=str(export))
+    header = export.read_text().splitlines()[0].split(",")
+    assert "defect_float64" in header
+    assert not {"defect", "radius"} & set(header)
 
 
 def test_parquet_without_pyarrow_is_refused_before_any_work(

@@ -38,7 +38,8 @@ class Row(NamedTuple):
     """One row of the table; text, numbers, and None where something does not apply.
 
     ``defect`` and ``radius`` (radians) are decimal text, the truth within ``radius`` of ``defect``;
-    in float64 ``defect`` is a float and ``radius`` None. Each ``error_…`` is formula/ε − 1 to six
+    in float64 ``defect`` is a float and ``radius`` None (the table then has a column
+    ``defect_float64`` and none for a radius). Each ``error_…`` is formula/ε − 1 to six
     digits (in float64 to 1e-12), None where it does not show at the digits asked for: the paper's
     asymptotic formula, its correct leading term, and the explicit formulas for all shapes, on the
     separatrix; the paper's formula linear in γ elsewhere.

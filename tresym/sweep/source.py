@@ -21,7 +21,8 @@ from tresym.body import Shape
 from tresym.exact import InputError, fraction_text, parse_number
 
 MOST_ROWS = 10**12
-MOST_VALUES = 10**7
+MOST_VALUES = 10**6
+"""Values of one axis: about 100 megabytes."""
 LONGEST_LINE = 40_000
 """Bytes of one CSV line; three numbers of the greatest length fit."""
 
@@ -151,7 +152,7 @@ def read_values(text: str, what: str) -> tuple[fmpq, ...]:
     Points with equal ratios are rounded to 15 digits, their ends kept.
 
     Raises:
-        InputError: anything else, or more than 10^7 values.
+        InputError: anything else, or more than 10^6 values.
     """
     match = _RANGE.fullmatch(text.strip())
     if match is None:

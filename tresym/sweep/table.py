@@ -20,17 +20,29 @@ from tresym.sweep.rows import Row
 APPLICATION = 0x74726573
 """What SQLite's ``application_id`` says in a table of ours."""
 
-FORMAT = 1
+FORMAT = 2
 
 EXPORT_ROWS = 20_000
 """Rows in memory at once while exporting."""
 
-_SCHEMA = (
-    f"PRAGMA application_id = {APPLICATION}",
-    "CREATE TABLE sweep (request TEXT NOT NULL)",
-    "CREATE TABLE batches (number INTEGER PRIMARY KEY, rows INTEGER NOT NULL)",
-    f"CREATE TABLE rows (line INTEGER PRIMARY KEY, {', '.join(Row._fields[1:])})",
-)
+_RADIUS = Row._fields.index("radius")
+
+
+def columns(in_floats: bool) -> tuple[str, ...]:
+    """The header. In float64 it says so: nothing certifies the defect, which has no radius."""
+    if not in_floats:
+        return Row._fields
+    names = {"defect": "defect_float64"}
+    return tuple(names.get(name, name) for name in Row._fields if name != "radius")
+
+
+def _schema(in_floats: bool) -> tuple[str, ...]:
+    return (
+        f"PRAGMA application_id = {APPLICATION}",
+        "CREATE TABLE sweep (request TEXT NOT NULL)",
+        "CREATE TABLE batches (number INTEGER PRIMARY KEY, rows INTEGER NOT NULL)",
+        f"CREATE TABLE rows (line INTEGER PRIMARY KEY, {', '.join(columns(in_floats)[1:])})",
+    )
 
 
 class Table:
@@ -48,11 +60,14 @@ class Table:
 
     def add(self, number: int, rows: Sequence[Row]) -> None:
         """Land one batch, in one transaction."""
-        marks = ", ".join("?" * len(Row._fields))
+        marks = ", ".join("?" * len(columns(self.in_floats)))
+        values: Sequence[tuple[Any, ...]] = rows
+        if self.in_floats:
+            values = [row[:_RADIUS] + row[_RADIUS + 1 :] for row in rows]
         with _plainly(self.path):
             self._connection.execute("BEGIN")
             self._connection.execute("INSERT INTO batches VALUES (?, ?)", (number, len(rows)))
-            self._connection.executemany(f"INSERT INTO rows VALUES ({marks})", rows)
+            self._connection.executemany(f"INSERT INTO rows VALUES ({marks})", values)
             self._connection.execute("COMMIT")
 
     def counts(self) -> tuple[int, int]:
@@ -83,7 +98,7 @@ class Table:
             if path.endswith(".parquet"):
                 _write_parquet(aside, self._pieces(), self.in_floats)
             else:
-                _write_csv(aside, self._pieces())
+                _write_csv(aside, self._pieces(), self.in_floats)
             os.replace(aside, path)
         except OSError as error:
             raise InputError(f"{path}: cannot be written ({error.strerror or error})") from None
@@ -104,7 +119,7 @@ def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
     try:
         with _plainly(path):
             connection.execute("PRAGMA locking_mode = EXCLUSIVE")
-            _begin(connection, path, json.dumps({"format": FORMAT, **request}, sort_keys=True))
+            _begin(connection, path, request)
             # A killed process loses nothing that has landed; no wait for the disk at each batch.
             connection.execute("PRAGMA journal_mode = WAL")
             connection.execute("PRAGMA synchronous = NORMAL")
@@ -113,17 +128,18 @@ def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
         connection.close()
 
 
-def _begin(connection: sqlite3.Connection, path: str, request: str) -> None:
+def _begin(connection: sqlite3.Connection, path: str, request: dict[str, Any]) -> None:
     """Make the table, or see that it is ours and was begun by the same request."""
+    asked = json.dumps({"format": FORMAT, **request}, sort_keys=True)
     connection.execute("BEGIN EXCLUSIVE")
     (tables,) = connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
     if tables == 0:
-        for statement in _SCHEMA:
+        for statement in _schema(request["digits"] is None):
             connection.execute(statement)
-        connection.execute("INSERT INTO sweep VALUES (?)", (request,))
+        connection.execute("INSERT INTO sweep VALUES (?)", (asked,))
     elif connection.execute("PRAGMA application_id").fetchone() != (APPLICATION,):
         raise InputError(f"{path}: is a database of something else; name another file")
-    elif connection.execute("SELECT request FROM sweep").fetchone() != (request,):
+    elif connection.execute("SELECT request FROM sweep").fetchone() != (asked,):
         raise InputError(
             f"{path}: was begun with other rows or other digits; name another file, or delete it"
         )
@@ -168,26 +184,27 @@ def _pyarrow() -> Any:
     return pyarrow
 
 
-def _write_csv(path: str, pieces: Iterator[list[tuple[Any, ...]]]) -> None:
+def _write_csv(path: str, pieces: Iterator[list[tuple[Any, ...]]], in_floats: bool) -> None:
     with open(path, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(Row._fields)
+        writer.writerow(columns(in_floats))
         for piece in pieces:
             writer.writerows(piece)
 
 
 def _write_parquet(path: str, pieces: Iterator[list[tuple[Any, ...]]], in_floats: bool) -> None:
-    """Columns keep their type: text, float64, or boolean; ``defect`` is text unless in float64."""
+    """Columns keep their type: text, float64, or boolean; a certified ``defect`` is text."""
     pyarrow = _pyarrow()
-    types = dict.fromkeys(Row._fields, pyarrow.string())
-    types |= {name: pyarrow.float64() for name in Row._fields if name.startswith("error_")}
+    names = columns(in_floats)
+    types = dict.fromkeys(names, pyarrow.string())
+    types |= {
+        n: pyarrow.float64() for n in names if n.startswith("error_") or n.endswith("float64")
+    }
     types |= {"line": pyarrow.int64(), "realizable": pyarrow.bool_()}
-    if in_floats:
-        types["defect"] = pyarrow.float64()
     schema = pyarrow.schema(list(types.items()))
     with pyarrow.parquet.ParquetWriter(path, schema) as writer:
         for piece in pieces:
-            rows = [dict(zip(Row._fields, row, strict=True)) for row in piece]
+            rows = [dict(zip(names, row, strict=True)) for row in piece]
             for row in rows:
                 row["realizable"] = None if row["realizable"] is None else bool(row["realizable"])
             writer.write_table(pyarrow.Table.from_pylist(rows, schema=schema))
