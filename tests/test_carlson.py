@@ -12,11 +12,12 @@ from flint import arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
+from tresym.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
 from tresym.body import named_body
 from tresym.exact import parse_number
 from tresym.flip import quadrature
-from tresym.flip.carlson import Amplitude, amplitude, ball_stop, by_flint, by_gauss, turn
+from tresym.flip.carlson import amplitude, by_flint, turn
+from tresym.flip.gauss import FLOAT_ENDING, Ending, ball_ending, turn_by_gauss
 from tresym.flip.jacobi import functions, parameter
 
 STR = named_body("str").shape
@@ -24,10 +25,13 @@ STR = named_body("str").shape
 
 def ball_turn(defect: arb, a: fmpq, b: fmpq, gamma: fmpq, *, gauss: bool) -> arb:
     p, q, g = arb(a), arb(b), arb(gamma)
+    if gauss:
+        tangent = defect.tan()
+        rest = g + (g + q) * tangent * tangent
+        return turn_by_gauss(tangent, rest, p, q, g, balls, ball_ending())
     sine, cosine = defect.sin_cos()
     at = amplitude(sine, cosine, g + q * sine * sine, p, q, g, balls)
-    found = by_gauss(at, q / p, balls, ball_stop) if gauss else by_flint(at, q / p)
-    return turn(found, p, q, g, balls)
+    return turn(by_flint(at, q / p), p, q, g, balls)
 
 
 shapes = st.tuples(st.fractions("1/50", 50), st.fractions("1/100", 1))
@@ -89,51 +93,92 @@ def test_the_radicand_given_exactly_keeps_the_digits_at_the_turning_point():
         assert z.contains(0)
 
 
-def test_the_gauss_transformation_carries_its_truncation_error():
-    """Stopped a step early, the ball is wide but still right; the bare value is not."""
+def ended_early(small: str, within) -> tuple[arb, arb]:
+    """F of the body str at its turning point with the steps ended early, and the truth."""
+    a, b, g = arb(STR.a), arb(STR.b), arb(fmpq(-1, 1000))
+    tangent = (-g / (g + b)).sqrt()
+    early = turn_by_gauss(tangent, arb(0), a, b, g, balls, Ending(arb(small), within))
+    return early, turn_by_gauss(tangent, arb(0), a, b, g, balls, ball_ending())
+
+
+@pytest.mark.parametrize("small", ["0.3", "1e-2", "1e-5"])
+def test_the_gauss_transformation_carries_its_truncation_error(small):
+    """Ended early, the ball is wide but right; the bare value, and a bound 100 times less, not."""
+    with ball_precision(300):
+        early, truth = ended_early(small, lambda bound: arb(0, bound))
+        assert early.overlaps(truth)
+        assert early.rel_accuracy_bits() < 120
+        for part in (0, arb("0.01")):
+            wrong, _ = ended_early(small, lambda bound, part=part: arb(0, part * bound))
+            assert not wrong.overlaps(truth)
+
+
+def test_ended_early_the_error_is_of_fourth_order():
+    with ball_precision(300):
+        errors = []
+        for small in ("1e-2", "1e-5"):
+            early, truth = ended_early(small, lambda bound: arb(0))
+            errors.append(float(abs(early - truth).mid()))
+        assert 0 < errors[1] < errors[0] ** 1.9
+
+
+def test_a_planted_error_in_a_step_is_seen():
+    """B′ formed with the sign of κ turned round: far outside the ball."""
+
+    class Turned:
+        count = 0
+
+        def sqrt(self, x: arb) -> arb:
+            self.count += 1
+            return x.sqrt() * (1 + arb("1e-30")) if self.count == 9 else x.sqrt()
+
+        def __getattr__(self, name: str):
+            return getattr(balls, name)
+
     with ball_precision(200):
-        at = Amplitude(arb("0.8"), arb("0.6"), (1 - arb("0.32")).sqrt(), arb("0.5"))
-        truth = by_flint(at, arb("0.3"))
-
-        def early(twice: arb) -> arb | None:
-            square = twice * twice / 4
-            return 1 + arb(0).union(square) if square < 1e-6 else None
-
-        rough = by_gauss(at, arb("0.3"), balls, early)
-        bare = by_gauss(at, arb("0.3"), balls, lambda x: arb(1) if x * x < 4e-6 else None)
-        assert rough.time.overlaps(truth.time)
-        assert rough.third.overlaps(truth.third)
-        assert rough.time.rel_accuracy_bits() < 60
-        assert not bare.time.overlaps(truth.time)
+        a, b, g = arb(STR.a), arb(STR.b), arb(fmpq(1, 10_000))
+        tangent = arb("0.1").tan()
+        rest = g + (g + b) * tangent * tangent
+        right = turn_by_gauss(tangent, rest, a, b, g, balls, ball_ending())
+        assert not turn_by_gauss(tangent, rest, a, b, g, Turned(), ball_ending()).overlaps(right)
 
 
-def test_the_gauss_transformation_does_not_end_at_k_zero():
-    at = Amplitude(arb(1), arb(0), arb(1), arb(0))
+@pytest.mark.parametrize("gamma", ["1e-4", "1e-8", "0", "-1/1000"])
+def test_fifty_digits_take_few_steps_and_no_excess_precision(gamma):
+    level = parse_number(gamma)
+    with ball_precision(bits(50, 12)):
+        value = ball_turn(arb(fmpq(3, 10)), *STR, level, gauss=True)
+        assert value.rel_accuracy_bits() >= bits(50, 0)
+
+
+def test_at_gamma_equal_to_a_the_transformation_is_slow_but_right():
+    """γ = a = b = 1: G and H do not come together, x and y do."""
+    with ball_precision(200):
+        one = arb(1)
+        value = turn_by_gauss(one, arb(3), one, one, one, balls, ball_ending())
+        truth = quadrature.rigorous(arb.pi() / 4, one, one, one)
+        assert value.overlaps(truth)
+        assert value.rel_accuracy_bits() > 120
+
+
+def test_the_gauss_transformation_that_does_not_end_gives_up():
     with ball_precision(200), pytest.raises(ArithmeticError, match="too near a"):
-        by_gauss(at, arb(1), balls, ball_stop)
+        never = Ending(arb(0), lambda bound: arb(0, bound))
+        turn_by_gauss(arb(1), arb(3), arb(1), arb(1), arb(1), balls, never)
 
 
 def test_float64_in_few_steps_to_a_few_roundings():
     rng = np.random.default_rng(1)
     a, b = float(STR.a.p) / float(STR.a.q), float(STR.b.p) / float(STR.b.q)
-    gamma = 10.0 ** rng.uniform(-8, -2, 200)
-    e = rng.uniform(0.05, 1.2, 200)
-    steps = []
-
-    def four(twice):
-        steps.append(0)
-        return 1.0 if np.max(np.abs(twice)) < 1e-8 else None
-
-    z = gamma + b * np.sin(e) ** 2
-    at = amplitude(np.sin(e), np.cos(e), z, a, b, gamma, np)
-    value = turn(by_gauss(at, b / a, np, four), a, b, gamma, np)
-    assert len(steps) <= 5
     exact = fmpq(*a.as_integer_ratio()), fmpq(*b.as_integer_ratio())
-    with ball_precision(120):
-        for x, g, f in zip(e, gamma, value, strict=True):
-            level = fmpq(*float(g).as_integer_ratio())
-            truth = ball_turn(arb(float(x)), *exact, level, gauss=False)
-            assert abs(truth / float(f) - 1) < 4e-15
+    for _ in range(200):
+        gamma, e = 10.0 ** rng.uniform(-8, -2), rng.uniform(0.05, 1.2)
+        rest = gamma + (gamma + b) * math.tan(e) ** 2
+        value = turn_by_gauss(math.tan(e), rest, a, b, gamma, math, FLOAT_ENDING)
+        with ball_precision(120):
+            level = fmpq(*gamma.as_integer_ratio())
+            truth = ball_turn(arb(e), *exact, level, gauss=False)
+            assert abs(truth / value - 1) < 1e-14
 
 
 @pytest.mark.parametrize("complement", ["0.9", "0.5", "0.3", "1e-5", "1e-150"])
@@ -157,13 +202,3 @@ def test_planted_error_in_the_modulus_is_seen():
         at = functions(parameter(arb("0.5"), arb("0.5")), arb(1))
         wrong = functions(parameter(arb("0.5000000001"), arb("0.4999999999")), arb(1))
         assert not at.sn.overlaps(wrong.sn)
-
-
-def test_a_scalar_float_runs_the_same_code():
-    a, b = 12.5, 0.06
-    at = amplitude(math.sin(0.3), math.cos(0.3), 1e-3 + b * math.sin(0.3) ** 2, a, b, 1e-3, math)
-    found = by_gauss(at, b / a, math, lambda x: 1.0 if abs(x) < 1e-8 else None)
-    truth = mpmath.quad(
-        lambda psi: quadrature.integrand(psi, a, b, 1e-3, mpmath), [0.3, mpmath.pi / 2]
-    )
-    assert turn(found, a, b, 1e-3, math) == pytest.approx(float(truth), rel=1e-13)

@@ -16,7 +16,8 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision, balls, bits
 from tresym.exact import InputError, fraction_text
-from tresym.flip.carlson import amplitude, ball_stop, by_flint, by_gauss, turn
+from tresym.flip.carlson import amplitude, by_flint, turn
+from tresym.flip.gauss import FLOAT_ENDING, ball_ending, turn_by_gauss
 from tresym.flip.orbit import Level, angle_at, exact_level, orbit, time_of
 from tresym.flip.result import proves
 from tresym.flip.separatrix import float_phase
@@ -108,7 +109,7 @@ def quick(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect | None:
         while True:
             known = min(4 * known - 12, goal)
             with ball_precision(known + 24):
-                angle = _corrected(arb(a), arb(b), exact_level(a, b, gamma), near)
+                angle = _corrected(arb(a), arb(b), arb(gamma), near)
                 found = Defect(angle, arb.pi() - 2 * angle)
             if proves(found.defect, digits) and proves(found.flip, digits):
                 return found
@@ -133,12 +134,11 @@ def float_defect(a: float, b: float, gamma: float) -> float | None:
         time = math.asinh(root / math.tan(guess))
         for _ in range(12):
             slant = math.sinh(time)
-            size = math.hypot(slant, root)
-            sine, cosine = root / size, slant / size
-            z = gamma + b * sine * sine
-            at = amplitude(sine, cosine, z, a, b, gamma, math)
-            value = turn(by_gauss(at, b / a, math, _float_stop), a, b, gamma, math)
-            rate = (1 - b * sine * sine) / math.sqrt((a + b * sine * sine) * z)
+            tangent, size = root / slant, math.hypot(slant, root)
+            rest = gamma + (gamma + b) * tangent * tangent
+            value = turn_by_gauss(tangent, rest, a, b, gamma, math, FLOAT_ENDING)
+            part = b * (root / size) ** 2
+            rate = (1 - part) * size / (slant * math.sqrt((a + part) * rest))
             step = (value - math.pi) / (rate * root * math.cosh(time) / (size * size))
             time -= step
             if abs(step) < 1e-8 * time:
@@ -148,57 +148,69 @@ def float_defect(a: float, b: float, gamma: float) -> float | None:
     return None
 
 
-def _float_stop(ratio: float) -> float | None:
-    return 1.0 if abs(ratio) < 1e-8 else None
-
-
-def _corrected(a: arb, b: arb, level: Level, near: arb) -> arb:
+def _corrected(a: arb, b: arb, gamma: arb, near: arb) -> arb:
     """ε from the exact point ``near``, at the working precision.
 
     ψ(φ) solves ψ′ = √G(ψ), G = (a + bs²)(γ + bs²)/(1 − bs²)²; with h = F(near, γ) − π the
     solution from ``near`` is at ε after h. Picard: if near + h √G(E) lies inside E it stays in E,
-    which also holds the point of Taylor's remainder.
+    which also holds the points of Taylor's remainder.
 
     Raises:
         ArithmeticError: nothing is shown (turning point, or precision too low).
     """
     sine, cosine = near.sin_cos()
-    z = level.gamma + b * sine * sine
+    square = b * sine * sine
+    z = gamma + square
     if not z > 0:
         raise ArithmeticError("not above the turning point at this precision")
-    at = amplitude(sine, cosine, z, a, b, level.gamma, balls)
-    n = b / a
-    found = by_gauss(at, n, balls, ball_stop) if at.sn > 0.1 else by_flint(at, n)
-    phase = turn(found, a, b, level.gamma, balls) - arb.pi()
-    g0, g1, g2, _ = _flow(near, a, b, level.gamma)
-    wide = arb(near, 4 * (phase * g0.abs_upper().sqrt()).abs_upper())
-    G, G1, G2, G3 = _flow(wide, a, b, level.gamma)
+    phase = _turn(sine, cosine, z, a, b, gamma) - arb.pi()
+    by_v, _, _, inverse = _flow(1 - square, a, gamma)
+    slope = by_v * (-2 * b * sine * cosine)
+    speed = ((a + square) * z).sqrt() * inverse
+    wide = arb(near, 4 * (phase * speed).abs_upper())
+    G, G1, G2, G3 = _flow_by_angle(wide, a, b, gamma)
     if not (G > 0 and wide.contains_interior(near + phase * G.sqrt())):
         raise ArithmeticError("the flow is not enclosed")
-    speed = g0.sqrt()
-    fourth = phase * (G3 * G / 2 + G1 * G2 / 4) / 24
-    return near + phase * (speed + phase * (g1 / 4 + phase * (g2 * speed / 12 + fourth)))
+    fourth = phase * (G3 * G / 2 + G1 * G2 / 4)
+    return near + phase * (speed + phase * (slope / 4 + phase * (2 * G2 * speed + fourth) / 24))
 
 
-def _flow(angle: arb, a: arb, b: arb, gamma: arb) -> tuple[arb, arb, arb, arb]:
-    """G = (dψ/dφ)² and its first three derivatives by ψ.
+def _turn(sine: arb, cosine: arb, z: arb, a: arb, b: arb, gamma: arb) -> arb:
+    """F: by the Gauss transformation, but where the angle is near π/2."""
+    tangent = sine / cosine
+    square = tangent * tangent
+    if (a + b) * square < 100 * a:
+        return turn_by_gauss(tangent, z * (1 + square), a, b, gamma, balls, ball_ending())
+    at = amplitude(sine, cosine, z, a, b, gamma, balls)
+    return turn(by_flint(at, b / a), a, b, gamma, balls)
 
-    With v = 1 − b sin²ψ, G = (1 + a − v)(1 + γ − v)/v² = AC/v² − (A + C)/v + 1.
+
+def _flow(v: arb, a: arb, gamma: arb) -> tuple[arb, arb, arb, arb]:
+    """The first three derivatives of G by v = 1 − b sin²ψ, and 1/v.
+
+    G = (1 + a − v)(1 + γ − v)/v² = AC/v² − (A + C)/v + 1.
     """
-    sine, cosine = angle.sin_cos()
-    square = b * sine * sine
-    v = 1 - square
-    first, second = -2 * b * sine * cosine, -2 * b * (cosine * cosine - sine * sine)
-    third = -4 * first
     A, C = 1 + a, 1 + gamma
     inverse = 1 / v
-    product, total = A * C * inverse, A + C
-    by_v = inverse * inverse * (total - 2 * product)
-    by_vv = inverse**3 * (6 * product - 2 * total)
-    by_vvv = inverse**4 * (6 * total - 24 * product)
+    product, total, square = 2 * A * C * inverse, A + C, inverse * inverse
+    return (
+        (total - product) * square,
+        (3 * product - 2 * total) * square * inverse,
+        6 * (total - 2 * product) * square * square,
+        inverse,
+    )
+
+
+def _flow_by_angle(angle: arb, a: arb, b: arb, gamma: arb) -> tuple[arb, arb, arb, arb]:
+    """G = (dψ/dφ)² and its first three derivatives by ψ, for the remainder: no digits are kept."""
+    sine, cosine = (2 * angle).sin_cos()
+    square = b * (1 - cosine) / 2
+    by_v, by_vv, by_vvv, inverse = _flow(1 - square, a, gamma)
+    first, second = -b * sine, -2 * b * cosine
+    part = first * first
     return (
         (a + square) * (gamma + square) * inverse * inverse,
         by_v * first,
-        by_vv * first * first + by_v * second,
-        by_vvv * first**3 + 3 * by_vv * first * second + by_v * third,
+        by_vv * part + by_v * second,
+        (by_vvv * part + 3 * by_vv * second - 4 * by_v) * first,
     )

@@ -1,0 +1,37 @@
+"""The float64 map compiled by numba: :mod:`tresym.flip.float_orbit`, start by start.
+
+The extra ``tresym[fast]`` brings numba. What it compiles is kept in numba's cache, so the price is
+paid once. The compiled function lets other threads run.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numba
+from numba.extending import overload, register_jitable
+
+from tresym.flip import float_orbit
+
+
+@overload(float_orbit.largest)
+@overload(float_orbit.least)
+def _itself(x: Any) -> Any:
+    def number(x: Any) -> Any:
+        return x
+
+    return number
+
+
+@overload(float_orbit.choose)
+def _either(condition: Any, x: Any, y: Any) -> Any:
+    def number(condition: Any, x: Any, y: Any) -> Any:
+        return x if condition else y
+
+    return number
+
+
+for part in ("orbit", "entries", "place", "spent", "arrival", "arrive", "linear"):
+    register_jitable(error_model="numpy")(getattr(float_orbit, part))
+
+arrive_each = numba.njit(error_model="numpy", nogil=True, cache=True)(float_orbit.arrive_each)
