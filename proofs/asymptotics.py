@@ -419,7 +419,7 @@ FAR = ((0, 1), (0, "4/7"))
 """The chart (b, κ) of √(ab) ≥ 7/4."""
 
 
-def _far(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
+def _error_of(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
     def error(b: Any, kappa: Any, m: Any) -> Any:
         return margins.far_error(difference(b, kappa, _start(start), m), b, kappa, m)
 
@@ -429,7 +429,7 @@ def _far(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
 def _far_margins(difference: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
     """|ε/ε₀ − 1| < constant from the starts π and 4."""
     return tuple(
-        margin for start in ("pi", "4") for margin in within(_far(difference, start), constant)
+        margin for start in ("pi", "4") for margin in within(_error_of(difference, start), constant)
     )
 
 

@@ -1,5 +1,7 @@
 """The theorem judged and repaired: margins against roots, verdicts, planted falsehoods."""
 
+from dataclasses import replace
+
 import pytest
 from flint import arb, fmpq
 from hypothesis import given
@@ -20,7 +22,16 @@ from tresym import verification
 from tresym.arithmetic import ball_precision, balls
 from tresym.claims.bounds import Asymptotics, Boxes, finding_anew
 from tresym.claims.claim import Claim
-from tresym.claims.enclosure import Bound, BoxProof, CertificateError, box, decide
+from tresym.claims.enclosure import (
+    Bound,
+    BoxProof,
+    CertificateError,
+    box,
+    decide,
+    leaf_boxes,
+    recheck,
+    value_at,
+)
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
 from tresym.cli import main
@@ -354,3 +365,95 @@ def test_the_errors_far_out_are_the_true_ones(a, b, start):
             true = formula.tan() / exact.tan() - 1
             assert abs(found - true) < abs(true) * 1e-4
             assert abs(formula / exact - 1) <= abs(true)
+
+
+BOUNDS = [
+    pytest.param(bound, proof, id=f"{claim.label}-{i}")
+    for claim in CLAIMS
+    if isinstance(claim.proof, Boxes) and claim.proof.stored is not None
+    for i, (bound, proof) in enumerate(
+        zip(claim.proof.bounds, claim.proof.stored() or (), strict=False)
+    )
+]
+
+
+@pytest.mark.parametrize(("bound", "proof"), BOUNDS)
+def test_a_bound_a_little_stronger_than_the_truth_is_never_enclosed(bound, proof):
+    """The margin less a little more than its value somewhere is negative there.
+
+    So it is for every bound that is enclosed: neither a search nor the stored tree may close it.
+    """
+    leaves = list(leaf_boxes(bound.box, proof))
+    sample = [leaves[n * len(leaves) // 40] for n in range(40)] if len(leaves) > 40 else leaves
+    with ball_precision(bound.precision):
+        points = [tuple((low + high) / 2 for low, high in leaf) for leaf in sample]
+        values = [value_at(bound.margin, point) for point in points]
+        least = min((v.upper() for v in values if v.is_finite()), key=float)
+        taken = least + abs(least) * arb("1e-6")
+
+    def falsified(*at):
+        return bound.margin(*at) - taken
+
+    false = replace(bound, margin=falsified)
+    assert decide(false, budget=150).verdict is not Verdict.ENCLOSED
+    with pytest.raises(CertificateError):
+        recheck(false, proof)
+
+
+@pytest.mark.parametrize(("bound", "proof"), BOUNDS)
+def test_a_tree_cut_short_or_grown_proves_nothing(bound, proof):
+    """Even of a margin that is 1 everywhere."""
+    for tree in (proof.tree[:-1], proof.tree + "b", ""):
+        with pytest.raises(CertificateError):
+            recheck(Bound(lambda *at: arb(1), bound.box), BoxProof(tree.replace("m", "b")))
+
+
+def _wrong_exponent(order, power, constant):
+    """|ε₀/ε* − …| ≤ C ε*^{2·order + 2 + power} where the right power is 2·order + 2."""
+
+    def margin(b, kappa, m):
+        star = margins.by_kappa(b, kappa, m).leading
+        excess = constants.EXCESSES[order](margins.root_by_kappa(b, kappa, m), m)
+        return arb(constant) * star**power - excess
+
+    return margin
+
+
+@pytest.mark.parametrize("order", [0, 1])
+@pytest.mark.parametrize("power", [1, 2])
+@pytest.mark.parametrize("sides", [asymptotics.KAPPA, (("9/10", 1), (0, "1/10")), ((0, 1), (0, 0))])
+def test_a_wrong_exponent_at_the_flat_edge_is_refuted(order, power, sides):
+    """At κ = 0 every power of ε* vanishes while the excess tends to c₁ or c₂."""
+    found = decide(Bound(_wrong_exponent(order, power, 1000), box(*sides)), budget=400)
+    assert found.verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("constant", ["2", "100", "1000000"])
+@pytest.mark.parametrize("order", [0, 1])
+def test_no_constant_serves_the_corner_where_a_vanishes(order, constant):
+    """The chart (a, √b) up to a = 0: ε₀ tends to a positive limit at b = 1, and ε* to 0."""
+    bounds = constants._slab(order, fmpq(0), fmpq(1, 10), as_rational(constant))
+    verdicts = {decide(bound, budget=600).verdict for bound in bounds}
+    assert verdicts != {Verdict.ENCLOSED}
+    assert constant == "1000000" or Verdict.REFUTED in verdicts
+
+
+@pytest.mark.parametrize(
+    ("claim", "sides"),
+    [
+        ("uniform_tail", ((0, 1), (0, "6/7"))),
+        ("newton_tail", ((0, 1), (0, 3))),
+        ("printed_relative_error", ((0, 1), (0, "1/2"))),
+        ("d56_true_order", ((0, 1), (0, 2))),
+        ("slope_leading_term", ((0, 1), (0, "5/2"))),
+        ("u_exponentially_small", ((0, 1), (0, "5/2"))),
+        ("d38", ((0, 9), (0, "1/2"))),
+        ("bend_leaves", ((0, "5/4"),)),
+        ("rigid_body_floor", ((0, "5/4"),)),
+    ],
+)
+def test_a_range_beyond_the_stated_one_is_never_enclosed(claim, sides):
+    proof = next(c for c in CLAIMS if c.label == claim).proof
+    bounds = [replace(bound, box=box(*sides)) for bound in proof.bounds]
+    verdicts = {decide(bound, budget=300).verdict for bound in bounds}
+    assert verdicts != {Verdict.ENCLOSED}
