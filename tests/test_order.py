@@ -167,6 +167,91 @@ def test_a_germ_is_not_formed_where_a_sign_is_not_certain():
                 bad()
 
 
+PLANTED = {
+    "an oscillation over too high a power": ("O", lambda x, m: x * m.sin(1 / x), power(2), {}),
+    "an oscillation that has no limit": ("o", lambda x, m: m.sin(1 / x), lambda x, m: 1, {}),
+    "~ up to an oscillation": ("~", lambda x, m: x + x * m.sin(1 / x), power(1), {}),
+    "~ up to 10^-30": ("~", lambda x, m: m.sin(x) * (1 + fmpq(1, 10**30)), power(1), {}),
+    "~ with the other sign": (
+        "~",
+        lambda x, m: m.sqrt(x * x + 1),
+        power(1),
+        {"at": None, "side": -1},
+    ),
+    "flat functions of one exponent": (
+        "O",
+        lambda x, m: m.exp(-1 / x),
+        lambda x, m: x**20 * m.exp(-1 / x),
+        {},
+    ),
+    "flat functions of two exponents": (
+        "O",
+        lambda x, m: m.exp(m.exp(-1 / x)) - 1,
+        lambda x, m: m.exp(-2 / x),
+        {},
+    ),
+    "a flat term beside a power": ("o", lambda x, m: m.exp(-1 / x) + x**9, power(9), {}),
+    "a difference of large numbers": (
+        "O",
+        lambda x, m: m.exp(1 / x) - m.exp(1 / x + x),
+        lambda x, m: m.exp(1 / x) * x**2,
+        {},
+    ),
+    "a power against a logarithm": ("O", lambda x, m: x ** fmpq(-1, 3), lambda x, m: m.log(x), {}),
+    "a gauge that vanishes": ("O", power(1), lambda x, m: x - x, {}),
+    "a thin bump on the range": (
+        "<=",
+        lambda x, m: m.exp(-((x - fmpq(355, 113)) ** 2) * 10**8),
+        power(1),
+        {"constant": fmpq(1, 20), "upto": fmpq(20)},
+    ),
+    "a thin bump on the half line": (
+        "<=",
+        lambda x, m: m.exp(-((x - fmpq(355, 113)) ** 2) * 10**8),
+        power(1),
+        {"constant": fmpq(1, 20), "upto": None},
+    ),
+    "undefined at the end of the range": (
+        "<=",
+        lambda x, m: m.sqrt(fmpq(1, 2) - x) * x,
+        power(1),
+        {"constant": fmpq(1)},
+    ),
+    "a pole in the range": (
+        "<=",
+        lambda x, m: x / (x * x - fmpq(1, 2)),
+        lambda x, m: 1 + 0 * x,
+        {"constant": fmpq(10**6)},
+    ),
+    "a pole of the tangent": (
+        "<=",
+        lambda x, m: m.tan(x),
+        power(1),
+        {"constant": fmpq(10**6), "upto": fmpq(2)},
+    ),
+    "larger in the middle only": (
+        "<=",
+        lambda x, m: m.exp(-1 / x),
+        power(3),
+        {"constant": fmpq(1)},
+    ),
+    "larger far out only": ("<=", power(2), power(1), {"constant": fmpq(1), "upto": None}),
+    "a kink below the line": (
+        "<=",
+        lambda x, m: abs(x - fmpq(1, 3)),
+        power(1),
+        {"constant": fmpq(1)},
+    ),
+}
+"""False statements: wrong exponents, constants and ranges, and formulas undefined on the way."""
+
+
+@pytest.mark.parametrize("name", PLANTED)
+def test_planted_falsehoods_are_never_enclosed(name):
+    kind, function, gauge, rest = PLANTED[name]
+    assert verdict(kind, function, gauge, **rest) is not ENCLOSED
+
+
 # -- other scenes: nothing below has to do with rackets ---------------------------------------
 
 
