@@ -15,6 +15,7 @@ WORKLOADS = {
     "precision": "true digits against time, 10 to 1000 digits and float64, in six scenes",
     "honesty": "the error that each method claims, and the error it has",
     "atlas": "digits lost by each printed formula and by its stable form",
+    "sweep": "rows of a sweep: here, on processes, on Dask; long runs with their memory",
     "scaling": "time against digits, starts (with memory) and claims",
     "economy": "the rung of each table cell and figure panel, its cost, and the next one's",
 }
