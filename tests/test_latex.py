@@ -7,7 +7,9 @@ from sympy import Derivative, Integral, Rational, Subs, exp, pi, sqrt
 from tresym.formulas import printed
 from tresym.notation import I1, I2, I3, M1, M2, M3, E, M, S, T, a, b, epsilon, gamma, psi, r, theta
 from tresym.notation import x as x_
+from tresym.report.conditions import gathered
 from tresym.report.latex import expression_latex, says_latex
+from tresym.report.width import width
 
 GOLDEN = {
     r"a-\sin^2\theta(a+b\sin^2\psi)": printed.depth(theta, psi, a, b, sympy),
@@ -49,3 +51,55 @@ def test_statements() -> None:
     assert says_latex(b <= 1) == r"b \le 1"
     assert says_latex("In words.") == "In words."
     assert says_latex(sympy.Tuple(a > 0, b > 0)) == r"a > 0,\quad b > 0"
+
+
+@pytest.mark.parametrize(
+    ("exponent", "shown"),
+    [
+        (-b / sqrt(1 + a), r"e^{-b/\sqrt{1+a}}"),
+        (-(pi + T) / r, r"e^{-(\pi+T)/r}"),
+        (-pi * sqrt(a * b), r"e^{-\pi\sqrt{a b}}"),
+        (a / (2 * b), "e^{a/(2b)}"),
+        (-(a + b), "e^{-(a+b)}"),
+        (a + b, "e^{a+b}"),
+        (-1 / a, "e^{-1/a}"),
+        (a, "e^a"),
+    ],
+)
+def test_fractions_in_exponents_have_a_stroke(exponent: sympy.Expr, shown: str) -> None:
+    assert expression_latex(exp(exponent, evaluate=False)) == shown
+
+
+def test_rates_orders_and_functions() -> None:
+    rate = sympy.Symbol("dG_dlambda", real=True)
+    assert expression_latex(rate**2) == r"\left(\frac{dG}{d\lambda}\right)^2"
+    partial = sympy.Symbol("partialF_partialepsilon0", real=True)
+    assert expression_latex(partial) == r"\frac{\partial F}{\partial \epsilon_0}"
+    assert expression_latex(sympy.Function("o")(gamma)) == r"o(\gamma)"
+    half = -sqrt(a / b) * Integral(1 - x_, (x_, a, b)) / 2
+    assert expression_latex(half) == r"-\frac{1}{2}\sqrt{\frac{a}{b}}\int_a^b (1-x)\,dx"
+
+
+@pytest.mark.parametrize(
+    ("given", "shown"),
+    [
+        ((I1 > 0, I2 > 0, I3 > 0, I2 - I1 > 0, I3 - I2 > 0), ["0 < I_1 < I_2 < I_3"]),
+        ((a > 0, b > 0, b <= 1), ["a > 0", r"0 < b \le 1"]),
+        ((a > 0, gamma > 0, gamma < a), [r"0 < \gamma < a"]),
+        ((gamma < 0, gamma > -b, b > 0), [r"-b < \gamma < 0", "b > 0"]),
+        ((psi >= 0, psi >= 0), [r"\psi \ge 0"]),
+        ((a * b <= 1, sympy.true), [r"a b \le 1"]),
+        ((I1 > 0, I2 - I1 >= 0), [r"0 < I_1 \le I_2"]),
+        ((a >= 0, b - a >= 0, b > 0), [r"0 \le a \le b", "b > 0"]),
+    ],
+)
+def test_conditions_are_gathered(given: tuple[sympy.Basic, ...], shown: list[str]) -> None:
+    assert sorted(gathered(given)) == sorted(shown)
+
+
+def test_widths_are_about_right() -> None:
+    assert width(r"\frac{a+b}{c}") == width("a+b")
+    assert width(r"\left(\sin\theta\right)") > width("(x)")
+    assert width(r"\begin{pmatrix}a & b\\c & d\end{pmatrix}") < width("a+b+c+d+e")
+    assert width("x^{2}_1") < 3
+    assert width("") == 0

@@ -13,6 +13,9 @@ from sympy import Basic, Eq, Equivalent, Tuple
 from tresym.claims.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, equal
 from tresym.report.latex import bracketed, expression_latex, says_latex
 
+EQUIVALENT = r"\iff{}"
+"""What stands left of a line that is equivalent to the one before."""
+
 _VERBS = {"substituting": "by", "citing": "since"}
 _STRICT = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}
 
@@ -76,7 +79,10 @@ def _equations(start: str, chain: Chain, goal: Basic | None, sign: str = "") -> 
         expression = goal if link.expression is None else link.expression
         shown = "" if expression is None else expression_latex(expression)
         end = sign if n == len(chain) - 1 else ""
-        yield Line(start if n == 0 else "", f"= {shown}{end}", _reasons(link))
+        if n == 0 and shown == start:
+            yield Line(start, end.strip(), _reasons(link))
+        else:
+            yield Line(start if n == 0 else "", f"= {shown}{end}", _reasons(link))
 
 
 def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
@@ -84,7 +90,7 @@ def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
     yield Line("", says_latex(second if chain[-1].expression == first else first))
     for link in chain:
         assert link.expression is not None
-        yield Line(r"\iff{}", says_latex(link.expression), _reasons(link))
+        yield Line(EQUIVALENT, says_latex(link.expression), _reasons(link))
 
 
 def _reasons(link: Step) -> tuple[Said, ...]:

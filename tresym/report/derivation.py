@@ -6,11 +6,17 @@ from collections.abc import Collection, Iterator
 
 from tresym.claims.claim import Claim
 from tresym.exact import fraction_text
-from tresym.report.chains import Display, Said, displays
-from tresym.report.latex import given_latex
+from tresym.report.chains import EQUIVALENT, Display, Line, Said, displays
+from tresym.report.conditions import gathered
+from tresym.report.markdown import SCRIPTS
 from tresym.report.place import place_text
+from tresym.report.width import width
+from tresym.report.wording import readable
 from tresym.verdict import Verdict
 from tresym.verification import Report, Row, sections
+
+WIDEST = 62
+"""Letters of a formula with its reason that fit a line of the article."""
 
 PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
@@ -65,6 +71,17 @@ def prose(text: str) -> str:
 
     Anything else outside Latin-1 falls back to a visible placeholder rather than a broken run.
     """
+    parts, end = [], 0
+    for found in SCRIPTS.finditer(text):
+        raised, digits, lowered = found.groups()
+        command = r"\textsubscript" if lowered else r"\textsuperscript"
+        parts += [_lettered(text[end : found.start()])]
+        parts += [f"{command}{{{_lettered(lowered or raised or digits)}}}"]
+        end = found.end()
+    return "".join([*parts, _lettered(text[end:])])
+
+
+def _lettered(text: str) -> str:
     return "".join(_LETTERS.get(c, c if ord(c) < 256 or c in "–—’“”šćž" else "?") for c in text)
 
 
@@ -75,7 +92,7 @@ def article(report: Report) -> str:
     for title, claims in sections():
         entries = [_entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
         if entries:
-            pages += [rf"\section{{{prose(title[:1].upper() + title[1:])}}}" + "\n", *entries]
+            pages += [rf"\section*{{{prose(title[:1].upper() + title[1:])}}}" + "\n", *entries]
     return "\n".join([*pages, r"\end{document}", ""])
 
 
@@ -88,16 +105,16 @@ def _entry(row: Row, known: Collection[str]) -> str:
     claim, finding = row.claim, row.finding
     verdict = finding.verdict.value
     head = (
-        rf"\paragraph{{\texttt{{{prose(claim.label)}}}}}\label{{claim:{claim.label}}}"
+        rf"\paragraph{{\texttt{{{_lettered(claim.label)}}}}}\label{{claim:{claim.label}}}"
         rf"\hfill\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small "
-        rf"{prose(place_text(claim))}}}\par"
+        rf"{prose(place_text(claim) if claim.where else 'lemma')}}}\par"
     )
     lines = [head]
     if isinstance(claim.says, str):
         lines.append(prose(claim.says) + r"\par")
     if claim.given:
-        conditions = r",\; ".join(given_latex(c) for c in claim.given)
-        lines.append(rf"\textsf{{\small Given}} \({conditions}\).\par")
+        conditions = r"$, $".join(gathered(claim.given))
+        lines.append(rf"\textsf{{\small Given}} ${conditions}$.\par")
     lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
@@ -111,17 +128,18 @@ def _outcome(row: Row, known: Collection[str]) -> Iterator[str]:
     if finding.value is not None:
         yield rf"\textsf{{\small Value}} {finding.value.mid[:52]}.\par"
     if finding.verdict is Verdict.REFUTED:
-        yield rf"{prose(finding.why[:300])}.\par"
-        if finding.witness:
+        why = readable(finding.why[:300])
+        yield rf"\textsf{{\small Evidence:}} {{\sloppy {prose(why)}}}.\par"
+        if finding.witness and " = " not in why:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
-            yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(point[:400])}}}.\par"
+            yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(readable(point[:400]))}}}.\par"
     if row.claim.amended_by:
         names = ", ".join(_reference(c, known) for c in row.claim.amended_by)
         yield rf"{{\raggedright\textsf{{\small True instead:}} {names}.\par}}"
 
 
 def _reference(claim: Claim, known: Collection[str]) -> str:
-    name = rf"\texttt{{{prose(claim.label)}}}"
+    name = rf"\texttt{{{_lettered(claim.label)}}}"
     return rf"\hyperref[claim:{claim.label}]{{{name}}}" if claim.label in known else name
 
 
@@ -131,18 +149,36 @@ def _displays(claim: Claim) -> list[str]:
 
 
 def _aligned(display: Display) -> str:
+    """Lines aligned at the sign, reasons at the right; what is too wide for that is broken."""
     if len(display) == 1 and not display[0].reasons:
         return display[0].right
+    start = width(display[0].left)
+    broken = any(start + width(line.right) + _extent(line) > WIDEST for line in display)
     rows = []
     for line in display:
         why = ", ".join(map(_reason, line.reasons))
-        said = rf" && \text{{\footnotesize {why}}}" if why else ""
-        rows.append(f"{line.left} &{line.right}{said}".lstrip())
+        said = rf"\text{{\footnotesize {why}}}"
+        if not broken:
+            rows.append(f"{line.left} &{line.right}{f' && {said}' if why else ''}".lstrip())
+            continue
+        arrow = line.left if line.left == EQUIVALENT else ""
+        rows += [f"&{line.left}"] if line.left and not arrow else []
+        fits = width(line.right) + _extent(line) <= WIDEST or not why
+        rows.append(rf"&{arrow}\quad {line.right}" + (rf"\qquad {said}" if fits and why else ""))
+        rows += [] if fits else [rf"&\qquad {said}"]
     body = " \\\\\n".join(rows)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
+def _extent(line: Line) -> float:
+    """About how wide the reasons of a line are set, in letters of a formula."""
+    words = sum(len(said.words) + 1 + sum(map(len, said.labels)) for said in line.reasons)
+    return 0.6 * words + sum(0.8 * width(said.formula) for said in line.reasons)
+
+
 def _reason(said: Said) -> str:
     if said.labels:
-        return f"{said.words} " + ", ".join(rf"\texttt{{{prose(name)}}}" for name in said.labels)
+        return f"{said.words} " + ", ".join(
+            rf"\texttt{{{_lettered(name)}}}" for name in said.labels
+        )
     return f"{said.words} ${said.formula}$" if said.formula else said.words

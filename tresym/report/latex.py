@@ -41,7 +41,7 @@ _FUNCTIONS = {
 }
 _PLAIN = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth"])
 
-_RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+)")
+_RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+[0-3]?)")
 """Names of rates that are symbols of their own, such as dG_dlambda."""
 
 _LETTERS = {"eigenvalue": r"\lambda"}
@@ -140,7 +140,21 @@ class PaperPrinter(LatexPrinter):
         return f"O{bracketed(self._print(e.args[0]))}"
 
     def _print_ExpBase(self, e: exp, exp: str | None = None) -> str:
-        return f"e^{_script(self._print(e.args[0]))}"
+        return f"e^{_script(self._slanted(e.args[0]))}"
+
+    def _slanted(self, e: Expr) -> str:
+        """An exponent, its fraction written with a stroke: e^{-b/2}."""
+        sign, e = ("-", -e) if _is_negative(e) else ("", e)
+        above, below = _fraction(e)
+        if len(above) == 1 and above[0].is_Add and all(map(_is_negative, above[0].args)):
+            sign, above = "" if sign else "-", [-above[0]]
+        alone = not (sign or below)
+        top = self._product(above) if alone or len(above) != 1 else self._factor(above[0], False)
+        if not below:
+            return sign + top
+        bottom = self._product(below)
+        plain = len(below) == 1 and not below[0].is_Add
+        return f"{sign}{top}/{bottom if plain else bracketed(bottom)}"
 
     def _print_Abs(self, e: Basic, exp: str | None = None) -> str:
         return rf"|{self._print(e.args[0])}|" + (f"^{_script(exp)}" if exp else "")
@@ -151,9 +165,7 @@ class PaperPrinter(LatexPrinter):
             return LATEX.get(e) or _LETTERS[e.name]
         if rate is not None:
             sign = r"\partial " if rate[1] == "partial" else "d"
-            above, below = (
-                str(super(PaperPrinter, self)._print_Symbol(Symbol(n))) for n in rate.groups()[1:]
-            )
+            above, below = (self._print_Symbol(Symbol(name)) for name in rate.groups()[1:])
             return rf"\frac{{{sign}{above}}}{{{sign}{below}}}"
         return re.sub(r"_\{([0-3])\}", r"_\1", str(super()._print_Symbol(e, style)))
 
@@ -193,11 +205,11 @@ def _is_negative(e: Expr) -> bool:
     )
 
 
-def _fraction(e: Mul) -> tuple[list[Expr], list[Expr]]:
+def _fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
     """Factors above and below the bar."""
     above: list[Expr] = []
     below: list[Expr] = []
-    for factor in e.args:
+    for factor in Mul.make_args(e):
         if factor.is_Rational:
             above += [Integer(factor.p)] if factor.p != 1 else []
             below += [Integer(factor.q)] if factor.q != 1 else []

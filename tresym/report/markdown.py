@@ -7,7 +7,7 @@ import re
 from tresym.report.wording import readable
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|$~])")
-SCRIPTS = re.compile(r"(?<=\S)(?:\^\{([^{}]*)\}|\^(\d+)|_(min|max|D|f))")
+SCRIPTS = re.compile(r"(?<=\S)(?:\^\{([^{}]*)\}|\^(\d+)|_(min|max|D|f)(?!\w))")
 """What our sentences raise or lower: e^{−π}, ε*^2, ψ_min."""
 
 

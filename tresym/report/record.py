@@ -12,7 +12,8 @@ from typing import Any
 from tresym.claims.claim import Claim
 from tresym.exact import fraction_text
 from tresym.report.chains import displays
-from tresym.report.latex import given_latex, says_latex
+from tresym.report.conditions import gathered
+from tresym.report.latex import says_latex
 from tresym.report.place import place_text
 from tresym.verification import Report, Row, display_lines, sections
 
@@ -80,7 +81,7 @@ def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "line": where and (where.line or lines.get(where.display)),
         "says": claim.says if isinstance(claim.says, str) else None,
         "formula": _formula(claim),
-        "given": [given_latex(condition) for condition in claim.given],
+        "given": gathered(claim.given),
         "verdict": finding.verdict.value,
         "chains": _chains(claim),
         "evidence": _evidence(claim),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from tresym.report.chains import EQUIVALENT
 from tresym.report.markdown import sentence
 
 LONGEST_IN_A_LINE = 60
@@ -57,9 +58,9 @@ def chain(lines: list[dict[str, Any]]) -> str:
     """A chain: each expression with its reasons, which name the claims they rest on."""
     rows = []
     for line in lines:
-        if line["left"] and line["left"] != r"\iff{}":
+        if line["left"] and line["left"] != EQUIVALENT:
             rows.append(_row("start", line["left"], ""))
-        arrow = r"\iff\quad " if line["left"] == r"\iff{}" else ""
+        arrow = r"\iff\quad " if line["left"] == EQUIVALENT else ""
         words = ", ".join(_said(reason) for reason in line["reasons"])
         rows.append(_row("step", arrow + line["right"], words))
     body = "\n".join(rows)
