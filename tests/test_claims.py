@@ -441,3 +441,11 @@ def test_a_stored_proof_that_does_not_hold_leaves_its_claim_undecided() -> None:
         finding = judge(claim("x > 1/2", stale), {})
         assert finding.verdict is Verdict.UNDECIDED
         assert "stored proof" in finding.why
+
+
+def test_a_definition_that_contradicts_a_condition_proves_nothing() -> None:
+    nought = Claim("nought", equal(x, 0), Definition())
+    held = {"nought": judge(nought, {})}
+    for proof in (by(substituting(nought)), formally(equal(1 / x, 2), using=(nought,))):
+        user = Claim("user", equal(1 / x, 2), proof, given=(x > 0,))
+        assert not judge(user, held).verdict.holds

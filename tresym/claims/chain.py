@@ -20,7 +20,13 @@ from sympy import (
     Tuple,
     pi,
 )
-from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
+from sympy.core.relational import (
+    GreaterThan,
+    LessThan,
+    Relational,
+    StrictGreaterThan,
+    StrictLessThan,
+)
 
 from tresym.claims.claim import Chain, Claim, Definition, Reason, Step, parts_of
 from tresym.claims.domain import Conditions, undefined
@@ -199,7 +205,8 @@ def _check_scalar(
     rules = definitions(used)
     given = with_bounds(given, reasons)
     replaced = (put_in(condition, rules) for condition in given)
-    elementary = (c for c in replaced if not c.has(Integral, Derivative, Subs))
+    relations = (c for c in replaced if isinstance(c, Relational))
+    elementary = (c for c in relations if not c.has(Integral, Derivative, Subs))
     given = tuple(dict.fromkeys((*given, *elementary)))
     spoken_of = frozenset().union(*(e.free_symbols for e in (before, after, *given)))
     unmet = unmet_condition(used, rules, given, spoken_of)

@@ -120,12 +120,15 @@ def _pieces(side: Interval, pieces: int) -> list[arb]:
 
 
 def bound_changes(claim: Claim) -> Iterator[Changes]:
-    """Each margin, alone: negated, or lowered by twice its size at the centre or at a corner."""
+    """Each margin, alone: negated, or lowered by twice its size at the centre or at a corner.
+
+    What is claimed is that the changed margin is positive on the box, no more and no less.
+    """
     proof = cast(Boxes, claim.proof)
     for n, bound in enumerate(proof.bounds, 1):
 
         def changed(margin: Named, bound: Bound = bound) -> Claim:
-            other = replace(bound, margin=margin.changed)
+            other = replace(bound, margin=margin.changed, sufficient=False)
             return _with(claim, bounds=(other,), stored=None)
 
         yield f"bound {n}", _lowered(bound), changed

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol, Tuple, false
 from sympy.core.relational import Equality, Relational
 
 from tresym.arithmetic import ball_precision
@@ -45,7 +45,7 @@ from tresym.claims.translate import (
     to_given,
 )
 from tresym.claims.violation import rootless, satisfiable, scalars, violation
-from tresym.exact import fraction_text
+from tresym.exact import InputError, fraction_text
 from tresym.identity import Given, decide, evaluate
 from tresym.verdict import Verdict
 
@@ -59,7 +59,7 @@ def judge(claim: Claim, found: Findings) -> Finding:
     began = time.perf_counter()
     try:
         finding = _resting_on_sand(claim, found) or _judge(claim, found)
-    except CircularError as error:
+    except (CircularError, InputError) as error:
         finding = Finding(UNDECIDED, str(error))
     except CertificateError as error:
         why = f"the stored proof does not hold ({error}); --full searches for a new one"
@@ -138,12 +138,23 @@ def refute(says: Basic, claim: Claim) -> Finding | None:
     """REFUTED with a point at which balls violate ``says`` and all that is used holds, or None."""
     known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
     for used in claim.uses:
-        known.update(dict.fromkeys(p for p in parts_of(used.says) if isinstance(p, Relational)))
+        relations = (p for p in parts_of(used.says) if isinstance(p, Relational))
+        known.update((p, None) for p in relations if not _is_rule_of_calculus(p, used))
     try:
         found = violation(says, claim.given, tuple(known))
-    except CircularError:
+    except (CircularError, InputError):
         return None
     return Finding(REFUTED, found.why, witness=found.point) if found else None
+
+
+def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
+    """Whether an equation of derivatives or integrals holds wherever its conditions do.
+
+    It restricts nothing where no definition stands behind it.
+    """
+    behind = (claim, *claim.rests_on)
+    defined = any(isinstance(c.proof, Definition | ImplicitFunction) for c in behind)
+    return says.has(Derivative, Integral, Subs) and not defined
 
 
 def _judge_definition(claim: Claim) -> Finding:
@@ -287,12 +298,15 @@ def _settle(relation: Basic, claim: Claim) -> Finding:
 def _without_chain(relation: Relational, claim: Claim) -> Finding:
     """PROVED by normal form or by a manifest sign, else UNDECIDED."""
     rules = definitions(claim.uses)
-    replaced = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
+    meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
+    if false in meant:
+        return Finding(UNDECIDED, "what is put in contradicts the conditions")
+    replaced = tuple(c for c in meant if not c.has(Derivative, Integral, Subs))
     spoken_of = frozenset().union(*(e.free_symbols for e in (relation, *claim.given)))
     unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced), spoken_of)
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
-    conditions = Given.from_sympy(*replaced)
+    conditions = Given.from_sympy(*(c for c in replaced if isinstance(c, Relational)))
     if conditions.satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     left, right = (put_in(side, rules) for side in relation.args)

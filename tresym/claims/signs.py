@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from sympy import Basic, Mul, cos, expand, pi, sin
+from sympy import Basic, Mul, cos, expand, pi, sin, true
 from sympy.core.relational import Relational
 
 from tresym.claims.translate import REMEMBERED, to_expression, to_given
@@ -71,8 +71,13 @@ def _in_half_turn(e: Basic, conditions: tuple[Basic, ...]) -> str | None:
     return _product([manifest_sign(end, conditions) for end in ends])
 
 
-def is_manifest(relation: Relational, conditions: tuple[Basic, ...]) -> bool:
-    """Whether the proven sign of the difference of the two sides shows the inequality."""
+def is_manifest(relation: Basic, conditions: tuple[Basic, ...]) -> bool:
+    """Whether the proven sign of the difference of the two sides shows the inequality.
+
+    SymPy has evaluated a relation of constants to true or false.
+    """
+    if not isinstance(relation, Relational):
+        return relation is true
     allowed = {
         ">": ("+",),
         ">=": ("+", "0", ">=0"),

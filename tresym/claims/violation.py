@@ -32,6 +32,7 @@ from sympy import (
     Symbol,
     Tuple,
     exp,
+    false,
     together,
 )
 from sympy.core.relational import Relational
@@ -225,7 +226,7 @@ def _points(
     world: World, names: frozenset[Symbol], enough: int = ROOTS
 ) -> tuple[dict[Symbol, Interval], ...]:
     """Points, or tiny segments, on which every condition and equation holds somewhere."""
-    if len(world.implicit) > 1:
+    if len(world.implicit) > 1 or false in world.conditions:
         return ()
     symbols = {s.name: s for s in names.union(*(d.free_symbols for d in world.implicit))}
     symbols |= {s.name: s for condition in world.conditions for s in condition.free_symbols}
