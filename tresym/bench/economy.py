@@ -113,12 +113,12 @@ def _route_cells() -> Iterator[Cell]:
 def _panels() -> Iterator[Cell]:
     """The figures that show ε or Δψ, by a point of theirs."""
     a, b, _ = peers.floats(NAMED_BODIES["str"].shape, fmpq(0))
+    yield _flip_panel("Fig. 7", "symmetric flips", a, b, *_start_at(a, b, 3e-3))
+    yield _flip_panel("Fig. 8", "exact", a, b, *_start_at(a, b, 1e-2))
     for gamma in ("1e-3", "3e-3", "3e-2", "-1e-3", "-3e-3", "-3e-2"):
         yield _flip_panel("Fig. 9", f"γ = {gamma}", a, b, *_start_at(a, b, float(gamma)))
     yield _flip_panel("Fig. 10", "every start", a, b, 0.3, 0.5)
     yield _flip_panel("Fig. 10", "zoom", a, b, 0.1, 0.1)
-    yield _flip_panel("Fig. 7", "symmetric flips", a, b, *_start_at(a, b, 3e-3))
-    yield _flip_panel("Fig. 8", "exact", a, b, *_start_at(a, b, 1e-2))
     shape = NAMED_BODIES["str"].shape
     one = np.full(MANY, a), np.full(MANY, b)
     works: dict[str, tuple[Callable[[], Any], int]] = {

@@ -7,6 +7,7 @@ racket, and one with √(ab) = 3, near whose unstable points errors grow by e^{6
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import lru_cache, partial
@@ -55,10 +56,15 @@ def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
     return Measurement("flipmap", says, timings, OURS, complete=complete)
 
 
+@lru_cache(maxsize=1)
+def _all_starts() -> tuple[Floats, Floats]:
+    rng = np.random.default_rng(1)
+    return rng.uniform(-3, 3, STARTS), rng.uniform(-2, 2, STARTS)
+
+
 def starts(count: int) -> tuple[Floats, Floats]:
     """The first ``count`` starts (ψ₀, dψ/dφ)."""
-    rng = np.random.default_rng(1)
-    psi, rate = rng.uniform(-3, 3, STARTS), rng.uniform(-2, 2, STARTS)
+    psi, rate = _all_starts()
     return psi[:count], rate[:count]
 
 
@@ -84,6 +90,15 @@ def _contenders(name: str, shape: Shape) -> Iterator[Contender]:
         judge = partial(judged, truths)
         ours = title.startswith("tresym")
         yield Contender(name, title, work, judge, ours, WANTED, pieces=count)
+        if title.endswith("numba"):
+            title, sample = f"{title}, wall clock on all cores", partial(_on_the_wall, work, count)
+            yield Contender(name, title, work, judge, ours, WANTED, sample, count)
+
+
+def _on_the_wall(work: Callable[[], Any], pieces: int) -> float:
+    start = time.perf_counter()
+    work()
+    return (time.perf_counter() - start) / pieces
 
 
 def optional() -> dict[str, Method]:

@@ -130,8 +130,8 @@ class Timing:
         }
 
 
-Tables = dict[str, list[dict[str, Any]]]
-"""Rows of a workload that are no timings, by the name of the list."""
+Tables = dict[str, Any]
+"""What a workload found that is no timing, by name: lists of rows, or a dictionary."""
 
 
 @dataclass

@@ -64,7 +64,9 @@ def _progress(name: str, kept: Keep | None) -> Keep:
         if kept is not None:
             kept(timings, tables)
         who = timings[-1].contender.method if timings else "no times"
-        samples = sum(len(t.seconds) for t in timings) or sum(map(len, (tables or {}).values()))
+        samples = sum(len(t.seconds) for t in timings) or sum(
+            len(rows) for rows in (tables or {}).values()
+        )
         seconds = time.monotonic() - began
         _status(f"{name}: {len(timings)} contenders, {samples} samples, {seconds:.0f} s: {who}")
 

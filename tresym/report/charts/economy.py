@@ -24,7 +24,7 @@ def caption(data: dict[str, Any]) -> str:
         "Each table cell and each figure panel (by a point of it): the digits it needs (in "
         "brackets), the time of one answer on the rung it takes (filled), and what the next "
         "heavier rung would have cost for the same digits (open). The heavier rung costs "
-        f"{ratios[0]:.2g} to {ratios[-1]:.2g} times as much, {ratios[len(ratios) // 2]:.2g} times "
+        f"{ratios[0]:.2g} to {ratios[-1]:.0f} times as much, {ratios[len(ratios) // 2]:.2g} times "
         "in the median. On the last rung there is no next. Bars: quartiles."
     )
 

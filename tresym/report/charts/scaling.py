@@ -72,6 +72,10 @@ def draw(data: dict[str, Any]) -> Any:
         sheet.set_yscale("log")
         sheet.grid(color="0.92", linewidth=0.6)
         _seconds(sheet)
+    left.set_xticks([50, 200, 1000, 5000], ["50", "200", "1000", "5000"])
+    left.set_xticks([], minor=True)
+    right.set_xticks([1, 10, 100, 500], ["1", "10", "100", "500"])
+    right.set_xticks([], minor=True)
     left.set_ylabel("processor time")
     return figure
 
@@ -88,6 +92,7 @@ def _digits(sheet: Any, rows: list[dict[str, Any]]) -> None:
             **mark.options,
         )
     sheet.set_xlabel("digits")
+    sheet.set_xlim(35, 14_000)
     sheet.set_title("one answer", loc="left")
     sheet.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), fontsize=6.5)
 

@@ -10,8 +10,10 @@ from tresym.report.figures import style
 
 def caption(data: dict[str, Any]) -> str:
     """What to see."""
+    says = data["says"]
+    title = says[0].upper() + says[1:] if says[0].isascii() else says
     return (
-        f"{data['says'][0].upper()}{data['says'][1:]}: {data['clock']} of one answer, logarithmic, "
+        f"{title}: {data['clock']} of one answer, logarithmic, "
         f"with the quartiles, and the ratio to “{data['reference']}”, taken round by round in one "
         "interleaved run. Filled: tresym; open: other methods, all digits there; a cross: fewer "
         "digits than asked for, or no answer, with the reason."
@@ -23,17 +25,17 @@ def draw(data: dict[str, Any]) -> Any:
     rows = data["rows"]
     scenes = list(dict.fromkeys(r["scene"] for r in rows))
     count = len(rows) + (len(scenes) if len(scenes) > 1 else 0)
-    figure, grid = style.canvas(7.4, 0.7 + 0.19 * count)
+    figure, grid = style.canvas(7.4, 0.75 + 0.17 * count)
     sheet = grid[0, 0]
     seconds = [r["seconds"] for r in rows if r["seconds"]]
-    low, high = min(seconds) / 2, max(seconds) * 60
+    low, high = min(seconds) / 2, max(seconds) * 40
     place, ticks, labels = 0, [], []
     for scene in scenes:
         if len(scenes) > 1:
             sheet.text(low * 1.1, place, scene, va="center", fontsize=8, fontweight="bold")
             place += 1
         for row in (r for r in rows if r["scene"] == scene):
-            _line(sheet, row, place, low)
+            _line(sheet, row, place, low, high)
             ticks.append(place)
             labels.append(row["method"])
             place += 1
@@ -41,18 +43,18 @@ def draw(data: dict[str, Any]) -> Any:
     sheet.tick_params(axis="y", length=0)
     sheet.set_ylim(place - 0.4, -0.6)
     sheet.set_xscale("log")
-    sheet.set_xlim(low, high)
     time_axis(sheet.xaxis, low, max(seconds))
+    sheet.set_xlim(low, high)
     sheet.grid(axis="x", color="0.92", linewidth=0.6)
     sheet.set_axisbelow(True)
     sheet.set_xlabel("time of one answer")
     return figure
 
 
-def _line(sheet: Any, row: dict[str, Any], place: int, low: float) -> None:
+def _line(sheet: Any, row: dict[str, Any], place: int, low: float, high: float) -> None:
     if row["seconds"] is None:
         words = f"{row['outcome']}: {row['why']}"
-        words = words if len(words) < 70 else words[:67] + "…"
+        words = words.partition(" (")[0]
         sheet.text(low * 1.3, place, f"× {words}", va="center", fontsize=6.5, color=RED)
         return
     colour, right = BLUE if row["ours"] else "0.2", row["outcome"] == "right"
@@ -73,4 +75,7 @@ def _line(sheet: Any, row: dict[str, Any], place: int, low: float) -> None:
         words += f", {row['ratio']:,.3g}×" if row["ratio"] < 1000 else f", {row['ratio']:,.0f}×"
     if not right:
         words += f"; {row['why']}"
-    sheet.text(max(end, row["seconds"]) * 1.35, place, words, va="center", fontsize=6.5)
+    if row["seconds"] ** 2 > low * high and not right:
+        sheet.text(row["seconds"] / 1.35, place, words, va="center", ha="right", fontsize=6.5)
+    else:
+        sheet.text(max(end, row["seconds"]) * 1.35, place, words, va="center", fontsize=6.5)

@@ -42,7 +42,7 @@ MARKS = {
 }
 """Ours are filled and solid, other people's open and broken."""
 
-LOW, HIGH = 0.7, 1700.0
+LOW, HIGH = 0.6, 1700.0
 
 
 def caption(data: dict[str, Any]) -> str:
@@ -89,7 +89,7 @@ def draw(data: dict[str, Any]) -> Any:
 
 def digits_of(row: dict[str, Any]) -> float:
     """True digits, no more than asked for, within the axis."""
-    return max(LOW * 1.1, min(row["digits"], row["asked"]))
+    return max(LOW * 1.25, min(row["digits"], row["asked"]))
 
 
 def front(rows: list[dict[str, Any]]) -> list[tuple[float, float]]:
@@ -153,19 +153,16 @@ def _silent(sheet: Any, rows: list[dict[str, Any]]) -> None:
             least, word = min(r["asked"] for r in none), none[0]["outcome"]
             lines.append(f"{method} {word} from {least:g}")
     if lines:
-        text = "no answer:\n" + "\n".join(lines)
-        box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.0}
         sheet.text(
             0.985,
-            0.02,
-            text,
+            0.03,
+            "no answer:\n" + "\n".join(lines),
             transform=sheet.transAxes,
             ha="right",
             va="bottom",
             fontsize=5.2,
-            color="0.3",
-            bbox=box,
-            zorder=5,
+            color="0.4",
+            zorder=1.5,
         )
 
 

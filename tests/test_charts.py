@@ -1,0 +1,156 @@
+"""Charts: pure functions of one saved file, the same bytes each time, readable without colour."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from tresym.cli import main
+from tresym.exact import InputError
+from tresym.report import charts
+from tresym.report.charts import economy, saved, scaling, times, work_precision
+from tresym.report.charts.common import tick_text, time_text
+
+pytest.importorskip("matplotlib")
+
+SAVED = Path(__file__).resolve().parent.parent / "docs" / "measurements"
+BUILT = SAVED.parent / "generated" / "charts"
+
+
+def data(workload: str) -> dict:
+    return json.loads((SAVED / f"{workload}.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", charts.CHARTS)
+def test_the_saved_chart_is_what_is_drawn(name: str) -> None:
+    text = charts.svg(name)
+    root = ElementTree.fromstring(text)
+    assert root.tag.endswith("svg")
+    found = {child.tag.rpartition("}")[2]: child.text for child in root}
+    assert found["title"] == charts.CHARTS[name].title
+    assert "Measured on" in found["desc"]
+    assert "<text" not in text
+    assert "<script" not in text
+    assert "dc:date" not in text
+    assert (BUILT / f"{name}.svg").read_text(encoding="utf-8") == text
+
+
+def test_a_chart_is_the_same_twice_and_from_a_copy_of_its_file(tmp_path: Path) -> None:
+    copy = tmp_path / "elsewhere.json"
+    shutil.copy(SAVED / "separatrix.json", copy)
+    assert charts.svg("separatrix") == charts.svg("separatrix", str(copy))
+
+
+def test_no_chart_is_kept_that_is_not_drawn() -> None:
+    assert {path.stem for path in BUILT.glob("*")} == set(charts.CHARTS)
+
+
+def test_every_chart_says_what_its_axes_are() -> None:
+    for name in ("work_precision", "times"):
+        source = Path(charts.__file__).with_name(f"{name}.py").read_text(encoding="utf-8")
+        assert "set_xlabel" in source
+    for workload, module in (("scaling", scaling), ("economy", economy)):
+        assert "processor time" in module.caption(data(workload))
+
+
+# Black and white
+
+
+def test_methods_differ_by_more_than_colour() -> None:
+    marks = list(work_precision.MARKS.values())
+    looks = [(mark.marker, str(mark.line), mark.filled) for mark in marks]
+    assert len(set(looks)) == len(looks)
+    ours = [mark.filled for name, mark in work_precision.MARKS.items() if "tresym" in name]
+    assert all(ours)
+    assert sum(mark.filled for mark in marks) == len(ours)
+    looks = [(m.marker, str(m.line), m.filled) for m in scaling.BY_DIGITS.values()]
+    assert len(set(looks)) == len(looks)
+    assert len({marker for marker, _ in economy.RUNGS.values()}) == len(economy.RUNGS)
+
+
+# What they show
+
+
+def test_the_front_holds_the_best_of_what_is_right() -> None:
+    def row(seconds: float, digits: float, outcome: str = "right") -> dict:
+        return {"seconds": seconds, "digits": digits, "asked": 100, "outcome": outcome}
+
+    rows = [row(1, 10), row(2, 30), row(3, 20), row(0.5, 90, "wrong"), row(2, 40)]
+    assert work_precision.front(rows) == [(1, 10), (2, 40)]
+
+
+def test_every_method_of_the_data_has_its_mark() -> None:
+    methods = {row["method"] for row in data("precision")["rows"]}
+    assert methods - {"tresym"} == set(work_precision.MARKS)
+    digits = [r for r in data("scaling")["rows"] if r["scene"] == "time against digits"]
+    assert {row["method"] for row in digits} == set(scaling.BY_DIGITS)
+    assert {row["method"] for row in data("economy")["rows"]} == set(economy.RUNGS)
+
+
+def test_captions_count_from_the_data() -> None:
+    honesty = charts.import_module("tresym.report.charts.honesty")
+    points = [
+        {"method": "tresym, balls", "where": "", "claims": 10, "digits": 12},
+        {"method": "scipy quad", "where": "", "claims": 10, "digits": 3},
+        {"method": "scipy quad", "where": "", "claims": 10, "digits": 11},
+    ]
+    said = honesty.caption({"points": points})
+    assert "1 of 2 answers of other methods" in said
+    assert "0 of 1 balls do" in said
+
+
+def test_what_fails_is_drawn_with_its_reason() -> None:
+    kept = data("defect")
+    assert any(row["outcome"] != "right" and row["why"] for row in kept["rows"])
+    assert "with the reason" in times.caption(kept)
+
+
+def test_times_have_units() -> None:
+    assert [time_text(x) for x in (2.5e-9, 1e-6, 0.0123, 4.0)] == [
+        "2.5 ns",
+        "1 µs",
+        "12.3 ms",
+        "4 s",
+    ]
+    assert [tick_text(n) for n in (-9, -7, -3, 0, 2)] == ["1 ns", "100 ns", "1 ms", "1 s", "100 s"]
+
+
+# The command
+
+
+def test_the_command_lists_the_charts_and_draws_one(capsys, tmp_path: Path) -> None:
+    assert main(["chart"]) == 0
+    listed = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in listed] == list(charts.CHARTS)
+    assert main(["chart", "separatrix", "-o", str(tmp_path / "x.svg")]) == 0
+    assert (tmp_path / "x.svg").read_text(encoding="utf-8").startswith("<?xml")
+
+
+def test_bad_input_is_one_line(capsys, tmp_path: Path) -> None:
+    other = str(SAVED / "separatrix.json")
+    broken = tmp_path / "broken.json"
+    broken.write_text("{", encoding="utf-8")
+    hollow = tmp_path / "hollow.json"
+    hollow.write_text('{"workload": "turn"}', encoding="utf-8")
+    for words, message in (
+        (["chart", "nosuch"], "known: work-precision"),
+        (["chart", "turn", "--from", other], "is no measurement of turn"),
+        (["chart", "turn", "--from", str(broken)], "is not JSON"),
+        (["chart", "turn", "--from", str(hollow)], "is no measurement of turn"),
+        (["chart", "turn", "--from", str(tmp_path / "none.json")], "cannot be read"),
+    ):
+        assert main(words) == 2
+        shown = capsys.readouterr().err
+        assert message in shown
+        assert shown.count("\n") == 1
+
+
+def test_without_a_saved_measurement_it_says_how_to_make_one(monkeypatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(saved, "home", lambda: tmp_path)
+    with pytest.raises(InputError, match="measure it: tresym bench turn --save"):
+        charts.svg("turn")
