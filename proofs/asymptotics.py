@@ -6,7 +6,8 @@
   `printed_error` says what is true;
 - `repaired`, `second_order`, `third_order`: ε₀ by powers of ε*² with constants that cannot be
   improved by one per cent on ab ≥ 1/4 (in `constants` on a ≥ a₀, down to a₀ = 1/100);
-  `everywhere`: one bound for all shapes, with its best constant 10/3;
+  `everywhere`: one bound for all shapes, with its best constant 10/3, where the corner that boxes
+  cannot close is closed by `exponent_below` and `corner_margin`;
 - `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas,
   together `uniform_formulas`, for every shape;
 - `one_line_side`, `newton_side`: on which side each errs;
@@ -24,7 +25,7 @@ from collections.abc import Callable
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import Derivative, Function, cosh, exp, pi, sinh, sqrt, tanh
+from sympy import Derivative, Function, Rational, cosh, exp, pi, sinh, sqrt, tanh
 from tresym.proofs import margins
 from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import auxiliary, shape
@@ -231,7 +232,7 @@ printed_remainder = Claim(
 EXCESS: tuple[Callable[..., Any], ...] = (
     lambda b, kappa, m: margins.first_excess(margins.root_by_kappa(b, kappa, m), m),
     lambda b, kappa, m: margins.second_excess(margins.root_by_kappa(b, kappa, m), m),
-    margins.third_excess,
+    lambda b, kappa, m: margins.third_excess(margins.root_by_kappa(b, kappa, m), m),
 )
 """(ε₀/ε* − Σ_{n≤N} c_n ε*^{2n})/ε*^{2N+2} for N = 0, 1, 2, in the chart (b, κ)."""
 
@@ -260,7 +261,28 @@ repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repai
 second_order = _repaired("second_order", 1, "2.98")
 second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
 third_order = _repaired("third_order", 2, "7.36")
+third_order_too_small = _repaired("third_order_too_small", 2, "7.33", **_refuted(third_order))
 
+
+exponent_below = boxed(
+    "exponent_below",
+    "Q(e) < c₁e² for b/a ≤ 1 and 0 < e ≤ 1/4.",
+    (lambda b, r, e, m: -margins.exponent_bend(e, b, r, m),),
+    ((0, 1), (0, 1), (0, "1/4")),
+    ("b", "sqrt(b/a)", "e"),
+    "b/a <= 1, 0 < b <= 1, 0 < e <= 1/4",
+    note="So ε₀/ε* < exp(c₁ε₀²), which is what the corner b = 1, κ = 0 of `everywhere` needs.",
+)
+
+corner_margin = Claim(
+    label="corner_margin",
+    says=(6 * (1 - b) + 9 * (b * x) ** 2 / 2) / 12 >= 3 * x**2 / 8,
+    kind="bound",
+    given=(b > 0, b <= 1, x > 0, x <= Rational(1, 2)),
+    proof=(step((1 - b) * (4 - 3 * x**2 * (1 + b)) / 8, algebra),),
+    note="With x for κ: towards b = 1, κ = 0 the margin of `everywhere` falls like 3κ²/8, and what "
+    "is against it is flat in κ.",
+)
 
 TEN_THIRDS = fmpq(10, 3)
 
@@ -303,7 +325,7 @@ everywhere = Claim(
         ("x", "y"),
         EVERY,
         TEN_THIRDS,
-        RESTS_ON,
+        (*RESTS_ON, exponent_below, corner_margin),
         certificate("everywhere"),
     ),
     expect=Verdict.ENCLOSED,

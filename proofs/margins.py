@@ -18,7 +18,7 @@ from flint import arb
 
 from tresym.arithmetic import balls
 from tresym.claims.gradient import Divided, Gradient, gradients
-from tresym.flip.series import coefficient_values, tail
+from tresym.flip.series import exponent_values, majorant
 
 sine_over = Divided(lambda s: s.sin())
 """sin x / x."""
@@ -34,6 +34,8 @@ expm1_over = Divided(lambda s: s.exp())
 """(exp x − 1)/x."""
 expm1_rest = Divided(lambda s: s.exp(), 2)
 """(exp x − 1 − x)/x²."""
+expm1_further = Divided(lambda s: s.exp(), 3)
+"""(exp x − 1 − x − x²/2)/x³."""
 arcsine_over = Divided(lambda s: s.asin())
 """arcsin x / x."""
 arcsine_rest = Divided(lambda s: s.asin(), 3)
@@ -182,24 +184,37 @@ def gap_over(a: Any, root_b: Any, order: int, m: Any) -> tuple[Any, Any]:
     return defect - leading * series, leading * square * (square if order else 1)
 
 
-def remainder(shape: Shape, order: int, terms: int, m: Any) -> tuple[Any, Any]:
-    """(ε₀/ε* − Σ_{n≤order} c_n ε*^{2n})/ε*^{2(order+1)}: the middle and the radius it is within.
+TERMS = 8
+"""Coefficients of Q that ``exponent_twist`` uses."""
 
-    The middle is the series up to ``terms``, the radius its truncation bound with ρ = 1/(1 + 9R/4),
-    which applies on ab ≥ 1/4.
+
+def exponent_twist(square: Any, b: Any, R: Any, m: Any) -> tuple[Any, Any]:
+    """q₂ and (Q(e)/e² − c₁ − q₂e²)/e⁴ for e² = ``square``, a ball, on ab ≥ 1/4.
+
+    |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4), term by term; what is left out after
+    ``TERMS`` is a geometric series.
     """
-    y, R = shape.leading * shape.leading, shape.r * shape.r
-    values = coefficient_values(terms, shape.b, R, m)[order + 1 :]
-    middle = values[-1]
-    for c in reversed(values[:-1]):
-        middle = middle * y + c
-    return middle, tail(terms, y, shape.b, R, 4 / (4 + 9 * R), m, order + 1)
+    rho = 4 / (4 + 9 * R)
+    values, ratio = exponent_values(TERMS, b, R, m), square / rho
+    total = majorant(rho, b, R, m) / rho**3 * ratio ** (TERMS - 2) / (1 - ratio) * arb(0, 1)
+    powers = arb(1)
+    for q in values[3:]:
+        total, powers = total + q * powers, powers * square
+    return values[2], total
 
 
-def third_excess(b: Any, kappa: Any, m: Any) -> Any:
-    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶ in the chart (b, κ), ab ≥ 1/4, a ball: Lagrange's series."""
-    middle, radius = remainder(by_kappa(b, kappa, m), 2, 9, m)
-    return middle + radius * arb(0, 1)
+def third_excess(root: Root, m: Any) -> Any:
+    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶ on ab ≥ 1/4, expanded as ``second_excess``."""
+    R, square = root.r * root.r, root.defect * root.defect
+    first = (6 * root.b + 3 * R - 1) / 12
+    steady, twist = exponent_twist(square, root.b, R, m)
+    bend = steady + square * twist
+    rate = first + square * bend
+    exponent = square * rate
+    rest = twist + bend * (rate + first) / 2 + rate * rate * rate * expm1_further(exponent)
+    rest += 2 * first * (bend - 2 * rate * rate * expm1_rest(-2 * exponent))
+    second = steady + first * first * 5 / 2
+    return m.exp(6 * exponent) * (rest + 4 * second * rate * expm1_over(-4 * exponent))
 
 
 def _between_ends(x: arb, function: Callable[[arb], arb]) -> arb:
@@ -462,9 +477,9 @@ def cubic_below(shape: Shape, bound: Any, m: Any) -> Any:
 def cubic_above_far(b: arb, kappa: arb, m: Any) -> arb:
     """As ``cubic_above`` for M = 10/3 on κ ≤ 1/2, where the margin vanishes at b = 1, κ = 0.
 
-    Q(e) ≤ c₁e² (from 1/s ≥ 1/e + e/6 and (1 + Rs²)^{−1/2} ≥ 1 − Rs²/2) and log(1+z)/z ≥ 1 − z/2
-    leave K − c₁ > K²y/2 + c₁(2Ky + K²y²). With K ≥ (5/12)(1 + 3R/2), R = b²κ², the left side is at
-    least (6(1 − b) + 9R/2)/12 ≥ 3κ²/8; the rest is flat in κ. Divided by κ².
+    Q(e) ≤ c₁e² (``exponent_below``) and log(1+z)/z ≥ 1 − z/2 leave K − c₁ > K²y/2 + c₁(2Ky + K²y²).
+    With K ≥ (5/12)(1 + 3R/2), R = b²κ², the left side is at least (6(1 − b) + 9R/2)/12, which is
+    at least 3κ²/8 (``corner_margin``); the rest is flat in κ. Divided by κ².
     """
     R = b * b * kappa * kappa
     K = m.sqrt(1 + R) * (1 + R) * 5 / 12

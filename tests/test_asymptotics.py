@@ -36,7 +36,7 @@ from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
 from tresym.cli import main
 from tresym.exact import InputError, as_rational
-from tresym.flip import defect, uniform
+from tresym.flip import defect, series, uniform
 from tresym.flip.constants import CONSTANTS, excesses
 from tresym.flip.errors import slope_at
 from tresym.flip.quadrature import rigorous
@@ -239,6 +239,29 @@ def test_the_excesses_are_those_of_the_exact_root(a, b, order):
     with ball_precision(64):
         wide = arb(b, fmpq(1, 1000)), 1 / arb(a * b).sqrt() * arb(1, fmpq(1, 1000))
         assert ratio(margins.root_by_kappa(*wide, balls), balls).contains(expected)
+
+
+@pytest.mark.parametrize(("a", "b"), SIX)
+def test_the_third_excess_is_that_of_the_exact_root(a, b):
+    exact = solve(a, b, 80).defect
+    with ball_precision(256):
+        _, b_, k, r, _ = balls_of(a, b)
+        star = stable.leading_term(k, r, balls)
+        square = star * star
+        c = series.coefficient_values(2, b_, r * r, balls)
+        expected = (exact / star - 1 - c[1] * square - c[2] * square**2) / square**3
+        found = margins.third_excess(margins.root_by_kappa(b_, 1 / k, balls), balls)
+        assert found.overlaps(expected)
+        assert found.rad() < 1e-2
+
+
+def test_the_coefficients_of_the_exponent_are_those_of_its_logarithm():
+    """exp((2n + 1) Q) has c_n (2n + 1) at wⁿ, here for n = 1, 2 by hand."""
+    q = series.exponent_coefficients(2)
+    c = series.coefficients(2)
+    assert q[0] == 0
+    assert q[1] == c[1]
+    assert 5 * c[2] == 5 * q[2] + (5 * q[1]) ** 2 / 2
 
 
 @pytest.mark.parametrize("row", CONSTANTS, ids=lambda row: row.least)

@@ -109,11 +109,24 @@ def _number(q: fmpq, m: Any) -> Any:
     return arb(q)
 
 
+@lru_cache(maxsize=8)
+def exponent_coefficients(order: int) -> tuple[fmpq_mpoly, ...]:
+    """q₀ = 0, q₁ = c₁, …, q_order of Q(w) = Σ q_n wⁿ as exact polynomials in b and R = b/a."""
+    ring = fmpq_mpoly_ctx.get(("b", "R"), "deglex")
+    b, R = ring.gens()
+    slopes = _slope_series(order, b, R, ring.constant(1), lambda q: q)
+    return (slopes[0], *(slope / fmpq(2 * n) for n, slope in enumerate(slopes[1:], 1)))
+
+
 @lru_cache(maxsize=64)
-def _rows(order: int) -> tuple[tuple[tuple[fmpq, ...], ...], ...]:
-    """For each c_n: for each power of b the coefficients of the powers of R, lowest first."""
+def _rows(
+    family: Callable[[int], tuple[fmpq_mpoly, ...]], order: int
+) -> tuple[tuple[tuple[fmpq, ...], ...], ...]:
+    """For each polynomial of the family, the n-th of degree n, up to ``order``: for each power of b
+    the coefficients of the powers of R, lowest first.
+    """
     found = []
-    for n, polynomial in enumerate(coefficients(order)):
+    for n, polynomial in enumerate(family(order)):
         table = [[fmpq(0)] * (n + 1 - i) for i in range(n + 1)]
         for (i, j), c in polynomial.to_dict().items():
             table[int(i)][int(j)] = c
@@ -123,9 +136,20 @@ def _rows(order: int) -> tuple[tuple[tuple[fmpq, ...], ...], ...]:
 
 def coefficient_values(order: int, b: Any, R: Any, m: Any) -> list[Any]:
     """c₀ … c_order at (b, R) in the arithmetic ``m``, by Horner's rule."""
+    return _values(coefficients, order, b, R, m)
+
+
+def exponent_values(order: int, b: Any, R: Any, m: Any) -> list[Any]:
+    """q₀ … q_order at (b, R) in the arithmetic ``m``."""
+    return _values(exponent_coefficients, order, b, R, m)
+
+
+def _values(
+    family: Callable[[int], tuple[fmpq_mpoly, ...]], order: int, b: Any, R: Any, m: Any
+) -> list[Any]:
     return [
         _horner([_horner([_number(c, m) for c in row], R) for row in rows], b)
-        for rows in _rows(order)
+        for rows in _rows(family, order)
     ]
 
 
