@@ -21,6 +21,7 @@ root_doc = "index"
 exclude_patterns = ["generated/ledger.md", "generated/tables", "explorer"]
 smartquotes = False
 toc_object_entries = False
+suppress_warnings = ["toc.empty_glob"]
 
 myst_enable_extensions = [
     "attrs_inline",

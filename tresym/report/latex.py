@@ -44,7 +44,7 @@ _PLAIN = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "t
 _RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+[0-3]?)")
 """Names of rates that are symbols of their own, such as dG_dlambda."""
 
-_LETTERS = {"eigenvalue": r"\lambda"}
+_LETTERS = {"eigenvalue": r"\lambda", "hot": r"\mathrm{hot}"}
 """Symbols that single proofs introduce, whose names are words."""
 
 _TALL = (r"\frac", r"\begin", r"\int", r"\sum")

@@ -175,6 +175,7 @@ def visit_block(translator: HTML5Translator, node: nodes.math_block) -> None:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """What Sphinx asks of an extension."""
+    (Path(app.srcdir) / BUILT).mkdir(exist_ok=True)  # looked for before anything is built
     app.connect("builder-inited", write_pages)
     app.connect("autodoc-process-docstring", docstrings.process)
     app.connect("autodoc-skip-member", docstrings.skip)
