@@ -18,7 +18,7 @@ from tresym.exact import parse_number
 from tresym.flip import quadrature
 from tresym.flip.carlson import amplitude, by_flint, turn
 from tresym.flip.gauss import FLOAT_ENDING, Ending, ball_ending, turn_by_gauss
-from tresym.flip.jacobi import functions, parameter
+from tresym.flip.jacobi import functions, parameter, thetas
 
 STR = named_body("str").shape
 
@@ -162,8 +162,8 @@ def test_at_gamma_equal_to_a_the_transformation_is_slow_but_right():
 
 
 def test_the_gauss_transformation_that_does_not_end_gives_up():
+    never = Ending(arb(0), lambda bound: arb(0, bound))
     with ball_precision(200), pytest.raises(ArithmeticError, match="too near a"):
-        never = Ending(arb(0), lambda bound: arb(0, bound))
         turn_by_gauss(arb(1), arb(3), arb(1), arb(1), arb(1), balls, never)
 
 
@@ -195,6 +195,21 @@ def test_theta_series_give_jacobi_s_functions(complement, part):
         if part != "0":
             back = by_flint(at, arb(1)).time
             assert back.overlaps(quarter * arb(part))
+
+
+@pytest.mark.parametrize("argument", ["3 +/- 190", "1e6", "nan", "inf"])
+def test_theta_series_end_however_wide_the_argument(argument):
+    """Once they ran on: a ball of cosh that holds 0 leaves no term small beside it."""
+    with ball_precision(264):
+        y = arb(argument)
+        sinh, cosh = y.sinh_cosh()
+        if argument == "1e6":
+            assert all(x.is_finite() for x in thetas(arb("1e-900000"), sinh, cosh, True))
+            return
+        with pytest.raises(ArithmeticError, match="too wide"):
+            thetas(arb("1e-150"), sinh, cosh, True)
+        with pytest.raises(ArithmeticError, match="too wide"):
+            thetas(arb("0.9"), arb(0), arb(1), False)
 
 
 def test_planted_error_in_the_modulus_is_seen():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from flint import arb, fmpq
 import tresym
 from tresym.body import Shape, named_body
 from tresym.exact import InputError
+from tresym.flip import flipmap, float_orbit
 from tresym.flip.angle import Angle
 from tresym.flip.flipmap import arrivals, flip_map, flip_uncertainty
 from tresym.flip.trajectory import Start, travel
@@ -41,17 +43,67 @@ def ratio(x: fmpq) -> float:
 A, B = ratio(STR.a), ratio(STR.b)
 
 
+@pytest.fixture(params=["numpy", "numba"])
+def way(request, monkeypatch):
+    """Each way of evaluating the map, whatever the number of starts."""
+    monkeypatch.setattr(flipmap, "LARGE", 0 if request.param == "numba" else math.inf)
+    if request.param == "numba":
+        assert flipmap._compiled() is not None
+    return request.param
+
+
 @pytest.mark.parametrize("reach", [0.3, 3.0, 12.5])
-def test_the_map_is_right_to_1e_11(reach):
+def test_the_map_is_right_to_2e_13(reach, way):
     rng = np.random.default_rng(5)
     psi, rate = rng.uniform(-3, 3, 60), rng.uniform(-reach, reach, 60)
-    assert errors(A, B, psi, rate).max() < 1e-11
+    assert errors(A, B, psi, rate).max() < 2e-13
 
 
-def test_starts_at_quarter_turns_and_large_rates():
-    psi = [math.pi / 2, -math.pi / 2, 3 * math.pi / 2, 0, 0, 0, math.pi, -math.pi, 0.1, 0.1]
-    rate = [0.3, -0.3, 1, 0.5, -0.5, -2.5, -0.5, 0.5, 12, -12]
-    assert errors(A, B, psi, rate).max() < 2e-12
+EDGES = (0.0, math.pi / 2, -math.pi / 2, 3 * math.pi / 2, math.pi, -math.pi, 1e-12, 1e-300, 0.1)
+
+
+@pytest.mark.parametrize("psi", EDGES)
+def test_at_every_edge_too(psi, way):
+    """Quarter turns, unstable points and their neighbours; rates from 0 to the largest."""
+    square = math.sin(psi) ** 2
+    most = (A + B * square) / (1 - B * square)
+    on_separatrix = math.sqrt((A + B * square) * B * square) / (1 - B * square)
+    rates = np.array([0, 1e-300, 1e-12, 0.3, 2.5, 12, on_separatrix, most * (1 - 1e-15)])
+    rates = np.concatenate([rates, -rates])
+    assert errors(A, B, np.full(rates.size, psi), rates).max() < 2e-13
+
+
+def test_both_ways_come_to_the_same(monkeypatch):
+    rng = np.random.default_rng(11)
+    psi, rate = rng.uniform(-4, 4, 3000), rng.uniform(-13, 13, 3000)
+    plain = arrivals(A, B, psi, rate, 2 * math.pi)
+    monkeypatch.setattr(flipmap, "LARGE", 1000)
+    compiled = arrivals(A, B, psi, rate, 2 * math.pi)
+    for one, other in zip(plain, compiled, strict=True):
+        assert (np.isnan(one) == np.isnan(other)).all()
+        assert np.nanmax(np.abs(one - other)) < 1e-13
+
+
+def test_the_map_runs_without_numba(monkeypatch):
+    monkeypatch.setitem(sys.modules, "tresym.flip.compiled", None)
+    monkeypatch.setattr(flipmap, "LARGE", 1)
+    assert flipmap._compiled() is None
+    assert flip_map(A, B, 0.0, 0.5) == pytest.approx(4.775939189758933, abs=1e-13)
+
+
+def test_a_planted_error_in_a_step_is_seen(monkeypatch):
+    """The drift of the phase off by 1e-9: a hundred times what the errors are held to, and more."""
+    right = float_orbit.orbit
+
+    def wrong(*given):
+        on = right(*given)
+        return on._replace(drift=on.drift * (1 + 1e-9))
+
+    monkeypatch.setattr(float_orbit, "orbit", wrong)
+    assert errors(A, B, [0.3], [0.5]).max() > 1e-11
+
+
+def test_starts_at_quarter_turns():
     assert flip_map(A, B, 0, 0.5) == -flip_map(A, B, 0, -0.5)
     assert flip_map(A, B, 0, 0) == 0
     assert abs(flip_map(A, B, math.pi / 2, 0)) < 1e-15
@@ -97,7 +149,50 @@ def test_on_and_off_the_separatrix_the_error_is_what_is_said(growth, b):
 def test_extreme_shapes(a, b, reach):
     rng = np.random.default_rng(9)
     psi, rate = rng.uniform(-3, 3, 15), rng.uniform(-reach, reach, 15)
-    assert errors(a, b, psi, rate).max() < 1e-10
+    assert errors(a, b, psi, rate).max() < 1e-11
+
+
+HOSTILE = [
+    # b = 1 at the angle where the precession stands still, and next to it
+    (0.2, 1.0, -math.pi / 2, 0.0),
+    (4.67, 1.0, math.pi / 2, 0.32),
+    (4.8, 1.0, 1.5707963273856709, 0.0),
+    (0.3, 1.0, math.pi / 2, 1.9e21),
+    # small shapes near π/2, where an estimate was once exceeded
+    (1.5e-7, 1.0, 1.5707954760856808, 0.0),
+    (4.4e-5, 1.0, math.pi / 2, 0.0),
+    # rates next to the largest on long and on thin bodies
+    (8545.180096369711, 0.00014310905955628247, math.pi, 8545.179991391893),
+    (6451.495619212201, 1e-12, 0.6047296781861622, -3855.057299673109),
+    (102.67206671024692, 0.06, -4.6e-143, 102.67206671022929),
+    # offsets whose squares vanish, on bodies that amplify them until they are large
+    (2786.2, 0.99999999998701, 0.0, -1.4e-270),
+    (25834.4, 0.9459955902681422, -8.6e-239, 0.0),
+    (12.5, 0.06, 1e-170, 0.0),
+]
+
+
+@pytest.mark.parametrize(("a", "b", "psi", "rate"), HOSTILE)
+def test_hostile_starts_are_answered_within_what_is_said(a, b, psi, rate, way):
+    said = float(flip_uncertainty(a, b, psi, rate))
+    assert np.isfinite(flip_map(a, b, psi, rate))
+    assert errors(a, b, [psi], [rate])[0] <= said
+
+
+def test_what_is_said_is_not_said_too_low_or_far_too_high():
+    """Random starts of random shapes: never exceeded, and within four digits of what is made."""
+    rng = np.random.default_rng(21)
+    ratios = []
+    for _ in range(60):
+        a, b = 10 ** rng.uniform(-3, 2), rng.choice([1.0, rng.uniform(0.01, 1)])
+        psi = rng.choice([rng.uniform(-4, 4), math.pi / 2 + 10 ** rng.uniform(-16, 0)])
+        square, cosine = math.sin(psi) ** 2, math.cos(psi) ** 2
+        rate = rng.uniform(-1, 1) * (a + b * square) / ((1 - b) + b * cosine)
+        said = float(flip_uncertainty(a, b, psi, rate))
+        made = errors(a, b, [psi], [rate])[0]
+        assert made <= said
+        ratios.append(said / max(made, 1e-300))
+    assert np.median(ratios) < 1e4
 
 
 def test_where_no_such_start_exists_it_says_nan():

@@ -88,8 +88,10 @@ class Balls:
 
     @staticmethod
     def atan2(y: arb, x: arb) -> arb:
-        """Angle of the point ``(x, y)``."""
-        return y.atan2(x)
+        """Angle of the point ``(x, y)``; the one that is no method, and looks at its types."""
+        if not isinstance(y, arb):
+            raise TypeError("atan2: needs balls")
+        return arb.atan2(y, x)
 
     @staticmethod
     def sinh(x: arb) -> arb:

@@ -31,7 +31,16 @@ def _either(condition: Any, x: Any, y: Any) -> Any:
     return number
 
 
-for part in ("orbit", "entries", "place", "spent", "arrival", "arrive", "linear"):
+for part in (
+    "orbit",
+    "entries",
+    "place",
+    "spent",
+    "of_fast_rotation",
+    "arrival",
+    "arrive",
+    "linear",
+):
     register_jitable(error_model="numpy")(getattr(float_orbit, part))
 
 arrive_each = numba.njit(error_model="numpy", nogil=True, cache=True)(float_orbit.arrive_each)

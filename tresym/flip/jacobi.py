@@ -70,7 +70,14 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
     Term n of all four is at most 2 q^(n²) c_n, with c_n = cosh((2n+1)y), or 1 for circular
     functions; c_(n+1) ≤ 2 cosh(2y) c_n. So once q^(2n+1) 2 cosh(2y) ≤ ρ < ¼ the rest after term n
     is below 2 q^(n²) c_n ρ/(1 − ρ) < 3 q^(n²) c_n ρ.
+
+    Raises:
+        ArithmeticError: the balls are too wide to show q < ½ or, if hyperbolic, cosh > ½.
     """
+    # cosh y ≥ 1: where the ball does not show half of that, or q < ½, it holds nothing worth adding
+    # up, and no term need ever come to lie below a part of it.
+    if not q < 0.5 or (hyperbolic and not (cos > 0.5 and cos.is_finite())):
+        raise ArithmeticError("the argument of the theta functions is too wide")
     sign = -1 if hyperbolic else 1
     # Multiples of the argument by rotations through twice the argument.
     turn_sin, turn_cos = 2 * sin * cos, 1 - 2 * sign * sin * sin
@@ -79,7 +86,7 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
     one, two, three, four = sin, cos, arb(1) / 2, arb(1) / 2
     power, qn, sigma = q, q, -1
     small = arb((1, -ctx.prec - 4))
-    for _ in range(ctx.prec):
+    while True:
         odd_sin, odd_cos = (
             odd_sin * turn_cos + odd_cos * turn_sin,
             odd_cos * turn_cos - sign * odd_sin * turn_sin,
@@ -101,4 +108,3 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
             even_cos * turn_cos - sign * even_sin * turn_sin,
         )
         power, qn, sigma = power * step, qn * q, -sigma
-    raise ArithmeticError("the argument of the theta functions is too wide")
