@@ -52,8 +52,10 @@ from tresym.verdict import Verdict
 Variant = Any
 """A changed expression, relation, printed text or function."""
 
-TRIES = 40
-"""Changes tried at one place to find those that count."""
+TRIES, PRINTED_TRIES = 40, 4
+"""Changes tried at one place to find those that count; a digit that does not is soon seen."""
+LARGEST = 20
+"""Operations of a relation that is also decided without the point that violates it."""
 DEPENDENTS = 3
 """At most this many claims are asked to prove something by a changed definition."""
 
@@ -80,10 +82,11 @@ class _Spot:
     variants: Iterable[Variant]
     claims: Callable[[Variant], tuple[Claim, ...]]
     violated: Callable[[Claim], bool]
+    tries: int = TRIES
 
     def mutants(self, origin: Claim) -> Iterator[tuple[Mutant, ...]]:
         """For every change that counts, the claims that it makes false."""
-        for variant in islice(self.variants, TRIES):
+        for variant in islice(self.variants, self.tries):
             claims = self.claims(variant)
             if self.violated(claims[0]):
                 yield tuple(Mutant(origin, self.name, str(variant), c) for c in claims)
@@ -145,7 +148,7 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
     match claim.proof:
         case Printed():
             for name, variants, changed in printed_changes(claim):
-                yield _Spot(name, variants, _one(changed), no_inputs_give_it)
+                yield _Spot(name, variants, _one(changed), no_inputs_give_it, PRINTED_TRIES)
         case Boxes():
             for name, variants, changed in bound_changes(claim):
                 yield _Spot(name, variants, _one(changed), bounds_fail)
@@ -190,8 +193,10 @@ def _counterexample_spot(claim: Claim, proof: Counterexample) -> _Spot:
     """What is denied at the point, changed; also decided without the point."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
-        alone = replace(claim, proof=formally(changed.negated))
-        return replace(claim, proof=replace(proof, violated=changed)), alone
+        at_point = replace(claim, proof=replace(proof, violated=changed))
+        if changed.count_ops() > LARGEST:
+            return (at_point,)
+        return at_point, replace(claim, proof=formally(changed.negated))
 
     def violated(mutated: Claim) -> bool:
         return judge(mutated, {}).verdict is Verdict.REFUTED
