@@ -52,10 +52,11 @@ from tresym.verdict import Verdict
 Variant = Any
 """A changed expression, relation, printed text or function."""
 
-TRIES, PRINTED_TRIES = 40, 4
-"""Changes tried at one place to find those that count; a digit that does not is soon seen."""
-LARGEST = 20
-"""Operations of a relation that is also decided without the point that violates it."""
+TRIES, INPUT_TRIES = 40, 4
+"""Changes tried at one place to find those that count: few of an input, whose every change is
+looked at over its whole box."""
+LARGEST = 60
+"""Operations of a denial and its conditions that is also decided without its point."""
 DEPENDENTS = 3
 """At most this many claims are asked to prove something by a changed definition."""
 
@@ -148,7 +149,8 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
     match claim.proof:
         case Printed():
             for name, variants, changed in printed_changes(claim):
-                yield _Spot(name, variants, _one(changed), no_inputs_give_it, PRINTED_TRIES)
+                tries = INPUT_TRIES if name.startswith("input") else TRIES
+                yield _Spot(name, variants, _one(changed), no_inputs_give_it, tries)
         case Boxes():
             for name, variants, changed in bound_changes(claim):
                 yield _Spot(name, variants, _one(changed), bounds_fail)
@@ -194,7 +196,7 @@ def _counterexample_spot(claim: Claim, proof: Counterexample) -> _Spot:
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         at_point = replace(claim, proof=replace(proof, violated=changed))
-        if changed.count_ops() > LARGEST:
+        if sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
             return (at_point,)
         return at_point, replace(claim, proof=formally(changed.negated))
 
