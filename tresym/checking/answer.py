@@ -25,7 +25,8 @@ class Answer:
         why: the procedure that decided, or what stopped it and what may help.
         statement: the claim as written.
         given: its conditions.
-        witness: for REFUTED, names to exact numbers.
+        witness: for REFUTED, names to exact numbers; or, where ``!=`` fails by a change of sign,
+            to the intervals between whose ends it does.
         values: both sides at the witness, in balls that exclude the claim.
         constant: for O, a ball around the supremum of the ratio on the region.
         region: where the claim is certified, when that is less or more precise than it says.

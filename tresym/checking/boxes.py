@@ -18,8 +18,9 @@ from tresym.checking.domain import equal_at, simplest_between
 from tresym.checking.ends import sign_beside
 from tresym.claims.enclosure import Bound, Box, BoxProof, Counterexample, prove_positive
 from tresym.exact import Interval, fraction_text
+from tresym.identity.bounds import sign
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import PI, ZERO, Expr, differentiate, number, symbols
+from tresym.identity.expression import PI, ZERO, Expr, differentiate, number, symbol, symbols
 from tresym.identity.given import Condition, Given, Range
 from tresym.verdict import Verdict
 
@@ -29,6 +30,7 @@ LARGEST_BUDGET = 20_000
 MAX_CONTACTS = 8
 MAX_VARIABLES = 4
 LARGEST_DENOMINATOR = 1_000
+FAR = (2, 16, 1024)
 _ONE, _NAN = arb(1), arb.nan()
 
 
@@ -38,7 +40,8 @@ def search(left: Expr, right: Expr, strict: bool, region: Given, given: Given) -
     Args:
         region: ``given``, and what holds where both sides are defined.
     """
-    names = sorted(symbols(left) | symbols(right))
+    region = _about(region, symbols(left) | symbols(right))
+    names = sorted(symbols(left) | symbols(right) | region.names)
     search_ = _Search(left, right, strict, region, names)
     ranges = [region.box.get(name, Range()) for name in names]
     if len(names) == 1:
@@ -56,6 +59,20 @@ def search(left: Expr, right: Expr, strict: bool, region: Given, given: Given) -
     if found.verdict is Verdict.ENCLOSED and given.comparisons:
         return Answer(found.verdict, found.why, region=str(given))
     return found
+
+
+def _about(region: Given, names: frozenset[str]) -> Given:
+    """The conditions that speak of ``names``, or of what such conditions speak of."""
+    while True:
+        kept = [
+            comparison
+            for comparison, condition in zip(region.comparisons, region.conditions, strict=True)
+            if symbols(condition.expression) & names
+        ]
+        found = Given(tuple(kept))
+        if found.names <= names:
+            return found
+        names |= found.names
 
 
 def _bounded(where: Range) -> bool:
@@ -87,6 +104,8 @@ class _Search:
                 ends.append(end)
                 continue
             beside = sign_beside(self.difference, self.names[0], None, side)
+            if beside is None:
+                beside = self._beyond(side)
             if beside is None or beside[0] < 0 or (self.strict and beside[0] == 0):
                 return self._failure_towards(None, side, beside)
             ends.append(side / beside[1])
@@ -102,6 +121,16 @@ class _Search:
             if failure is not None:
                 return failure
         return _open(self.names, (whole,))
+
+    def _beyond(self, side: int) -> tuple[int, fmpq] | None:
+        """A neighbourhood of infinity on which the sign follows from the signs of parts."""
+        name = symbol(self.names[0])
+        for far in FAR:
+            outside = Given(((name, ">", number(far)) if side > 0 else (name, "<", number(-far)),))
+            found = sign(self.difference, outside)
+            if found in ("+", "-"):
+                return (1 if found == "+" else -1), fmpq(1, far)
+        return None
 
     def _contact(self, worst: Interval, whole: Interval) -> Answer | None:
         """Close a neighbourhood of the point of contact in ``worst``; an answer if that fails."""

@@ -41,7 +41,7 @@ def with_domain(given: Given, *expressions: Expr) -> Given:
         for part in _needs(node):
             if symbols(part[0]):
                 found[part] = None
-    extra = tuple(_bound(part, relation) for part, relation in found)
+    extra = tuple(bound(part, relation) for part, relation in found)
     return Given(given.comparisons + extra)
 
 
@@ -73,7 +73,7 @@ def _needs(node: Expr) -> list[tuple[Expr, str]]:
     return []
 
 
-def _bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:
+def bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:
     """``e relation 0``, written as a bound of one symbol where ``e`` is affine in it alone."""
     names = sorted(symbols(e))
     if len(names) == 1 and e.op in ("+", "*", "symbol"):

@@ -7,23 +7,26 @@ an identity, and nothing is proved where no such point is found.
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import islice, product
 
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.boxes import search
-from tresym.checking.domain import equal_at, with_domain
+from tresym.checking.domain import bound, equal_at, with_domain
 from tresym.checking.taylor import sign_by_taylor
 from tresym.exact import fraction_text
 from tresym.identity.bounds import sign
 from tresym.identity.decide import sampled_values
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import ZERO, Expr, number, rebuild, substitute, symbols
+from tresym.identity.expression import Expr, rebuild, symbols
 from tresym.identity.given import Given, corners
 from tresym.verdict import Verdict
 
 LOOKS = ((128, 40), (700, 10))
+HALVINGS = 40
+MAX_PAIRS = 8
 MAX_CASES = 3
 _STRICT = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-")}
 
@@ -34,7 +37,7 @@ def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> A
         found = decide_inequality(right, relation.replace("<", ">"), left, given)
         values = found.values and (found.values[1], found.values[0])
         return replace(found, values=values)
-    names = sorted(symbols(left) | symbols(right))
+    names = sorted(symbols(left) | symbols(right) | given.names)
     defined, refutation = _sampled(left, relation, right, given, names)
     if refutation is not None:
         return refutation
@@ -44,7 +47,7 @@ def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> A
             "no exact point was found inside the conditions where both sides are defined, "
             "and nothing is proved vacuously; a condition that bounds the variables may help",
         )
-    if not names:
+    if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
     difference = left - right
     region = with_domain(given, left, right)
@@ -68,7 +71,7 @@ def _proved(difference: Expr, relation: str, region: Given, depth: int = 0) -> s
     if inner is None or depth == MAX_CASES:
         return None
     for side in (inner, -inner):
-        case = region & Given(((side, ">=", ZERO),))
+        case = region & Given((bound(side, ">="),))
         if _proved(_without(difference, inner, side), relation, case, depth + 1) is None:
             return None
     return f"by cases, in the sign of {inner}"
@@ -140,9 +143,20 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
 
 
 def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> Answer:
-    """``left != right``, by one of the strict inequalities."""
-    at = {name: number(value) for name, value in defined.items()}
-    above = sign(substitute(left - right, at), Given()) == "+"
+    """``left != right``: refuted by a zero between two points, or by a strict inequality."""
+    names = sorted(defined)
+    signs: dict[bool, list[dict[str, fmpq]]] = {True: [], False: []}
+    for point, (x, y) in sampled_values(left, right, region, names, *LOOKS[0][::-1]):
+        if not x.overlaps(y):
+            signs[bool(x > y)].append(point)
+    for start, end in islice(product(signs[True], signs[False]), MAX_PAIRS):
+        zero = _zero_between(left - right, region, start, end)
+        if zero is not None:
+            return zero
+    above = bool(signs[True])
+    if above and signs[False]:
+        why = "the difference has both signs, so it may vanish; no zero of it was found"
+        return Answer(Verdict.UNDECIDED, why)
     pair = (left, right) if above else (right, left)
     found = search(*pair, True, region, region)
     if found.verdict is not Verdict.REFUTED:
@@ -150,10 +164,40 @@ def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> 
     point = {name: fmpq(*map(int, text.split("/"))) for name, text in (found.witness or {}).items()}
     if equal_at(left, right, point):
         return refuted(f"both sides are equal at {_shown(point)}", point)
-    return Answer(
-        Verdict.UNDECIDED,
-        "the difference changes its sign, so it may vanish; no exact zero of it was found",
-    )
+    zero = _zero_between(left - right, region, defined, point)
+    if zero is not None:
+        return zero
+    why = "the difference changes its sign, so it may vanish; no zero of it was found"
+    return Answer(Verdict.UNDECIDED, why)
+
+
+def _zero_between(
+    difference: Expr, region: Given, start: dict[str, fmpq], end: dict[str, fmpq]
+) -> Answer | None:
+    """A refutation of ``difference != 0``, which has two signs at two points, by halving.
+
+    The difference is continuous on the small box about the last two points, as its ball there is
+    finite, so it vanishes on the segment between them.
+    """
+    with ball_precision(LOOKS[-1][0]):
+        above = evaluate(difference, {name: arb(x) for name, x in start.items()}) > 0
+        for _ in range(HALVINGS):
+            middle = {name: (start[name] + end[name]) / 2 for name in start}
+            value = evaluate(difference, {name: arb(x) for name, x in middle.items()})
+            if not (value > 0 or value < 0):
+                return None
+            start, end = (middle, end) if (value > 0) == above else (start, middle)
+        box = {name: arb(start[name]).union(arb(end[name])) for name in start}
+        inside = all(condition.holds(box) for condition in region.conditions)
+        if not (inside and evaluate(difference, box).is_finite()):
+            return None
+    ends = {name: sorted((start[name], end[name])) for name in start}
+    witness = {
+        name: f"[{fraction_text(low)}, {fraction_text(high)}]" if low < high else fraction_text(low)
+        for name, (low, high) in ends.items()
+    }
+    why = "the difference is continuous there and changes its sign, so it vanishes between"
+    return Answer(Verdict.REFUTED, why, witness=witness)
 
 
 def _words(found: str | None) -> str:

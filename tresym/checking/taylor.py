@@ -30,16 +30,22 @@ def sign_by_taylor(difference: Expr, relation: str, region: Given) -> str | None
         region: conditions that hold wherever the claim speaks.
     """
     for name in sorted(symbols(difference)):
-        if any(name in symbols(condition.expression) for condition in region.beyond_box):
-            continue
-        inside = _opened(region, name)
-        where = region.box.get(name, Range())
+        ranges = _without_beyond(region, name)
+        inside = _opened(ranges, name)
+        where = ranges.box.get(name, Range())
         for c in _bases(where):
-            if _within(region, name, c) and _smooth(difference, name, c, inside):
+            if _within(ranges, name, c) and _smooth(difference, name, c, inside):
                 proof = _expansion(difference, relation, name, c, where, inside)
                 if proof is not None:
                     return proof
     return None
+
+
+def _without_beyond(region: Given, name: str) -> Given:
+    """``region`` less the conditions on the variable that are no ranges: it may not be convex."""
+    beyond = [c for c in region.beyond_box if name in symbols(c.expression)]
+    pairs = zip(region.comparisons, region.conditions, strict=True)
+    return Given(tuple(comparison for comparison, c in pairs if c not in beyond))
 
 
 def _opened(region: Given, name: str) -> Given:

@@ -99,10 +99,26 @@ def _open_sign(e: Expr, given: Given) -> str | None:
         (value,) = field.normal(e)
         if value.num.is_zero():
             return "0"
-        found = _factored_sign(field, value.num) * _factored_sign(field, value.den)
+        num, den = (_without_powers(field, p) for p in (value.num, value.den))
+        found = _factored_sign(field, num) * _factored_sign(field, den)
     except (TooLargeError, UndefinedError):
         return None
     return {1: ">=0", -1: "<=0", 0: None}[found]
+
+
+def _without_powers(field: Field, p: Poly) -> Poly:
+    """``p`` with each symbol that is positive, and whose root occurs, as a power of that root."""
+    for position, order, _ in field.relations:
+        generator = field.at(position)
+        base = generator.data[0] if generator.kind == "root" else None
+        if base is None or len(base) != 1 or base.total_degree() != 1 or field.sign(base) <= 0:
+            continue
+        (inner,) = field.used(base)
+        if p.degrees()[inner] > 0 and p.degrees()[position] > 0:
+            power = field.variables[position] ** order
+            parts = field.split(p, inner)
+            p = sum((part * power**k for k, part in parts.items()), field.zero_poly)
+    return p
 
 
 def _factored_sign(field: Field, p: Poly) -> int:
@@ -238,6 +254,8 @@ class _Bounds:
             return Span(fmpq(1), None, False)
         if e.op == "atan":
             return Span(fmpq(-11, 7), fmpq(11, 7))
+        if e.op == "abs":
+            return _absolute(self.span(e.args[0]), self.nonzero(e.args[0]))
         if e.op in ("+", "*"):
             return _REALS
         found = self.sign(e)
@@ -277,6 +295,22 @@ def _span_sign(span: Span) -> str | None:
     if span.high is not None and span.high <= 0:
         return "-" if span.high < 0 or span.high_open else "<=0"
     return None
+
+
+def _absolute(span: Span, nonzero: bool) -> Span:
+    """The range of the absolute value of what has a range."""
+    if span.low is not None and span.low >= 0:
+        return span
+    if span.high is not None and span.high <= 0:
+        low = None if span.low is None else -span.low
+        return Span(-span.high, low, span.high_open, span.low_open)
+    if span.low is None or span.high is None:
+        return Span(fmpq(0), None, nonzero)
+    top = max(-span.low, span.high)
+    is_open = all(
+        o for end, o in ((-span.low, span.low_open), (span.high, span.high_open)) if end == top
+    )
+    return Span(fmpq(0), top, nonzero, is_open)
 
 
 def _times(x: str, y: str) -> str:
@@ -326,10 +360,22 @@ def _polynomial(e: Expr, atoms: dict[Expr, int], context: fmpq_mpoly_ctx) -> fmp
     return total
 
 
-def _box_sign(p: fmpq_mpoly, spans: list[Span], context: fmpq_mpoly_ctx) -> str | None:
+def _box_sign(
+    p: fmpq_mpoly, spans: list[Span], context: fmpq_mpoly_ctx, start: int = 0
+) -> str | None:
     """The sign of ``p`` for values in ``spans``, taken as independent."""
     if p.is_zero():
         return "0"
+    found = _coefficient_sign(p, spans, context)
+    degrees = p.degrees()
+    for i in range(start, len(spans)):
+        if found is None and degrees[i] == 2:
+            found = _quadratic_sign(p, i, spans, context)
+    return found
+
+
+def _coefficient_sign(p: fmpq_mpoly, spans: list[Span], context: fmpq_mpoly_ctx) -> str | None:
+    """The sign of all coefficients once every span is mapped to [0, ∞]."""
     closed: list[tuple[int, list[int]]] = []
     for i, span in enumerate(spans):
         degrees = {int(m[i]) for m in p.monoms()}
@@ -337,7 +383,7 @@ def _box_sign(p: fmpq_mpoly, spans: list[Span], context: fmpq_mpoly_ctx) -> str 
             continue
         if span.low is None and span.high is None:
             if any(k % 2 for k in degrees):
-                return _quadratic_sign(p, i, spans, context)
+                return None
             closed.append((i, [0]))
             continue
         p = _mapped(p, i, span, max(degrees), context)
@@ -363,17 +409,24 @@ def _box_sign(p: fmpq_mpoly, spans: list[Span], context: fmpq_mpoly_ctx) -> str 
 def _quadratic_sign(
     p: fmpq_mpoly, i: int, spans: list[Span], context: fmpq_mpoly_ctx
 ) -> str | None:
-    """A quadratic in an unbounded atom: the sign of its lead if it has no real root."""
+    """``a·u² + b·u + c`` with ``4ac ≥ b²`` has the sign of a and c."""
     parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
     for monomial, value in p.terms():
-        rest = (*monomial[:i], 0, *monomial[i + 1 :])
-        parts.setdefault(int(monomial[i]), {})[rest] = value
-    if max(parts) != 2:
-        return None
+        others = (*monomial[:i], 0, *monomial[i + 1 :])
+        parts.setdefault(int(monomial[i]), {})[others] = value
     c, b, a = (context.from_dict(parts.get(k, {})) for k in range(3))
-    lead = _box_sign(a, spans, context)
-    negative = _box_sign(4 * a * c - b * b, spans, context)
-    return lead if lead in ("+", "-") and negative == "+" else None
+    lead = _box_sign(a, spans, context, i + 1)
+    if lead is None or lead == "0":
+        return None
+    rest = _box_sign(4 * a * c - b * b, spans, context, i + 1)
+    if rest == "+" and lead in ("+", "-"):
+        return lead
+    up = lead in ("+", ">=0")
+    last = _box_sign(c, spans, context, i + 1)
+    weak = ("+", ">=0", "0") if up else ("-", "<=0", "0")
+    if rest in ("+", ">=0", "0") and last in weak:
+        return ">=0" if up else "<=0"
+    return None
 
 
 def _mapped(p: fmpq_mpoly, i: int, span: Span, degree: int, context: fmpq_mpoly_ctx) -> fmpq_mpoly:

@@ -45,6 +45,7 @@ class SignedRing(Ring):
         self._equations: set[tuple[frozenset[str], int]] = set()
         self._signs: dict[str, int] = {}
         self._trials = 0
+        self._everywhere = False
         self._tried: dict[str, int] = {}  # the least depth at which no sign was proved
         self._supports: dict[int, frozenset[str]] = {}
 
@@ -408,9 +409,16 @@ class SignedRing(Ring):
         return 0
 
     def definite(self, p: Poly) -> int:
-        """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0."""
-        with self._knowing(dict(self.given.box), {}, {}):
-            return self.sign(p)
+        """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0.
+
+        It holds at every point: a square that may vanish is not taken as positive.
+        """
+        self._everywhere = True
+        try:
+            with self._knowing(dict(self.given.box), {}, {}):
+                return self.sign(p)
+        finally:
+            self._everywhere = False
 
     @contextmanager
     def _knowing(
@@ -604,13 +612,13 @@ class SignedRing(Ring):
         return 0
 
     def _by_discriminant(self, p: Poly, depth: int) -> int:
-        """A quadratic without real roots, in a free generator or its square, has one sign."""
+        """A quadratic without two real roots, in a generator or its square, has one sign."""
         for position in self.used(p):
             low, high = self.ends(position)
             if low is not None and high is not None and self.at(position).kind != "symbol":
                 continue
             degree = int(p.degrees()[position])
-            if degree not in (2, 4) or any(r[0] == position for r in self.relations):
+            if degree not in (2, 4):
                 continue
             parts = self.split(p, position)
             step = degree // 2
@@ -619,7 +627,10 @@ class SignedRing(Ring):
             a, c = parts[degree], parts.get(0, self.zero_poly)
             b = parts.get(step, self.zero_poly)
             lead = self.sign(a, depth + 1)
-            if lead and self.product_sign(self.reduce(4 * a * c - b * b), depth + 1) > 0:
+            if not lead:
+                continue
+            rest = self.reduce(4 * a * c - b * b)
+            if self.product_sign(rest, depth + 1) > 0 or (rest.is_zero() and not self._everywhere):
                 return lead
         return 0
 
@@ -630,9 +641,10 @@ class SignedRing(Ring):
             return found
         unit, parts = small_factor(self, p)
         total = 1 if unit > 0 else -1
-        if len(parts) > 1:
+        if len(parts) > 1 or any(k > 1 for _, k in parts):
             for part, k in parts:
-                total *= self.sign(part, depth) if k % 2 else 1
+                found = self.sign(part, depth) if k % 2 or self._everywhere else 1
+                total *= found if k % 2 else abs(found)
             return total
         return 0
 
