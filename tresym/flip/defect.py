@@ -108,7 +108,7 @@ def quick(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect | None:
     with suppress(ArithmeticError):
         while True:
             known = min(4 * known - 12, goal)
-            with ball_precision(known + 24):
+            with ball_precision(known + 20):
                 angle = _corrected(arb(a), arb(b), arb(gamma), near)
                 found = Defect(angle, arb.pi() - 2 * angle)
             if proves(found.defect, digits) and proves(found.flip, digits):
@@ -141,7 +141,7 @@ def float_defect(a: float, b: float, gamma: float) -> float | None:
             rate = (1 - part) * size / (slant * math.sqrt((a + part) * rest))
             step = (value - math.pi) / (rate * root * math.cosh(time) / (size * size))
             time -= step
-            if abs(step) < 1e-8 * time:
+            if abs(step) < 1e-7 * time:
                 return math.atan2(root, math.sinh(time))
     except (ArithmeticError, ValueError):
         pass
