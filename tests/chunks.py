@@ -15,11 +15,13 @@ from typing import Any
 
 CHUNK = int(os.environ.get("TRESYM_CHUNK") or 0)
 RECORD = os.environ.get("TRESYM_RECORD")
+if RECORD is not None:
+    RECORD = os.path.abspath(RECORD)  # tests change their folder
 IN_CHUNKS = "TRESYM_CHUNK" in os.environ
 DEEP = os.environ.get("HYPOTHESIS_PROFILE") == "deep"
 
 EXAMPLES: Counter[str] = Counter()
-"""How many examples each test of this process has passed, by the test's name."""
+"""How many examples each test has passed since its name was recorded last."""
 
 
 def seed_of(number: int) -> int:
@@ -44,7 +46,7 @@ def record(test: str, outcome: str, seconds: float) -> None:
         "test": test,
         "chunk": CHUNK,
         "outcome": outcome,
-        "examples": EXAMPLES[name] or EXAMPLES[name.partition("[")[0]],
+        "examples": EXAMPLES.pop(name.partition("[")[0], 0),
         "seconds": round(seconds, 2),
     }
     with open(RECORD, "a", encoding="utf-8") as file:
