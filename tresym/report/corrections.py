@@ -41,6 +41,7 @@ MISPRINTS = Fault(
             "angles_of_the_reference",
             "ordered_moments",
             "positive_only_if",
+            "reference_to_section_2",
             "table_racket_3_order",
             "table_racket_3_b",
             "table_units",
@@ -58,7 +59,13 @@ REASONS = Fault(
     "Reasons",
     "The conclusion holds; the reason given for it does not.",
     frozenset(
-        {"components_are_sufficient", "dmu_dlambda_zero", "flat_function", "threshold_impossible"}
+        {
+            "components_are_sufficient",
+            "dmu_dlambda_zero",
+            "eps0_smooth",
+            "flat_function",
+            "threshold_impossible",
+        }
     ),
 )
 STATEMENTS = Fault(

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 _FIELDS = {"Args": "param", "Attributes": "ivar", "Raises": "raises", "Returns": "returns"}
+_ALIAS = re.compile(r"TypeAliasForwardRef\('(\w+)'\)")
 _ITEM = re.compile(r"    (\*{0,2}\w+): (.*)")
 
 
@@ -37,3 +38,11 @@ def process(app: Any, what: str, name: str, value: Any, options: Any, lines: lis
 def skip(app: Any, what: str, name: str, value: Any, skipped: bool, options: Any) -> bool | None:
     """Sphinx's hook: the fields of named tuples are told by the tuple's own text."""
     return True if type(value).__name__ == "_tuplegetter" else None
+
+
+def signature(
+    app: Any, what: str, name: str, value: Any, options: Any, arguments: str, result: str
+) -> tuple[str, str]:
+    """Sphinx's hook: type aliases by their names, also where they stand in a union."""
+    plain = [_ALIAS.sub(r"\1", text) if text else text for text in (arguments, result)]
+    return plain[0], plain[1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import json
 import re
 import shutil
@@ -15,6 +16,7 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
+from tresym.report.charts import CHARTS
 from tresym.report.site import claims, commands, docstrings, mathematics
 from tresym.report.site.markdown import badge, inline, link, statement
 
@@ -126,23 +128,25 @@ def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
 
 
 class ChartsDirective(SphinxDirective):
-    """``{charts}``: every chart below generated/charts, under the title that its file has."""
+    """``{charts}``: every chart of saved measurements that is there, with its title below."""
 
     def run(self) -> list[nodes.Node]:
-        """A figure for each, in alphabetical order."""
+        """A figure for each; what a chart shows is told in it, and stands in its stead."""
         folder = Path(self.env.srcdir) / "generated" / "charts"
-        figures = []
-        for path in sorted(folder.glob("*.svg")):
-            title = _title(path.read_text(encoding="utf-8")) or path.stem.replace("-", " ")
-            picture = f"/generated/charts/{path.name}"
-            figures.append(f":::{{figure}} {picture}\n:alt: {title}\n:width: 100%\n\n{title}\n:::")
-        return self.parse_text_to_nodes("\n\n".join(figures))
+        found: list[nodes.Node] = []
+        for name, chart in CHARTS.items():
+            path = folder / f"{name}.svg"
+            if path.is_file():
+                told = _told(path.read_text(encoding="utf-8")) or chart.title
+                picture = nodes.image(uri=f"/generated/charts/{path.name}", alt=told, width="100%")
+                found.append(nodes.figure("", picture, nodes.caption(chart.title, chart.title)))
+        return found
 
 
-def _title(svg: str) -> str:
-    """The title of a picture, which says what it shows."""
-    found = re.search(r"<title>(.*?)</title>", svg, re.DOTALL)
-    return " ".join(found[1].split()) if found else ""
+def _told(svg: str) -> str:
+    """What a picture says of itself for those who do not see it."""
+    found = re.search(r"<desc>(.*?)</desc>", svg, re.DOTALL)
+    return " ".join(html.unescape(found[1]).split()) if found else ""
 
 
 class RunDirective(SphinxDirective):
@@ -178,6 +182,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     (Path(app.srcdir) / BUILT).mkdir(exist_ok=True)  # looked for before anything is built
     app.connect("builder-inited", write_pages)
     app.connect("autodoc-process-docstring", docstrings.process)
+    app.connect("autodoc-process-signature", docstrings.signature)
     app.connect("autodoc-skip-member", docstrings.skip)
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_block, None))
     app.add_directive("claim", ClaimDirective)
