@@ -227,19 +227,25 @@ def _numbers(timings: list[Timing], runs: list[dict[str, Any]]) -> dict[str, str
             f"sweep_{key}_rows": _thousands(run["rows"]),
             f"sweep_{key}_rate": _thousands(run["rows_per_second"]),
             f"sweep_{key}_memory": str(run["largest_process_megabytes"]),
-            f"sweep_{key}_row": f"{1e6 * serial:.3g}",
-            f"sweep_{key}_landing": f"{1e6 * landing:.2g}",
-            f"sweep_{key}_overhead": f"{100 * overhead:.2g}",
-            f"sweep_{key}_core_hours": f"{PLANNED * serial * (1 + max(overhead, 0)) / 3600:.2g}",
+            f"sweep_{key}_row": _plain(1e6 * serial),
+            f"sweep_{key}_landing": _plain(1e6 * landing),
+            f"sweep_{key}_overhead": _plain(100 * overhead),
+            f"sweep_{key}_core_hours": _plain(PLANNED * serial * (1 + max(overhead, 0)) / 3600),
             f"sweep_{key}_workers": str(workers),
-            f"sweep_{key}_landing_hours": f"{PLANNED * landing / 3600:.2g}",
-            f"sweep_{key}_gigabytes": f"{PLANNED * run['bytes_per_row'] / 1e9:.3g}",
+            f"sweep_{key}_landing_hours": _plain(PLANNED * landing / 3600),
+            f"sweep_{key}_gigabytes": _plain(PLANNED * run["bytes_per_row"] / 1e9),
         }
         for (where, name), timing in at.items():
             if where == scene and name.endswith(("processes", "workers")):
                 speed = 1 / (timing.ratio(at[scene, SERIAL]) or 1.0)
                 found[f"sweep_{key}_{name.split(',')[0].split()[-1].lower()}"] = f"{speed:.2f}"
     return found
+
+
+def _plain(x: float) -> str:
+    """Two digits, or three where the first is 1, and no exponent."""
+    rounded = float(f"{x:.3g}" if f"{abs(x):e}".startswith("1") else f"{x:.2g}")
+    return f"{rounded:.10g}"
 
 
 def _thousands(x: int) -> str:
