@@ -34,6 +34,7 @@ x, y, t = (Symbol(name, real=True) for name in "xyt")
 
 SAMPLE = ("eq_euler_angle", "eq_Euler", "eq_gamma", "range_of_gamma", "d12", "unique_root")
 SAMPLE += ("contraction", "d54", "table_str_order", "table_str_a", "table_book_flip")
+SAMPLE += ("sign_of_tilt", "d11", "flat_from_above", "implicit_defect")
 
 
 def check(score: MutantReport) -> None:

@@ -209,7 +209,13 @@ def verify_mutants(
 
 
 def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
-    """The finding on a mutant, where the changed claims it rests on are judged first."""
+    """The finding on a mutant, where the changed claims it rests on are judged first.
+
+    What others prove by a definition may rest on claims that were not asked for: those are added.
+    """
+    for used in mutant.claim.rests_on:
+        if used.label not in found:
+            found[used.label] = judge(used, found)
     changed = dict(found)
     for claim in mutant.beneath:
         changed[claim.label] = judge(claim, changed)
