@@ -9,9 +9,9 @@ from distributed import LocalCluster
 
 
 def main() -> None:
-    """Three worker processes of two threads each, until standard input ends."""
+    """Two worker processes of two threads each, until standard input ends."""
     with LocalCluster(
-        n_workers=3, threads_per_worker=2, processes=True, dashboard_address=None
+        n_workers=2, threads_per_worker=2, processes=True, dashboard_address=None
     ) as cluster:
         print(json.dumps(cluster.scheduler_address), flush=True)
         sys.stdin.read()
