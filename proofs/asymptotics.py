@@ -6,6 +6,7 @@
   `printed_error` says what is true;
 - `repaired`, `second_order`, `third_order`: ε₀ by powers of ε*² with constants that cannot be
   improved by one per cent on ab ≥ 1/4 (in `constants` on a ≥ a₀, down to a₀ = 1/100);
+  `every_order`: what is left out after N terms, for every N;
   `everywhere`: one bound for all shapes, with its best constant 10/3, where the corner that boxes
   cannot close is closed by `exponent_below` and `corner_margin`;
 - `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas,
@@ -263,6 +264,20 @@ second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refut
 third_order = _repaired("third_order", 2, "7.36")
 third_order_too_small = _repaired("third_order_too_small", 2, "7.33", **_refuted(third_order))
 
+
+every_order = boxed(
+    "every_order",
+    "|ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
+    (
+        lambda b, kappa, m: arb(fmpq(1, 4)) - margins.growth(b, kappa, m)[0],
+        lambda b, kappa, m: arb(fmpq(26, 10)) - margins.growth(b, kappa, m)[1],
+    ),
+    KAPPA,
+    BY_KAPPA,
+    QUARTER,
+    note="Lagrange's series: its terms are at most 2.6 τⁿ/(2n + 1) with τ ≤ 1/4, by Cauchy's bound "
+    "of its coefficients, and by Rouché's theorem its sum is ε₀/ε*. These two theorems are quoted.",
+)
 
 exponent_below = boxed(
     "exponent_below",

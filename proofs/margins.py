@@ -184,6 +184,19 @@ def gap_over(a: Any, root_b: Any, order: int, m: Any) -> tuple[Any, Any]:
     return defect - leading * series, leading * square * (square if order else 1)
 
 
+def growth(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    """τ = ε*² e^{2q}/ρ and e^q in the chart (b, κ), ρ = 1/(1 + 9R/4).
+
+    The terms of the series are bounded by them: |c_n| ε*^{2n} ≤ e^q τⁿ/(2n + 1);
+    see :mod:`tresym.flip.series`.
+    """
+    shape = by_kappa(b, kappa, m)
+    R = shape.r * shape.r
+    rho = 4 / (4 + 9 * R)
+    half = m.exp(majorant(rho, b, R, m))
+    return shape.leading * shape.leading * half * half / rho, half
+
+
 TERMS = 8
 """Coefficients of Q that ``exponent_twist`` uses."""
 

@@ -134,3 +134,22 @@ def test_the_expansion_is_better_than_the_leading_term_at_every_named_shape():
                 for order in range(8)
             ]
         assert errors == sorted(errors, reverse=True)
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+def test_the_certified_radius_is_below_the_observed_one_and_beyond_the_shape(a, b):
+    with ball_precision(128):
+        least = series.least_radius(a, b)
+        assert least < series.convergence_radius(arb(a), arb(b), balls)
+        assert least > 4 * stable.leading_term(arb(a * b).sqrt(), arb(b / a).sqrt(), balls) ** 2
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+def test_what_is_left_out_after_any_number_of_terms(a, b):
+    """The claim ``every_order``: at most 4^−N/(2N + 3)."""
+    with ball_precision(400):
+        exact = solve(a, b, 90).defect
+        leading = stable.leading_term(arb(a * b).sqrt(), arb(b / a).sqrt(), balls)
+        for order in range(12):
+            error = series.expansion(order, arb(a), arb(b), balls) / leading - exact / leading
+            assert abs(error) < arb(4) ** -order / (2 * order + 3)

@@ -15,8 +15,9 @@ q = ½[(1 + bS)(√ρ/sin √ρ)(1 − RS)^(−1/2) − 1] and S = sinh²√ρ, 
 So what is left out after c_N is at most e^q τ^{N+1} / ((2N+3)(1 − τ)), relative to ε*.
 
 *Radius.* dy/dw = 0 where b sin²e = 1; there |y| = 4a/(a+b) · exp(−2√(ab) arcsin √(b/(a+b))), which
-is ε*² e^{2π√(ab)}: the coefficients are observed to grow with this radius, so that the terms decay
-like e^{−2πn√(ab)} for every shape.
+is ε*² e^{2π√(ab)}. That this is the radius of convergence is observed, not proved: the coefficients
+grow with it, and the terms decay like e^{−2πn√(ab)}, for every shape looked at. Proved is only that
+the radius is at least ρ e^{−2q} for each ρ as above, by the bound of |c_n| (``least_radius``).
 """
 
 from __future__ import annotations
@@ -193,15 +194,27 @@ def truncation_bound(order: int, a: fmpq, b: fmpq) -> arb | None:
     p, q = arb(a), arb(b)
     R = q / p
     y = stable.leading_term((p * q).sqrt(), R.sqrt(), balls) ** 2
-    largest = (1 / R.sqrt()).asinh() ** 2
-    largest = arb(1) if largest > 1 else largest.lower()
-    bounds = [tail(order, y, q, R, largest * fmpq(j, 17), balls) for j in range(1, 17)]
+    bounds = [tail(order, y, q, R, rho, balls) for rho in _radii(R)]
     finite = [bound.upper() for bound in bounds if bound.is_finite()]
     return min(finite, key=float) if finite else None
 
 
+def _radii(R: arb) -> list[arb]:
+    """Sixteen ρ at which the bound applies: R sinh²√ρ < 1 and ρ < 1."""
+    largest = (1 / R.sqrt()).asinh() ** 2
+    largest = arb(1) if largest > 1 else largest.lower()
+    return [largest * fmpq(j, 17) for j in range(1, 17)]
+
+
+def least_radius(a: fmpq, b: fmpq) -> arb:
+    """A certified lower bound of the radius of convergence in y = ε*²: the best ρ e^{−2q}."""
+    q, R = arb(b), arb(b / a)
+    bounds = [rho * (-2 * majorant(rho, q, R, balls)).exp() for rho in _radii(R)]
+    return max((bound.lower() for bound in bounds if bound.is_finite()), key=float)
+
+
 def convergence_radius(a: Any, b: Any, m: Any) -> Any:
-    """|y| at the nearest point where dy/dw = 0: ε*² exp(2π√(ab)), the radius in y = ε*²."""
+    """|y| where dy/dw = 0: ε*² exp(2π√(ab)), which is the observed radius in y = ε*²."""
     k, r = m.sqrt(a * b), m.sqrt(b / a)
     return 4 / (1 + r**2) * m.exp(-2 * k * m.atan(r))
 
