@@ -80,7 +80,9 @@ def test_what_all_digits_lost_means() -> None:
 
 
 def test_quad_loses_half_its_digits_at_the_turning_point() -> None:
-    rows = {c.method: c.judge(c.work()) for c in turn._contenders("-1/100") if not c.ours}
+    tried = ("mpmath quad, tanh-sinh", "mpmath quad of our substitution")
+    found = [c for c in turn._contenders("-1/100") if c.method in tried]
+    rows = {c.method: c.judge(c.work()) for c in found}
     assert rows["mpmath quad, tanh-sinh"].digits < 35
     assert rows["mpmath quad of our substitution"].digits > 49
 
@@ -99,6 +101,7 @@ def power(n: int, low: float, high: float) -> float:
 @given(n=logs, m=logs)
 @example(n=0, m=4095)
 @example(n=4095, m=4095)
+@example(n=699, m=4094)
 def test_arrays_of_shapes_lose_no_more_than_they_say(n: int, m: int) -> None:
     a, b = power(n, -9, 5), power(m, -9, 0)
     time = math.pi * math.sqrt(a * b)

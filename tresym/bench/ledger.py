@@ -6,7 +6,7 @@ from tresym.bench.run import Contender, Judged, Keep, Measurement, Pace, forget,
 from tresym.bench.startup import launch
 from tresym.verification import Report, verify
 
-PACE = Pace(rounds=3, limit=120, patience=40)
+PACE = Pace(rounds=3, limit=120, patience=20)
 
 
 def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:

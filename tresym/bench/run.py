@@ -70,7 +70,8 @@ class Contender:
     """One way of doing the work of a scene.
 
     ``work`` does it once and its value is put to ``judge``; ``sample`` returns seconds for one
-    piece, by default the processor time of ``work``. ``pieces`` is how many answers one call gives.
+    piece, by default the processor time of ``work``; where it is ``work`` itself, the first run is
+    a sample too. ``pieces`` is how many answers one call gives.
     """
 
     scene: str
@@ -220,8 +221,8 @@ def interleave(
         for i in range(pace.rounds):
             turn = i % max(1, len(waiting))
             for timing, rounds in waiting[turn:] + waiting[:turn]:
-                if i < rounds:
-                    timing.seconds.append(_sample(timing.contender))
+                if i < rounds and timing.judged.outcome in (RIGHT, WRONG):
+                    _add_sample(timing)
                     keep(timings)
     except KeyboardInterrupt:
         return timings, False
@@ -243,10 +244,13 @@ def _first(contender: Contender, pace: Pace) -> tuple[Timing, int]:
         return Timing(contender, Judged(outcome=FAILED, why=reason(error))), 0
     took, used = time.perf_counter() - start, time.process_time() - used
     timing = Timing(contender, contender.judge(value))
+    if contender.sample is contender.work:
+        timing.seconds.append(value)
     if took > pace.patience and contender.sample is None:
         timing.seconds.append(used / contender.pieces)
         return timing, 0
-    return timing, max(1, min(pace.rounds, int(pace.patience / max(took, 1e-9))))
+    rounds = min(pace.rounds, int(pace.patience / max(took, 1e-9)))
+    return timing, rounds if timing.seconds else max(1, rounds)
 
 
 def reason(error: Exception) -> str:
@@ -256,10 +260,15 @@ def reason(error: Exception) -> str:
     return line if len(line) <= 160 else line[:157] + "..."
 
 
-def _sample(contender: Contender) -> float:
-    if contender.sample is not None:
-        return contender.sample()
-    return time_once(contender.work) / contender.pieces
+def _add_sample(timing: Timing) -> None:
+    """One sample more; a contender that fails now is out, with its reason."""
+    who = timing.contender
+    try:
+        seconds = who.sample() if who.sample else time_once(who.work) / who.pieces
+    except Exception as error:
+        timing.judged = timing.judged._replace(outcome=FAILED, why=reason(error))
+        return
+    timing.seconds.append(seconds)
 
 
 def time_once(work: Callable[[], Any], seconds: float = SAMPLE_SECONDS) -> float:
