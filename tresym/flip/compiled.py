@@ -31,16 +31,20 @@ def _either(condition: Any, x: Any, y: Any) -> Any:
     return number
 
 
-for part in (
+PARTS = (
     "orbit",
     "entries",
     "place",
     "spent",
     "of_fast_rotation",
     "arrival",
-    "arrive",
+    "depart",
+    "travel",
     "linear",
-):
+    "turn",
+)
+
+for part in PARTS:
     register_jitable(error_model="numpy")(getattr(float_orbit, part))
 
-arrive_each = numba.njit(error_model="numpy", nogil=True, cache=True)(float_orbit.arrive_each)
+turn_each = numba.njit(error_model="numpy", nogil=True, cache=True)(float_orbit.turn_each)

@@ -16,7 +16,7 @@ import math
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -66,7 +66,16 @@ def flip_map(
     Raises:
         InputError: a or b out of range.
     """
-    return arrivals(a, b, psi0, rate, precession).turn
+    p, q = _floats(a, b)
+    starts, shape = _broadcast(psi0, rate, precession)
+    found = np.empty(starts[0].size)
+    compiled = _compiled() if found.size >= LARGE else None
+    if compiled is None:
+        for part, values in _in_chunks(float_orbit.turn, p, q, starts):
+            found[part] = values
+    else:
+        _in_threads(compiled, p, q, starts, found)
+    return found.reshape(shape)
 
 
 def arrivals(
@@ -112,7 +121,7 @@ def _changed(
     a: float, b: float, psi: Floats, rate: Floats, precession: ArrayLike, factors: Floats
 ) -> Floats:
     changed = a * factors[0], min(b * factors[1], 1.0), psi * factors[2], rate * factors[3]
-    return _arrive(*changed, precession)[0]
+    return flip_map(*changed, precession)
 
 
 def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
@@ -128,48 +137,49 @@ def _arrive(
     a: float, b: float, psi: ArrayLike, rate: ArrayLike, precession: ArrayLike
 ) -> tuple[Floats, ...]:
     """All six numbers of :func:`tresym.flip.float_orbit.arrive`, for broadcast starts."""
-    given = [np.asarray(x, dtype=np.float64) for x in (psi, rate, precession)]
-    starts = np.broadcast_arrays(*given)
-    flat = [np.ascontiguousarray(x).ravel() for x in starts]
-    found = np.empty((6, flat[0].size))
-    compiled = _compiled() if found.shape[1] >= LARGE else None
-    if compiled is None:
-        _in_chunks(a, b, flat, found)
-    else:
-        _in_threads(compiled, a, b, flat, found)
-    return tuple(row.reshape(starts[0].shape) for row in found)
+    starts, shape = _broadcast(psi, rate, precession)
+    found = np.empty((6, starts[0].size))
+    for part, values in _in_chunks(float_orbit.arrive, a, b, starts):
+        found[:, part] = values
+    return tuple(row.reshape(shape) for row in found)
+
+
+def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
+    """Flat arrays of one size, and the shape they had."""
+    same = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in given))
+    return [np.ascontiguousarray(x).ravel() for x in same], same[0].shape
 
 
 def _compiled() -> Callable[..., None] | None:
     """The compiled map, or None without numba."""
     try:
-        from tresym.flip.compiled import arrive_each
+        from tresym.flip.compiled import turn_each
     except ImportError:
         return None
-    return arrive_each
+    return turn_each
 
 
-def _in_chunks(a: float, b: float, starts: list[Floats], found: Floats) -> None:
-    work = np.empty((5, LEVELS + 1, min(CHUNK, found.shape[1])))
-    with np.errstate(all="ignore"):
-        for part in _parts(found.shape[1], CHUNK):
-            size = part.stop - part.start
-            psi, rate, precession = (x[part] for x in starts)
-            room = work[:, :, :size]
-            found[:, part] = float_orbit.arrive(a, b, psi, rate, precession, room)
+def _in_chunks(
+    work: Callable[..., Any], a: float, b: float, starts: list[Floats]
+) -> Iterator[tuple[slice, Any]]:
+    """Each part of the starts, with what ``work`` makes of it."""
+    room = np.empty((5, LEVELS + 1, min(CHUNK, starts[0].size)))
+    for part in _parts(starts[0].size, CHUNK):
+        with np.errstate(all="ignore"):
+            values = work(a, b, *(x[part] for x in starts), room[:, :, : part.stop - part.start])
+        yield part, values
 
 
 def _in_threads(
-    arrive_each: Callable[..., None], a: float, b: float, starts: list[Floats], found: Floats
+    turn_each: Callable[..., None], a: float, b: float, starts: list[Floats], found: Floats
 ) -> None:
     workers = os.cpu_count() or 1
 
     def fill(part: slice) -> None:
-        work = np.empty((5, LEVELS + 1))
-        arrive_each(a, b, *(x[part] for x in starts), work, found[:, part])
+        turn_each(a, b, *(x[part] for x in starts), np.empty((5, LEVELS + 1)), found[part])
 
     with ThreadPoolExecutor(workers) as pool:
-        list(pool.map(fill, _parts(found.shape[1], -(-found.shape[1] // (4 * workers)))))
+        list(pool.map(fill, _parts(found.size, -(-found.size // (4 * workers)))))
 
 
 def _parts(size: int, step: int) -> Iterator[slice]:

@@ -34,6 +34,9 @@ TINY = 1e-290
 LINEAR = 1e-9
 """Angles below which the motion about an unstable point is linear to float64 accuracy."""
 
+SQUARES, GAINS, APARTS, TANGENTS, FAR = range(5)
+"""What the rows of :attr:`Orbit.work` hold."""
+
 MIDPOINTS = tuple(math.sin((2 * k + 1) * math.pi / 24) ** 2 for k in range(6))
 """sin² of the points of the midpoint rule on a quarter turn."""
 
@@ -42,8 +45,8 @@ class Orbit(NamedTuple):
     """The constants of an orbit. ``steps`` is the number of Gauss steps.
 
     ``root`` = √|γ(a+b)|, ``reach`` = A, ``first`` and ``third`` are C before and after the steps,
-    ``unit`` is L and ``drift`` the factor of τ in ∫ b sin²ψ dτ. Rows by step: ``squares`` G²,
-    ``gains`` C′/C − 1, ``aparts`` √(G² − H²); ``tangents`` and ``far_tangents`` are room.
+    ``unit`` is L and ``drift`` the factor of τ in ∫ b sin²ψ dτ. ``work`` has what belongs to each
+    step: G², C′/C − 1 and √(G² − H²), and tangents at the place and at the far end.
     """
 
     a: float
@@ -56,11 +59,7 @@ class Orbit(NamedTuple):
     unit: Any
     drift: Any
     steps: int
-    squares: Any
-    gains: Any
-    aparts: Any
-    tangents: Any
-    far_tangents: Any
+    work: Any
 
 
 def largest(x: Any) -> Any:
@@ -80,12 +79,11 @@ def choose(condition: Any, x: Any, y: Any) -> Any:
 
 def orbit(a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, work: Any) -> Orbit:
     """The orbit with γ of a given sign, √|γ(a+b)|, a − γ and γ + b."""
-    squares, gains, aparts = work[0], work[1], work[2]
     total = a + b
     high, low = np.sqrt(a * above), np.sqrt(b * below)
     third, far, other = np.sqrt(b * above), np.sqrt(total * above), np.sqrt(b * total)
     first, reach, drift, weight, steps = third, far, third - b, 1.0, 0
-    squares[0] = high * high
+    work[SQUARES, 0] = high * high
     # (G − H)/2 from G² − H², which is not found by subtraction.
     apart = root * (root / (high + low)) / 2
     while True:
@@ -99,7 +97,8 @@ def orbit(a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, 
         third = third * (1 + gain)
         high, low = (high + low) / 2, np.sqrt(inner)
         steps += 1
-        squares[steps], gains[steps], aparts[steps] = high * high, gain, apart
+        work[SQUARES, steps], work[GAINS, steps] = high * high, gain
+        work[APARTS, steps] = apart
         if steps == LEVELS or not largest(apart - 1e-4 * root) > 0:
             break
         apart = apart * (apart / (high + low)) / 2
@@ -115,11 +114,7 @@ def orbit(a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, 
         unit,
         drift,
         steps,
-        squares,
-        gains,
-        aparts,
-        work[3],
-        work[4],
+        work,
     )
 
 
@@ -129,27 +124,25 @@ def entries(on: Orbit, x: Any, y: Any, z: Any, scale: Any) -> tuple[Any, Any, An
     Both in one loop, as a step of one need not wait for the other's.
     """
     u, v = choose(on.rotating, 0.0, on.root), choose(on.rotating, on.root, 0.0)
-    w = np.sqrt(on.squares[0] + u * u)
+    w = np.sqrt(on.work[SQUARES, 0] + u * u)
     tangent, far_tangent = scale * on.first / z, on.first / w
-    on.tangents[0], on.far_tangents[0] = tangent, far_tangent
+    on.work[TANGENTS, 0], on.work[FAR, 0] = tangent, far_tangent
     double = scale * scale
     for n in range(1, on.steps + 1):
-        square, gain, apart = on.squares[n], on.gains[n], on.aparts[n]
+        square, gain, apart = on.work[SQUARES, n], on.work[GAINS, n], on.work[APARTS, n]
         x, u = (x + y) / 2, (u + v) / 2
         after, far_after = np.sqrt(x * x + double * square), np.sqrt(u * u + square)
         ratio, far_ratio = z / after, w / far_after
         y, v, z, w = ratio * x, far_ratio * u, after, far_after
         more = gain * ratio + scale * apart / (x + y) * (scale * apart / x)
         far_more = gain * far_ratio + apart / (u + v) * (apart / u)
-        on.tangents[n] = tangent * more / (1 + tangent * tangent * (1 + more))
-        on.far_tangents[n] = (
-            far_tangent * far_more / (1 + far_tangent * far_tangent * (1 + far_more))
-        )
+        on.work[TANGENTS, n] = tangent * more / (1 + tangent * tangent * (1 + more))
+        on.work[FAR, n] = far_tangent * far_more / (1 + far_tangent * far_tangent * (1 + far_more))
         tangent, far_tangent = tangent * (1 + more), far_tangent * (1 + far_more)
     x, u, long = (x + y) / 2, (u + v) / 2, scale * on.unit
     time = np.log1p(long / x * (1 + long / (z + x))) / on.unit
     far = np.log1p(on.unit / u * (1 + on.unit / (w + u))) / on.unit
-    return time, time - spent(on, time, on.tangents), far, far - spent(on, far, on.far_tangents)
+    return time, time - spent(on, time, TANGENTS), far, far - spent(on, far, FAR)
 
 
 def place(on: Orbit, time: Any) -> tuple[Any, Any, Any]:
@@ -159,25 +152,25 @@ def place(on: Orbit, time: Any) -> tuple[Any, Any, Any]:
     z = x + x * (grown * (grown / (1 + grown)) / 2)
     tangent, inverse = on.third / z, 1 / x
     for n in range(on.steps, 0, -1):
-        apart = on.aparts[n]
+        apart = on.work[APARTS, n]
         drop = apart * inverse * apart / 4
         y, x = x + drop, x - drop
         inverse = 1 / x
         ratio = y * inverse
         z = z * ratio
-        more = on.gains[n] * ratio + 2 * drop * inverse
+        more = on.work[GAINS, n] * ratio + 2 * drop * inverse
         tangent = tangent / (1 + more)
-        on.tangents[n] = tangent * more / (1 + tangent * tangent * (1 + more))
-    on.tangents[0] = tangent
+        on.work[TANGENTS, n] = tangent * more / (1 + tangent * tangent * (1 + more))
+    on.work[TANGENTS, 0] = tangent
     drop = choose(on.rotating, on.root, -on.root) / 2 * (on.root / 2 / x)
     return x - drop, x + drop, z
 
 
-def spent(on: Orbit, time: Any, tangents: Any) -> Any:
+def spent(on: Orbit, time: Any, row: int) -> Any:
     """∫ b sin²ψ dτ up to τ, in [0, π/2], from the tangents of the angles that add up to it."""
-    real, imaginary = 1.0 + 0.0 * time, tangents[on.steps]
+    real, imaginary = 1.0 + 0.0 * time, on.work[row, on.steps]
     for n in range(on.steps - 1, -1, -1):
-        tangent = tangents[n]
+        tangent = on.work[row, n]
         real, imaginary = real * real - imaginary * imaginary, 2 * real * imaginary
         real, imaginary = real - imaginary * tangent, imaginary + real * tangent
     found = np.arctan2(imaginary, real) - on.drift * time
@@ -188,8 +181,8 @@ def spent(on: Orbit, time: Any, tangents: Any) -> Any:
 def of_fast_rotation(on: Orbit, far_time: Any, far_phase: Any) -> tuple[Any, Any]:
     """τ and φ of the far end, on orbits so fast that they count many times: to a few roundings.
 
-    For γ > 8b the integrands over ψ are so smooth that six points of the midpoint rule, of period π,
-    leave e^(−24 arsinh √8) < 1e-18 of them.
+    For γ > 8b the integrands over ψ are so smooth that six points of the midpoint rule, of period
+    π, leave e^(−24 arsinh √8) < 1e-18 of them.
     """
     a, b = on.a, on.b
     gamma = on.root * (on.root / (a + b))
@@ -217,7 +210,7 @@ def arrival(on: Orbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[Any, 
     square = on.reach * on.reach
     for _ in range(ROUNDS):
         p, r, z = place(on, time)
-        excess = time - spent(on, time, on.tangents) - phase
+        excess = time - spent(on, time, TANGENTS) - phase
         inverse = 1 / (p * p + square)
         slope = (1 - b) + b * square * inverse
         root = np.sqrt((a + b * p * p * inverse) * inverse / (a + b))
@@ -236,15 +229,30 @@ def arrival(on: Orbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[Any, 
     return time, p, r
 
 
-def arrive(
-    a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any
-) -> tuple[Any, Any, Any, Any, Any, Any]:
-    """Δψ, cos θ, sin θ and the time for each start (ψ, dψ/dφ) after ``precession`` radians of φ.
+class Start(NamedTuple):
+    """A start on its orbit, by symmetry with ψ increasing (rotating) and 0 ≤ ψ ≤ π.
 
-    Then the size of what is added up to Δψ, of which roundings make their part, and the range of
-    ψ on the orbit.
-    ``work`` is room for 5 (LEVELS + 1) numbers a start. NaN where no such start exists.
+    ``mirror`` is −1 where ψ was turned round, ``before`` says whether the start lies below π/2, and
+    ``offset`` is the angle from the nearer of the unstable points 0 and π. ``time``, ``phase``
+    belong to it, ``far_time`` and ``far_phase`` to the far end of a quarter.
     """
+
+    sine: Any
+    cosine: Any
+    exists: Any
+    at_rest: Any
+    below: Any
+    mirror: Any
+    before: Any
+    offset: Any
+    time: Any
+    phase: Any
+    far_time: Any
+    far_phase: Any
+
+
+def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[Orbit, Start]:
+    """The orbit of a start (ψ, dψ/dφ), and where on it the start lies."""
     sine, cosine = np.sin(psi), np.cos(psi)
     up, long = np.abs(sine), np.abs(cosine)
     scale, clock = a + b * sine * sine, (1 - b) + b * cosine * cosine
@@ -254,81 +262,132 @@ def arrive(
     rise, fall = np.abs(handle) * np.sqrt(scale), math.sqrt(b) * up
     rotating = rise >= fall
     root = np.sqrt(np.abs(rise - fall)) * np.sqrt(rise + fall) * math.sqrt(a + b)
-    root = np.maximum(root, TINY)
     below = np.maximum(level, TINY) * scale
     above = np.maximum(rise * rise + b * cosine * cosine, TINY)
-    on = orbit(a, b, rotating, root, below, above, work)
-    begin_time, begin_phase, far_time, far_phase = entries(
-        on, np.maximum(on.reach * up, TINY), math.sqrt(a + b) * rise, np.sqrt(above * scale), long
-    )
+    on = orbit(a, b, rotating, np.maximum(root, TINY), below, above, work)
+    x, y = np.maximum(on.reach * up, TINY), math.sqrt(a + b) * rise
+    time, phase, far_time, far_phase = entries(on, x, y, np.sqrt(above * scale), long)
     far_time, far_phase = of_fast_rotation(on, far_time, far_phase)
     # What is not above its rounding: b = 1 and ψ = π/2, where the precession stands still.
     far_phase = np.maximum(far_phase, 1e-16 * far_time)
-    # By symmetry: rotating orbits with ψ increasing, and 0 ≤ ψ ≤ π.
     mirror = choose(rotating & (handle < 0), -1.0, 1.0)
-    along = choose(mirror * sine < 0, -cosine, cosine)
-    begin_time = choose(along > 0, -begin_time, begin_time)
-    begin_phase = choose(along > 0, -begin_phase, begin_phase)
+    before = mirror * sine * cosine >= 0
+    time, phase = choose(before, -time, time), choose(before, -phase, phase)
     back = (handle < 0) & ~rotating
-    begin_time = choose(back, 2 * far_time - begin_time, begin_time)
-    begin_phase = choose(back, 2 * far_phase - begin_phase, begin_phase)
-    end = begin_phase + precession
-    halves = np.rint(end / (2 * far_phase))
-    phase = end - 2 * halves * far_phase
-    time, p, r = arrival(on, np.abs(phase), far_time, far_phase)
-    time = choose(phase < 0, -time, time)
-    turned = choose((halves % 2 != 0) & ~rotating, -1.0, 1.0)
-    # Angles from the nearer of the unstable points 0 and π.
-    offset0 = np.arctan2(up, long)
-    offset0 = choose(along >= 0, offset0, -offset0)
-    offset1 = np.arctan2(p, on.reach)
-    after = choose(phase < 0, -turned, turned) > 0
-    offset1 = choose(after, -offset1, offset1)
-    whole = choose(rotating, halves, 0.0)
-    whole = whole + choose(after, 0.5, -0.5) - choose(along >= 0, -0.5, 0.5)
-    turn = mirror * (math.pi * whole + (offset1 - offset0))
-    turn = linear(a, b, sine, cosine, rate, precession, turn)
-    size = 1 / (p * p + on.reach * on.reach)
-    there, clock = a + b * p * p * size, (1 - b) + b * on.reach * on.reach * size
-    handle = mirror * turned * r * on.reach * np.sqrt(size / (there * (a + b)))
-    phases = (1 + np.abs(on.drift)) * far_time * (1 + 2 * np.abs(halves)) + np.abs(end)
-    size = np.abs(offset0) + np.abs(offset1) + math.pi * np.abs(whole)
-    exists = level >= -2e-15
-    return (
-        choose(exists, turn, np.nan),
-        choose(exists, handle, np.nan),
-        choose(exists, np.sqrt(below / there), np.nan),
-        choose(exists, time + 2 * halves * far_time - begin_time, np.nan),
-        choose(up + rise == 0, 0.0, size + np.abs(handle) * there / clock * phases),
-        choose(rotating, np.inf, 2 * np.arctan2(on.reach, root)),
+    time = choose(back, 2 * far_time - time, time)
+    phase = choose(back, 2 * far_phase - phase, phase)
+    return on, Start(
+        sine,
+        cosine,
+        level >= -2e-15,
+        up + rise == 0,
+        below,
+        mirror,
+        before,
+        np.arctan2(up, long),
+        time,
+        phase,
+        far_time,
+        far_phase,
     )
 
 
-def linear(
-    a: float, b: float, sine: Any, cosine: Any, rate: Any, precession: Any, turn: Any
-) -> Any:
-    """``turn``, or the linear motion about an unstable point for starts that stay close to it."""
-    growth = math.sqrt(a * b)
-    reach = np.abs(sine) + np.abs(rate) * (1 / a + np.abs(precession))
+class End(NamedTuple):
+    """Where a start comes to: Δψ, p, the signed r, τ from ψ = π/2 and the half periods on top.
+
+    ``sum_`` and ``phase`` are the sizes of what was added up to Δψ and to φ.
+    """
+
+    turn: Any
+    p: Any
+    r: Any
+    time: Any
+    halves: Any
+    sum_: Any
+    phase: Any
+
+
+def travel(on: Orbit, start: Start, precession: Any) -> End:
+    """The end after ``precession`` radians of φ."""
+    end = start.phase + precession
+    halves = np.rint(end / (2 * start.far_phase))
+    phase = end - 2 * halves * start.far_phase
+    time, p, r = arrival(on, np.abs(phase), start.far_time, start.far_phase)
+    turned = choose((halves % 2 != 0) & ~on.rotating, -1.0, 1.0)
+    after = choose(phase < 0, -turned, turned) > 0
+    offset = np.arctan2(p, on.reach)
+    whole = choose(on.rotating, halves, 0.0) + choose(after, 0.5, -0.5)
+    whole = whole + choose(start.before, 0.5, -0.5)
+    apart = choose(after, -offset, offset) - choose(start.before, start.offset, -start.offset)
+    return End(
+        start.mirror * (math.pi * whole + apart),
+        p,
+        start.mirror * turned * r,
+        choose(phase < 0, -time, time),
+        halves,
+        math.pi * np.abs(whole) + offset + start.offset,
+        np.abs(end),
+    )
+
+
+def turn(a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any) -> Any:
+    """Δψ for each start (ψ, dψ/dφ) after ``precession`` radians of φ; NaN where none exists.
+
+    ``work`` is room for 5 (LEVELS + 1) numbers a start.
+    """
+    on, start = depart(a, b, psi, rate, work)
+    found = linear(on, start, rate, precession, travel(on, start, precession).turn)
+    return choose(start.exists, found, np.nan)
+
+
+def arrive(
+    a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any
+) -> tuple[Any, Any, Any, Any, Any, Any]:
+    """Δψ, cos θ, sin θ and the time of each start; arguments as for :func:`turn`.
+
+    Then the size of what is added up to Δψ, of which roundings make their part, and the range of
+    ψ on the orbit.
+    """
+    on, start = depart(a, b, psi, rate, work)
+    end = travel(on, start, precession)
+    square = 1 / (end.p * end.p + on.reach * on.reach)
+    scale, clock = a + b * end.p * end.p * square, (1 - b) + b * on.reach * on.reach * square
+    handle = end.r * on.reach * np.sqrt(square / (scale * (a + b)))
+    around = start.far_time * (1 + 2 * np.abs(end.halves))
+    phases = (1 + np.abs(on.drift)) * around + end.phase
+    size = end.sum_ + np.abs(handle) * scale / clock * phases
+    # At a turning point the speed vanishes and the phase acts by its square.
+    reach = choose(on.rotating, math.pi, 2 * np.arctan2(on.reach, on.root))
+    size = size + reach * (phases / start.far_phase) * (phases / start.far_phase) * 6e-14
+    exists = start.exists
+    return (
+        choose(exists, linear(on, start, rate, precession, end.turn), np.nan),
+        choose(exists, handle, np.nan),
+        choose(exists, np.sqrt(start.below / scale), np.nan),
+        choose(exists, end.time + 2 * end.halves * start.far_time - start.time, np.nan),
+        choose(start.at_rest, 0.0, size),
+        choose(on.rotating, np.inf, reach),
+    )
+
+
+def linear(on: Orbit, start: Start, rate: Any, precession: Any, turned: Any) -> Any:
+    """``turned``, or the linear motion about an unstable point for starts that stay close to it."""
+    growth = math.sqrt(on.a * on.b)
+    sine, cosine = start.sine, start.cosine
+    reach = np.abs(sine) + np.abs(rate) * (1 / on.a + np.abs(precession))
     if not least(reach) < LINEAR:
-        return turn
+        return turned
     offset = np.arctan2(sine * np.sign(cosine), np.abs(cosine))
     small = reach * np.cosh(growth * precession) < LINEAR
-    turn = choose(reach == 0, 0.0, turn)
+    turned = choose(reach == 0, 0.0, turned)
     spread = 2 * np.sinh(growth * precession / 2) ** 2
     drift = np.sinh(growth * precession) / growth
-    return choose(small, offset * spread + rate * drift, turn)
+    return choose(small, offset * spread + rate * drift, turned)
 
 
-def arrive_each(
+def turn_each(
     a: float, b: float, psi: Any, rate: Any, precession: Any, work: Any, found: Any
 ) -> None:
-    """:func:`arrive` start by start, into the rows of ``found``; for compilation."""
+    """:func:`turn` start by start, into ``found``; for compilation."""
     for i in range(psi.size):
-        turn, handle, level, time, size, reach = arrive(a, b, psi[i], rate[i], precession[i], work)
-        found[0, i] = turn
-        found[1, i] = handle
-        found[2, i] = level
-        found[3, i] = time
-        found[4, i] = size
-        found[5, i] = reach
+        found[i] = turn(a, b, psi[i], rate[i], precession[i], work)
