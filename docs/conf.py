@@ -15,7 +15,7 @@ version = release = tresym.__version__
 extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
-    "tresym.report.site.extension",
+    "tresym.site.extension",
 ]
 root_doc = "index"
 exclude_patterns = ["generated/ledger.md", "generated/tables", "explorer"]

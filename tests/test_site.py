@@ -9,10 +9,10 @@ import pytest
 from tresym.report.markdown import finding, sentence
 from tresym.report.numbers import numbers
 from tresym.report.record import record
-from tresym.report.site import claims, commands, links
-from tresym.report.site.docstrings import restructured
-from tresym.report.site.markdown import display, inline
 from tresym.report.wording import readable
+from tresym.site import claims, commands, links
+from tresym.site.docstrings import restructured
+from tresym.site.markdown import display, inline
 from tresym.verification import Report, verify
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -107,7 +107,7 @@ def test_long_systems_take_a_line_for_each_part() -> None:
 
 
 def test_every_formula_becomes_mathml(ledger: claims.Record) -> None:
-    mathematics = pytest.importorskip("tresym.report.site.mathematics")
+    mathematics = pytest.importorskip("tresym.site.mathematics")
     pytest.importorskip("math_core")
     for claim in ledger["claims"].values():
         for formula in (*claim["given"], claim["formula"] or "0"):
@@ -117,7 +117,7 @@ def test_every_formula_becomes_mathml(ledger: claims.Record) -> None:
 def test_the_font_comes_along_and_is_small() -> None:
     pytest.importorskip("fontTools")
     pytest.importorskip("ziamath")
-    from tresym.report.site import mathematics
+    from tresym.site import mathematics
 
     style = mathematics.stylesheet(mathematics.font_file())
     assert "url(data:font/woff;base64," in style

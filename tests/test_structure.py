@@ -25,6 +25,7 @@ FLOORS = {
     "checking": 4,
     "proofs": 4,
     "cli": 5,
+    "site": 6,
     "__main__": 6,
     "__init__": 0,
 }

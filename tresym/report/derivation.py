@@ -50,7 +50,7 @@ _LETTERS = {
     "₃": r"\textsubscript{3}", "ᵢ": r"\textsubscript{i}", "₊": r"\textsubscript{+}",
     "₋": r"\textsubscript{$-$}", "⁰": r"\textsuperscript{0}", "²": r"\textsuperscript{2}",
     "³": r"\textsuperscript{3}", "⁴": r"\textsuperscript{4}", "⁵": r"\textsuperscript{5}",
-    "⁶": r"\textsuperscript{6}", "⁻": r"\textsuperscript{$-$}", "ᵀ": r"\textsuperscript{T}",
+    "⁶": r"\textsuperscript{6}", "⁻": r"\textsuperscript{$-$}", "ⁿ": r"\textsuperscript{n}", "ᵀ": r"\textsuperscript{T}",
     "α": r"$\alpha$", "β": r"$\beta$", "γ": r"$\gamma$", "δ": r"$\delta$", "Δ": r"$\Delta$",
     "ε": r"$\epsilon$", "θ": r"$\theta$", "κ": r"$\kappa$", "λ": r"$\lambda$", "μ": r"$\mu$",
     "π": r"$\pi$", "ρ": r"$\rho$", "σ": r"$\sigma$", "τ": r"$\tau$", "φ": r"$\phi$",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from tresym.report.markdown import finding, sentence
-from tresym.report.site.markdown import badge, chain, display, inline, link, statement
+from tresym.site.markdown import badge, chain, display, inline, link, statement
 
 Record = dict[str, Any]
 

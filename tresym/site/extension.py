@@ -17,8 +17,8 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from tresym.report.charts import CHARTS
-from tresym.report.site import claims, commands, docstrings, mathematics
-from tresym.report.site.markdown import badge, inline, link, statement
+from tresym.site import claims, commands, docstrings, mathematics
+from tresym.site.markdown import badge, inline, link, statement
 
 BUILT = "_built"
 """Folder of the source tree that the build writes style sheets to; like claims/, not kept."""
@@ -128,7 +128,7 @@ def _named(directive: SphinxDirective, label: str) -> dict[str, Any]:
 
 
 class ChartsDirective(SphinxDirective):
-    """``{charts}``: every chart of saved measurements that is there, with its title below."""
+    """``{charts}``: every chart of saved measurements that is there, under its title."""
 
     def run(self) -> list[nodes.Node]:
         """A figure for each; what a chart shows is told in it, and stands in its stead."""
@@ -139,7 +139,7 @@ class ChartsDirective(SphinxDirective):
             if path.is_file():
                 told = _told(path.read_text(encoding="utf-8")) or chart.title
                 picture = nodes.image(uri=f"/generated/charts/{path.name}", alt=told, width="100%")
-                found.append(nodes.figure("", picture, nodes.caption(chart.title, chart.title)))
+                found += [nodes.rubric(chart.title, chart.title), picture]
         return found
 
 
