@@ -136,6 +136,15 @@ def test_full_coverage_of_the_synthetic_paper() -> None:
     assert result.rows[6].transcription is Transcription.SENTENCE
 
 
+@pytest.mark.skipif(not PAPERS, reason="the paper does not lie beside the checkout")
+def test_the_sections_begin_where_the_claim_on_a_cross_reference_says() -> None:
+    lines = PAPERS[0].read_text(encoding="latin-1").splitlines()
+    begun = {n: line for n, line in enumerate(lines, 1) if line.startswith(r"\section")}
+    assert list(begun)[1:4] == [48, 81, 113]
+    assert "sec2" in begun[48]
+    assert "sec3" in begun[81]
+
+
 @pytest.mark.parametrize(
     "again",
     [(), ("T ~ pi/w",), ("T = 2*pi/w",), ("q ~ 2*pi/w",), ("T ~ 2*pi/w", "q ~ 0"), ("T~2",)],

@@ -52,12 +52,12 @@ from tresym.verdict import Verdict
 Variant = Any
 """A changed expression, relation, printed text or function."""
 
-TRIES, INPUT_TRIES = 40, 4
+TRIES, INPUT_TRIES = 40, 3
 """Changes tried at one place to find those that count: few of an input, whose every change is
 looked at over its whole box."""
 LARGEST = 60
 """Operations of a denial and its conditions that is also decided without its point."""
-DEPENDENTS = 3
+DEPENDENTS = 2
 """At most this many claims are asked to prove something by a changed definition."""
 
 
