@@ -13,7 +13,6 @@
   together `uniform_formulas`, for every shape;
 - `one_line_side`, `newton_side`: on which side each errs;
 - `printed_relative_error`: the printed formula's own error, between two multiples of b²/a;
-- `product_alone`: ε₀ does not depend on ab alone, not even monotonically;
 - `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root, `bend_leaves` where
   it leaves what is possible (and `bend_carries` in `orders` how far it is good).
 
@@ -31,7 +30,7 @@ from tresym.proofs import margins
 from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import auxiliary, shape
 from tresym.proofs.exponent import logarithmic_equation, residual_increases
-from tresym.proofs.monotonicity import monotonicity, slope_in_T_positive
+from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.arithmetic import balls
@@ -543,29 +542,6 @@ newton_side = Claim(
     kind="statement",
     proof=all_of(slope_in_T_positive, phase_equation_convex),
     note="A tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
-)
-
-
-# -- the product alone ----------------------------------------------------------------------------
-
-
-def _product_alone(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
-    """ε₀(a₁, b₁) − ε₀(a₂, b₂) where a₁b₁ < a₂b₂: the claim makes it positive."""
-    if not a1 * b1 < a2 * b2:
-        return arb(1)
-    return defect_over(a1, b1) - defect_over(a2, b2)
-
-
-product_alone = boxed(
-    "product_alone",
-    "The larger the product ab is, the smaller ε₀ is.",
-    (_product_alone,),
-    (("1/4", "1/4"), (1, 1), (100, 100), ("1/200", "1/200")),
-    ("a1", "b1", "a2", "b2"),
-    "two shapes",
-    expect=Verdict.REFUTED,
-    amended_by=(monotonicity,),
-    note="Read of the product alone. At fixed a or fixed b it is true.",
 )
 
 
