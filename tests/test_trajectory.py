@@ -12,7 +12,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import tresym
-from tresym.arithmetic import ball_precision, bits, mp_precision
+from tresym.arithmetic import ball_precision, balls, bits, mp_precision
 from tresym.body import Shape, named_body
 from tresym.cli import main
 from tresym.exact import InputError
@@ -27,6 +27,12 @@ def right(x: arb, digits: int) -> bool:
 
 
 # Angles
+
+
+def test_the_angle_of_a_point_is_of_balls():
+    with ball_precision(100):
+        assert balls.atan2(arb(1), arb(-1)).overlaps(3 * arb.pi() / 4)
+        assert balls.atan2(arb(-1), arb(1)).overlaps(-arb.pi() / 4)
 
 
 @pytest.mark.parametrize(
