@@ -178,10 +178,12 @@ class Divided:
     def _rough(self, x: arb) -> arb:
         """The slope over a ball, by few coefficients: h_{p+1} on the hull of 0 and x."""
         rough = taylor_coefficients(self.series, x.union(arb(0)), self.power + 2)[self.power + 1]
-        if not abs(x) > self.near:
+        if not abs(x) > self.near / 4:
             return rough
         slope = self._direct(x)[1]
-        return slope.intersection(rough) if slope.is_finite() and rough.is_finite() else slope
+        if not rough.is_finite():
+            return slope
+        return slope.intersection(rough) if slope.is_finite() else rough
 
     def _jet(self, x: arb) -> tuple[arb, arb]:
         """Value and slope over the ball: the value by the mean value theorem from its middle."""
