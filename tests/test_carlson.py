@@ -122,8 +122,17 @@ def test_ended_early_the_error_is_of_fourth_order():
         assert 0 < errors[1] < errors[0] ** 1.9
 
 
+@pytest.mark.parametrize("precision", [2, 8, 16, 40, 64])
+def test_at_any_precision_the_ball_holds_the_truth(precision):
+    for gamma in (fmpq(1, 100), fmpq(0), fmpq(5)):
+        with ball_precision(precision):
+            rough = ball_turn(arb(fmpq(3, 10)), *STR, gamma, gauss=True)
+        with ball_precision(200):
+            assert rough.overlaps(ball_turn(arb(fmpq(3, 10)), *STR, gamma, gauss=True))
+
+
 def test_a_planted_error_in_a_step_is_seen():
-    """B′ formed with the sign of κ turned round: far outside the ball."""
+    """One square root of the steps off by 1e-30: far outside the ball."""
 
     class Turned:
         count = 0

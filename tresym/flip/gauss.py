@@ -38,7 +38,10 @@ GAUSS_LIMIT = 24
 
 
 class Ending(NamedTuple):
-    """When to end: κ below ``small`` of μ and D; ``within(e)`` is anything of size at most e."""
+    """When to end; ``within(e)`` is anything of size at most e.
+
+    The end is where 2κ is below ``small`` ≤ 0.4 of x² and A²: then σ < ``small``/1.6 ≤ ¼.
+    """
 
     small: Any
     within: Callable[[Any], Any]
@@ -120,4 +123,4 @@ def ball_ending() -> Ending:
 
 @cache
 def _ball_ending(precision: int) -> Ending:
-    return Ending(arb((1, 2 - precision // 4)), lambda bound: arb(0, bound))
+    return Ending(arb((1, min(2 - precision // 4, -2))), lambda bound: arb(0, bound))
