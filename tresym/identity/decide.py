@@ -33,10 +33,10 @@ from tresym.identity.locally_constant import equal_by_derivative, vanishes_or_ze
 from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
 from tresym.verdict import Verdict
 
-FIRST_BITS, FIRST_POINTS = 128, 4
+FIRST_BITS, FIRST_POINTS = 128, 2
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
-SIZES = (24, 64, 128)
+SIZES = (16, 32, 64, 128)
 
 
 @dataclass(frozen=True)
@@ -95,8 +95,9 @@ def sampled_values(
     for point in given.points(names, SEARCH_POINTS):
         with ball_precision(bits):
             at = {name: arb(value) for name, value in point.items()}
-            x = evaluate(left, at)
-            y = evaluate(right, at) if x.is_finite() else x
+            known: dict[Expr, arb] = {}
+            x = evaluate(left, at, known)
+            y = evaluate(right, at, known) if x.is_finite() else x
         if y.is_finite():
             yield point, (x, y)
             found += 1

@@ -16,16 +16,19 @@ class _UndefinedError(Exception):
     """The point is outside the real domain, or the ball is too wide to tell."""
 
 
-def evaluate(e: Expr, point: Mapping[str, arb]) -> arb:
+def evaluate(e: Expr, point: Mapping[str, arb], known: dict[Expr, arb] | None = None) -> arb:
     """A ball that contains ``e`` at ``point``, at the working precision.
 
     NaN where ``e`` is undefined in the reals (radicand < 0, argument of ``log`` ≤ 0, argument of
     ``asin`` out of range, division by a ball that contains 0) or where the balls cannot tell.
 
+    Args:
+        known: values at the same point, which are used and added to.
+
     Raises:
         KeyError: a variable of ``e`` is not in ``point``.
     """
-    done: dict[Expr, arb] = {}
+    done = {} if known is None else known
 
     def walk(node: Expr) -> arb:
         value = done.get(node)

@@ -90,9 +90,13 @@ class Field(SignedRing):
                 if not self.learn():
                     raise
                 continue
-            if not self.learn():
+            if not self.learn() or self._are_equal(result):
                 return result
         raise TooLargeError("the normal form did not settle")
+
+    def _are_equal(self, values: list[Fraction]) -> bool:
+        """Whether ``values`` are two equal ones, which nothing that is learnt can change."""
+        return len(values) == 2 and self.subtract(*values).num.is_zero()
 
     def _walk(self, node: Expr) -> Fraction:
         value = self._memo.get(node)

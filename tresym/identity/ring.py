@@ -101,7 +101,7 @@ class Ring:
 
     def used(self, p: Poly) -> list[int]:
         """Positions of the generators that occur in ``p``."""
-        if p.is_zero():
+        if p.is_constant():
             return []
         return [i for i, degree in enumerate(p.degrees()) if degree > 0]
 
@@ -148,8 +148,11 @@ class Ring:
 
     def _rational_denominator(self, num: Poly, den: Poly) -> tuple[Poly, Poly]:
         """Clear roots and signs from the denominator by multiplying with the conjugate."""
+        degrees = den.degrees()
         for position, degree, _ in self.relations:
-            if den.is_zero() or den.degrees()[position] <= 0:
+            if den.is_zero():
+                break
+            if degrees[position] <= 0:
                 continue
             x = self.variables[position]
             parts = self.split(den, position)
@@ -157,6 +160,7 @@ class Ring:
                 (k,) = parts
                 lift = x ** (degree - k)
                 num, den = self.reduce(num * lift), self.reduce(den * lift)
+                degrees = den.degrees()
                 continue
             if degree != 2 or len(den) * len(num) > CONJUGATE_TERMS or self.is_inverse(den):
                 continue
@@ -164,12 +168,14 @@ class Ring:
             norm = self.reduce(den * conjugate)
             if norm.is_zero():
                 num, den = self.zero_divisor(num, den, position, parts)
+                degrees = den.degrees()
                 continue
             if self.is_mixed(norm):
                 continue
             common = norm.gcd(conjugate)
             norm, conjugate = norm // common, conjugate // common
             num, den = self.reduce(num * conjugate), norm
+            degrees = den.degrees()
         return num, den
 
     def zero_divisor(

@@ -46,6 +46,7 @@ class SignedRing(Ring):
         self._signs: dict[str, int] = {}
         self._trials = 0
         self._everywhere = False
+        self._quietly = False  # whether a sign was learnt that nothing in this pass has used
         self._tried: dict[str, int] = {}  # the least depth at which no sign was proved
         self._supports: dict[int, frozenset[str]] = {}
 
@@ -53,6 +54,7 @@ class SignedRing(Ring):
         """Forget the equations of the last pass and the signs that new facts may improve."""
         self._equations = set()
         self._tried = {}
+        self._quietly = False
         self._signs = {key: sign for key, sign in self._signs.items() if sign}
 
     def symbol(self, name: str) -> Generator:
@@ -198,7 +200,8 @@ class SignedRing(Ring):
     def require_sign(self, parts: list[Poly], sign: int) -> None:
         """Record that the product of ``parts`` has the given sign on the domain.
 
-        The sign of a single part is used from the start of the next pass, which begins at once.
+        The sign of a single part is used at once; where it stands in what has been found in this
+        pass, a new one begins.
 
         A part that mixes inverse functions may vanish on a whole region without our knowing, and
         then says nothing of the other parts: such an equation is not used.
@@ -216,8 +219,13 @@ class SignedRing(Ring):
         if not keys or (len(parts) > 1 and any(self.is_mixed(part) for part in parts)):
             return
         if len(keys) == 1:
-            self._know(keys.pop(), sign)
-            raise AgainError
+            (key,) = keys
+            used = self.known("sign", key)
+            self._know(key, sign)
+            self._quietly |= not used
+            if used:
+                raise AgainError
+            return
         self._equations.add((frozenset(keys), sign))
 
     def is_mixed(self, p: Poly) -> bool:
@@ -288,7 +296,7 @@ class SignedRing(Ring):
         return num, den
 
     def learn(self) -> bool:
-        """Solve the sign equations of the pass; True if anything new is known."""
+        """Solve the sign equations of the pass; True if the pass has learnt anything."""
         rows = self._eliminated()
         before = len(self.known_signs), len(self.rules), tuple(self.box.items())
         for keys, sign in rows:
@@ -302,7 +310,8 @@ class SignedRing(Ring):
             if len(keys) > 1 and newest not in self.rules:
                 self.rules[newest] = (sign, sorted(keys - {newest}))
                 self._settle(newest)
-        return before != (len(self.known_signs), len(self.rules), tuple(self.box.items()))
+        after = len(self.known_signs), len(self.rules), tuple(self.box.items())
+        return self._quietly or before != after
 
     def _eliminated(self) -> list[tuple[frozenset[str], int]]:
         """The equations in reduced row echelon form over GF(2)."""
