@@ -30,6 +30,7 @@ SLOPE, FLIP = r"$\partial F/\partial\gamma$ at $\gamma = 0$", r"flip $\Delta\psi
 MOMENTS = "$a$ by the moments"
 ANGLES, MOMENTUM = r"$\gamma$ by the angles", r"$\gamma$ by the momentum"
 RADICAND, TURN = r"$\gamma + b\,\sin^2\psi$", r"$F(\psi, \gamma)$"
+ROTATING = r"$F(\psi, \gamma)$, $\gamma > 0$"
 THETA = r"$\theta_{\min}$"
 
 CLIFFS = [
@@ -53,6 +54,7 @@ CLIFFS = [
     (RADICAND, "1e-13", "1/10", 50, 10, 0.5),
     (TURN, "1e-10", "1/10", 16, 6, 1),
     (TURN, "1e-13", "1/10", 50, 3, 0.5),
+    (ROTATING, "1e-6", "7.743e-8", 16, 3, 1),
     (THETA, "1e-12", "1", 16, 10, 0.5),
     (THETA, "1e-12", "1", 50, 10, 0.5),
 ]

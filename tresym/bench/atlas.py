@@ -22,7 +22,7 @@ from tresym.bench.run import Keep, Measurement, forget
 from tresym.bench.truth import true_digits
 from tresym.body import named_body
 from tresym.flip import quadrature, separatrix
-from tresym.flip.gauss import FLOAT_ENDING, Ending, ball_ending, turn_by_gauss
+from tresym.flip.carlson import Integrals, amplitude, by_flint, turn
 from tresym.flip.many import defects
 from tresym.formulas import printed, stable
 
@@ -74,7 +74,7 @@ def _on_level(psi: fmpq, gamma: fmpq) -> Numbers:
     theta = ((gamma + square) / (a + square)).sqrt().acos()
     M1, M2, M3 = printed.momentum(theta, x, arb(1), balls)
     one, three = 1 / (1 + a), 1 / (1 - b)
-    angles = {"a": a, "b": b, "psi": x, "theta": theta}
+    angles = {"a": a, "b": b, "psi": x, "theta": theta, "gamma": arb(gamma)}
     return angles | {"M1": M1, "M2": M2, "M3": M3, "I1": one, "I2": arb(1), "I3": three}
 
 
@@ -169,7 +169,15 @@ def _turning(p: Numbers, m: Any) -> Any:
 
 
 def _turn_printed(p: Numbers, m: Any) -> Any:
-    a, b, g, psi = p["a"], p["b"], _turning(p, m), p["psi"]
+    return _quad(p["psi"], p["a"], p["b"], _turning(p, m), m)
+
+
+def _rotating_printed(p: Numbers, m: Any) -> Any:
+    return _quad(p["psi"], p["a"], p["b"], p["gamma"], m)
+
+
+def _quad(psi: Any, a: Any, b: Any, g: Any, m: Any) -> Any:
+    """The paper's integral by the quadrature of scipy or mpmath."""
     if m is np:
         from scipy.integrate import quad
 
@@ -179,18 +187,28 @@ def _turn_printed(p: Numbers, m: Any) -> Any:
 
 
 def _turn_stable(p: Numbers, m: Any) -> Any:
-    a, b, g = p["a"], p["b"], _turning(p, m)
-    z = stable.radicand(p["psi"], p["psi_min"], b, m)
-    cosine = m.cos(p["psi"])
-    return turn_by_gauss(m.tan(p["psi"]), z / (cosine * cosine), a, b, g, m, _ending(m))
+    z = stable.radicand(p["psi"], p["psi_min"], p["b"], m)
+    return _carlson(p["psi"], z, p["a"], p["b"], _turning(p, m), m)
 
 
-def _ending(m: Any) -> Ending:
+def _rotating_stable(p: Numbers, m: Any) -> Any:
+    z = p["gamma"] + p["b"] * m.sin(p["psi"]) ** 2
+    return _carlson(p["psi"], z, p["a"], p["b"], p["gamma"], m)
+
+
+def _carlson(psi: Any, z: Any, a: Any, b: Any, g: Any, m: Any) -> Any:
+    """The same in Carlson's form, by the R_F and R_J of FLINT, scipy or mpmath."""
+    at = amplitude(m.sin(psi), m.cos(psi), z, a, b, g, m)
+    n = b / a
     if m is balls:
-        return ball_ending()
-    if m is np:
-        return FLOAT_ENDING
-    return Ending(m.mpf(10) ** -(MANY // 4 + 2), lambda _: 0)
+        return turn(by_flint(at, n), a, b, g, m)
+    import scipy.special
+
+    source = scipy.special if m is np else m
+    rf, rj = source.elliprf, source.elliprj
+    x, y = at.cn**2, at.dn**2
+    third = at.sn**3 * rj(x, y, 1, 1 + n * at.sn**2) / 3
+    return turn(Integrals(at.sn * rf(x, y, 1), third), a, b, g, m)
 
 
 def _radicand(p: Numbers, m: Any) -> Any:
@@ -229,6 +247,13 @@ PAIRS = (
         lambda p, m: stable.depth(p["theta"], p["psi"], p["a"], p["b"], m),
     ),
     Pair(r"$\gamma$ by the momentum", "levels", _energy, _momentum),
+    Pair(
+        r"$F(\psi, \gamma)$, $\gamma > 0$",
+        "levels",
+        _rotating_printed,
+        _rotating_stable,
+        stride=2,
+    ),
     Pair(
         r"$\gamma + b\,\sin^2\psi$",
         "turning point",

@@ -31,11 +31,15 @@ def caption(data: dict[str, Any], part: str) -> str:
         "turning": "over the distance from a turning point (standard racket), and near the stable "
         "rotation γ = a",
     }[part]
+    more = {
+        "separatrix": " Where ab is large no precision fixed in advance helps the printed equation.",
+        "levels": " At the lower right γ is a small difference of the numbers given themselves.",
+        "turning": "",
+    }[part]
     return (
         f"Decimal digits lost {where}: white none, black 16 or more; the lines are at 2 (thin) and "
         "8 (thick) digits. The truth is a ball formed from the same rounded numbers, so what is "
-        "lost is lost by the formula. Where all digits are lost at 50 digits no precision that is "
-        "fixed in advance would help: the loss grows with the axes."
+        f"lost is lost by the formula.{more}"
     )
 
 
