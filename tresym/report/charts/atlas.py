@@ -32,7 +32,7 @@ def caption(data: dict[str, Any], part: str) -> str:
         "rotation γ = a",
     }[part]
     more = {
-        "separatrix": " Where ab is large no precision fixed in advance helps the printed equation.",
+        "separatrix": " Where ab is large no precision fixed in advance saves the printed one.",
         "levels": " At the lower right γ is a small difference of the numbers given themselves.",
         "turning": "",
     }[part]
