@@ -17,8 +17,8 @@ LONGEST = 200
 
 PREFACE = """# Corrections
 
-Statements of the paper that do not hold as they stand, each with its place, the evidence, and the
-nearest statement that does hold. Printed decimals are read as intervals of half a unit in their
+Statements of the paper that do not hold as they stand, sentences in our words and formulas as
+printed, each with its place, the evidence, and the nearest statement that does hold. Printed decimals are read as intervals of half a unit in their
 last place, and a printed value stands here only if no inputs that round to the printed inputs give
 it. The paper's main result, that the flip is nearly complete and that its defect decreases
 exponentially, stands.
@@ -103,7 +103,7 @@ def _entry(row: Row) -> str:
     lines = [
         f"### `{claim.label}` ({place_text(claim)})",
         "",
-        f"**As printed:** {_said(claim)}",
+        f"**The paper:** {_said(claim)}",
         "",
     ]
     lines += [f"**Evidence:** {found_text(_clipped(finding.why))}.", ""]
