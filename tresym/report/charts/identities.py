@@ -31,7 +31,8 @@ def caption(data: dict[str, Any]) -> str:
     right = sum(n.get("right", 0) for n in ours)
     return (
         "Each mark is one identity of the ledger or a false variant of it: time of a SymPy method "
-        f"against the time of tresym, which decides {right} of {total} and is wrong on none. Open: "
+        f"against the time of tresym, which decides {right} of {total} (SymPy is asked one in "
+        "two) and is never wrong. Open: "
         "decided; a cross: not decided, wrong, or stopped at the limit. Lines: 1, 100 and 10 000 "
         f"times slower. {'; '.join(words)}."
     )
