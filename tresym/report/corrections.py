@@ -18,10 +18,10 @@ LONGEST = 200
 PREFACE = """# Corrections
 
 Statements of the paper that do not hold as they stand, sentences in our words and formulas as
-printed, each with its place, the evidence, and the nearest statement that does hold. Printed decimals are read as intervals of half a unit in their
-last place, and a printed value stands here only if no inputs that round to the printed inputs give
-it. The paper's main result, that the flip is nearly complete and that its defect decreases
-exponentially, stands.
+printed, each with its place, the evidence, and the nearest statement that does hold. Printed
+decimals are read as intervals of half a unit in their last place, and a printed value stands here
+only if no inputs that round to the printed inputs give it. The paper's main result, that the flip
+is nearly complete and that its defect decreases exponentially, stands.
 """
 
 
