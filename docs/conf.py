@@ -18,7 +18,7 @@ extensions = [
     "tresym.site.extension",
 ]
 root_doc = "index"
-exclude_patterns = ["generated/ledger.md", "generated/tables", "explorer"]
+include_patterns = ["index.md", "pages/*", "claims/*", "reference/*", "generated/corrections.md"]
 smartquotes = False
 toc_object_entries = False
 suppress_warnings = ["toc.empty_glob"]
