@@ -1,7 +1,7 @@
 """How the defect bends with γ near the separatrix, in a chart that holds every shape with ab ≥ 1/4.
 
 ε(γ) solves F(ε, γ) = π, and F decreases in ε: where H(v) = √(ab) (F(e(v), bε₀²v) − π) ≤ 0 the curve
-lies below the candidate e(v). For e = ε₀(1 + pv + Cλv²) with p = bε₀ dε/dγ, the exact slope, and
+lies below the candidate e(v). For e = ε₀(1 + (pλ − 1/4)v + Cλv²), whose slope is the exact one, and
 λ = √(ab) ε₀², H has a double root at v = 0, so that the sign of H″ on an interval about 0 decides.
 To leading order ε + √(ε² + γ/b) = 2ε₀, a line in γ: H″ is of the order λ, and it is divided by λ
 here by algebra. With u = γ/b, s = sin e, z = √(u + s²) and w = s + z,
@@ -14,7 +14,7 @@ sin²ψ j(ψ), j bounded. Lengths with a hat below are over ε₀.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 from tresym.proofs import margins
@@ -66,46 +66,82 @@ def fourth_moment(kappa: arb, v: arb, e: arb, q: arb, y: arb, w: arb, far: arb, 
     return inner if v <= 0 else inner.max(outer)
 
 
-def curvature(b: arb, kappa: arb, v: arb, constant: arb, m: Any) -> arb:
-    """H″(v)/λ for the candidate ε₀(1 + pv + ``constant`` λv²), in the chart (b, κ, v)."""
-    phase = margins.phase_by_kappa(b, kappa, m)
-    e0, _, r = margins.root_by_kappa(b, kappa, m)
-    R, square = r * r, e0 * e0
-    exponent = square * margins.exponent_rate(e0, b, r, m)
-    lam = kappa * margins.leading_square_over(b, kappa, m) * m.exp(2 * exponent)
-    p = -margins.slope_rest_at(e0, b, r, kappa, phase, m) / 4
-    # The candidate: e = ε₀(1 − v/4 + λ·eta), its sine ŝ = 1 − v/4 + λ·S, and ẑ, ŵ likewise.
-    quarter = arb(fmpq(1, 4))
-    line, root_line = 1 - v / 4, 1 + v / 4
-    eta, eta_slope = v * (p + constant * v), p + 2 * constant * v
-    f = line + lam * eta
+class Candidate(NamedTuple):
+    """The candidate e = ε₀(1 − v/4 + …): what of it, and of its sine, is over ε₀ or over λ."""
+
+    angle: arb
+    """e."""
+    part: arb
+    """e/ε₀."""
+    rate: arb
+    """e′/ε₀."""
+    sine: arb
+    """ŝ = sin e/ε₀ = 1 − v/4 + λ · …"""
+    root: arb
+    """ẑ = √(v + ŝ²) = 1 + v/4 + λ · …"""
+    sum: arb
+    """ŵ = ŝ + ẑ."""
+    bend: arb
+    """(log w)″/λ."""
+
+
+def candidate(e0: arb, lam: arb, kappa: arb, v: arb, p: arb, constant: arb, m: Any) -> Candidate:
+    """The candidate ε₀(1 + (pλ − 1/4)v + ``constant`` λv²), with λ divided out of (log w)″.
+
+    (log w)′ = n/(zw) with n = s′w + u′/2; n is a multiple of λ, and it is differentiated once more.
+    """
+    line, root_line, quarter = 1 - v / 4, 1 + v / 4, arb(fmpq(1, 4))
+    gain, gain_rate = v * (p + constant * v), p + 2 * constant * v
+    f = line + lam * gain
     e = e0 * f
     half, cosine = margins.sine_over(e / 2), m.cos(e)
-    S = eta + kappa * f * f * f * margins.sine_rest(e)
+    S = gain + kappa * f * f * f * margins.sine_rest(e)
     s = line + lam * S
     z = m.sqrt(root_line**2 + lam * S * (2 * line + lam * S))
     Z = S * (2 * line + lam * S) / (z + root_line)
     w = 2 + lam * (S + Z)
-    rate = lam * eta_slope - quarter  # e′/ε₀
-    turning = eta_slope - kappa * f * f * half * half / 2 * rate
+    rate = lam * gain_rate - quarter
+    turning = gain_rate - kappa * f * f * half * half / 2 * rate
     sine_rate = lam * turning - quarter  # ŝ′
-    # (log w)′ = n/(zw) with n = s′w + u′/2 = λ·n̂, differentiated once more.
     n = 2 * turning - (S + Z) / 4 + lam * turning * (S + Z)
-    bending = 2 * constant * cosine - kappa * s * rate * rate
-    log_w = (bending * w + sine_rate * n / z) / (z * w)
-    log_w -= n * (w * (s * sine_rate + arb(1) / 2) / z + lam * n) / (z * w) ** 2
-    q, y = m.sqrt(1 + square * v), s / z
-    log_far = square * kappa * (1 + 2 * q) / (4 * q**3 * (1 + q) ** 2)
-    # The integral with sin²ψ j: its derivatives at the lower end, and ∂²/∂u² by j(0) cos ψ + rest.
-    sine_square = square * s * s
-    rho = m.sqrt(1 + R * sine_square)
+    sine_bend = 2 * constant * cosine - kappa * s * rate * rate
+    bend = (sine_bend * w + sine_rate * n / z) / (z * w)
+    bend -= n * (w * (s * sine_rate + arb(1) / 2) / z + lam * n) / (z * w) ** 2
+    return Candidate(e, f, rate, s, z, w, bend)
+
+
+def lower_end(c: Candidate, b: arb, R: arb, e0: arb, v: arb, turn: arb, m: Any) -> arb:
+    """What its lower end and j(0) cos ψ make of the integral with sin²ψ j in H″, over ε₀².
+
+    Args:
+        c, b, R, e0, v: the candidate, the shape, ε₀ and v.
+        turn: 2 · constant · λ, which is e″/ε₀.
+    """
+    s, z, y = c.sine, c.root, c.sine / c.root
+    cosine, q = m.cos(c.angle), m.sqrt(1 + e0 * e0 * v)
+    square = e0 * e0 * s * s
+    rho = m.sqrt(1 + R * square)
     j = 1 / (1 + cosine) - b / rho - R / (rho * (1 + rho))
     j0 = arb(1) / 2 - b - R / 2
-    slope = 1 - cosine * (2 * b / rho + (1 - b * sine_square) * R / rho**3)
-    ends = rate * rate * y * (y * y * j * cosine - slope) + y * y * j * rate / z
-    ends -= 2 * constant * lam * s * y * j
-    ends += j0 * cosine**2 * (1 / q**2 + y / q + y * y) / (4 * q * z * (z + s * q))
+    slope = 1 - cosine * (2 * b / rho + (1 - b * square) * R / rho**3)
+    ends = c.rate * c.rate * y * (y * y * j * cosine - slope)
+    ends += y * y * j * c.rate / z - turn * s * y * j
+    return ends + j0 * cosine**2 * (1 / q**2 + y / q + y * y) / (4 * q * z * (z + s * q))
+
+
+def curvature(b: arb, kappa: arb, v: arb, constant: arb, m: Any) -> arb:
+    """H″(v)/λ for the candidate with this C = ``constant``, in the chart (b, κ, v)."""
+    e0, _, r = margins.root_by_kappa(b, kappa, m)
+    R, square = r * r, e0 * e0
+    exponent = square * margins.exponent_rate(e0, b, r, m)
+    lam = kappa * margins.leading_square_over(b, kappa, m) * m.exp(2 * exponent)
+    phase = margins.phase_by_kappa(b, kappa, m)
+    p = -margins.slope_rest_at(e0, b, r, kappa, phase, m) / 4
+    c = candidate(e0, lam, kappa, v, p, constant, m)
+    ends = lower_end(c, b, R, e0, v, 2 * constant * lam, m)
+    q, y = m.sqrt(1 + square * v), c.sine / c.root
     far = m.pi + m.atan(r) + kappa * (m.log(1 + R) / 2 - exponent)
-    moment = arb(0).union(fourth_moment(kappa, v, e, q, y, w, far, f))
+    moment = arb(0).union(fourth_moment(kappa, v, c.angle, q, y, c.sum, far, c.part))
     rest = 3 * square / 4 * second_order_rest(b, R) * moment
-    return kappa * ends + rest - log_w - log_far
+    upper_end = square * kappa * (1 + 2 * q) / (4 * q**3 * (1 + q) ** 2)
+    return kappa * ends + rest - c.bend - upper_end

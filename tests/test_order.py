@@ -1,13 +1,19 @@
 """Order statements: decided with constants on ranges, wrong ones refuted with the true order."""
 
+from dataclasses import replace
+
 import pytest
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision, balls
+from tresym.claims.bounds import Asymptotics, Boxes
+from tresym.claims.claim import Claim
 from tresym.claims.enclosure import Bound, box
 from tresym.claims.enclosure import decide as decide_bound
+from tresym.claims.finding import Finding
 from tresym.claims.germ import Germs, UnresolvedError, as_ball
 from tresym.claims.gradient import Divided
+from tresym.claims.judge import judge
 from tresym.claims.order import Order, decide
 from tresym.verdict import Verdict
 
@@ -375,3 +381,30 @@ def test_the_pendulum_series_is_the_elliptic_integral():
             exact = balls.pi / 2 / arb(1).agm(x) - (4 / x).log()
 
             assert pendulum_correction(x, balls).contains(exact)
+
+
+def test_orders_of_other_scenes_are_claims_like_any_other():
+    """Stirling, Kepler and the pendulum through the ledger's own judge, held and refuted."""
+    no_claims: dict[str, Finding] = {}
+
+    def judged(label, says, proof):
+        return judge(Claim(label, says, proof, kind="order"), no_claims).verdict
+
+    stirling = Order("<=", stirling_step, lambda x, m: x - x / (1 + x), constant=fmpq(1, 12))
+    assert judged("stirling", "r(n) ≤ 1/(12n)", Asymptotics(stirling, "1/n -> 0")) is ENCLOSED
+    sharper = replace(stirling, constant=fmpq(83, 1000))
+    assert judged("stirling", "r(n) ≤ 0.083/n", Asymptotics(sharper, "1/n -> 0")) is REFUTED
+
+    def gauge(x, m):
+        return -(x * x) * m.log(x)
+
+    period = Order("O", pendulum_correction, gauge, upto=fmpq(1, 4))
+    assert judged("pendulum", "K = log(4/k')", Asymptotics(period, "k' -> 0")) is ENCLOSED
+    square = replace(period, gauge=power(2))
+    assert judged("pendulum", "K = log(4/k')", Asymptotics(square, "k' -> 0")) is REFUTED
+
+    for constant, expected in ((fmpq(2, 3), ENCLOSED), (fmpq(3, 10), REFUTED)):
+        region = box((0, "1/5"), (0, "6284/1000"))
+        margins = [kepler_margin(arb(constant), side) for side in (1, -1)]
+        bounds = tuple(Bound(margin, region, slopes=True) for margin in margins)
+        assert judged("kepler", "E", Boxes(bounds, ("e", "M"), "e <= 1/5")) is expected
