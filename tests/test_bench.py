@@ -44,6 +44,7 @@ from tresym.exact import InputError
 from tresym.flip import asymptotic
 from tresym.flip.ladder import RUNGS, climb
 from tresym.flip.many import defects
+from tresym.report.charts import CHARTS
 from tresym.verdict import Verdict
 
 QUICK = Pace(rounds=1, limit=20.0, patience=0.01)
@@ -228,8 +229,14 @@ def test_help_lists_every_workload(capsys: pytest.CaptureFixture[str]) -> None:
     assert all(f"\n  {name} " in shown for name in WORKLOADS)
 
 
-@pytest.mark.parametrize("name", WORKLOADS)
-def test_every_workload_is_saved_whole_with_its_reasons(name: str) -> None:
+def test_what_the_charts_are_drawn_from_is_saved() -> None:
+    saved = {path.stem for path in SAVED.glob("*.json") if "." not in path.stem}
+    assert saved <= set(WORKLOADS)
+    assert saved >= {chart.workload for chart in CHARTS.values()} | {"ledger", "startup"}
+
+
+@pytest.mark.parametrize("name", sorted(p.stem for p in SAVED.glob("*.json") if "." not in p.stem))
+def test_every_saved_workload_is_whole_and_has_its_reasons(name: str) -> None:
     data = json.loads((SAVED / f"{name}.json").read_text(encoding="utf-8"))
     assert data["workload"] == name
     assert data["complete"]

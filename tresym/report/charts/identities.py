@@ -28,13 +28,12 @@ def caption(data: dict[str, Any]) -> str:
         )
     ours = [notes[f"{OURS}, {kind} ones"] for kind in ("true", "false")]
     total = sum(n["identities"] for n in ours)
-    right = sum(n.get("right", 0) for n in ours)
+    right, wrong = (sum(n.get(word, 0) for n in ours) for word in ("right", "wrong"))
     return (
         "Each mark is one identity of the ledger or a false variant of it: time of a SymPy method "
-        f"against the time of tresym, which decides {right} of {total} (SymPy is asked one in "
-        "two) and is never wrong. Open: "
-        "decided; a cross: not decided, wrong, or stopped at the limit. Lines: 1, 100 and 10 000 "
-        f"times slower. {'; '.join(words)}."
+        f"against the time of tresym, which decides {right} of {total}, {wrong} wrongly (SymPy is "
+        "asked one in two). Open: decided; a cross: not decided, wrong, or stopped at the limit. "
+        f"Lines: 1, 100 and 10 000 times slower. {'; '.join(words)}."
     )
 
 
