@@ -36,8 +36,10 @@ from tresym.claims.claim import (
     collecting,
     cutting,
     differentiating_integral,
+    differentiation,
     equal,
     integrating,
+    roots,
     step,
     substituting,
 )
@@ -286,3 +288,23 @@ def test_balls_differentiate_integrals_by_leibniz_alone() -> None:
     assert found.overlaps(inside + arb(1).exp() * arb(1).cos())
     assert not value(Subs(by_parameter(1 / (t + x), -1, 1), x, 0), {}).is_finite()
     assert value(Subs(sin(x), x, pi), {}).contains(0)
+
+
+def test_what_holds_of_one_integral_holds_of_no_other() -> None:
+    lemma = Claim(
+        "lemma",
+        equal(area(Abs(x) * t), x / 2),
+        (step(None, integrating(Abs(x) * t**2 / 2), roots),),
+        given=(x > 0,),
+    )
+    level = Claim("level", equal(area(exp(x * t)), 3), Definition(), given=(x > 0,))
+    held = {c.label: judge(c, {}) for c in (lemma, level)}
+    assert {finding.verdict for finding in held.values()} == {Verdict.PROVED}
+    for says, used in (
+        (equal(Subs(area(Abs(x) * t), x, -1), Rational(-1, 2)), lemma),
+        (equal(Derivative(area(exp(x * t)), x), 0), level),
+        (equal(Subs(area(exp(x * t)), x, 0), 3), level),
+        (equal(area(exp(y * t)), 3), level),
+    ):
+        user = Claim("user", says, by(substituting(used), differentiation), given=(x > 0, y > 0))
+        assert not judge(user, held).verdict.holds

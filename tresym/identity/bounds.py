@@ -379,6 +379,8 @@ def _coefficient_sign(p: fmpq_mpoly, spans: list[Span], context: fmpq_mpoly_ctx)
     closed: list[tuple[int, list[int]]] = []
     for i, span in enumerate(spans):
         degrees = {int(m[i]) for m in p.monoms()}
+        if not degrees:
+            return "0"  # a side of no length, on which p vanishes
         if degrees == {0}:
             continue
         if span.low is None and span.high is None:
