@@ -45,8 +45,10 @@ class Scene(NamedTuple):
 
 
 SCENES = (
-    Scene("float64", None, ("0.01:100:400log", "0.005:1:200"), ("0.01:100:1000log", "1e-3:1:1000")),
-    Scene("50 digits", 50, ("0.01:100:100log", "0.01:1:80"), ("0.01:100:100log", "0.01:1:100")),
+    Scene(
+        "float64", None, ("0.01:100:400log", "0.00125:1:800"), ("0.01:100:1000log", "1e-3:1:1000")
+    ),
+    Scene("50 digits", 50, ("0.01:100:100log", "0.00625:1:160"), ("0.01:100:100log", "0.01:1:100")),
 )
 SERIAL, ONE_WORKER, LANDING = "this process", "Dask, 1 worker", "landing alone"
 

@@ -7,6 +7,7 @@ computed.
 from __future__ import annotations
 
 import math
+import pickle
 import threading
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
@@ -83,6 +84,11 @@ def compute(part: Part, digits: int | None) -> list[Row]:
         if digits is None:
             return float_rows(entries)
         return [certified_row(entry, digits) for entry in entries]
+
+
+def packed(part: Part, digits: int | None) -> bytes:
+    """The rows of a part as one piece of bytes, which no scheduler looks into on its way."""
+    return pickle.dumps(compute(part, digits))
 
 
 def certified_row(entry: Entry, digits: int) -> Row:

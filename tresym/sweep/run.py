@@ -7,6 +7,7 @@ busy, so memory is bounded however long the sweep.
 from __future__ import annotations
 
 import os
+import pickle
 import sys
 import time
 from collections import deque
@@ -17,7 +18,7 @@ from typing import Any, NamedTuple
 
 from tresym.exact import InputError
 from tresym.flip.ladder import checked_digits
-from tresym.sweep.rows import Row, compute
+from tresym.sweep.rows import Row, compute, packed
 from tresym.sweep.source import Source
 from tresym.sweep.table import Table, check_export, open_table
 from tresym.sweep.workers import PATIENCE, Workers, processes
@@ -105,11 +106,12 @@ def _run(
     progress: Progress,
 ) -> None:
     """Keep the window full until nothing is left."""
-    pending: dict[Future[list[Row]], int] = {}
+    pending: dict[Future[list[Row] | bytes], int] = {}
     with opened() as workers:
+        work: Callable[..., list[Row] | bytes] = packed if workers.far else compute
         while True:
             while len(pending) < workers.window and (batch := next(parts, None)) is not None:
-                pending[workers.executor.submit(compute, batch[1], digits)] = batch[0]
+                pending[workers.executor.submit(work, batch[1], digits)] = batch[0]
             if not pending:
                 return
             done = wait(pending, PATIENCE, FIRST_COMPLETED).done
@@ -117,9 +119,10 @@ def _run(
                 workers.check()
             for future in done:
                 try:
-                    rows = future.result()
+                    found = future.result()
                 except BrokenExecutor as error:
                     raise InputError(f"sweep: {error or 'the workers have died'}") from None
+                rows: list[Row] = pickle.loads(found) if isinstance(found, bytes) else found
                 table.add(pending.pop(future), rows)
                 progress.landed(len(rows))
 

@@ -55,12 +55,14 @@ class Workers(NamedTuple):
     """An executor, and how many batches it should have under way.
 
     ``check`` is asked whenever nothing has landed for :data:`PATIENCE` seconds; it raises
-    InputError when nobody is left to work, so that no sweep waits for ever.
+    InputError when nobody is left to work, so that no sweep waits for ever. Rows that come from
+    ``far`` travel as bytes.
     """
 
     executor: Executor
     window: int
     check: Callable[[], None] = _nothing_amiss
+    far: bool = False
 
 
 class Here(Executor):
@@ -244,7 +246,7 @@ def cluster(address: str) -> Iterator[Workers]:
         if threads == 0:
             raise InputError(f"cluster: the scheduler at {address} has no workers")
         executor = client.get_executor(pure=False)
-        yield Workers(executor, 2 * threads + 2, _Watch(client))
+        yield Workers(executor, 2 * threads + 2, _Watch(client), far=True)
     except (KilledWorker, CommClosedError, CancelledError) as error:
         reason = type(error).__name__
         raise InputError(f"cluster: the scheduler or its workers are lost ({reason})") from None
