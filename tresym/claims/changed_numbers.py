@@ -156,7 +156,7 @@ def _places(region: Box) -> list[Point]:
 def _lowered(bound: Bound) -> Iterator[Named]:
     margin = bound.margin
     yield Named("the margin negated", lambda *x: -margin(*x))
-    for times in (2, 3, 5):
+    for times in (2, 3, 5, 8, 13):
         for point in _places(bound.box):
             where = ", ".join(fraction_text(x) for x in point)
             with ball_precision(BITS):
