@@ -114,7 +114,7 @@ def measurement_text(measurement: Measurement) -> str:
 def _row(row: dict[str, Any]) -> str:
     name = row["method"] + (f", {row['asked']:g}" if row["asked"] is not None else "")
     if row["seconds"] is None:
-        return f"{name:<44} {row['outcome']}: {row['why']}"
+        return f"{name:<44} {row['outcome']}: {row['why'] or 'not timed'}"
     low, high = row["quartiles"]
     ratio = "" if row["ratio"] is None else f"{row['ratio']:.3g} x"
     spread = f"{_time(low)} to {_time(high)}"
