@@ -13,7 +13,7 @@ from pathlib import Path
 
 import tresym
 from tresym.exact import InputError
-from tresym.report import figures
+from tresym.report import charts, figures
 from tresym.report.corrections import corrections
 from tresym.report.derivation import article
 from tresym.report.latex import says_latex
@@ -35,6 +35,8 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "corrections.md", corrections(report)
     for name in figures.FIGURES:
         yield f"figures/{name}.svg", figures.svg(name)
+    for name in charts.CHARTS:
+        yield f"charts/{name}.svg", charts.svg(name)
     for name in TABLES:
         found = table(name)
         yield f"tables/{name}.md", written(found, "markdown")
