@@ -13,11 +13,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tresym
+from tresym.bench import check as check_pairs
 from tresym.checking.answer import Answer
 from tresym.checking.domain import simplest_between
 from tresym.checking.workers import Task, check_all, check_within
 from tresym.cli import main
 from tresym.exact import InputError, parse_number
+from tresym.report.deciding import measured
 from tresym.verdict import Verdict
 
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
@@ -55,6 +57,13 @@ TRUE = [
     "x*log(x) == o(sqrt(x)) as x -> 0+",
     "log(x) == o(x**(1/10)) as x -> oo",
     "cos(x) ~ pi/2 - x as x -> pi/2",
+    "x**2 + y**2 + z**2 >= x*y + y*z + z*x",
+    "a**3 + b**3 + c**3 >= 3*a*b*c given a > 0, b > 0, c > 0",
+    "(a + b + c)/3 >= (a*b*c)**(1/3) given a > 0, b > 0, c > 0",
+    "sin(x) + cos(x) <= sqrt(2)",
+    "abs(sin(x)) <= abs(x)",
+    "x**2 > 0 given x*y > 0",  # the condition speaks of more than the claim
+    "pi > 3 given a > 0",
 ]
 
 FALSE = [
@@ -74,6 +83,11 @@ FALSE = [
     "x**4 - 2*x**2 + 1 != 0",
     "x != 0",
     "x + y < 2 given 0 <= x <= 1, 0 <= y <= 1",  # touches at a corner
+    "x**2 != 2",
+    "cos(x) != x",
+    "x*y != 2",
+    "x**2 + y**2 + z**2 > x*y + y*z + z*x",
+    "x**2 + y**2 >= 2001*x*y/1000",
     "pi > 22/7",
     "sqrt(2)*sqrt(3) > sqrt(6)",
     "sin(x) - x == O(x**4) as x -> 0",
@@ -92,6 +106,8 @@ OPEN = [
     "x == x given x**2 < -1",
     "log(x) == log(x) given x < 0",
     "sqrt(x) + sqrt(-1 - x) >= 0",
+    "1/x != 0",  # both signs, and no zero between them
+    "1/0 == 1",
 ]
 
 
@@ -230,6 +246,13 @@ def test_sympy_relations_and_assumptions() -> None:
     assert tresym.check(sympy.Eq(sympy.sqrt(a**2, evaluate=False), a, evaluate=False))
     assert tresym.check(sympy.Eq(sympy.Abs(x), x, evaluate=False), given=x > 0)
     assert tresym.check(sympy.Eq(sympy.Abs(x), x, evaluate=False)).verdict is REFUTED
+    same = sympy.Eq(sympy.sin(x), sympy.sin(x), evaluate=False)
+    assert tresym.check(same, limit=20).verdict is PROVED  # SymPy would evaluate a copy of it
+    modulus = sympy.Derivative(sympy.Abs(x), x)
+    assert tresym.check(sympy.Eq(modulus, sympy.sign(x), evaluate=False))
+    assert tresym.check(sympy.Eq(sympy.atan2(x, a), sympy.atan(x / a)))
+    with pytest.raises(InputError, match="all here are real"):
+        tresym.check(sympy.Eq(sympy.I * x, a))
 
 
 @pytest.mark.parametrize(
@@ -270,6 +293,10 @@ HOSTILE = [
     "\\frac{1}{2} = \\undefinedcommand",
     "é == 1",
     "x\0 == 1",
+    "I**2 == -1",
+    "x < oo",
+    "x == " + "1" * 29_000,
+    r"\sqrt{" * 500 + "x" + "}" * 500 + " = x",
 ]
 
 
@@ -340,6 +367,35 @@ def test_a_claim_that_takes_too_long_is_stopped_and_the_rest_decided() -> None:
     stopped = check_within(Task("exp(sin(x*y)) + z >= cos(x*y*z)", conditions), 1e-4)
     assert stopped.verdict is UNDECIDED
     assert "stopped after" in stopped.why
+
+
+def test_a_claim_that_we_fail_at_does_not_end_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(claim: str, *_: object) -> Answer:
+        if claim == "fail":
+            raise ZeroDivisionError("within")
+        return Answer(PROVED, "")
+
+    monkeypatch.setattr("tresym.checking.workers.judge", fails)
+    found = [answer for _, answer in check_all([Task("fail"), Task("1 == 1")], 20, processes=1)]
+    assert [getattr(answer, "verdict", None) for answer in found] == [UNDECIDED, PROVED]
+    assert "ZeroDivisionError" in getattr(found[0], "why", "")
+
+
+def test_a_sample_of_the_antiderivatives() -> None:
+    real = [pair for pair in check_pairs.pairs() if "sqrt(-b**2)" not in pair.antiderivative]
+    for pair in real[::9]:
+        assert tresym.check(pair.claim).verdict is PROVED, pair
+
+
+def test_the_measurement_as_tables() -> None:
+    counts = {"claims": 3, "PROVED": 2, "UNDECIDED": 1, "median": 0.0041, "p99": 0.03}
+    trial = {"identities": 5, "REFUTED": 5}
+    peers = {"tresym check": {"pairs": 2, "right": 2, "ratio": 1.0}}
+    notes = {"pairs": counts, "mutants": counts, "peers": peers}
+    text = measured({"notes": notes | {"trial": {"true": trial, "false": trial}}})
+    assert "| random identities, false | 5 | 0 | 5 | 0 |" in text
+    assert "4.1 ms" in text
+    assert "| `tresym check` | 2 | 2 | 0 | 0 | 0 | 1 × |" in text
 
 
 def test_an_answer_prints_in_a_notebook() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tresym.identity import Given, decide, parse
+from tresym.identity.field import Field
 from tresym.verdict import Verdict
 
 TRUE = [
@@ -110,6 +111,24 @@ TRUE = [
     ("4**x", "2**(2*x)", ""),
     ("x**(1/2)", "sqrt(x)", ""),
     ("sqrt(x*y)*sqrt(y*z)*sqrt(x*z)", "abs(x*y*z)", ""),
+    ("sqrt(3+sqrt(5))", "(1+sqrt(5))/sqrt(2)", ""),
+    ("sqrt(x+1-2*sqrt(x))", "abs(sqrt(x)-1)", ""),
+    ("sqrt(x+2*sqrt(x-1))", "1+sqrt(x-1)", ""),
+    ("sqrt(a+sqrt(a^2-b^2))", "(sqrt(a+b)+sqrt(a-b))/sqrt(2)", "a>b,b>0"),
+    ("sqrt(asinh(2))", "sqrt(atanh(2/sqrt(5)))", ""),
+    ("acos(sqrt(6*x/5))", "2*atan(sqrt((1-sqrt(6*x/5))/(1+sqrt(6*x/5))))", ""),
+    ("abs(acos(x))", "acos(x)", ""),
+    ("abs(2*pi-3*asin(x))", "2*pi-3*asin(x)", ""),
+    ("exp(abs(x)-1)*exp(1)", "exp(abs(x)/2)^2", ""),
+    ("sin(abs(x)+y)", "sin(abs(x))*cos(y)+cos(x)*sin(y)", ""),
+    ("sin(pi/2-x/(2+2*x))", "cos(x/(x+1)/2)", ""),
+    ("sign(abs(x)*x)", "sign(x)", ""),
+    ("diff(x*cos(b*log(c*x**n))+b*n*x*sin(b*log(c*x**n)),x)/(1+b^2*n^2)", "cos(b*log(c*x**n))", ""),
+    ("diff(x*(a*(b*x**n)**p)**q,x)", "(1+n*p*q)*(a*(b*x**n)**p)**q", ""),
+    ("tan(atan(sqrt(pi+x)))*cos(atan(sqrt(pi+x)))", "sqrt(pi+x)/sqrt(pi+x+1)", ""),
+    ("log(log(x)+log(y))", "log(log(x*y))", "x>1,y>1"),
+    ("sin(log(x)*log(y))^2+cos(log(x)*log(y))^2", "1", ""),
+    ("cos(atan(x)*log(y)+pi)", "-cos(atan(x)*log(y))", ""),
 ]
 """Proved: the two sides are equal wherever both are defined."""
 
@@ -157,6 +176,16 @@ FALSE = [
     ("acos(x)", "atan(sqrt(1-x^2)/x)", ""),
     ("atan((1+x)/(1-x))", "atan(x)+pi/4", ""),
     ("sqrt(x*y)*sqrt(y*z)*sqrt(x*z)", "x*y*z", ""),
+    ("sqrt(3+sqrt(5))", "(1-sqrt(5))/sqrt(2)", ""),
+    ("sqrt(x+1-2*sqrt(x))", "sqrt(x)-1", ""),
+    ("sqrt(x+1-2*sqrt(x))", "1-sqrt(x)", ""),
+    ("sqrt(a+sqrt(a^2-b^2))", "(sqrt(a+b)-sqrt(a-b))/sqrt(2)", "a>b,b>0"),
+    ("abs(pi-3*atan(x))", "pi-3*atan(x)", ""),
+    ("atan(1/(sqrt(x+1)-1))+atan(sqrt(x+1)-1)", "pi/2", ""),
+    ("atan((x+2-2*sqrt(x+1))/x)+atan(x/(x+2-2*sqrt(x+1)))", "pi/2", ""),
+    ("cos(atan(x)+atan(1/x))", "1", ""),
+    ("sin(atan(x)+atan(1/x)+log(y)-log(2*y))", "cos(log(2*y)-log(y))", ""),
+    ("exp(abs(x)-1)", "exp(x-1)", ""),
 ]
 """Refuted, with a witness."""
 
@@ -213,3 +242,18 @@ def test_a_factor_that_vanishes_on_a_region_implies_nothing(factor: str) -> None
     roots = f"sqrt(({factor})*y) + sqrt(({factor})*z)"
     assert claim(f"{roots} + abs(y*z)", f"{roots} + y*z", "") is not Verdict.PROVED
     assert claim(f"{roots} + abs(y)", f"{roots} + y", "") is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("text", "sign"),
+    [
+        ("x + 2 - 2*sqrt(x + 1)", 0),  # a square that vanishes at 0
+        ("x + 3 - 2*sqrt(x + 1)", 1),
+        ("(x - y)**2*(1 + x**2)", 0),
+        ("1 + x**2 + y**2", 1),
+    ],
+)
+def test_what_may_vanish_on_a_wall_is_not_definite(text: str, sign: int) -> None:
+    field = Field(Given.parse("x > -1"))
+    (value,) = field.normal(parse(text))
+    assert field.definite(value.num) == sign

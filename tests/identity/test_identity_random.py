@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from random import Random
 
 from hypothesis import given as over
 from hypothesis import strategies as st
 
+from tresym.bench.rewriting import false_identity, true_identity
 from tresym.identity import Expr, Given, decide, differentiate, parse, substitute
 from tresym.identity.expression import add, apply, multiply, number, power, sqrt, symbol
 from tresym.verdict import Verdict
@@ -140,3 +142,19 @@ def test_derivatives_agree_with_a_difference_quotient(e: Expr) -> None:
 @over(expressions)
 def test_text_round_trip(e: Expr) -> None:
     assert decide(parse(str(e)), e).verdict is not Verdict.REFUTED
+
+
+# Rewritten on both sides, as the benchmark does at length: `tresym bench check`.
+
+
+@over(st.randoms(use_true_random=False))
+def test_rewritten_is_never_refuted(random: Random) -> None:
+    left, right = true_identity(random)
+    decision = decide(left, right)
+    assert decision.verdict is not Verdict.REFUTED, (str(left), str(right), decision)
+
+
+@over(st.randoms(use_true_random=False))
+def test_rewritten_and_changed_is_never_proved(random: Random) -> None:
+    left, right = false_identity(random)
+    assert decide(left, right).verdict is not Verdict.PROVED, (str(left), str(right))

@@ -35,6 +35,7 @@ from tresym.identity.expression import (
 )
 
 MAX_CHARACTERS = 30_000
+MAX_HINT = 300
 
 _ALIASES = {"ln": "log", "Abs": "abs", "sgn": "sign"} | {
     f"arc{name}": f"a{name}"
@@ -95,7 +96,7 @@ def tree(source: str) -> ast.expr:
     try:
         return ast.parse(source, mode="eval").body
     except SyntaxError:
-        found = _IMPLICIT.search(source)
+        found = _IMPLICIT.search(source[:MAX_HINT])
         hint = f" (write * between factors: {found[0]!r})" if found else ""
         raise InputError(f"{_quoted(source)} is not an expression{hint}") from None
     except (RecursionError, MemoryError, ValueError):
