@@ -697,10 +697,12 @@ def test_a_killed_cluster_worker_loses_nothing(
 
     def shoot(text: str) -> None:
         if " left" in text and not killed:
-            # A nanny starts another one, whose number we do not know: the next victim is.
-            killed.append(children_of(scheduler.process.pid)[kill % 2])
+            killed.append(workers[kill % 2])
             os.kill(killed[0], signal.SIGKILL)
 
+    # A nanny starts another one for each that was killed before.
+    wait_for(lambda: len(children_of(scheduler.process.pid)) == 2)
+    workers = children_of(scheduler.process.pid)
     monkeypatch.setattr(Progress, "EVERY", 0.0)
     grid = Grid.read(BIG[1], BIG[3], BIG[5])
     sweep(grid, str(tmp_path / "t"), 60, lambda: cluster(scheduler.address), notice=shoot)

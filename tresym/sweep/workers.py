@@ -264,7 +264,9 @@ def _threads(client: Any) -> int:
 
 
 class _Watch:
-    """Raises InputError when twice in a row the scheduler is gone or has no workers."""
+    """Raises InputError when ``LOOKS`` times in a row the scheduler is gone or has no workers."""
+
+    LOOKS = 6
 
     def __init__(self, client: Any) -> None:
         self.client = client
@@ -278,7 +280,7 @@ class _Watch:
             # of a client that closes while it is asked
             alone = True
         self.empty = self.empty + 1 if alone else 0
-        if self.empty >= 2:
+        if self.empty >= self.LOOKS:
             raise InputError(
                 "cluster: the scheduler or its workers are lost; "
                 "the same command goes on from what has landed"
