@@ -14,7 +14,9 @@ from pathlib import Path
 import tresym
 from tresym.exact import InputError
 from tresym.report import charts, figures
+from tresym.report.charts import saved
 from tresym.report.corrections import corrections
+from tresym.report.deciding import measured
 from tresym.report.derivation import article
 from tresym.report.latex import says_latex
 from tresym.report.numbers import numbers
@@ -41,6 +43,7 @@ def documents() -> Iterator[tuple[str, str]]:
         found = table(name)
         yield f"tables/{name}.md", written(found, "markdown")
         yield f"tables/{name}.tex", written(found, "latex")
+    yield "tables/deciding.md", measured(saved.load("check"))
 
 
 def ledger(report: Report) -> str:
