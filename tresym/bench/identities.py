@@ -93,15 +93,15 @@ def identities() -> Iterator[Identity]:
     """Each identity of the ledger, followed by a false variant of it."""
     seen = set()
     for claim in all_claims():
-        for says, chain in _chains(claim):
-            for number, (left, right) in enumerate(pairwise(_expressions(says, chain)), 1):
-                if left == right or (left, right) in seen or left.has(*OPEN) or right.has(*OPEN):
-                    continue
-                seen.add((left, right))
-                name = f"{claim.label}, step {number}"
-                if _verdict(left, right, claim.given) is Verdict.PROVED:
-                    yield Identity(name, left, right, claim.given, True)
-                    yield from _variant(name, left, right, claim.given)
+        steps = [pair for proof in _chains(claim) for pair in pairwise(_expressions(*proof))]
+        for number, (left, right) in enumerate(steps, 1):
+            if left == right or (left, right) in seen or left.has(*OPEN) or right.has(*OPEN):
+                continue
+            seen.add((left, right))
+            name = f"{claim.label}, step {number}"
+            if _verdict(left, right, claim.given) is Verdict.PROVED:
+                yield Identity(name, left, right, claim.given, True)
+                yield from _variant(name, left, right, claim.given)
 
 
 def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:

@@ -71,7 +71,8 @@ def draw(data: dict[str, Any]) -> Any:
         exponents = [n for n in range(-6, 2) if min(values) / 2 < 10.0**n < max(values) * 3]
         axis.set_ticks([10.0**n for n in exponents], [tick_text(n) for n in exponents])
         axis.set_ticks([], minor=True)
-    grid[0, 0].legend(loc="lower right", fontsize=7, frameon=True, edgecolor="none", framealpha=0.8)
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=3)
     return figure
 
 
@@ -84,7 +85,8 @@ def _dots(
     label: str,
 ) -> None:
     for right in (True, False):
-        some = [r for r in rows if (r["outcome"] == "right") == right]
+        timed = [r for r in rows if r["seconds"] or r["outcome"] == "timed out"]
+        some = [r for r in timed if (r["outcome"] == "right") == right]
         sheet.plot(
             [ours[r["scene"]] for r in some],
             [r["seconds"] or _limit(r) for r in some],
