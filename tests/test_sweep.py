@@ -667,7 +667,8 @@ class Cluster:
         self.process.stdout.close()
 
 
-@pytest.fixture(scope="module")
+# A new one for each of many kills: a nanny starts its worker again some ten times, not more.
+@pytest.fixture(scope="function" if DEEP else "module")
 def scheduler() -> Iterator[Cluster]:
     pytest.importorskip("distributed")
     found = Cluster()
