@@ -49,8 +49,8 @@ from tresym.verdict import Verdict
 
 QUICK = Pace(rounds=1, limit=20.0, patience=0.01)
 SAVED = Path(__file__).resolve().parent.parent / "docs" / "measurements"
-NOISE = 1.25
-"""A rung counts as faster only where it takes less than 1/1.25 of the time: what one run's medians
+NOISE = 1.2
+"""A rung counts as faster only where it takes less than 1/1.2 of the time: what one run's medians
 scatter by on a machine that others use too."""
 
 
