@@ -38,9 +38,9 @@ def caption(data: dict[str, Any]) -> str:
     per = starts[-1]["seconds"]
     return (
         "Left: processor time of ε(γ) of the standard racket, one answer, 50 to 10 000 digits; a "
-        "method that needs more than 2.5 s is not tried further. Middle: the flip of 1 to 10⁷ starts "
-        f"in float64 ({per * 1e6:.2g} µs a start for many) with the most memory held at once: at "
-        f"most {max(m['megabytes'] for m in memory):.3g} MB, as starts are handed over "
+        "method that needs more than 2.5 s is not tried further. Middle: the flip of 1 to 10⁷ "
+        f"starts in float64 ({per * 1e6:.2g} µs a start for many) with the most memory held at "
+        f"once: at most {max(m['megabytes'] for m in memory):.3g} MB, as starts are handed over "
         f"{data['notes']['piece']:,} at a time and worked on {data['notes']['chunk']:,} at a time"
         f"{compiled}. "
         "Right: judging the first claims of the proofs, with all that they rest on, in a warm "
