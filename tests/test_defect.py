@@ -240,6 +240,22 @@ def test_the_inverse(shape, value):
         assert above < target < below
 
 
+@pytest.mark.parametrize("a", [fmpq(1, 1000), fmpq(1000)])
+def test_the_inverse_passes_over_levels_of_many_turns(a):
+    """Below γ** the same value is taken again: the level looked for is above."""
+    b, target = fmpq(1), parse_angle("pi/12")
+    gamma, lowest = level_of(a, b, target, 30), turning_level(a, b, 20, 3)
+    assert lowest is not None
+    assert gamma > lowest
+    man, exp = gamma.mid().man_exp()
+    here = fmpq(man) * fmpq(2) ** int(exp)
+    with ball_precision(600):
+        values = [
+            defect_on(a, b, exact_level(a, b, here * (1 + k * fmpq(1, 10**25)))) for k in (1, -1)
+        ]
+        assert values[0] > target.ball() > values[1]
+
+
 def test_values_that_are_not_taken():
     for value, limit in (("3", "less than"), ("-1000", "more than")):
         with pytest.raises(InputError, match=limit):

@@ -73,7 +73,11 @@ def level_of(a: fmpq, b: fmpq, defect: Angle, digits: int) -> arb:
         # Increases with γ.
         return defect.ball() - defect_on(a, b, level_at(a, b, regime, x))
 
-    found = _level_by(excess, a, b, regime, digits)
+    with ball_precision(128):
+        # Below γ** the same value may be taken many times.
+        odds = None if lowest is None or regime > 0 else (lowest + b) / -lowest
+        start = None if odds is None else odds.upper().log().upper()
+    found = _level_by(excess, a, b, regime, digits, start)
     if lowest is not None and not found > lowest:
         raise ArithmeticError("the level found is not above the last turning level")
     return found
@@ -101,12 +105,23 @@ def _regime_of(a: fmpq, b: fmpq, defect: Angle) -> int:
     raise InputError("defect: too near that of the separatrix to be told from it")
 
 
-def _level_by(excess: Callable[[arb], arb], a: fmpq, b: fmpq, regime: int, digits: int) -> arb:
-    """γ where the function ``excess`` of x, strictly monotone, is 0, to ``digits`` digits."""
+def _level_by(
+    excess: Callable[[arb], arb],
+    a: fmpq,
+    b: fmpq,
+    regime: int,
+    digits: int,
+    start: arb | None = None,
+) -> arb:
+    """γ where the function ``excess`` of x is 0, to ``digits`` digits.
+
+    It has one sign change, and beyond ``start`` where that is given.
+    """
     precision = bits(digits, 64)
     limit = 16 * precision
     with ball_precision(128):
-        near = _refined(excess, *_bracket(excess))
+        ends = _bracket(excess) if start is None else _bracket_beyond(excess, start)
+        near = _refined(excess, *ends)
     while precision < limit:
         with suppress(ArithmeticError):
             x = _enclosed(excess, near, precision)
@@ -131,6 +146,20 @@ def _bracket(excess: Callable[[arb], arb]) -> tuple[arb, arb]:
             low, high, at_low = high, high + width, at_high
             at_high = excess(high)
     return low, high
+
+
+def _bracket_beyond(excess: Callable[[arb], arb], start: arb) -> tuple[arb, arb]:
+    """The same with the root above ``start``.
+
+    Raises:
+        ArithmeticError: the function is not negative at ``start``.
+    """
+    if not excess(start) < 0:
+        raise ArithmeticError("the level is not above the last turning level")
+    low, width = start, arb(1)
+    while not excess(low + width) > 0:
+        low, width = low + width, 2 * width
+    return low, low + width
 
 
 def _refined(excess: Callable[[arb], arb], low: arb, high: arb) -> arb:

@@ -146,14 +146,12 @@ def thresholds() -> Table:
                 cells.append(digits_of(level_of(*shape, parse_angle(text), 20), 12))
             except InputError:
                 cells.append("none")
-            except ArithmeticError:
-                cells.append("not told")
             cells.append(digits_of(linear[n], 12))
         rows.append((name, *cells, "none" if turn is None else digits_of(turn, 12)))
     return Table(
         "Levels γ at which ε(γ) = ∓π/12, exactly and by the linear formula with the exact ε₀, and "
         "the level γ* below which the trajectory turns first. None: ε(γ) is never that where it is "
-        "monotone; not told: the level is not certain, among many turns.",
+        "monotone.",
         ("shape", "ε = −π/12", "linear", "ε = π/12", "linear", "γ*"),
         tuple(rows),
     )
