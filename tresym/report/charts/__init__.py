@@ -70,7 +70,7 @@ def _svg(chart: Chart, module: Any, data: dict[str, Any], part: tuple[str, ...])
     """Draw, put the caption below the picture and into it as a description."""
     from xml.sax.saxutils import escape
 
-    from tresym.report.charts.common import below, measured_with, settle
+    from tresym.report.charts.common import below, measured_with
     from tresym.report.figures import style
 
     try:
@@ -79,6 +79,5 @@ def _svg(chart: Chart, module: Any, data: dict[str, Any], part: tuple[str, ...])
     except (KeyError, TypeError, ValueError, StopIteration) as error:
         raise InputError(f"chart: the file is no measurement of {chart.workload}") from error
     below(figure, caption)
-    settle(figure)
     text = style.svg_text(figure, escape(chart.title))
     return text.replace(" <metadata>", f" <desc>{escape(caption)}</desc>\n <metadata>", 1)

@@ -72,17 +72,6 @@ def below(figure: Any, caption: str) -> None:
     )
 
 
-def settle(figure: Any) -> None:
-    """Lay the picture out once and round where its axes are.
-
-    The solver behind the layout differs in its last bits from run to run.
-    """
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
-    for axes in figure.axes:
-        axes.set_position([round(x, 4) for x in axes.get_position(original=True).bounds])
-
-
 def time_text(seconds: float) -> str:
     """A time with three digits and its unit."""
     for scale, unit in ((1e9, "ns"), (1e6, "µs"), (1e3, "ms")):

@@ -69,8 +69,20 @@ def canvas(
     return figure, figure.subplots(rows, columns, squeeze=False, **options)
 
 
+def _settle(figure: Any) -> None:
+    """Lay the picture out once and round where its axes are.
+
+    The solver behind the layout differs in its last bits from run to run.
+    """
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    for axes in figure.axes:
+        axes.set_position([round(x, 4) for x in axes.get_position(original=True).bounds])
+
+
 def svg_text(figure: Any, title: str) -> str:
     """The figure as SVG with a title, and without anything of the day or the machine in it."""
+    _settle(figure)
     out = io.StringIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
     text = out.getvalue().replace(" <metadata>", f" <title>{title}</title>\n <metadata>", 1)
