@@ -78,6 +78,8 @@ def all_cells() -> Iterator[Cell]:
     yield from _error_cells()
     for name, body in NAMED_BODIES.items():
         yield _cell("table slope", name, body.shape, "0", 15)
+    yield from _constant_cells()
+    yield from _threshold_cells()
     yield from _route_cells()
     yield from _panels()
 
@@ -100,6 +102,26 @@ def _error_cells() -> Iterator[Cell]:
         for product in PRODUCTS:
             name = f"ab = {_number(product):g}, b = {_number(b):g}"
             yield _cell("table errors", name, Shape(product / b, b), "0", 60)
+
+
+def _constant_cells() -> Iterator[Cell]:
+    """The table of constants: ε₀ to digits that leave the ratio with ε*⁴ six."""
+    from tresym.flip.constants import CONSTANTS
+
+    for row in CONSTANTS:
+        shape = Shape(parse_number(row.least), fmpq(1))
+        yield _cell("table constants", f"a = {row.least}, b = 1", shape, "0", 30)
+
+
+def _threshold_cells() -> Iterator[Cell]:
+    """The table of thresholds: ε at the levels of the bodies, which the search goes through."""
+    from tresym.flip.angle import parse_angle
+    from tresym.flip.levels import level_of
+
+    for name, body in NAMED_BODIES.items():
+        for value in ("-pi/12", "pi/12"):
+            level = level_of(*body.shape, parse_angle(value), 12).str(12, radius=False)
+            yield _cell("table thresholds", f"{name}, ε = {value}", body.shape, level, 12)
 
 
 def _route_cells() -> Iterator[Cell]:
