@@ -128,6 +128,8 @@ def test_the_command_lists_the_charts_and_draws_one(capsys, tmp_path: Path) -> N
     assert [line.split()[0] for line in listed] == list(charts.CHARTS)
     assert main(["chart", "separatrix", "-o", str(tmp_path / "x.svg")]) == 0
     assert (tmp_path / "x.svg").read_text(encoding="utf-8").startswith("<?xml")
+    assert main(["chart", "separatrix", "-o", str(tmp_path / "x.pdf")]) == 0
+    assert (tmp_path / "x.pdf").read_bytes().startswith(b"%PDF-")
 
 
 def test_bad_input_is_one_line(capsys, tmp_path: Path) -> None:

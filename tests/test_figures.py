@@ -467,6 +467,31 @@ def test_the_command_lists_the_figures_and_draws_one(capsys, tmp_path):
     assert (tmp_path / "x.svg").read_text().startswith("<svg")
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("ending", "begins"), [("pdf", b"%PDF-"), ("PNG", b"\x89PNG")])
+def test_a_figure_for_an_article_or_a_slide(ending, begins, tmp_path):
+    pytest.importorskip("matplotlib")
+    paths = [tmp_path / f"{i}.{ending}" for i in range(2)]
+    for path in paths:
+        assert main(["figure", "euler-angles", "-o", str(path)]) == 0
+    first, second = (path.read_bytes() for path in paths)
+    assert first.startswith(begins)
+    assert first == second
+
+
+@pytest.mark.parametrize(
+    ("name", "path", "message"),
+    [
+        ("flip-map", "x.jpg", "a picture is saved as .svg, .pdf or .png"),
+        ("racket-flip", "x.pdf", "racket-flip moves, so it is SVG only"),
+    ],
+)
+def test_a_picture_of_no_such_kind_is_bad_input(name, path, message, capsys, tmp_path):
+    assert main(["figure", name, "-o", str(tmp_path / path)]) == 2
+    assert message in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
 def test_an_unknown_figure_is_bad_input(capsys):
     assert main(["figure", "nosuch"]) == 2
     assert "known: racket-frame" in capsys.readouterr().err

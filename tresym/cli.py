@@ -17,6 +17,8 @@ import tresym
 from tresym.exact import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from tresym.body import Shape
 
     Commands = argparse._SubParsersAction["Parser"]
@@ -464,16 +466,19 @@ def _sweep(args: argparse.Namespace) -> int:
     return UNEXPECTED if found.bad else 0
 
 
+_PICTURE_PATH = "write to a file instead: .svg, .pdf or .png"
+
+
 def _add_figure(commands: Commands) -> None:
     parser = commands.add_parser(
         "figure",
-        help="a figure of the paper, recomputed, as SVG",
-        description="Draw one figure as SVG; without a name, list them.",
+        help="a figure of the paper, recomputed",
+        description="Draw one figure; without a name, list them.",
         epilog="Needs matplotlib: pip install 'tresym[docs]'.",
         allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")
-    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.add_argument("-o", dest="path", metavar="PATH", help=_PICTURE_PATH)
     parser.set_defaults(run=_figure)
 
 
@@ -484,15 +489,15 @@ def _figure(args: argparse.Namespace) -> int:
         names = (f"{name:<16} {title}\n" for name, title in figures.FIGURES.items())
         _deliver("".join(names), args.path)
     else:
-        _deliver(figures.svg(args.name), args.path)
+        _deliver_picture(lambda kind: figures.picture(args.name, kind), args.path)
     return 0
 
 
 def _add_chart(commands: Commands) -> None:
     parser = commands.add_parser(
         "chart",
-        help="a chart of saved measurements, as SVG",
-        description="Draw one chart of `tresym bench --save` as SVG; without a name, list them.",
+        help="a chart of saved measurements",
+        description="Draw one chart of `tresym bench --save`; without a name, list them.",
         epilog="Needs matplotlib: pip install 'tresym[docs]'.",
         allow_abbrev=False,
     )
@@ -500,7 +505,7 @@ def _add_chart(commands: Commands) -> None:
     parser.add_argument(
         "--from", dest="source", metavar="FILE", help="a saved measurement (default: the one here)"
     )
-    parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.add_argument("-o", dest="path", metavar="PATH", help=_PICTURE_PATH)
     parser.set_defaults(run=_chart)
 
 
@@ -511,8 +516,20 @@ def _chart(args: argparse.Namespace) -> int:
         names = (f"{name:<16} {chart.title}\n" for name, chart in charts.CHARTS.items())
         _deliver("".join(names), args.path)
     else:
-        _deliver(charts.svg(args.name, args.source), args.path)
+        _deliver_picture(lambda kind: charts.picture(args.name, args.source, kind), args.path)
     return 0
+
+
+def _deliver_picture(draw: Callable[[str], bytes], path: str | None) -> None:
+    """To a file of the kind its name ends in, or as SVG to standard output."""
+    from tresym.report.figures import kind_of
+    from tresym.report.output import write_bytes
+
+    picture = draw(kind_of(path))
+    if path is None:
+        print(picture.decode(), end="")
+    else:
+        write_bytes(path, picture)
 
 
 def _deliver(text: str, path: str | None) -> None:

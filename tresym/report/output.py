@@ -10,7 +10,12 @@ from tresym.exact import InputError
 
 
 def write_text(path: str, text: str) -> None:
-    """Write ``text`` (UTF-8) to ``path``: aside first, then renamed, so no half file is ever seen.
+    """Write ``text`` (UTF-8) to ``path`` as :func:`write_bytes` does."""
+    write_bytes(path, text.encode("utf-8", errors="backslashreplace"))
+
+
+def write_bytes(path: str, data: bytes) -> None:
+    """Write ``data`` to ``path``: aside first, then renamed, so no half file is ever seen.
 
     A device or a pipe is written to as it is; of a link, the file it leads to is replaced.
 
@@ -19,28 +24,28 @@ def write_text(path: str, text: str) -> None:
     """
     try:
         if os.path.exists(path) and not os.path.isfile(path):
-            _write(path, text)
+            _write(path, data)
         else:
-            _replace(os.path.realpath(path), text)
+            _replace(os.path.realpath(path), data)
     except (OSError, ValueError) as error:
         shown = path if path.isprintable() else ascii(path)
         reason = error.strerror if isinstance(error, OSError) else error
         raise InputError(f"{shown}: cannot be written ({reason})") from None
 
 
-def _replace(path: str, text: str) -> None:
+def _replace(path: str, data: bytes) -> None:
     aside = f"{path}.{os.getpid()}.part"
     try:
-        _write(aside, text)
+        _write(aside, data)
         os.replace(aside, path)
     finally:
         with suppress(OSError):
             os.remove(aside)
 
 
-def _write(path: str, text: str) -> None:
-    with open(path, "w", encoding="utf-8", errors="backslashreplace") as file:
-        file.write(text)
+def _write(path: str, data: bytes) -> None:
+    with open(path, "wb") as file:
+        file.write(data)
 
 
 def colour_wanted() -> bool:

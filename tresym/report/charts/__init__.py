@@ -51,11 +51,22 @@ def svg(name: str, source: str | None = None) -> str:
     """The chart ``name`` as SVG text, from the saved measurement or from the file ``source``.
 
     Raises:
+        InputError: as :func:`picture` does.
+    """
+    return picture(name, source).decode()
+
+
+def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
+    """The chart ``name`` as the bytes of an SVG, PDF or PNG file; ``source`` as in :func:`svg`.
+
+    Raises:
         InputError: an unknown name, a file that is no such measurement, or no matplotlib.
     """
     if name not in CHARTS:
         raise InputError(f"chart: {name[:40]!a} is not known; known: {', '.join(CHARTS)}")
     chart = CHARTS[name]
+    from xml.sax.saxutils import escape
+
     from tresym.report.charts.saved import load
     from tresym.report.figures import style
 
@@ -63,15 +74,20 @@ def svg(name: str, source: str | None = None) -> str:
     module = import_module(f"{__name__}.{chart.module}")
     part = () if chart.part is None else (chart.part,)
     with style.looks():
-        return _svg(chart, module, data, part)
+        figure, caption = _drawn(chart, module, data, part)
+        if kind != "svg":
+            return style.bitmap_or_page(figure, chart.title, kind)
+        text = style.svg_text(figure, escape(chart.title))
+        return text.replace(
+            " <metadata>", f" <desc>{escape(caption)}</desc>\n <metadata>", 1
+        ).encode()
 
 
-def _svg(chart: Chart, module: Any, data: dict[str, Any], part: tuple[str, ...]) -> str:
-    """Draw, put the caption below the picture and into it as a description."""
-    from xml.sax.saxutils import escape
-
+def _drawn(
+    chart: Chart, module: Any, data: dict[str, Any], part: tuple[str, ...]
+) -> tuple[Any, str]:
+    """The picture with its caption below, and the caption."""
     from tresym.report.charts.common import below, measured_with
-    from tresym.report.figures import style
 
     try:
         figure = module.draw(data, *part)
@@ -79,5 +95,4 @@ def _svg(chart: Chart, module: Any, data: dict[str, Any], part: tuple[str, ...])
     except (KeyError, TypeError, ValueError, StopIteration) as error:
         raise InputError(f"chart: the file is no measurement of {chart.workload}") from error
     below(figure, caption)
-    text = style.svg_text(figure, escape(chart.title))
-    return text.replace(" <metadata>", f" <desc>{escape(caption)}</desc>\n <metadata>", 1)
+    return figure, caption

@@ -79,7 +79,7 @@ def _column(sheet: Any, pairs: list[Any], longest: int) -> None:
                 transform=sheet.get_yaxis_transform(),
                 ha="right",
                 va="center",
-                fontsize=6.5,
+                fontsize=6,
                 fontweight="bold",
             )
             place += 1

@@ -57,7 +57,7 @@ def caption(data: dict[str, Any]) -> str:
 def draw(data: dict[str, Any]) -> Any:
     """Four panels, the last on a scale of its own."""
     figure, grid = style.canvas(7.2, 7.4, 2, 2)
-    figure.get_layout_engine().set(h_pad=0.1)
+    figure.get_layout_engine().set(h_pad=0.1, hspace=0.04)
     for sheet, (top, title, methods) in zip(grid.flat, PANELS, strict=True):
         ends = [-top / 60, top]
         sheet.fill_between(

@@ -1,12 +1,13 @@
 """The paper's figures, recomputed: each file has ``data()``, arrays, and ``draw(data)``, a picture.
 
-What a caption says is tested on the arrays of ``data()``. The pictures are SVG, the same bytes on
-every build with the same matplotlib: no dates, no random names, text drawn as paths.
+What a caption says is tested on the arrays of ``data()``. The pictures are SVG (PDF and PNG on
+request), the same bytes on every build with the same matplotlib: no dates, no random names.
 """
 
 from __future__ import annotations
 
 from importlib import import_module
+from pathlib import PurePath
 
 from tresym.exact import InputError
 
@@ -27,18 +28,48 @@ FIGURES = {
 """The figures ``tresym figure`` knows, by name; the file of ``a-b`` is ``a_b.py``."""
 
 
+KINDS = ("svg", "pdf", "png")
+"""The kinds of file a picture is saved as."""
+
+
 def svg(name: str) -> str:
     """The figure ``name`` as the text of an SVG file.
 
     Raises:
         InputError: an unknown name, or matplotlib is not installed.
     """
+    return picture(name).decode()
+
+
+def picture(name: str, kind: str = "svg") -> bytes:
+    """The figure ``name`` as the bytes of a file of this kind, one of ``KINDS``.
+
+    Raises:
+        InputError: an unknown name, an animation that shall be no SVG, or no matplotlib.
+    """
     if name not in FIGURES:
         raise InputError(f"figure: {name[:40]!a} is not known; known: {', '.join(FIGURES)}")
     module = import_module(f"{__name__}.{name.replace('-', '_')}")
     if name == "racket-flip":
-        return str(module.draw(module.data()))
+        if kind != "svg":
+            raise InputError(f"figure: {name} moves, so it is SVG only")
+        return str(module.draw(module.data())).encode()
     from tresym.report.figures import style
 
     with style.looks():
-        return style.svg_text(module.draw(module.data()), FIGURES[name])
+        figure = module.draw(module.data())
+        if kind == "svg":
+            return style.svg_text(figure, FIGURES[name]).encode()
+        return style.bitmap_or_page(figure, FIGURES[name], kind)
+
+
+def kind_of(path: str | None) -> str:
+    """The kind of picture a file of this name holds; SVG where there is no file or no ending.
+
+    Raises:
+        InputError: an ending that no picture here has.
+    """
+    ending = "" if path is None else PurePath(path).suffix[1:].lower()
+    if ending and ending not in KINDS:
+        raise InputError(f"{path}: a picture is saved as .svg, .pdf or .png")
+    return ending or "svg"

@@ -1,4 +1,4 @@
-"""The looks of all figures, and how they become SVG: the only file that imports matplotlib.
+"""The looks of all figures, and how they are saved: the only file that imports matplotlib.
 
 Rotating motions are solid and dark, oscillating ones dashed and lighter, the separatrix dotted:
 told apart without colour too. The two colours are from the palette of Okabe and Ito.
@@ -24,6 +24,7 @@ INK = "0.15"
 _LOOKS = {
     "svg.hashsalt": "tresym",
     "svg.fonttype": "path",
+    "pdf.fonttype": 42,
     "path.simplify": True,
     "font.family": "DejaVu Sans",
     "font.size": 9,
@@ -87,6 +88,16 @@ def svg_text(figure: Any, title: str) -> str:
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
     text = out.getvalue().replace(" <metadata>", f" <title>{title}</title>\n <metadata>", 1)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def bitmap_or_page(figure: Any, title: str, kind: str) -> bytes:
+    """The figure as the bytes of a PDF page or of a PNG with 200 dots an inch."""
+    _settle(figure)
+    out = io.BytesIO()
+    of_the_day = {"pdf": ("CreationDate", "Creator", "Producer"), "png": ("Software",)}
+    metadata = {"Title": title, **dict.fromkeys(of_the_day[kind])}
+    figure.savefig(out, format=kind, dpi=200, metadata=metadata)
+    return out.getvalue()
 
 
 def halo() -> list[Any]:
