@@ -11,6 +11,7 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.exact import Decimal, decimal_ball, fraction_text, parse_number
+from tresym.identity.expression import Expr
 from tresym.verdict import Verdict
 
 DIGITS = (12, 40, 220, 1250)
@@ -90,10 +91,13 @@ def ball_text(ball: Decimal) -> str:
 
 
 def refuted(
-    why: str, point: Mapping[str, fmpq], left: arb | None = None, right: arb | None = None
+    why: str, point: Mapping[str, fmpq | Expr], left: arb | None = None, right: arb | None = None
 ) -> Answer:
     """A refutation at an exact point, with both sides there."""
-    witness = {name: fraction_text(value) for name, value in point.items()}
+    witness = {
+        name: str(value) if isinstance(value, Expr) else fraction_text(value)
+        for name, value in point.items()
+    }
     values = None
     if left is not None and right is not None:
         values = _apart(left, right)

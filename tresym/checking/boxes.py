@@ -14,7 +14,8 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, refuted
-from tresym.checking.domain import equal_at, simplest_between
+from tresym.checking.contact import candidates, enclosure, sign_at_contact
+from tresym.checking.domain import equal_at
 from tresym.checking.ends import sign_beside
 from tresym.claims.enclosure import Bound, Box, BoxProof, Counterexample, prove_positive
 from tresym.exact import Interval, fraction_text
@@ -134,7 +135,7 @@ class _Search:
 
     def _contact(self, worst: Interval, whole: Interval) -> Answer | None:
         """Close a neighbourhood of the point of contact in ``worst``; an answer if that fails."""
-        for point in _candidates(worst):
+        for point in candidates(worst):
             inside = self._at_contact(point)
             if isinstance(inside, Answer):
                 return inside
@@ -150,7 +151,7 @@ class _Search:
 
     def _piece(self, point: Expr, whole: Interval) -> tuple[fmpq, fmpq] | Answer | None:
         """An interval about ``point``, within ``whole``, where the claim holds off the point."""
-        low, high = _enclosure(point)
+        low, high = enclosure(point)
         ends = [low, high]
         for k, side in enumerate((-1, 1)):
             if low == high == whole[k]:
@@ -158,13 +159,21 @@ class _Search:
                 continue
             beside = self._excluded_beside(point, side)
             if beside is None:
-                beside = sign_beside(self.difference, self.names[0], point, side)
+                beside = self._beside(point, side)
                 if beside is not None and beside[0] < 0:
                     return self._failure_towards(point, side, beside)
             if beside is None or (self.strict and beside[0] == 0):
                 return None
             ends[k] = (low if side > 0 else high) + side * beside[1]
         return (ends[0], ends[1]) if ends[0] <= ends[1] else None
+
+    def _beside(self, point: Expr, side: int) -> tuple[int, fmpq] | None:
+        """The sign of the difference on a neighbourhood on that side."""
+        name = self.names[0]
+        found = sign_at_contact(self.difference, name, point, side)
+        if found is None and (point.op == "number" or _in_pi(point)):
+            found = sign_beside(self.difference, name, point, side)
+        return found
 
     def _excluded_beside(self, point: Expr, side: int) -> tuple[int, fmpq] | None:
         """A neighbourhood on that side which a condition excludes."""
@@ -180,27 +189,29 @@ class _Search:
         name = self.names[0]
         with ball_precision(2 * PRECISION):
             at = {name: evaluate(point, {})}
+            value = evaluate(self.difference, at)
+            if not (value > 0 and point.op == "number") and not value.contains(0):
+                return False
             if any(self._fails(condition, point, at) for condition in self.region.conditions):
                 return True
-            value = evaluate(self.difference, at)
         if value > 0:
             return True
-        if point.op != "number" or not value.is_finite():
-            return value.is_finite() and not self.strict and self._equal(point)
-        exact = {name: point.args[0]}
-        if not equal_at(self.left, self.right, exact):
+        if not value.is_finite() or not equal_at(self.left, self.right, {name: point}):
             return False
         if not self.strict:
             return True
         with ball_precision(2 * PRECISION):
-            if all(condition.holds_exactly(at) for condition in self.region.conditions):
+            if all(self._holds(condition, point, at) for condition in self.region.conditions):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
-                shown = f"{name} = {fraction_text(exact[name])}"
-                return refuted(f"both sides are equal at {shown}", exact, *values)
+                return refuted(f"both sides are equal at {name} = {point}", {name: point}, *values)
         return False
 
-    def _equal(self, point: Expr) -> bool:
-        return equal_at(self.left, self.right, {self.names[0]: point})
+    def _holds(self, condition: Condition, point: Expr, at: dict[str, arb]) -> bool:
+        """Whether the point satisfies the condition."""
+        equal = condition.relation == ">=" and equal_at(
+            condition.expression, ZERO, {self.names[0]: point}
+        )
+        return equal or condition.holds(at)
 
     def _fails(self, condition: Condition, point: Expr, at: dict[str, arb]) -> bool:
         """Whether the condition excludes the point."""
@@ -306,39 +317,12 @@ class _Search:
         return evaluate(self.difference, corner) + spread
 
 
+def _in_pi(point: Expr) -> bool:
+    return PI in (point, *point.args)
+
+
 def _contains(piece: tuple[fmpq, fmpq], x: arb) -> bool:
     return bool(x >= arb(piece[0]) and x <= arb(piece[1]))
-
-
-def _candidates(worst: Interval) -> list[Expr]:
-    """Exact points of contact that ``worst`` suggests: a simple rational, and one times π."""
-    found: dict[Expr, None] = {}
-    for wider in (1, 2**12, 2**24):
-        gap = wider * ((worst.high - worst.low) or fmpq(1, 2**40))
-        low, high = worst.low - gap, worst.high + gap
-        found[number(simplest_between(low, high))] = None
-        with ball_precision(PRECISION):
-            ends = (arb(low) / arb.pi()).lower(), (arb(high) / arb.pi()).upper()
-            multiple = simplest_between(*(_rational(end) for end in ends))
-        if multiple != 0 and multiple.q < LARGEST_DENOMINATOR:
-            found[multiple * PI] = None
-    return list(found)
-
-
-def _enclosure(point: Expr) -> tuple[fmpq, fmpq]:
-    """Rationals on both sides of the constant, equal to it where it is rational."""
-    if point.op == "number":
-        return point.args[0], point.args[0]
-    with ball_precision(2 * PRECISION):
-        value = evaluate(point, {})
-        return _rational(value.lower()), _rational(value.upper())
-
-
-def _rational(x: arb) -> fmpq:
-    mantissa, exponent = x.man_exp()
-    if exponent >= 0:
-        return fmpq(mantissa * 2 ** int(exponent))
-    return fmpq(mantissa, 2 ** int(-exponent))
 
 
 def _open(names: list[str], worst: Box) -> Answer:

@@ -14,6 +14,7 @@ from flint import arb, fmpq
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.boxes import search
+from tresym.checking.cones import sign_on_cones
 from tresym.checking.domain import bound, equal_at, with_domain
 from tresym.checking.taylor import sign_by_taylor
 from tresym.exact import fraction_text
@@ -64,6 +65,9 @@ def _proved(difference: Expr, relation: str, region: Given, depth: int = 0) -> s
     found = sign(difference, region)
     if found in _STRICT[relation]:
         return f"the difference {_words(found)} by the signs of its parts"
+    proof = sign_on_cones(difference, relation, region)
+    if proof is not None:
+        return proof
     proof = sign_by_taylor(difference, relation, region)
     if proof is not None:
         return f"Taylor's theorem: {proof}"

@@ -41,7 +41,8 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
     if relation == "==":
-        found = decide(left, right, statement.given)
+        real = comparison.differentiated
+        found = decide(left, right, statement.given, real=real)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
         return Answer(found.verdict, found.why)

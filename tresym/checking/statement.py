@@ -38,11 +38,16 @@ _ASSUMPTIONS = {
 
 @dataclass(frozen=True)
 class Comparison:
-    """``left relation right``; for ``O`` and ``o`` the right side is the gauge."""
+    """``left relation right``; for ``O`` and ``o`` the right side is the gauge.
+
+    ``differentiated`` are the functions whose derivatives were written: a derivative is one where
+    its function is real.
+    """
 
     left: Expr
     relation: str
     right: Expr
+    differentiated: tuple[Expr, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -152,7 +157,8 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
     if name not in _SYMPY:
         hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
         raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
-    comparison = Comparison(from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs))
+    inner = tuple(from_sympy(part.expr) for part in _derivatives(claim))
+    comparison = Comparison(from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs), inner)
     conditions = []
     names: set[str] = set()
     for variable in sorted(claim.free_symbols, key=str):
@@ -165,6 +171,12 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
             if getattr(variable, assumption):
                 conditions.append((symbol(variable.name), sign, number(0)))
     return (comparison,), Given(tuple(conditions))
+
+
+def _derivatives(claim: Any) -> list[Any]:
+    from sympy import Derivative, Integral
+
+    return [part for part in claim.atoms(Derivative) if not part.has(Integral)]
 
 
 def read_path(text: str) -> Path:

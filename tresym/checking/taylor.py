@@ -1,23 +1,30 @@
 """The sign of a difference by Taylor's theorem about one point, with signs that are proved.
 
 On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. Where all terms have
-one sign, d has it; the other symbols are parameters. No floating point takes part.
+one sign, d has it. The other symbols are parameters, and c may depend on them: it is an end of the
+range, 0, 1, another symbol, or where the derivative vanishes. No floating point takes part.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from flint import fmpq
-
-from tresym.exact import fraction_text
+from tresym.checking.stationary import solutions
 from tresym.identity.bounds import sign
-from tresym.identity.expression import Expr, differentiate, number, substitute, symbols
+from tresym.identity.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    differentiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.identity.given import Given, Range
 from tresym.identity.locally_constant import singularities
 
 MAX_ORDER = 5
 MAX_SIZE = 2_000
+MAX_BASES = 8
 _WEAK = ("+", ">=0", "0")
 _FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
 
@@ -33,9 +40,9 @@ def sign_by_taylor(difference: Expr, relation: str, region: Given) -> str | None
         ranges = _without_beyond(region, name)
         inside = _opened(ranges, name)
         where = ranges.box.get(name, Range())
-        for c in _bases(where):
-            if _within(ranges, name, c) and _smooth(difference, name, c, inside):
-                proof = _expansion(difference, relation, name, c, where, inside)
+        for c in _bases(difference, name, where):
+            if _within(ranges, name, c, inside) and _smooth(difference, name, c, inside):
+                proof = _expansion(difference, relation, name, c, region, inside)
                 if proof is not None:
                     return proof
     return None
@@ -57,26 +64,31 @@ def _opened(region: Given, name: str) -> Given:
     return Given(tuple(opened))
 
 
-def _bases(where: Range) -> Iterator[fmpq]:
-    """Points of the closed range about which to expand."""
-    for c in (where.low, where.high, fmpq(0), fmpq(1)):
-        if c is not None and c.q < 2**64:
-            yield c
+def _bases(difference: Expr, name: str, where: Range) -> list[Expr]:
+    """Points about which to expand, that may or may not lie in the range."""
+    found = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
+    found += [ZERO, ONE, *map(symbol, sorted(symbols(difference) - {name}))]
+    found += solutions(differentiate(difference, name), name)
+    return list(dict.fromkeys(found))[:MAX_BASES]
 
 
-def _within(region: Given, name: str, c: fmpq) -> bool:
-    """Whether ``c`` satisfies the bounds of the variable, exactly, with equality allowed."""
-    at = {name: number(c)}
-    return all(
-        sign(substitute(condition.expression, at), Given()) in _WEAK
+def _within(region: Given, name: str, c: Expr, inside: Given) -> bool:
+    """Whether ``c`` is defined and satisfies the bounds of the variable, with equality allowed."""
+    at = {name: c}
+    defined = all(
+        sign(part, inside) in (("+",) if positive else ("+", "-"))
+        for part, positive in singularities(c)
+    )
+    return defined and all(
+        sign(substitute(condition.expression, at), inside) in _WEAK
         for condition in region.conditions
         if name in symbols(condition.expression)
     )
 
 
-def _smooth(e: Expr, name: str, c: fmpq, inside: Given) -> bool:
+def _smooth(e: Expr, name: str, c: Expr, inside: Given) -> bool:
     """Whether ``e`` is analytic in the variable on every segment from ``c``, ``c`` included."""
-    at = {name: number(c)}
+    at = {name: c}
     for part, _ in singularities(e):
         if sign(part, inside) not in ("+", "-"):
             return False
@@ -86,15 +98,13 @@ def _smooth(e: Expr, name: str, c: fmpq, inside: Given) -> bool:
 
 
 def _expansion(
-    difference: Expr, relation: str, name: str, c: fmpq, where: Range, inside: Given
+    difference: Expr, relation: str, name: str, c: Expr, region: Given, inside: Given
 ) -> str | None:
     """Raise the order until every term has the sign that is claimed."""
-    sides = []
-    if where.high is None or where.high > c:
-        sides.append(1)
-    if where.low is None or where.low < c:
-        sides.append(-1)
-    at = {name: number(c)}
+    beside = sign(symbol(name) - c, region)
+    sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
+    apart = sign((symbol(name) - c) ** 2, region) == "+"
+    at = {name: c}
     terms: list[str | None] = []
     derivative = difference
     for order in range(1, MAX_ORDER + 1):
@@ -107,24 +117,19 @@ def _expansion(
         last = sign(derivative, inside)
         if last is None:
             continue
-        if all(_has_sign([*terms, last], side, relation, c, where) for side in sides):
+        if all(_has_sign([*terms, last], side, relation, apart) for side in sides):
             return (
-                f"about {name} = {fraction_text(c)} the terms below order {order} and the "
+                f"about {name} = {c} the terms below order {order} and the "
                 f"derivative of order {order} have the sign that is claimed"
             )
     return None
 
 
-def _has_sign(terms: list[str | None], side: int, relation: str, c: fmpq, where: Range) -> bool:
+def _has_sign(terms: list[str | None], side: int, relation: str, apart: bool) -> bool:
     """Whether the terms, on this side of c, add up to ``relation`` zero."""
     signs = [_FLIP[term] if side < 0 and j % 2 else term for j, term in enumerate(terms)]
     if not all(term in _WEAK for term in signs):
         return False
     if relation == ">=" or signs[0] == "+":
         return True
-    # Off c one positive term is enough; c itself must lie outside.
-    return "+" in signs and c in (where.low, where.high) and _excluded(c, where)
-
-
-def _excluded(c: fmpq, where: Range) -> bool:
-    return bool((c == where.low and where.low_open) or (c == where.high and where.high_open))
+    return apart and "+" in signs  # off c one positive term is enough

@@ -99,14 +99,14 @@ def _open_sign(e: Expr, given: Given) -> str | None:
         (value,) = field.normal(e)
         if value.num.is_zero():
             return "0"
-        num, den = (_without_powers(field, p) for p in (value.num, value.den))
+        num, den = (without_powers(field, p) for p in (value.num, value.den))
         found = _factored_sign(field, num) * _factored_sign(field, den)
     except (TooLargeError, UndefinedError):
         return None
     return {1: ">=0", -1: "<=0", 0: None}[found]
 
 
-def _without_powers(field: Field, p: Poly) -> Poly:
+def without_powers(field: Field, p: Poly) -> Poly:
     """``p`` with each symbol that is positive, and whose root occurs, as a power of that root."""
     for position, order, _ in field.relations:
         generator = field.at(position)
