@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Rational, Symbol, Tuple
+from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
 from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, standard_racket
 
@@ -21,9 +21,11 @@ from tresym.claims.claim import (
     Definition,
     Place,
     all_of,
+    at,
     by,
     equal,
     equations,
+    evaluating,
     formally,
     step,
     substituting,
@@ -163,12 +165,10 @@ _changed = (_x > 0, _y > 0)
 
 unit_of_inertia = Claim(
     label="unit_of_inertia",
-    says="1 kg m² is 10⁶ kg mm², a unit that changes by the square of the length unit.",
-    kind="statement",
+    says=equal(10**6 * at(_y**2, {_y: _x / 1000}), _x**2),
     given=_changed,
-    proof=formally(
-        equal((_x * Rational(1, 1000)) ** 2 * 10**6, _x**2),
-    ),
+    proof=by(evaluating),
+    note="1 kg m² is 10⁶ kg mm²: a unit that changes by the square of the length unit.",
 )
 
 table_units = Claim(

@@ -15,13 +15,15 @@ from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
 from tresym.proofs.table_of_objects import exact_defect, formula_defect, share_of_pi
 
-from tresym.claims.claim import Claim, Place, all_of, by, equal, step, together
+from tresym.claims.claim import Claim, Place, all_of, at, by, equal, evaluating, step, together
 from tresym.formulas import printed
+from tresym.notation import I1, I2, I3
 from tresym.verdict import Verdict
 
 B1, B2, B3 = (Symbol(f"B{n}", real=True) for n in (1, 2, 3))
 _ordered = (B1 > 0, B2 > 0, B3 > 0, B2 - B3 > 0, B1 - B2 > 0)
-_a, _b = printed.shape(1 / B1, 1 / B2, 1 / B3)
+_moments = {I1: 1 / B1, I2: 1 / B2, I3: 1 / B3}
+_a, _b = (at(ratio, _moments) for ratio in printed.shape(I1, I2, I3))
 
 CONSTANTS = {"B1": "4.64", "B2": "1.001", "B3": "0.828"}
 
@@ -29,7 +31,7 @@ rotational_constants = Claim(
     label="rotational_constants",
     says=Tuple(equal(_a, B1 / B2 - 1), equal(_b, 1 - B3 / B2)),
     given=_ordered,
-    proof=together(by(), by()),
+    proof=together(by(evaluating), by(evaluating)),
     where=Place(line=320),
     note="The constants are inversely proportional to the moments; the factor drops out.",
     shown=r"\frac{I_2}{I_1}-1 = \frac{B_1}{B_2}-1,\quad 1-\frac{I_2}{I_3} = 1-\frac{B_3}{B_2}",

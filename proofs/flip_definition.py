@@ -49,13 +49,14 @@ from tresym.claims.claim import (
     Definition,
     Place,
     adding,
-    algebra,
     all_of,
+    at,
     by,
     changing_variable,
     cutting,
     differentiation,
     equal,
+    evaluating,
     exponentials,
     formally,
     multiplying,
@@ -150,9 +151,9 @@ elementary_at_the_top = Claim(
 
 integrand_at_the_top = Claim(
     label="integrand_at_the_top",
-    says=equal(printed.integrand(psi, a, b, a, 1, sympy), _slow / _fast),
+    says=equal(at(_integrand, {gamma: a, S: 1}), _slow / _fast),
     given=shape,
-    proof=by(algebra),
+    proof=by(evaluating, roots),
     shown=r"\left.\frac{d\phi}{d\psi}\right|_{\gamma=a,\,S=1} = "
     r"\frac{1-b\sin^2\psi}{a+b\sin^2\psi}",
 )
@@ -311,16 +312,17 @@ def _points(*values: object) -> tuple[tuple[object, object], ...]:
     return tuple((value, value) for value in values)
 
 
+_rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
+
 equal_rates = Claim(
     label="equal_rates",
     says=equal(
-        printed.psi_rate(pi - epsilon, a, b, gamma, S, sympy),
-        printed.psi_rate(epsilon, a, b, gamma, S, sympy),
+        at(_rate, {psi: pi - psi}),
+        _rate,
     ),
-    given=(*shape, b < 1, gamma + b * sin(epsilon) ** 2 > 0),
-    proof=by(algebra),
-    shown=r"\left.\frac{d\psi}{d\phi}\right|_{\psi=\pi-\epsilon} = "
-    r"\left.\frac{d\psi}{d\phi}\right|_{\psi=\epsilon}",
+    given=(*shape, b < 1, gamma + b * _square > 0),
+    proof=by(evaluating, trigonometry),
+    shown=r"V(\pi-\psi) = V(\psi),\quad V = \frac{d\psi}{d\phi}",
 )
 
 integrand_falls = Claim(
@@ -411,24 +413,25 @@ b_to_zero = Claim(
 
 separatrix_horizontal = Claim(
     label="separatrix_horizontal",
-    says="For b = 0 the separatrix is the line dψ/dφ = 0.",
-    kind="statement",
+    says=equal(at(printed.psi_rate(psi, a, b, 0, S, sympy), {b: 0}), 0),
     given=(a > 0,),
-    proof=formally(equal(S * sqrt(a) * sqrt(0 * _square) / 1, 0)),
+    proof=by(evaluating, roots),
     where=Place(line=249),
+    note="On γ = 0, for b = 0: the line dψ/dφ = 0.",
 )
-
-_theta_rate, _psi_rate = printed.planar_rates(theta, psi, a, Integer(0), sympy)
 
 separatrix_equilibria = Claim(
     label="separatrix_equilibria",
-    says="For b = 0 every point of the separatrix (θ = π/2) is an equilibrium.",
-    kind="statement",
-    given=(a > 0,),
-    proof=formally(
-        equal(_theta_rate.subs(theta, pi / 2), 0), equal(_psi_rate.subs(theta, pi / 2), 0)
+    says=Tuple(
+        *(
+            equal(at(rate, {theta: pi / 2, b: 0}), 0)
+            for rate in printed.planar_rates(theta, psi, a, b, sympy)
+        )
     ),
+    given=(a > 0,),
+    proof=together(by(evaluating), by(evaluating, trigonometry)),
     where=Place(line=249),
+    note="For b = 0 every point of the separatrix, θ = π/2, is an equilibrium.",
 )
 
 only_way_half_pi = Claim(

@@ -38,12 +38,15 @@ from tresym.claims.claim import (
     Counterexample,
     Definition,
     Place,
+    Reason,
     adding,
     all_of,
     applying,
+    at,
     by,
     differentiation,
     equal,
+    evaluating,
     exponentials,
     formally,
     multiplying,
@@ -51,6 +54,7 @@ from tresym.claims.claim import (
     roots,
     step,
     substituting,
+    trigonometry,
 )
 from tresym.claims.enclosure import Bound, box
 from tresym.claims.order import Order
@@ -138,9 +142,12 @@ unknown = Claim(
 
 unknown_flat = Claim(
     label="u_flat",
-    says=equal(_by_u, printed.defect_of_u_flat(u, lam, mu, sympy)),
+    says=equal(
+        _by_u,
+        _in_front * at(printed.flat_function(x, sympy), {x: lam / (pi + asin(mu) + u)}),
+    ),
     given=(lam > 0, mu > 0, mu < 1, u > -1, pi + asin(mu) + u > 0),
-    proof=by(),
+    proof=by(evaluating),
     where=Place(display=42),
     shown=r"2\sqrt{1-\mu^2}\,e^{-(\pi+u+\arcsin\mu)/\lambda} = "
     r"2\sqrt{1-\mu^2}\,g\left(\frac{\lambda}{\pi+u+\arcsin\mu}\right),\quad g(s) = e^{-1/s}",
@@ -271,10 +278,10 @@ at_origin = {mu: Integer(0), epsilon: Integer(0)}
 
 G_at_origin = Claim(
     label="G_at_origin",
-    says="G(0, 0, 0) = 0.",
-    kind="statement",
-    proof=formally(equal(_g_with(epsilon).subs(at_origin).subs(u, 0), 0)),
+    says=equal(at(_g_with(epsilon), {**at_origin, u: Integer(0)}), 0),
+    proof=by(evaluating),
     where=Place(line=367),
+    shown=r"G(0, 0, 0) = 0",
 )
 
 
@@ -283,13 +290,16 @@ def _value(slope: Claim) -> Any:
     return parts_of(slope.says)[0].args[1].subs(at_origin)
 
 
-def _at_origin(label: str, says: str, slope: Claim, value: int, **rest: Any) -> tuple[Claim, Claim]:
+def _at_origin(
+    label: str, says: str, slope: Claim, value: int, *reasons: Reason, **rest: Any
+) -> tuple[Claim, Claim]:
     """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
-    says_value = equal(_value(slope), value)
+    says_value = equal(at(parts_of(slope.says)[0].args[1], at_origin), value)
     name = slope.label.removeprefix("slope_by_")
     letter = {"lambda": r"\lambda", "mu": r"\mu"}.get(name, name)
     shown = rf"\frac{{\partial G}}{{\partial {letter}}}(0, 0, 0) = {value}"
-    found = Claim(label=f"{label}_value", says=says_value, proof=by(), shown=shown)
+    proof = by(evaluating, *reasons)
+    found = Claim(label=f"{label}_value", says=says_value, proof=proof, shown=shown)
     return found, Claim(
         label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
     )
@@ -316,6 +326,7 @@ G_mu_value, G_mu_at_origin = _at_origin(
     "∂G/∂μ(0, 0, 0) = 0, because 1 − cos ε₀ = 0 there.",
     slope_by_mu,
     0,
+    trigonometry,
 )
 
 _mu_of_lambda = printed.mu_of_lambda(lam, b, sympy)

@@ -46,13 +46,15 @@ from tresym.claims.claim import (
     Printed,
     adding,
     all_of,
+    at,
     by,
     equal,
-    formally,
+    evaluating,
     multiplying,
     step,
     substituting,
     together,
+    trigonometry,
 )
 from tresym.claims.denial import Denied
 from tresym.claims.enclosure import Bound, box
@@ -449,12 +451,12 @@ linear_range = Claim(
 )
 linear_range_ends = Claim(
     label="linear_range_ends",
-    says="In the linear formula the tolerance is reached at γ = 4bε₀(ε₀ ± π/12).",
-    kind="statement",
-    given=(b > 0, epsilon0 > 0),
-    proof=formally(
-        equal(_linear.subs(gamma, _upper), -pi / 12), equal(_linear.subs(gamma, _lower), pi / 12)
+    says=Tuple(
+        equal(at(_linear, {gamma: _upper}), -pi / 12), equal(at(_linear, {gamma: _lower}), pi / 12)
     ),
+    given=(b > 0, epsilon0 > 0),
+    proof=together(by(evaluating), by(evaluating)),
+    note="In the linear formula the tolerance is reached at γ = 4bε₀(ε₀ ± π/12).",
 )
 close_to_separatrix = Claim(
     label="close_to_separatrix",
@@ -530,11 +532,11 @@ unstable_rotation_characterized = Claim(
 central_symmetry = Claim(
     label="fig_rob",
     says=Tuple(
-        equal(printed.psi_rate(-psi, a, b, gamma, -S, sympy), -_rate),
-        equal(printed.psi_rate(psi + pi, a, b, gamma, S, sympy), _rate),
+        equal(at(_rate, {psi: -psi, S: -S}), -_rate),
+        equal(at(_rate, {psi: psi + pi}), _rate),
     ),
     given=(*shape_of_a_body, gamma + b * sin(psi) ** 2 > 0),
-    proof=together(by(), by()),
+    proof=together(by(evaluating, trigonometry), by(evaluating, trigonometry)),
     where=Place(line=283),
     note="(ψ, dψ/dφ) → (−ψ, −dψ/dφ) takes motions to motions and Δψ to −Δψ; so about every π.",
     shown=r"V(-\psi, -S) = -V(\psi, S),\quad V(\psi+\pi, S) = V(\psi, S),\quad "

@@ -12,8 +12,8 @@ import sympy
 from flint import fmpq
 from sympy import (
     Abs,
+    Derivative,
     Ge,
-    ImmutableMatrix,
     Integer,
     Le,
     Ne,
@@ -23,8 +23,6 @@ from sympy import (
     asin,
     atan,
     cos,
-    det,
-    eye,
     pi,
     sin,
     sqrt,
@@ -52,9 +50,12 @@ from tresym.claims.claim import (
     Definition,
     Place,
     all_of,
+    at,
     by,
+    differentiation,
     equal,
     equations,
+    evaluating,
     formally,
     inverses,
     roots,
@@ -108,16 +109,18 @@ second_equation_is_enough = Claim(
 )
 
 _flow = printed.planar_rates(theta, psi, a, b, sympy)
-_turning = sum(_flow[1].diff(angle) * rate for angle, rate in zip((theta, psi), _flow, strict=True))
+_turning = sum(
+    Derivative(_flow[1], angle) * rate for angle, rate in zip((theta, psi), _flow, strict=True)
+)
 
 turning_points = Claim(
     label="turning_points",
     says=equal(
-        _turning.subs(theta, pi / 2),
+        at(_turning, {theta: pi / 2}),
         b * (a + b * _sine) * sin(psi) * cos(psi) / (1 - b * _sine) ** 2,
     ),
     given=shape_of_a_body,
-    proof=by(),
+    proof=by(differentiation, trigonometry),
     note="d²ψ/dφ² where dψ/dφ = 0: not zero off the equilibria, so dψ/dφ changes its sign there.",
     shown=r"\left.\frac{d^2\psi}{d\phi^2}\right|_{\theta=\pi/2} = "
     r"\frac{b(a+b\sin^2\psi)\sin\psi\cos\psi}{(1-b\sin^2\psi)^2}",
@@ -199,15 +202,22 @@ eigenvalue = Symbol("eigenvalue", real=True)
 
 def _characteristic(flip: sympy.Expr) -> sympy.Expr:
     """The characteristic polynomial of the planar system at θ = π/2 and the given ψ."""
-    slope = ImmutableMatrix(_flow).jacobian((theta, psi))
-    return det(eigenvalue * eye(2) - slope.subs({theta: pi / 2, psi: flip}))
+    here = {theta: pi / 2, psi: flip}
+    (p, q), (r, s) = (
+        [
+            at(Derivative(rate.subs(other, here[other]), angle), {angle: here[angle]})
+            for angle, other in ((theta, psi), (psi, theta))
+        ]
+        for rate in _flow
+    )
+    return eigenvalue**2 - (p + s) * eigenvalue + p * s - q * r
 
 
 linear_at_e2 = Claim(
     label="linear_at_e2",
     says=equal(_characteristic(Integer(0)), eigenvalue**2 - a * b),
     given=shape_of_a_body,
-    proof=by(),
+    proof=by(differentiation, trigonometry),
     note="Eigenvalues ±√(ab): unstable.",
     shown=r"\det(\lambda-A) = \lambda^2-ab,\quad A = "
     r"\left.\frac{\partial(\theta', \psi')}{\partial(\theta, \psi)}\right|_{\theta=\pi/2,\,\psi=0}",
@@ -217,7 +227,7 @@ linear_at_e3 = Claim(
     label="linear_at_e3",
     says=equal(_characteristic(pi / 2), eigenvalue**2 + b * (a + b) / (1 - b) ** 2),
     given=shape_of_a_body,
-    proof=by(),
+    proof=by(differentiation, trigonometry),
     note="Eigenvalues ±i√(b(a + b))/(1 − b): a centre.",
     shown=r"\det(\lambda-A) = \lambda^2+\frac{b(a+b)}{(1-b)^2},\quad "
     r"A = \left.\frac{\partial(\theta', \psi')}{\partial(\theta, \psi)}\right|_{\theta=\psi=\pi/2}",
@@ -225,18 +235,21 @@ linear_at_e3 = Claim(
 
 rest_points = Claim(
     label="rest_points",
-    says="The planar system rests at θ = π/2 with ψ = 0, π/2 or π.",
-    kind="statement",
-    given=shape_of_a_body,
-    proof=formally(
+    says=Tuple(
         *(
-            equal(rate, 0)
+            equal(at(rate, {theta: pi / 2, psi: flip}), 0)
             for flip in (Integer(0), pi / 2, pi)
-            for rate in printed.planar_rates(pi / 2, flip, a, b, sympy)
+            for rate in _flow
         )
     ),
+    given=shape_of_a_body,
+    proof=together(*(by(evaluating, trigonometry) for _ in range(6))),
     where=Place(line=179),
-    note="In the portrait of θ all of them are the one point (π/2, 0).",
+    note="The planar system rests at θ = π/2 with ψ = 0, π/2 or π. In the portrait of θ all of "
+    "them are the one point (π/2, 0).",
+    shown=r"V\left(\tfrac{\pi}{2}, 0\right) = V\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = "
+    r"V\left(\tfrac{\pi}{2}, \pi\right) = 0,\quad "
+    r"V = \left(\frac{d\theta}{d\phi}, \frac{d\psi}{d\phi}\right)",
 )
 
 equilibria = Claim(
@@ -252,14 +265,14 @@ momentum_at_rest = Claim(
     label="momentum_at_rest",
     says=Tuple(
         *(
-            equal(component, value)
+            equal(at(component, {theta: pi / 2, psi: flip}), value)
             for flip, direction in ((0, (0, -M, 0)), (pi, (0, M, 0)), (pi / 2, (0, 0, M)))
             for component, value in zip(
-                printed.momentum(pi / 2, Integer(0) + flip, M, sympy), direction, strict=True
+                printed.momentum(theta, psi, M, sympy), direction, strict=True
             )
         )
     ),
-    proof=together(*(by() for _ in range(9))),
+    proof=together(*(by(evaluating, trigonometry) for _ in range(9))),
     shown=r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, 0\right) = (0, -M, 0),\quad "
     r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \pi\right) = (0, M, 0),\quad "
     r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = (0, 0, M)",
@@ -275,11 +288,14 @@ correspondence = Claim(
 
 separatrix_passes = Claim(
     label="unstable_on_separatrix",
-    says="γ = 0 at θ = π/2 with ψ = 0 and with ψ = π.",
-    kind="statement",
-    proof=formally(
-        *(equal(printed.depth(pi / 2, flip, a, b, sympy), 0) for flip in (Integer(0), pi))
+    says=Tuple(
+        *(
+            equal(at(printed.depth(theta, psi, a, b, sympy), {theta: pi / 2, psi: flip}), 0)
+            for flip in (Integer(0), pi)
+        )
     ),
+    proof=together(*(by(evaluating, trigonometry) for _ in range(2))),
+    note="γ = 0 at the two unstable points.",
 )
 
 flip_portrait = Claim(

@@ -29,12 +29,13 @@ from tresym.claims.claim import (
     Counterexample,
     Place,
     all_of,
+    at,
     by,
     citing,
     collecting,
     equal,
     equations,
-    formally,
+    evaluating,
     integrating,
     multiplying,
     roots,
@@ -172,9 +173,9 @@ _tilts = [(gamma + b * sin(p) ** 2) / (a + b * sin(p) ** 2) for p in _flips]
 
 tilt_after_flip = Claim(
     label="tilt_after_flip",
-    says=equal(_tilts[0].subs(_flips[0], _flips[0] + pi), _tilts[0]),
+    says=equal(at(_tilts[0], {_flips[0]: _flips[0] + pi}), _tilts[0]),
     given=shape_of_a_body,
-    proof=by(),
+    proof=by(evaluating, trigonometry),
     shown=r"\frac{\gamma+b\sin^2(\psi_1+\pi)}{a+b\sin^2(\psi_1+\pi)} = "
     r"\frac{\gamma+b\sin^2\psi_1}{a+b\sin^2\psi_1}",
 )
@@ -222,17 +223,18 @@ components_are_sufficient = Claim(
     note="They give the length M for all angles; the conclusion needs the energy as well.",
 )
 
+_momentum = printed.momentum(theta, psi, M, sympy)
+
 flip_components = Claim(
     label="flip_components",
     says=equations(
-        printed.momentum(theta, psi + pi, M, sympy),
-        tuple(
-            s * m for s, m in zip((1, -1, -1), printed.momentum(theta, psi, M, sympy), strict=True)
-        ),
+        tuple(at(m, {psi: psi + pi}) for m in _momentum[1:]),
+        tuple(-m for m in _momentum[1:]),
     ),
-    proof=together(by(), by(), by()),
+    proof=together(*(by(evaluating, trigonometry) for _ in range(2))),
+    note="M₁ = M cos θ does not depend on ψ.",
     where=Place(line=102),
-    shown=r"(M_1, M_2, M_3)(\theta, \psi+\pi) = (M_1, -M_2, -M_3)(\theta, \psi)",
+    shown=r"(M_2, M_3)(\theta, \psi+\pi) = (-M_2, -M_3)(\theta, \psi)",
 )
 
 rotating = (*shape_of_a_body, gamma > 0, gamma < a)
@@ -328,8 +330,8 @@ handle_side = Claim(
 )
 
 _flow = printed.planar_rates(theta, psi, a, b, sympy)
-_mirrored = printed.planar_rates(pi - theta, -psi, a, b, sympy)
-_shifted = printed.planar_rates(theta, psi + pi, a, b, sympy)
+_mirrored = tuple(at(rate, {theta: pi - theta, psi: -psi}) for rate in _flow)
+_shifted = tuple(at(rate, {psi: psi + pi}) for rate in _flow)
 
 mirror_images = Claim(
     label="symmetry_half",
@@ -337,7 +339,7 @@ mirror_images = Claim(
         *equations(_mirrored, tuple(-r for r in _flow)).args, *equations(_shifted, _flow).args
     ),
     given=shape_of_a_body,
-    proof=together(*(by() for _ in range(4))),
+    proof=together(*(by(evaluating, trigonometry) for _ in range(4))),
     where=Place(line=103),
     note="(π − θ, −ψ) moves as (θ, ψ), so θ ≤ π/2 is no restriction; nor is a half turn of ψ.",
     shown=r"V(\pi-\theta, -\psi) = -V(\theta, \psi),\quad "
@@ -454,14 +456,14 @@ depth_at_e3 = Claim(
     note="γ = −b exactly when cos θ = 0 and cos ψ = 0: M lies along e₃.",
 )
 
+_depth = printed.depth(theta, psi, a, b, sympy)
+
 depth_at_the_points = Claim(
     label="depth_at_the_points",
-    says="γ = a for θ = 0, and γ = −b for θ = ψ = π/2.",
-    kind="statement",
-    proof=formally(
-        equal(printed.depth(0, psi, a, b, sympy), a),
-        equal(printed.depth(pi / 2, pi / 2, a, b, sympy), -b),
+    says=Tuple(
+        equal(at(_depth, {theta: 0}), a), equal(at(_depth, {theta: pi / 2, psi: pi / 2}), -b)
     ),
+    proof=together(*(by(evaluating, trigonometry) for _ in range(2))),
     where=Place(line=141),
 )
 

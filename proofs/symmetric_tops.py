@@ -14,8 +14,10 @@ from tresym.claims.claim import (
     Counterexample,
     Place,
     all_of,
+    at,
     by,
     equal,
+    evaluating,
     step,
     together,
     trigonometry,
@@ -67,9 +69,9 @@ separatrix_on_the_equator = Claim(
 
 circle_about_handle = Claim(
     label="circle_e1",
-    says=equal(printed.euler_equations(M1, M2, M3, I1, I2, I2)[0], 0),
+    says=equal(at(printed.euler_equations(M1, M2, M3, I1, I2, I3)[0], {I3: I2}), 0),
     given=_moments,
-    proof=by(),
+    proof=by(evaluating),
     where=Place(line=112),
     note="I₂ = I₃: M₁ is constant, and M runs on a circle about e₁.",
     shown=r"\dot M_1 = M_2M_3\left(\frac{1}{I_2}-\frac{1}{I_2}\right) = 0",
@@ -92,30 +94,30 @@ one_circle = Claim(
     "two are one.",
 )
 
-_rates = printed.angle_rates(theta, psi, M, I1, I2, I2, sympy)
+_rates = printed.angle_rates(theta, psi, M, I1, I2, I3, sympy)
 
 handle_keeps_its_tilt = Claim(
     label="theta_constant",
-    says=equal(_rates[0], 0),
+    says=equal(at(_rates[0], {I3: I2}), 0),
     given=_moments,
-    proof=by(),
+    proof=by(evaluating),
     where=Place(line=112),
     shown=r"\dot\theta = M\left(\frac{1}{I_2}-\frac{1}{I_2}\right)\sin\theta\sin\psi\cos\psi = 0",
 )
 
 spin_about_handle = Claim(
     label="psi_linear",
-    says=equal(_rates[2], M * (1 / I1 - 1 / I2) * cos(theta)),
+    says=equal(at(_rates[2], {I3: I2}), M * (1 / I1 - 1 / I2) * cos(theta)),
     given=_moments,
-    proof=by(trigonometry),
+    proof=by(evaluating, trigonometry),
     where=Place(line=112),
     note="I₂ = I₃: θ is constant, so ψ grows at a constant rate.",
 )
 
 depth_a_zero = Claim(
     label="depth_a_zero",
-    says=equal(M**2 * printed.depth(theta, psi, 0, b, sympy), -b * _third**2),
-    proof=by(),
+    says=equal(M**2 * at(printed.depth(theta, psi, a, b, sympy), {a: 0}), -b * _third**2),
+    proof=by(evaluating),
     note="I₁ = I₂: γ M² = −b M₃².",
     shown=r"M^2\left.\gamma\right|_{a=0} = -bM_3^2",
 )
@@ -130,13 +132,13 @@ only_oscillation = Claim(
     note="I₁ = I₂: γ is never positive.",
 )
 
-_at_rest = printed.euler_equations(M1, M2, 0, I1, I1, I3)
+_at_rest = printed.euler_equations(M1, M2, M3, I1, I2, I3)
 
 rest_on_the_circle = Claim(
     label="rest_on_the_circle",
-    says=Tuple(*(equal(rate, 0) for rate in _at_rest)),
+    says=Tuple(*(equal(at(rate, {I2: I1, M3: 0}), 0) for rate in _at_rest)),
     given=(I1 > 0, I3 > 0),
-    proof=together(*(by() for _ in range(3))),
+    proof=together(*(by(evaluating) for _ in range(3))),
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2,\,M_3=0} = (0, 0, 0)",
 )
 

@@ -34,11 +34,13 @@ from tresym.claims.claim import (
     algebra,
     all_of,
     applying,
+    at,
     by,
     changing_variable,
     citing,
     differentiation,
     equal,
+    evaluating,
     exponentials,
     formally,
     integrating,
@@ -92,6 +94,30 @@ def test_division_by_zero_is_not_proved() -> None:
     says = equal((a**2 - b**2) / (a - b), a + b)
     assert verdict(claim(says, by())) is Verdict.UNDECIDED
     assert verdict(claim(says, by(), (a - b > 0,))) is Verdict.PROVED
+
+
+VALUES = {
+    "a pole": (equal(at(sin(x) / x, {x: 0}), 1), ()),
+    "a pole that may be met": (equal(y * at(1 / x, {x: y}), 1), ()),
+    "a root of what may be negative": (equal(at(sqrt(x), {x: y}) ** 2, y), ()),
+    "another value": (equal(at(x**2 + y, {x: 3}), 8 + y), ()),
+    "values one after the other": (equal(at(x - y, {x: y, y: x}), 0), ()),
+}
+
+
+@pytest.mark.parametrize("name", VALUES)
+def test_values_that_are_put_in_are_worked_out(name: str) -> None:
+    says, given = VALUES[name]
+    assert verdict(claim(says, by(evaluating, roots), given)) is not Verdict.PROVED
+    right = equal(at(x**2 + y, {x: 3}), 9 + y)
+    assert verdict(claim(right, by(evaluating))) is Verdict.PROVED
+    assert verdict(claim(right, by())) is Verdict.UNDECIDED
+    assert verdict(claim(equal(y * at(1 / x, {x: y}), 1), by(evaluating), (y > 0,))).holds
+
+
+def test_a_derivative_is_not_taken_at_equal_values() -> None:
+    with pytest.raises(ValueError, match="equal values"):
+        at(Derivative(x**2 * y, x), {x: 1, y: 1})
 
 
 def test_unsatisfiable_conditions_prove_nothing() -> None:

@@ -21,6 +21,7 @@ from tresym.claims.claim import (
     Together,
     UniqueRoot,
     equal,
+    parts_of,
 )
 from tresym.claims.translate import definitions, put_in
 from tresym.exact import InputError
@@ -176,6 +177,20 @@ def test_sympy_does_not_disagree(
                 for n, v in point.items()
             }
             assert abs(sympy.N(difference.subs(values), 40)) < sympy.Float("1e-30")
+
+
+MULTIPLIED_OUT = {"handle_in_space", "line_of_nodes", "perfect_flip"}
+"""Products of matrices, which SymPy carries out before anything is decided."""
+
+
+def test_no_statement_says_the_same_twice() -> None:
+    """SymPy works out what it can: `at` puts values in so that something is left to decide."""
+    same = set()
+    for claim in CLAIMS:
+        relations = [*parts_of(claim.says), *getattr(claim.proof, "relations", ())]
+        pairs = (r.args for r in relations if isinstance(r, sympy.core.relational.Relational))
+        same |= {claim.label for left, right in pairs if left == right}
+    assert same == MULTIPLIED_OUT
 
 
 def test_replacing_evidence_keeps_the_label() -> None:

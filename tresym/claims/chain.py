@@ -39,6 +39,9 @@ from tresym.verdict import Verdict
 
 PROVED = StepFinding(Verdict.PROVED, "")
 
+OPENING = ("differentiation", "evaluating")
+"""Reasons by which derivatives and values are worked out."""
+
 ONE_TO_ONE = {
     "exp": (),
     "sinh": (),
@@ -234,7 +237,7 @@ def _decided(
     before: Basic, after: Basic, reasons: tuple[Reason, ...], given: Conditions
 ) -> Decision:
     theories = frozenset().union(*(reason.theories for reason in reasons))
-    opening = any(reason.name == "differentiation" for reason in reasons)
+    opening = any(reason.name in OPENING for reason in reasons)
     left, right = (to_expression(side, opening) for side in (before, after))
     return decide(left, right, to_given(given), theories)
 

@@ -17,7 +17,7 @@ from functools import cached_property
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import Basic, Eq, Expr, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Subs, Symbol, Tuple
 
 from tresym.verdict import Verdict
 
@@ -35,6 +35,20 @@ def parts_of(says: Basic | str) -> tuple[Basic, ...]:
 def equations(left: tuple[Basic, ...], right: tuple[Basic, ...]) -> Tuple:
     """A system of equations, side by side."""
     return Tuple(*(equal(p, q) for p, q in zip(left, right, strict=True)))
+
+
+def at(e: Expr, values: Mapping[Symbol, Any]) -> Subs:
+    """``e`` at these values of its symbols, written and not yet worked out.
+
+    SymPy would work it out by itself, and leave nothing to decide.
+
+    Raises:
+        ValueError: a derivative at one value of several symbols. SymPy takes the symbols for one
+            there, and two derivatives for equal that are not.
+    """
+    if e.has(Derivative) and len(set(values.values())) < len(values):
+        raise ValueError("a derivative at equal values: put them in one after the other")
+    return Subs(e, tuple(values), tuple(values.values()))
 
 
 @dataclass(frozen=True)
@@ -72,6 +86,8 @@ exponentials = Reason("exponentials", frozenset({"exponentials"}))
 inverses = Reason("inverse functions", frozenset({"inverses"}))
 differentiation = Reason("differentiation")
 """Opens derivatives (`sympy.Derivative`), which are symbols of their own elsewhere."""
+evaluating = Reason("evaluating")
+"""Opens values (`sympy.Subs`, see `at`), which are symbols of their own elsewhere."""
 
 
 def substituting(*claims: Claim) -> Reason:

@@ -45,6 +45,8 @@ def undefined(e: Basic, given: Conditions) -> Basic | None:
     for condition, allowed in _conditions(e):
         if not _shown(condition, allowed, given):
             return condition
+    if isinstance(e, Subs) and not e.has(Integral, Derivative):
+        return undefined(e.expr.xreplace(dict(zip(e.variables, e.point, strict=True))), given)
     if isinstance(e, Integral | Derivative | Subs):
         return None
     for argument in e.args:
