@@ -17,7 +17,7 @@ from tresym.body import named_body
 from tresym.exact import parse_number
 from tresym.flip import quadrature
 from tresym.flip.carlson import amplitude, by_flint, turn
-from tresym.flip.gauss import FLOAT_ENDING, Ending, ball_ending, turn_by_gauss
+from tresym.flip.gauss import FLOAT_ENDING, ball_ending, ending, turn_by_gauss
 from tresym.flip.jacobi import functions, parameter, thetas
 
 STR = named_body("str").shape
@@ -93,33 +93,98 @@ def test_the_radicand_given_exactly_keeps_the_digits_at_the_turning_point():
         assert z.contains(0)
 
 
-def ended_early(small: str, within) -> tuple[arb, arb]:
-    """F of the body str at its turning point with the steps ended early, and the truth."""
-    a, b, g = arb(STR.a), arb(STR.b), arb(fmpq(-1, 1000))
-    tangent = (-g / (g + b)).sqrt()
-    early = turn_by_gauss(tangent, arb(0), a, b, g, balls, Ending(arb(small), within))
-    return early, turn_by_gauss(tangent, arb(0), a, b, g, balls, ball_ending())
+def ended_early(gamma: fmpq, small: arb, part: object, tiny: arb | None = None) -> tuple[arb, arb]:
+    """F of the body str at ε = 0.3 with the steps ended early, and the truth by R_F and R_J.
+
+    ``part`` of what may be left out is in the ball.
+    """
+    a, b, g = arb(STR.a), arb(STR.b), arb(gamma)
+    tangent = arb(fmpq(3, 10)).tan()
+    rest = g + (g + b) * tangent * tangent
+    early = ending(small, arb(0, small**4 / 4 * part))
+    if tiny is not None:
+        early = early._replace(tiny=tiny)
+    value = turn_by_gauss(tangent, rest, a, b, g, balls, early)
+    return value, ball_turn(arb(fmpq(3, 10)), *STR, gamma, gauss=False)
 
 
-@pytest.mark.parametrize("small", ["0.3", "1e-2", "1e-5"])
-def test_the_gauss_transformation_carries_its_truncation_error(small):
-    """Ended early, the ball is wide but right; the bare value, and a bound 100 times less, not."""
-    with ball_precision(300):
-        early, truth = ended_early(small, lambda bound: arb(0, bound))
-        assert early.overlaps(truth)
-        assert early.rel_accuracy_bits() < 120
-        for part in (0, arb("0.01")):
-            wrong, _ = ended_early(small, lambda bound, part=part: arb(0, part * bound))
+def ratio_of(gamma: fmpq) -> arb:
+    """2κ by x² at the start of :func:`ended_early`, and a little more."""
+    b, g = arb(STR.b), arb(gamma)
+    return abs(g) / ((g + b) * arb(fmpq(3, 10)).tan() ** 2) * arb("1.001")
+
+
+@pytest.mark.parametrize("gamma", ["1e-3", "-1e-3", "1e-5", "-1e-5", "1e-10"])
+def test_the_gauss_transformation_carries_what_it_leaves_out(gamma):
+    """Ended early, the ball is wide but right; the bare value, and 1/1000 of the bound, are not."""
+    level = parse_number(gamma)
+    with ball_precision(400):
+        small = ratio_of(level)
+        value, truth = ended_early(level, small, 1)
+        assert value.overlaps(truth)
+        assert value.rel_accuracy_bits() < 150
+        for part in (0, arb("0.001")):
+            wrong, _ = ended_early(level, small, part)
             assert not wrong.overlaps(truth)
 
 
-def test_ended_early_the_error_is_of_fourth_order():
-    with ball_precision(300):
-        errors = []
-        for small in ("1e-2", "1e-5"):
-            early, truth = ended_early(small, lambda bound: arb(0))
-            errors.append(float(abs(early - truth).mid()))
-        assert 0 < errors[1] < errors[0] ** 1.9
+@pytest.mark.parametrize("gamma", ["1e-5", "-1e-5", "1e-10"])
+def test_without_any_correction_it_carries_more(gamma):
+    """What is smaller than ``tiny`` = small²/2 is taken without the terms of second order."""
+    level = parse_number(gamma)
+    with ball_precision(400):
+        small = (2 * ratio_of(level)).sqrt()
+        value, truth = ended_early(level, small, 1)
+        assert value.overlaps(truth)
+        assert not ended_early(level, small, arb("0.001"))[0].overlaps(truth)
+        # With ``tiny`` too large the terms that are left out are not in the ball.
+        wrong, _ = ended_early(level, ratio_of(level), 1, tiny=ratio_of(level))
+        assert not wrong.overlaps(truth)
+
+
+def test_after_steps_too_what_is_left_out_is_in_the_ball():
+    for gamma in (fmpq(1), fmpq(1, 100), fmpq(-1, 1000)):
+        for small in ("0.4", "1e-2", "1e-5", "1e-9"):
+            with ball_precision(300):
+                value, truth = ended_early(gamma, arb(small), 1)
+                bare, _ = ended_early(gamma, arb(small), 0)
+                assert value.overlaps(truth)
+                assert abs(bare - truth) < 4 * arb(small) ** 4
+
+
+EDGES = [
+    ("1", "1"),
+    ("1e-9", "1"),
+    ("1e-9", "1e-12"),
+    ("1e6", "1"),
+    ("1e6", "1e-12"),
+    ("12", "1/20"),
+]
+
+
+@pytest.mark.parametrize("shape", EDGES)
+@pytest.mark.parametrize(
+    "part", ["1e-300", "1e-20", "1e-3", "0.5", "0.999999", "-1e-300", "-1e-3", "-0.5", "-0.999999"]
+)
+def test_at_the_edges_of_the_range_both_forms_overlap(shape, part):
+    """From the angle 1, from ψ = 0 or the turning point, and from next to it."""
+    a, b = map(parse_number, shape)
+    gamma = parse_number(part) * (a if not part.startswith("-") else b)
+    for precision in (70, 190, 1100):
+        with ball_precision(precision):
+            p, q, g = arb(a), arb(b), arb(gamma)
+            # tan² ε, and γ + b sin²ε over cos²ε, exactly.
+            least = -gamma / (gamma + b) if gamma < 0 else fmpq(0)
+            for more in (fmpq(0), fmpq(1, 10**30), fmpq(2)):
+                square = least + more
+                rest = gamma + (gamma + b) * square
+                cosine, tangent = (1 / arb(1 + square)).sqrt(), arb(square).sqrt()
+                z = arb(rest / (1 + square))
+                fast = turn_by_gauss(tangent, arb(rest), p, q, g, balls, ball_ending())
+                at = amplitude(tangent * cosine, cosine, z, p, q, g, balls)
+                sure = turn(by_flint(at, q / p), p, q, g, balls)
+                assert fast.overlaps(sure)
+                assert fast.rel_accuracy_bits() > precision - 64
 
 
 @pytest.mark.parametrize("precision", [16, 24, 40, 64])
@@ -171,7 +236,7 @@ def test_at_gamma_equal_to_a_the_transformation_is_slow_but_right():
 
 
 def test_the_gauss_transformation_that_does_not_end_gives_up():
-    never = Ending(arb(0), lambda bound: arb(0, bound))
+    never = ending(arb(0), arb(0))
     with ball_precision(200), pytest.raises(ArithmeticError, match="too near a"):
         turn_by_gauss(arb(1), arb(3), arb(1), arb(1), arb(1), balls, never)
 

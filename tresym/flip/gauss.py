@@ -7,27 +7,33 @@ exactly, and forming it by subtraction is what loses the digits), F = (1−b) u 
     x = A t,  y = √((a+b) rest),  z² = x² + G²,  G² = a(γ+b),  H² = b(a−γ),
     A² = (a+b)(γ+b),  B² = b(a+b),  C² = b(γ+b);  z² − y² = H², G² + C² = A², H² + C² = B².
 
-*A step.* u keeps its value and 2 Π′ = Π + C u − arctan(C/z) when (G, H) go to their arithmetic and
-geometric means and
+*A step.* u is halved and 2 Π′ = Π + C u − arctan(C/z) when (G, H) go to G + H and 2√(GH), which
+are twice their means (that spares the halves), and
 
-    x′ = (x+y)/2,  y′ = z x′/z′,  A′ = (A+B)/2,  B′² = A′² − G′² + H′²,  C′ = C A′/B′.
+    x′ = x + y,  y′ = 2 z x′/z′,  A′ = A + B,  B′² = A′² − G′² + H′²,  C′ = 2 C A′/B′.
 
-So F = (1−b) u + Σ ± 2ⁿ (C_n u − arctan(C_n/z_n)), the last term positive and the others negative.
+Then G′² − H′² = ((G² − H²)/G′)², and F = (1−b) u + Σ ± (C_n u − 2ⁿ arctan(C_n/z_n)) with the u of
+the start, the last term positive and the others negative.
 
-*The end.* The steps bring κ = (G² − H²)/2 = (y² − x²)/2 quadratically to 0. With μ = (x² + y²)/2,
-d = z² − μ, D = d + C² and I_m = ½ ∫ (s+μ)^(−m) (s+z²)^(−½) ds, developed in κ,
+*The end.* The steps bring κ = (G² − H²)/2 = (y² − x²)/2 quadratically to 0. With μ = x² + κ,
+d = G² − κ, D = A² − κ, which is d + C², and I_m = ½ ∫ (s+μ)^(−m) (s+z²)^(−½) ds from 0 to ∞,
 
-    u = I₁ + κ²I₃/2 + …,   Π = C (u − arctan(C/z)/C − κ²I₂/(2D) + …).
+    u = Σ c_j κ^(2j) I_(2j+1),   c_j = (1, 1/2, 3/8, …), the coefficients of (1 − ρ²)^(−½),
+    Π = C (u₀ − arctan(C/z)/C + Σ T_j κ^(2j) (I_(2j+1) − I_(2j)/D)),   j = 1, 2, …,  u₀ = I₁,
 
-What is left out of u lies in [0, ½σ⁴ I₁], and that of Π is at most C σ⁴ I₁ in size, where σ is the
-larger of κ/μ and κ/D, as long as σ² ≤ 1/8: the coefficients of (1 − ρ²)^(−½) are positive and
-decrease from 3/8, 0 ≤ I_(1+2j) ≤ I₁/μ^(2j), and √(D² − κ²) = D (1 − η/2 − r) with η = (κ/D)² and
-0 ≤ r ≤ η²/7, so that 3σ⁴/7 + σ⁴/4 + 9σ⁴/49 < σ⁴ is in sight.
+as AB = √(D² − κ²) and 1/((s+μ)(s+μ+D)) splits into partial fractions. Here T_j is √(1−η) times
+the sum of c_i η^(i−j), i ≥ j, with η = (κ/D)². The end takes j = 0, or j = 0 and 1 with T₁ = ½; by
+parts I₂ and I₃ come from I₁ = log((√d + z)²/μ)/(2√d).
+
+*What is left out.* Let σ be the larger of |κ|/μ and |κ|/D, and σ² ≤ 1/8. As c_j decreases,
+c_j √(1−η) ≤ T_j ≤ c_j/√(1−η) ≤ 1.07 c_j; and 0 ≤ κ^(2j) I_(2j+1) ≤ σ^(2j) u₀, as it is with
+I_(2j)/D. So from j on σ^(2j) u₀ times 8c_j/7 is more than all that u is without, and times
+1.07·8c_j/7 more than Π/C is. With |T₁ − ½| ≤ 0.28 η on top, both are below σ² u₀ after j = 0 and
+below σ⁴ u₀ after j = 1 (8/7·1.07·3/8 + 0.28 < 1).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -38,19 +44,20 @@ GAUSS_LIMIT = 24
 
 
 class Ending(NamedTuple):
-    """When to end; ``within(e)`` is anything of size at most e.
+    """When to end: where 2κ is below ``small`` of x² and A², and with j = 0 alone below ``tiny``.
 
-    The end is where 2κ is below ``small`` ≤ 0.4 of x² and A²: then σ < ``small``/1.6 ≤ ¼.
+    ``left_out`` is anything that is left out of u and Π/C then, by u.
     """
 
     small: Any
-    within: Callable[[Any], Any]
+    tiny: Any
+    left_out: Any
 
 
 def turn_by_gauss(
     tangent: Any, rest: Any, a: Any, b: Any, gamma: Any, m: Any, ending: Ending
 ) -> Any:
-    """F(ε, γ), 0 < ε < π/2, from ``tangent`` = tan ε and ``rest`` = (γ + b sin²ε)/cos²ε.
+    """F(ε, γ), 0 ≤ ε < π/2, from ``tangent`` = tan ε and ``rest`` = (γ + b sin²ε)/cos²ε.
 
     Args:
         tangent: tan ε; best below 10 or so, as digits are lost beyond.
@@ -65,54 +72,60 @@ def turn_by_gauss(
         ArithmeticError: no end after ``GAUSS_LIMIT`` steps.
     """
     total, above = a + b, gamma + b
-    g, far = a * above, total * above
-    G, H, C = m.sqrt(g), m.sqrt(b * (a - gamma)), m.sqrt(b * above)
-    A, B = m.sqrt(far), m.sqrt(b * total)
-    x, y, split = A * tangent, m.sqrt(total * rest), gamma * total
-    square = x * x
-    z = m.sqrt(square + g)
-    small, factor, angle, weight = ending.small, 1 - b, 0, 1
-    while not (abs(split) < small * square and abs(split) < small * far):
-        if weight == 1 << GAUSS_LIMIT:
-            raise ArithmeticError("the Gauss transformation does not end: gamma is too near a")
-        factor -= weight * C
+    far, g, split = total * above, a * above, gamma * total
+    square = far * (tangent * tangent)
+    C, z = m.sqrt(b * above), m.sqrt(square + g)
+    small = ending.small
+    if abs(split) < small * square and abs(split) < small * far:
+        return _end(square, g, far, split, C, z, 1 - b, m, ending)
+    x, G, A = m.sqrt(square), m.sqrt(g), m.sqrt(far)
+    y, H, B = m.sqrt(total * rest), m.sqrt(b * (a - gamma)), m.sqrt(b * total)
+    factor, angle, weight = 1 - b, 0, 1
+    while weight < 1 << GAUSS_LIMIT:
+        factor -= C
         angle += weight * m.atan(C / z)
         weight *= 2
         inner = G * H
-        G, H = (G + H) / 2, m.sqrt(inner)
-        g = G * G
-        split = g - inner
-        A = (A + B) / 2
-        far = A * A
+        x, G, A = x + y, G + H, A + B
+        square, g, far = x * x, G * G, A * A
+        split = split * split / g
         B = m.sqrt(far - split)
-        C = C * A / B
-        x = (x + y) / 2
-        square = x * x
+        C = 2 * C * A / B
         before, z = z, m.sqrt(square + g)
-        y = before * x / z
-    last = weight * C
-    time, third = _end(2 * square + split, 2 * g - split, 2 * far - split, split, z, m, ending)
-    return (factor + last) * time + angle - last * third - weight * m.atan(C / z)
+        if split < small * square and split < small * far:
+            return weight * _end(square, g, far, split, C, z, factor, m, ending) + angle
+        y, H = 2 * before * x / z, 2 * m.sqrt(inner)
+    raise ArithmeticError("the Gauss transformation does not end: gamma is too near a")
 
 
 def _end(
-    mean: Any, spread: Any, far: Any, split: Any, z: Any, m: Any, ending: Ending
-) -> tuple[Any, Any]:
-    """u and the correction of Π/C, from 2μ, 2d, 2D, 2κ and z."""
-    long = m.sqrt(spread / 2)
+    square: Any, g: Any, far: Any, split: Any, C: Any, z: Any, factor: Any, m: Any, ending: Ending
+) -> Any:
+    """``factor`` u + Π from x², G², A², 2κ, C and z, where 2κ is small."""
+    kappa, size, tiny = split / 2, abs(split), ending.tiny
+    mean, d = square + kappa, g - kappa
+    long = m.sqrt(d)
     sum_ = long + z
-    circular = m.log(2 * sum_ * sum_ / mean) / (2 * long)
-    slope = 2 * z / mean
-    second = (slope - circular) / spread
-    third = (2 * slope / mean - 3 * second) / spread
-    square = split * split
-    near, apart = split / mean, split / far
-    bound = near * near + apart * apart
-    slack = circular * ending.within(bound * bound)
-    return circular + square * third / 16 + slack, square * second / (4 * far) + slack
+    time = m.log(sum_ * sum_ / mean) / (2 * long)
+    found = ending.left_out * time * (abs(factor) + C) - m.atan(C / z)
+    if not (size < tiny * square and size < tiny * far):
+        ratio = kappa / mean
+        slope = z * ratio
+        second = (slope - kappa * time) / (2 * d)
+        found -= C * (kappa / (2 * (far - kappa))) * second
+        time += (slope * ratio - 3 * kappa * second) / (8 * d)
+    return found + (factor + C) * time
 
 
-FLOAT_ENDING = Ending(1e-4, lambda _: 0.0)
+def ending(small: Any, left_out: Any) -> Ending:
+    """The ending with a given ``small`` ≤ 0.4; ``left_out`` is anything of size at most small⁴/4.
+
+    |κ|/μ is at most small/(2 − small) ≤ small/1.6 and σ⁴ < small⁴/6; with ``tiny`` σ² < small⁴/14.
+    """
+    return Ending(small, small * small / 2, left_out)
+
+
+FLOAT_ENDING = ending(1e-4, 0.0)
 """For float64: what is left out is below 1e-16."""
 
 
@@ -123,4 +136,5 @@ def ball_ending() -> Ending:
 
 @cache
 def _ball_ending(precision: int) -> Ending:
-    return Ending(arb((1, min(2 - precision // 4, -2))), lambda bound: arb(0, bound))
+    exponent = min(2 - precision // 4, -2)
+    return ending(arb((1, exponent)), arb(0, arb((1, 4 * exponent - 2))))
