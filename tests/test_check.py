@@ -64,6 +64,15 @@ TRUE = [
     "abs(sin(x)) <= abs(x)",
     "x**2 > 0 given x*y > 0",  # the condition speaks of more than the claim
     "pi > 3 given a > 0",
+    # where what is differentiated is real, though not wherever its formal derivative is
+    "diff(log(x), x) == 1/abs(x)",
+    "diff(x*asec(x) - log(x + sqrt(x**2 - 1)), x) == asec(x)",
+    "diff(asin(sin(x) - cos(x)) + log(sin(x) + cos(x) - sqrt(sin(2*x))), x) == sqrt(2*tan(x))",
+    "diff(-atanh(cosh(x)), x) == csch(x)",  # what is differentiated is real nowhere
+    # a sign that a later condition on the domain settles
+    "diff(-3/2*((x + 1)/(x - 1))**(1/3), x) == 1/((x - 1)**(4/3)*(x + 1)**(2/3))",
+    "sqrt((a - b)/(a + b))*(a + b) == sqrt(a**2 - b**2) given a > abs(b)",
+    "sqrt((a - 1)**2) == a - 1 given 3 < 2*a",
 ]
 
 FALSE = [
@@ -98,6 +107,14 @@ FALSE = [
     "exp(1/x) == O(1) as x -> 0",
     "sqrt(x) == O(x) as x -> 0+",
     "log(x) == O(1) as x -> oo",
+    "diff(log(x), x) == 1/abs(x) + 10**(-30)",
+    "diff(log(abs(x)), x) == 1/abs(x)",
+    "diff(x*acsch(x) + asinh(x), x) == acsch(x)",  # true for x > 0, but real for x < 0 too
+    "diff(-atanh(cosh(x)), x) == csch(x) + 1",
+    "diff(F, x) == 1/x",
+    "sqrt((a - b)/(a + b))*(a + b) == sqrt(a**2 - b**2) given abs(a) > abs(b)",
+    "sqrt((a - b)**2) == b - a given a >= abs(b)",
+    "sqrt((a - 1)**2) == a - 1 given 3 < 4*a",
 ]
 
 OPEN = [

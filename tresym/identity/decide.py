@@ -1,13 +1,18 @@
 """PROVED, REFUTED or UNDECIDED for an identity between real expressions.
 
 What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
-are defined. More exactly: at every point that is a limit of interior points of that set, for the
-normal form is silent on isolated points of the domain. This is not the convention of complex
-principal branches: ``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common
-domain, and ``sqrt(x**2) = x`` is REFUTED.
+are defined, and so is every function whose derivative stands in them. More exactly: at every point
+that is a limit of interior points of that set, for the normal form is silent on isolated points of
+the domain. This is not the convention of complex principal branches: ``log(x**2) = 2*log(x)`` is
+PROVED, since negative x are outside the common domain, and ``sqrt(x**2) = x`` is REFUTED.
 
 Nothing is proved vacuously: a point inside ``given`` must be found at which both sides are shown,
 in balls, to be defined.
+
+Derivatives are first taken as formal ones, which may be real where the functions themselves are
+not, as 1/x is that of log x. What holds of them there too is proved of the functions; what does
+not is looked at again, on the domain of the functions alone. Only where they are found real
+nowhere, as atanh(cosh x) is, the formal derivative decides.
 
 1. Balls at a few exact rational points: disjoint values refute.
 2. The exact normal form of field.py: a difference that is zero proves.
@@ -18,7 +23,7 @@ in balls, to be defined.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
 
@@ -37,6 +42,10 @@ FIRST_BITS, FIRST_POINTS = 128, 2
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
 SIZES = (16, 32, 64, 128)
+NOWHERE = (
+    "no real point was found where both sides are defined; a condition that bounds the variables "
+    "may help"
+)
 
 
 @dataclass(frozen=True)
@@ -61,36 +70,84 @@ def decide(
     right: Expr,
     given: Given = Given(),  # noqa: B008 - frozen
     theories: frozenset[str] = ALL_THEORIES,
+    real: tuple[Expr, ...] = (),
 ) -> Decision:
     """Whether ``left = right`` at every real point of ``given`` where both are defined.
 
     Args:
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
+        real: the functions of which derivatives are compared; the claim speaks of the points at
+            which they too are defined.
     """
-    names = sorted(symbols(left) | symbols(right))
+    names = sorted(frozenset().union(*map(symbols, (left, right, *real))))
+    found = _decide(left, right, given, theories, names, ())
+    if not real or found.verdict is Verdict.PROVED:
+        return found
+    if found.witness is not None and _are_defined(real, found.witness):
+        return found
+    inside = _decide(left, right, given, theories, names, real)
+    if inside.verdict is not Verdict.UNDECIDED or found.witness is None:
+        return inside
+    if inside.why == NOWHERE:
+        why = f"{found.why}; what is differentiated was found real nowhere, only its derivative"
+        return replace(found, why=why)
+    why = f"{inside.why}; {found.why}, but what is differentiated is not real there"
+    return Decision(Verdict.UNDECIDED, why)
+
+
+def _decide(
+    left: Expr,
+    right: Expr,
+    given: Given,
+    theories: frozenset[str],
+    names: list[str],
+    real: tuple[Expr, ...],
+) -> Decision:
+    """The verdict on ``left = right`` where these and all of ``real`` are defined."""
+    sides = (left, right, *real)
+
+    def look(count: int, bits: int) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
+        return sampled_values(left, right, given, names, count, bits, real)
+
     defined: dict[str, fmpq] | None = None
-    for point, values in sampled_values(left, right, given, names, FIRST_POINTS, FIRST_BITS):
+    for point, values in look(FIRST_POINTS, FIRST_BITS):
         if not values[0].overlaps(values[1]):
             return _refutation(point, values)
         defined = point
     if defined is None:
         return Decision(Verdict.UNDECIDED, _no_point(given, names))
-    proof, obstacle = _prove(left, right, given, theories)
+    proof, obstacle = _prove(sides, given, theories)
     if proof is not None:
         shown = _shown(defined)
         return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown}")
     for bits, count in LATER_LOOKS:
-        for point, values in sampled_values(left, right, given, names, count, bits):
+        for point, values in look(count, bits):
             if not values[0].overlaps(values[1]):
                 return _refutation(point, values)
     return Decision(Verdict.UNDECIDED, obstacle)
 
 
+def _are_defined(functions: tuple[Expr, ...], point: Mapping[str, fmpq]) -> bool:
+    """Whether balls show every function to be real at ``point``."""
+    for bits in (FIRST_BITS, 8 * FIRST_BITS):
+        with ball_precision(bits):
+            at = {name: arb(value) for name, value in point.items()}
+            if all(evaluate(function, at).is_finite() for function in functions):
+                return True
+    return False
+
+
 def sampled_values(
-    left: Expr, right: Expr, given: Given, names: list[str], count: int, bits: int
+    left: Expr,
+    right: Expr,
+    given: Given,
+    names: list[str],
+    count: int,
+    bits: int,
+    real: tuple[Expr, ...] = (),
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-    """Points where both sides are defined, at most ``count``, with their values as balls."""
+    """Points where both sides are defined, and ``real``, at most ``count``, with their values."""
     found = 0
     for point in given.points(names, SEARCH_POINTS):
         with ball_precision(bits):
@@ -98,7 +155,8 @@ def sampled_values(
             known: dict[Expr, arb] = {}
             x = evaluate(left, at, known)
             y = evaluate(right, at, known) if x.is_finite() else x
-        if y.is_finite():
+            inside = y.is_finite() and all(evaluate(e, at, known).is_finite() for e in real)
+        if inside:
             yield point, (x, y)
             found += 1
         if found == count or not point:
@@ -121,20 +179,18 @@ def _no_point(given: Given, names: list[str]) -> str:
         return "one of the sides is not shown to be a real number; nothing is proved vacuously"
     if next(given.points(names, 1), None) is None:
         return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
-    return (
-        "no real point was found where both sides are defined; a condition that bounds the "
-        "variables may help"
-    )
+    return NOWHERE
 
 
 def _prove(
-    left: Expr, right: Expr, given: Given, theories: frozenset[str]
+    sides: tuple[Expr, ...], given: Given, theories: frozenset[str]
 ) -> tuple[str | None, str]:
     """A sentence on the proof, or None and a sentence on what stopped it."""
+    left, right, *_ = sides
     if left == right:
         return "both sides are the same expression", ""
     try:
-        field, value = _difference(left, right, given, theories)
+        field, value = _difference(sides, given, theories)
     except (TooLargeError, UndefinedError) as error:
         return None, f"the exact normal form stopped: {error}"
     count = len(field.generators)
@@ -151,12 +207,13 @@ def _prove(
 
 
 def _difference(
-    left: Expr, right: Expr, given: Given, theories: frozenset[str]
+    sides: tuple[Expr, ...], given: Given, theories: frozenset[str]
 ) -> tuple[Field, Fraction]:
+    """The normal form of the first side less the second, on the domain of all."""
     for size in SIZES:
         field = Field(given, theories, size)
         try:
-            x, y = field.normal(left, right)
+            x, y, *_ = field.normal(*sides)
             return field, field.subtract(x, y)
         except TooLargeError:
             if len(field.generators) < size:

@@ -136,15 +136,27 @@ class Given:
                 elif not symbols(bound):
                     _tighten(box, side, relation, bound)
         for _ in range(2):
-            for condition in self.conditions:
+            for condition in (*self.conditions, *self._implied):
                 _propagate(box, condition)
         return box
 
     @cached_property
+    def _implied(self) -> tuple[Condition, ...]:
+        """What ``u > |v|`` says without absolute values: ``u > v``, ``u > −v``, ``u > 0``."""
+        result = []
+        for left, sign, right in self.comparisons:
+            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
+                if side.op == "abs" and symbols(bound) and relation in ("<", "<="):
+                    inner = side.args[0]
+                    parts = (bound - inner, bound + inner, bound)
+                    result += [Condition(part, _FLIP[relation]) for part in parts]
+        return tuple(result)
+
+    @cached_property
     def beyond_box(self) -> tuple[Condition, ...]:
-        """The conditions that are not bounds of one symbol by a constant."""
+        """The conditions that are not bounds of one symbol by a constant, and what they imply."""
         plain = {"symbol"}
-        return tuple(
+        return self._implied + tuple(
             condition
             for (left, _, right), condition in zip(self.comparisons, self.conditions, strict=True)
             if condition.relation == "!="
@@ -224,7 +236,7 @@ def _tighten(box: dict[str, Range], side: Expr, relation: str, bound: Expr) -> N
 def _propagate(box: dict[str, Range], condition: Condition) -> None:
     """Narrow the symbols of a linear condition by the bounds of the others: x > a > 0 is x > 0."""
     form = _linear(condition.expression)
-    if condition.relation == "!=" or form is None or len(form) < 3:
+    if condition.relation == "!=" or form is None:
         return
     for name, slope in form.items():
         total, relation = form[""], condition.relation

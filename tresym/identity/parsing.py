@@ -108,10 +108,15 @@ def _quoted(source: str) -> str:
 
 
 class _Reader:
-    """Turns a syntax tree into an expression; keeps the text for exact numbers."""
+    """Turns a syntax tree into an expression; keeps the text for exact numbers.
+
+    Attributes:
+        differentiated: the functions whose derivatives were read.
+    """
 
     def __init__(self, source: str) -> None:
         self.source = source
+        self.differentiated: list[Expr] = []
 
     def read(self, node: ast.expr) -> Expr:
         try:
@@ -195,6 +200,7 @@ class _Reader:
             order = last.value
         if not 1 <= order <= MAX_DERIVATIVES:
             raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
+        self.differentiated.append(result)
         for _ in range(order):
             result = differentiate(result, args[1].id)
         return result
@@ -246,11 +252,12 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
 _CLAIMS = _RELATIONS | {ast.Eq: "=="}
 
 
-def parse_claim(text: str) -> list[tuple[Expr, str, Expr]]:
-    """A chain of comparisons, or one order statement, as ``(left, relation, right)``.
+def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
+    """A chain of comparisons, or one order statement, as ``(left, relation, right, functions)``.
 
-    Relations are ``== != > >= < <=``; ``f ~ g``; ``f == O(g)`` and ``f == h + o(g)``, which come
-    out as ``(f - h, "o", g)``.
+    ``functions`` are those whose derivatives the claim speaks of. Relations are
+    ``== != > >= < <=``; ``f ~ g``; ``f == O(g)`` and ``f == h + o(g)``, which come out as
+    ``(f - h, "o", g)``.
 
     Raises:
         InputError: anything else; one line says what is expected.
@@ -258,7 +265,7 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr]]:
     source = tidy(text)
     if source.count("~") == 1:
         left, right = source.split("~")
-        return [(parse(left), "~", parse(right))]
+        return [(parse(left), "~", parse(right), ())]
     if re.search(r"(?<![=<>!~])=(?!=)", source):
         raise InputError(f"write == for equality: {_quoted(source)}")
     body = tree(source)
@@ -270,7 +277,7 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr]]:
     reader = _Reader(source)
     nodes = [body.left, *body.comparators]
     if isinstance(body.ops[0], ast.Eq) and len(nodes) == 2 and (order := _order_term(nodes[1])):
-        return [_order_claim(reader, nodes[0], nodes[1], order)]
+        return [(*_order_claim(reader, nodes[0], nodes[1], order), ())]
     result = []
     left_side = reader.read(nodes[0])
     for op, node in zip(body.ops, nodes[1:], strict=True):
@@ -279,7 +286,7 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr]]:
         right_side = reader.read(node)
         result.append((left_side, _CLAIMS[type(op)], right_side))
         left_side = right_side
-    return result
+    return [(*part, tuple(reader.differentiated)) for part in result]
 
 
 def _order_term(node: ast.expr) -> ast.Call | None:

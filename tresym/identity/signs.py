@@ -56,6 +56,18 @@ class SignedRing(Ring):
         self._tried = {}
         self._quietly = False
         self._signs = {key: sign for key, sign in self._signs.items() if sign}
+        self._settle_proven()
+
+    def _settle_proven(self) -> None:
+        """Settle the signs that have a generator from an earlier pass and are proven by now."""
+        for generator in self.generators:
+            if generator.kind != "sign":
+                continue
+            key = str(generator.data[0])
+            if key not in self.known_signs and key not in self.rules:
+                found = self.sign(generator.data[0])
+                if found:
+                    self._know(key, found)
 
     def symbol(self, name: str) -> Generator:
         """The generator of a variable."""
