@@ -17,6 +17,8 @@ from tresym.checking.answer import Answer, refuted
 from tresym.checking.contact import candidates, enclosure, sign_at_contact
 from tresym.checking.domain import equal_at
 from tresym.checking.ends import sign_beside
+from tresym.checking.stationary import solutions
+from tresym.checking.writing import numerator
 from tresym.claims.enclosure import Bound, Box, BoxProof, Counterexample, prove_positive
 from tresym.exact import Interval, fraction_text
 from tresym.identity.bounds import sign
@@ -135,7 +137,9 @@ class _Search:
 
     def _contact(self, worst: Interval, whole: Interval) -> Answer | None:
         """Close a neighbourhood of the point of contact in ``worst``; an answer if that fails."""
-        for point in candidates(worst):
+        slope = numerator(self.slopes[0], self.region)
+        known = solutions(slope, self.names[0]) + solutions(self.difference, self.names[0])
+        for point in candidates(worst, known):
             inside = self._at_contact(point)
             if isinstance(inside, Answer):
                 return inside

@@ -40,7 +40,7 @@ def sign_on_cones(difference: Expr, relation: str, region: Given) -> str | None:
         value, *others = field.normal(difference, *(c.expression for c in region.beyond_box))
         if strict and any(generator.kind != "symbol" for generator in field.generators):
             return None  # the normal form tells nothing of single points
-        sign, rest = _open_factors(field, (value.num, value.den), strict)
+        sign, rest = open_factors(field, (value.num, value.den), strict)
     except (TooLargeError, UndefinedError):
         return None
     conditions = [
@@ -54,7 +54,7 @@ def sign_on_cones(difference: Expr, relation: str, region: Given) -> str | None:
     return f"the difference has coefficients of one sign on {count} cones that cover the region"
 
 
-def _open_factors(field: Field, polys: tuple[Poly, Poly], strict: bool) -> tuple[int, Poly]:
+def open_factors(field: Field, polys: tuple[Poly, Poly], strict: bool) -> tuple[int, Poly]:
     """The known sign of a product, and the product of the factors whose sign is not known.
 
     Even powers are left out, but where the claim excludes that they vanish.

@@ -6,7 +6,7 @@ exactly; the first derivative that does not has a sign, in balls, on a whole nei
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from flint import arb, fmpq
 
@@ -34,9 +34,14 @@ _KINDS: tuple[tuple[Callable[[arb], arb], Callable[[Expr], Expr]], ...] = (
 """Maps of the line under which a point may be a simple rational, with their inverses."""
 
 
-def candidates(worst: Interval) -> Iterator[Expr]:
-    """Exact points that ``worst`` suggests, the simplest of each kind."""
+def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
+    """Exact points that ``worst`` suggests, the simplest of each kind, and those that are known."""
     seen: set[Expr] = set()
+    for point in known:
+        with ball_precision(PRECISION):
+            if evaluate(point, {}).overlaps(worst.ball()):
+                seen.add(point)
+                yield point
     for wider in (1, 2**12, 2**24):
         gap = wider * ((worst.high - worst.low) or fmpq(1, 2**40))
         low, high = worst.low - gap, worst.high + gap

@@ -14,21 +14,26 @@ from flint import arb, fmpq
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.boxes import search
+from tresym.checking.concave import sign_by_concavity
 from tresym.checking.cones import sign_on_cones
+from tresym.checking.descent import low_points
 from tresym.checking.domain import bound, equal_at, with_domain
+from tresym.checking.equivalents import equivalents
 from tresym.checking.taylor import sign_by_taylor
 from tresym.exact import fraction_text
 from tresym.identity.bounds import sign
-from tresym.identity.decide import sampled_values
+from tresym.identity.decide import decide, sampled_values
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import Expr, rebuild, symbols
+from tresym.identity.expression import PI, Expr, number, rebuild, substitute, symbol, symbols
 from tresym.identity.given import Given, corners
 from tresym.verdict import Verdict
 
 LOOKS = ((128, 40), (700, 10))
 HALVINGS = 40
 MAX_PAIRS = 8
+MAX_STARTS = 24
 MAX_CASES = 3
+PERIODS = (2 * PI, number(2))
 _STRICT = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-")}
 
 
@@ -50,35 +55,73 @@ def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> A
         )
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
-    difference = left - right
     region = with_domain(given, left, right)
-    proof = _proved(difference, relation, region)
+    proof = _proved(left, relation, right, region)
     if proof is not None:
         return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {_shown(defined)}")
     if relation == "!=":
         return _apart(left, right, region, defined)
-    return search(left, right, relation == ">", region, given)
+    starts = given.points(names, MAX_STARTS)
+    for point in low_points(left - right, given, starts):
+        refutation = _refuted_at(point, left, relation, right, given)
+        if refutation is not None:
+            return refutation
+    return search(left, right, relation == ">", _one_period(left - right, region, given), given)
 
 
-def _proved(difference: Expr, relation: str, region: Given, depth: int = 0) -> str | None:
-    """A sentence that proves ``difference relation 0``, absolute values taken apart by cases."""
+def _one_period(difference: Expr, region: Given, given: Given) -> Given:
+    """The region, cut down to one period where the claim has one."""
+    names = symbols(difference)
+    if len(names) != 1 or names & given.names:
+        return region
+    x = symbol(*names)
+    for period in PERIODS:
+        shifted = substitute(difference, {x.args[0]: x + period})
+        if decide(shifted, difference).verdict is Verdict.PROVED:
+            return region & Given(((x, ">=", -period / 2), (x, "<=", period / 2)))
+    return region
+
+
+def _proved(left: Expr, relation: str, right: Expr, region: Given, depth: int = 0) -> str | None:
+    """A sentence that proves ``left relation right``, absolute values taken apart by cases."""
+    proof = _directly(left - right, relation, region)
+    if proof is not None:
+        return proof
+    inner = _absolute(left - right)
+    if inner is None:
+        return _by_equivalents(left, relation, right, region)
+    if depth == MAX_CASES:
+        return None
+    for side in (inner, -inner):
+        case = region & Given((bound(side, ">="),))
+        sides = _without(left, inner, side), _without(right, inner, side)
+        if _proved(sides[0], relation, sides[1], case, depth + 1) is None:
+            return None
+    return f"by cases, in the sign of {inner}"
+
+
+def _by_equivalents(left: Expr, relation: str, right: Expr, region: Given) -> str | None:
+    """The proof of an inequality that is equivalent to this one."""
+    for difference, where, words in equivalents(left, relation, right, region):
+        proof = _directly(difference, relation, where)
+        if proof is not None:
+            return words + proof
+    return None
+
+
+def _directly(difference: Expr, relation: str, region: Given) -> str | None:
+    """A proof by the signs of the parts, by cones, or by Taylor's theorem."""
     found = sign(difference, region)
     if found in _STRICT[relation]:
         return f"the difference {_words(found)} by the signs of its parts"
     proof = sign_on_cones(difference, relation, region)
     if proof is not None:
         return proof
-    proof = sign_by_taylor(difference, relation, region)
+    proof = sign_by_concavity(difference, relation, region)
     if proof is not None:
-        return f"Taylor's theorem: {proof}"
-    inner = _absolute(difference)
-    if inner is None or depth == MAX_CASES:
-        return None
-    for side in (inner, -inner):
-        case = region & Given((bound(side, ">="),))
-        if _proved(_without(difference, inner, side), relation, case, depth + 1) is None:
-            return None
-    return f"by cases, in the sign of {inner}"
+        return proof
+    proof = sign_by_taylor(difference, relation, region)
+    return None if proof is None else f"Taylor's theorem: {proof}"
 
 
 def _absolute(e: Expr) -> Expr | None:
@@ -119,18 +162,28 @@ def _at_corners(
 ) -> Answer | None:
     """A refutation where variables are 0, 1 or at closed ends of their ranges."""
     for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
-        exact = dict(point)
-        with ball_precision(LOOKS[0][0]):
-            at = {name: arb(value) for name, value in point}
+        found = _refuted_at(dict(point), left, relation, right, given)
+        if found is not None:
+            return found
+    return None
+
+
+def _refuted_at(
+    point: dict[str, fmpq], left: Expr, relation: str, right: Expr, given: Given
+) -> Answer | None:
+    """A refutation where the exact point satisfies the conditions and violates the claim."""
+    for bits, _ in LOOKS:
+        with ball_precision(bits):
+            at = {name: arb(value) for name, value in point.items()}
             if not all(condition.holds_exactly(at) for condition in given.conditions):
                 continue
             x, y = evaluate(left, at), evaluate(right, at)
         if not (x.is_finite() and y.is_finite()):
             continue
         if relation != "!=" and x < y:
-            return refuted(f"it fails at {_shown(exact)}", exact, x, y)
-        if relation != ">=" and x.overlaps(y) and equal_at(left, right, exact):
-            return refuted(f"both sides are equal at {_shown(exact)}", exact, x, y)
+            return refuted(f"it fails at {_shown(point)}", point, x, y)
+        if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
+            return refuted(f"both sides are equal at {_shown(point)}", point, x, y)
     return None
 
 

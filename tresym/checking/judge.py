@@ -8,6 +8,7 @@ from typing import Any
 
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.statement import ORDERS, Comparison, Statement, read
+from tresym.exact import InputError
 from tresym.identity.decide import decide
 from tresym.verdict import Verdict
 
@@ -24,7 +25,7 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
     """
     start = time.perf_counter()
     statement = claim if isinstance(claim, Statement) else read(claim, given, path)
-    answers = [_decide(comparison, statement) for comparison in statement.comparisons]
+    answers = [_bounded(comparison, statement) for comparison in statement.comparisons]
     answer = min(answers, key=lambda found: _WORST.index(found.verdict))
     if len(answers) > 1:
         broken = statement.comparisons[answers.index(answer)]
@@ -36,6 +37,14 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
         given=_short(str(statement.given)),
         seconds=time.perf_counter() - start,
     )
+
+
+def _bounded(comparison: Comparison, statement: Statement) -> Answer:
+    """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
+    try:
+        return _decide(comparison, statement)
+    except InputError as error:
+        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
 
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:

@@ -8,6 +8,7 @@ range, 0, 1, another symbol, or where the derivative vanishes. No floating point
 from __future__ import annotations
 
 from tresym.checking.stationary import solutions
+from tresym.checking.writing import numerator
 from tresym.identity.bounds import sign
 from tresym.identity.expression import (
     ONE,
@@ -40,7 +41,7 @@ def sign_by_taylor(difference: Expr, relation: str, region: Given) -> str | None
         ranges = _without_beyond(region, name)
         inside = _opened(ranges, name)
         where = ranges.box.get(name, Range())
-        for c in _bases(difference, name, where):
+        for c in _bases(difference, name, where, inside):
             if _within(ranges, name, c, inside) and _smooth(difference, name, c, inside):
                 proof = _expansion(difference, relation, name, c, region, inside)
                 if proof is not None:
@@ -64,11 +65,12 @@ def _opened(region: Given, name: str) -> Given:
     return Given(tuple(opened))
 
 
-def _bases(difference: Expr, name: str, where: Range) -> list[Expr]:
+def _bases(difference: Expr, name: str, where: Range, inside: Given) -> list[Expr]:
     """Points about which to expand, that may or may not lie in the range."""
     found = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
     found += [ZERO, ONE, *map(symbol, sorted(symbols(difference) - {name}))]
-    found += solutions(differentiate(difference, name), name)
+    slope = differentiate(difference, name)
+    found += solutions(slope, name) or solutions(numerator(slope, inside), name)
     return list(dict.fromkeys(found))[:MAX_BASES]
 
 
