@@ -250,11 +250,24 @@ eqdefect = Claim(
     where=Place(display=21),
 )
 
+symmetric_turn = Claim(
+    label="symmetric_turn",
+    says=equal(Integral(_integrand, (psi, epsilon, pi - epsilon)), 2 * pi),
+    given=shape,
+    proof=(
+        step(Integral(_integrand, (psi, psi0, psi_f)), substituting(eq_psi0psif)),
+        step(Delta_phi, substituting(eq_robust_gen)),
+        step(None, substituting(full_turn)),
+    ),
+    where=Place(line=213),
+    note="What ε is: in one turn of the handle the symmetric motion goes from ε to π − ε.",
+)
+
 symmetric_curves = Claim(
     label="fig_symtraj",
     says="The symmetric curves, from ε to π − ε, are those of one full turn of the handle.",
     kind="statement",
-    proof=all_of(eq_robust_gen, full_turn, eq_psi0psif, eqdefect),
+    proof=all_of(symmetric_turn, eqdefect),
     where=Place(line=227),
 )
 

@@ -24,6 +24,7 @@ from sympy import (
     asin,
     cos,
     exp,
+    log,
     pi,
     sin,
     sqrt,
@@ -54,6 +55,7 @@ from tresym.claims.claim import (
     roots,
     step,
     substituting,
+    together,
     trigonometry,
 )
 from tresym.claims.enclosure import Bound, box
@@ -138,6 +140,14 @@ unknown = Claim(
     given=(lam > 0, *_small),
     proof=Definition(),
     where=Place(display=42),
+)
+
+unknown_solved = Claim(
+    label="unknown_solved",
+    says=equal(-lam * log(epsilon0 / _in_front) - pi - asin(mu), u),
+    given=(lam > 0, *_small),
+    proof=by(substituting(unknown), exponentials),
+    note="What u is for an ε₀ that is known: there is one for every ε₀ > 0.",
 )
 
 unknown_flat = Claim(
@@ -387,6 +397,20 @@ total_slope = Claim(
     note="What dG/dλ is at the origin, by the chain rule.",
 )
 
+deduced_from_the_chain_rule = Claim(
+    label="deduced_from_the_chain_rule",
+    says=equal(dG_dlambda - G_lambda, G_mu * mu_lambda),
+    proof=by(substituting(total_slope)),
+    where=Place(line=379),
+    note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
+)
+
+values_at_origin = Claim(
+    label="values_at_origin",
+    says=Tuple(equal(dG_du, 1), equal(G_lambda, 0), equal(G_mu, 0), equal(mu_lambda, b)),
+    proof=together(*(by(substituting(slopes_at_origin)) for _ in range(4))),
+)
+
 chain_rule = Claim(
     label="d45",
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
@@ -427,6 +451,14 @@ slope_symbol_of_u = Claim(
     given=(dG_du > 0,),
     proof=Definition(),
     note="What du/dλ is at the origin, by `implicit_rule`; `u_flat_order` bounds u itself.",
+)
+
+slope_of_u_solved = Claim(
+    label="slope_of_u_solved",
+    says=equal(dG_dlambda + dG_du * du_dlambda, 0),
+    given=(dG_du > 0,),
+    proof=by(substituting(slope_symbol_of_u)),
+    note="What `implicit_rule` starts from.",
 )
 
 slope_of_u = Claim(

@@ -80,6 +80,14 @@ one_turn = Claim(
     note="What one turn of the handle means, by d48, while the motion has not turned.",
 )
 
+level_line = Claim(
+    label="level_line",
+    says=equal(F, pi),
+    given=_rotating,
+    proof=(step(_turn(gamma), substituting(half_integral)), step(None, substituting(one_turn))),
+    where=Place(display=49),
+)
+
 sine_to_the_middle = Claim(
     label="sine_to_the_middle",
     says=sin(psi) > 0,

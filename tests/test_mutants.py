@@ -20,8 +20,10 @@ from tresym.claims.claim import (
     substituting,
     trigonometry,
 )
+from tresym.claims.denial import Denied
+from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
-from tresym.claims.mutants import mutants
+from tresym.claims.mutants import mutants, why_few
 from tresym.claims.order import Order
 from tresym.claims.violation import value, violation
 from tresym.cli import main
@@ -127,6 +129,38 @@ def test_a_refuted_sentence_is_changed_and_stays_refuted() -> None:
     assert all(judge(m.claim, {}).verdict is not Verdict.PROVED for m in found)
 
 
+def test_a_sentence_denied_at_a_point_has_its_conditions_changed() -> None:
+    point = Counterexample({"x": fmpq(1, 2)}, sin(x) > x / 2)
+    false = Claim("false", "sin x ≤ x/2", point, given=(x > 0, x < 3))
+    found = [m for m in mutants(false, 9) if m.place.startswith("condition")]
+    assert {m.place for m in found} == {"condition 1", "condition 2"}
+    assert all(judge(m.claim, {}).verdict is Verdict.REFUTED for m in found)
+
+
+def test_a_denial_by_what_is_false_denies_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    ground = Claim("ground", equal(x + x, 2 * x + 0 * y), by())
+    denied = Claim("denied", "no", Denied((ground,), {"x": fmpq(0)}), expect=Verdict.REFUTED)
+    found = list(mutants(denied, 2))
+    assert found
+    for mutant in found:
+        held = {c.label: judge(c, {}) for c in mutant.beneath}
+        assert judge(mutant.claim, held).verdict is Verdict.UNDECIDED
+    from tresym import verification
+
+    monkeypatch.setattr(verification, "all_claims", lambda: (ground, denied))
+    assert verify_mutants(["denied"], 2).survivors == ()
+    believing = Finding(Verdict.REFUTED, "so it is said")
+    monkeypatch.setattr(verification, "_judge_mutant", lambda mutant, found: believing)
+    assert verify_mutants(["denied"], 2).survivors
+
+
+def test_claims_with_few_mutants_are_listed_with_the_reason() -> None:
+    report = verify_mutants(["separatrix_horizontal", "eq_gamma"], 5)
+    assert [(row.claim.label, row.changes) for row in report.few] == [("separatrix_horizontal", 3)]
+    assert report.as_json()["few"][0]["why"] == "balls show no other change of it violated"
+    assert why_few(Claim("new", equal(x, a), Definition())).startswith("nothing is proved")
+
+
 def test_orders_are_changed_only_to_false_ones() -> None:
     def order(kind: str, function: object, gauge: object, **rest: object) -> set[str]:
         statement = Order(kind, function, gauge, **rest)
@@ -155,7 +189,6 @@ def test_moved_digits_count_only_where_no_inputs_give_them() -> None:
 
 def test_a_verifier_that_believes_everything_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     from tresym import verification
-    from tresym.claims.finding import Finding
 
     def gullible(claim: Claim, found: object) -> Finding:
         return Finding(Verdict.PROVED, "it looks right")

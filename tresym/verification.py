@@ -10,9 +10,10 @@ from typing import Any
 
 from tresym.claims.bounds import Boxes
 from tresym.claims.claim import Claim
+from tresym.claims.denial import Denied
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
-from tresym.claims.mutants import Mutant, mutants
+from tresym.claims.mutants import Mutant, mutants, why_few
 from tresym.exact import InputError, fraction_text
 from tresym.verdict import Verdict
 
@@ -128,9 +129,11 @@ class MutantRow:
     counts: dict[str, int]
     """How many got each verdict; all four are always present."""
     survivors: tuple[Mutant, ...]
-    """Mutants that were PROVED or ENCLOSED: there must be none."""
+    """Mutants that were PROVED or ENCLOSED, or denied something: there must be none."""
     changes: int
     """How many changes made them: one change may be judged with and without its chain."""
+    why_few: str = ""
+    """Why there are fewer changes than wanted; empty where there are not."""
 
     @property
     def total(self) -> int:
@@ -151,8 +154,13 @@ class MutantReport:
 
     @property
     def survivors(self) -> tuple[Mutant, ...]:
-        """Every mutant that was PROVED or ENCLOSED."""
+        """Every mutant that was believed."""
         return tuple(mutant for row in self.rows for mutant in row.survivors)
+
+    @property
+    def few(self) -> tuple[MutantRow, ...]:
+        """The claims with fewer changes than wanted, with the reason."""
+        return tuple(row for row in self.rows if row.why_few)
 
     def as_json(self) -> dict[str, Any]:
         """The report as `tresym verify --mutants --json` prints it."""
@@ -166,6 +174,10 @@ class MutantReport:
             "claims": [
                 {"label": row.claim.label, "changes": row.changes, **row.counts}
                 for row in self.rows
+            ],
+            "few": [
+                {"label": row.claim.label, "changes": row.changes, "why": row.why_few}
+                for row in self.few
             ],
         }
 
@@ -200,12 +212,19 @@ def verify_mutants(
         judged = [(mutant, _judge_mutant(mutant, found).verdict) for mutant in of(claim)]
         counted = Counter(verdict for _, verdict in judged)
         counts = {v.value: counted[v] for v in Verdict}
-        survivors = tuple(mutant for mutant, verdict in judged if verdict.holds)
+        survivors = tuple(mutant for mutant, verdict in judged if _survives(mutant, verdict))
         changes = len({(mutant.place, mutant.change) for mutant, _ in judged})
-        rows.append(MutantRow(claim, counts, survivors, changes))
+        few = why_few(claim, using[claim]) if changes < wanted else ""
+        rows.append(MutantRow(claim, counts, survivors, changes, few))
         if on_row is not None:
             on_row(rows[-1])
     return MutantReport(tuple(rows))
+
+
+def _survives(mutant: Mutant, verdict: Verdict) -> bool:
+    """Whether a false variant is believed: it holds, or what is false still denies something."""
+    denies = isinstance(mutant.claim.proof, Denied)
+    return verdict.holds or (denies and verdict is Verdict.REFUTED)
 
 
 def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:

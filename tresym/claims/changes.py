@@ -72,8 +72,10 @@ def _replaced(e: Basic, path: Path, changed: Basic) -> Basic:
 
 def _changeable(e: Basic) -> range:
     """Which arguments of ``e`` may be changed: not the variables that it binds."""
-    if isinstance(e, Derivative | Subs):
+    if isinstance(e, Derivative):
         return range(1)
+    if isinstance(e, Subs):
+        return range(0, 3, 2)
     if isinstance(e, MatrixBase):
         return range(2, 3)
     if isinstance(e, Tuple) and len(e.args) == 3 and isinstance(e.args[0], Symbol):

@@ -3,7 +3,9 @@
 What a claim says is changed (the ends of its chains follow), and each step of its chains alone;
 see `tresym.claims.changes` and, for numbers, bounds and orders, `tresym.claims.changed_numbers`.
 What a claim says is also put to the judge without its chain. A definition cannot be false, so what
-is changed is what others prove by it; a conjunction has its parts changed.
+is changed is what others prove by it; a conjunction has its parts changed. What is denied at a
+point has its conditions changed too, and what claims deny has those claims changed: then nothing
+may be made of the denial.
 
 A mutant counts only where balls show it violated: γ ≤ 2a differs from γ ≤ a and is true.
 """
@@ -16,7 +18,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
-from sympy import Basic, Eq, Equivalent, Tuple
+from sympy import Basic, Eq, Equivalent, Integral, Tuple
 
 from tresym.claims.bounds import Asymptotics, Boxes
 from tresym.claims.changed_numbers import (
@@ -45,6 +47,7 @@ from tresym.claims.claim import (
     formally,
     parts_of,
 )
+from tresym.claims.denial import Denied
 from tresym.claims.judge import judge, refute
 from tresym.claims.violation import rootless, scalars
 from tresym.verdict import Verdict
@@ -106,7 +109,7 @@ def mutants(
         dependents: claims that use it, for a definition.
         made: the mutants of a part of a conjunction; by default they are made anew.
     """
-    if isinstance(claim.proof, AllOf):
+    if isinstance(claim.proof, AllOf | Denied):
         yield from _of_parts(claim, wanted, made or (lambda part: mutants(part, wanted)))
         return
     places = [spot.mutants(claim) for spot in _spots(claim, dependents)]
@@ -121,10 +124,19 @@ def mutants(
         yield from found
 
 
+def why_few(claim: Claim, dependents: tuple[Claim, ...] = ()) -> str:
+    """Why a claim has fewer mutants than were wanted, for the list of those."""
+    if isinstance(claim.proof, Definition | ImplicitFunction) and not [*_proving(dependents)]:
+        return "nothing is proved by this definition directly"
+    if not isinstance(claim.proof, AllOf | Denied) and not [*_spots(claim, dependents)]:
+        return "no change is known for this kind of evidence"
+    return "balls show no other change of it violated"
+
+
 def _of_parts(
     claim: Claim, wanted: int, made: Callable[[Claim], Iterable[Mutant]]
 ) -> Iterator[Mutant]:
-    """The conjunction with one part changed; the parts take turns."""
+    """The conjunction, or the denial, with one part changed; the parts take turns."""
     evidence: Any = claim.proof
     parts: tuple[Claim, ...] = evidence.claims
     waiting = [(part, iter(made(part))) for part in parts]
@@ -138,7 +150,7 @@ def _of_parts(
             changes.add((part, mutant.place, mutant.change))
             remaining.append((part, changed))
             others = tuple(mutant.claim if p == part else p for p in parts)
-            conjunction = replace(claim, proof=AllOf(others))
+            conjunction = replace(claim, proof=replace(evidence, claims=others))
             place = f"part {part.label}: {mutant.place}"
             below = (*mutant.beneath, mutant.claim)
             yield Mutant(claim, place, mutant.change, conjunction, below)
@@ -158,13 +170,14 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             for name, variants, changed in order_changes(claim):
                 yield _Spot(name, variants, _one(changed), order_fails)
         case Definition() | ImplicitFunction():
-            proving = (d for d in dependents if isinstance(d.proof, tuple | Together | Formally))
-            for dependent in islice(proving, DEPENDENTS):
+            for dependent in islice(_proving(dependents), DEPENDENTS):
                 yield _definition_spot(claim, dependent)
         case UniqueRoot():
             yield from _root_spots(claim, claim.proof)
         case Counterexample():
             yield _counterexample_spot(claim, claim.proof)
+            for n, condition in enumerate(claim.given, 1):
+                yield _condition_spot(claim, n, condition)
         case Formally(relations=relations):
             for n, relation in enumerate(relations, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
@@ -204,6 +217,21 @@ def _counterexample_spot(claim: Claim, proof: Counterexample) -> _Spot:
         return judge(mutated, {}).verdict is Verdict.REFUTED
 
     return _Spot("what the point violates", mutations(proof.violated), claims, violated)
+
+
+def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
+    """The sentence under one other condition: as false, where the point satisfies that."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        given = (*claim.given[: n - 1], changed, *claim.given[n:])
+        return (replace(claim, given=given),)
+
+    def violated(mutated: Claim) -> bool:
+        return judge(mutated, {}).verdict is Verdict.REFUTED
+
+    known = condition.free_symbols
+    same = (changed for changed in mutations(condition) if changed.free_symbols <= known)
+    return _Spot(f"condition {n}", same, claims, violated)
 
 
 # Chains
@@ -274,6 +302,10 @@ def _root_spots(claim: Claim, proof: UniqueRoot) -> Iterator[_Spot]:
 # Definitions
 
 
+def _proving(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
+    return (d for d in dependents if isinstance(d.proof, tuple | Together | Formally))
+
+
 def _definition_spot(claim: Claim, dependent: Claim) -> _Spot:
     """What a claim proves by a definition, asked of it with the definition changed."""
 
@@ -284,11 +316,14 @@ def _definition_spot(claim: Claim, dependent: Claim) -> _Spot:
 
 
 def _other_meanings(says: Basic) -> Iterator[Basic]:
-    """The definition with another right side."""
+    """The definition with another right side, or with another integral on its left."""
     parts = parts_of(says)
     for n, part in enumerate(parts):
-        for changed in mutations(part.args[1]):
-            other = equal(part.args[0], changed)
+        left, right = part.args
+        others = [equal(left, changed) for changed in mutations(right)]
+        if isinstance(left, Integral):
+            others += [equal(changed, right) for changed in mutations(left)]
+        for other in others:
             whole = (*parts[:n], other, *parts[n + 1 :])
             yield Tuple(*whole) if isinstance(says, Tuple) else other
 

@@ -11,6 +11,7 @@ from tresym.exact import fraction_text
 from tresym.report.place import place_text
 from tresym.verdict import Verdict
 from tresym.verification import (
+    MUTANTS,
     MutantReport,
     MutantRow,
     Report,
@@ -69,6 +70,9 @@ def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
     held = len(report.survivors)
     outcome = "none holds" if not held else f"{held} of them hold: the verifier is wrong"
     console.print(Text(f"{share}, {outcome}", style="green" if not held else "bold red"))
+    for row in report.few:
+        text = f"{row.claim.label}: {row.changes} of {MUTANTS}, {row.why_few}"
+        console.print(Text(text, style="dim"), soft_wrap=True)
     return report
 
 
