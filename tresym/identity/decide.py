@@ -41,7 +41,7 @@ from tresym.verdict import Verdict
 FIRST_BITS, FIRST_POINTS = 128, 2
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
-SIZES = (16, 32, 64, 128)
+SIZES = (12, 24, 48, 128)
 NOWHERE = (
     "no real point was found where both sides are defined; a condition that bounds the variables "
     "may help"

@@ -64,7 +64,7 @@ class Expr:
         self.args = args
         self.size = size
         self.depth = depth
-        self._hash = hash((op, args))
+        self._hash = hash((op, args) if op != "number" else (int(args[0].p), int(args[0].q)))
         self._symbols: frozenset[str] | None = None
 
     def __hash__(self) -> int:

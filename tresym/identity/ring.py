@@ -8,6 +8,7 @@ newest first, brings a polynomial to its remainder.
 
 from __future__ import annotations
 
+from functools import cache
 from math import comb
 from typing import Any, NamedTuple, TypeAlias
 
@@ -58,8 +59,7 @@ class Ring:
     def __init__(self, size: int) -> None:
         """Room for ``size`` generators; more raise :class:`TooLargeError`."""
         self.size = size
-        self.context = fmpz_mpoly_ctx.get([f"g{i}" for i in range(size)], Ordering.lex)
-        self.variables = self.context.gens()
+        self.context, self.variables = _polynomials(size)
         self.generators: list[Generator] = []
         self.relations: list[tuple[int, int, Poly]] = []
         self._by_key: dict[tuple[Any, ...], Generator] = {}
@@ -114,8 +114,9 @@ class Ring:
 
     def reduce(self, p: Poly) -> Poly:
         """``p`` modulo the relations."""
-        for _, _, rule in self.relations:
-            p = p % rule
+        for position, _, rule in self.relations:
+            if not p.derivative(position).is_zero():
+                p = p % rule
         if len(p) > MAX_TERMS:
             raise TooLargeError(f"a normal form of more than {MAX_TERMS} terms")
         return p
@@ -194,6 +195,10 @@ class Ring:
 
     def split(self, p: Poly, position: int) -> dict[int, Poly]:
         """``p`` by powers of one generator: ``{k: coefficient of g**k}``."""
+        slope = p.derivative(position)
+        if slope.derivative(position).is_zero():
+            rest = p - slope * self.variables[position]
+            return {k: part for k, part in ((0, rest), (1, slope)) if not part.is_zero()}
         parts: dict[int, dict[tuple[int, ...], Any]] = {}
         for monomial, value in p.terms():
             k = int(monomial[position])
@@ -292,19 +297,18 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
     FLINT's time grows with the number of variables of the ring, used or not.
     """
     used = ring.used(p)
-    context = fmpz_mpoly_ctx.get([f"h{i}" for i in range(len(used))], Ordering.lex)
-    small = context.from_dict({tuple(m[i] for i in used): c for m, c in p.terms()})
+    context, _ = _polynomials(len(used))
+    small = p.project_to_context(context, dict(zip(used, range(len(used)), strict=True)))
     unit, factors = factors_of(small)
-    result = []
-    for factor, exponent in factors:
-        big = {}
-        for monomial, value in factor.terms():
-            vector = [0] * ring.size
-            for i, k in zip(used, monomial, strict=True):
-                vector[i] = int(k)
-            big[tuple(vector)] = value
-        result.append((ring.context.from_dict(big), int(exponent)))
-    return unit, result
+    back = dict(enumerate(used))
+    return unit, [(f.project_to_context(ring.context, back), int(k)) for f, k in factors]
+
+
+@cache
+def _polynomials(size: int) -> tuple[fmpz_mpoly_ctx, tuple[Poly, ...]]:
+    """The ring of integer polynomials in ``size`` generators, and these."""
+    context = fmpz_mpoly_ctx.get([f"g{i}" for i in range(size)], Ordering.lex)
+    return context, context.gens()
 
 
 def factors_of(p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
