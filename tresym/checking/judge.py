@@ -10,8 +10,16 @@ from tresym.checking.answer import Answer, refuted
 from tresym.checking.statement import ORDERS, Comparison, Statement, read
 from tresym.exact import InputError
 from tresym.identity.decide import decide
+from tresym.identity.expression import symbols
 from tresym.verdict import Verdict
 
+_LOOK_ALIKE = {
+    "e": "the number is E",
+    "Pi": "the number is pi",
+    "PI": "the number is pi",
+    "i": "and real as all are",
+    "j": "and real as all are",
+}
 _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
@@ -31,6 +39,8 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
         broken = statement.comparisons[answers.index(answer)]
         which = f"{broken.left} {broken.relation} {broken.right}: "
         answer = replace(answer, why=which + answer.why)
+    if not answer:
+        answer = replace(answer, why=answer.why + _mistaken(statement))
     return replace(
         answer,
         statement=_short(statement.text),
@@ -64,6 +74,17 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     from tresym.checking.inequalities import decide_inequality
 
     return decide_inequality(left, relation, right, statement.given)
+
+
+def _mistaken(statement: Statement) -> str:
+    """A remark on variables that may have been meant as numbers."""
+    names = frozenset().union(*(symbols(c.left) | symbols(c.right) for c in statement.comparisons))
+    remarks = [
+        f"; {name} is a variable here, {other}"
+        for name, other in _LOOK_ALIKE.items()
+        if name in names
+    ]
+    return "".join(remarks)
 
 
 def _short(text: str) -> str:

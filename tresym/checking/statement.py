@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from tresym.checking.typography import plain
 from tresym.exact import InputError
 from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
 from tresym.identity.given import Given
@@ -18,6 +19,7 @@ MAX_CHARACTERS = 30_000
 _WORD = re.compile(r"\s(?:--)?(given|as)\s")
 _LATEX = re.compile(r"[\\{}]")
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:->|\\to)\s*(.+?)\s*")
+_AND = re.compile(r"\band\b|;|&&?|∧")
 _INFINITE = frozenset(("oo", "inf", "infinity", r"\infty"))
 _SYMPY = {
     "Equality": "==",
@@ -123,12 +125,12 @@ def _split(text: str) -> tuple[str, str, str]:
 
 
 def _plain(text: str) -> str:
-    """``text``, translated where it is LaTeX."""
+    """``text`` in the characters of the grammar, translated where it is LaTeX."""
     if not _LATEX.search(text):
-        return text
+        return plain(text)
     from tresym.identity.latex import read_latex
 
-    chains = read_latex(text)
+    chains = read_latex(text.strip().strip("$").replace("==", "="))
     if len(chains) != 1 or chains[0].condition is not None:
         raise InputError("LaTeX: one claim at a time; conditions are given apart")
     return str(chains[0]).replace(" = ", " == ")
@@ -141,8 +143,8 @@ def _given(given: Any) -> Given:
         if _LATEX.search(given):
             from tresym.identity.latex import read_latex
 
-            given = ", ".join(str(chain) for chain in read_latex(given))
-        return Given.parse(given)
+            given = ", ".join(str(chain) for chain in read_latex(given.strip().strip("$")))
+        return Given.parse(_AND.sub(",", plain(given)))
     if isinstance(given, Iterable):
         result = Given()
         for part in given:
@@ -185,7 +187,7 @@ def read_path(text: str) -> Path:
     Raises:
         InputError: anything else.
     """
-    match = _PATH.fullmatch(text) if len(text) <= 200 else None
+    match = _PATH.fullmatch(plain(text)) if len(text) <= 200 else None
     if match is None:
         raise InputError("a path is written like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
     name, end = match[1], match[2].replace(" ", "").replace("^", "")

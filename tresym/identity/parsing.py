@@ -13,7 +13,9 @@ from __future__ import annotations
 
 import ast
 import re
+import unicodedata
 from collections.abc import Callable
+from functools import partial, reduce
 
 from tresym.exact import InputError, parse_number
 from tresym.identity.expression import (
@@ -33,9 +35,9 @@ from tresym.identity.expression import (
     sqrt,
     symbol,
 )
+from tresym.identity.hints import about_function, about_name, hint
 
 MAX_CHARACTERS = 30_000
-MAX_HINT = 300
 
 _ALIASES = {"ln": "log", "Abs": "abs", "sgn": "sign"} | {
     f"arc{name}": f"a{name}"
@@ -53,7 +55,9 @@ _RECIPROCALS = {
     "acsch": "asinh",
     "acoth": "atanh",
 }
-_IMPLICIT = re.compile(r"(?<![A-Za-z_])\d+(\.\d*)?\s*[A-Za-z_(]|\)\s*[\w(]|[A-Za-z_]\w*\s+[\w(]")
+_FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
+_KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
+_KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
 
 
 def parse(text: str) -> Expr:
@@ -77,7 +81,9 @@ def tidy(text: str) -> str:
     if not text.strip():
         raise InputError("an expression is expected, the text is empty")
     if not text.isascii() or "\0" in text:
-        raise InputError("only ASCII characters are allowed in an expression")
+        strange = next((c for c in text if not c.isascii() or c == "\0"), "")
+        name = unicodedata.name(strange, "control").lower()
+        raise InputError(f"the character {strange!a} ({name}) is not read")
     depth = deepest = 0
     for character in text:
         depth += (character in "([{") - (character in ")]}")
@@ -96,9 +102,8 @@ def tree(source: str) -> ast.expr:
     try:
         return ast.parse(source, mode="eval").body
     except SyntaxError:
-        found = _IMPLICIT.search(source[:MAX_HINT])
-        hint = f" (write * between factors: {found[0]!r})" if found else ""
-        raise InputError(f"{_quoted(source)} is not an expression{hint}") from None
+        advice = hint(source, _KNOWN)
+        raise InputError(f"{_quoted(source)} is not an expression{advice}") from None
     except (RecursionError, MemoryError, ValueError):
         raise InputError("the expression is nested too deeply or a number is too long") from None
 
@@ -137,7 +142,9 @@ class _Reader:
             case ast.Name(id=name):
                 if name in _NOT_REAL:
                     raise InputError(f"{name} is no real number or variable, and all here are real")
-                if name in FUNCTIONS or name in _ALIASES or name.startswith("__"):
+                if name in _KNOWN:
+                    raise InputError(about_name(name))
+                if name.startswith("__"):
                     raise InputError(f"{name} cannot be the name of a variable")
                 return symbol(name)
             case ast.UnaryOp(op=ast.USub()):
@@ -180,6 +187,10 @@ class _Reader:
             return angle(*values)
         if name == "log" and len(values) == 2:
             return apply("log", values[0]) / apply("log", values[1])
+        if name in _FOLDED and len(values) > 1:
+            return reduce(partial(_extreme, _FOLDED[name]), values)
+        if name not in _KNOWN:
+            raise InputError(f"unknown function {name}: {about_function(name, _KNOWN)}")
         if len(values) != 1:
             raise InputError(f"{name} takes one argument, {len(values)} given")
         if name == "sqrt":
@@ -209,10 +220,21 @@ class _Reader:
         return self.source[node.col_offset : node.end_col_offset]
 
     def _refuse(self, node: ast.expr) -> InputError:
+        text = self._segment(node)
+        advice = hint(text, _KNOWN)
+        if isinstance(node, ast.Call):
+            advice = " (write * between factors)"
+        elif isinstance(node, ast.Tuple):
+            advice = " (decimals have a point; one claim at a time)"
         return InputError(
-            f"{_quoted(self._segment(node))} is not allowed in an expression; allowed are numbers, "
-            "names, + - * / **, parentheses and the documented functions"
+            f"{_quoted(text)} is not allowed in an expression{advice}; allowed are numbers, names, "
+            "+ - * / **, parentheses and the documented functions"
         )
+
+
+def _extreme(side: int, x: Expr, y: Expr) -> Expr:
+    """The larger of two (``side`` 1), or the smaller (−1)."""
+    return (x + y + side * apply("abs", x - y)) / 2
 
 
 _RELATIONS: dict[type[ast.cmpop], str] = {
@@ -238,11 +260,13 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
     result: list[tuple[Expr, str, Expr]] = []
     for part in body.elts if isinstance(body, ast.Tuple) else [body]:
         if not isinstance(part, ast.Compare):
-            raise InputError(f"{_quoted(reader._segment(part))} is not a condition such as a > 0")
+            advice = "" if not isinstance(part, ast.BoolOp) else "; conditions go apart by commas"
+            shown = _quoted(reader._segment(part))
+            raise InputError(f"{shown} is not a condition such as a > 0{advice}")
         left = reader.read(part.left)
         for op, node in zip(part.ops, part.comparators, strict=True):
             if type(op) not in _RELATIONS:
-                raise InputError("a condition uses one of > >= < <= !=")
+                raise InputError("a condition uses one of > >= < <= !=, as in 0 < x <= 1")
             right = reader.read(node)
             result.append((left, _RELATIONS[type(op)], right))
             left = right
@@ -267,11 +291,14 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
         left, right = source.split("~")
         return [(parse(left), "~", parse(right), ())]
     if re.search(r"(?<![=<>!~])=(?!=)", source):
-        raise InputError(f"write == for equality: {_quoted(source)}")
+        advice = hint(source, _KNOWN) if re.search("=[<>]", source) else ""
+        raise InputError(f"write == for equality: {_quoted(source)}{advice}")
     body = tree(source)
     if not isinstance(body, ast.Compare):
+        apart = isinstance(body, ast.Tuple | ast.BoolOp)
+        advice = " (one claim at a time; decimals have a point)" if apart else ""
         raise InputError(
-            f"{_quoted(source)} claims nothing; compare two expressions with one of "
+            f"{_quoted(source)} claims nothing{advice}; compare two expressions with one of "
             "== != > >= < <= ~, as in sin(x)**2 + cos(x)**2 == 1"
         )
     reader = _Reader(source)

@@ -1,0 +1,97 @@
+"""What may have been meant by text that is not read: advice in a few words."""
+
+from __future__ import annotations
+
+import keyword
+import re
+from difflib import get_close_matches
+
+MAX_TEXT = 300
+_OUTSIDE = frozenset(
+    (
+        *("factorial", "gamma", "erf", "erfc", "zeta", "beta", "binomial", "conjugate", "re", "im"),
+        *("floor", "ceil", "ceiling", "mod", "sum", "Sum", "product", "Product", "lim", "limit"),
+    )
+)
+_SLIPS: tuple[tuple[str, str], ...] = (
+    (r"\bd\s*/\s*d[a-z]\b|\w'", "a derivative is written diff(f, x)"),
+    (r"[=<>!]\s*$|^\s*[=<>]", "one side of the comparison is missing"),
+    (r"<>", "write !="),
+    (r"=>", "write >="),
+    (r"=<", "write <="),
+    (r":=", "write =="),
+    (r"\*{4}|\^\^", "write one ^ or **"),
+    (r"\d\s*%", "write a percentage as a fraction"),
+    (r"!(?!=)", "factorials are not read"),
+    (r";", "conditions are separated by commas"),
+    (r"&&|\|\|", "conditions are separated by commas, claims go one by one"),
+    (r"->", "a path goes after the word as, or to --as"),
+    (r"\bgiven\s*$", "conditions are missing after the word given"),
+    (r"^\s*given\b", "a claim is missing before the word given"),
+    (r"\b(for all|forall|for|if|when|where|with)\b", "write the conditions after the word given"),
+    (r"[\[{]", "use parentheses"),
+    (r"(?<![=<>!])=(?!=)", "a condition uses one of > >= < <= !="),
+)
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_PRODUCT = re.compile(
+    r"(?<![\w.])(\d+(?:\.\d*)?)\s*([A-Za-z_]\w*|\()|(\))\s*(\w+|\()|([A-Za-z_]\w*)\s+(\w+|\()"
+)
+
+
+def hint(text: str, functions: frozenset[str]) -> str:
+    """Advice on ``text`` that is no expression, in parentheses after a space, or nothing."""
+    found = _advice(text[:MAX_TEXT], functions) or _parentheses(text)
+    return f" ({found})" if found else ""
+
+
+def _advice(text: str, functions: frozenset[str]) -> str:
+    for pattern, advice in _SLIPS:
+        if re.search(pattern, text):
+            return advice
+    power = re.search(r"\b([a-z]+)\s*\*\*\s*(?:\(?-\s*1\)?|\w+)\s*\(", text)
+    if power and power[1] in functions:
+        return f"a power of a function is {power[1]}(x)**2, its inverse a{power[1]}(x)"
+    for word in _NAME.findall(text):
+        if keyword.iskeyword(word) and word not in ("and", "or", "not", "in", "is"):
+            return f"{word} cannot be a name; {word}_ can"
+    for match in _PRODUCT.finditer(text):
+        first, second = (part for part in match.groups() if part)
+        if first in functions:
+            return f"arguments go in parentheses: {first}({second})"
+        if first != "(" and not keyword.iskeyword(second):
+            return f"write * between factors: {first}*{second}"
+    return ""
+
+
+def _parentheses(text: str) -> str:
+    """Where a parenthesis has no partner."""
+    opened: list[int] = []
+    for i, character in enumerate(text):
+        if character == "(":
+            opened.append(i)
+        elif character == ")":
+            if not opened:
+                return f"the parenthesis that closes at character {i + 1} was not opened"
+            opened.pop()
+    return f"the parenthesis at character {opened[-1] + 1} is not closed" if opened else ""
+
+
+def about_function(name: str, known: frozenset[str]) -> str:
+    """What to say of a function that is not known."""
+    if name in ("integrate", "int", "integral", "Integral"):
+        return "integrals are not read: claim diff(F, x) == f of an antiderivative F"
+    if name in _OUTSIDE:
+        return f"{name} is outside what is decided"
+    if re.fullmatch(r"log_?\d+", name):
+        return f"write log(x, {name.lstrip('log_')}) for {name}(x)"
+    if name in ("O", "o"):
+        return f"{name}(…) stands at the right end of a claim, as in f == g + {name}(h)"
+    if len(name) == 1:
+        return f"{name} is no function; for a product write {name}*(…)"
+    near = get_close_matches(name, sorted(known), 1, 0.75)
+    return f"did you mean {near[0]}?" if near else f"known are {', '.join(sorted(known))}"
+
+
+def about_name(name: str) -> str:
+    """What to say of a function that stands without its argument."""
+    return f"{name} needs its argument, as in {name}(x); a power of it is {name}(x)**2"
