@@ -7,6 +7,7 @@ from typing import Any
 
 from flint import arb, fmpq, fmpq_poly
 
+from tresym.checking.cancellation import scaled, without_cancellation
 from tresym.claims.germ import Germ, UnresolvedError
 from tresym.claims.gradient import Gradient
 from tresym.identity.evaluation import evaluate
@@ -51,13 +52,50 @@ class _Run:
             return m.pi
         if e.op == "^":
             return self._power(*e.args)
+        if e.op == "+" and isinstance(self.x, Germ):
+            return self._sum(without_cancellation(e))
         values = [self.value(arg) for arg in e.args]
         if e.op in ("+", "*"):
             total = values[0]
             for value in values[1:]:
                 total = total + value if e.op == "+" else total * value
             return total
+        if e.op in ("asin", "acos") and isinstance(self.x, Germ):
+            return self._arc(e.op, values[0])
         return self._function(e.op, values[0])
+
+    def _sum(self, terms: list[Expr]) -> Any:
+        """The sum of germs; an exponential less 1 is taken as one function."""
+        total = self.m.constant(0)
+        constant = terms[-1].args[0] if terms[-1].op == "number" else None
+        for term in terms:
+            scale, inner = scaled(term)
+            exponential = inner.op == "exp" or (inner.op == "^" and inner.args[1].op != "number")
+            if constant is not None and exponential and scale == -constant:
+                total = total + self.m.constant(scale) * self.m.expm1(self._exponent(inner))
+                constant = None
+            elif term.op != "number":
+                total = total + self.value(term)
+        return total if constant is None else total + self.m.constant(constant)
+
+    def _exponent(self, e: Expr) -> Any:
+        """u, where ``e`` is exp(u)."""
+        if e.op == "exp":
+            return self.value(e.args[0])
+        return self.value(e.args[1]) * self.m.log(self.value(e.args[0]))
+
+    def _arc(self, name: str, x: Germ) -> Any:
+        """Arc sine or cosine, also of what tends to ±1: acos x = 2 asin √((1 − x)/2)."""
+        m = self.m
+        for side in (1, -1):
+            gap = (1 - side * x) / 2
+            if gap.vanishes or gap.growth() >= 0:
+                continue
+            angle = 2 * m.asin(self._germ_power(gap, fmpq(1, 2)))  # acos(side·x)
+            if name == "acos":
+                return angle if side > 0 else m.pi - angle
+            return side * (m.pi / 2 - angle)
+        return getattr(m, name)(x)
 
     def _power(self, base: Expr, exponent: Expr) -> Any:
         x, m = self.value(base), self.m

@@ -7,6 +7,7 @@ from flint import arb, fmpq
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, constant_ball, refuted
 from tresym.checking.formula import formula
+from tresym.checking.leading import decide_smooth
 from tresym.checking.statement import Comparison, Path
 from tresym.claims.order import Judgement, Order, decide
 from tresym.exact import fraction_text
@@ -23,16 +24,33 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
     """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED."""
     found = [_one_side(claim, path, side) for side in path.sides]
     for side, judgement in zip(path.sides, found, strict=True):
-        if judgement.verdict is Verdict.REFUTED:
+        if judgement.verdict is Verdict.REFUTED and _is_real(claim, path, side, judgement):
             return _refutation(claim, path, side, judgement)
-    if any(judgement.verdict is Verdict.UNDECIDED for judgement in found):
+    if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
+        if all(_is_real(claim, path, *pair) for pair in zip(path.sides, found, strict=True)):
+            return _holds(claim, path, found)
         return Answer(
             Verdict.UNDECIDED,
-            "no expansion at the end of the path settles the order; "
-            "a function that oscillates or has no expansion in powers, exponentials and "
-            "logarithms is beyond this procedure",
+            "the two sides are not shown to be real numbers on the way to the end of the path; "
+            "a path from one side, such as x -> 0+, may help",
         )
-    return _holds(claim, path, found)
+    return Answer(
+        Verdict.UNDECIDED,
+        "no expansion at the end of the path settles the order; "
+        "a function that oscillates or has no expansion in powers, exponentials and "
+        "logarithms is beyond this procedure",
+    )
+
+
+def _is_real(claim: Comparison, path: Path, side: int, judgement: Judgement) -> bool:
+    """Whether both sides are shown to be defined at a point of the range."""
+    reach = judgement.points.get("t") or judgement.upto or fmpq(1)
+    mapping = {path.name: _along(path, side)}
+    with ball_precision(PRECISION):
+        at = {_PARAMETER: arb(reach / 3 if "t" not in judgement.points else reach)}
+        return all(
+            evaluate(substitute(e, mapping), at).is_finite() for e in (claim.left, claim.right)
+        )
 
 
 def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
@@ -40,9 +58,12 @@ def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) ->
     left = formula(substitute(claim.left, mapping), _PARAMETER)
     right = formula(substitute(claim.right, mapping), _PARAMETER)
     try:
-        return decide(Order(claim.relation, left, right, upto=upto), PRECISION)
+        found = decide(Order(claim.relation, left, right, upto=upto), PRECISION)
     except (ZeroDivisionError, OverflowError):
-        return Judgement(Verdict.UNDECIDED)
+        found = Judgement(Verdict.UNDECIDED)
+    if found.verdict is Verdict.UNDECIDED and path.point is not None and upto == 1:
+        return decide_smooth(claim.relation, claim.left, claim.right, path.name, path.point, side)
+    return found
 
 
 def _along(path: Path, side: int) -> Expr:

@@ -259,8 +259,9 @@ def _supremum(statement: Order, whole: _Expansion) -> arb:
         if near.reach < whole.reach and start < upper:
             region = box((near.reach, whole.reach))
             beyond = supremum(size, region, budget=500, slopes=True, precision=ctx.prec)
-            if beyond is not None:
-                lower, upper = lower.max(beyond.low), start.max(beyond.high)
+            if beyond is None:
+                break  # a longer region would take more boxes still
+            lower, upper = lower.max(beyond.low), start.max(beyond.high)
     return lower.union(upper)
 
 
