@@ -31,6 +31,7 @@ PARTS = (
     "limits",
     "rigid_bodies",
     "numbers_in_text",
+    "starts",
     "table_of_objects",
     "book",
     "conclusion",

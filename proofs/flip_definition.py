@@ -2,7 +2,7 @@
 
 - `eq_robust_gen`, `eq_psi0psif`, `eqdefect`, `eq_TRE`: the turn, the symmetric motion, the defect;
 - `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
-- `symmetric_is_stationary`: what is true of the symmetric motion among its neighbours;
+- `symmetric_is_extreme`: what is true of the symmetric motion among all with its γ;
 - `separatrix_infinite_time`: the unstable points are reached in infinite time only;
 - `b_to_zero` and what follows: the symmetric top I₂ = I₃.
 """
@@ -33,7 +33,9 @@ from sympy import (
     tan,
 )
 from tresym.proofs.conditions import shape, tilted
+from tresym.proofs.euler_angles import gamma_conserved
 from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, precession_integrand, sign_of_tilt
+from tresym.proofs.regimes import rotating_speed, separatrix_case
 from tresym.proofs.separatrix import (
     between,
     exact_equation,
@@ -54,6 +56,7 @@ from tresym.claims.claim import (
     by,
     changing_variable,
     cutting,
+    differentiating_integral,
     differentiation,
     equal,
     evaluating,
@@ -217,6 +220,15 @@ cotangent_integral = Claim(
     proof=by(differentiation),
 )
 
+separatrix_is_followed = Claim(
+    label="separatrix_is_followed",
+    says="A motion that starts on the separatrix stays on it.",
+    kind="statement",
+    proof=all_of(gamma_conserved, separatrix_case),
+    where=Place(line=198),
+    note="γ is constant along it, and 0.",
+)
+
 separatrix_infinite_time = Claim(
     label="separatrix_infinite_time",
     says="On the separatrix an unstable point is reached only after infinitely many turns.",
@@ -281,7 +293,7 @@ perfect_is_zero = Claim(
     where=Place(line=217),
 )
 
-_start = Symbol("psi_start", real=True)
+_start, _turned = Symbol("psi_start", real=True), Symbol("Psi", real=True)
 _shifted = _integrand.subs(psi, x)
 
 every_start_flips = Claim(
@@ -338,32 +350,71 @@ equal_rates = Claim(
     shown=r"V(\pi-\psi) = V(\psi),\quad V = \frac{d\psi}{d\phi}",
 )
 
+_p, _q = Symbol("p", real=True), Symbol("q", real=True)
+
+
+def _by_square(square: Any) -> Any:
+    """f for S = 1 as a function of sin²ψ."""
+    return (1 - b * square) / (sqrt(a + b * square) * sqrt(gamma + b * square))
+
+
+def _product(square: Any) -> Any:
+    return sqrt(a + b * square) * sqrt(gamma + b * square)
+
+
 integrand_falls = Claim(
     label="integrand_falls",
-    says=Le(
-        Derivative((1 - b * x) / (sqrt(a + b * x) * sqrt(gamma + b * x)), x), 0, evaluate=False
-    ),
+    says=_by_square(_p) - _by_square(_q) > 0,
     kind="bound",
-    given=(*shape, x > 0, x < 1, gamma > 0),
+    given=(*shape, b < 1, gamma > 0, _p >= 0, _q <= 1, _q - _p > 0),
     proof=(
         step(
             b
-            * (2 * (a + b * x) * (gamma + b * x) + (1 - b * x) * (a + gamma + 2 * b * x))
-            / (2 * sqrt(a + b * x) ** 3 * sqrt(gamma + b * x) ** 3),
-            differentiation,
+            * (_q - _p)
+            * (
+                (1 - b * _q) ** 2 * (a + gamma + b * (_p + _q))
+                + (2 * (1 - b * _q) + b * (_q - _p)) * (a + b * _q) * (gamma + b * _q)
+            )
+            / (
+                _product(_p)
+                * _product(_q)
+                * ((1 - b * _p) * _product(_q) + (1 - b * _q) * _product(_p))
+            ),
             roots,
         ),
     ),
-    note="x = sin²ψ: f is largest at the unstable points, and the rate there smallest.",
+    note="p and q are values of sin²ψ: f is largest at the unstable points.",
 )
 
-symmetric_is_stationary = Claim(
-    label="symmetric_is_stationary",
-    says="At fixed γ > 0 the flip is stationary at the symmetric start: a maximum among its "
-    "neighbours where it is below π, a minimum where it is between π and 2π.",
+_turn = Integral(_integrand, (psi, x, _q))
+
+turn_by_ends = Claim(
+    label="turn_by_ends",
+    says=Tuple(
+        equal(Derivative(_turn, x), -_integrand.subs(psi, x)),
+        equal(Derivative(_turn, _q), _integrand.subs(psi, _q)),
+    ),
+    given=(*shape, b < 1, gamma > 0, _q - x > 0),
+    proof=together(*(by(differentiating_integral(Integer(0))) for _ in range(2))),
+    note="For a flip from x to q = x + Ψ the turn changes by f(q) − f(x) with the start.",
+)
+
+gap_of_squares = Claim(
+    label="gap_of_squares",
+    says=equal(sin(x + _turned) ** 2 - sin(x) ** 2, sin(2 * x + _turned) * sin(_turned)),
+    proof=by(trigonometry),
+    note="At a symmetric start 2x + Ψ is an odd multiple of π; up to π/2 before it the sine of "
+    "2x + Ψ is positive and up to π/2 after it negative.",
+)
+
+symmetric_is_extreme = Claim(
+    label="symmetric_is_extreme",
+    says="At fixed γ > 0 the symmetric start flips most in a given turn of the handle where its "
+    "flip is below π, and least where it is between π and 2π, among all starts.",
     kind="statement",
-    proof=all_of(equal_rates, integrand_falls),
-    note="d(Δψ)/dψ₀ = v(ψ_f)/v(ψ₀) − 1, and the rate v grows with sin²ψ.",
+    proof=all_of(equal_rates, integrand_falls, turn_by_ends, gap_of_squares, rotating_speed),
+    note="A flip by Ψ < π needs the least turn from there, and one by π < Ψ < 2π the most; and "
+    "every turn grows with its flip.",
 )
 
 symmetric_maximum = Claim(
@@ -383,7 +434,7 @@ symmetric_maximum = Claim(
     ),
     where=Place(line=211),
     expect=Verdict.REFUTED,
-    amended_by=(symmetric_is_stationary,),
+    amended_by=(symmetric_is_extreme,),
     note="Where the symmetric flip is beyond π it is the smallest. The paper uses such γ itself.",
 )
 

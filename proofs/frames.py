@@ -177,6 +177,16 @@ perfect_flip = Claim(
     shown=r"R_z(\phi+2\pi)\,R_y(\theta)\,R_z(\psi+\pi) = R\,\operatorname{diag}(-1, -1, 1)",
 )
 
+flip_about_the_handle = Claim(
+    label="flip_about_the_handle",
+    says=equal(rotation.subs(psi, psi + _turn), rotation * about_z(_turn)),
+    proof=by(trigonometry),
+    where=Place(line=70),
+    note="Turning ψ further turns the body about its own axis e₁.",
+    shown=r"R_z(\phi)\,R_y(\theta)\,R_z(\psi+\alpha) = "
+    r"R_z(\phi)\,R_y(\theta)\,R_z(\psi)\,R_z(\alpha)",
+)
+
 racket_effect = Claim(
     label="d03",
     says="A full turn of the handle with Δψ = π turns the racket by half a turn about its handle.",
@@ -207,6 +217,7 @@ angles_from_momentum = Claim(
         by(substituting(eq_Mi), trigonometry, roots),
         by(substituting(eq_Mi), trigonometry, roots),
     ),
+    where=Place(line=62),
     note="Away from the poles M determines θ, and ψ up to full turns.",
 )
 

@@ -27,6 +27,7 @@ from sympy import (
     log,
     pi,
     sin,
+    sinh,
     sqrt,
 )
 from tresym.proofs.conditions import shape
@@ -45,6 +46,7 @@ from tresym.claims.claim import (
     applying,
     at,
     by,
+    citing,
     differentiation,
     equal,
     evaluating,
@@ -232,6 +234,67 @@ smooth_at_origin = Claim(
     note="For λ < 0 it is unbounded; on λ ≥ 0 it is smooth, and so is G.",
 )
 
+slopes_of_the_defect = Claim(
+    label="slopes_of_the_defect",
+    says=Tuple(
+        equal(Derivative(_by_u, u), -_by_u / lam),
+        equal(Derivative(_by_u, lam), _by_u * (pi + asin(mu) + u) / lam**2),
+        equal(Derivative(_by_u, mu), -_by_u * (mu / (1 - mu**2) + 1 / (lam * sqrt(1 - mu**2)))),
+    ),
+    given=(lam > 0, *_small),
+    proof=together(by(differentiation), by(differentiation), by(differentiation, roots)),
+    note="ε₀ times a factor that is at most 6/λ² for λ ≤ 1, 0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1.",
+)
+
+_path = (lam > 0, mu >= 0, mu < 1, u >= -1)
+
+exponent_above_two = Claim(
+    label="exponent_above_two",
+    says=pi + asin(mu) + u - 2 >= 0,
+    kind="bound",
+    given=_path,
+    proof=(step(pi + asin(mu) + u - 2),),
+)
+
+defect_below_flat = Claim(
+    label="defect_below_flat",
+    says=2 * exp(-2 / lam) >= _by_u,
+    kind="bound",
+    given=_path,
+    proof=(
+        step(
+            2 * exp(-2 / lam) * mu**2 / (1 + sqrt(1 - mu**2))
+            + 4
+            * sqrt(1 - mu**2)
+            * exp(-(pi + asin(mu) + u + 2) / (2 * lam))
+            * sinh((pi + asin(mu) + u - 2) / (2 * lam)),
+            citing(exponent_above_two),
+            exponentials,
+            roots,
+        ),
+    ),
+)
+
+slopes_vanish = Claim(
+    label="slopes_vanish",
+    says="12 e^{−2/λ}/λ² = o(λ¹⁰) as λ → 0 from above.",
+    kind="order",
+    proof=Asymptotics(
+        Order("o", lambda t, m: 12 * m.exp(-2 / t) / t**2, lambda t, m: t**10),
+        "lambda -> 0 from above",
+    ),
+    expect=Verdict.ENCLOSED,
+)
+
+defect_is_flat = Claim(
+    label="defect_is_flat",
+    says="For λ → 0 from above ε₀(u, λ, μ) and its slopes vanish faster than λ¹⁰, for "
+    "0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1: at the origin they are 0, from that side.",
+    kind="statement",
+    proof=all_of(slopes_of_the_defect, defect_below_flat, slopes_vanish),
+    expect=Verdict.ENCLOSED,
+)
+
 # -- the derivatives of G -------------------------------------------------------------------------
 
 
@@ -314,6 +377,26 @@ def _at_origin(
         label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
     )
 
+
+G_is_smooth = Claim(
+    label="G_is_smooth",
+    says="G is smooth at the origin; near it |∂G/∂λ| stays below 1000.",
+    kind="statement",
+    given=(lam**2 <= sympy.Rational(1, 100), u**2 <= 1, mu**2 <= sympy.Rational(1, 4), *_small),
+    proof=Counterexample(
+        {"lambda": fmpq(-1, 20), "u": fmpq(0), "mu": fmpq(1, 2)},
+        Gt(
+            Derivative(printed.implicit_function(u, lam, mu, sympy), lam) ** 2,
+            10**6,
+            evaluate=False,
+        ),
+    ),
+    where=Place(line=367),
+    expect=Verdict.REFUTED,
+    amended_by=(defect_is_flat,),
+    note="Not for λ < 0, where ε₀ is not small. On λ ≥ 0, which is all that the argument needs, it "
+    "is: e^{−1/s} is flat from above.",
+)
 
 G_u_value, G_u_at_origin = _at_origin(
     "G_u_at_origin",
@@ -439,7 +522,7 @@ implicit_slope = Claim(
     label="d44",
     says="du/dλ = −(dG/dλ)/(dG/du) at the origin, where dG/du is not 0.",
     kind="statement",
-    proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, flat_from_above),
+    proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
     where=Place(display=44),
     expect=Verdict.ENCLOSED,
     note="The implicit function theorem, on λ ≥ 0.",

@@ -6,7 +6,7 @@ the asymptotic formula and not to the exact equation there is a claim for each r
 - `d26` … `accuracy`: ε₀ of the standard racket; `d27`: the slope at the separatrix;
 - `d29` and its four readings: the levels at which the tolerance is reached;
 - `each_eps0_one_a`, `larger_ab_less_robust`, `linear_range`: what the formula is said to show;
-- `no_tre_far`, `zero_on_separatrix`, `slow_on_separatrix`, …: what the figures are said to show.
+- `zero_on_separatrix`, `slow_on_separatrix`, …: what the figures are said to show.
 """
 
 from __future__ import annotations
@@ -469,30 +469,6 @@ close_to_separatrix = Claim(
 
 # -- Section 7 ------------------------------------------------------------------------------------
 
-
-def _misses(gamma: Any, m: Any) -> Any:
-    """Positive if the symmetric motion of the standard racket misses the tolerance at ``gamma``.
-
-    F falls with ε, so −π/12 < ε < π/12 exactly when F(π/12, γ) < π < F(−π/12, γ).
-    """
-    below, above = (rigorous(side * m.pi / 12, arb(A), arb(B), gamma) for side in (-1, 1))
-    return (m.pi - below).max(above - m.pi)
-
-
-no_tre_far = Claim(
-    label="no_tre_far",
-    says="The standard racket shows no effect where |γ| > 10⁻².",
-    kind="bound",
-    proof=Boxes(
-        (Bound(_misses, box(("51/5000", "51/5000"))),),
-        ("gamma",),
-        "the standard racket, symmetric start",
-    ),
-    where=Place(line=272),
-    expect=Verdict.REFUTED,
-    amended_by=(upper_exact_value, lower_exact),
-    note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035.",
-)
 
 _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
 

@@ -337,6 +337,49 @@ amplitudes = Claim(
     note="From end to end, which is twice what is often called amplitude; neither is reached.",
 )
 
+_swing, _speed = Symbol("q", real=True), Symbol("v", real=True)
+_pendulum = (_speed, -sin(_swing))
+"""Rates of the angle and of the speed of a pendulum."""
+
+
+def _linear_pendulum(rest: sympy.Expr) -> sympy.Expr:
+    """The characteristic polynomial of a pendulum at rest at the angle ``rest``."""
+    (p, q), (r, s) = (
+        (at(Derivative(rate.subs(_speed, 0), _swing), {_swing: rest}), Derivative(rate, _speed))
+        for rate in _pendulum
+    )
+    return eigenvalue**2 - (p + s) * eigenvalue + p * s - q * r
+
+
+linear_pendulum = Claim(
+    label="linear_pendulum",
+    says=Tuple(
+        equal(_linear_pendulum(Integer(0)), eigenvalue**2 + 1),
+        equal(_linear_pendulum(pi), eigenvalue**2 - 1),
+    ),
+    proof=together(*(by(differentiation, trigonometry) for _ in range(2))),
+    note="A centre below and a saddle above, once in every turn of 2π.",
+    shown=r"\ddot q = -\sin q:\quad \det(\lambda-A)|_{q=0} = \lambda^2+1,\quad "
+    r"\det(\lambda-A)|_{q=\pi} = \lambda^2-1",
+)
+
+similar_to_a_pendulum = Claim(
+    label="similar_to_a_pendulum",
+    says="The portrait is like that of a pendulum: saddles and centres take turns, at γ = 0 and at "
+    "γ = −b, with rotating motions beyond the saddles; and ψ → −ψ and its period π are symmetries.",
+    kind="statement",
+    proof=all_of(
+        linear_at_e2,
+        linear_at_e3,
+        linear_pendulum,
+        separatrix_passes,
+        depth_at_e3,
+        mirror_images,
+        three_regimes,
+    ),
+    where=Place(line=164),
+)
+
 separatrix_moves = Claim(
     label="separatrix_moves",
     says=printed.psi_rate(psi, a, b, 0, 1, sympy) ** 2 > 0,
