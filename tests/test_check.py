@@ -15,10 +15,9 @@ from hypothesis import strategies as st
 import tresym
 from tresym.bench import check as check_pairs
 from tresym.checking.answer import Answer
-from tresym.checking.domain import simplest_between
 from tresym.checking.workers import Task, check_all, check_within
 from tresym.cli import main
-from tresym.exact import InputError, parse_number
+from tresym.exact import InputError, parse_number, simplest_between
 from tresym.report.deciding import measured
 from tresym.verdict import Verdict
 

@@ -163,3 +163,17 @@ def _radius(rad: int, exponent: int) -> str:
 def fraction_text(x: fmpq) -> str:
     """An exact rational as ``p`` or ``p/q``."""
     return str(x.p) if x.q == 1 else f"{x.p}/{x.q}"
+
+
+def simplest_between(low: fmpq, high: fmpq) -> fmpq:
+    """The rational of smallest denominator in ``[low, high]`` (Stern and Brocot)."""
+    if low <= 0 <= high:
+        return fmpq(0)
+    if high < 0:
+        return -simplest_between(-high, -low)
+    whole = low.floor()
+    if whole == low:
+        return fmpq(whole)
+    if whole + 1 <= high:
+        return fmpq(whole + 1)
+    return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole))

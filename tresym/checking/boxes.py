@@ -20,7 +20,7 @@ from tresym.checking.ends import sign_beside
 from tresym.checking.stationary import solutions
 from tresym.checking.writing import numerator
 from tresym.claims.enclosure import Bound, Box, BoxProof, Counterexample, prove_positive
-from tresym.exact import Interval, fraction_text
+from tresym.exact import Interval, fraction_text, simplest_between
 from tresym.identity.bounds import sign
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import PI, ZERO, Expr, differentiate, number, symbol, symbols
@@ -269,6 +269,15 @@ class _Search:
         return " ".join(parts)
 
     def _refute(self, point: tuple[fmpq, ...]) -> Answer | None:
+        """A refutation at a simple point nearby, or at the point itself."""
+        for tolerance in (fmpq(1, 2**10), fmpq(1, 2**30)):
+            near = tuple(simplest_between(x - tolerance, x + tolerance) for x in point)
+            found = self._refute_at(near)
+            if found is not None:
+                return found
+        return self._refute_at(point)
+
+    def _refute_at(self, point: tuple[fmpq, ...]) -> Answer | None:
         exact = dict(zip(self.names, point, strict=True))
         for bits in (128, 1000):
             with ball_precision(bits):

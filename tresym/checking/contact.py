@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Sequence
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
-from tresym.checking.domain import equal_at, simplest_between
-from tresym.exact import InputError, Interval
+from tresym.checking.domain import equal_at
+from tresym.exact import InputError, Interval, simplest_between
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import PI, ZERO, E, Expr, apply, differentiate, number, sqrt
 

@@ -12,7 +12,7 @@ from itertools import combinations
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
-from tresym.checking.domain import simplest_between
+from tresym.exact import simplest_between
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import Expr
 from tresym.identity.given import Given

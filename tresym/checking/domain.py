@@ -95,17 +95,3 @@ def equal_at(left: Expr, right: Expr, point: Mapping[str, fmpq | Expr]) -> bool:
         return equal_constants(substitute(left, at), substitute(right, at), ALL_THEORIES)
     except InputError:  # a power that is too long to write
         return False
-
-
-def simplest_between(low: fmpq, high: fmpq) -> fmpq:
-    """The rational of smallest denominator in ``[low, high]`` (Stern and Brocot)."""
-    if low <= 0 <= high:
-        return fmpq(0)
-    if high < 0:
-        return -simplest_between(-high, -low)
-    whole = low.floor()
-    if whole == low:
-        return fmpq(whole)
-    if whole + 1 <= high:
-        return fmpq(whole + 1)
-    return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole))

@@ -15,12 +15,13 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
-from tresym.exact import InputError
+from tresym.exact import InputError, simplest_between
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
 from tresym.identity.parsing import parse_conditions
 
 CHECK_BITS = 128
+LONG = 10**18
 _TRIES = 3000
 _FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
 _SYMPY_RELATIONS = {
@@ -343,7 +344,7 @@ def _sample(where: Range, k: int, j: int) -> fmpq:
     if low is not None and high is not None:
         nudge = fmpq(1, 1009 + h % 97) if k else fmpq(0)
         r = _UNIT[h % pool]
-        return low + (high - low) * (r + (1 - r) * r * nudge)
+        return _simple(low + (high - low) * (r + (1 - r) * r * nudge), low, high)
     x = _RAY[h % pool] * (1 + fmpq(1, 97 + h % 89))
     if low is not None:
         return low + x
@@ -352,6 +353,14 @@ def _sample(where: Range, k: int, j: int) -> fmpq:
     alternating = (k + j) % 2 == 1 if k < 2 else k == 3
     negative = alternating if k < 4 else (h >> 8) % 2 == 1
     return -x if negative else x
+
+
+def _simple(x: fmpq, low: fmpq, high: fmpq) -> fmpq:
+    """A rational near ``x`` that can be read, where ends that stand for constants make x long."""
+    if x.q < LONG:
+        return x
+    gap = min(x - low, high - x) / 16
+    return simplest_between(x - gap, x + gap)
 
 
 def corners(names: list[str], box: dict[str, Range]) -> Iterator[dict[str, fmpq]]:
