@@ -1,26 +1,17 @@
 """Beyond the paper: where ε(γ) decreases on (−b, a], and where it does not.
 
 ε(γ) is the flip angle half a turn before the motion passes ψ = π/2. Until the motion has turned it
-solves F(ε, γ) = π, and F falls in ε and in γ:
+solves F(ε, γ) = π, and F falls in ε and in γ, so that ε falls too:
 
-- `rotating_decrease`, `unturned_decrease`: dε/dγ = −(∂F/∂γ)/(∂F/∂ε) < 0, for γ > 0 and γ ≤ 0.
+- `rotating_decrease`, `unturned_decrease`: dε/dγ = −(∂F/∂γ)/(∂F/∂ε) < 0, for γ > 0 with ε < π/2
+  and for 0 < ε < π/2 with γ > −b sin²ε.
 
-Beyond a turning point f is infinite, and the motion is followed in another variable: with
+With what the file before shows of the motion once it has turned:
 
-    Q = a + b sin²χ − γ cos²χ,  R = ab cos²χ − γ(b + a sin²χ),
-    N = (1−b)(a−γ) cos²χ + (a+b)(1+γ) sin²χ,
-
-all positive for γ < 0, the curve cot ψ = √((a+b)(γ+b)/R) sin χ, cos θ = √((γ+b)/(a+b)) cos χ is the
-motion (`unfolded_motion`), its precession counted back from ψ = π/2 is Φ = ∫₀^χ N/(Q√R) dx, which
-is F up to the turning point χ = π/2 (`unfolded_turn`), and ε(γ) is read where Φ(χ, γ) = π:
-
-- `unfolded_decrease`: χ falls as γ rises while χ < π, and π/2 is reached by ε where it is π;
-- `turned_decrease`: once the motion has turned, dε/dγ < 0 up to there;
-- `beyond_right_angle`: ε > π/2 for π < χ < 2π, that is until Φ(2π, γ) = π;
-- `slope_at_turns`: at the levels with χ = π/2 and 3π/2 dε/dγ is ∓1/(2√(−γ(γ+b))): ε rises again.
-
-Φ(π, γ) rises with γ from its value π(1−b)/√(b(a+b)) at γ = −b (`phase_at_bottom`), which is at
-least π exactly for b ≤ 1/(a+2), the shapes of rigid bodies: `decrease_of_bodies`.
+- `decrease_in_gamma`: ε falls strictly on [γ°, a], where ε(γ°) = π/2 and Φ(π, γ°) = π;
+- `one_level`: a value below π/2 has one level above that with Φ(2π, γ) = π, the largest it has;
+- `decrease_of_bodies`: there is no γ° exactly for b ≤ 1/(a+2), and only then is ε monotone;
+- `always_decreasing`: it is not for other shapes, and `up_and_down` is one.
 """
 
 from __future__ import annotations
@@ -37,16 +28,28 @@ from sympy import (
     Subs,
     Symbol,
     Tuple,
-    acos,
-    atan,
     cos,
     pi,
     sin,
     sqrt,
 )
-from tresym.proofs.conditions import defect, shape
-from tresym.proofs.numbers_in_text import lower_exact, number, upper_exact_value
+from tresym.proofs.conditions import shape
+from tresym.proofs.numbers_in_text import A, B, lower_exact, number, upper_exact_value
 from tresym.proofs.rigid_bodies import realizable
+from tresym.proofs.turning import (
+    beyond_right_angle,
+    body_stays_below,
+    c,
+    near_right_angle,
+    others_do_not,
+    phase_at_bottom,
+    phase_rises_in_gamma,
+    slope_at_turns,
+    turned_decrease,
+    unfolded_decrease,
+    unfolded_motion,
+    unfolded_turn,
+)
 
 from tresym.claims.bounds import Boxes
 from tresym.claims.claim import (
@@ -54,18 +57,12 @@ from tresym.claims.claim import (
     Definition,
     ImplicitFunction,
     all_of,
-    by,
-    changing_variable,
     citing,
     differentiating_integral,
-    differentiation,
     equal,
     integrating,
-    roots,
     step,
     substituting,
-    together,
-    trigonometry,
 )
 from tresym.claims.denial import Denied
 from tresym.claims.enclosure import Bound, box
@@ -77,17 +74,11 @@ from tresym.formulas import printed
 from tresym.notation import a, b, epsilon, gamma, psi, x
 from tresym.verdict import Verdict
 
-c = Symbol("c", real=True)
-"""A level, where γ is held."""
-chi = Symbol("chi", real=True)
-"""The variable in which the motion passes its turning points smoothly."""
-F_epsilon, F_gamma, Phi_chi, Phi_gamma = (
-    Symbol(name, real=True) for name in ("F_epsilon", "F_gamma", "Phi_chi", "Phi_gamma")
+F_epsilon, F_gamma = (Symbol(name, real=True) for name in ("F_epsilon", "F_gamma"))
+rotating_rate, unturned_rate = (
+    Symbol(name, real=True) for name in ("epsilonprime_r", "epsilonprime_o")
 )
-rotating_rate, unturned_rate, chi_rate = (
-    Symbol(name, real=True) for name in ("epsilonprime_r", "epsilonprime_o", "chiprime")
-)
-"""dε/dγ of a rotating and of an oscillating motion that has not turned, and dχ/dγ."""
+"""dε/dγ of a rotating and of an oscillating motion that has not turned."""
 
 # -- until the motion turns -----------------------------------------------------------------------
 
@@ -108,9 +99,10 @@ _by_depth = Subs(Derivative(_turn(c), c), c, gamma)
 
 _off_pole = 1 - b * sin(epsilon) ** 2 > 0
 """For b < 1 always so; for b = 1 the handle is not where φ loses its meaning."""
+_angles = (epsilon > 0, epsilon < pi / 2)
 rotating = (*shape, gamma > 0, epsilon < pi / 2, _off_pole)
-unturned = (*shape, gamma > -b, gamma <= 0, *defect, gamma + b * sin(epsilon) ** 2 > 0, _off_pole)
-"""A motion that oscillates or tends to the unstable point, ε above its turning point."""
+unturned = (*shape, *_angles, gamma + b * sin(epsilon) ** 2 > 0, _off_pole)
+"""A motion of either kind, where ε is above the turning point that it has for γ < 0."""
 
 turn_slopes = Claim(
     label="turn_slopes",
@@ -127,8 +119,10 @@ higher_sine = Claim(
     label="higher_sine",
     says=b * _square - b * sin(epsilon) ** 2 >= 0,
     kind="bound",
-    given=(b > 0, epsilon > 0, epsilon < pi / 2, psi >= epsilon, psi <= pi / 2),
-    proof=(step(Integral(2 * b * sin(x) * cos(x), (x, epsilon, psi)), integrating(b * sin(x) ** 2)),),
+    given=(b > 0, *_angles, psi >= epsilon, psi <= pi / 2),
+    proof=(
+        step(Integral(2 * b * sin(x) * cos(x), (x, epsilon, psi)), integrating(b * sin(x) ** 2)),
+    ),
 )
 
 above_turning_point = Claim(
@@ -138,6 +132,15 @@ above_turning_point = Claim(
     given=(*unturned, psi >= epsilon, psi <= pi / 2),
     proof=(step(gamma + b * _square, citing(higher_sine)),),
     note="From ε to π/2 the motion does not turn.",
+)
+
+fall_is_no_rise = Claim(
+    label="fall_is_no_rise",
+    says=_fall >= 0,
+    kind="bound",
+    given=(*shape, gamma + b * _square > 0),
+    proof=(step(_fall),),
+    note="f falls in γ, or stands still where b sin²ψ = 1.",
 )
 
 
@@ -198,11 +201,133 @@ def _falling(
         kind="bound",
         given=given,
         proof=(
-            step(F_gamma / F_epsilon, substituting(slope, turn_slopes), citing(by_defect, by_depth)),
+            step(
+                F_gamma / F_epsilon, substituting(slope, turn_slopes), citing(by_defect, by_depth)
+            ),
         ),
     )
     return turn, by_defect, by_depth, slope, decrease
 
 
 rotating_claims = _falling("rotating", rotating, rotating_rate, ())
-unturned_claims = _falling("unturned", unturned, unturned_rate, (above_turning_point,))
+unturned_claims = _falling(
+    "unturned", unturned, unturned_rate, (above_turning_point, fall_is_no_rise)
+)
+
+# -- what this says of ε(γ) -----------------------------------------------------------------------
+
+decrease_in_gamma = Claim(
+    label="decrease_in_gamma",
+    says="For a > 0 and 0 < b ≤ 1 ε(γ) decreases strictly up to γ = a, from the level with "
+    "Φ(π, γ) = π where it is π/2, or from −b if there is none.",
+    kind="statement",
+    proof=all_of(
+        rotating_claims[-1],
+        unturned_claims[-1],
+        unfolded_motion,
+        unfolded_turn,
+        unfolded_decrease,
+        turned_decrease,
+    ),
+    note="For b = 1, which no body has, it is vertical where the handle passes a pole.",
+)
+
+one_level = Claim(
+    label="one_level",
+    says="A value below π/2 is taken by ε at one γ at most with Φ(2π, γ) > π, which is the "
+    "largest with that value.",
+    kind="statement",
+    proof=all_of(decrease_in_gamma, phase_rises_in_gamma, beyond_right_angle),
+    note="Φ(2π, γ) = 2Φ(π, γ), so these γ are all above one level.",
+)
+
+decrease_of_bodies = Claim(
+    label="decrease_of_bodies",
+    says="ε(γ) decreases strictly on all of (−b, a] for b ≤ 1/(a+2), that is for every rigid body, "
+    "and for no other shape.",
+    kind="statement",
+    proof=all_of(
+        decrease_in_gamma,
+        phase_rises_in_gamma,
+        phase_at_bottom,
+        body_stays_below,
+        realizable,
+        others_do_not,
+        beyond_right_angle,
+        near_right_angle,
+    ),
+    note="Else Φ(π, γ) < π near −b, and ε exceeds π/2, its limit at −b, before it falls.",
+)
+
+LONG = fmpq(10), fmpq(1, 2)
+"""A shape of no rigid body, whose motions turn several times."""
+
+
+def _rise(low: fmpq, high: fmpq) -> Bound:
+    """ε(high) > ε(low) for this shape, each a ball from its own motion."""
+
+    def margin(a: arb, b: arb, m: Any) -> arb:
+        ends = (defect_on(*LONG, exact_level(*LONG, level)) for level in (high, low))
+        return next(ends) - next(ends)
+
+    return Bound(margin, box(*((side, side) for side in LONG)), precision=128)
+
+
+up_and_down = Claim(
+    label="up_and_down",
+    says="For a = 10, b = 1/2 ε(γ) rises from γ = −7/15 to −19/60, falls to −3/20, and rises "
+    "to −1/60.",
+    kind="bound",
+    proof=Boxes(
+        (
+            _rise(fmpq(-7, 15), fmpq(-19, 60)),
+            _rise(fmpq(-3, 20), fmpq(-19, 60)),
+            _rise(fmpq(-3, 20), fmpq(-1, 60)),
+        ),
+        ("a", "b"),
+        "a = 10, b = 1/2",
+    ),
+    expect=Verdict.ENCLOSED,
+    note="It has the value ε(−19/60) twice more at least, once above −3/20 and once below −7/15.",
+)
+
+always_decreasing = Claim(
+    label="always_decreasing",
+    says="ε(γ) decreases on all of (−b, a], whatever the shape.",
+    kind="statement",
+    proof=Denied((up_and_down, slope_at_turns), {"a": LONG[0], "b": LONG[1]}),
+    expect=Verdict.REFUTED,
+    amended_by=(decrease_in_gamma, decrease_of_bodies),
+    note="It rises at every level with χ = 3π/2, 7π/2, …",
+)
+
+perfect_level = number(
+    "perfect_level",
+    "The standard racket flips perfectly, ε = 0, at γ = 3.20·10⁻³.",
+    "3.20e-3",
+    lambda m: level_of(A, B, Angle(fmpq(0), fmpq(0)), 20),
+    {},
+)
+
+standard_is_a_body = Claim(
+    label="standard_is_a_body",
+    says="1 − b(a + 2) > 0 for the standard racket.",
+    kind="bound",
+    proof=Boxes(
+        (Bound(lambda a, b, m: 1 - b * (a + 2), box(*((side, side) for side in (A, B)))),),
+        ("a", "b"),
+        "the standard racket",
+    ),
+    expect=Verdict.ENCLOSED,
+)
+
+levels_of_the_thresholds = Claim(
+    label="levels_of_the_thresholds",
+    says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, "
+    "3.20·10⁻³ and 1.04·10⁻².",
+    kind="statement",
+    proof=all_of(
+        decrease_of_bodies, standard_is_a_body, lower_exact, perfect_level, upper_exact_value
+    ),
+    expect=Verdict.ENCLOSED,
+)

@@ -186,18 +186,52 @@ def test_conditions_on_the_parameter_do_not_reach_the_point() -> None:
     assert not verdict(says, by(differentiating_integral(1 / (x + 1 + t))), (x > 1,)).holds
 
 
-def test_an_integral_is_not_negative_where_its_integrand_is_not() -> None:
-    def shown(integral: Integral, *given: Basic, strictly: bool = False) -> Verdict:
-        relation = Gt if strictly else Ge
-        return verdict(relation(integral, 0, evaluate=False), (step(integral),), given)
+def shown(integral: Integral, *given: Basic, strictly: bool = False) -> Verdict:
+    """The verdict on a sign of an integral that is read off its integrand."""
+    relation = Gt if strictly else Ge
+    return verdict(relation(integral, 0, evaluate=False), (step(integral),), given)
 
+
+def test_an_integral_is_not_negative_where_its_integrand_is_not() -> None:
     assert shown(area(t**2)) is Verdict.PROVED
     assert shown(area(exp(t) - 1)) is Verdict.PROVED
-    assert shown(area(t**2), strictly=True) is not Verdict.PROVED
     assert shown(area(t**2, 1, 0)) is Verdict.REFUTED
     assert shown(area(t**2, 0, x)) is not Verdict.PROVED
     assert shown(area(1 / t, -1, 2), t > 0) is not Verdict.PROVED
     assert shown(area(t, -2, 1), t > 0) is Verdict.REFUTED
+
+
+POSITIVE = {
+    "at its upper end": (area(t**2), ()),
+    "at its lower end": (area((1 - t) ** 2), ()),
+    "at an end that varies": (area(t**2, 0, x), (x > 0,)),
+    "all over": (area(exp(t), x, x + 1), ()),
+}
+
+
+@pytest.mark.parametrize("name", POSITIVE)
+def test_an_integral_is_positive_where_its_integrand_is_next_to_an_end(name: str) -> None:
+    integral, given = POSITIVE[name]
+    assert shown(integral, *given, strictly=True) is Verdict.PROVED
+
+
+NOT_POSITIVE = {
+    "no length": (area(t**2, 1, 1), ()),
+    "perhaps no length": (area(exp(t), 0, x), (x >= 0,)),
+    "backwards": (area(exp(t), 1, 0), ()),
+    "negative inside": (area(1 - 4 * t * (2 - t)), ()),
+    "positive at its end, and nowhere else": (area(1 - sign(t) ** 2), ()),
+    "not at its end, but where it is assumed": (area(t * x), (t > 0, x >= 0)),
+    "a derivative with a jump": (area(1 - Derivative(Abs(t), t) ** 2), ()),
+    "nothing": (area(0 * t), ()),
+    "zero at both ends, and perhaps between": (area(x**2 * t * (1 - t)), ()),
+}
+
+
+@pytest.mark.parametrize("name", NOT_POSITIVE)
+def test_planted_positive_integrals(name: str) -> None:
+    integral, given = NOT_POSITIVE[name]
+    assert not shown(integral, *given, strictly=True).holds
 
 
 def test_bounds_are_cited_inside_only_where_they_hold() -> None:

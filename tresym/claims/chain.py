@@ -31,7 +31,7 @@ from sympy.core.relational import (
 from tresym.claims.claim import Chain, Claim, Definition, Reason, Step, parts_of
 from tresym.claims.domain import Conditions, undefined
 from tresym.claims.finding import StepFinding
-from tresym.claims.integrals import NotShownError, is_non_negative, with_bounds, without_integrals
+from tresym.claims.integrals import NotShownError, sign_of_integral, with_bounds, without_integrals
 from tresym.claims.signs import NON_NEGATIVE, is_manifest, manifest_sign
 from tresym.claims.translate import Rules, definitions, put_in, to_expression, to_given
 from tresym.identity import Decision, decide
@@ -131,7 +131,7 @@ def _arrives(
     if isinstance(last, Integral):
         bounds = tuple(c for r in link.reasons if r.name == "citing" for c in r.claims)
         try:
-            found = ">=0" if is_non_negative(last, bounds, given) else None
+            found = sign_of_integral(last, bounds, given)
         except NotShownError as error:
             return _undecided(str(error))
     else:

@@ -54,19 +54,29 @@ def without_integrals(
     return before, after
 
 
-def is_non_negative(integral: Basic, bounds: tuple[Claim, ...], given: Conditions) -> bool:
-    """Whether a continuous integrand is not negative on an interval whose ends are in order.
+def sign_of_integral(integral: Basic, bounds: tuple[Claim, ...], given: Conditions) -> str | None:
+    """The sign of the integral of a continuous integrand that is not negative, its ends in order.
+
+    ``+`` where the interval has a length and the integrand is positive at one of its ends, and so
+    next to it; ``>=0`` otherwise; None where the integrand or the order of the ends is not shown.
 
     Raises:
         NotShownError: the integrand is not shown to be continuous.
     """
-    _, low, high = _plain(integral)
+    variable, low, high = _plain(integral)
     conditions = _inside(integral, bounds, given)
-    _need_continuous((integral.function,), conditions)
-    if manifest_sign(high - low, given) not in NON_NEGATIVE:
-        return False
     f = integral.function
-    return is_stated(f, conditions) or manifest_sign(f, conditions) in NON_NEGATIVE
+    if f.has(Derivative):
+        raise NotShownError("a derivative is not shown to be continuous")
+    _need_continuous((f,), conditions)
+    length = manifest_sign(high - low, given)
+    if length not in NON_NEGATIVE:
+        return None
+    if not is_stated(f, conditions) and manifest_sign(f, conditions) not in NON_NEGATIVE:
+        return None
+    ends = (f.xreplace({variable: end}) for end in (low, high))
+    positive = length == "+" and any(manifest_sign(end, given) == "+" for end in ends)
+    return "+" if positive else ">=0"
 
 
 def need_smooth(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:

@@ -55,13 +55,18 @@ def _split(e: Basic, conditions: tuple[Basic, ...], depth: int) -> str | None:
         rest_sign = manifest_sign(rest, conditions, depth - 1)
         if rest_sign not in NON_NEGATIVE:
             continue
-        whole = to_expression(known + rest)
-        split = decide(to_expression(e), whole, to_given(conditions), frozenset())
-        if split.verdict is Verdict.PROVED:
+        if _are_equal(e, known + rest, conditions):
             if rest_sign == "+" or condition.rel_op in (">", "<"):
                 return "+"
             found = ">=0"
     return found
+
+
+def _are_equal(e: Basic, parts: Basic, conditions: tuple[Basic, ...]) -> bool:
+    """Under the conditions, or under none: those that pin a symbol leave no points to try."""
+    left, right = to_expression(e), to_expression(parts)
+    worlds = (to_given(given) for given in (conditions, ()))
+    return any(decide(left, right, w, frozenset()).verdict is Verdict.PROVED for w in worlds)
 
 
 def _in_half_turn(e: Basic, conditions: tuple[Basic, ...]) -> str | None:

@@ -1,0 +1,359 @@
+"""Beyond the paper: an oscillating motion followed through its turning points.
+
+There f is infinite, and F says no more. With
+
+    Q = a + b sin²χ − γ cos²χ,  R = ab cos²χ − γ(b + a sin²χ),
+    N = (1−b)(a−γ) cos²χ + (a+b)(1+γ) sin²χ,
+
+none of them negative for γ < 0, the curve
+
+    cot ψ = √((a+b)(γ+b)/R) sin χ,  cos θ = √((γ+b)/(a+b)) cos χ
+
+is the motion (`unfolded_motion`): it turns at χ = π/2, 3π/2, … and is at ψ = π/2 at χ = 0, π, ….
+The precession back from χ = 0 is Φ(χ, γ) = ∫₀^χ N/(Q√R) dx, which is F until the motion turns
+(`unfolded_turn`), and ε(γ) is ψ where Φ(χ, γ) = π:
+
+- `unfolded_decrease`: χ falls as γ rises, while 0 < χ < π;
+- `turned_decrease`: dε/dγ < 0 for π/2 ≤ χ < π, once the motion has turned;
+- `beyond_right_angle`: ε > π/2 for π < χ < 2π;
+- `slope_at_turns`: dε/dγ is ∓1/(2√(−γ(γ+b))) at χ = π/2 and 3π/2: there ε rises;
+- `phase_at_bottom`: Φ(π, −b) = π(1−b)/√(b(a+b)), and `body_stays_below`, `others_do_not`: it is at
+  least π exactly for b ≤ 1/(a+2).
+"""
+
+from __future__ import annotations
+
+import sympy
+from sympy import (
+    Derivative,
+    Expr,
+    Integer,
+    Integral,
+    Subs,
+    Symbol,
+    Tuple,
+    acos,
+    atan,
+    cos,
+    pi,
+    sin,
+    sqrt,
+    tan,
+)
+from tresym.proofs.conditions import shape
+
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    ImplicitFunction,
+    at,
+    by,
+    changing_variable,
+    citing,
+    collecting,
+    differentiating_integral,
+    differentiation,
+    equal,
+    integrating,
+    roots,
+    step,
+    substituting,
+    together,
+    trigonometry,
+)
+from tresym.formulas import printed
+from tresym.notation import a, b, gamma, psi, x
+
+c = Symbol("c", real=True)
+"""A level, where γ is held."""
+chi, chi_rate = (Symbol(name, real=True) for name in ("chi", "chiprime"))
+"""The variable in which the motion passes its turning points smoothly, and dχ/dγ."""
+Phi_chi, Phi_gamma = (Symbol(name, real=True) for name in ("Phi_chi", "Phi_gamma"))
+
+
+class _Unfolded:
+    """The motion on ``level`` < 0 as a function of χ = ``angle``: see the head of this file."""
+
+    def __init__(self, level: Expr, angle: Expr) -> None:
+        square, rest = sin(angle) ** 2, cos(angle) ** 2
+        self.Q = a + b * square - level * rest
+        self.R = a * b * rest - level * (b + a * square)
+        self.N = (1 - b) * (a - level) * rest + (a + b) * (1 + level) * square
+        self.rate = self.N / (self.Q * sqrt(self.R))
+        self.growth = (a + b) ** 2 * square / (self.Q**2 * sqrt(self.R)) + self.N * (
+            b + a * square
+        ) / (2 * self.Q * sqrt(self.R) ** 3)
+        self.flip = pi / 2 - atan(sqrt(a + b) * sqrt(level + b) * sin(angle) / sqrt(self.R))
+        self.tilt = acos(sqrt((level + b) / (a + b)) * cos(angle))
+
+
+_here, _end = _Unfolded(gamma, x), _Unfolded(gamma, chi)
+oscillating = (*shape, gamma > -b, gamma < 0)
+half_time = (chi > 0, chi < pi, sin(chi) > 0)
+"""Before the motion is back at ψ = π/2; the last condition says it to the sign procedure."""
+
+_share = (a + b) * (b + gamma) * sin(x) ** 2 / _here.Q
+
+clock_quickens = Claim(
+    label="clock_quickens",
+    says=_share >= 0,
+    kind="bound",
+    given=oscillating,
+    proof=(step(_share),),
+    note="b cos²ψ on the curve, by which 1 − b sin²ψ is above 1 − b.",
+)
+
+clock_runs = Claim(
+    label="clock_runs",
+    says=1 - b * sin(_here.flip) ** 2 > 0,
+    kind="bound",
+    given=(*oscillating, b < 1),
+    proof=(step((1 - b) + _share, trigonometry, citing(clock_quickens)),),
+)
+
+handle_tilts = Claim(
+    label="handle_tilts",
+    says=1 - cos(_here.tilt) ** 2 > 0,
+    kind="bound",
+    given=oscillating,
+    proof=(step(_here.Q / (a + b), trigonometry),),
+    note="sin²θ on the curve: the handle is never along M.",
+)
+
+_rates = printed.planar_rates(_here.tilt, _here.flip, a, b, sympy)
+_solving = by(differentiation, citing(clock_runs, handle_tilts), trigonometry, roots)
+
+unfolded_motion = Claim(
+    label="unfolded_motion",
+    says=Tuple(
+        equal(Derivative(_here.tilt, x), -_here.rate * _rates[0]),
+        equal(Derivative(_here.flip, x), -_here.rate * _rates[1]),
+    ),
+    given=(*oscillating, b < 1),
+    proof=together(_solving, _solving),
+    note="The curve solves the planar system, φ falling at the rate N/(Q√R), and passes ψ = π/2 "
+    "at χ = 0.",
+)
+
+before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
+
+tilt_before_the_turn = Claim(
+    label="tilt_before_the_turn",
+    says=cos(x) > 0,
+    kind="bound",
+    given=(*before_the_turn, x >= 0, x <= chi),
+    proof=(step(cos(x)),),
+)
+
+_tilted = (a - gamma) * (b + gamma) * cos(x) ** 2 / _here.Q
+
+flip_before_the_turn = Claim(
+    label="flip_before_the_turn",
+    says=Tuple(a + b * sin(_here.flip) ** 2 > 0, gamma + b * sin(_here.flip) ** 2 > 0),
+    kind="bound",
+    given=(*before_the_turn, x >= 0, x <= chi),
+    proof=together(
+        (step((a + b) * (a - gamma) / _here.Q, trigonometry),),
+        (step(_tilted, trigonometry, citing(tilt_before_the_turn)),),
+    ),
+)
+
+phase = Integral(_here.rate, (x, 0, chi))
+"""Φ(χ, γ), the precession from χ to ψ = π/2."""
+
+unfolded_turn = Claim(
+    label="unfolded_turn",
+    says=equal(
+        Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, _end.flip, pi / 2)), phase
+    ),
+    given=before_the_turn,
+    proof=by(changing_variable(_here.flip, tilt_before_the_turn, flip_before_the_turn)),
+    note="Before the motion has turned Φ is F.",
+)
+
+
+def _phase(level: Expr, end: Expr = chi) -> Integral:
+    return Integral(_Unfolded(level, x).rate, (x, 0, end))
+
+
+_phase_by_depth = Subs(Derivative(_phase(c), c), c, gamma)
+
+phase_slopes = Claim(
+    label="phase_slopes",
+    says=Tuple(
+        equal(Phi_chi, Derivative(_phase(gamma), chi)),
+        equal(Phi_gamma, _phase_by_depth),
+    ),
+    given=(*shape, gamma < 0),
+    proof=Definition(),
+    note="∂Φ/∂χ and ∂Φ/∂γ.",
+)
+
+phase_rises_in_time = Claim(
+    label="phase_rises_in_time",
+    says=Phi_chi > 0,
+    kind="bound",
+    given=(*oscillating, *half_time),
+    proof=(step(_end.rate, substituting(phase_slopes), differentiating_integral(Integer(0))),),
+)
+
+phase_rises_in_gamma = Claim(
+    label="phase_rises_in_gamma",
+    says=Phi_gamma > 0,
+    kind="bound",
+    given=(*oscillating, *half_time),
+    proof=(
+        step(
+            Integral(_here.growth, (x, 0, chi)),
+            substituting(phase_slopes),
+            differentiating_integral(_here.growth),
+        ),
+    ),
+)
+
+half_a_turn_before = Claim(
+    label="half_a_turn_before",
+    says=equal(_phase(c), pi),
+    given=(*shape, c > -b, c < 0, *half_time),
+    proof=Definition(),
+    note="Where ε is read.",
+)
+
+unfolded_slope = Claim(
+    label="unfolded_slope",
+    says=equal(chi_rate, -_phase_by_depth / Derivative(_phase(gamma), chi)),
+    given=(*oscillating, *half_time),
+    proof=ImplicitFunction(
+        equation=half_a_turn_before,
+        unknown=chi,
+        parameter=c,
+        at=gamma,
+        slope=(step(_end.rate, differentiating_integral(Integer(0))),),
+    ),
+)
+
+unfolded_decrease = Claim(
+    label="unfolded_decrease",
+    says=chi_rate < 0,
+    kind="bound",
+    given=(*oscillating, *half_time),
+    proof=(
+        step(
+            Phi_gamma / Phi_chi,
+            substituting(unfolded_slope, phase_slopes),
+            citing(phase_rises_in_time, phase_rises_in_gamma),
+        ),
+    ),
+)
+
+# -- once it has turned ---------------------------------------------------------------------------
+
+_slopes_of_flip = Tuple(
+    equal(
+        Derivative(_end.flip, gamma),
+        -(sqrt(a + b) ** 3) * sin(chi) / (2 * sqrt(b + gamma) * _end.Q * sqrt(_end.R)),
+    ),
+    equal(
+        Derivative(_end.flip, chi),
+        -sqrt(a + b) * sqrt(b + gamma) * (a - gamma) * cos(chi) / (_end.Q * sqrt(_end.R)),
+    ),
+)
+
+flip_slopes = Claim(
+    label="flip_slopes",
+    says=_slopes_of_flip,
+    given=oscillating,
+    proof=together(*(by(differentiation, trigonometry, roots) for _ in range(2))),
+    note="ε by γ at fixed χ, and by χ.",
+)
+
+_total = Derivative(_end.flip, gamma) + Derivative(_end.flip, chi) * chi_rate
+"""dε/dγ, as ε = ψ(χ(γ), γ)."""
+turned = (*oscillating, chi >= pi / 2, chi < pi, sin(chi) > 0, cos(chi) <= 0, chi > 0)
+"""The motion has turned once, and is not yet back at ψ = π/2."""
+
+_by_level, _by_time = (-part.rhs for part in _slopes_of_flip.args)
+
+turned_decrease = Claim(
+    label="turned_decrease",
+    says=_total < 0,
+    kind="bound",
+    given=turned,
+    proof=(
+        step(
+            _by_level + _by_time * chi_rate,
+            differentiation,
+            trigonometry,
+            roots,
+            citing(unfolded_decrease),
+        ),
+    ),
+)
+
+beyond_right_angle = Claim(
+    label="beyond_right_angle",
+    says=_end.flip - pi / 2 > 0,
+    kind="bound",
+    given=(*oscillating, sin(chi) < 0),
+    proof=(step(-atan(sqrt(a + b) * sqrt(b + gamma) * sin(chi) / sqrt(_end.R))),),
+)
+
+_steep = 1 / (2 * sqrt(-gamma) * sqrt(b + gamma))
+
+slope_at_turns = Claim(
+    label="slope_at_turns",
+    says=Tuple(
+        equal(at(_total, {chi: pi / 2}), -_steep), equal(at(_total, {chi: 3 * pi / 2}), _steep)
+    ),
+    given=oscillating,
+    proof=together(*(by(differentiation, trigonometry, roots) for _ in range(2))),
+)
+
+# -- near the bottom ------------------------------------------------------------------------------
+
+_slow = pi * (1 - b) / sqrt(b * (a + b))
+
+phase_at_bottom = Claim(
+    label="phase_at_bottom",
+    says=equal(_phase(-b, pi), _slow),
+    given=shape,
+    proof=(
+        step(Integral((1 - b) / sqrt(b * (a + b)), (x, 0, pi)), collecting()),
+        step(None, integrating(x * (1 - b) / sqrt(b * (a + b)))),
+    ),
+)
+
+body_stays_below = Claim(
+    label="body_stays_below",
+    says=_slow - pi >= 0,
+    kind="bound",
+    given=(*shape, 1 - b * (a + 2) >= 0),
+    proof=(
+        step(
+            pi * (1 - b * (a + 2)) / (sqrt(b * (a + b)) * ((1 - b) + sqrt(b * (a + b)))),
+            roots,
+        ),
+    ),
+)
+
+others_do_not = Claim(
+    label="others_do_not",
+    says=_slow - pi < 0,
+    kind="bound",
+    given=(*shape, b * (a + 2) - 1 > 0),
+    proof=(
+        step(
+            pi * (b * (a + 2) - 1) / (sqrt(b * (a + b)) * ((1 - b) + sqrt(b * (a + b)))),
+            roots,
+        ),
+    ),
+)
+
+near_right_angle = Claim(
+    label="near_right_angle",
+    says=(b + gamma) / -gamma - tan(pi / 2 - _end.flip) ** 2 >= 0,
+    kind="bound",
+    given=oscillating,
+    proof=(step(b * (a - gamma) * (b + gamma) * cos(chi) ** 2 / (-gamma * _end.R), trigonometry),),
+    note="ε(γ) lies between the turning points, and tends to π/2 as γ tends to −b.",
+)

@@ -1,0 +1,36 @@
+"""Signs that are manifest where conditions pin a symbol, and the falsehoods planted for them."""
+
+import pytest
+from sympy import Abs, Basic, Expr, Symbol, sign, sqrt
+
+from tresym.claims.signs import manifest_sign
+
+b, t, x, y = (Symbol(name, real=True) for name in "btxy")
+PINNED = (b > 0, y > -b, x >= y, x <= y)
+"""x is y, and above −b."""
+
+
+@pytest.mark.parametrize("e", [x + b, 2 * x + 2 * b, x + y + 2 * b, b * (x + b)])
+def test_a_pinned_symbol_has_the_sign_of_what_it_is(e: Expr) -> None:
+    assert manifest_sign(e, PINNED) == "+"
+
+
+FALSE: list[tuple[Expr, tuple[Basic, ...]]] = [
+    (x - b, PINNED),
+    (-x - b, PINNED),
+    (y - x, PINNED),
+    (x + b, (b > 0, y >= -b, x >= y, x <= y)),
+    (x + b, (b > 0, y > -b, x <= y)),
+    (sign(t) ** 2, (t >= 0, t <= 0)),
+    (sign(t) ** 2 + t, (t >= 0, t <= 0)),
+    (Abs(t), (t >= 0, t <= 0)),
+    (1 - sign(t) ** 2 - t, (t >= 1, t <= 1)),
+    (sqrt(t**2) + x, (t > 0, x >= -t)),
+]
+
+
+@pytest.mark.parametrize(("e", "given"), FALSE)
+def test_no_positive_sign_is_read_off_where_there_is_none(
+    e: Expr, given: tuple[Basic, ...]
+) -> None:
+    assert manifest_sign(e, given) != "+"
