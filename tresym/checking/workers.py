@@ -22,6 +22,8 @@ from tresym.exact import InputError
 from tresym.verdict import Verdict
 
 DEFAULT_LIMIT = 5.0
+GRACE = 5.0
+"""Seconds beyond its limit after which a process ends of itself."""
 
 
 class Task(NamedTuple):
@@ -104,7 +106,7 @@ class _Worker:
         """Send the task; its time begins."""
         self.index, self.task = index, task
         self.deadline = time.monotonic() + limit
-        self.connection.send(task[:3])
+        self.connection.send((task[:3], limit))
 
     def result(self, limit: float) -> Answer | InputError | None:
         """The answer if there is one; UNDECIDED when time is over or the process died."""
@@ -145,16 +147,28 @@ def _serve(connection: Connection) -> None:
     import signal
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    alarm = getattr(signal, "setitimer", None)
+    if alarm is not None:
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
     while True:
         try:
-            claim, given, path = connection.recv()
+            task, limit = connection.recv()
         except EOFError:
             return
-        try:
-            found: Answer | InputError = judge(claim, given, path)
-        except InputError as error:
-            found = error
-        except Exception as error:  # one claim that we fail at must not end the others
-            why = f"the procedure failed ({type(error).__name__}); please report this claim"
-            found = Answer(Verdict.UNDECIDED, why, statement=" ".join(str(claim)[:400].split()))
+        if alarm is not None:  # should the parent be killed, nobody else stops this
+            alarm(signal.ITIMER_REAL, limit + GRACE)
+        found = _judged(*task)
+        if alarm is not None:
+            alarm(signal.ITIMER_REAL, 0)
         connection.send(found)
+
+
+def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
+    """The answer, or what is wrong with the claim."""
+    try:
+        return judge(claim, given, path)
+    except InputError as error:
+        return error
+    except Exception as error:  # one claim that we fail at must not end the others
+        why = f"the procedure failed ({type(error).__name__}); please report this claim"
+        return Answer(Verdict.UNDECIDED, why, statement=" ".join(str(claim)[:400].split()))
