@@ -43,7 +43,7 @@ HANGS = 600 if chunks.DEEP else 60
 # The classes of hostile text, each with its worst examples.
 CLASSES = {
     "notations": ["0x1p-3", "1_000", "1,5", "1;5", "1.5.2", "1e", ".", "+", "1e+", "--1", "1/2/3"],
-    "Unicode digits": ["١٢", "½", "²", "∞", "－１", "１/２", "𝟏", "๓", "1\u00a02", "Ⅳ"],
+    "Unicode digits": ["١٢", "½", "²", "∞", "－１", "１/２", "𝟏", "๓", "1\u00a02", "Ⅳ", "𝟏" * 100],
     "nested quotes": ["'", '"', '"""', "'\"'\"'", "\\'", "`id`", "$(id)", "'" * 999, "\\" * 999],
     "nested brackets": ["(" * 9999, "[" * 9999, "(" * 999 + "1" + ")" * 999, "{0}", "%s",
                         "-" * 9999],
@@ -158,6 +158,28 @@ def test_the_api_answers_or_refuses_in_one_line() -> None:
         with ball_precision(200):
             again = flip_defect(*shape(a, b), gamma, 30)
             assert flip_defect(a, b, gamma, digits).defect.overlaps(again.defect)
+
+
+@pytest.mark.parametrize("numbers", [("1e-9999", "1/2", 1), ("1", "1e-9999", -1), ("1", "𝟏" * 99)])
+def test_a_complaint_does_not_repeat_thousands_of_digits(numbers: tuple[str, ...]) -> None:
+    complaint = complaint_of(flip_defect, *numbers)
+    assert complaint is not None
+    assert one_line(complaint)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["verify"], ["verify", "--mutants"], ["verify", "--graph"], ["verify", "--json"], ["derive"],
+     ["table"], ["figure"], ["chart"], ["bench"], ["docs"], ["flip", "--body"]],
+)  # fmt: skip
+@pytest.mark.parametrize("name", ["xyz", "\u202e" * 60], ids=["short", "long"])
+def test_an_unknown_name_is_refused_before_anything_is_said(
+    words: list[str], name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([*words, name]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert one_line(err.removesuffix("\n"))
 
 
 # Command lines of every command. Words that would run for minutes, or write where a checkout keeps

@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeAlias
 
 from flint import fmpq
 
-from tresym.exact import InputError, as_rational
+from tresym.exact import InputError, as_rational, quoted
 
 Exact: TypeAlias = str | int | Rational | fmpq
 """What a number may be given as; never a float."""
@@ -197,5 +197,4 @@ def named_body(name: str) -> NamedBody:
 
     near = get_close_matches(name.lower(), NAMED_BODIES, n=1, cutoff=0.5)
     hint = f"did you mean {near[0]}? " if near else ""
-    shown = ascii(name if len(name) <= 40 else name[:37] + "...")
-    raise InputError(f"body: {shown} is not known; {hint}known: {', '.join(NAMED_BODIES)}")
+    raise InputError(f"body: {quoted(name)} is not known; {hint}known: {', '.join(NAMED_BODIES)}")

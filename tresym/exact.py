@@ -23,9 +23,14 @@ class InputError(ValueError):
     """Input that tresym refuses; the message is one line that says what is allowed."""
 
 
-def _shown(text: str) -> str:
-    short = text if len(text) <= 40 else text[:37] + "..."
-    return ascii(short)
+def shortened(text: str, length: int = 40) -> str:
+    """The beginning of a text that is too long to be shown."""
+    return text if len(text) <= length else text[: length - 3] + "..."
+
+
+def quoted(text: str) -> str:
+    """How a complaint quotes bad input: in ASCII, where one character may be ten, and not long."""
+    return ascii(shortened(text, 40 if text.isascii() else 12))
 
 
 def _split(text: str, what: str) -> tuple[int, int]:
@@ -33,14 +38,14 @@ def _split(text: str, what: str) -> tuple[int, int]:
     match = _DECIMAL.fullmatch(text)
     if match is None or not (match[2] or match[3]):
         raise InputError(
-            f"{what}: {_shown(text)} is not a number; give a decimal such as 0.0629 or 1e-4, "
+            f"{what}: {quoted(text)} is not a number; give a decimal such as 0.0629 or 1e-4, "
             "or a fraction such as 16380/1210"
         )
     sign, whole, part, power = match[1], match[2], match[3] or "", match[4] or "0"
     size = power.lstrip("+-").lstrip("0") or "0"
     if len(size) > 6 or int(size) > MAX_EXPONENT:
         raise InputError(
-            f"{what}: the exponent of {_shown(text)} is beyond the limit of ±{MAX_EXPONENT}"
+            f"{what}: the exponent of {quoted(text)} is beyond the limit of ±{MAX_EXPONENT}"
         )
     coefficient = fmpz((whole + part).lstrip("0") or "0")
     exponent = -int(size) if power.startswith("-") else int(size)
@@ -72,7 +77,7 @@ def parse_number(text: str, what: str = "number") -> fmpq:
         return top
     bottom = _scaled(*_split(denominator.strip(" \t"), what))
     if bottom == 0:
-        raise InputError(f"{what}: {_shown(text)} divides by zero")
+        raise InputError(f"{what}: {quoted(text)} divides by zero")
     return top / bottom
 
 

@@ -14,7 +14,7 @@ from tresym.claims.denial import Denied
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
 from tresym.claims.mutants import Mutant, mutants, why_few
-from tresym.exact import InputError, fraction_text
+from tresym.exact import InputError, fraction_text, quoted
 from tresym.verdict import Verdict
 
 JSON_VERSION = 1
@@ -282,7 +282,7 @@ def _choose(
         if label not in known:
             near = get_close_matches(label, known, n=1)
             hint = f"; did you mean {near[0]}?" if near else ""
-            raise InputError(f"no claim is labelled {label[:60]!a}{hint}")
+            raise InputError(f"no claim is labelled {quoted(label)}{hint}")
     wanted: set[Claim] = set()
     for label in labels:
         wanted |= {known[label], *known[label].rests_on}

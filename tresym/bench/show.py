@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from tresym.bench import workloads
 from tresym.bench.names import WORKLOADS
 from tresym.bench.run import Keep, Measurement, Tables, Timing
-from tresym.exact import InputError
+from tresym.exact import InputError, quoted
 
 INTERRUPTED = 130
 
@@ -24,7 +24,9 @@ def run(names: Sequence[str], save: bool, as_json: bool, path: str | None) -> in
     chosen = list(dict.fromkeys(names or WORKLOADS))
     for name in chosen:
         if name not in WORKLOADS:
-            raise InputError(f"workload: {name!a} is not known; known: {', '.join(WORKLOADS)}")
+            raise InputError(
+                f"workload: {quoted(name)} is not known; known: {', '.join(WORKLOADS)}"
+            )
     home = workloads.folder() if save else None
     done: list[Measurement] = []
     for name in chosen:

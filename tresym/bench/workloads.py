@@ -11,7 +11,7 @@ from typing import Any
 import tresym
 from tresym.bench.names import WORKLOADS
 from tresym.bench.run import Keep, Measurement, Tables, Timing, forget
-from tresym.exact import InputError
+from tresym.exact import InputError, quoted
 from tresym.report.output import write_text
 
 KEEP_EVERY = 0.2
@@ -25,7 +25,7 @@ def measure(name: str, keep: Keep = forget) -> Measurement:
         InputError: an unknown name, or a library that the workload needs is not installed.
     """
     if name not in WORKLOADS:
-        raise InputError(f"workload: {name!a} is not known; known: {', '.join(WORKLOADS)}")
+        raise InputError(f"workload: {quoted(name)} is not known; known: {', '.join(WORKLOADS)}")
     try:
         found: Measurement = import_module(f"tresym.bench.{name}").measure(keep)
     except ModuleNotFoundError as error:

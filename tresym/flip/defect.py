@@ -15,7 +15,7 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision, balls, bits
-from tresym.exact import InputError, fraction_text
+from tresym.exact import InputError, fraction_text, shortened
 from tresym.flip.carlson import amplitude, by_flint, turn
 from tresym.flip.gauss import FLOAT_ENDING, ball_ending, turn_by_gauss
 from tresym.flip.orbit import Level, angle_at, exact_level, orbit, time_of
@@ -36,10 +36,8 @@ class Defect(NamedTuple):
 def checked_gamma(a: fmpq, b: fmpq, gamma: fmpq) -> fmpq:
     """``gamma`` if it is in [−b, a]; InputError otherwise."""
     if not -b <= gamma <= a:
-        raise InputError(
-            "gamma: must be between -b and a, here between "
-            f"{fraction_text(-b)} and {fraction_text(a)}"
-        )
+        low, high = (shortened(fraction_text(end)) for end in (-b, a))
+        raise InputError(f"gamma: must be between -b and a, here between {low} and {high}")
     return gamma
 
 

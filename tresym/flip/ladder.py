@@ -16,7 +16,7 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import BITS_PER_DIGIT, ball_precision, bits
 from tresym.body import Shape
-from tresym.exact import InputError
+from tresym.exact import InputError, quoted
 from tresym.flip import asymptotic, defect, separatrix
 from tresym.flip.angle import Angle
 from tresym.flip.result import Flip, Journey, proves
@@ -90,7 +90,7 @@ def follow(
 
 def _checked_rung(rung: str | None) -> None:
     if rung is not None and rung not in RUNGS:
-        raise InputError(f"rung: {rung!a} is not known; known: {', '.join(RUNGS)}")
+        raise InputError(f"rung: {quoted(rung)} is not known; known: {', '.join(RUNGS)}")
 
 
 def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:

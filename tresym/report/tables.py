@@ -14,7 +14,7 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.body import NAMED_BODIES, Shape
-from tresym.exact import InputError, as_rational, fraction_text
+from tresym.exact import InputError, as_rational, fraction_text, quoted
 from tresym.report.markdown import escaped
 
 FORMATS = ("text", "markdown", "latex")
@@ -193,7 +193,7 @@ def table(name: str) -> Table:
     if name not in TABLES:
         near = get_close_matches(name, TABLES, n=1)
         hint = f"did you mean {near[0]}? " if near else ""
-        raise InputError(f"table: {name[:40]!a} is not known; {hint}known: {', '.join(TABLES)}")
+        raise InputError(f"table: {quoted(name)} is not known; {hint}known: {', '.join(TABLES)}")
     return TABLES[name]()
 
 

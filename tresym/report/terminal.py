@@ -34,10 +34,12 @@ PLACE_WIDTH = 22
 
 def show_verification(labels: tuple[str, ...], console: Console) -> Report:
     """Verify, print each row as it is found under a progress bar, then the count by verdict."""
+    # An unknown label is refused here, before anything is printed.
+    total = len(choose(labels))
     progress = _progress("verifying", console)
     console.print(_headings())
     with progress:
-        task = progress.add_task("claims", total=len(choose(labels)))
+        task = progress.add_task("claims", total=total)
 
         def show(row: Row) -> None:
             for line in _row_lines(row):
@@ -51,9 +53,10 @@ def show_verification(labels: tuple[str, ...], console: Console) -> Report:
 
 def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
     """Judge mutants, print those that hold as they are found, then the score."""
+    total = len(choose(labels))
     progress = _progress("judging mutants", console)
     with progress:
-        task = progress.add_task("claims", total=len(labels) or len(choose(labels)))
+        task = progress.add_task("claims", total=len(labels) or total)
 
         def show(row: MutantRow) -> None:
             for mutant in row.survivors:

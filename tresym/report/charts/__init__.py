@@ -10,7 +10,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any, NamedTuple
 
-from tresym.exact import InputError
+from tresym.exact import InputError, quoted
 
 
 class Chart(NamedTuple):
@@ -63,7 +63,7 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
         InputError: an unknown name, a file that is no such measurement, or no matplotlib.
     """
     if name not in CHARTS:
-        raise InputError(f"chart: {name[:40]!a} is not known; known: {', '.join(CHARTS)}")
+        raise InputError(f"chart: {quoted(name)} is not known; known: {', '.join(CHARTS)}")
     chart = CHARTS[name]
     from xml.sax.saxutils import escape
 

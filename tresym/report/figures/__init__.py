@@ -9,7 +9,7 @@ from __future__ import annotations
 from importlib import import_module
 from pathlib import PurePath
 
-from tresym.exact import InputError
+from tresym.exact import InputError, quoted
 
 FIGURES = {
     "racket-frame": "Fig. 1: the frame attached to the racket",
@@ -48,7 +48,7 @@ def picture(name: str, kind: str = "svg") -> bytes:
         InputError: an unknown name, an animation that shall be no SVG, or no matplotlib.
     """
     if name not in FIGURES:
-        raise InputError(f"figure: {name[:40]!a} is not known; known: {', '.join(FIGURES)}")
+        raise InputError(f"figure: {quoted(name)} is not known; known: {', '.join(FIGURES)}")
     module = import_module(f"{__name__}.{name.replace('-', '_')}")
     if name == "racket-flip":
         if kind != "svg":
