@@ -446,7 +446,7 @@ def test_progress_is_told_as_rows_land(tmp_path: Path, monkeypatch: pytest.Monke
 def test_batches_are_bounded(total: int, digits: int | None) -> None:
     size = batch_size(total, digits)
     assert 1 <= size <= 20_000
-    assert digits is None or size * digits <= 50_000
+    assert digits is None or size * digits <= 200_000
 
 
 # Whole processes

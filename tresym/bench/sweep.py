@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pickle
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -30,8 +31,7 @@ from tresym.bench.run import (
     interleave,
 )
 from tresym.sweep import Grid, Summary, cluster, processes, sweep
-from tresym.sweep.rows import compute
-from tresym.sweep.run import batch_size
+from tresym.sweep.run import batch_size, computed
 from tresym.sweep.workers import Workers
 
 
@@ -53,6 +53,12 @@ SCENES = (
 SERIAL, ONE_WORKER, LANDING = "this process", "Dask, 1 worker", "landing alone"
 
 PACE = Pace(rounds=3, limit=300, patience=300)
+
+QUIET = {
+    "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",
+    "DASK_DISTRIBUTED__ADMIN__TICK__INTERVAL": "500ms",
+}
+"""How the page says to start workers: Dask's own profiler would take a tenth of each."""
 
 PLANNED = 10**9
 """Rows of the sweep that is planned."""
@@ -77,14 +83,16 @@ def measure(
     """The workload ``sweep``; the processes and clusters are up before anything is timed."""
     with ExitStack() as stack:
         ways: dict[str, Opened] = {SERIAL: partial(processes, 1)}
+        addresses: dict[int, str] = {}
         for n in sorted({1, os.cpu_count() or 1}):
             if n > 1:
                 kept = stack.enter_context(processes(n))
                 ways[f"{n} processes"] = partial(_again, kept)
-            address = stack.enter_context(_cluster(n))
+            address = addresses[n] = stack.enter_context(_cluster(n))
             ways[ONE_WORKER if n == 1 else f"Dask, {n} workers"] = partial(cluster, address)
         contenders = [c for scene in scenes for c in _contenders(scene, ways)]
         timings, complete = interleave(contenders, pace, keep)
+        added = [_added(scene, addresses[1], pace.rounds) for scene in scenes] if complete else []
     runs = [_long_run(scene) for scene in scenes] if complete else []
     return Measurement(
         "sweep",
@@ -92,8 +100,8 @@ def measure(
         timings,
         SERIAL,
         "wall clock",
-        notes={"numbers": _numbers(timings, runs)} if complete else {},
-        tables={"runs": runs},
+        notes={"numbers": _numbers(timings, runs, added)} if complete else {},
+        tables={"runs": runs, "added": added},
         complete=complete,
     )
 
@@ -122,6 +130,34 @@ class _Run(NamedTuple):
         return self.whole().seconds / self.grid.total
 
 
+def _added(scene: Scene, address: str, rounds: int) -> dict[str, Any]:
+    """What Dask adds to the processor time of a sweep: its one worker, its scheduler and this."""
+    from distributed import Client
+
+    grid = Grid.read(*scene.grid)
+    here, there = (_Run(grid, scene.digits, way) for way in
+                   (partial(processes, 1), partial(cluster, address)))  # fmt: skip
+    pairs = []
+    with Client(address, set_as_default=False) as client:
+
+        def used() -> float:
+            far = client.run(time.process_time).values()
+            return float(sum(far) + client.run_on_scheduler(time.process_time))
+
+        for _ in range(rounds):
+            start = time.process_time()
+            here.whole()
+            alone, before = time.process_time() - start, used()
+            start = time.process_time()
+            there.whole()
+            pairs.append((alone, time.process_time() - start + used() - before))
+    return {
+        "scene": scene.title,
+        "processor_seconds": [[round(x, 3) for x in pair] for pair in pairs],
+        "added": round(statistics.median(dask / alone for alone, dask in pairs) - 1, 4),
+    }
+
+
 def _judge(found: Summary) -> Judged:
     if found.bad or found.computed != found.rows:
         return Judged(outcome=WRONG, why=f"{found.bad} bad rows")
@@ -129,16 +165,16 @@ def _judge(found: Summary) -> Judged:
 
 
 class _Landing(Executor):
-    """Knows the answers as the bytes a worker would send: what it leaves to do is to land them."""
+    """Knows the answers that a worker would send: what it leaves to do is to land them."""
 
     def __init__(self, grid: Grid, digits: int | None) -> None:
         self.grid, self.digits = grid, digits
-        self.answers: dict[Any, bytes] = {}
+        self.answers: dict[bytes, bytes] = {}
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         """The rows of the part that is asked for."""
         future: Future[Any] = Future()
-        future.set_result(pickle.loads(self.answers[args[0]]))
+        future.set_result(self.answers[args[0]])
         return future
 
     @contextmanager
@@ -147,7 +183,8 @@ class _Landing(Executor):
         if not self.answers:
             size = batch_size(self.grid.total, self.digits)
             for _, part in self.grid.parts(size, ()):
-                self.answers[part] = pickle.dumps(compute(part, self.digits))
+                asked = pickle.dumps((part, self.digits))
+                self.answers[asked] = computed(asked)
         yield Workers(self, 1)
 
 
@@ -180,7 +217,7 @@ def _cluster(workers: int) -> Iterator[str]:
 
 
 def _environment() -> dict[str, str]:
-    return {**os.environ, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
+    return {**os.environ, **QUIET, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
 
 
 def _long_run(scene: Scene) -> dict[str, Any]:
@@ -215,15 +252,16 @@ def _long_run(scene: Scene) -> dict[str, Any]:
         }
 
 
-def _numbers(timings: list[Timing], runs: list[dict[str, Any]]) -> dict[str, str]:
+def _numbers(
+    timings: list[Timing], runs: list[dict[str, Any]], added: list[dict[str, Any]]
+) -> dict[str, str]:
     """What the page on sweeps quotes, by name: as measured, and for ``PLANNED`` rows."""
     found: dict[str, str] = {}
     at = {(t.contender.scene, t.contender.method): t for t in timings}
-    for run in runs:
-        scene = run["scene"]
+    for run, more in zip(runs, added, strict=True):
+        scene, overhead = run["scene"], more["added"]
         key = "float" if scene == "float64" else "fifty"
         serial, landing = (at[scene, name].quartiles[1] for name in (SERIAL, LANDING))
-        overhead = (at[scene, ONE_WORKER].ratio(at[scene, SERIAL]) or 0.0) - 1
         workers = max(1, int(serial / landing))
         found |= {
             f"sweep_{key}_rows": _thousands(run["rows"]),

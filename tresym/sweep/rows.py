@@ -7,7 +7,6 @@ computed.
 from __future__ import annotations
 
 import math
-import pickle
 import threading
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
@@ -18,7 +17,8 @@ from tresym.arithmetic import ball_precision, balls, bits
 from tresym.body import Shape
 from tresym.exact import InputError, decimal_ball, fraction_text
 from tresym.flip import uniform
-from tresym.flip.defect import checked_gamma, float_defect
+from tresym.flip.defect import checked_gamma
+from tresym.flip.fold import float_defect
 from tresym.flip.ladder import climb
 from tresym.formulas import printed, stable
 from tresym.sweep.source import Entry, Part
@@ -84,11 +84,6 @@ def compute(part: Part, digits: int | None) -> list[Row]:
         if digits is None:
             return float_rows(entries)
         return [certified_row(entry, digits) for entry in entries]
-
-
-def packed(part: Part, digits: int | None) -> bytes:
-    """The rows of a part as one piece of bytes, which no scheduler looks into on its way."""
-    return pickle.dumps(compute(part, digits))
 
 
 def certified_row(entry: Entry, digits: int) -> Row:
@@ -214,12 +209,13 @@ def _blank(entry: Entry) -> Row:
     """The row before its numbers."""
     if entry.shape is None or entry.gamma is None:
         return Row(entry.line, entry.name, problem=entry.problem)
+    a, b, gamma = entry.written or map(fraction_text, (*entry.shape, entry.gamma))
     return Row(
         entry.line,
         entry.name,
-        fraction_text(entry.shape.a),
-        fraction_text(entry.shape.b),
-        fraction_text(entry.gamma),
+        a,
+        b,
+        gamma,
         realizable=None if entry.problem else entry.shape.realizable,
         problem=entry.problem,
     )

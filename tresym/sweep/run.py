@@ -18,13 +18,16 @@ from typing import Any, NamedTuple
 
 from tresym.exact import InputError
 from tresym.flip.ladder import checked_digits
-from tresym.sweep.rows import Row, compute, packed
-from tresym.sweep.source import Source
-from tresym.sweep.table import Table, check_export, open_table
+from tresym.sweep.rows import compute
+from tresym.sweep.source import Part, Source
+from tresym.sweep.table import Table, check_export, open_table, packed
 from tresym.sweep.workers import PATIENCE, Workers, processes
 
 FLOAT_BATCH = 20_000
-LARGEST_BATCH = 1000
+LARGEST_BATCH = 4000
+MOST_DIGITS = 200_000
+"""Rows times digits of a batch. Each of the three makes a batch last about a second."""
+
 FEWEST_BATCHES = 16
 """So many batches at least, so that few rows, too, are shared out."""
 
@@ -94,24 +97,24 @@ def sweep(
 
 def batch_size(total: int, digits: int | None) -> int:
     """Rows in a batch: enough that sending it costs little, few enough to lose little."""
-    most = FLOAT_BATCH if digits is None else max(1, min(LARGEST_BATCH, 50_000 // digits))
+    most = FLOAT_BATCH if digits is None else max(1, min(LARGEST_BATCH, MOST_DIGITS // digits))
     return max(1, min(most, total // FEWEST_BATCHES))
 
 
 def _run(
     opened: Callable[[], AbstractContextManager[Workers]],
-    parts: Iterator[tuple[int, Any]],
+    parts: Iterator[tuple[int, Part]],
     digits: int | None,
     table: Table,
     progress: Progress,
 ) -> None:
     """Keep the window full until nothing is left."""
-    pending: dict[Future[list[Row] | bytes], int] = {}
+    pending: dict[Future[bytes], int] = {}
     with opened() as workers:
-        work: Callable[..., list[Row] | bytes] = packed if workers.far else compute
         while True:
             while len(pending) < workers.window and (batch := next(parts, None)) is not None:
-                pending[workers.executor.submit(work, batch[1], digits)] = batch[0]
+                asked = pickle.dumps((batch[1], digits))
+                pending[workers.executor.submit(computed, asked)] = batch[0]
             if not pending:
                 return
             done = wait(pending, PATIENCE, FIRST_COMPLETED).done
@@ -122,9 +125,17 @@ def _run(
                     found = future.result()
                 except BrokenExecutor as error:
                     raise InputError(f"sweep: {error or 'the workers have died'}") from None
-                rows: list[Row] = pickle.loads(found) if isinstance(found, bytes) else found
-                table.add(pending.pop(future), rows)
-                progress.landed(len(rows))
+                progress.landed(table.add(pending.pop(future), found))
+
+
+def computed(asked: bytes) -> bytes:
+    """What one call to a worker does, from bytes to bytes.
+
+    The pickle of a part and the digits goes there, a :func:`~tresym.sweep.table.packed` batch comes
+    back: no scheduler looks into either on its way.
+    """
+    part, digits = pickle.loads(asked)
+    return packed(compute(part, digits), digits is None)
 
 
 class Progress:

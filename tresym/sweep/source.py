@@ -34,13 +34,17 @@ _SHAPES = (("a", "b"), ("I1", "I2", "I3"), ("body",))
 
 
 class Entry(NamedTuple):
-    """One row to compute: its line, a name, shape and γ, or else the problem with it."""
+    """One row to compute: its line, a name, shape and γ, or else the problem with it.
+
+    ``written`` is a, b and γ as the table shows them, where the source knows.
+    """
 
     line: int
     name: str | None
     shape: Shape | None
     gamma: fmpq | None
     problem: str | None = None
+    written: tuple[str, str, str] | None = None
 
 
 class Part(Protocol):
@@ -135,7 +139,8 @@ class GridPart(NamedTuple):
         for i in range(self.size):
             j, k = divmod(self.offset + i, len(levels))
             shape, problem = shapes[j]
-            yield Entry(self.line + i, None, shape, levels[k], problem)
+            written = (*self.shapes[j], self.gammas[k])
+            yield Entry(self.line + i, None, shape, levels[k], problem, written)
 
 
 def _shape(a: fmpq, b: fmpq) -> tuple[Shape, str | None]:

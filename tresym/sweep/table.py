@@ -1,7 +1,8 @@
 """The table a sweep fills: one SQLite file, a batch a transaction, and what is exported of it.
 
 A batch is in the file whole or not at all, whatever happens to the process. While a sweep runs the
-file is its own: a second sweep, or a reader, is told to wait.
+file is its own: a second sweep, or a reader, is told to wait. A batch comes as a small database
+made where it was computed, so that the one process which lands all of them has no value to look at.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import json
 import os
 import sqlite3
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import closing, contextmanager, suppress
 from typing import Any
 
 from tresym.exact import InputError
@@ -41,8 +42,26 @@ def _schema(in_floats: bool) -> tuple[str, ...]:
         f"PRAGMA application_id = {APPLICATION}",
         "CREATE TABLE sweep (request TEXT NOT NULL)",
         "CREATE TABLE batches (number INTEGER PRIMARY KEY, rows INTEGER NOT NULL)",
-        f"CREATE TABLE rows (line INTEGER PRIMARY KEY, {', '.join(columns(in_floats)[1:])})",
+        _rows_schema(in_floats),
     )
+
+
+def _rows_schema(in_floats: bool) -> str:
+    return f"CREATE TABLE rows (line INTEGER PRIMARY KEY, {', '.join(columns(in_floats)[1:])})"
+
+
+def packed(rows: Sequence[Row], in_floats: bool) -> bytes:
+    """A batch as the bytes of a database with nothing in it but the rows, to be landed as it is."""
+    marks = ", ".join("?" * len(columns(in_floats)))
+    values: Sequence[tuple[Any, ...]] = rows
+    if in_floats:
+        values = [row[:_RADIUS] + row[_RADIUS + 1 :] for row in rows]
+    with closing(sqlite3.connect(":memory:", isolation_level=None)) as connection:
+        connection.execute("BEGIN")
+        connection.execute(_rows_schema(in_floats))
+        connection.executemany(f"INSERT INTO rows VALUES ({marks})", values)
+        connection.execute("COMMIT")
+        return connection.serialize()
 
 
 class Table:
@@ -58,17 +77,19 @@ class Table:
         """The numbers of the batches that have landed."""
         return {number for (number,) in self._connection.execute("SELECT number FROM batches")}
 
-    def add(self, number: int, rows: Sequence[Row]) -> None:
-        """Land one batch, in one transaction."""
-        marks = ", ".join("?" * len(columns(self.in_floats)))
-        values: Sequence[tuple[Any, ...]] = rows
-        if self.in_floats:
-            values = [row[:_RADIUS] + row[_RADIUS + 1 :] for row in rows]
+    def add(self, number: int, batch: bytes) -> int:
+        """Land one :func:`packed` batch, in one transaction; returns how many rows it has."""
+        run = self._connection.execute
         with _plainly(self.path):
-            self._connection.execute("BEGIN")
-            self._connection.execute("INSERT INTO batches VALUES (?, ?)", (number, len(rows)))
-            self._connection.executemany(f"INSERT INTO rows VALUES ({marks})", values)
-            self._connection.execute("COMMIT")
+            run("ATTACH ':memory:' AS batch")
+            self._connection.deserialize(batch, name="batch")
+            run("BEGIN")
+            # Both tables have one schema: SQLite copies the records as they are.
+            rows = run("INSERT INTO main.rows SELECT * FROM batch.rows").rowcount
+            run("INSERT INTO batches VALUES (?, ?)", (number, rows))
+            run("COMMIT")
+            run("DETACH batch")
+        return rows
 
     def counts(self) -> tuple[int, int]:
         """How many rows there are, and how many of them have a problem."""

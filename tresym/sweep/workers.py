@@ -23,7 +23,7 @@ from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
-from tresym.exact import InputError
+from tresym.exact import InputError, quoted
 
 DEATHS = 3
 """Processes that may die over one batch before it is given up."""
@@ -55,14 +55,12 @@ class Workers(NamedTuple):
     """An executor, and how many batches it should have under way.
 
     ``check`` is asked whenever nothing has landed for :data:`PATIENCE` seconds; it raises
-    InputError when nobody is left to work, so that no sweep waits for ever. Rows that come from
-    ``far`` travel as bytes.
+    InputError when nobody is left to work, so that no sweep waits for ever.
     """
 
     executor: Executor
     window: int
     check: Callable[[], None] = _nothing_amiss
-    far: bool = False
 
 
 class Here(Executor):
@@ -180,7 +178,7 @@ def processes(count: int) -> Iterator[Workers]:
 def _no_answer(address: str, error: Exception) -> InputError:
     """What to say of a scheduler that cannot be reached."""
     reason = " ".join(str(error).split())[:200]
-    return InputError(f"cluster: no scheduler answers at {address!a} ({reason})")
+    return InputError(f"cluster: no scheduler answers at {quoted(address)} ({reason})")
 
 
 def _knock(address: str) -> None:
@@ -246,7 +244,7 @@ def cluster(address: str) -> Iterator[Workers]:
         if threads == 0:
             raise InputError(f"cluster: the scheduler at {address} has no workers")
         executor = client.get_executor(pure=False)
-        yield Workers(executor, 2 * threads + 2, _Watch(client), far=True)
+        yield Workers(executor, 2 * threads + 2, _Watch(client))
     except (KilledWorker, CommClosedError, CancelledError) as error:
         reason = type(error).__name__
         raise InputError(f"cluster: the scheduler or its workers are lost ({reason})") from None
