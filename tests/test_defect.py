@@ -13,13 +13,15 @@ from hypothesis import strategies as st
 from tresym.arithmetic import ball_precision, bits
 from tresym.body import named_body
 from tresym.exact import InputError, parse_number
-from tresym.flip import flip_defect, quadrature, routes
+from tresym.flip import defect, flip_defect, quadrature, routes
 from tresym.flip.angle import parse_angle
-from tresym.flip.defect import defect_on, inverted, quick, solve
+from tresym.flip.defect import corrected, defect_on, inverted, quick, solve, unfolded
+from tresym.flip.fold import Fold, folded
 from tresym.flip.jacobi import functions
 from tresym.flip.levels import level_of, turning_level
 from tresym.flip.orbit import exact_level, orbit, slope, time_of
 from tresym.flip.orbit import phase_at as phase_of
+from tresym.flip.result import proves
 from tresym.flip.slopes import slopes
 
 STR = named_body("str").shape
@@ -160,6 +162,72 @@ def test_the_quick_route_never_disagrees_with_the_other(a, b, part):
         assert fast is None or fast.defect.overlaps(slow)
 
 
+@pytest.mark.parametrize("shape", [STR, RACKET, (fmpq(3), fmpq(1)), (fmpq(100), fmpq(1, 102))])
+@pytest.mark.parametrize("part", ["0.9", "0.1", "1e-3", "1e-20", "-1e-20", "-0.1", "-0.9", "-0.99"])
+@pytest.mark.parametrize("digits", [5, 50, 400])
+def test_the_quick_route_folds_every_orbit_into_its_first_quarter(shape, part, digits):
+    a, b = shape
+    factor = parse_number(part)
+    gamma = factor * (a if factor > 0 else b)
+    fast, slow = quick(a, b, gamma, digits), inverted(a, b, gamma, digits)
+    assert fast is not None
+    with ball_precision(bits(digits, 64)):
+        for ours, other in zip(fast, slow, strict=True):
+            assert ours.overlaps(other)
+            assert proves(ours, digits)
+
+
+@given(
+    st.fractions("1/100", 100),
+    st.fractions("1/100", 1),
+    parts,
+    st.integers(0, 12),
+    st.booleans(),
+    st.integers(0, 40),
+)
+def test_no_fold_and_no_start_gives_a_wrong_answer(a, b, part, halves, back, shift):
+    """Any number of half periods and a start off by 2^−shift: the ball is right, or there is none.
+
+    The branch rests on float64, the answer does not.
+    """
+    p, q, x = (fmpq(*v.as_integer_ratio()) for v in (a, b, part))
+    gamma = x * (p if x > 0 else q)
+    found = folded(*(float(arb(v)) for v in (p, q, gamma)))
+    if found is None or not gamma:
+        return
+    level = exact_level(p, q, gamma)
+    for fold, precision in ((found[0], 80), (Fold(gamma > 0, halves, back), 80)):
+        with ball_precision(precision):
+            start = arb(found[1]) * (1 + arb((1, -shift)))
+            try:
+                angle = corrected(arb(p), arb(q), arb(gamma), start.mid(), fold)
+            except ArithmeticError:
+                continue
+            answer = unfolded(angle, fold)
+        with ball_precision(160):
+            assert answer.defect.overlaps(defect_on(p, q, level))
+
+
+def test_planted_errors_in_the_quick_route_are_seen(monkeypatch):
+    """The phase of the quarter off by 1e-40; the third order of the flow left out; one sign."""
+    level = fmpq(1, 100)
+    truth = inverted(*STR, level, 50).defect
+    right = solve(*STR, level, 50).defect
+    assert right.overlaps(truth)
+    fold, start = folded(*(float(arb(x)) for x in (*STR, level)))
+    assert not unfolded(arb(start), fold._replace(back=False)).defect.overlaps(truth)
+    whole, flow = defect.quarter_phase, defect.flow
+    with monkeypatch.context() as planted:
+        planted.setattr(defect, "quarter_phase", lambda *x: whole(*x) + arb("1e-40"))
+        assert not solve(*STR, level, 50).defect.overlaps(truth)
+    with ball_precision(200):
+        near = (arb(start) + arb("1e-6")).mid()
+        exact = corrected(arb(STR.a), arb(STR.b), arb(level), near, fold)
+        assert (-exact).overlaps(truth)
+        monkeypatch.setattr(defect, "flow", lambda *x: (flow(*x)[0], arb(0)))
+        assert not (-corrected(arb(STR.a), arb(STR.b), arb(level), near, fold)).overlaps(truth)
+
+
 def test_the_phase_increases_and_inverts():
     for gamma in (fmpq(1, 100), fmpq(-1, 100), fmpq(0)):
         with ball_precision(200):
@@ -275,8 +343,10 @@ def test_below_the_last_turning_level_the_same_value_comes_again():
 
 def test_the_chooser_names_the_rung_and_says_when_one_cannot():
     assert flip_defect(*STR, "1e-3").rung == "carlson"
-    assert flip_defect(*STR, "1/100").rung == "planar"
-    assert flip_defect(*STR, "-1/100").rung == "planar"
+    assert flip_defect(*STR, "1/100").rung == "carlson"
+    assert flip_defect(*STR, "-1/100").rung == "carlson"
+    assert flip_defect(*STR, STR.a).rung == "planar"
+    assert flip_defect(*STR, -STR.b).rung == "planar"
     assert flip_defect(*STR, 0, digits=3).rung == "asymptotic"
     for rung in ("separatrix", "carlson", "planar"):
         answer = flip_defect(*STR, 0, digits=40, rung=rung)
@@ -285,8 +355,8 @@ def test_the_chooser_names_the_rung_and_says_when_one_cannot():
     for gamma, rung, says in (
         ("1", "separatrix", "gamma = 0, only"),
         ("1", "asymptotic", "gamma = 0, only"),
-        ("1", "carlson", "try planar"),
-        ("-1/100", "carlson", "try planar"),
+        (STR.a, "carlson", "ends of the range of gamma; try planar"),
+        (-STR.b, "carlson", "try planar"),
         ("1", "attitude", "is not known"),
     ):
         with pytest.raises(InputError, match=says):

@@ -25,8 +25,8 @@ from tresym import InputError, flip_defect
 from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
 from tresym.body import Body, Shape
 from tresym.exact import parse_number
-from tresym.flip import defect as defects
 from tresym.flip import separatrix
+from tresym.flip.fold import float_defect
 from tresym.flip.ladder import RUNGS
 from tresym.flip.levels import turning_level
 from tresym.flip.quadrature import rigorous
@@ -202,7 +202,7 @@ def test_carlson_in_mpmath_makes_half_a_turn(shape: Shape, part: Fraction) -> No
 @law(bodies_and_levels(-4, 1))
 def test_the_float_route_is_right_where_it_answers(at: tuple[Shape, fmpq]) -> None:
     shape, gamma = at
-    value = defects.float_defect(*(float(fraction(x)) for x in (*shape, gamma)))
+    value = float_defect(*(float(fraction(x)) for x in (*shape, gamma)))
     if value is not None:
         truth = flip_defect(*shape, gamma, 20).defect
         # at the turning point ε moves by the square root of a rounding of γ

@@ -2,13 +2,13 @@
 
 ε(γ) is read on the symmetric trajectory through ψ = π/2 at φ = 0, half a turn before: with the
 phase φ(u) of :mod:`tresym.flip.orbit`, ε = ψ(u) where φ(u) = −π. It exists and is unique, as φ(u)
-increases strictly. Where the trajectory has not turned this is the paper's F(ε, γ) = π, and one
-evaluation of F is enough (:func:`quick`); everywhere else φ is inverted.
+increases strictly. Where the trajectory has not turned this is the paper's F(ε, γ) = π, elsewhere
+it is folded to that (:mod:`tresym.flip.fold`), and one evaluation of F or two are enough
+(:func:`quick`). Where that does not do, at γ* and at the ends of the range, φ is inverted.
 """
 
 from __future__ import annotations
 
-import math
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -17,13 +17,16 @@ from flint import arb, fmpq
 from tresym.arithmetic import ball_precision, balls, bits
 from tresym.exact import InputError, fraction_text, shortened
 from tresym.flip.carlson import amplitude, by_flint, turn
-from tresym.flip.gauss import FLOAT_ENDING, ball_ending, turn_by_gauss
+from tresym.flip.fold import Fold, folded
+from tresym.flip.gauss import ball_ending, turn_by_gauss
 from tresym.flip.orbit import Level, angle_at, exact_level, orbit, time_of
 from tresym.flip.result import proves
-from tresym.flip.separatrix import float_phase
 
 PRECISION_LIMIT = 400_000
 """Bits of working precision at which a request is given up."""
+
+FLOAT_BITS = 46
+"""Bits of the float64 start that are taken to be right; nothing rests on it but speed."""
 
 
 class Defect(NamedTuple):
@@ -94,83 +97,93 @@ def defect_on(a: fmpq, b: fmpq, level: Level) -> arb:
 
 
 def quick(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect | None:
-    """ε(γ) > 0 on a trajectory that has not turned, from one evaluation of F; else None.
+    """ε(γ) from F in the first quarter, where π is folded to, and from the quarter's own phase.
 
-    A float64 solution e is corrected by the Taylor series of the flow dψ/dφ, of which the phase
-    F(e, γ) − π is the argument; each round quadruples the digits.
+    A float64 solution is corrected by the Taylor series of the flow dψ/dφ, of which the phase that
+    is missing is the argument; each round quadruples the digits. None where float64 has no
+    solution, or the digits are not reached (at γ* and at the ends of the range of γ).
     """
-    start = float_defect(float(arb(a)), float(arb(b)), float(arb(gamma)))
-    if start is None:
+    found = folded(float(arb(a)), float(arb(b)), float(arb(gamma)))
+    if found is None:
         return None
-    known, goal, near = 44, bits(digits, 20), arb(start)
+    fold, near = found[0], arb(found[1])
     with suppress(ArithmeticError):
-        while True:
-            known = min(4 * known - 12, goal)
-            with ball_precision(known + 20):
-                angle = _corrected(arb(a), arb(b), arb(gamma), near)
-                found = Defect(angle, arb.pi() - 2 * angle)
-            if proves(found.defect, digits) and proves(found.flip, digits):
-                return found
-            if known == goal:
-                return None
+        for precision in _rounds(bits(digits, 24)):
+            with ball_precision(precision):
+                angle = corrected(arb(a), arb(b), arb(gamma), near, fold)
+                answer = unfolded(angle, fold)
+            if proves(answer.defect, digits) and proves(answer.flip, digits):
+                return answer
             near = angle.mid()
     return None
 
 
-def float_defect(a: float, b: float, gamma: float) -> float | None:
-    """ε(γ) in float64 where 0 < ε and the trajectory has not turned, by Newton's method; else None.
-
-    The variable is T with tan ε = √(a/(a+b))/sinh T, in which F is nearly linear.
-    """
-    try:
-        root, k = math.sqrt(a / (a + b)), math.sqrt(a * b)
-        time = k * float_phase(k, b)[0]
-        guess = math.atan(root / math.sinh(time))
-        guess -= gamma / (4 * b * guess)
-        if guess <= 0:
-            return None
-        time = math.asinh(root / math.tan(guess))
-        for _ in range(12):
-            slant = math.sinh(time)
-            tangent, size = root / slant, math.hypot(slant, root)
-            rest = gamma + (gamma + b) * tangent * tangent
-            value = turn_by_gauss(tangent, rest, a, b, gamma, math, FLOAT_ENDING)
-            part = b * (root / size) ** 2
-            rate = (1 - part) * size / (slant * math.sqrt((a + part) * rest))
-            step = (value - math.pi) / (rate * root * math.cosh(time) / (size * size))
-            time -= step
-            if abs(step) < 1e-7 * time:
-                return math.atan2(root, math.sinh(time))
-    except (ArithmeticError, ValueError):
-        pass
-    return None
+def _rounds(precision: int) -> list[int]:
+    """Precisions that each quadruple what is known, from float64; the last is one to spare."""
+    rounds = [precision]
+    while rounds[0] > 4 * FLOAT_BITS + 10:
+        rounds.insert(0, rounds[0] // 4 + 10)
+    return [*rounds, precision + precision // 4 + 32]
 
 
-def _corrected(a: arb, b: arb, gamma: arb, near: arb) -> arb:
-    """ε from the exact point ``near``, at the working precision.
+def unfolded(angle: arb, fold: Fold) -> Defect:
+    """ε = s e + nπ and π − 2ε."""
+    sign, halves = fold.unfolding
+    angle, pi = sign * angle, arb.pi()
+    if not halves:
+        return Defect(angle, pi - 2 * angle)
+    return Defect(angle + halves * pi, (1 - 2 * halves) * pi - 2 * angle)
 
-    ψ(φ) solves ψ′ = √G(ψ), G = (a + bs²)(γ + bs²)/(1 − bs²)²; with h = F(near, γ) − π the
-    solution from ``near`` is at ε after h. Picard: if near + h √G(E) lies inside E it stays in E,
-    which also holds the points of Taylor's remainder.
+
+def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
+    """The folded angle from the exact point ``near``, at the working precision.
+
+    ψ(φ) solves ψ′ = √G(ψ), ψ″ = G′/2, ψ‴ = G″ψ′/2, G = (a + bs²)(γ + bs²)/(1 − bs²)²; the solution
+    from ``near`` is there after the phase h that F(near, γ) has too much. Picard: if |h| √G < r
+    for all angles within r of ``near`` it stays among them, and Taylor's remainder is taken there.
 
     Raises:
         ArithmeticError: nothing is shown (turning point, or precision too low).
     """
     sine, cosine = near.sin_cos()
     square = b * sine * sine
-    z = gamma + square
-    if not z > 0:
-        raise ArithmeticError("not above the turning point at this precision")
-    phase = _turn(sine, cosine, z, a, b, gamma) - arb.pi()
-    by_v, _, _, inverse = _flow(1 - square, a, gamma)
-    slope = by_v * (-2 * b * sine * cosine)
+    z, inverse = gamma + square, 1 / (1 - square)
+    if not (z > 0 and 0 < near < 2 and cosine > 0):
+        raise ArithmeticError("not between the turning point and pi/2 at this precision")
+    phase = _turn(sine, cosine, z, a, b, gamma) - fold.phase(
+        arb.pi(), lambda: quarter_phase(a, b, gamma)
+    )
     speed = ((a + square) * z).sqrt() * inverse
-    wide = arb(near, 4 * (phase * speed).abs_upper())
-    G, G1, G2, G3 = _flow_by_angle(wide, a, b, gamma)
-    if not (G > 0 and wide.contains_interior(near + phase * G.sqrt())):
+    product, total = 2 * (1 + a) * (1 + gamma), 2 + a + gamma
+    bend = (product * inverse - total) * inverse * inverse * b * sine * cosine
+    reach = 2 * abs(phase * speed).upper()
+    # Within ``reach`` of the angle, sine and cosine change by no more.
+    around = arb(0, reach)
+    fast, curved = flow(sine + around, cosine + around, a, b, gamma)
+    if not abs(phase) * fast < reach:
         raise ArithmeticError("the flow is not enclosed")
-    fourth = phase * (G3 * G / 2 + G1 * G2 / 4)
-    return near + phase * (speed + phase * (slope / 4 + phase * (2 * G2 * speed + fourth) / 24))
+    return near + phase * (speed + phase * (bend + phase * fast * curved / 6) / 2)
+
+
+def flow(sine: arb, cosine: arb, a: arb, b: arb, gamma: arb) -> tuple[arb, arb]:
+    """√G and G″, for the remainder.
+
+    With w = 1/(1 − b sin²ψ), q = b sin 2ψ and K = (1+a)(1+γ), G = Kw² − (2+a+γ)w + 1 and w′ = qw².
+    """
+    square = b * sine * sine
+    inverse = 1 / (1 - square)
+    slope, product = 2 * b * sine * cosine, (1 + a) * (1 + gamma)
+    by_inverse = 2 * product * inverse - (2 + a + gamma)
+    bent = inverse * slope * slope * (by_inverse + product * inverse)
+    second = 2 * inverse * inverse * (bent + by_inverse * (b - 2 * square))
+    return ((a + square) * (gamma + square)).sqrt() * inverse, second
+
+
+def quarter_phase(a: arb, b: arb, gamma: arb) -> arb:
+    """The phase of the first quarter: F from ψ = 0, or from the turning point where γ < 0."""
+    if gamma > 0:
+        return _turn(arb(0), arb(1), gamma, a, b, gamma)
+    return _turn((-gamma / b).sqrt(), (1 + gamma / b).sqrt(), arb(0), a, b, gamma)
 
 
 def _turn(sine: arb, cosine: arb, z: arb, a: arb, b: arb, gamma: arb) -> arb:
@@ -181,34 +194,3 @@ def _turn(sine: arb, cosine: arb, z: arb, a: arb, b: arb, gamma: arb) -> arb:
         return turn_by_gauss(tangent, z * (1 + square), a, b, gamma, balls, ball_ending())
     at = amplitude(sine, cosine, z, a, b, gamma, balls)
     return turn(by_flint(at, b / a), a, b, gamma, balls)
-
-
-def _flow(v: arb, a: arb, gamma: arb) -> tuple[arb, arb, arb, arb]:
-    """The first three derivatives of G by v = 1 − b sin²ψ, and 1/v.
-
-    G = (1 + a − v)(1 + γ − v)/v² = AC/v² − (A + C)/v + 1.
-    """
-    A, C = 1 + a, 1 + gamma
-    inverse = 1 / v
-    product, total, square = 2 * A * C * inverse, A + C, inverse * inverse
-    return (
-        (total - product) * square,
-        (3 * product - 2 * total) * square * inverse,
-        6 * (total - 2 * product) * square * square,
-        inverse,
-    )
-
-
-def _flow_by_angle(angle: arb, a: arb, b: arb, gamma: arb) -> tuple[arb, arb, arb, arb]:
-    """G = (dψ/dφ)² and its first three derivatives by ψ, for the remainder: no digits are kept."""
-    sine, cosine = (2 * angle).sin_cos()
-    square = b * (1 - cosine) / 2
-    by_v, by_vv, by_vvv, inverse = _flow(1 - square, a, gamma)
-    first, second = -b * sine, -2 * b * cosine
-    part = first * first
-    return (
-        (a + square) * (gamma + square) * inverse * inverse,
-        by_v * first,
-        by_vv * part + by_v * second,
-        (by_vvv * part + 3 * by_vv * second - 4 * by_v) * first,
-    )

@@ -1,9 +1,9 @@
 """Which model answers: the cheapest rung that meets the digits asked for.
 
 `asymptotic`, a closed formula with a proved bound on its error, and `separatrix`, the scalar
-equation, serve γ = 0. `carlson`, one evaluation of F(ε, γ), serves every γ whose trajectory has not
-turned and does not reach ψ = 0. `planar`, the planar system solved on its orbit, serves every γ and
-every start.
+equation, serve γ = 0. `carlson`, F(ε, γ) in the first quarter of the orbit and the phase of that
+quarter, serves every γ but γ*, and the ends of the range. `planar`, the planar system solved on its
+orbit, serves every γ and every start.
 """
 
 from __future__ import annotations
@@ -108,8 +108,8 @@ def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[Answer 
         return _planar(shape, gamma, digits), ""
     if rung == "carlson":
         return _carlson(shape, gamma, digits), (
-            f"carlson does not give {digits} digits where the trajectory has turned or reaches "
-            "psi = 0; try planar"
+            f"carlson does not give {digits} digits this near to a turning point or to the ends of "
+            "the range of gamma; try planar"
         )
     if gamma != 0:
         return None, f"{rung} knows the separatrix, gamma = 0, only; try carlson"
@@ -125,7 +125,7 @@ def _carlson(shape: Shape, gamma: fmpq, digits: int) -> Answer | None:
     found = defect.quick(*shape, gamma, digits)
     if found is None:
         return None
-    why = "the trajectory has not turned: one evaluation of F(ε, γ) in Carlson's form"
+    why = "F(ε, γ) in Carlson's form, π folded into the first quarter of the orbit"
     return Answer(*found, why)
 
 

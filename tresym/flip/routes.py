@@ -22,7 +22,7 @@ DIGITS = 50
 
 
 def carlson(shape: Shape, gamma: fmpq) -> arb:
-    """The ball: Carlson's integrals, or Jacobi's functions where the trajectory has turned."""
+    """The ball: Carlson's integrals, by Gauss's transformation in the first quarter."""
     return defect.solve(shape.a, shape.b, gamma, DIGITS + 4).defect
 
 
