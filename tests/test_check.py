@@ -72,6 +72,14 @@ TRUE = [
     "diff(-3/2*((x + 1)/(x - 1))**(1/3), x) == 1/((x - 1)**(4/3)*(x + 1)**(2/3))",
     "sqrt((a - b)/(a + b))*(a + b) == sqrt(a**2 - b**2) given a > abs(b)",
     "sqrt((a - 1)**2) == a - 1 given 3 < 2*a",
+    # signs of inverse functions are those of their arguments
+    "asin(x)**a*sqrt(x**2) == asin(x)**a*x",
+    "sqrt(log(x))*sqrt((x - 1)**2) == sqrt(log(x))*(x - 1)",
+    "sqrt(log(log(x)))*abs(log(x) - 1) == sqrt(log(log(x)))*(log(x) - 1)",
+    "abs(asinh(sqrt(x))) == asinh(sqrt(x))",
+    "abs(atan(1/x)) == sign(x)*atan(1/x)",
+    "abs(log(1 + x**2) - log(2 + x**2)) == log(2 + x**2) - log(1 + x**2)",
+    "acos(x)**(1/2)*sqrt((x - 1)**2) == acos(x)**(1/2)*(1 - x)",
 ]
 
 FALSE = [
@@ -114,6 +122,15 @@ FALSE = [
     "sqrt((a - b)/(a + b))*(a + b) == sqrt(a**2 - b**2) given abs(a) > abs(b)",
     "sqrt((a - b)**2) == b - a given a >= abs(b)",
     "sqrt((a - 1)**2) == a - 1 given 3 < 4*a",
+    "acos(x)**a*sqrt(x**2) == acos(x)**a*x",
+    "sqrt(log(x**2))*abs(x) == sqrt(log(x**2))*x",
+    "sqrt(log(x))*abs(x - 2) == sqrt(log(x))*(x - 2)",
+    "sqrt(log(log(x)))*abs(x - 3) == sqrt(log(log(x)))*(x - 3)",
+    "sqrt(pi/2 - 2*atan(x))*abs(x) == sqrt(pi/2 - 2*atan(x))*x",
+    "sqrt(pi - 3*atan(x))*abs(pi - 3*atan(x) - 1) == sqrt(pi - 3*atan(x))*(pi - 3*atan(x) - 1)",
+    "abs(log(1 + x) - log(2 - x)) == log(2 - x) - log(1 + x)",
+    "abs(log(x**2) + log(2)) == log(x**2) + log(2)",
+    "sqrt(atan(x)*atan(y))*abs(x) == sqrt(atan(x)*atan(y))*x",
 ]
 
 OPEN = [

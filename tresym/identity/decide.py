@@ -22,7 +22,7 @@ nowhere, as atanh(cosh x) is, the formal derivative decides.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
@@ -38,10 +38,13 @@ from tresym.identity.locally_constant import equal_by_derivative, vanishes_or_ze
 from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
 from tresym.verdict import Verdict
 
+Points = Callable[[], Sequence[Mapping[str, fmpq]]]
+
 FIRST_BITS, FIRST_POINTS = 128, 2
+SIGN_POINTS = 6, 64
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
-SIZES = (12, 24, 48, 128)
+SIZES = (8, 16, 32, 64, 128)
 NOWHERE = (
     "no real point was found where both sides are defined; a condition that bounds the variables "
     "may help"
@@ -117,7 +120,9 @@ def _decide(
         defined = point
     if defined is None:
         return Decision(Verdict.UNDECIDED, _no_point(given, names))
-    proof, obstacle = _prove(sides, given, theories)
+    proof, obstacle = _prove(
+        sides, given, theories, lambda: [point for point, _ in look(*SIGN_POINTS)]
+    )
     if proof is not None:
         shown = _shown(defined)
         return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown}")
@@ -183,14 +188,14 @@ def _no_point(given: Given, names: list[str]) -> str:
 
 
 def _prove(
-    sides: tuple[Expr, ...], given: Given, theories: frozenset[str]
+    sides: tuple[Expr, ...], given: Given, theories: frozenset[str], points: Points
 ) -> tuple[str | None, str]:
     """A sentence on the proof, or None and a sentence on what stopped it."""
     left, right, *_ = sides
     if left == right:
         return "both sides are the same expression", ""
     try:
-        field, value = _difference(sides, given, theories)
+        field, value = _difference(sides, given, theories, points)
     except (TooLargeError, UndefinedError) as error:
         return None, f"the exact normal form stopped: {error}"
     count = len(field.generators)
@@ -207,11 +212,12 @@ def _prove(
 
 
 def _difference(
-    sides: tuple[Expr, ...], given: Given, theories: frozenset[str]
+    sides: tuple[Expr, ...], given: Given, theories: frozenset[str], points: Points
 ) -> tuple[Field, Fraction]:
     """The normal form of the first side less the second, on the domain of all."""
-    for size in SIZES:
-        field = Field(given, theories, size)
+    fewest = _generator_count(sides)
+    for size in (size for size in SIZES if size >= fewest):
+        field = Field(given, theories, size, points)
         try:
             x, y, *_ = field.normal(*sides)
             return field, field.subtract(x, y)
@@ -219,6 +225,22 @@ def _difference(
             if len(field.generators) < size:
                 raise
     raise TooLargeError("more generators than the largest ring has room for")
+
+
+def _generator_count(sides: tuple[Expr, ...]) -> int:
+    """About how many generators the normal forms will need: parts that are not rational."""
+    seen: set[Expr] = set()
+    stack = list(sides)
+    count = 0
+    while stack:
+        node = stack.pop()
+        if node in seen or node.op == "number":
+            continue
+        seen.add(node)
+        rational = node.op == "^" and node.args[1].op == "number" and node.args[1].args[0].q == 1
+        count += not rational and node.op not in ("+", "*")
+        stack.extend(arg for arg in node.args if isinstance(arg, Expr))
+    return min(count, SIZES[-1])
 
 
 def _obstacle(field: Field, value: Fraction) -> str:

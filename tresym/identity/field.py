@@ -15,13 +15,14 @@ continuous, so a difference that reduces to zero is zero there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import comb, lcm
 
 from flint import arb, fmpq, fmpq_mat, fmpz, fmpz_poly
 
 from tresym.identity.expression import Expr
 from tresym.identity.given import Given
+from tresym.identity.monotone import same_sign
 from tresym.identity.ring import (
     Fraction,
     Generator,
@@ -30,7 +31,7 @@ from tresym.identity.ring import (
     UndefinedError,
     small_factor,
 )
-from tresym.identity.signs import AgainError, SignedRing
+from tresym.identity.signs import MAX_DEPTH, AgainError, SignedRing
 
 ALL_THEORIES = frozenset({"roots", "trigonometry", "exponentials", "inverses"})
 
@@ -58,8 +59,15 @@ Factors = dict[str, tuple[Poly, fmpq]]
 class Field(SignedRing):
     """Normal forms under ``given`` with the functions of ``theories`` known."""
 
-    def __init__(self, given: Given, theories: frozenset[str] = ALL_THEORIES, size: int = 24):
-        super().__init__(given, size)
+    def __init__(
+        self,
+        given: Given,
+        theories: frozenset[str] = ALL_THEORIES,
+        size: int = 24,
+        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
+    ):
+        """The arguments of the base class, and what may be used beyond algebra."""
+        super().__init__(given, size, points)
         self.theories = theories
         self._memo: dict[Expr, Fraction] = {}
         self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
@@ -345,6 +353,9 @@ class Field(SignedRing):
                 return self._sign_function(generator.data[0]).num
             if generator.kind == "sign":
                 return f
+        inner = None if self.sign(f) else same_sign(self, f)
+        if inner is not None:
+            return self._sign_function(Fraction(inner, self.one_poly)).num
         return super().sigma(f)
 
     def _by_signs(self, x: Fraction) -> list[tuple[Fraction, Fraction]] | None:
@@ -379,6 +390,24 @@ class Field(SignedRing):
             return
         sign, parts = self.factors(x)
         self.require_sign([part for part, k in parts.values() if k.p % 2], sign)
+
+    def require_sign(self, parts: list[Poly], sign: int) -> None:
+        """As in the base class, and of the arguments of inverse functions too."""
+        for k, part in enumerate(parts):
+            if str(part) not in self.known_signs and self.sign(part):
+                continue
+            inner = same_sign(self, part)
+            if inner is not None and not inner.is_zero():
+                outer, more = self.factors(Fraction(inner, self.one_poly))
+                odd = [f for f, n in more.values() if n.p % 2]
+                self.require_sign([*parts[:k], *odd, *parts[k + 1 :]], sign * outer)
+                break
+        super().require_sign(parts, sign)
+
+    def _prove_sign(self, p: Poly, depth: int) -> int:
+        found = super()._prove_sign(p, depth)
+        inner = same_sign(self, p) if not found and depth < MAX_DEPTH else None
+        return found if inner is None else self.product_sign(inner, depth + 1)
 
     def _power(self, base: Expr, exponent: Expr) -> Fraction:
         x = self._walk(base)

@@ -23,6 +23,7 @@ from tresym.identity.parsing import parse_conditions
 CHECK_BITS = 128
 LONG = 10**18
 _TRIES = 3000
+LISTED = 30
 _FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
 _SYMPY_RELATIONS = {
     "StrictGreaterThan": ">",
@@ -341,11 +342,14 @@ def _sample(where: Range, k: int, j: int) -> fmpq:
     h = _hash(k, j)
     pool = 5 if k < 6 else 9 if k < 20 else 16
     low, high = where.low, where.high
+    anywhere = fmpq(1 + (h >> 12) % 9973, 9974)  # late samples leave the lists below
     if low is not None and high is not None:
+        if k >= LISTED:
+            return low + (high - low) * anywhere
         nudge = fmpq(1, 1009 + h % 97) if k else fmpq(0)
         r = _UNIT[h % pool]
         return _simple(low + (high - low) * (r + (1 - r) * r * nudge), low, high)
-    x = _RAY[h % pool] * (1 + fmpq(1, 97 + h % 89))
+    x = _RAY[h % pool] * (1 + (anywhere if k >= LISTED else fmpq(1, 97 + h % 89)))
     if low is not None:
         return low + x
     if high is not None:

@@ -8,7 +8,7 @@ impose: each is a product of signs, a linear equation over GF(2).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 from flint import arb, fmpq, fmpz, fmpz_mpoly
@@ -33,9 +33,14 @@ class AgainError(TooLargeError):
 class SignedRing(Ring):
     """A ring whose generators have ranges, with what is known of the signs of its factors."""
 
-    def __init__(self, given: Given, size: int) -> None:
+    def __init__(
+        self, given: Given, size: int, points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple
+    ) -> None:
+        """Signs under ``given``; ``points`` finds some of the domain, which spare vain trials."""
         super().__init__(size)
         self.given = given
+        self._find_points = points
+        self._samples: list[tuple[dict[str, arb], dict[int, arb]]] | None = None
         self.box: dict[str, Range] = dict(given.box)
         self.known_signs: dict[str, int] = {}
         self.rules: dict[str, tuple[int, list[str]]] = {}
@@ -106,12 +111,26 @@ class SignedRing(Ring):
             not self.support(i) and self.at(i).kind != "opaque" for p in polys for i in self.used(p)
         )
 
-    def ball(self, x: Poly | Fraction, point: Mapping[str, arb] | None = None) -> arb:
-        """``x`` in balls at ``point``; NaN where a generator has no value there."""
+    def ball(
+        self,
+        x: Poly | Fraction,
+        point: Mapping[str, arb] | None = None,
+        known: dict[int, arb] | None = None,
+    ) -> arb:
+        """``x`` in balls at ``point``; NaN where a generator has no value there.
+
+        Args:
+            known: values of generators at that point, which are used and added to.
+        """
+        known = {} if known is None else known
         if isinstance(x, Fraction):
-            return self.ball(x.num, point) / self.ball(x.den, point)
+            return self.ball(x.num, point, known) / self.ball(x.den, point, known)
         total = arb(0)
-        values = {i: self._generator_ball(self.at(i), point or {}) for i in self.used(x)}
+        values = {}
+        for i in self.used(x):
+            if i not in known:
+                known[i] = self._generator_ball(self.at(i), point or {}, known)
+            values[i] = known[i]
         for monomial, coefficient in x.terms():
             term = arb(coefficient)
             for i, value in values.items():
@@ -120,7 +139,9 @@ class SignedRing(Ring):
             total = total + term
         return total
 
-    def _generator_ball(self, generator: Generator, point: Mapping[str, arb]) -> arb:
+    def _generator_ball(
+        self, generator: Generator, point: Mapping[str, arb], known: dict[int, arb]
+    ) -> arb:
         data = generator.data
         match generator.kind:
             case "symbol":
@@ -128,22 +149,22 @@ class SignedRing(Ring):
             case "pi":
                 return arb.pi()
             case "root":
-                return abs(self.ball(data[0], point)).root(data[1])
+                return abs(self.ball(data[0], point, known)).root(data[1])
             case "sign":
-                value = self.ball(data[0], point)
+                value = self.ball(data[0], point, known)
                 return arb(1) if value > 0 else arb(-1) if value < 0 else arb.nan()
             case "cosine":
                 return 2 * arb.cos_pi_fmpq(fmpq(1, data[0]))
             case "exp":
-                return (self.ball(data[2], point) / data[1]).exp()
+                return (self.ball(data[2], point, known) / data[1]).exp()
             case "tan":
-                return (self.ball(data[2], point) / (2 * data[1])).tan()
+                return (self.ball(data[2], point, known) / (2 * data[1])).tan()
             case "cos" | "sin" as name:
-                return getattr(self.ball(data[2], point) / data[1], name)()
+                return getattr(self.ball(data[2], point, known) / data[1], name)()
             case "log":
-                return abs(self.ball(data[0], point)).log()
+                return abs(self.ball(data[0], point, known)).log()
             case "atan":
-                return self.ball(data[0], point).atan()
+                return self.ball(data[0], point, known).atan()
             case _:
                 return arb.nan()
 
@@ -420,7 +441,7 @@ class SignedRing(Ring):
         if self.is_constant(p):
             return self._constant_sign(p)
         found = self.orthant_sign(p)
-        if found or len(p) == 1:
+        if found or len(p) == 1 or (depth == 0 and self._changes_sign(p)):
             return found
         methods = (self._by_facts, self._by_discriminant, self._by_conjugate, self._by_cases)
         for method in methods:
@@ -428,6 +449,18 @@ class SignedRing(Ring):
             if found:
                 return found
         return 0
+
+    def _changes_sign(self, p: Poly) -> bool:
+        """Whether ``p`` is seen with both signs at points of the domain: no proof can be found."""
+        if self._samples is None:
+            points = [{name: arb(x) for name, x in point.items()} for point in self._find_points()]
+            self._samples = [(point, {}) for point in points]
+        seen = set()
+        with ball_precision(64):
+            for point, known in self._samples:
+                value = self.ball(p, point, known)
+                seen |= {value > 0} if value > 0 or value < 0 else set()
+        return len(seen) == 2
 
     def definite(self, p: Poly) -> int:
         """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0.
@@ -515,7 +548,7 @@ class SignedRing(Ring):
 
     def _numeric_ends(self, generator: Generator) -> Ends | None:
         with ball_precision(64):
-            value = self._generator_ball(generator, {})
+            value = self._generator_ball(generator, {}, {})
             if not value.is_finite():
                 return None
             mid = fmpq(*_dyadic(value.mid()))
