@@ -1,18 +1,20 @@
 """The levels of γ at which ε(γ) changes character, and the inverse: γ from ε.
 
-φ_K is the phase from ψ = π/2 to the turning point of an oscillating orbit. On (−b, 0) it increases
-strictly with γ (in φ_K = (1/ω) ∫ [1 − b + (a+b) n S²/(1 + n S²)]/√(1 − k² S²) dχ each of 1/ω, n and
-k² does), from φ_K(−b) = π(1−b)/(2√(b(a+b))) to infinity. So at most one level has φ_K = π (γ*), and
-one φ_K = π/3 (γ**):
+φ_K is the phase from ψ = π/2 to the turning point of an oscillating orbit, Φ(π/2, γ) of the file
+proofs/turning.py. It rises strictly with γ on (−b, 0) (claim `phase_rises_in_gamma`), from
+φ_K(−b) = π(1−b)/(2√(b(a+b))) (`phase_at_bottom`) to infinity, so that at most one level has
+φ_K = π/n, and it is found by one change of sign: γ* for n = 1, γ° for n = 2, γ** for n = 3.
 
-- γ > γ*: the trajectory has not turned, F(ε, γ) = π, and dε/dγ = F_γ/f < 0, as F_γ is an integral
-  of a negative function;
-- γ** < γ ≤ γ*: it has turned once, 2φ_K − F(ε, γ) = π, and where ε ≤ π/2 again dε/dγ < 0, as
-  F_γ ≤ 0 < dφ_K/dγ; beyond π/2 F and F_γ change sign, and ε need not be monotone;
-- γ < γ**: it has turned more than once; ε(γ) goes up and down, within [ψ_min, π − ψ_min].
+- γ > γ*: the trajectory has not turned, F(ε, γ) = π, and dε/dγ < 0 (`rotating_decrease`,
+  `unturned_decrease`);
+- γ° < γ ≤ γ*: it has turned once, and dε/dγ < 0 still (`turned_decrease`); ε(γ°) = π/2;
+- γ < γ°: ε > π/2 as long as φ_K > π/4 (`beyond_right_angle`), and ε rises at γ**
+  (`slope_at_turns`): it goes up and down, within [ψ_min, π − ψ_min].
 
-So above γ**, once ε(γ) ≤ π/2 it decreases strictly all the way to γ = a: a value below π/2 is taken
-at one γ above γ**, which is the largest with that value. Values from π/2 on are not looked for.
+So ε(γ) decreases strictly on [γ°, a] (`decrease_in_gamma`), on all of (−b, a] where there is no γ°,
+which is for b ≤ 1/(a+2), the shapes of rigid bodies (`decrease_of_bodies`). A value of at most π/2
+is taken at one γ with φ_K > π/4, which is the largest with that value (`one_level`). Values above
+π/2 are taken only where ε(γ) is not monotone, and are not looked for.
 Levels are computed in x = log of the odds
 (γ+b)/(−γ) or (a−γ)/γ, in which all this is nearly linear.
 """
@@ -31,6 +33,10 @@ from tresym.flip.defect import PRECISION_LIMIT, defect_on
 from tresym.flip.orbit import Level, exact_level, orbit
 from tresym.flip.result import proves
 
+RIGHT_ANGLE = Angle(fmpq(1, 2), fmpq(0))
+FAR = arb((1, 40))
+"""Odds beyond exp(±2⁴⁰) are not looked at."""
+
 
 def level_at(a: fmpq, b: fmpq, regime: int, x: arb) -> Level:
     """The level with (γ+b)/(−γ) = eˣ (``regime`` −1) or (a−γ)/γ = eˣ (``regime`` 1)."""
@@ -45,8 +51,9 @@ def level_at(a: fmpq, b: fmpq, regime: int, x: arb) -> Level:
 def turning_level(a: fmpq, b: fmpq, digits: int, turns: int = 1) -> arb | None:
     """γ* < 0, at which the trajectory of ε(γ) begins at its turning point; None if there is none.
 
-    Above it the trajectory has not turned. ``turns`` = 3 gives γ**, below which it has turned more
-    than once: the level with φ_K = π/``turns``.
+    Above it the trajectory has not turned. ``turns`` = n gives the level with φ_K = π/n: γ° for 2,
+    below which ε(γ) is not monotone, and γ** for 3, below which the trajectory has turned more than
+    once.
     """
     # φ_K(−b) < π/turns, in rationals.
     if not turns * turns * (1 - b) ** 2 < 4 * b * (a + b):
@@ -59,15 +66,16 @@ def turning_level(a: fmpq, b: fmpq, digits: int, turns: int = 1) -> arb | None:
 
 
 def level_of(a: fmpq, b: fmpq, defect: Angle, digits: int) -> arb:
-    """The largest γ < a with ε(γ) = ``defect`` < π/2, as a ball; the only one above γ**.
+    """The largest γ < a with ε(γ) = ``defect`` ≤ π/2, as a ball; the only one with φ_K > π/4.
 
     Raises:
-        InputError: a defect of π/2 or more, or one that ε takes nowhere (the message says which).
+        InputError: a defect above π/2, where ε(γ) is not monotone, or one that ε takes nowhere (the
+            message says which).
     """
+    if defect == RIGHT_ANGLE:
+        return _right_angle_level(a, b, digits)
     regime = _regime_of(a, b, defect)
     lowest = turning_level(a, b, 20, 3)
-    if regime < 0 and not defect.ball() < arb.pi() / 2:
-        raise _out_of_range("less than pi/2")
 
     def excess(x: arb) -> arb:
         # Increases with γ.
@@ -83,12 +91,24 @@ def level_of(a: fmpq, b: fmpq, defect: Angle, digits: int) -> arb:
     return found
 
 
+def _right_angle_level(a: fmpq, b: fmpq, digits: int) -> arb:
+    """γ°, at which ε(γ) = π/2."""
+    found = turning_level(a, b, digits, 2)
+    if found is None:
+        raise _out_of_range("less than pi/2")
+    return found
+
+
 def _out_of_range(limit: str) -> InputError:
     return InputError(f"defect: no gamma of the monotone range has it; it must be {limit}")
 
 
 def _regime_of(a: fmpq, b: fmpq, defect: Angle) -> int:
-    """1 if ε(γ) = ``defect`` at some γ > 0, −1 if at γ < 0: by comparison with ε(0) and ε(a)."""
+    """1 if ε(γ) = ``defect`` at some γ > 0, −1 if at γ < 0: by comparison with ε(0), ε(a) and π/2.
+
+    Raises:
+        InputError: a defect outside, or one that cannot be told from an end.
+    """
     precision = 128
     while precision < PRECISION_LIMIT:
         with ball_precision(precision):
@@ -99,10 +119,12 @@ def _regime_of(a: fmpq, b: fmpq, defect: Angle) -> int:
                 raise _out_of_range(f"more than {lowest.str(8, radius=False)}")
             if lowest < value < middle:
                 return 1
-            if value > middle:
+            if middle < value < arb.pi() / 2:
                 return -1
+            if value > arb.pi() / 2:
+                raise _out_of_range("less than pi/2" if b * (a + 2) <= 1 else "at most pi/2")
         precision *= 2
-    raise InputError("defect: too near that of the separatrix to be told from it")
+    raise InputError("defect: too near that of the separatrix, or pi/2, to be told from it")
 
 
 def _level_by(
@@ -115,13 +137,12 @@ def _level_by(
 ) -> arb:
     """γ where the function ``excess`` of x is 0, to ``digits`` digits.
 
-    It has one sign change, and beyond ``start`` where that is given.
+    It has one sign change, beyond ``start`` where that is given, and is negative for lower γ.
     """
     precision = bits(digits, 64)
     limit = 16 * precision
     with ball_precision(128):
-        ends = _bracket(excess) if start is None else _bracket_beyond(excess, start)
-        near = _refined(excess, *ends)
+        near = _refined(excess, *_bracket(excess, -regime, start))
     while precision < limit:
         with suppress(ArithmeticError):
             x = _enclosed(excess, near, precision)
@@ -133,33 +154,29 @@ def _level_by(
     raise ArithmeticError("the precision limit is reached")
 
 
-def _bracket(excess: Callable[[arb], arb]) -> tuple[arb, arb]:
-    """Two points with the root of a monotone function between them, found by doubling."""
-    low, high = arb(-1), arb(1)
-    at_low, at_high = excess(low), excess(high)
-    while at_low * at_high > 0:
-        width = 2 * (high - low)
-        if abs(at_low.mid()) < abs(at_high.mid()):
-            low, high, at_high = low - width, low, at_low
-            at_low = excess(low)
-        else:
-            low, high, at_low = high, high + width, at_high
-            at_high = excess(high)
-    return low, high
+def _bracket(
+    excess: Callable[[arb], arb], direction: int, start: arb | None = None
+) -> tuple[arb, arb]:
+    """Two points with the one sign change of ``excess`` between them, found by doubling.
 
-
-def _bracket_beyond(excess: Callable[[arb], arb], start: arb) -> tuple[arb, arb]:
-    """The same with the root above ``start``.
+    Args:
+        direction: 1 where it is from negative to positive, −1 where it is the other way.
+        start: a point before it; by default one is looked for.
 
     Raises:
-        ArithmeticError: the function is not negative at ``start``.
+        ArithmeticError: there is none within reach, or none beyond ``start``.
     """
-    if not excess(start) < 0:
-        raise ArithmeticError("the level is not above the last turning level")
-    low, width = start, arb(1)
-    while not excess(low + width) > 0:
-        low, width = low + width, 2 * width
-    return low, low + width
+    low, width = arb(-1) if start is None else start, arb(1)
+    while not direction * excess(low) < 0:
+        if start is not None or width > FAR:
+            raise ArithmeticError("the level is not above the last turning level")
+        low, width = low - width, 2 * width
+    high, width = low + 1, arb(1)
+    while not direction * excess(high) > 0:
+        if width > FAR:
+            raise ArithmeticError("no change of sign is found")
+        high, width = high + width, 2 * width
+    return low, high
 
 
 def _refined(excess: Callable[[arb], arb], low: arb, high: arb) -> arb:

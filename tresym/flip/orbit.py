@@ -141,7 +141,7 @@ def _nearest(x: arb) -> int:
     """An integer nearest to the midpoint of ``x`` (either of two that are as near)."""
     if not x.is_finite() or x.rad() > 0.25:
         raise ArithmeticError("the number of half periods is not known at this precision")
-    return int((x.mid() + arb(0.5)).floor().unique_fmpz())
+    return int((x.mid() + arb(0.5)).mid().floor().unique_fmpz())
 
 
 def _invert(on: Orbit, phi: arb) -> arb:
