@@ -239,7 +239,12 @@ def _add_flip(commands: Commands) -> None:
     parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
     parser.add_argument("--rung", metavar="NAME", help="force one model of the ladder")
     where = parser.add_mutually_exclusive_group()
-    where.add_argument("--gamma", metavar="G", help="distance from the separatrix (default: 0)")
+    where.add_argument(
+        "--gamma",
+        metavar="G",
+        help="distance from the separatrix, -b to a (default: 0); on a rigid body a larger one "
+        "always flips further",
+    )
     where.add_argument("--psi0", metavar="P", help="start at this psi instead, in radians")
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--rate", metavar="V", help="with --psi0: dpsi/dphi at the start")
