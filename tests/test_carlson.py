@@ -174,7 +174,7 @@ def test_at_the_edges_of_the_range_both_forms_overlap(shape, part):
         with ball_precision(precision):
             p, q, g = arb(a), arb(b), arb(gamma)
             # tan² ε, and γ + b sin²ε over cos²ε, exactly.
-            least = -gamma / (gamma + b) if gamma < 0 else fmpq(0)
+            least, whole = -gamma / (gamma + b) if gamma < 0 else fmpq(0), arb(0)
             for more in (fmpq(0), fmpq(1, 10**30), fmpq(2)):
                 square = least + more
                 rest = gamma + (gamma + b) * square
@@ -185,6 +185,11 @@ def test_at_the_edges_of_the_range_both_forms_overlap(shape, part):
                 sure = turn(by_flint(at, q / p), p, q, g, balls)
                 assert fast.overlaps(sure)
                 assert fast.rel_accuracy_bits() > precision - 64
+                # On the way back the phase is what is missing to a half period.
+                back = turn_by_gauss(tangent, arb(rest), p, q, g, balls, ball_ending(), back=True)
+                whole = 2 * fast if more == 0 else whole
+                assert (back + fast).overlaps(whole)
+                assert back.rel_accuracy_bits() > precision - 64
 
 
 @pytest.mark.parametrize("precision", [16, 24, 40, 64])

@@ -97,7 +97,7 @@ def defect_on(a: fmpq, b: fmpq, level: Level) -> arb:
 
 
 def quick(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect | None:
-    """ε(γ) from F in the first quarter, where π is folded to, and from the quarter's own phase.
+    """ε(γ) from F in the first quarter, where π is folded to; beyond a half period from its Q too.
 
     A float64 solution is corrected by the Taylor series of the flow dψ/dφ, of which the phase that
     is missing is the argument; each round quadruples the digits. None where float64 has no
@@ -128,19 +128,20 @@ def _rounds(precision: int) -> list[int]:
 
 def unfolded(angle: arb, fold: Fold) -> Defect:
     """ε = s e + nπ and π − 2ε."""
-    sign, halves = fold.unfolding
+    sign, turns = fold.unfolding
     angle, pi = sign * angle, arb.pi()
-    if not halves:
+    if not turns:
         return Defect(angle, pi - 2 * angle)
-    return Defect(angle + halves * pi, (1 - 2 * halves) * pi - 2 * angle)
+    return Defect(angle + turns * pi, (1 - 2 * turns) * pi - 2 * angle)
 
 
 def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
     """The folded angle from the exact point ``near``, at the working precision.
 
     ψ(φ) solves ψ′ = √G(ψ), ψ″ = G′/2, ψ‴ = G″ψ′/2, G = (a + bs²)(γ + bs²)/(1 − bs²)²; the solution
-    from ``near`` is there after the phase h that F(near, γ) has too much. Picard: if |h| √G < r
-    for all angles within r of ``near`` it stays among them, and Taylor's remainder is taken there.
+    from ``near`` is there after the phase h that F(near, γ) has too much (on the way back, that
+    2Q − F has too little). Picard: if |h| √G < r for all angles within r of ``near`` it stays
+    among them, and Taylor's remainder is taken there.
 
     Raises:
         ArithmeticError: nothing is shown (turning point, or precision too low).
@@ -150,9 +151,10 @@ def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
     z, inverse = gamma + square, 1 / (1 - square)
     if not (z > 0 and 0 < near < 2 and cosine > 0):
         raise ArithmeticError("not between the turning point and pi/2 at this precision")
-    phase = _turn(sine, cosine, z, a, b, gamma) - fold.phase(
-        arb.pi(), lambda: quarter_phase(a, b, gamma)
-    )
+    phase = _turn(sine, cosine, z, a, b, gamma, back=fold.back)
+    phase -= fold.phase(arb.pi(), lambda: quarter_phase(a, b, gamma))
+    if fold.back:
+        phase = -phase
     speed = ((a + square) * z).sqrt() * inverse
     product, total = 2 * (1 + a) * (1 + gamma), 2 + a + gamma
     bend = (product * inverse - total) * inverse * inverse * b * sine * cosine
@@ -186,11 +188,12 @@ def quarter_phase(a: arb, b: arb, gamma: arb) -> arb:
     return _turn((-gamma / b).sqrt(), (1 + gamma / b).sqrt(), arb(0), a, b, gamma)
 
 
-def _turn(sine: arb, cosine: arb, z: arb, a: arb, b: arb, gamma: arb) -> arb:
-    """F: by the Gauss transformation, but where the angle is near π/2."""
+def _turn(sine: arb, cosine: arb, z: arb, a: arb, b: arb, gamma: arb, *, back: bool = False) -> arb:
+    """F, or 2Q − F: by the Gauss transformation, but where the angle is near π/2."""
     tangent = sine / cosine
     square = tangent * tangent
     if (a + b) * square < 100 * a:
-        return turn_by_gauss(tangent, z * (1 + square), a, b, gamma, balls, ball_ending())
+        return turn_by_gauss(tangent, z * (1 + square), a, b, gamma, balls, ball_ending(), back)
     at = amplitude(sine, cosine, z, a, b, gamma, balls)
-    return turn(by_flint(at, b / a), a, b, gamma, balls)
+    found = turn(by_flint(at, b / a), a, b, gamma, balls)
+    return 2 * quarter_phase(a, b, gamma) - found if back else found

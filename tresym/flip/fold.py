@@ -36,9 +36,9 @@ class Fold(NamedTuple):
     back: bool
 
     def phase(self, half_turn: arb, quarter: Callable[[], arb]) -> arb:
-        """F at the folded angle: π − 2jQ or its opposite; ``quarter`` gives Q."""
-        rest = half_turn - 2 * self.halves * quarter() if self.halves else half_turn
-        return -rest if self.back else rest
+        """The phase of the folded angle: F, or 2Q − F on the way back; ``quarter`` gives Q."""
+        before = self.halves - self.back
+        return half_turn - 2 * before * quarter() if before else half_turn
 
     @property
     def unfolding(self) -> tuple[int, int]:

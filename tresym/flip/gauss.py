@@ -15,6 +15,11 @@ are twice their means (that spares the halves), and
 Then G′² − H′² = ((G² − H²)/G′)², and F = (1−b) u + Σ ± (C_n u − 2ⁿ arctan(C_n/z_n)) with the u of
 the start, the last term positive and the others negative.
 
+*The way back.* Along the orbit x goes through 0 at ψ = 0, and y at a turning point, with a change
+of sign; x′, y′, z and z′ stay positive, and both sides of a step are analytic there. So beyond the
+far end of the quarter, where the phase is 2F(far end) − F(ε), the same steps hold with one sign
+turned, and x′ = |G² − H²|/(|x| + |y|).
+
 *The end.* The steps bring κ = (G² − H²)/2 = (y² − x²)/2 quadratically to 0. With μ = x² + κ,
 d = G² − κ, D = A² − κ, which is d + C², and I_m = ½ ∫ (s+μ)^(−m) (s+z²)^(−½) ds from 0 to ∞,
 
@@ -55,7 +60,7 @@ class Ending(NamedTuple):
 
 
 def turn_by_gauss(
-    tangent: Any, rest: Any, a: Any, b: Any, gamma: Any, m: Any, ending: Ending
+    tangent: Any, rest: Any, a: Any, b: Any, gamma: Any, m: Any, ending: Ending, back: bool = False
 ) -> Any:
     """F(ε, γ), 0 ≤ ε < π/2, from ``tangent`` = tan ε and ``rest`` = (γ + b sin²ε)/cos²ε.
 
@@ -67,6 +72,7 @@ def turn_by_gauss(
         gamma: −b < γ < a.
         m: the arithmetic.
         ending: :func:`ball_ending` or :data:`FLOAT_ENDING`.
+        back: whether the phase of −ε is meant (γ > 0), or that of ε on the way back (γ < 0).
 
     Raises:
         ArithmeticError: no end after ``GAUSS_LIMIT`` steps.
@@ -76,17 +82,18 @@ def turn_by_gauss(
     square = far * (tangent * tangent)
     C, z = m.sqrt(b * above), m.sqrt(square + g)
     small = ending.small
-    if abs(split) < small * square and abs(split) < small * far:
+    if not back and abs(split) < small * square and abs(split) < small * far:
         return _end(square, g, far, split, C, z, 1 - b, m, ending)
     x, G, A = m.sqrt(square), m.sqrt(g), m.sqrt(far)
     y, H, B = m.sqrt(total * rest), m.sqrt(b * (a - gamma)), m.sqrt(b * total)
+    sum_ = abs(split) / (x + y) if back else x + y
     factor, angle, weight = 1 - b, 0, 1
     while weight < 1 << GAUSS_LIMIT:
         factor -= C
         angle += weight * m.atan(C / z)
         weight *= 2
         inner = G * H
-        x, G, A = x + y, G + H, A + B
+        x, G, A = sum_, G + H, A + B
         square, g, far = x * x, G * G, A * A
         split = split * split / g
         B = m.sqrt(far - split)
@@ -94,7 +101,7 @@ def turn_by_gauss(
         before, z = z, m.sqrt(square + g)
         if split < small * square and split < small * far:
             return weight * _end(square, g, far, split, C, z, factor, m, ending) + angle
-        y, H = 2 * before * x / z, 2 * m.sqrt(inner)
+        sum_, H = x + 2 * before * x / z, 2 * m.sqrt(inner)
     raise ArithmeticError("the Gauss transformation does not end: gamma is too near a")
 
 
