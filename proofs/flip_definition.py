@@ -1,10 +1,8 @@
-"""Section 6, up to the theorem: what a flip is, which motions are studied, and tops in the limit.
+"""Section 6, up to the theorem: what a flip is, and which motions are studied.
 
 - `eq_robust_gen`, `eq_psi0psif`, `eqdefect`, `eq_TRE`: the turn, the symmetric motion, the defect;
 - `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
 - `symmetric_is_extreme`: what is true of the symmetric motion among all with its γ;
-- `separatrix_infinite_time`: the unstable points are reached in infinite time only;
-- `b_to_zero` and what follows: the symmetric top I₂ = I₃.
 """
 
 from __future__ import annotations
@@ -24,25 +22,19 @@ from sympy import (
     Tuple,
     atan,
     cos,
-    cosh,
-    log,
     pi,
     sin,
-    sinh,
     sqrt,
     tan,
 )
-from tresym.proofs.conditions import shape, tilted
-from tresym.proofs.euler_angles import gamma_conserved
-from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, precession_integrand, sign_of_tilt
-from tresym.proofs.regimes import rotating_speed, separatrix_case
+from tresym.proofs.conditions import shape
+from tresym.proofs.flip_dynamics import eq_dpsidphi, precession_integrand
+from tresym.proofs.regimes import rotating_speed
 from tresym.proofs.separatrix import (
-    between,
     exact_equation,
     integrated,
     one_flip_defect,
     stable_equation,
-    unique_root,
 )
 
 from tresym.claims.bounds import Boxes
@@ -60,7 +52,6 @@ from tresym.claims.claim import (
     differentiation,
     equal,
     evaluating,
-    exponentials,
     formally,
     multiplying,
     roots,
@@ -77,16 +68,13 @@ from tresym.notation import (
     Delta_phi,
     Delta_psi,
     S,
-    T,
     a,
     b,
-    dpsi_dphi,
     epsilon,
     gamma,
     psi,
     psi0,
     psi_f,
-    theta,
     x,
 )
 from tresym.verdict import Verdict
@@ -178,72 +166,6 @@ not_elementary = Claim(
     expect=Verdict.REFUTED,
     amended_by=(elementary_levels,),
     note="The appendix itself integrates it for γ = 0.",
-)
-
-# -- near and on the separatrix -------------------------------------------------------------------
-
-level_of_a_start = Claim(
-    label="level_of_a_start",
-    says=equal(dpsi_dphi**2 * _slow**2 / _fast - b * _square, gamma),
-    given=(*tilted, *moving),
-    proof=by(substituting(eq_dpsidphi, sign_of_tilt)),
-    where=Place(line=198),
-    note="γ tends to 0 with ψ₀ and the initial rate: such starts are close to the separatrix.",
-)
-
-near_separatrix = Claim(
-    label="near_separatrix",
-    says="Roughly speaking the effect is a motion near the separatrix: it starts near an unstable "
-    "point with a small rate.",
-    kind="statement",
-    proof=all_of(level_of_a_start),
-    where=Place(line=164),
-    note="γ is small with the square of the rate and with sin²ψ₀.",
-)
-
-slower_than_cotangent = Claim(
-    label="slower_than_cotangent",
-    says=Ge((a + b) - cos(psi) ** 2 * _fast, 0, evaluate=False),
-    kind="bound",
-    given=shape,
-    proof=(step((a + b) * sin(psi) ** 2 + b * cos(psi) ** 4, trigonometry),),
-    note="On the separatrix f is at least (1 − b sin²ψ) cot ψ/√(b(a+b)) for 0 < ψ ≤ π/2.",
-)
-
-cotangent_integral = Claim(
-    label="cotangent_integral",
-    says=equal(
-        Derivative(log(sin(psi)) - b * _square / 2, psi),
-        _slow * cos(psi) / sin(psi),
-    ),
-    given=(*shape, *between),
-    proof=by(differentiation),
-)
-
-separatrix_is_followed = Claim(
-    label="separatrix_is_followed",
-    says="A motion that starts on the separatrix stays on it.",
-    kind="statement",
-    proof=all_of(gamma_conserved, separatrix_case),
-    where=Place(line=198),
-    note="γ is constant along it, and 0.",
-)
-
-separatrix_infinite_time = Claim(
-    label="separatrix_infinite_time",
-    says="On the separatrix an unstable point is reached only after infinitely many turns.",
-    kind="statement",
-    proof=all_of(slower_than_cotangent, cotangent_integral),
-    where=Place(line=198),
-    note="φ grows like log(1/sin ψ)/√(b(a+b)) at least, and time with it.",
-)
-
-cannot_cross = Claim(
-    label="cannot_cross",
-    says="On the separatrix ψ cannot cross an unstable point, and S stays what it was.",
-    kind="statement",
-    proof=all_of(separatrix_infinite_time),
-    where=Place(line=334),
 )
 
 # -- the symmetric motion -------------------------------------------------------------------------
@@ -454,59 +376,6 @@ without_approximation = Claim(
     proof=all_of(exact_equation, stable_equation, one_flip_defect),
     where=Place(display=25),
     note="ε₀ (here ε) is its only root.",
-)
-
-# -- tops -----------------------------------------------------------------------------------------
-
-hyperbolic_sine_grows = Claim(
-    label="hyperbolic_sine_grows",
-    says=Ge(sinh(T + 2 * x) - sinh(T), 0, evaluate=False),
-    kind="bound",
-    given=(T > 0, x > 0),
-    proof=(step(2 * cosh(T + x) * sinh(x), exponentials),),
-)
-
-b_to_zero = Claim(
-    label="b_to_zero",
-    says="ε₀ → π/2 as b → 0 at fixed a, and the flip π − 2ε₀ → 0.",
-    kind="statement",
-    proof=all_of(stable_equation, unique_root, hyperbolic_sine_grows),
-    where=Place(line=249),
-    note="0 < cot ε₀ ≤ √(1 + b/a) sinh(3π√(ab)/2), which tends to 0.",
-)
-
-separatrix_horizontal = Claim(
-    label="separatrix_horizontal",
-    says=equal(at(printed.psi_rate(psi, a, b, 0, S, sympy), {b: 0}), 0),
-    given=(a > 0,),
-    proof=by(evaluating, roots),
-    where=Place(line=249),
-    note="On γ = 0, for b = 0: the line dψ/dφ = 0.",
-)
-
-separatrix_equilibria = Claim(
-    label="separatrix_equilibria",
-    says=Tuple(
-        *(
-            equal(at(rate, {theta: pi / 2, b: 0}), 0)
-            for rate in printed.planar_rates(theta, psi, a, b, sympy)
-        )
-    ),
-    given=(a > 0,),
-    proof=together(by(evaluating), by(evaluating, trigonometry)),
-    where=Place(line=249),
-    note="For b = 0 every point of the separatrix, θ = π/2, is an equilibrium.",
-)
-
-only_way_half_pi = Claim(
-    label="only_way_half_pi",
-    says=Equivalent(equal(pi - epsilon, epsilon), equal(pi / 2, epsilon)),
-    proof=(
-        step(equal(pi, 2 * epsilon), adding(epsilon)),
-        step(equal(pi / 2, epsilon), multiplying(sympy.Rational(1, 2))),
-    ),
-    where=Place(line=249),
-    note="At rest ψ_f = ψ₀: the symmetric motion then starts at π/2.",
 )
 
 # -- when a flip counts ---------------------------------------------------------------------------

@@ -16,7 +16,7 @@ import sympy
 from flint import arb
 from sympy import Derivative, Rational, Symbol, asin, sin, sqrt
 from tresym.proofs.conditions import defect, shape_of_a_body
-from tresym.proofs.flip_definition import level_of_a_start, symmetric_is_extreme
+from tresym.proofs.flip_definition import symmetric_is_extreme
 from tresym.proofs.numbers_in_text import (
     A,
     B,
@@ -24,6 +24,7 @@ from tresym.proofs.numbers_in_text import (
     lower_exact,
     upper_exact_value,
 )
+from tresym.proofs.on_the_separatrix import level_of_a_start
 from tresym.proofs.phase_portraits import flip_between
 from tresym.proofs.regimes import oscillating
 
