@@ -90,7 +90,7 @@ class Field(SignedRing):
                 for condition in self.given.beyond_box:
                     value = self._walk(condition.expression)
                     if condition.relation != "!=":
-                        self._require_positive(value)
+                        self._require_positive(value, strict=condition.relation == ">")
                 result = [self._walk(e) for e in expressions]
             except AgainError:
                 continue
@@ -282,6 +282,8 @@ class Field(SignedRing):
             if n is None or (p + n).is_zero() or (p - n).is_zero():
                 continue
             half = min((p + n, p - n), key=lambda s: (s.total_degree(), len(s), str(s)))
+            if self.is_mixed(half):
+                continue
             unit, factors = self.factor(half + surd)
             below, others = self.factor(half)
             number = fmpq(unit**2, 2 * abs(below))
@@ -384,25 +386,25 @@ class Field(SignedRing):
         parts = self._by_signs(x)
         return parts[0] if parts is not None and len(parts) == 1 else None
 
-    def _require_positive(self, x: Fraction) -> None:
-        """Record that ``x`` is positive on the domain."""
+    def _require_positive(self, x: Fraction, strict: bool = False) -> None:
+        """Record that ``x`` is not negative on the domain; with ``strict``, that it is positive."""
         if x.num.is_zero():
             return
         sign, parts = self.factors(x)
-        self.require_sign([part for part, k in parts.values() if k.p % 2], sign)
+        self.require_sign([(part, int(k.p)) for part, k in parts.values()], sign, strict)
 
-    def require_sign(self, parts: list[Poly], sign: int) -> None:
+    def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
         """As in the base class, and of the arguments of inverse functions too."""
-        for k, part in enumerate(parts):
-            if str(part) not in self.known_signs and self.sign(part):
+        for i, (part, k) in enumerate(parts):
+            if k % 2 == 0 or (str(part) not in self.known_signs and self.sign(part)):
                 continue
             inner = same_sign(self, part)
             if inner is not None and not inner.is_zero():
                 outer, more = self.factors(Fraction(inner, self.one_poly))
-                odd = [f for f, n in more.values() if n.p % 2]
-                self.require_sign([*parts[:k], *odd, *parts[k + 1 :]], sign * outer)
+                powers = [(f, int(n.p)) for f, n in more.values()]
+                self.require_sign([*parts[:i], *powers, *parts[i + 1 :]], sign * outer, strict)
                 break
-        super().require_sign(parts, sign)
+        super().require_sign(parts, sign, strict)
 
     def _prove_sign(self, p: Poly, depth: int) -> int:
         found = super()._prove_sign(p, depth)
@@ -429,14 +431,13 @@ class Field(SignedRing):
                 raise UndefinedError("a negative power of zero")
             return self.zero
         sign, parts = self.factors(x)
-        odd = [part for part, k in parts.values() if k.p % 2]
         result = self.one
         if signed:
             result = self.constant(sign)
-            for part in odd:
+            for part in (part for part, k in parts.values() if k.p % 2):
                 result = self.multiply(result, Fraction(self.sigma(part), self.one_poly))
         else:
-            self.require_sign(odd, sign)
+            self._require_positive(x, strict=r < 0)
         for part, k in parts.values():
             result = self.multiply(result, self._absolute_power(part, k * r))
         return result
@@ -491,7 +492,7 @@ class Field(SignedRing):
 
     def log(self, x: Fraction) -> Fraction:
         """``log x`` on ``x > 0``, as a sum over the factors of ``x``."""
-        self._require_positive(x)
+        self._require_positive(x, strict=True)
         _, parts = self.factors(x)
         terms = []
         for part, k in parts.values():
@@ -729,12 +730,14 @@ class Field(SignedRing):
         The tangent of its half would be infinite there. What is left of an angle is a constant
         that balls keep from such multiples, or varies.
         """
-        kinds = [self.at(i).kind for p in (x.num, x.den) for i in self.used(p)]
-        if kinds and self.is_constant(x):
+        used = {i for p in (x.num, x.den) for i in self.used(p)}
+        if used and self.is_constant(x):
             return bool((self.ball(x) / arb.pi() / 2).cos_pi().contains(0))
-        if sum(kind in ("log", "atan", "opaque", "cos", "sin") for kind in kinds) > 1:
+        involved = self.involved(x.num) | self.involved(x.den)
+        kinds = {self.at(i).kind for i in used | involved}
+        if self.are_tied(used | involved) or kinds & {"opaque", "cos", "sin", "sign"}:
             return not self.varies(x)
-        return "sign" in kinds and not {"symbol", "tan", "exp"} & set(kinds)
+        return False
 
     def _plain_turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
         """Cosine and sine of ``x`` as generators with c² + s² = 1 and no more."""
@@ -859,11 +862,12 @@ class Field(SignedRing):
         signed = self._sign_content(u)
         if signed is not None:
             return self.multiply(signed[0], self.atan(signed[1]))
-        inverse = self.invert(u)
-        if self._rank(inverse) < self._rank(u):
-            sign = self._sign_function(u)
-            quarter = self.multiply(sign, self.pi(fmpq(1, 2)))
-            return self.subtract(quarter, self.atan(inverse))
+        if not self.is_mixed(u.num):
+            inverse = self.invert(u)
+            if self._rank(inverse) < self._rank(u):
+                sign = self._sign_function(u)
+                quarter = self.multiply(sign, self.pi(fmpq(1, 2)))
+                return self.subtract(quarter, self.atan(inverse))
         return self._fraction(self.generator("atan", u.key, (u,)))
 
     def _rank(self, u: Fraction) -> tuple[bool, int, int, str]:
@@ -890,6 +894,10 @@ class Field(SignedRing):
         self._require_positive(below)
         self._require_positive(above)
         c = self._root(self.multiply(below, above), fmpq(1, 2))
+        if self.is_mixed(below.num) or self.is_mixed(above.num):
+            # c may be 0 on a region; 1 + c is not
+            half = self.atan(self.divide(u, self.add(self.one, c)))
+            return self.multiply(self.constant(2), half)
         return self.atan(self.divide(u, c))
 
     def _asinh(self, u: Fraction) -> Fraction:

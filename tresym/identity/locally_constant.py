@@ -39,8 +39,10 @@ def equal_by_derivative(
     if not 0 < len(names) <= MAX_SYMBOLS:
         return None
     field = Field(given, theories, size)
+    gradient = []
     for name in names:
         slopes = [differentiate(side, name) for side in (left, right)]
+        gradient += slopes
         *_, dx, dy = field.normal(left, right, *slopes)
         if not vanishes_or_zero(field, field.subtract(dx, dy).num):
             return None
@@ -59,7 +61,7 @@ def equal_by_derivative(
         if inside is None:
             return None
         if inside:
-            if not _equal_at(left, right, point, theories):
+            if not _are_real(gradient, point) or not _equal_at(left, right, point, theories):
                 return None
             bases.append(point)
     if not bases:
@@ -191,6 +193,13 @@ def _inside(left: Expr, right: Expr, given: Given, point: dict[str, fmpq]) -> bo
         values = [evaluate(left, at), evaluate(right, at)]
         conditions = all(condition.holds(at) for condition in given.conditions)
     return True if conditions and all(v.is_finite() for v in values) else None
+
+
+def _are_real(slopes: list[Expr], point: dict[str, fmpq]) -> bool:
+    """Whether every slope has a value at ``point``: its normal form speaks of no other region."""
+    with ball_precision(_BITS):
+        at = {name: arb(value) for name, value in point.items()}
+        return all(evaluate(slope, at).is_finite() for slope in slopes)
 
 
 def _equal_at(left: Expr, right: Expr, point: dict[str, fmpq], theories: frozenset[str]) -> bool:

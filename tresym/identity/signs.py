@@ -230,26 +230,29 @@ class SignedRing(Ring):
             self._met[key] = len(self._met)
         return key
 
-    def require_sign(self, parts: list[Poly], sign: int) -> None:
-        """Record that the product of ``parts`` has the given sign on the domain.
+    def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
+        """Record that the product of these powers has the given sign on the domain, or is zero.
 
         The sign of a single part is used at once; where it stands in what has been found in this
         pass, a new one begins.
 
-        A part that mixes inverse functions may vanish on a whole region without our knowing, and
-        then says nothing of the other parts: such an equation is not used.
+        A part that may vanish on a whole region without our knowing says nothing there of the
+        other parts, be its exponent even or its sign known: such an equation is not used, unless
+        ``strict`` tells that the product is nowhere zero.
         """
         keys: set[str] = set()
-        for constant in (part for part in parts if part.is_constant()):
+        for constant, _ in ((part, k) for part, k in parts if part.is_constant() and k % 2):
             sign *= 1 if constant.leading_coefficient() > 0 else -1
-        parts = [part for part in parts if not part.is_constant()]
-        for part in parts:
+        parts = [(part, k) for part, k in parts if not part.is_constant()]
+        for part in (part for part, k in parts if k % 2):
             known = self.sign(part)
             if known:
                 sign *= known
                 continue
             keys ^= {self._meet(part)}
-        if not keys or (len(parts) > 1 and any(self.is_mixed(part) for part in parts)):
+        if not keys:
+            return
+        if not strict and len(parts) > 1 and any(self.is_mixed(part) for part, _ in parts):
             return
         if len(keys) == 1:
             (key,) = keys
@@ -265,7 +268,8 @@ class SignedRing(Ring):
         """Whether ``p`` may vanish on a whole region though its normal form is not zero.
 
         So it may where its generators depend on each other without our knowing: several inverse
-        functions, roots within roots, values of unknown functions, sums with signs.
+        functions, roots within roots, values of unknown functions, sums with signs, arc tangents
+        of tangents, constants that may be equal.
         """
         kinds = [self.at(i).kind for i in self.used(p)]
         if len(p) == 1 and set(kinds) == {"exp"}:
@@ -274,15 +278,49 @@ class SignedRing(Ring):
             return True
         if "opaque" in kinds or "sign" in kinds:
             return len(p) > 1
-        inner = self._involved(p)
-        inverses = sum(self.at(i).kind in ("log", "atan") for i in inner)
+        inner = self.involved(p)
         nested = any(
             self.at(j).kind in ("root", "sign", "opaque")
             for i in inner
             if self.at(i).kind == "root"
-            for j in self._involved(self.at(i).data[0])
+            for j in self.involved(self.at(i).data[0])
         )
-        return inverses > 1 or nested
+        return nested or self.are_tied(inner) or self._may_be_zero_by_constants(p)
+
+    def are_tied(self, positions: set[int]) -> bool:
+        """Whether inverse functions among these generators may depend on the others.
+
+        A single logarithm or arc tangent does so only through signs, an arc tangent of tangents,
+        or a logarithm of roots of exponentials: else tan(cx + d) or exp(cx + d) were algebraic
+        over functions over which they are not.
+        """
+        kinds = [self.at(i).kind for i in positions]
+        inverses = kinds.count("log") + kinds.count("atan")
+        return inverses > 1 or (
+            inverses == 1
+            and (
+                bool({"sign", "opaque", "cos", "sin"} & set(kinds))
+                or {"atan", "tan"} <= set(kinds)
+                or {"log", "exp", "root"} <= set(kinds)
+            )
+        )
+
+    def _may_be_zero_by_constants(self, p: Poly) -> bool:
+        """Whether no coefficient of ``p``, a number in constants, is shown to be other than 0."""
+        constants = [i for i in self.used(p) if not self.support(i) and self.at(i).kind != "opaque"]
+        if not constants:
+            return False
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
+        for monomial, value in p.terms():
+            powers = [int(k) for k in monomial]
+            outer = tuple(0 if i in constants else k for i, k in enumerate(powers))
+            inner = tuple(k if i in constants else 0 for i, k in enumerate(powers))
+            groups.setdefault(outer, {})[inner] = value
+        rational = (0,) * self.size
+        return not any(
+            set(part) == {rational} or self._constant_sign(self.context.from_dict(part))
+            for part in groups.values()
+        )
 
     def varies(self, x: Fraction) -> bool:
         """Whether ``x``, of symbols and logarithms of their polynomials, is constant nowhere.
@@ -291,7 +329,7 @@ class SignedRing(Ring):
         rational functions on every region (Ostrowski), so ``x`` is constant on one region only if
         it is the same constant on all: two values apart exclude that.
         """
-        for i in self._involved(x.num) | self._involved(x.den):
+        for i in self.involved(x.num) | self.involved(x.den):
             generator = self.at(i)
             if generator.kind == "log":
                 if any(self.at(j).kind != "symbol" for j in self.used(generator.data[0])):
@@ -306,15 +344,15 @@ class SignedRing(Ring):
         finite = [value for value in values if value.is_finite()]
         return any(not value.overlaps(finite[0]) for value in finite[1:])
 
-    def _involved(self, p: Poly) -> set[int]:
+    def involved(self, p: Poly) -> set[int]:
         """The generators of ``p``, those inside them, and so on; constants left out."""
         found = {i for i in self.used(p) if self.support(i) or self.at(i).kind == "opaque"}
         for i in tuple(found):
             for item in self.at(i).data:
                 if isinstance(item, Fraction):
-                    found |= self._involved(item.num) | self._involved(item.den)
+                    found |= self.involved(item.num) | self.involved(item.den)
                 elif isinstance(item, fmpz_mpoly):
-                    found |= self._involved(item)
+                    found |= self.involved(item)
         return found
 
     def zero_divisor(
@@ -324,7 +362,7 @@ class SignedRing(Ring):
         generator = self.at(position)
         for sign in (1, -1):
             if generator.kind == "sign" and self.reduce(parts[0] - sign * parts[1]).is_zero():
-                self.require_sign([generator.data[0]], sign)
+                self.require_sign([(generator.data[0], 1)], sign)
                 return num, 2 * parts[0]
         return num, den
 
@@ -551,8 +589,9 @@ class SignedRing(Ring):
             value = self._generator_ball(generator, {}, {})
             if not value.is_finite():
                 return None
-            mid = fmpq(*_dyadic(value.mid()))
-            return mid - fmpq(1, 10**9) * (1 + abs(mid)), mid + fmpq(1, 10**9) * (1 + abs(mid))
+            low, high = fmpq(*_dyadic(value.lower())), fmpq(*_dyadic(value.upper()))
+            slack = fmpq(1, 10**9) * (1 + abs(low))
+            return low - slack, high + slack
 
     def _positive_ends(self, generator: Generator) -> Ends:
         """Ends of an exponential or a root, compared with 1."""
