@@ -3,13 +3,14 @@
 - `zero_asymptotic`, `any_delta`: ε₀ → 0, as fast as e^{−π/λ};
 - `dominant_exponential`: the exponent is −2π√(ab) but for a part that stays bounded;
 - `implicit_solution`: what the implicit function theorem gives, on λ ≥ 0;
-- `uniform_convergence`, `terms_dominant`, `remainder_constant`: the remarks on dε/dγ.
+- `uniform_convergence`, `more_difficult`, `terms_dominant`, `remainder_constant`: the remarks on
+  dε/dγ.
 """
 
 from __future__ import annotations
 
 from flint import fmpq
-from sympy import Symbol, asin, atan, cos, exp, pi, sqrt
+from sympy import Equivalent, Symbol, asin, atan, cos, exp, pi, sqrt
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.implicit_function import (
     G_at_origin,
@@ -27,7 +28,12 @@ from tresym.proofs.orders import (
     u_exponentially_small,
 )
 from tresym.proofs.separatrix import one_flip_defect
-from tresym.proofs.turn_integral import derivative_under_the_integral, implicit_derivative
+from tresym.proofs.slope import inverse_slope
+from tresym.proofs.turn_integral import (
+    derivative_under_the_integral,
+    implicit_derivative,
+    slope_of_turn,
+)
 
 from tresym.claims.bounds import Asymptotics
 from tresym.claims.claim import (
@@ -38,11 +44,12 @@ from tresym.claims.claim import (
     equal,
     exponentials,
     inverses,
+    multiplying,
     roots,
     step,
 )
 from tresym.claims.order import Order
-from tresym.notation import a, b, epsilon, lam
+from tresym.notation import S, a, b, epsilon, lam
 from tresym.verdict import Verdict
 
 zero_asymptotic = Claim(
@@ -122,6 +129,7 @@ limit_of_eps0 = Claim(
     expect=Verdict.ENCLOSED,
 )
 
+_of_the_logarithm = S * (a - b - 2 * a * b) / (4 * sqrt(a * b) ** 3)
 _delta = Symbol("delta", real=True)
 
 factor_that_vanishes = Claim(
@@ -159,6 +167,24 @@ uniform_convergence = Claim(
     proof=all_of(derivative_under_the_integral),
     where=Place(line=407),
     note="The reason named is the convergence of F; what is needed is a smooth ∂f/∂γ on [ε₀, π/2].",
+)
+
+logarithm_stays = Claim(
+    label="logarithm_stays",
+    says=Equivalent(equal(_of_the_logarithm, 0), equal(a - b - 2 * a * b, 0)),
+    given=(*shape, S > 0),
+    proof=(step(equal(a - b - 2 * a * b, 0), multiplying(4 * sqrt(a * b) ** 3 / S)),),
+    note="The factor of the logarithm in ∂F/∂γ: only where a = b(1 + 2a) is there none.",
+)
+
+more_difficult = Claim(
+    label="more_difficult",
+    says="∂F/∂γ is the more difficult one: ∂ε/∂F is algebraic in sin ε₀, and ∂F/∂γ is an integral "
+    "with a logarithm in it, but for the shapes with a = b(1 + 2a).",
+    kind="statement",
+    proof=all_of(inverse_slope, slope_of_turn, logarithm_stays),
+    where=Place(line=407),
+    note="Difficult is read as: needs an integration, and more than algebraic functions.",
 )
 
 terms_dominant = Claim(

@@ -34,6 +34,7 @@ from tresym.proofs.flip_definition import eq_TRE, tre_only_if
 from tresym.proofs.flip_dynamics import sign_of_tilt
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
+from tresym.proofs.orders import exponential_decay
 from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.table_of_objects import exact_defect, formula_defect, of_moments, share_of_pi
@@ -584,6 +585,26 @@ def _same_product(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
     return -abs(exact_defect(a1, b1, m) - exact_defect(a2, b2, m))
 
 
+product_along_a_level = number(
+    "product_along_a_level",
+    "Along a level curve of ε₀ with ab ≥ 1/4, √(ab) varies by less than log(2.01/0.52)/π = 0.430.",
+    "0.430",
+    lambda low, high, m: m.log(high / low) / m.pi,
+    {"low": fmpq(52, 100), "high": fmpq(201, 100)},
+)
+
+nearly_hyperbolic = Claim(
+    label="nearly_hyperbolic",
+    says="The level curves of ε₀ have a hyperbolic shape: on one with ab ≥ 1/4, √(ab) stays within "
+    "an interval of length 0.4305.",
+    kind="statement",
+    proof=all_of(exponential_decay, product_along_a_level, monotonicity),
+    where=Place(line=291),
+    expect=Verdict.ENCLOSED,
+    note="√(ab) = log(c/ε₀)/π with 0.52 < c < 2.01, so that the smaller ε₀ the nearer are the "
+    "curves to hyperbolas, relatively.",
+)
+
 hyperbolic_levels = Claim(
     label="hyperbolic_levels",
     says="The level curves of ε₀ are the hyperbolas ab = const.",
@@ -595,7 +616,7 @@ hyperbolic_levels = Claim(
     ),
     where=Place(line=291),
     expect=Verdict.REFUTED,
-    amended_by=(monotonicity,),
+    amended_by=(nearly_hyperbolic, monotonicity),
     note="The curves fall, as hyperbolas do, since ε₀ falls with a and with b.",
 )
 

@@ -8,13 +8,17 @@
 import sympy
 from flint import fmpq
 from sympy import Gt
-from tresym.proofs.asymptotics import uniform_formulas
+from tresym.proofs.asymptotics import printed_error, uniform_formulas
+from tresym.proofs.conclusion import ethylene, ethylene_flip_exact
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.euler_angles import precession_forward, shape_and_depth
 from tresym.proofs.frames import perfect_flip
+from tresym.proofs.numbers_in_text import flip_of_no_flip, flip_str_exact, tre_if_eps0_small
+from tresym.proofs.orders import bend_everywhere
 from tresym.proofs.regimes import realizable as realizable_shape
 from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.table_of_objects import str_realizable
 
 from tresym.claims.claim import (
     Claim,
@@ -78,6 +82,37 @@ formula_for_any_body = Claim(
     where=Place(line=45),
     expect=Verdict.REFUTED,
     amended_by=(one_flip_defect, uniform_formulas),
+)
+
+coincide_for_a_class = Claim(
+    label="coincide_large_class",
+    says="Formula and exact values agree for a large class of bodies and starts: for ab ≥ 1/4 the "
+    "leading term within 0.17/(ab), and the linear formula while |γ| ≤ bε₀².",
+    kind="statement",
+    proof=all_of(printed_error, bend_everywhere),
+    where=Place(line=47),
+    expect=Verdict.ENCLOSED,
+    note="How well is said by the two bounds; the second has the exact ε₀.",
+)
+
+variety_of_bodies = Claim(
+    label="variety_of_bodies",
+    says="Bodies of several kinds flip within the tolerance: the standard racket and ethylene.",
+    kind="statement",
+    proof=all_of(str_realizable, flip_str_exact, ethylene, ethylene_flip_exact, tre_if_eps0_small),
+    where=Place(line=38),
+    expect=Verdict.ENCLOSED,
+    note="Both can exist. The other rackets of Table 1 cannot, by their printed moments.",
+)
+
+some_bodies = Claim(
+    label="some_bodies",
+    says="A body with ε₀ ≤ π/12 shows the effect on its separatrix, and not every body has that.",
+    kind="statement",
+    proof=all_of(tre_if_eps0_small, flip_str_exact, flip_of_no_flip),
+    where=Place(line=318),
+    expect=Verdict.ENCLOSED,
+    note="The constraints on the moments that the conclusion speaks of.",
 )
 
 shapes_of_bodies = Claim(

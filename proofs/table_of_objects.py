@@ -3,6 +3,7 @@
 Inputs and outputs are intervals of half a unit in the last printed place. For each row:
 
 - `…_order`: the moments are in the order I₁ < I₂ < I₃ that the paper assumes;
+- `…_realizable`: a rigid body can have them;
 - `…_a`, `…_b`: the shape from the printed moments;
 - `…_epsilon0`, `…_flip`: the flip defect by the exact equation,
   `…_epsilon0_formula`, `…_flip_formula`: the same by the paper's asymptotic formula, and
@@ -130,6 +131,46 @@ def _a_of_moments(I1: arb, I2: arb, m: Any) -> arb:
 def _b_of_moments(I2: arb, I3: arb, m: Any) -> arb:
     return 1 - I2 / I3
 
+
+def _realizable(row: str, label: str, **rest: Any) -> Claim:
+    """The moments as printed are those of a rigid body: none exceeds the sum of the others."""
+    moments = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
+    return Claim(
+        label=label,
+        says=f"Table 1, {row}: a rigid body can have these moments.",
+        kind="statement",
+        given=as_printed(**moments),
+        proof=formally(I3 <= I1 + I2, I2 <= I1 + I3, I1 <= I2 + I3),
+        where=Place(line=ROW_LINES[row], cell="I1, I2, I3"),
+        **rest,
+    )
+
+
+def _excess(row: str, least: int, relation: Basic) -> Claim:
+    """By how much one of the printed moments exceeds the sum of the others."""
+    moments = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
+    return Claim(
+        label=f"{row.replace('-', '_')}_excess",
+        says=f"With the moments printed for {row} the largest exceeds the sum of the others by "
+        f"{least} or more.",
+        kind="bound",
+        given=as_printed(**moments),
+        proof=formally(relation),
+    )
+
+
+def _impossible(row: str, least: int, relation: Basic) -> tuple[Claim, Claim]:
+    """That a row is of no rigid body, and by how much."""
+    excess = _excess(row, least, relation)
+    label = f"table_{row.replace('-', '_')}_realizable"
+    refuted: dict[str, Any] = {"expect": Verdict.REFUTED, "amended_by": (excess,)}
+    return excess, _realizable(row, label, **refuted)
+
+
+str_realizable = _realizable("str", "table_str_realizable")
+racket_1_realizable = _impossible("racket-1", 1046, I3 - I1 - I2 >= 1046)
+racket_2_realizable = _impossible("racket-2", 409, I3 - I1 - I2 >= 409)
+racket_3_realizable = _impossible("racket-3", 4858, I2 - I1 - I3 >= 4858)
 
 standard_racket = _row("str")
 racket_1 = _row("racket-1")
