@@ -425,8 +425,10 @@ def test_the_measurement_as_tables() -> None:
     trial = {"identities": 5, "REFUTED": 5}
     peers = {"tresym check": {"pairs": 2, "right": 2, "ratio": 1.0}}
     notes = {"pairs": counts, "mutants": counts, "peers": peers}
+    notes |= {"true orders": counts | {"ENCLOSED": 1, "longest": 0.5}}
     text = measured({"notes": notes | {"trial": {"true": trial, "false": trial}}})
-    assert "| random identities, false | 5 | 0 | 5 | 0 |" in text
+    assert "| random identities, false | 5 | 0 | 0 | 5 | 0 |" in text
+    assert "| true orders | 3 | 2 | 1 | 0 | 1 |" in text
     assert "4.1 ms" in text
     assert "| `tresym check` | 2 | 2 | 0 | 0 | 0 | 1 × |" in text
 

@@ -3,7 +3,8 @@
 The pairs of antiderivatives.txt are claims ``diff(F, x) == f`` with parameters of which nothing is
 assumed. A mutant is a pair with one change in its integrand. SymPy is asked what a reader would
 type: does ``simplify(diff(F, x) - f)`` come to 0, does ``diff(F, x).equals(f)``? The random
-identities are those of rewriting.py, decided as a file of claims is, each within a limit.
+identities are those of rewriting.py, decided as a file of claims is, each within a limit. The
+inequalities and orders are lists of true claims and of false ones close to them.
 """
 
 from __future__ import annotations
@@ -50,6 +51,13 @@ CHUNK = 500
 LIMIT = 10.0
 
 
+class Known(NamedTuple):
+    """A claim of which it is known whether it is true."""
+
+    truth: bool
+    claim: str
+
+
 class Pair(NamedTuple):
     """An antiderivative and its integrand, as text."""
 
@@ -64,9 +72,18 @@ class Pair(NamedTuple):
 
 def pairs() -> list[Pair]:
     """The pairs of antiderivatives.txt."""
-    text = files("tresym.bench").joinpath("antiderivatives.txt").read_text(encoding="utf-8")
-    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
-    return [Pair(*(side.strip() for side in line.split("|"))) for line in lines]
+    return [Pair(*(side.strip() for side in line.split("|"))) for line in _lines("antiderivatives")]
+
+
+def known(name: str) -> list[Known]:
+    """The claims of inequalities.txt or orders.txt."""
+    parts = (line.split(" | ", 1) for line in _lines(name))
+    return [Known(truth == "true", claim) for truth, claim in parts]
+
+
+def _lines(name: str) -> list[str]:
+    text = files("tresym.bench").joinpath(f"{name}.txt").read_text(encoding="utf-8")
+    return [line for line in text.splitlines() if line and not line.startswith("#")]
 
 
 def measure(
@@ -78,6 +95,10 @@ def measure(
         "pairs": decided([pair.claim for pair in everything]),
         "mutants": mutants(everything),
     }
+    for name in ("inequalities", "orders"):
+        for truth, key in ((True, "true"), (False, "false")):
+            claims = [claim for is_true, claim in known(name) if is_true is truth]
+            notes[f"{key} {name}"] = decided(claims)
     contenders = (c for pair in everything[::every] for c in _contenders(pair))
     timings, complete = interleave(contenders, pace, keep)
     notes["peers"] = summary(timings, pace.limit)

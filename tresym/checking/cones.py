@@ -38,6 +38,8 @@ def sign_on_cones(difference: Expr, relation: str, region: Given) -> str | None:
     try:
         field = Field(region)
         value, *others = field.normal(difference, *(c.expression for c in region.beyond_box))
+        if value.num.is_zero():
+            return None
         if strict and any(generator.kind != "symbol" for generator in field.generators):
             return None  # the normal form tells nothing of single points
         sign, rest = open_factors(field, (value.num, value.den), strict)

@@ -10,7 +10,8 @@ _METHODS = {
     "sympy simplify": "`simplify(diff(F, x) - f) == 0`",
     "sympy equals": "`diff(F, x).equals(f)`",
 }
-_VERDICTS = ("PROVED", "REFUTED", "UNDECIDED")
+_VERDICTS = ("PROVED", "ENCLOSED", "REFUTED", "UNDECIDED")
+_LISTS = ("true inequalities", "false inequalities", "true orders", "false orders")
 
 
 def measured(data: Mapping[str, Any]) -> str:
@@ -26,13 +27,15 @@ def measured(data: Mapping[str, Any]) -> str:
         ("random identities, true", notes["trial"]["true"]),
         ("random identities, false", notes["trial"]["false"]),
     ]
-    lines = ["| claims | number | PROVED | REFUTED | UNDECIDED |", "|---|--:|--:|--:|--:|"]
+    rows[2:2] = [(name, notes[name]) for name in _LISTS if name in notes]
+    lines = [f"| claims | number | {_cells(_VERDICTS)} |", "|---|--:|--:|--:|--:|--:|"]
     for name, counts in rows:
         number = counts.get("claims", counts.get("identities"))
         lines.append(f"| {name} | {number} | {_cells(counts.get(v, 0) for v in _VERDICTS)} |")
     pairs = notes["pairs"]
     lines += [
         "",
+        *_times(notes),
         f"An antiderivative takes {_milliseconds(pairs['median'])} in the median and "
         f"{_milliseconds(pairs['p99'])} at the 99th percentile.",
         "",
@@ -44,6 +47,16 @@ def measured(data: Mapping[str, Any]) -> str:
         ratio = f"{counts['ratio']:.3g} ×"
         lines.append(f"| {_METHODS[method]} | {counts['pairs']} | {_cells(outcomes)} | {ratio} |")
     return "\n".join(lines) + "\n"
+
+
+def _times(notes: Mapping[str, Any]) -> list[str]:
+    """A sentence on the times of inequalities and orders, where they were measured."""
+    found = [(name, notes[name]) for name in _LISTS if name in notes]
+    if not found:
+        return []
+    medians = ", ".join(f"{_milliseconds(counts['median'])} for {name}" for name, counts in found)
+    longest = max(counts["longest"] for _, counts in found)
+    return [f"The median is {medians}; the longest took {longest:.2g} s.", ""]
 
 
 def _cells(values: Any) -> str:
