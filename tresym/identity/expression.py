@@ -9,8 +9,9 @@ tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` as
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import Any, TypeAlias
 
 from flint import fmpq, fmpz
@@ -246,6 +247,11 @@ def sqrt(x: Expr) -> Expr:
 def angle(y: Expr, x: Expr) -> Expr:
     """atan2(y, x), the angle of the point (x, y) in (−π, π), off the negative x-axis."""
     return 2 * apply("atan", y / (sqrt(x**2 + y**2) + x))
+
+
+def extreme(side: int, values: Iterable[Expr]) -> Expr:
+    """The largest of several (``side`` 1), or the smallest (−1), by absolute values."""
+    return reduce(lambda x, y: (x + y + side * apply("abs", x - y)) / 2, values)
 
 
 class Trees:
@@ -503,12 +509,16 @@ def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
     if isinstance(node, sympy.Derivative) and not node.has(sympy.Integral):
         return _from_sympy_derivative(node, walk)
     name = type(node).__name__
+    if isinstance(node, sympy.core.function.AppliedUndef):
+        raise InputError(f"{name} is an unknown function to SymPy, whatever its name")
     if name in _SYMPY_NAMES and len(node.args) == 1:
         return apply(_SYMPY_NAMES[name], walk(node.args[0]))
     if name in _SYMPY_RECIPROCALS:
         return apply(_SYMPY_RECIPROCALS[name], 1 / walk(node.args[0]))
     if name == "atan2":
         return angle(*map(walk, node.args))
+    if name in ("Max", "Min"):
+        return extreme(1 if name == "Max" else -1, map(walk, node.args))
     if node is sympy.I:
         raise InputError("I is no real number or variable, and all here are real")
     raise InputError(f"{name} is outside the expressions that tresym decides")

@@ -15,7 +15,6 @@ import ast
 import re
 import unicodedata
 from collections.abc import Callable
-from functools import partial, reduce
 
 from tresym.exact import InputError, parse_number
 from tresym.identity.expression import (
@@ -29,6 +28,7 @@ from tresym.identity.expression import (
     angle,
     apply,
     differentiate,
+    extreme,
     multiply,
     number,
     power,
@@ -188,7 +188,7 @@ class _Reader:
         if name == "log" and len(values) == 2:
             return apply("log", values[0]) / apply("log", values[1])
         if name in _FOLDED and len(values) > 1:
-            return reduce(partial(_extreme, _FOLDED[name]), values)
+            return extreme(_FOLDED[name], values)
         if name not in _KNOWN:
             raise InputError(f"unknown function {name}: {about_function(name, _KNOWN)}")
         if len(values) != 1:
@@ -230,11 +230,6 @@ class _Reader:
             f"{_quoted(text)} is not allowed in an expression{advice}; allowed are numbers, names, "
             "+ - * / **, parentheses and the documented functions"
         )
-
-
-def _extreme(side: int, x: Expr, y: Expr) -> Expr:
-    """The larger of two (``side`` 1), or the smaller (−1)."""
-    return (x + y + side * apply("abs", x - y)) / 2
 
 
 _RELATIONS: dict[type[ast.cmpop], str] = {
