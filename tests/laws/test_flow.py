@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from flint import arb, fmpq
-from hypothesis import assume
+from hypothesis import assume, example
 from hypothesis import strategies as st
 from strategies import (
     DIGITS,
@@ -77,6 +77,12 @@ def test_the_defect_from_either_end_of_the_trajectory(shape: Shape, part: Fracti
 
 
 @law(starts(), turns, st.one_of(turns, turns.map(lambda x: -x), st.just(None)))
+@example(
+    # At the saddle: cosh > ½ to the ball, yet the part of it that a term must lie below held 0.
+    (Shape(fmpq(5733, 82_000), fmpq(82, 5733)), Fraction(0), Fraction(0)),
+    Fraction(1, 100),
+    Fraction(-117, 818),
+)
 def test_the_flow_composes(start: Start, first: Fraction, second: Fraction | None) -> None:
     """flow(φ₁ + φ₂) = flow(φ₂) ∘ flow(φ₁); None goes back to the start."""
     then = -first if second is None else second

@@ -85,7 +85,8 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
     growth = 2 * turn_cos if hyperbolic else arb(1)
     one, two, three, four = sin, cos, arb(1) / 2, arb(1) / 2
     power, qn, sigma = q, q, -1
-    small = arb((1, -ctx.prec - 4))
+    # A number, not a ball: that of a wide cosh might hold 0, and no term ever come to lie below.
+    small = arb((1, -ctx.prec - 4)) * (cos.abs_lower() if hyperbolic else 1)
     while True:
         odd_sin, odd_cos = (
             odd_sin * turn_cos + odd_cos * turn_sin,
@@ -100,7 +101,7 @@ def thetas(q: arb, sin: arb, cos: arb, hyperbolic: bool) -> tuple[arb, arb, arb,
         ratio = step * growth
         if ratio < 0.25:
             bound = power * ratio * (odd_cos if hyperbolic else 1)
-            if bound < small * (cos if hyperbolic else 1):
+            if bound < small:
                 rest = arb(0, 3 * bound.abs_upper())
                 return 2 * one + rest, 2 * two + rest, 2 * three + rest, 2 * four + rest
         even_sin, even_cos = (
