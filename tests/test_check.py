@@ -272,6 +272,20 @@ def test_the_simplest_rational(low: Fraction, width: Fraction) -> None:
 # -- SymPy, LaTeX, bad input ----------------------------------------------------------------------
 
 
+X = sympy.Symbol("x")
+
+
+@pytest.mark.parametrize("assumption", ["extended_positive", "extended_nonnegative", "positive"])
+def test_sympy_assumptions_on_a_sign_are_conditions(assumption: str) -> None:
+    x = sympy.Symbol("x", **{assumption: True})
+    assert tresym.check(sympy.Gt(x + 1, 0, evaluate=False))
+
+
+def test_a_sign_is_a_number_in_expansions() -> None:
+    assert tresym.check("asin(sign(x+1)) + acos(sign(x+1)) <= pi/2", given="x != 0")
+    assert tresym.check("atan((7/2-x)*(2-x)) + atan(sign(x-2)) >= -3", given="x > 0")
+
+
 def test_sympy_relations_and_assumptions() -> None:
     x = sympy.Symbol("x")
     a = sympy.Symbol("a", positive=True)
@@ -291,7 +305,18 @@ def test_sympy_relations_and_assumptions() -> None:
 
 @pytest.mark.parametrize(
     "claim",
-    [sympy.true, sympy.Eq(sympy.Symbol("n", integer=True), 1), sympy.Symbol("x"), 3, None],
+    [
+        sympy.true,
+        sympy.Eq(sympy.Symbol("n", integer=True), 1),
+        sympy.Ne(sympy.Symbol("q", irrational=True), 1, evaluate=False),
+        sympy.Ne(sympy.Symbol("q", rational=True) ** 2, 2, evaluate=False),
+        # by another variable of the same name, and of an unknown function of a known name
+        sympy.Eq(sympy.Derivative(X**2, sympy.Dummy("x")), 2 * X, evaluate=False),
+        sympy.Eq(sympy.Function("sin")(X) ** 2 + sympy.cos(X) ** 2, 1, evaluate=False),
+        X,
+        3,
+        None,
+    ],
 )
 def test_sympy_that_is_no_claim_is_refused(claim: object) -> None:
     with pytest.raises(InputError):

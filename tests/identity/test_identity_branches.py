@@ -233,6 +233,12 @@ VANISHING = [
     "pi/2 - atan(x) - atan(1/x)",
     "sqrt(x - 2*sqrt(x - 1)) - sqrt(x - 1) + 1",
     "asin(sin(x)) - x",
+    "pi/2 - x - atan(cot(x))",
+    "atan(x + abs(x))",
+    "log(1 + x + abs(x))",
+    "1 + cos(2*(x + atan(cot(x)))/3)",
+    "4*atan(1/2) + 4*atan(1/3) - pi",
+    "exp(atan(1/2)*x + atan(1/3)*x) - exp(pi*x/4)",
 ]
 """Zero on a whole region, and not zero: a radicand with it says nothing of its other factors."""
 
@@ -242,6 +248,45 @@ def test_a_factor_that_vanishes_on_a_region_implies_nothing(factor: str) -> None
     roots = f"sqrt(({factor})*y) + sqrt(({factor})*z)"
     assert claim(f"{roots} + abs(y*z)", f"{roots} + y*z", "") is not Verdict.PROVED
     assert claim(f"{roots} + abs(y)", f"{roots} + y", "") is not Verdict.PROVED
+    # nor does an even power, or a root, whose sign is known
+    for even in (f"({factor})**2", f"sqrt({factor})"):
+        root = f"sqrt({even}*y)"
+        assert claim(f"{root} + abs(y)", f"{root} + y", "") is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        # what is inverted on the way is no denominator of the claim
+        ("atan(x + 50 + abs(x + 50))", "atan(2*x + 100)"),
+        ("abs(x - 9)", "9 - x + 0*atan(abs(x - 9) + 9 - x)"),
+        ("asec(1 + (x + 5) + abs(x + 5))", "asec(1 + 2*(x + 5))"),
+        ("asin(1 - x - abs(x)) + x", "asin(1 - x - abs(x)) + abs(x)"),
+        ("sqrt(atan(x + abs(x))) + x", "sqrt(atan(x + abs(x))) + abs(x)"),
+        # the slopes have no value where the claim fails
+        *(
+            (f"{root} + (abs(x + 50) - x - 50)*(x + 51)", root)
+            for root in (
+                "sqrt(x + 50 + abs(x + 50))",
+                "cbrt(x + 50 + abs(x + 50))",
+                "acosh(1 + x + 50 + abs(x + 50))",
+                "abs(x + 50 + abs(x + 50))",
+            )
+        ),
+    ],
+)
+def test_nothing_is_learnt_where_the_claim_is_defined_and_a_slope_is_not(
+    left: str, right: str
+) -> None:
+    assert claim(left, right, "") is not Verdict.PROVED
+
+
+def test_a_constant_is_as_wide_as_its_ball() -> None:
+    """exp(25) − 72004899337 loses most of the digits of the ball it is first seen in."""
+    constant = "log(exp(25) - 72004899337) + 0.9522484"
+    left, right = f"abs(x - ({constant}))", f"x - ({constant})"
+    assert claim(left, right, "x > 0") is not Verdict.PROVED
+    assert claim(left, right, "x > 1") is Verdict.PROVED
 
 
 @pytest.mark.parametrize(

@@ -47,7 +47,7 @@ class _Run:
         if e.op == "symbol":
             return self.x
         if e.op == "number":
-            return m.constant(e.args[0]) if isinstance(self.x, Germ) else arb(e.args[0])
+            return self._constant(e.args[0])
         if e.op == "pi":
             return m.pi
         if e.op == "^":
@@ -63,6 +63,9 @@ class _Run:
         if e.op in ("asin", "acos") and isinstance(self.x, Germ):
             return self._arc(e.op, values[0])
         return self._function(e.op, values[0])
+
+    def _constant(self, value: fmpq) -> Any:
+        return self.m.constant(value) if isinstance(self.x, Germ) else arb(value)
 
     def _sum(self, terms: list[Expr]) -> Any:
         """The sum of germs; an exponential less 1 is taken as one function."""
@@ -131,7 +134,7 @@ class _Run:
             return abs(x)
         if name in ("sign", "cbrt"):
             side = self._side(x)
-            return side if name == "sign" else self._root(x * side) * side
+            return self._constant(fmpq(side)) if name == "sign" else self._root(x * side) * side
         return getattr(m, name)(x)
 
     def _wave(self, name: str, x: Germ) -> Any:

@@ -30,11 +30,11 @@ _SYMPY = {
     "LessThan": "<=",
 }
 _ASSUMPTIONS = {
-    "is_positive": ">",
-    "is_negative": "<",
-    "is_nonnegative": ">=",
-    "is_nonpositive": "<=",
-    "is_nonzero": "!=",
+    "is_extended_positive": ">",
+    "is_extended_negative": "<",
+    "is_extended_nonnegative": ">=",
+    "is_extended_nonpositive": "<=",
+    "is_extended_nonzero": "!=",
 }
 
 
@@ -163,16 +163,35 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
     comparison = Comparison(from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs), inner)
     conditions = []
     names: set[str] = set()
-    for variable in sorted(claim.free_symbols, key=str):
+    for variable in _variables(claim):
         if variable.name in names:
             raise InputError(f"two different symbols are called {variable.name}")
-        if variable.is_integer or variable.is_extended_real is False:
-            raise InputError(f"{variable.name} is not a real variable, and all variables here are")
         names.add(variable.name)
         for assumption, sign in _ASSUMPTIONS.items():
             if getattr(variable, assumption):
                 conditions.append((symbol(variable.name), sign, number(0)))
     return (comparison,), Given(tuple(conditions))
+
+
+def _variables(claim: Any) -> list[Any]:
+    """The symbols of a relation, those of its derivatives too, all of them real variables.
+
+    Raises:
+        InputError: a symbol that may not take every real value that its sign allows.
+    """
+    from sympy import Symbol
+
+    found = sorted(claim.atoms(Symbol), key=str)
+    for variable in found:
+        if variable.is_extended_real is False or variable.is_finite is False:
+            raise InputError(f"{variable.name} is not a real variable, and all variables here are")
+        for kind in ("integer", "rational", "algebraic"):
+            if variable.assumptions0.get(kind) is not None:
+                raise InputError(
+                    f"whether {variable.name} is {kind} is assumed, and variables here take every "
+                    "real value that their sign allows"
+                )
+    return found
 
 
 def _derivatives(claim: Any) -> list[Any]:
