@@ -5,6 +5,7 @@ the statement is a formula, so do balls: the formula's remainder at the exact ε
 is what the margins on the box bound.
 """
 
+import random
 from collections.abc import Callable
 
 import pytest
@@ -14,13 +15,15 @@ from sympy import Basic, Function, Symbol, sqrt
 from tresym.proofs.table_of_objects import exact_defect
 
 from tresym.arithmetic import ball_precision, balls
+from tresym.claims.bounds import Asymptotics, Boxes
 from tresym.claims.claim import Claim
 from tresym.claims.violation import value
+from tresym.exact import as_rational
 from tresym.formulas import printed
 from tresym.notation import S, a, b, epsilon0, lam, mu
 from tresym.verification import all_claims
 
-BITS = 160
+BITS, FINE = 160, 400
 SHAPES = tuple(
     (fmpq(*p), fmpq(*q))
     for p, q in (((9, 2), (1, 2)), ((12, 1), (1, 4)), ((5, 4), (7, 8)), ((40, 1), (9, 10)))
@@ -120,3 +123,224 @@ def test_a_slip_of_the_formula_is_noticed(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setitem(ORDERS, "d52", (per_turn, 2 * sqrt(a * b) * epsilon0**2))
     with pytest.raises(AssertionError):
         test_the_margins_bound_the_remainder_of_the_formula("d52")
+
+
+# -- bounds that are said in words ----------------------------------------------------------------
+
+star = 2 * sqrt(a / (a + b)) * sympy.exp(-sqrt(a * b) * (sympy.pi + sympy.asin(sqrt(b / (a + b)))))
+"""ε*."""
+leading = printed.asymptotic_defect(a, b, sympy)
+_c1 = (6 * b + 3 * b / a - 1) / 12
+_excess = epsilon0 / star - 1
+_u = -sympy.log(epsilon0 / star)
+"""u/λ."""
+_defect_F = printed.defect_per_turn(epsilon0, a, b, 1, sympy)
+_F_gamma = printed.turn_slope(epsilon0, a, b, 1, sympy)
+_root_ab = sqrt(a * b)
+
+
+def swept(start: Basic) -> Basic:
+    """ε of one sweep from this phase."""
+    time = _root_ab * (sympy.pi + sympy.atan(sqrt(b / a) * sympy.tanh(_root_ab * start)))
+    return sympy.atan(sqrt(a / (a + b)) / sympy.sinh(time))
+
+
+def both_sides(e: Basic, gauge: Basic, constant: str) -> tuple[Basic, tuple[Basic, ...]]:
+    """|e| ≤ constant · gauge, as its two relations, and the gauge."""
+    limit = sympy.Rational(constant) * gauge
+    return gauge, (sympy.Le(e, limit, evaluate=False), sympy.Ge(e, -limit, evaluate=False))
+
+
+def between(low: str, e: Basic, high: str, gauge: Basic) -> tuple[Basic, tuple[Basic, ...]]:
+    """low · gauge < e < high · gauge."""
+    least, most = (sympy.Rational(text) * gauge for text in (low, high))
+    return gauge, (sympy.Gt(e, least, evaluate=False), sympy.Lt(e, most, evaluate=False))
+
+
+def above_only(e: Basic, constant: str, gauge: Basic) -> tuple[Basic, tuple[Basic, ...]]:
+    """e ≤ constant · gauge."""
+    return gauge, (sympy.Le(e, sympy.Rational(constant) * gauge, evaluate=False),)
+
+
+_per_ab = 1 / (a * b)
+_slope = -_defect_F * _F_gamma
+_off_slope = _slope + 1 / (4 * b * epsilon0)
+_off_turn = 4 * b * _root_ab * _F_gamma + 1 / epsilon0**2
+_slope_gauge = _root_ab * epsilon0 / b
+_second = _excess - _c1 * star**2
+_error = sympy.log(leading / epsilon0)
+_relative = leading / epsilon0 - 1
+_from_pi, _from_4 = (swept(s) / epsilon0 - 1 for s in (sympy.pi, sympy.Integer(4)))
+_one = sympy.Integer(1)
+_decay = epsilon0 * sympy.exp(sympy.pi * _root_ab)
+_cube = (star / (2 * sqrt(a / (a + b)))) ** 3
+
+FORMAL: dict[str, tuple[Basic, tuple[Basic, ...]]] = {
+    "printed_error": both_sides(_error, _per_ab, "17/100"),
+    "printed_error_too_small": both_sides(_error, _per_ab, "166/1000"),
+    "printed_relative_error": between("133/1000", _relative, "168/1000", b**2 / a),
+    "printed_relative_too_small": above_only(_relative, "166/1000", b**2 / a),
+    "repaired": both_sides(_excess, star**2, "1451/1000"),
+    "repaired_too_small": both_sides(_excess, star**2, "145/100"),
+    "second_order": both_sides(_second, star**4, "298/100"),
+    "second_order_too_small": both_sides(_second, star**4, "296/100"),
+    "everywhere_too_small": both_sides(epsilon0 - star, _cube, "333/100"),
+    "u_exponentially_small": both_sides(-_u, star**2, "144/100"),
+    "u_flat_order": both_sides(-_u / _root_ab, _per_ab, "9/1000"),
+    "slope_leading_term": both_sides(-_off_slope, _slope_gauge / 4, "63/5"),
+    "slope_constant_too_small": both_sides(-_off_slope, _slope_gauge / 4, "62/5"),
+    "d52_true_order": between(
+        "1/4", -_defect_F - _root_ab * epsilon0, "29/10", _root_ab * epsilon0**3
+    ),
+    "d56_true_order": between("3/2", _off_turn, "18", _root_ab),
+    "d57_true_order": between("3/2", _off_slope, "63/5", _slope_gauge / 4),
+    "remark1": between("52/100", _decay, "201/100", _one),
+    "one_line": above_only(_from_pi, "28/1000", _one),
+    "one_line_too_small": above_only(_from_pi, "27/1000", _one),
+    "balanced_line": both_sides(_from_4, _one, "65/10000"),
+}
+"""What the sentence says: a gauge, and one relation for each margin, which is the difference of
+its sides over the gauge."""
+
+
+LEAST = ("1/10", "1/4", "1/2", "1", "2", "5", "10")
+"""The a₀ whose bounds are in two charts of the whole of a ≥ a₀."""
+
+
+def of_a_table(label: str) -> tuple[Basic, tuple[Basic, ...]]:
+    """What a row of the tables of constants says: its margins are in two charts."""
+    constant = CLAIMS[label].proof.constant
+    limit = sympy.Rational(int(constant.p), int(constant.q))
+    e, gauge = (_second, star**4) if label.startswith("second") else (_excess, star**2)
+    above = sympy.Le(e, limit * gauge, evaluate=False)
+    below = sympy.Ge(e, -limit * gauge, evaluate=False)
+    return gauge, (above, above, below, below) if label.startswith("second") else (above, above)
+
+
+TABLES = {
+    f"{name}_from_{least.replace('/', '_')}": fmpq(*map(int, f"{least}/1".split("/")[:2]))
+    for name in ("repaired", "second_order")
+    for least in LEAST
+}
+
+Chart = Callable[[fmpq, fmpq], tuple[fmpq, fmpq]]
+
+
+def charts(label: str) -> tuple[Chart, ...]:
+    """For each margin the shape (a, b) that its two coordinates stand for."""
+    if label in TABLES:
+        a0 = TABLES[label]
+        return 2 * (lambda b, s: (a0 / (b * s * s), b), lambda s, w: (a0 / w, w * s * s))
+    if CLAIMS[label].proof.names[1] == "k":
+        return 2 * (lambda b, k: (k * k / b, b),)
+    return 2 * (lambda b, kappa: (1 / (b * kappa * kappa), b),)
+
+
+def disagreements(label: str, gauge: Basic, relations: tuple[Basic, ...]) -> list[str]:
+    """Margins that are not the difference of the sides over the gauge, at points of their box."""
+    draw, wrong = random.Random(label), []
+    bounds = CLAIMS[label].proof.bounds
+    assert len(bounds) == len(relations)
+    for bound, relation, chart in zip(bounds, relations, charts(label), strict=False):
+        for _ in range(3):
+            coordinates = [
+                low + (high - low) * fmpq(draw.randint(50, 98), 100) for low, high in bound.box
+            ]
+            p, q = chart(*coordinates)
+            with ball_precision(FINE):
+                point = {a: arb(p), b: arb(q)}
+                point[epsilon0] = exact_defect(point[a], point[b], balls)
+                room = (value(relation.gts, point) - value(relation.lts, point)) / value(
+                    gauge, point
+                )
+                found = bound.margin(*(arb(x) for x in coordinates), balls)
+            assert room.rad() < arb("1e-9")
+            if not (found.overlaps(room) and found.rad() < arb("1e-4") * (1 + abs(found))):
+                wrong.append(f"{label} at a = {p}, b = {q}: {found} and {room}")
+    return wrong
+
+
+@pytest.mark.parametrize("label", [*FORMAL, *TABLES])
+def test_the_margins_are_what_the_sentence_says(label: str) -> None:
+    says = FORMAL[label] if label in FORMAL else of_a_table(label)
+    assert disagreements(label, *says) == []
+
+
+def test_a_planted_discrepancy_is_noticed() -> None:
+    for label, (gauge, relations) in FORMAL.items():
+        first = relations[0]
+        other = first.func(first.lhs, first.rhs + gauge / 1000, evaluate=False)
+        assert disagreements(label, gauge, (other, *relations[1:])), label
+    assert disagreements("repaired", FORMAL["repaired"][0], FORMAL["repaired_too_small"][1])
+
+
+_s = Symbol("s", real=True)
+_pi = sympy.pi
+SMALL: dict[str, tuple[Basic, Basic, str | None]] = {
+    "tangent_below": (sympy.sinh(_s), _s * sympy.cosh(_s), "1"),
+    "arctangent_above": (_s - sympy.atan(_s), _s**3, "1/3"),
+    "arctangent_below": (sympy.atan(_s), _s, "1"),
+    "hyperbolic_sine_at_most": (sympy.sinh(3 * _pi * _s / 2), _s, "56"),
+    "flat_from_above": (sympy.exp(-1 / _s), _s**10, None),
+    "slopes_vanish": (12 * sympy.exp(-2 / _s) / _s**2, _s**10, None),
+    "product_is_approached": (_s / (_s + 2), sympy.Integer(1), None),
+    "printed_leading_term": (epsilon0, leading.subs({a: 1 / _s**2, b: 1}), None),
+    "no_single_constant": (_excess.subs({a: _s**2, b: 1}), (star**2).subs({a: _s**2, b: 1}), None),
+}
+"""Orders: function, gauge and constant, of one parameter (s), at b = 1 where of a shape."""
+
+
+@pytest.mark.parametrize("label", SMALL)
+def test_the_functions_of_an_order_are_those_of_the_sentence(label: str) -> None:
+    function, gauge, constant = SMALL[label]
+    order = CLAIMS[label].proof.statement
+    assert order.constant == (None if constant is None else as_rational(constant))
+    draw = random.Random(label)
+    for _ in range(3):
+        t = fmpq(draw.randint(20, 80), 100)
+        with ball_precision(FINE):
+            at_b_one = t**2 if label == "no_single_constant" else 1 / t**2
+            point = {_s: arb(t), epsilon0: exact_defect(arb(at_b_one), arb(1), balls)}
+            assert same(order.function(arb(t), balls), value(function, point))
+            assert same(order.gauge(arb(t), balls), value(gauge, point))
+
+
+UNREAD = {
+    "sufficient": ("rigid_body_floor", "floor_is_approached", "everywhere"),
+    "an upper bound of the error": (
+        "newton_line",
+        "balanced_newton",
+        "uniform_tail",
+        "newton_tail",
+    ),
+    "the terms of a series": (
+        "every_order",
+        "exponent_below",
+        "third_order",
+        "third_order_too_small",
+    ),
+    "slabs, in which both sides are small": tuple(
+        f"{name}_from_{least}"
+        for name in ("repaired", "second_order")
+        for least in ("1_30", "1_100")
+    ),
+    "an integral, at points or along a line": (
+        *("symmetric_maximum", "bend_carries", "threshold_impossible", "no_tre_far", "bend_leaves"),
+        *("two_rectangles", "near_flip_likely", "every_start_overshoots", "larger_ab_less_robust"),
+        *("remark1_speed", "remainder_constant", "up_and_down", "standard_is_a_body"),
+    ),
+    "two shapes at once": (
+        *("larger_ab_smaller_eps0", "formula_shows_larger_ab", "hyperbolic_levels"),
+    ),
+}
+"""Bounds and orders in words that are compared by reading only, by the reason: it only shrinks."""
+
+
+def test_what_is_compared_by_reading_only_is_listed() -> None:
+    in_words = {
+        claim.label
+        for claim in CLAIMS.values()
+        if isinstance(claim.says, str) and isinstance(claim.proof, Boxes | Asymptotics)
+    }
+    listed = {label for labels in UNREAD.values() for label in labels}
+    assert in_words - {*FORMAL, *TABLES, *SMALL} == listed
