@@ -27,9 +27,6 @@ from tresym.flip.separatrix import float_phase
 ROUNDS = 16
 """Rounds of Newton's method at most; one to five do but for b near 1."""
 
-BEYOND = 1e3
-"""More than any T whose sinh is a float64."""
-
 
 class Fold(NamedTuple):
     """How ψ(π) is folded: by ``halves`` = j half periods, and ``back`` where π < 2jQ is taken."""
@@ -95,7 +92,7 @@ class Quarter(NamedTuple):
     def angle(self, time: float, phase: float) -> float | None:
         """The angle e with F(e) = ``phase``, by Newton's method in a bracket; None if it fails."""
         low = 0.99 * math.sqrt(self.a * (self.b + max(self.gamma, 0.0))) * phase
-        time, high = max(time, low), BEYOND
+        time, high = max(time, low), math.inf
         for _ in range(ROUNDS):
             tangent, rest, rate = self.at(time)
             excess = self.turn(tangent, rest) - phase
@@ -105,6 +102,8 @@ class Quarter(NamedTuple):
             if abs(step) < 1e-7 * time:
                 return math.atan(self.at(time)[0])
             if not low < time < high:
+                if high == math.inf:
+                    return None
                 time = (low + high) / 2
         return None
 
