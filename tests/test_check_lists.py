@@ -53,6 +53,9 @@ FALSE = [
     "abs(x) >= 1/2 given -1 <= x <= 1",
     "-1/x >= -10 given -1 <= x <= 1",
     "sqrt(abs(x)) >= 1/2 given -1 <= x <= 1",
+    # periodic, but not where it is defined
+    "sin(x) + 0*sqrt(x) >= -1/2",
+    "sin(x) + 0*log(x) >= -1/2",
     # equality, where it is excluded
     "x + y > 0 given x >= 0, y >= 0",
     "x**2*y > 0 given x > 0, y >= 0",

@@ -194,12 +194,10 @@ class _Search:
         with ball_precision(2 * PRECISION):
             at = {name: evaluate(point, {})}
             value = evaluate(self.difference, at)
-            if not (value > 0 and point.op == "number") and not value.contains(0):
-                return False
             if any(self._fails(condition, point, at) for condition in self.region.conditions):
                 return True
         if value > 0:
-            return True
+            return point.op == "number"  # no other point is one of contact by chance
         if not value.is_finite() or not equal_at(self.left, self.right, {name: point}):
             return False
         if not self.strict:

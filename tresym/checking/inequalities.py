@@ -75,9 +75,11 @@ def _one_period(difference: Expr, region: Given, given: Given) -> Given:
     if len(names) != 1 or names & given.names:
         return region
     x = symbol(*names)
+    # Its domain must be periodic too: what is equal is so only where both are defined.
+    parts = [difference, *(condition.expression for condition in region.conditions)]
     for period in PERIODS:
-        shifted = substitute(difference, {x.args[0]: x + period})
-        if decide(shifted, difference).verdict is Verdict.PROVED:
+        shift = {x.args[0]: x + period}
+        if all(decide(substitute(e, shift), e).verdict is Verdict.PROVED for e in parts):
             return region & Given(((x, ">=", -period / 2), (x, "<=", period / 2)))
     return region
 
