@@ -5,6 +5,7 @@ import subprocess
 import sys
 from fractions import Fraction
 from pathlib import Path
+from random import Random
 
 import mpmath
 import pytest
@@ -444,6 +445,20 @@ def test_a_sample_of_the_antiderivatives() -> None:
     real = [pair for pair in check_pairs.pairs() if "sqrt(-b**2)" not in pair.antiderivative]
     for pair in real[::9]:
         assert tresym.check(pair.claim).verdict is PROVED, pair
+
+
+def test_where_nothing_is_real_the_parts_are_named() -> None:
+    answer = tresym.check("diff(asin(x)*log(x**2 - 1), x) == 1")
+    assert answer.verdict is UNDECIDED
+    assert "log(x**2 - 1) and asin(x) would have to be real" in answer.why
+
+
+def test_mutants_are_false() -> None:
+    pair = check_pairs.Pair("2*asin(sqrt(x))", "1/sqrt(x - x**2)")
+    for seed in range(6):
+        mutant = check_pairs._false_mutant(pair, Random(seed))
+        claim = check_pairs.Pair(pair.antiderivative, str(mutant)).claim
+        assert tresym.check(claim).verdict is REFUTED
 
 
 def test_the_measurement_as_tables() -> None:

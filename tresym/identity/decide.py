@@ -22,6 +22,7 @@ nowhere, as atanh(cosh x) is, the formal derivative decides.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -30,7 +31,7 @@ from flint import arb, fmpq
 from tresym.arithmetic import ball_precision
 from tresym.exact import fraction_text
 from tresym.identity.constants import settled
-from tresym.identity.evaluation import evaluate
+from tresym.identity.evaluation import evaluate, undefined_parts
 from tresym.identity.expression import Expr, symbols
 from tresym.identity.field import ALL_THEORIES, Field
 from tresym.identity.given import Given
@@ -42,13 +43,11 @@ Points = Callable[[], Sequence[Mapping[str, fmpq]]]
 
 FIRST_BITS, FIRST_POINTS = 128, 2
 SIGN_POINTS = 6, 64
+BLAMED_POINTS, MAX_SHOWN = 40, 60
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
 SIZES = (8, 16, 32, 64, 128)
-NOWHERE = (
-    "no real point was found where both sides are defined; a condition that bounds the variables "
-    "may help"
-)
+NOWHERE = "no real point was found where both sides are defined"
 
 
 @dataclass(frozen=True)
@@ -92,7 +91,7 @@ def decide(
     inside = _decide(left, right, given, theories, names, real)
     if inside.verdict is not Verdict.UNDECIDED or found.witness is None:
         return inside
-    if inside.why == NOWHERE:
+    if inside.why.startswith(NOWHERE):
         why = f"{found.why}; what is differentiated was found real nowhere, only its derivative"
         return replace(found, why=why)
     why = f"{inside.why}; {found.why}, but what is differentiated is not real there"
@@ -119,7 +118,7 @@ def _decide(
             return _refutation(point, values)
         defined = point
     if defined is None:
-        return Decision(Verdict.UNDECIDED, _no_point(given, names))
+        return Decision(Verdict.UNDECIDED, _no_point(sides, given, names))
     proof, obstacle = _prove(
         sides, given, theories, lambda: [point for point, _ in look(*SIGN_POINTS)]
     )
@@ -179,12 +178,22 @@ def _shown(point: Mapping[str, fmpq]) -> str:
     return ", ".join(f"{name} = {fraction_text(value)}" for name, value in point.items())
 
 
-def _no_point(given: Given, names: list[str]) -> str:
+def _no_point(sides: tuple[Expr, ...], given: Given, names: list[str]) -> str:
     if not names:
         return "one of the sides is not shown to be a real number; nothing is proved vacuously"
     if next(given.points(names, 1), None) is None:
         return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
-    return NOWHERE
+    missing: Counter[Expr] = Counter()
+    with ball_precision(FIRST_BITS):
+        for point in given.points(names, BLAMED_POINTS):
+            at = {name: arb(value) for name, value in point.items()}
+            missing.update(undefined_parts(sides, at))
+    ranked = sorted((-count, str(part)) for part, count in missing.items())
+    blamed = " and ".join([text for _, text in ranked if len(text) <= MAX_SHOWN][:2])
+    hint = "a condition that bounds the variables may help"
+    if any(part.op == "log" for part in missing):
+        hint += ", or log(abs(u)) for log(u)"
+    return f"{NOWHERE}: {blamed or 'parts of them'} would have to be real; {hint}"
 
 
 def _prove(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from flint import arb, fmpq
 
@@ -43,6 +43,25 @@ def evaluate(e: Expr, point: Mapping[str, arb], known: dict[Expr, arb] | None = 
         return walk(e)
     except _UndefinedError:
         return _NAN
+
+
+def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb]) -> set[Expr]:
+    """The innermost parts that have no real value at ``point``, or none that the balls show."""
+    found: set[Expr] = set()
+    known: dict[Expr, arb] = {}
+    seen: set[Expr] = set()
+    stack = list(expressions)
+    while stack:
+        node = stack.pop()
+        if node in seen or evaluate(node, point, known).is_finite():
+            continue
+        seen.add(node)
+        inner = [arg for arg in node.args if isinstance(arg, Expr)]
+        broken = [arg for arg in inner if not evaluate(arg, point, known).is_finite()]
+        stack.extend(broken)
+        if not broken:
+            found.add(node)
+    return found
 
 
 def _value(node: Expr, point: Mapping[str, arb], walk: Callable[[Expr], arb]) -> arb:
