@@ -55,7 +55,15 @@ IMAGES = {
 """Signs of ψ₀, of the rate (and so of cos θ), and of Δφ."""
 
 
+AT_THE_SADDLE = (Shape(fmpq(1), fmpq(1, 3)), Fraction(0), Fraction(0))
+NEAR_THE_SADDLE = (Shape(fmpq(1), fmpq(1, 3)), Fraction(1, 10**20), Fraction(-1, 10**20))
+TURNING_BACK = (Shape(fmpq(1), fmpq(1, 3)), Fraction(3, 2), Fraction(0))
+
+
 @law(starts(), turns)
+@example(AT_THE_SADDLE, Fraction(6))
+@example(NEAR_THE_SADDLE, Fraction(6))
+@example(TURNING_BACK, Fraction(6))
 def test_the_flow_has_the_symmetries_of_the_system(start: Start, phi: Fraction) -> None:
     shape, psi, rate = start
     here = fly(start, phi, 20)
@@ -118,6 +126,9 @@ def test_the_momentum_keeps_its_length_and_gamma(at: tuple[Shape, fmpq], part: F
 
 
 @law(starts(), turns)
+@example(AT_THE_SADDLE, Fraction(6))
+@example(NEAR_THE_SADDLE, Fraction(6))
+@example(TURNING_BACK, Fraction(6))
 def test_gamma_and_the_bounds_hold_along_a_trajectory(start: Start, phi: Fraction) -> None:
     shape, _, rate = start
     a, b = (arb(x) for x in shape)
