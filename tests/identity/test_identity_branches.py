@@ -281,6 +281,32 @@ def test_nothing_is_learnt_where_the_claim_is_defined_and_a_slope_is_not(
     assert claim(left, right, "") is not Verdict.PROVED
 
 
+@pytest.mark.parametrize(
+    ("left", "right", "given", "verdict"),
+    [
+        ("2*atan(x)", "atan(2*x/(1 - x**2))", "-1 < x < E/2", None),
+        ("atan(x) + atan(2)", "atan((x + 2)/(1 - 2*x))", "x < log(2)", None),
+        ("2*atan(x)", "atan(2*x/(1 - x**2))", "-1 < x < E/3", Verdict.PROVED),
+        ("atan(x) + atan(2)", "atan((x + 2)/(1 - 2*x))", "x < log(3/2)", Verdict.PROVED),
+        ("2*atan(x) + pi", "atan(2*x/(1 - x**2))", "-E < x < -sqrt(3)/2, x != -1", None),
+        ("atan(x) + atan(1/x)", "pi/2", "0 < x < E", Verdict.PROVED),
+        ("atan(x) + atan(1/x)", "pi/2", "-1/E < x", None),
+        ("atan(x) + atan(y)", "atan((x + y)/(1 - x*y))", "x < E, y < E", None),
+        ("atan(x) + atan(y)", "atan((x + y)/(1 - x*y))", "x < log(2), y < log(2)", None),
+        ("acos(cos(x))", "x", "0 <= x <= pi", Verdict.PROVED),
+        ("acos(cos(x))", "-x", "-pi <= x <= 0", Verdict.PROVED),
+        ("atan(cot(x))", "pi/2 - x", "0 < x < pi", Verdict.PROVED),
+        ("acos(cos(x))", "x", "0 <= x <= 3*pi/2", None),
+    ],
+)
+def test_a_bound_that_is_not_rational(
+    left: str, right: str, given: str, verdict: Verdict | None
+) -> None:
+    """It cuts regions too; None is whatever is not PROVED."""
+    found = claim(left, right, given)
+    assert found is verdict if verdict else found is not Verdict.PROVED
+
+
 def test_a_constant_is_as_wide_as_its_ball() -> None:
     """exp(25) − 72004899337 loses most of the digits of the ball it is first seen in."""
     constant = "log(exp(25) - 72004899337) + 0.9522484"

@@ -4,6 +4,10 @@ The difference of the two sides is analytic off its singularities: zeros of deno
 arguments of logarithms, and so on. Where its gradient vanishes identically it is constant on each
 connected region between them. The singularities that can change sign must be polynomials in the
 symbols; cells.py gives an exact point of every region, and there the difference is decided exactly.
+
+Where only bounds of single variables are walls, the region is convex and one point is enough.
+Else a bound that is no rational number, such as x < π/2, is no such polynomial: of one variable
+the line is cut on both sides of it, so closely that no wall is between.
 """
 
 from __future__ import annotations
@@ -13,13 +17,21 @@ from collections.abc import Iterator
 from flint import Ordering, arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 
 from tresym.arithmetic import ball_precision
-from tresym.exact import fraction_text
+from tresym.exact import simplest_between
 from tresym.identity.cells import sample_points
 from tresym.identity.constants import settled, vanishes
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import Expr, apply, differentiate, number, substitute, symbols
+from tresym.identity.expression import (
+    PI,
+    Expr,
+    apply,
+    differentiate,
+    number,
+    substitute,
+    symbols,
+)
 from tresym.identity.field import Field
-from tresym.identity.given import Given
+from tresym.identity.given import Given, Range
 from tresym.identity.ring import Poly, TooLargeError, UndefinedError
 
 MAX_POINTS = 400
@@ -51,14 +63,10 @@ def equal_by_derivative(
     walls = _walls(left, right, given, field, names)
     if walls is None:
         return None
-    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
     bases = []
-    for count, values in enumerate(sample_points(walls, context)):
-        if count == MAX_POINTS:
-            return None
-        point = dict(zip(names, values, strict=True))
-        inside = _inside(left, right, given, point)
-        if inside is None:
+    for point in _candidates(walls, _loose_ends(left, right, given, field, names), given, names):
+        inside = None if point is None else _inside(left, right, given, point)
+        if inside is None or point is None:
             return None
         if inside:
             if not _are_real(gradient, point) or not _equal_at(left, right, point, theories):
@@ -67,10 +75,92 @@ def equal_by_derivative(
     if not bases:
         return None
     shown = "; ".join(
-        ", ".join(f"{name} = {fraction_text(value)}" for name, value in point.items())
-        for point in bases[:4]
+        ", ".join(f"{name} = {value}" for name, value in point.items()) for point in bases[:4]
     )
     return f"all derivatives of the difference have normal form 0, and it is exactly 0 at {shown}"
+
+
+def _candidates(
+    walls: list[fmpz_mpoly], ends: list[Expr], given: Given, names: list[str]
+) -> Iterator[dict[str, Expr] | None]:
+    """A point of every region between the walls that has a part inside ``ends``; None: too hard."""
+    if not walls:
+        simple = {name: _middle(given.box.get(name, Range())) for name in names}
+        with ball_precision(_BITS):
+            at = {name: evaluate(value, {}) for name, value in simple.items()}
+            inside = all(condition.holds(at) for condition in given.conditions)
+        yield simple if inside else _as_numbers(next(given.points(names, 1), None))
+        return
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    gaps = []
+    for end in ends:
+        gap = _gap(end, names, walls)
+        if gap is None:
+            yield None
+            return
+        gaps.append(gap)
+    x = context.gens()[0]
+    cuts = [x * int(cut.q) - int(cut.p) for gap in gaps for cut in gap]
+    for count, values in enumerate(sample_points([*walls, *cuts], context)):
+        if count == MAX_POINTS:
+            yield None
+            return
+        if not any(low < values[0] < high for low, high in gaps):
+            yield _as_numbers(dict(zip(names, values, strict=True)))
+
+
+def _as_numbers(point: dict[str, fmpq] | None) -> dict[str, Expr] | None:
+    return None if point is None else {name: number(value) for name, value in point.items()}
+
+
+def _middle(where: Range) -> Expr:
+    """0, or a multiple of π in an interval between such."""
+    if (where.low is None or where.low < 0) and (where.high is None or where.high > 0):
+        return number(0)
+    if where.pi_low is None or where.pi_high is None:
+        return number(0)
+    return number(simplest_between(*_inner_half(where.pi_low, where.pi_high))) * PI
+
+
+def _inner_half(low: fmpq, high: fmpq) -> tuple[fmpq, fmpq]:
+    quarter = (high - low) / 4
+    return low + quarter, high - quarter
+
+
+def _loose_ends(
+    left: Expr, right: Expr, given: Given, field: Field, names: list[str]
+) -> list[Expr]:
+    """The bounds of single variables that are no walls, as expressions x − c or c − x."""
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    return [
+        condition.expression
+        for condition in given.conditions
+        if condition not in given.beyond_box
+        and any(
+            _in_symbols(field, end, names, context) is None
+            for end in _factors(field, left, right, [condition.expression])
+        )
+    ]
+
+
+def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fmpq] | None:
+    """Rational numbers on both sides of where ``end`` is 0, with no wall between; None: not so."""
+    if len(names) != 1:
+        return None
+    half = _BITS // 2
+    with ball_precision(_BITS):
+        at0, at1 = (evaluate(end, {names[0]: arb(x)}) for x in (0, 1))
+        place = at0 / (at0 - at1) * (1 << half)
+        below, above = place.lower().floor().unique_fmpz(), place.upper().ceil().unique_fmpz()
+        if below is None or above is None:
+            return None
+        low, high = fmpq(below - 1, 1 << half), fmpq(above + 1, 1 << half)
+        between = arb(low).union(arb(high))
+        for wall in walls:
+            value = sum((arb(c) * between ** int(m[0]) for m, c in wall.terms()), arb(0))
+            if value.contains(0) or not value.is_finite():
+                return None
+    return low, high
 
 
 def vanishes_or_zero(field: Field, p: Poly) -> bool:
@@ -113,13 +203,12 @@ def singularities(e: Expr) -> Iterator[tuple[Expr, bool]]:
 def _walls(
     left: Expr, right: Expr, given: Given, field: Field, names: list[str]
 ) -> list[fmpz_mpoly] | None:
-    """The sign-changing singularities as polynomials in ``names``; None if some are not."""
+    """The sign-changing singularities as polynomials in ``names``; None if some are not.
+
+    Empty where nothing but bounds of single variables limits the region.
+    """
     context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
     walls = []
-    for end in _factors(field, left, right, [c.expression for c in given.conditions]):
-        wall = _in_symbols(field, end, names, context)
-        if wall is not None:
-            walls.append(wall)
     found = [e for e, _ in [*singularities(left), *singularities(right)]]
     found += [c.expression for c in given.beyond_box]
     for part in _factors(field, left, right, found):
@@ -132,6 +221,11 @@ def _walls(
             if wall is None:
                 return None
             walls.append(wall)
+    if walls:
+        for end in _factors(field, left, right, [c.expression for c in given.conditions]):
+            wall = _in_symbols(field, end, names, context)
+            if wall is not None:
+                walls.append(wall)
     return walls
 
 
@@ -179,10 +273,10 @@ def _in_symbols(
     return context.from_dict(result)
 
 
-def _inside(left: Expr, right: Expr, given: Given, point: dict[str, fmpq]) -> bool | None:
+def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bool | None:
     """Whether ``point`` satisfies ``given`` and both sides are defined there; None if unclear."""
     with ball_precision(_BITS):
-        at = {name: arb(value) for name, value in point.items()}
+        at = {name: evaluate(value, {}) for name, value in point.items()}
         needed = [
             (condition.expression, condition.relation != "!=") for condition in given.conditions
         ]
@@ -195,17 +289,16 @@ def _inside(left: Expr, right: Expr, given: Given, point: dict[str, fmpq]) -> bo
     return True if conditions and all(v.is_finite() for v in values) else None
 
 
-def _are_real(slopes: list[Expr], point: dict[str, fmpq]) -> bool:
+def _are_real(slopes: list[Expr], point: dict[str, Expr]) -> bool:
     """Whether every slope has a value at ``point``: its normal form speaks of no other region."""
     with ball_precision(_BITS):
-        at = {name: arb(value) for name, value in point.items()}
+        at = {name: evaluate(value, {}) for name, value in point.items()}
         return all(evaluate(slope, at).is_finite() for slope in slopes)
 
 
-def _equal_at(left: Expr, right: Expr, point: dict[str, fmpq], theories: frozenset[str]) -> bool:
+def _equal_at(left: Expr, right: Expr, point: dict[str, Expr], theories: frozenset[str]) -> bool:
     """Whether both sides are exactly equal at ``point``."""
-    numbers = {name: number(value) for name, value in point.items()}
-    return equal_constants(substitute(left, numbers), substitute(right, numbers), theories)
+    return equal_constants(substitute(left, point), substitute(right, point), theories)
 
 
 def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
