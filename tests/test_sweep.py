@@ -36,6 +36,7 @@ from tresym.sweep import CsvFile, Grid, cluster, processes, sweep
 from tresym.sweep.rows import FORMULAS, Row, compute
 from tresym.sweep.run import Progress, batch_size, duration
 from tresym.sweep.source import LONGEST_LINE, read_values
+from tresym.sweep.table import packed
 from tresym.sweep.workers import Here, Workers
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -279,6 +280,26 @@ def test_what_landed_before_the_workers_died_is_kept(
         sweep(GRID, str(tmp_path / "t"), 20, failing)
     assert rows_of(tmp_path / "t") == expected[:15]
     assert sweep(GRID, str(tmp_path / "t"), 20, serial).computed == 81 - 15
+    assert rows_of(tmp_path / "t") == expected
+
+
+@pytest.mark.parametrize("batch", [b"nonsense" * 1000, packed([Row(1, "x", defect=0.5)], True)])
+def test_a_batch_that_is_none_does_not_land(
+    tmp_path: Path, batch: bytes, expected: list[tuple[Any, ...]]
+) -> None:
+    class Liar(Executor):
+        def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+            future: Future[Any] = Future()
+            future.set_result(batch)
+            return future
+
+    @contextmanager
+    def liar() -> Iterator[Workers]:
+        yield Workers(Liar(), 1)
+
+    with pytest.raises(InputError, match="/t: "):
+        sweep(GRID, str(tmp_path / "t"), 20, liar)
+    assert sweep(GRID, str(tmp_path / "t"), 20, serial).computed == 81
     assert rows_of(tmp_path / "t") == expected
 
 
