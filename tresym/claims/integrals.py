@@ -13,7 +13,7 @@ from sympy import Basic, Derivative, Eq, Expr, Integer, Integral, Rel, Subs, Sym
 
 from tresym.claims.claim import Claim, Reason, citing, parts_of
 from tresym.claims.domain import Conditions, continuous_on
-from tresym.claims.signs import NON_NEGATIVE, is_stated, manifest_sign
+from tresym.claims.signs import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
 from tresym.claims.translate import to_expression, to_given
 from tresym.identity import Expr as Tree
 from tresym.identity import decide
@@ -72,11 +72,13 @@ def sign_of_integral(integral: Basic, bounds: tuple[Claim, ...], given: Conditio
     length = manifest_sign(high - low, given)
     if length not in NON_NEGATIVE:
         return None
-    if not is_stated(f, conditions) and manifest_sign(f, conditions) not in NON_NEGATIVE:
+    # Without splitting sums first: that is dear, and seldom needed.
+    shown = (manifest_sign(f, conditions, depth) in NON_NEGATIVE for depth in (0, DEPTH))
+    if not is_stated(f, conditions) and not any(shown):
         return None
-    ends = (f.xreplace({variable: end}) for end in (low, high))
-    positive = length == "+" and any(manifest_sign(end, given) == "+" for end in ends)
-    return "+" if positive else ">=0"
+    ends = [f.xreplace({variable: end}) for end in (low, high)]
+    signs = (manifest_sign(end, given, depth) for depth in (0, DEPTH) for end in ends)
+    return "+" if length == "+" and "+" in signs else ">=0"
 
 
 def need_smooth(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:
