@@ -527,6 +527,9 @@ class SignedRing(Ring):
 
     def _by_cases(self, p: Poly, depth: int) -> int:
         """The sign of ``p`` where it is the same whichever value a sign in it has."""
+        reduced = self.reduce(p)
+        if reduced != p:  # a sign that has been settled since, or occurs squared
+            return self.sign(reduced, depth + 1)
         for position in self.used(p):
             generator = self.at(position)
             if generator.kind != "sign":
