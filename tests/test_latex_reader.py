@@ -50,6 +50,8 @@ EXPRESSIONS = {
     r"\frac{d\psi}{d\phi}+d\psi/d\phi": "dpsi_dphi + dpsi_dphi",
     r"\frac{\partial F}{\partial\gamma}": "partialF_partialgamma",
     r"\frac{d}{dx}\sin(x)": "diff(sin(x), x)",
+    r"\frac{d^2}{dx^2}\sin(x)+1": "diff(sin(x), x, 2) + 1",
+    r"\frac{\partial^{3}}{\partial\psi^{3}}\psi^4": "diff(psi**4, psi, 3)",
     r"1.09\times 10^{-2}": "1.09e-2",
     r"0.1150\textrm{ rad}": "0.1150",
     r"f(a,b)+\epsilon(\gamma)+f(2x)": "f(a, b) + epsilon(gamma) + f(2*x)",
@@ -65,6 +67,11 @@ EXPRESSIONS = {
 }
 
 REFUSED = {
+    r"3\,000": "two numbers side by side",
+    r"\sin\pi/6": "where does the function's argument end",
+    r"\cos 2\theta/3": "where does the function's argument end",
+    r"\frac{d^2}{dx^3}x": "a derivative of higher order is written",
+    r"\frac{d^2y}{dx^2}": "a derivative of higher order is written",
     r"\sin x y": "where does the function's argument end",
     r"\cos\omega t": "where does the function's argument end",
     r"\sin^{-1}x": "can mean its inverse",

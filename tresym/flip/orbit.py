@@ -192,7 +192,13 @@ def _approximate(on: Orbit, phi: arb) -> arb:
 
 
 def _bracket(on: Orbit, phi: arb) -> tuple[arb, arb]:
-    """Two times with the wanted one between them: (1−b)/ω ≤ dφ/du ≤ 1/ω, and |u| ≤ K."""
+    """Two times with the wanted one between them: (1−b)/ω ≤ dφ/du ≤ 1/ω, and |u| ≤ K.
+
+    Raises:
+        ArithmeticError: the phase is no number.
+    """
+    if not (phi.is_finite() and on.speed.is_finite()):
+        raise ArithmeticError("the phase to be reached is no number")
     sign = -1 if phi < 0 else 1
     near = (abs(phi) * on.speed).mid()
     far = on.quarter_time.mid()

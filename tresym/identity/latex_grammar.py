@@ -96,6 +96,8 @@ class Reader:
             elif self.starts_factor():
                 if operators[-1] == "/" and not self.at_differential():
                     self.refuse("what is below the slash? Write it with \\frac or in brackets,")
+                if _is_number(self.peek()) and _is_number(self.tokens[self.at - 1]):
+                    self.refuse("two numbers side by side: one with spaces, or a product?")
                 operators.append("*")
             else:
                 break
@@ -266,6 +268,9 @@ class Reader:
         """``\\frac{dy}{dx}`` as one symbol, ``\\frac{d}{dx} e`` as ``diff(e, x)``; else None."""
         start = self.at
         self.take()
+        order, below = self._higher_order()
+        if order:
+            return Piece(f"diff({self.factor().text}, {below}, {order})")
         found = self._derivative_parts()
         if found is None:
             self.at = start
@@ -274,6 +279,21 @@ class Reader:
         if not above:
             return Piece(f"diff({self.factor().text}, {below})")
         return Piece(f"{d}{above}_{d}{below}")
+
+    def _higher_order(self) -> tuple[int, str]:
+        """The order and the variable of ``{d^n}{dx^n}``, which is stepped over; else 0."""
+        for kind in ("d", "\\partial"):
+            match = re.match(
+                rf"{{ {re.escape(kind)} \^ (?P<n>{{ \d+ }}|\d+) }} {{ {re.escape(kind)} "
+                r"(?P<x>[A-Za-z]|\\[a-z]+) \^ (?P=n) } ",
+                " ".join(self.tokens[self.at :]) + " ",
+            )
+            if match:
+                self.at += match[0].count(" ")
+                return int(match["n"].strip("{} ")), match["x"].lstrip("\\")
+        if self.tokens[self.at : self.at + 3] in (["{", "d", "^"], ["{", "\\partial", "^"]):
+            self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
+        return 0, ""
 
     def _derivative_parts(self) -> tuple[str, str, str] | None:
         above = self._differential_group()
@@ -331,9 +351,9 @@ class Reader:
         while re.fullmatch(r"\d.*", self.peek()):
             text += f"{self.take()}*"
         piece = self.factor()
-        if piece.symbol or text:
+        if piece.symbol or text or piece.text == "pi":
             ahead = self.peek()
-            if _is_letter(ahead) and not (ahead == "d" and self.integrals):
+            if ahead == "/" or (_is_letter(ahead) and not (ahead == "d" and self.integrals)):
                 self.refuse("where does the function's argument end? Write it in brackets,")
         return text + piece.within(3 if text else 1)
 
@@ -489,6 +509,10 @@ def _joined(factors: list[Piece | None], operators: list[str]) -> Piece:
         return kept[0][0]
     text = kept[0][0].within(2) + "".join(op + factor.within(3) for factor, op in kept[1:])
     return Piece(_power_of_ten(text), 2)
+
+
+def _is_number(token: str) -> bool:
+    return token[:1].isdigit() or token[:1] == "."
 
 
 def _is_letter(token: str) -> bool:
