@@ -292,10 +292,18 @@ class SignedRing(Ring):
 
         A single logarithm or arc tangent does so only through signs, an arc tangent of tangents,
         or a logarithm of roots of exponentials: else tan(cx + d) or exp(cx + d) were algebraic
-        over functions over which they are not.
+        over functions over which they are not. Logarithms of distinct irreducible polynomials in
+        the symbols are independent (Ostrowski).
         """
         kinds = [self.at(i).kind for i in positions]
         inverses = kinds.count("log") + kinds.count("atan")
+        if set(kinds) <= {"symbol", "log"} and all(
+            self.at(j).kind == "symbol"
+            for i in positions
+            if self.at(i).kind == "log"
+            for j in self.used(self.at(i).data[0])
+        ):
+            return False
         return inverses > 1 or (
             inverses == 1
             and (
