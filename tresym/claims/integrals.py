@@ -77,8 +77,8 @@ def sign_of_integral(integral: Basic, bounds: tuple[Claim, ...], given: Conditio
     if not is_stated(f, conditions) and not any(shown):
         return None
     ends = [f.xreplace({variable: end}) for end in (low, high)]
-    signs = (manifest_sign(end, given, depth) for depth in (0, DEPTH) for end in ends)
-    return "+" if length == "+" and "+" in signs else ">=0"
+    positive = (manifest_sign(end, given, 0) == "+" for end in ends)
+    return "+" if length == "+" and any(positive) else ">=0"
 
 
 def need_smooth(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:

@@ -63,9 +63,9 @@ def _split(e: Basic, conditions: tuple[Basic, ...], depth: int) -> str | None:
 
 
 def _are_equal(e: Basic, parts: Basic, conditions: tuple[Basic, ...]) -> bool:
-    """Under the conditions, or under none: those that pin a symbol leave no points to try."""
+    """Under no conditions, as sums mostly are, or under these, where points are hard to find."""
     left, right = to_expression(e), to_expression(parts)
-    worlds = (to_given(given) for given in (conditions, ()))
+    worlds = (to_given(given) for given in ((), conditions))
     return any(decide(left, right, w, frozenset()).verdict is Verdict.PROVED for w in worlds)
 
 

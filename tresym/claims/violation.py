@@ -9,7 +9,7 @@ procedures that a violation is to contradict.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, reduce
 from itertools import pairwise
@@ -232,19 +232,31 @@ def _points(
     symbols |= {s.name: s for condition in world.conditions for s in condition.free_symbols}
     hard = [c for c in world.conditions if c.has(Integral, Derivative, Subs)]
     plain = [c for c in world.conditions if c not in hard]
-    found: list[dict[Symbol, Interval]] = []
-    for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
-        exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
-        with ball_precision(BITS):
-            if not all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard):
-                continue
-        found += _on_equation(world, exact) if world.implicit else [exact]
-        if world.implicit and len(found) >= enough:
-            break
+
+    def starts() -> Iterator[dict[Symbol, Interval]]:
+        for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
+            exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
+            with ball_precision(BITS):
+                inside = all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard)
+            if inside:
+                yield exact
+
+    if not world.implicit:
+        return tuple(starts())
+    # An integral is dear: it is first looked at near both ends only.
+    coarse = ((1, GRID - 1),) if world.implicit[0].has(Integral) else ()
+    for grid in (*coarse, range(1, GRID)):
+        found: list[dict[Symbol, Interval]] = []
+        for exact in starts():
+            found += _on_equation(world, exact, grid)
+            if len(found) >= enough:
+                return tuple(found)
     return tuple(found)
 
 
-def _on_equation(world: World, exact: dict[Symbol, Interval]) -> Iterator[dict[Symbol, Interval]]:
+def _on_equation(
+    world: World, exact: dict[Symbol, Interval], grid: Sequence[int]
+) -> Iterator[dict[Symbol, Interval]]:
     """At most one segment across the implicit equation, along one coordinate through a point."""
     (difference,) = world.implicit
     plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
@@ -257,7 +269,7 @@ def _on_equation(world: World, exact: dict[Symbol, Interval]) -> Iterator[dict[S
             def at(v: arb | fmpq, symbol: Symbol = symbol) -> arb:
                 return value(difference, {**fixed, symbol: arb(v)})
 
-            segment = _segment(at, low, high)
+            segment = _segment(at, [low + (high - low) * n / GRID for n in grid])
             if segment is None or not at(segment.ball()).is_finite():
                 continue
             point = {**fixed, symbol: segment.ball()}
@@ -271,9 +283,8 @@ def _reach(where: Range) -> tuple[fmpq, fmpq]:
     return low, low + SPAN if where.high is None else where.high
 
 
-def _segment(function: Callable[[fmpq], arb], low: fmpq, high: fmpq) -> Interval | None:
-    """A tiny segment at whose ends ``function`` has opposite signs."""
-    grid = (low + (high - low) * n / GRID for n in range(1, GRID))
+def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval | None:
+    """A tiny segment at whose ends ``function`` has opposite signs, between two on ``grid``."""
     signed = ((v, s) for v in grid if (s := _side(function(v))))
     for (start, first), (end, second) in pairwise(signed):
         if first == second:
