@@ -55,6 +55,7 @@ _LETTERS = {
     "α": r"$\alpha$", "β": r"$\beta$", "γ": r"$\gamma$", "δ": r"$\delta$", "Δ": r"$\Delta$",
     "ε": r"$\epsilon$", "θ": r"$\theta$", "κ": r"$\kappa$", "λ": r"$\lambda$", "μ": r"$\mu$",
     "π": r"$\pi$", "ρ": r"$\rho$", "σ": r"$\sigma$", "τ": r"$\tau$", "φ": r"$\phi$",
+    "Φ": r"$\Phi$", "χ": r"$\chi$",
     "ψ": r"$\psi$", "Ω": r"$\Omega$", "Ψ": r"$\Psi$", "∂": r"$\partial$", "∞": r"$\infty$",
     "√": r"$\surd$", "≤": r"$\le$", "≥": r"$\ge$", "≠": r"$\ne$", "≈": r"$\approx$",
     "≃": r"$\simeq$", "≪": r"$\ll$", "≫": r"$\gg$", "→": r"$\to$", "⇒": r"$\Rightarrow$",

@@ -6,7 +6,7 @@ import re
 
 _GREEK = {
     "alpha": "α", "gamma": "γ", "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ",
-    "phi": "φ", "psi": "ψ",
+    "phi": "φ", "chi": "χ", "psi": "ψ",
 }  # fmt: skip
 _NAME = re.compile(rf"\b({'|'.join(_GREEK)}|[A-Za-z])([0-9]?)(_f|_dt)?\b(?=\s*(?:=|->))")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
