@@ -150,6 +150,19 @@ def test_true_claims_hold(claim: str) -> None:
     assert tresym.check(claim).verdict in (PROVED, ENCLOSED)
 
 
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "x + sqrt(x**2*(x - 1)) >= 1",
+        "x >= 1 given x**2*(x - 1) >= 0",
+        "y + sqrt((x - 3)**2*(y - 1)) >= 1",
+    ],
+)
+def test_points_without_inner_ones_near_them_are_excepted(claim: str) -> None:
+    """In equalities and in inequalities alike."""
+    assert tresym.check(claim).verdict is PROVED
+
+
 @pytest.mark.parametrize("claim", FALSE)
 def test_planted_falsehoods_are_refuted(claim: str) -> None:
     answer = tresym.check(claim)

@@ -247,6 +247,15 @@ def test_counterexamples_must_satisfy_the_conditions() -> None:
     assert verdict(claim("sin x ≤ x", untrue, (x > 0,))) is Verdict.UNDECIDED
 
 
+def test_a_counterexample_must_be_one_to_a_formal_statement() -> None:
+    at_one = {"x": parse_number("1")}
+    beside = Counterexample(at_one, Gt(x**2, 0, evaluate=False))
+    for says in (Ge(x**2, 0, evaluate=False), equal(x, x)):
+        assert verdict(claim(says, beside)) is Verdict.UNDECIDED
+    denied = Counterexample(at_one, x**2 < 2)
+    assert verdict(claim(x**2 > 2, denied)) is Verdict.REFUTED
+
+
 def test_sentences_are_decided_as_written() -> None:
     assert verdict(claim("…", formally(Gt(x**2, -1, evaluate=False)))) is Verdict.PROVED
     assert verdict(claim("…", formally(x**2 > x))) is Verdict.REFUTED

@@ -164,10 +164,25 @@ def _at_corners(
 ) -> Answer | None:
     """A refutation where variables are 0, 1 or at closed ends of their ranges."""
     for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
+        if _is_isolated(dict(point), left, right, given):
+            continue
         found = _refuted_at(dict(point), left, relation, right, given)
         if found is not None:
             return found
     return None
+
+
+def _is_isolated(point: dict[str, fmpq], left: Expr, right: Expr, given: Given) -> bool:
+    """Whether no point is found close by, inside the conditions, where both sides are defined."""
+    with ball_precision(LOOKS[-1][0]):
+        for signs in product((1, -1), repeat=len(point)):
+            steps = (fmpq(sign, (1 << 40) + 7**k) for k, sign in enumerate(signs))
+            at = {n: arb(v + step) for (n, v), step in zip(point.items(), steps, strict=True)}
+            if all(c.holds(at) for c in given.conditions) and all(
+                evaluate(side, at).is_finite() for side in (left, right)
+            ):
+                return False
+    return bool(point)
 
 
 def _refuted_at(

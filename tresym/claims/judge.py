@@ -44,7 +44,7 @@ from tresym.claims.translate import (
     to_expression,
     to_given,
 )
-from tresym.claims.violation import rootless, satisfiable, scalars, violation
+from tresym.claims.violation import excluded, rootless, satisfiable, scalars, violation
 from tresym.exact import InputError, fraction_text
 from tresym.identity import Given, decide, evaluate
 from tresym.verdict import Verdict
@@ -324,20 +324,32 @@ def _without_chain(relation: Relational, claim: Claim) -> Finding:
 
 
 def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
-    """REFUTED when balls confirm the conditions and the violation at the exact point."""
-    values = {Symbol(name, real=True): v for name, v in proof.point.items()}
+    """REFUTED when balls confirm the conditions and the violation at the exact point.
+
+    Where the statement is a relation, balls must exclude it there too; of prose, that the violation
+    contradicts it is for the reader.
+    """
     with ball_precision(256):
         for condition in (*claim.given, proof.violated):
-            if not _true_at(condition, values):
+            if not _true_at(condition, proof.point):
                 return Finding(UNDECIDED, f"{condition} is not shown at the point")
+        says = claim.says
+        if isinstance(says, Relational) and not excluded(
+            _difference_at(says, proof.point), says.rel_op
+        ):
+            return Finding(UNDECIDED, "the statement is not shown to fail at the point")
     where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
     return Finding(REFUTED, f"violated at {where}", witness=proof.point)
 
 
-def _true_at(relation: Basic, values: Mapping[Symbol, fmpq]) -> bool:
+def _difference_at(relation: Basic, point: Mapping[str, fmpq]) -> arb:
     left, right = relation.args
-    point = {s.name: arb(v) for s, v in values.items()}
-    difference = evaluate(to_expression(left - right, True), point)
+    at = {name: arb(v) for name, v in point.items()}
+    return evaluate(to_expression(left - right, True), at)
+
+
+def _true_at(relation: Basic, point: Mapping[str, fmpq]) -> bool:
+    difference = _difference_at(relation, point)
     return bool(
         {
             ">": difference > 0,
