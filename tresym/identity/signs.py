@@ -662,10 +662,10 @@ class SignedRing(Ring):
             p = self._mapped(p, position, low, high)
             if len(p) > 4 * MAX_SIGN_TERMS:
                 return 0
-        signs = {value > 0 for _, value in p.terms()}
+        signs = {value > 0 for value in p.coeffs()}
         if len(signs) != 1:
             return 0
-        if free and any(int(m[i]) % 2 for m, _ in p.terms() for i in free):
+        if free and any(int(m[i]) % 2 for m in p.monoms() for i in free):
             return 0
         return 1 if signs == {True} else -1
 
@@ -701,16 +701,14 @@ class SignedRing(Ring):
 
     def _by_facts(self, p: Poly, depth: int) -> int:
         """``p > 0`` as ``c·f`` plus something positive, for a known ``f > 0``."""
+        facts = [f for f in list(self.positives.values())[:8] if not self.is_inverse(f)]
         for sign in (1, -1):
-            target = p if sign > 0 else -p
-            for fact in list(self.positives.values())[:8]:
-                if self.is_inverse(fact):
-                    continue
-                for monomial, value in list(fact.terms())[:6]:
-                    other = target.to_dict().get(monomial)
-                    if other is None or (other > 0) != (value > 0):
+            for fact in facts:
+                for n in range(min(6, len(fact))):
+                    value, other = sign * fact.coefficient(n), p[fact.monomial(n)]
+                    if other == 0 or (other > 0) != (value > 0):
                         continue
-                    rest = target * abs(value) - fact * abs(other)
+                    rest = p * (sign * abs(value)) - fact * abs(other)
                     if rest.is_zero() or self.orthant_sign(rest) > 0:
                         return sign
         return 0
