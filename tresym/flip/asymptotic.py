@@ -22,6 +22,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision, balls, bits
+from tresym.flip.result import proves
 from tresym.flip.separatrix import LARGEST_ARGUMENT
 from tresym.formulas import stable
 
@@ -48,6 +49,8 @@ def enclose(a: fmpq, b: fmpq, digits: int) -> arb | None:
         for _ in range(SWEEPS):
             square = defect * defect
             defect = leading * (square * (first - second * square)).exp()
+            if proves(defect, digits):
+                break
         return defect
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from tresym.arithmetic import Balls, ball_precision, balls, bits
 from tresym.flip.result import GUARD_BITS
@@ -65,7 +65,9 @@ def interval_newton(phase: arb, k: arb, r: arb) -> arb:
     """
     residual = phase - stable.phase_map(phase, k, r, balls)
     interval = arb(phase, 8 * residual.abs_upper())
-    image = phase - residual / stable.phase_slope(interval, k, r, balls)
+    with ball_precision(ctx.prec // 2 + 16):
+        slope = stable.phase_slope(interval, k, r, balls)
+    image = phase - residual / slope
     if not interval.contains_interior(image):
         raise ArithmeticError("interval Newton did not contract; the precision is too low")
     return image
@@ -74,19 +76,26 @@ def interval_newton(phase: arb, k: arb, r: arb) -> arb:
 def enclose_phase(k: arb, r: arb, precision: int) -> arb:
     """The phase as a ball some 2^−precision wide; ``precision`` is the working precision.
 
-    Newton's method doubles the correct bits of the float64 start; the last doubling is the
-    interval Newton step.
+    Newton's method doubles the correct bits of the float64 start, so that the last doubling, the
+    interval Newton step, ends at ``precision``.
     """
     guess, slope = map(arb, float_phase(float(k), float(k * r)))
-    correct = FLOAT_BITS
-    while 2 * correct < precision - 8:
-        with ball_precision(2 * correct + 16):
-            if correct > FLOAT_BITS:
+    for rising in _roundings(precision):
+        if rising > 2 * FLOAT_BITS:
+            with ball_precision(rising // 2 + 16):
                 slope = stable.phase_slope(guess, k, r, balls)
+        with ball_precision(rising + 16):
             residual = guess - stable.phase_map(guess, k, r, balls)
             guess = (guess - residual / slope).mid()
-        correct = 2 * correct - 2
     return interval_newton(guess, k, r)
+
+
+def _roundings(precision: int) -> list[int]:
+    """Correct bits after each Newton step that leads from the float64 start to ``precision``/2."""
+    steps = []
+    while (precision := precision // 2 + 2) > FLOAT_BITS:
+        steps.append(precision)
+    return steps[::-1]
 
 
 def defect_over(a: arb, b: arb, m: Balls = balls) -> arb:
