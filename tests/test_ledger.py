@@ -120,7 +120,7 @@ def test_the_graph_names_every_claim() -> None:
 
 def test_a_claim_resting_on_a_refuted_one_is_undecided(ledger: Report) -> None:
     from tresym.claims.claim import by, substituting
-    from tresym.claims.judge import judge
+    from tresym.claims.judge import judge, judge_evidence
     from tresym.notation import a, b
 
     wrong = Claim("wrong", equal(a, b), by())
@@ -128,6 +128,11 @@ def test_a_claim_resting_on_a_refuted_one_is_undecided(ledger: Report) -> None:
     found = {"wrong": judge(wrong, {})}
     assert found["wrong"].verdict is Verdict.REFUTED
     assert judge(heir, found).verdict is Verdict.UNDECIDED
+    # Evidence that was looked at in another process changes nothing in this.
+    evidence = judge_evidence(heir)
+    assert evidence is not None
+    assert evidence.verdict is Verdict.PROVED
+    assert judge(heir, found, evidence).verdict is Verdict.UNDECIDED
 
 
 def links(says: sympy.Eq, chain: Chain) -> list[tuple[sympy.Basic, sympy.Basic, Step]]:
@@ -205,14 +210,14 @@ SEEDED = (
 
 
 def test_verdicts_do_not_hang_on_the_order_of_sets() -> None:
-    """Bit for bit the same with any PYTHONHASHSEED, times apart."""
-    found = [_ledger_with_seed(seed, SEEDED) for seed in ("1", "271828")]
+    """Bit for bit the same with any PYTHONHASHSEED and any number of processes, times apart."""
+    found = [_ledger_with_seed(*how, SEEDED) for how in (("1", "1"), ("271828", "3"))]
     assert found[0] == found[1]
     assert len(found[0]["claims"]) > 30
 
 
-def _ledger_with_seed(seed: str, labels: tuple[str, ...]) -> dict[str, Any]:
-    command = [sys.executable, "-m", "tresym", "verify", "--json", *labels]
+def _ledger_with_seed(seed: str, workers: str, labels: tuple[str, ...]) -> dict[str, Any]:
+    command = [sys.executable, "-m", "tresym", "verify", "--json", "--workers", workers, *labels]
     environment = {**os.environ, "PYTHONHASHSEED": seed}
     run = subprocess.run(command, env=environment, capture_output=True, timeout=50, check=False)
     return _without_times(json.loads(run.stdout))

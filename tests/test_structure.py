@@ -13,6 +13,7 @@ FLOORS = {
     "arithmetic": 1,
     "notation": 1,
     "body": 1,
+    "processes": 1,
     "identity": 2,
     "formulas": 2,
     "claims": 3,

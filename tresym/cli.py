@@ -86,6 +86,7 @@ def _add_verify(commands: Commands) -> None:
     parser.add_argument(
         "--save-certificates", action="store_true", help="with --full, store what was found"
     )
+    parser.add_argument("--workers", metavar="N", help="processes (default: one a core)")
     _add_output(parser)
     parser.set_defaults(run=_verify)
 
@@ -109,6 +110,7 @@ def _verify_claims(args: argparse.Namespace) -> int:
     from tresym import verification
 
     labels = tuple(args.labels)
+    workers = _workers(args.workers)
     if args.graph:
         _deliver(verification.graph(labels), args.path)
         return 0
@@ -117,17 +119,24 @@ def _verify_claims(args: argparse.Namespace) -> int:
     if args.json or args.path is not None:
         import json
 
-        report = verification.verify(labels)
+        report = verification.verify(labels, workers=workers)
         _deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
         from rich.console import Console
 
         from tresym.report.terminal import show_verification
 
-        report = show_verification(labels, Console(highlight=False))
+        report = show_verification(labels, Console(highlight=False), workers)
     if args.save_certificates:
         verification.save_certificates(report)
     return 0 if report.as_expected else UNEXPECTED
+
+
+def _workers(text: str | None) -> int:
+    """The number of processes that ``text`` asks for; one a core if nothing is asked."""
+    from tresym.processes import cores, parse_workers
+
+    return cores() if text is None else parse_workers(text)
 
 
 def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
@@ -160,10 +169,11 @@ def _add_derive(commands: Commands) -> None:
 
 
 def _derive(args: argparse.Namespace) -> int:
+    from tresym.processes import cores
     from tresym.report import derivation
     from tresym.verification import verify
 
-    report = verify(args.labels)
+    report = verify(args.labels, workers=cores())
     if args.labels:
         text = "\n".join(derivation.fragment(row) for row in report.rows if row.requested)
     else:
@@ -446,8 +456,8 @@ def _add_sweep(commands: Commands) -> None:
 def _sweep(args: argparse.Namespace) -> int:
     from tresym import sweep
     from tresym.flip.ladder import parse_digits
+    from tresym.processes import parse_workers
     from tresym.sweep.run import summary_text, to_stderr
-    from tresym.sweep.workers import parse_workers
 
     grid = (args.a, args.b, args.gamma)
     source: sweep.Source

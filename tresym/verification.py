@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import BrokenExecutor
+from contextlib import nullcontext
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
-from tresym.claims.bounds import Boxes
+from tresym.claims.bounds import Boxes, finding_anew, searching_anew
 from tresym.claims.claim import Claim
 from tresym.claims.denial import Denied
 from tresym.claims.finding import Finding
-from tresym.claims.judge import judge
+from tresym.claims.judge import judge, judge_evidence
 from tresym.claims.mutants import Mutant, mutants, why_few
 from tresym.exact import InputError, fraction_text, quoted
+from tresym.processes import Processes
 from tresym.verdict import Verdict
 
 JSON_VERSION = 1
+BATCH = 6
+"""Claims that a process takes at once: neighbours, for they share what is remembered."""
+
 MUTANTS = 5
 """Changes that are tried on each claim, one or more at each place of it."""
 
@@ -80,25 +86,50 @@ def display_lines() -> dict[int | None, int]:
     return {display["number"]: display["line"] for display in index["displays"]}
 
 
-def verify(labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = None) -> Report:
+def verify(
+    labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = None, workers: int = 1
+) -> Report:
     """Judge every claim, or those named by ``labels`` with all that they rest on.
 
     Args:
         labels: labels of claims; none means all.
         on_row: called with each row as it is found, for progress.
+        workers: processes to look at the evidence in; with 1, this very process.
 
     Raises:
-        InputError: a label that no claim has.
+        InputError: a label that no claim has, or processes that keep dying.
     """
     chosen, requested = _choose(all_claims(), tuple(labels))
     found: dict[str, Finding] = {}
     rows = []
-    for claim in chosen:
-        found[claim.label] = judge(claim, found)
+    for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
+        found[claim.label] = judge(claim, found, evidence)
         rows.append(Row(claim, found[claim.label], claim.label in requested))
         if on_row is not None:
             on_row(rows[-1])
     return Report(tuple(rows))
+
+
+def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | None]:
+    """What each claim's own evidence comes to, looked at in ``workers`` processes."""
+    batches = [claims[n : n + BATCH] for n in range(0, len(claims), BATCH)]
+    if workers == 1 or len(batches) == 1:
+        yield from (None for _ in claims)
+        return
+    with Processes(min(workers, len(batches))) as processes:
+        asked = [tuple(claim.label for claim in batch) for batch in batches]
+        for future in [processes.submit(_evidence_of, a, searching_anew()) for a in asked]:
+            try:
+                yield from future.result()
+            except BrokenExecutor as error:
+                raise InputError(f"verify: {error}") from None
+
+
+def _evidence_of(labels: tuple[str, ...], anew: bool) -> list[Finding | None]:
+    """In a process of its own: the evidence of the claims with these labels."""
+    known = {claim.label: claim for claim in all_claims()}
+    with finding_anew() if anew else nullcontext():
+        return [judge_evidence(known[label]) for label in labels]
 
 
 def save_certificates(report: Report) -> int:

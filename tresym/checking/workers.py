@@ -6,7 +6,6 @@ claims; one that is stopped or dies is replaced.
 
 from __future__ import annotations
 
-import os
 import time
 import warnings
 from collections.abc import Iterable, Iterator
@@ -19,6 +18,7 @@ from tresym.checking.answer import Answer
 from tresym.checking.judge import judge
 from tresym.checking.statement import Statement
 from tresym.exact import InputError
+from tresym.processes import cores
 from tresym.verdict import Verdict
 
 DEFAULT_LIMIT = 5.0
@@ -53,7 +53,7 @@ def check_all(
 ) -> Iterator[tuple[Task, Answer | InputError]]:
     """Every task with its answer, or with what is wrong with it, in the order of the tasks."""
     waiting = list(enumerate(tasks))
-    count = max(1, min(processes or os.cpu_count() or 1, len(waiting)))
+    count = max(1, min(processes or cores(), len(waiting)))
     waiting.reverse()
     done: dict[int, tuple[Task, Answer | InputError]] = {}
     upcoming = 0

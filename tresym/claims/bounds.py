@@ -31,6 +31,11 @@ def finding_anew() -> Iterator[None]:
         _anew.reset(token)
 
 
+def searching_anew() -> bool:
+    """Whether this is inside :func:`finding_anew`."""
+    return _anew.get()
+
+
 @dataclass(frozen=True)
 class Boxes:
     """Every bound holds on its box.
@@ -60,7 +65,7 @@ class Boxes:
         Raises:
             CertificateError: stored proofs that do not prove the bounds.
         """
-        proofs = None if _anew.get() or self.stored is None else self.stored()
+        proofs = None if searching_anew() or self.stored is None else self.stored()
         if proofs is None:
             return tuple(decide(bound, self.budget) for bound in self.bounds)
         if len(proofs) != len(self.bounds):

@@ -54,17 +54,39 @@ Findings = Mapping[str, Finding]
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
 
 
-def judge(claim: Claim, found: Findings) -> Finding:
-    """The finding on ``claim``, given those on the claims it uses."""
+def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Finding:
+    """The finding on ``claim``, given those on the claims it uses.
+
+    Args:
+        claim: what to judge.
+        found: findings by label, those on all that the claim uses among them.
+        evidence: what :func:`judge_evidence` has found, where it was asked before.
+    """
     began = time.perf_counter()
+    before = evidence.seconds if evidence else 0.0
+    finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
+    return replace(finding, seconds=before + time.perf_counter() - began)
+
+
+def judge_evidence(claim: Claim) -> Finding | None:
+    """The finding on the claim's own evidence, all it uses taken to hold; needs no other finding.
+
+    None for a conjunction, which has no evidence but the findings on its parts.
+    """
+    if isinstance(claim.proof, AllOf):
+        return None
+    began = time.perf_counter()
+    return replace(_guarded(claim, {}), seconds=time.perf_counter() - began)
+
+
+def _guarded(claim: Claim, found: Findings) -> Finding:
     try:
-        finding = _resting_on_sand(claim, found) or _judge(claim, found)
+        return _judge(claim, found)
     except (CircularError, InputError) as error:
-        finding = Finding(UNDECIDED, str(error))
+        return Finding(UNDECIDED, str(error))
     except CertificateError as error:
         why = f"the stored proof does not hold ({error}); --full searches for a new one"
-        finding = Finding(UNDECIDED, why)
-    return replace(finding, seconds=time.perf_counter() - began)
+        return Finding(UNDECIDED, why)
 
 
 def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import tresym
 from tresym.exact import InputError
+from tresym.processes import cores
 from tresym.report import charts, figures
 from tresym.report.charts import saved
 from tresym.report.corrections import corrections
@@ -29,7 +30,7 @@ from tresym.verification import Report, sections, verify
 
 def documents() -> Iterator[tuple[str, str]]:
     """Every generated document as its path below docs/generated and its text."""
-    report = verify()
+    report = verify(workers=cores())
     yield "derivation.tex", article(report)
     yield "ledger.md", ledger(report)
     yield "ledger.json", _json(record(report))

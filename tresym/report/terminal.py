@@ -32,7 +32,7 @@ LABEL_WIDTH = 30
 PLACE_WIDTH = 22
 
 
-def show_verification(labels: tuple[str, ...], console: Console) -> Report:
+def show_verification(labels: tuple[str, ...], console: Console, workers: int = 1) -> Report:
     """Verify, print each row as it is found under a progress bar, then the count by verdict."""
     # An unknown label is refused here, before anything is printed.
     total = len(choose(labels))
@@ -46,7 +46,7 @@ def show_verification(labels: tuple[str, ...], console: Console) -> Report:
                 console.print(line, soft_wrap=True)
             progress.advance(task)
 
-        report = verify(labels, on_row=show)
+        report = verify(labels, on_row=show, workers=workers)
     console.print(_summary(report))
     return report
 

@@ -6,7 +6,6 @@ busy, so memory is bounded however long the sweep.
 
 from __future__ import annotations
 
-import os
 import pickle
 import sys
 import time
@@ -18,6 +17,7 @@ from typing import Any, NamedTuple
 
 from tresym.exact import InputError
 from tresym.flip.ladder import checked_digits
+from tresym.processes import cores
 from tresym.sweep.rows import compute
 from tresym.sweep.source import Part, Source
 from tresym.sweep.table import Table, check_export, open_table, packed
@@ -82,7 +82,7 @@ def sweep(
     asked = {"digits": digits, "batch": size, **source.fingerprint()}
     with open_table(path, asked) as table:
         left = -(-source.total // size) - len(table.done())
-        opened = workers or (lambda: processes(min(os.cpu_count() or 1, max(left, 1))))
+        opened = workers or (lambda: processes(min(cores(), max(left, 1))))
         progress = Progress(source.total, min(len(table.done()) * size, source.total), notice)
         progress.announce(size, left)
         if left:
