@@ -4,20 +4,16 @@ from __future__ import annotations
 
 import json
 import os
-import pickle
-import statistics
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future
-from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, ExitStack, nullcontext
 from functools import partial
-from pathlib import Path
 from typing import Any, NamedTuple
 
-import tresym
+from tresym.bench.clusters import Landing, Opened, added_by_dask, environment, own_cluster
 from tresym.bench.run import (
     RIGHT,
     WRONG,
@@ -31,7 +27,6 @@ from tresym.bench.run import (
     interleave,
 )
 from tresym.sweep import Grid, Summary, cluster, processes, sweep
-from tresym.sweep.run import batch_size, computed
 from tresym.sweep.workers import Workers
 
 
@@ -54,27 +49,8 @@ SERIAL, ONE_WORKER, LANDING = "this process", "Dask, 1 worker", "landing alone"
 
 PACE = Pace(rounds=3, limit=300, patience=300)
 
-QUIET = {
-    "DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",
-    "DASK_DISTRIBUTED__ADMIN__TICK__INTERVAL": "500ms",
-}
-"""How the page says to start workers: Dask's own profiler would take a tenth of each."""
-
 PLANNED = 10**9
 """Rows of the sweep that is planned."""
-
-CLUSTER = """
-import sys
-from distributed import LocalCluster
-if __name__ == "__main__":
-    with LocalCluster(
-        n_workers=int(sys.argv[1]), threads_per_worker=1, processes=True, dashboard_address=None
-    ) as found:
-        print(found.scheduler_address, flush=True)
-        sys.stdin.read()
-"""
-
-Opened = Callable[[], AbstractContextManager[Workers]]
 
 
 def measure(
@@ -83,16 +59,16 @@ def measure(
     """The workload ``sweep``; the processes and clusters are up before anything is timed."""
     with ExitStack() as stack:
         ways: dict[str, Opened] = {SERIAL: partial(processes, 1)}
-        addresses: dict[int, str] = {}
         for n in sorted({1, os.cpu_count() or 1}):
             if n > 1:
                 kept = stack.enter_context(processes(n))
                 ways[f"{n} processes"] = partial(_again, kept)
-            address = addresses[n] = stack.enter_context(_cluster(n))
+            address = stack.enter_context(own_cluster(n))
             ways[ONE_WORKER if n == 1 else f"Dask, {n} workers"] = partial(cluster, address)
         contenders = [c for scene in scenes for c in _contenders(scene, ways)]
         timings, complete = interleave(contenders, pace, keep)
-        added = [_added(scene, addresses[1], pace.rounds) for scene in scenes] if complete else []
+    asked = [(scene.title, Grid.read(*scene.grid), scene.digits) for scene in scenes]
+    added = added_by_dask(asked, pace.rounds) if complete else []
     runs = [_long_run(scene) for scene in scenes] if complete else []
     return Measurement(
         "sweep",
@@ -108,7 +84,7 @@ def measure(
 
 def _contenders(scene: Scene, ways: dict[str, Opened]) -> Iterator[Contender]:
     grid = Grid.read(*scene.grid)
-    for name, opened in {**ways, LANDING: _Landing(grid, scene.digits).opened}.items():
+    for name, opened in {**ways, LANDING: Landing(grid, scene.digits).opened}.items():
         run = _Run(grid, scene.digits, opened)
         yield Contender(scene.title, name, run.whole, _judge, ours=True, sample=run.seconds)
 
@@ -130,94 +106,15 @@ class _Run(NamedTuple):
         return self.whole().seconds / self.grid.total
 
 
-def _added(scene: Scene, address: str, rounds: int) -> dict[str, Any]:
-    """What Dask adds to the processor time of a sweep: its one worker, its scheduler and this."""
-    from distributed import Client
-
-    grid = Grid.read(*scene.grid)
-    here, there = (_Run(grid, scene.digits, way) for way in
-                   (partial(processes, 1), partial(cluster, address)))  # fmt: skip
-    pairs = []
-    with Client(address, set_as_default=False) as client:
-
-        def used() -> float:
-            far = client.run(time.process_time).values()
-            return float(sum(far) + client.run_on_scheduler(time.process_time))
-
-        for _ in range(rounds):
-            start = time.process_time()
-            here.whole()
-            alone, before = time.process_time() - start, used()
-            start = time.process_time()
-            there.whole()
-            pairs.append((alone, time.process_time() - start + used() - before))
-    return {
-        "scene": scene.title,
-        "processor_seconds": [[round(x, 3) for x in pair] for pair in pairs],
-        "added": round(statistics.median(dask / alone for alone, dask in pairs) - 1, 4),
-    }
-
-
 def _judge(found: Summary) -> Judged:
     if found.bad or found.computed != found.rows:
         return Judged(outcome=WRONG, why=f"{found.bad} bad rows")
     return Judged(outcome=RIGHT)
 
 
-class _Landing(Executor):
-    """Knows the answers that a worker would send: what it leaves to do is to land them."""
-
-    def __init__(self, grid: Grid, digits: int | None) -> None:
-        self.grid, self.digits = grid, digits
-        self.answers: dict[bytes, bytes] = {}
-
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """The rows of the part that is asked for."""
-        future: Future[Any] = Future()
-        future.set_result(self.answers[args[0]])
-        return future
-
-    @contextmanager
-    def opened(self) -> Iterator[Workers]:
-        """The answers are computed when it is opened first, which is not timed."""
-        if not self.answers:
-            size = batch_size(self.grid.total, self.digits)
-            for _, part in self.grid.parts(size, ()):
-                asked = pickle.dumps((part, self.digits))
-                self.answers[asked] = computed(asked)
-        yield Workers(self, 1)
-
-
 def _again(workers: Workers) -> AbstractContextManager[Workers]:
     """What is open already, and stays so."""
     return nullcontext(workers)
-
-
-@contextmanager
-def _cluster(workers: int) -> Iterator[str]:
-    """The address of a scheduler with so many worker processes of one thread each."""
-    process = subprocess.Popen(
-        [sys.executable, "-c", CLUSTER, str(workers)],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-        env=_environment(),
-    )
-    assert process.stdin is not None
-    assert process.stdout is not None
-    try:
-        yield process.stdout.readline().strip()
-    finally:
-        process.stdin.close()
-        try:
-            process.wait(10)
-        except subprocess.TimeoutExpired:
-            process.kill()
-
-
-def _environment() -> dict[str, str]:
-    return {**os.environ, **QUIET, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
 
 
 def _long_run(scene: Scene) -> dict[str, Any]:
@@ -232,7 +129,7 @@ def _long_run(scene: Scene) -> dict[str, Any]:
             [sys.executable, "-m", "tresym", *words],
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            env=_environment(),
+            env=environment(),
         )
         assert process.stdout is not None
         said = json.loads(process.stdout.read())
