@@ -16,9 +16,11 @@ from hypothesis import strategies as st
 import tresym
 from tresym.bench import check as check_pairs
 from tresym.checking.answer import Answer
+from tresym.checking.regions import is_regular
 from tresym.checking.workers import Task, check_all, check_within
 from tresym.cli import main
 from tresym.exact import InputError, parse_number, simplest_between
+from tresym.identity import Given
 from tresym.report.deciding import measured
 from tresym.verdict import Verdict
 
@@ -154,13 +156,61 @@ def test_true_claims_hold(claim: str) -> None:
     "claim",
     [
         "x + sqrt(x**2*(x - 1)) >= 1",
-        "x >= 1 given x**2*(x - 1) >= 0",
         "y + sqrt((x - 3)**2*(y - 1)) >= 1",
     ],
 )
-def test_points_without_inner_ones_near_them_are_excepted(claim: str) -> None:
+def test_points_at_which_a_side_is_defined_alone_are_excepted(claim: str) -> None:
     """In equalities and in inequalities alike."""
     assert tresym.check(claim).verdict is PROVED
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "x >= 1 given x**2*(x - 1) >= 0",
+        "x >= 1/2 given x*(x - 1) >= 0, x*(x - 2) <= 0",
+        "abs(x - 1) == x - 1 given x**2*(x - 1) >= 0",
+        "x >= 1 given (x**2 - 2)**2*(x - 5) >= 0",
+        "x >= 1 given (x**2 + y**2)*(x - 1) >= 0",
+        "abs(x) == x given x**2*(x - 1) - y**2 >= 0",
+        "x > 0 given x**2*(x - 1) >= 0",
+        "x != 0 given x**2*(x - 1) >= 0",
+    ],
+)
+def test_points_at_which_a_condition_holds_alone_count(claim: str) -> None:
+    assert not tresym.check(claim)
+
+
+REGULAR = [
+    "x*(x - 1) >= 0",
+    "x**3*(x - 1) >= 0",
+    "x**2*(x - 1) >= 0, x > 0",
+    "x + y <= 1, x >= 0, y >= 0",
+    "2*x <= pi, x >= y",
+    "abs(x) <= y",
+    "x**2 + y**2 <= 1",
+    "x**2 + y**2 >= 1, y >= 0",
+    "x*y >= 1, x > 0, y > 0",
+    "x*y >= 0",
+    "b**2 >= 4*a*c, a >= 0",
+    "x <= y, x*y >= 1, x > 0",
+    "log(x) >= y",
+]
+SINGULAR = [
+    "x**2*(x - 1) >= 0",
+    "x*(x - 1) >= 0, x*(x - 2) <= 0",
+    "x*(x - 1) >= 0, x >= 0",
+    "x*y >= 0, x >= 0",
+    "x**2*y >= 0",
+    "(x**2 + y**2)*(x - 1) >= 0",
+    "x**2*(x - 1) - y**2 >= 0",
+    "sin(x) >= 0",
+]
+
+
+@pytest.mark.parametrize("given", [*REGULAR, *SINGULAR])
+def test_conditions_whose_points_are_limits_of_inner_ones(given: str) -> None:
+    assert is_regular(Given.parse(given)) is (given in REGULAR)
 
 
 @pytest.mark.parametrize("claim", FALSE)

@@ -19,6 +19,7 @@ from tresym.checking.cones import sign_on_cones
 from tresym.checking.descent import low_points
 from tresym.checking.domain import bound, equal_at, with_domain
 from tresym.checking.equivalents import equivalents
+from tresym.checking.regions import ONLY_INSIDE, is_regular
 from tresym.checking.taylor import sign_by_taylor
 from tresym.exact import fraction_text
 from tresym.identity.bounds import sign
@@ -57,7 +58,8 @@ def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> A
         return _constants(left, relation, right)
     region = with_domain(given, left, right)
     proof = _proved(left, relation, right, region)
-    if proof is not None:
+    inside = proof is not None and not is_regular(given)
+    if proof is not None and not inside:
         return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {_shown(defined)}")
     if relation == "!=":
         return _apart(left, right, region, defined)
@@ -66,7 +68,10 @@ def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> A
         refutation = _refuted_at(point, left, relation, right, given)
         if refutation is not None:
             return refutation
-    return search(left, right, relation == ">", _one_period(left - right, region, given), given)
+    found = search(left, right, relation == ">", _one_period(left - right, region, given), given)
+    return (
+        replace(found, why=ONLY_INSIDE) if inside and found.verdict is Verdict.UNDECIDED else found
+    )
 
 
 def _one_period(difference: Expr, region: Given, given: Given) -> Given:
@@ -164,7 +169,7 @@ def _at_corners(
 ) -> Answer | None:
     """A refutation where variables are 0, 1 or at closed ends of their ranges."""
     for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
-        if _is_isolated(dict(point), left, right, given):
+        if _is_isolated(dict(point), left, right):
             continue
         found = _refuted_at(dict(point), left, relation, right, given)
         if found is not None:
@@ -172,15 +177,13 @@ def _at_corners(
     return None
 
 
-def _is_isolated(point: dict[str, fmpq], left: Expr, right: Expr, given: Given) -> bool:
-    """Whether no point is found close by, inside the conditions, where both sides are defined."""
+def _is_isolated(point: dict[str, fmpq], left: Expr, right: Expr) -> bool:
+    """Whether no point is found close by where both sides are defined."""
     with ball_precision(LOOKS[-1][0]):
         for signs in product((1, -1), repeat=len(point)):
             steps = (fmpq(sign, (1 << 40) + 7**k) for k, sign in enumerate(signs))
             at = {n: arb(v + step) for (n, v), step in zip(point.items(), steps, strict=True)}
-            if all(c.holds(at) for c in given.conditions) and all(
-                evaluate(side, at).is_finite() for side in (left, right)
-            ):
+            if all(evaluate(side, at).is_finite() for side in (left, right)):
                 return False
     return bool(point)
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from tresym.checking.answer import Answer, refuted
+from tresym.checking.regions import ONLY_INSIDE, is_regular
 from tresym.checking.statement import ORDERS, Comparison, Statement, read
 from tresym.exact import InputError
 from tresym.identity.decide import decide
@@ -64,6 +65,8 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         found = decide(left, right, statement.given, real=real)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
+        if found.verdict.holds and not is_regular(statement.given):
+            return Answer(Verdict.UNDECIDED, ONLY_INSIDE)
         return Answer(found.verdict, found.why)
     if relation in ORDERS:
         from tresym.checking.orders import decide_order
