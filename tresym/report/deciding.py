@@ -39,7 +39,7 @@ def measured(data: Mapping[str, Any]) -> str:
         f"An antiderivative takes {_milliseconds(pairs['median'])} in the median and "
         f"{_milliseconds(pairs['p99'])} at the 99th percentile.",
         "",
-        "| method | pairs | decided | not decided | says it is false | out of time | time |",
+        "| method | pairs | decided | open | wrong | late | time |",
         "|---|--:|--:|--:|--:|--:|--:|",
     ]
     for method, counts in notes["peers"].items():
