@@ -190,7 +190,7 @@ def test_moved_digits_count_only_where_no_inputs_give_them() -> None:
 def test_a_verifier_that_believes_everything_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     from tresym import verification
 
-    def gullible(claim: Claim, found: object) -> Finding:
+    def gullible(claim: Claim, found: object, evidence: object = None) -> Finding:
         return Finding(Verdict.PROVED, "it looks right")
 
     monkeypatch.setattr(verification, "judge", gullible)
