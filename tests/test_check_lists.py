@@ -177,3 +177,43 @@ def test_where_a_derivative_vanishes(slope: str, zero: str) -> None:
 
 def test_a_symbol_in_several_terms_has_no_solution() -> None:
     assert solutions(differentiate(parse("x*exp(x)"), "x"), "x") == []
+
+
+BY_CASES = [
+    "acos(cos(x)) == abs(x) given -pi <= x <= pi",
+    "acosh(cosh(x)) == abs(x)",
+    "acos((1 - x**2)/(1 + x**2)) == 2*abs(atan(x))",
+    "acosh(cosh(x)) + acosh(cosh(y)) == abs(x) + abs(y)",
+]
+NARROW = [
+    "acos(cos(x)) == abs(x) given -3.15 <= x <= 3.15",
+    "acosh(cosh(x)) + acosh(cosh(y)) == abs(x) + y",
+    "acosh(cosh(x)) == x given x >= -0.001",
+    "abs(x)/x == 1 given x >= -1/10**40",
+    "sqrt(x**2) == x given -0.0001 <= x <= 1000",
+    "sqrt(x**2) == -x given -1000 <= x <= 0.0001",
+    "atan(tan(x)) == x given -pi/2 < x < 1.58",
+    "cos(x) < 1 given x > 0",
+    "cos(x) < 1 given x > 30",
+    "cos(x) < 1 given x < -7",
+    "sin(x)**2 > 0 given x > 1",
+    "sin(x) + cos(x) < sqrt(2) given x > 0",
+]
+"""False, but at points that are few or in a small part of what the conditions allow."""
+
+
+@pytest.mark.parametrize("claim", BY_CASES)
+def test_identities_by_cases(claim: str) -> None:
+    """Where a normal form depends on the sign of a polynomial, it is zero for either sign."""
+    assert tresym.check(claim).verdict is PROVED
+
+
+@pytest.mark.parametrize("claim", NARROW)
+def test_what_fails_in_a_small_part_is_refuted(claim: str) -> None:
+    assert tresym.check(claim).verdict is REFUTED
+
+
+@pytest.mark.parametrize("claim", ["sin(x)/x > -0.3 given x > 0", "cos(x)/x < 1/5 given x > 3"])
+def test_a_search_of_a_part_of_the_line_proves_nothing_of_the_rest(claim: str) -> None:
+    assert tresym.check(claim).verdict in (ENCLOSED, PROVED)
+    assert tresym.check("sin(x) + sin(sqrt(2)*x) < 2 given x > 0").verdict is UNDECIDED

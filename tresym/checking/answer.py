@@ -10,7 +10,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
-from tresym.exact import Decimal, decimal_ball, fraction_text, parse_number
+from tresym.exact import Decimal, InputError, decimal_ball, fraction_text, parse_number
 from tresym.identity.expression import Expr
 from tresym.verdict import Verdict
 
@@ -109,8 +109,11 @@ def _apart(left: arb, right: arb) -> tuple[Decimal, Decimal]:
     with ball_precision(5000):
         for digits in DIGITS:
             x, y = decimal_ball(left, digits), decimal_ball(right, digits)
-            gap = abs(parse_number(x.mid) - parse_number(y.mid))
-            if gap > parse_number(x.rad) + parse_number(y.rad):
+            try:
+                gap = abs(parse_number(x.mid) - parse_number(y.mid))
+                if gap > parse_number(x.rad) + parse_number(y.rad):
+                    break
+            except InputError:  # an exponent beyond those that are read: few digits will do
                 break
     return x, y
 

@@ -100,9 +100,13 @@ class _Search:
     # -- one variable -----------------------------------------------------------------------
 
     def on_line(self, where: Range) -> Answer:
-        """The whole range of the one variable: infinite ends by germs, then boxes."""
+        """The whole range of the one variable: infinite ends by germs, then boxes.
+
+        Where no germ settles an infinite end, a part of the range is searched for a refutation.
+        """
         ends = []
-        for side, end in ((-1, where.low), (1, where.high)):
+        failure = None
+        for side, end, other in ((-1, where.low, where.high), (1, where.high, where.low)):
             if end is not None:
                 ends.append(end)
                 continue
@@ -110,12 +114,20 @@ class _Search:
             if beside is None:
                 beside = self._beyond(side)
             if beside is None or beside[0] < 0 or (self.strict and beside[0] == 0):
-                return self._failure_towards(None, side, beside)
+                failure = self._failure_towards(None, side, beside)
+                if failure.verdict is Verdict.REFUTED:
+                    return failure
+                ends.append((other or 0) + side * FAR[1])
+                continue
             ends.append(side / beside[1])
         low, high = ends
         if low > high:  # the neighbourhoods of both infinities cover the line
             low, high = high, low
-        whole = Interval(low, high)
+        found = self._within(Interval(low, high))
+        return found if failure is None or found.verdict is Verdict.REFUTED else failure
+
+    def _within(self, whole: Interval) -> Answer:
+        """A bounded range: boxes, and neighbourhoods of the points of contact."""
         for _ in range(MAX_CONTACTS):
             outcome = self._prove((whole,), BUDGETS[1])
             if isinstance(outcome, Answer):

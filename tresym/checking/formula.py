@@ -11,7 +11,7 @@ from tresym.checking.cancellation import scaled, without_cancellation
 from tresym.claims.germ import Germ, UnresolvedError
 from tresym.claims.gradient import Gradient
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import Expr
+from tresym.identity.expression import ONE, Expr
 
 _RECIPROCALS = {"sec": "cos", "csc": "sin", "sech": "cosh", "csch": "sinh"}
 
@@ -54,6 +54,10 @@ class _Run:
             return self._power(*e.args)
         if e.op == "+" and isinstance(self.x, Germ):
             return self._sum(without_cancellation(e))
+        if e.op == "log" and isinstance(self.x, Germ):
+            small = self._flat_above_one(e.args[0])
+            if small is not None:
+                return m.log1p(small)
         values = [self.value(arg) for arg in e.args]
         if e.op in ("+", "*"):
             total = values[0]
@@ -73,19 +77,34 @@ class _Run:
         constant = terms[-1].args[0] if terms[-1].op == "number" else None
         for term in terms:
             scale, inner = scaled(term)
-            exponential = inner.op == "exp" or (inner.op == "^" and inner.args[1].op != "number")
-            if constant is not None and exponential and scale == -constant:
-                total = total + self.m.constant(scale) * self.m.expm1(self._exponent(inner))
+            exponent = (
+                self._exponent(inner) if constant is not None and scale == -constant else None
+            )
+            if exponent is not None:
+                total = total + self.m.constant(scale) * self.m.expm1(exponent)
                 constant = None
             elif term.op != "number":
                 total = total + self.value(term)
         return total if constant is None else total + self.m.constant(constant)
 
     def _exponent(self, e: Expr) -> Any:
-        """u, where ``e`` is exp(u)."""
+        """u, where ``e`` is exp(u), a power with a variable exponent, or a root of 1 + flat."""
         if e.op == "exp":
             return self.value(e.args[0])
-        return self.value(e.args[1]) * self.m.log(self.value(e.args[0]))
+        if e.op != "^":
+            return None
+        base, exponent = e.args
+        if exponent.op != "number":
+            return self.value(exponent) * self.m.log(self.value(base))
+        small = self._flat_above_one(base)
+        return None if small is None else self.m.log1p(small) * self.m.constant(exponent.args[0])
+
+    def _flat_above_one(self, e: Expr) -> Germ | None:
+        """v of 1 + v where v is exponentially small, and lost in the sum."""
+        if e.op != "+" or ONE not in e.args:
+            return None
+        rest = self._sum([term for term in e.args if term != ONE])
+        return rest if len(rest.exponent) > 1 and rest.growth() < 0 else None
 
     def _arc(self, name: str, x: Germ) -> Any:
         """Arc sine or cosine, also of what tends to ±1: acos x = 2 asin √((1 − x)/2)."""

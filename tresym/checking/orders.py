@@ -6,28 +6,42 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, constant_ball, refuted
-from tresym.checking.formula import formula
 from tresym.checking.leading import decide_smooth
+from tresym.checking.ratios import judged, judged_by_ratio
 from tresym.checking.statement import Comparison, Path
-from tresym.claims.order import Judgement, Order, decide
+from tresym.claims.order import Judgement
 from tresym.exact import fraction_text
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import Expr, number, substitute, symbol
 from tresym.verdict import Verdict
 
 PRECISION = 128
+LARGEST, INFINITY = arb((1, 10**5)), arb.pos_inf()
+SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3))
+"""Where on the path both sides are shown, if they are not real where a refutation would."""
 _PARAMETER = "_t"
 """The small parameter; the only symbol left once the path is put in."""
+
+
+_SUCCESSES = {"o": "the ratio tends to 0", "~": "the ratio tends to 1"}
+_FAILURES = {
+    "O": "left/right is not bounded",
+    "o": "left/right does not tend to 0",
+    "~": "left/right does not tend to 1",
+}
 
 
 def decide_order(claim: Comparison, path: Path) -> Answer:
     """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED."""
     found = [_one_side(claim, path, side) for side in path.sides]
     for side, judgement in zip(path.sides, found, strict=True):
-        if judgement.verdict is Verdict.REFUTED and _is_real(claim, path, side, judgement):
-            return _refutation(claim, path, side, judgement)
+        if judgement.verdict is Verdict.REFUTED:
+            for t in (judgement.points["t"], *SHOWN_AT):
+                if _are_real(claim, path, side, t, LARGEST):
+                    return _refutation(claim, path, side, judgement, t)
     if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
-        if all(_is_real(claim, path, *pair) for pair in zip(path.sides, found, strict=True)):
+        ranges = [judgement.upto or fmpq(1) for judgement in found]
+        if all(_are_real(claim, path, s, t / 3) for s, t in zip(path.sides, ranges, strict=True)):
             return _holds(claim, path, found)
         return Answer(
             Verdict.UNDECIDED,
@@ -42,27 +56,23 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
     )
 
 
-def _is_real(claim: Comparison, path: Path, side: int, judgement: Judgement) -> bool:
-    """Whether both sides are shown to be defined at a point of the range."""
-    reach = judgement.points.get("t") or judgement.upto or fmpq(1)
+def _are_real(claim: Comparison, path: Path, side: int, t: fmpq, largest: arb = INFINITY) -> bool:
+    """Whether both sides are shown to be defined at a point of the path, and not too large."""
     mapping = {path.name: _along(path, side)}
     with ball_precision(PRECISION):
-        at = {_PARAMETER: arb(reach / 3 if "t" not in judgement.points else reach)}
-        return all(
-            evaluate(substitute(e, mapping), at).is_finite() for e in (claim.left, claim.right)
-        )
+        at = {_PARAMETER: arb(t)}
+        values = [evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right)]
+        return all(value.is_finite() and abs(value) < largest for value in values)
 
 
 def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
     mapping = {path.name: _along(path, side)}
-    left = formula(substitute(claim.left, mapping), _PARAMETER)
-    right = formula(substitute(claim.right, mapping), _PARAMETER)
-    try:
-        found = decide(Order(claim.relation, left, right, upto=upto), PRECISION)
-    except (ZeroDivisionError, OverflowError):
-        found = Judgement(Verdict.UNDECIDED)
+    sides = substitute(claim.left, mapping), substitute(claim.right, mapping)
+    found = judged(claim.relation, *sides, _PARAMETER, upto)
     if found.verdict is Verdict.UNDECIDED and path.point is not None and upto == 1:
-        return decide_smooth(claim.relation, claim.left, claim.right, path.name, path.point, side)
+        found = decide_smooth(claim.relation, claim.left, claim.right, path.name, path.point, side)
+    if found.verdict is Verdict.UNDECIDED and upto == 1:
+        return judged_by_ratio(claim.relation, *sides, _PARAMETER)
     return found
 
 
@@ -82,7 +92,7 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
         reach = min([reach, *(j.upto for j in found if j.upto is not None)])
     leading = found[0]
     constant = None
-    sentence = {"o": "the ratio tends to 0", "~": "the ratio tends to 1"}.get(claim.relation, "")
+    sentence = _SUCCESSES.get(claim.relation, "")
     if claim.relation == "O":
         if any(judgement.constant is None for judgement in found):
             return Answer(Verdict.UNDECIDED, "the range of the expansions does not settle it")
@@ -92,7 +102,7 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
                 constant = constant.max(judgement.constant)
             bound = constant.upper().str(6, radius=False)
         sentence = f"|left| <= C |right| with C at most about {bound}"
-    if leading.true_order is not None and not leading.true_order.coefficient.is_zero():
+    if leading.true_order is not None and not leading.true_order.coefficient.contains(0):
         sentence += f"; the left side is about {_leading(path, path.sides[0], leading)}"
     return Answer(
         Verdict.ENCLOSED,
@@ -102,14 +112,15 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
     )
 
 
-def _refutation(claim: Comparison, path: Path, side: int, judgement: Judgement) -> Answer:
-    t = judgement.points["t"]
+def _refutation(claim: Comparison, path: Path, side: int, judgement: Judgement, t: fmpq) -> Answer:
     with ball_precision(PRECISION):
         at = {_PARAMETER: arb(t)}
         mapping = {path.name: _along(path, side)}
         left = evaluate(substitute(claim.left, mapping), at)
         right = evaluate(substitute(claim.right, mapping), at)
-    why = f"the left side is about {_leading(path, side, judgement)}"
+    why = _FAILURES[claim.relation]
+    if judgement.true_order is not None:
+        why = f"the left side is about {_leading(path, side, judgement)}"
     if judgement.ratio is not None:
         ratio = judgement.ratio.text(_small(path, side))
         why += f", and left/right about {ratio}, which for {claim.relation} it must not be"

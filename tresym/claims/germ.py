@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from itertools import zip_longest
 from typing import Any, TypeAlias
 
@@ -30,6 +31,10 @@ Coefficient: TypeAlias = "fmpq_poly | arb"
 PI = fmpq_poly([0, 1])
 ZERO = fmpq_poly([0])
 ONE = fmpq_poly([1])
+
+
+LARGEST_PRODUCT = 16
+"""Powers up to this one are products."""
 
 
 class UnresolvedError(ArithmeticError):
@@ -348,6 +353,9 @@ class Germs:
         Raises:
             UnresolvedError: the leading coefficient of g may vanish, or g on the range.
         """
+        if not g.terms and not g.rest.contains(0):
+            part = Germ(self, -g.power, tuple(-p for p in g.exponent), (), 1 / g.rest)
+            return self.multiply(f, part)
         c, u = self._relative(g)
         signs = [ONE if j % 2 == 0 else -ONE for j in range(self.order)]
         product = self.multiply(f, self._compose(signs, lambda s: 1 / (1 + s), u))
@@ -380,13 +388,18 @@ class Germs:
             return f
         if q == 0:
             return self.constant(1)
-        c, u = self._relative(f)
         v = f.power * q
+        if not f.terms and q.q == 1 and 0 < q <= LARGEST_PRODUCT:
+            return reduce(self.multiply, [f] * int(q))  # nothing is known of it but its size
+        if not f.terms and f.rest > 0 and v.q == 1:
+            sizes = (f.rest.log() * arb(q)).exp()
+            return Germ(self, int(v.p), tuple(p * q for p in f.exponent), (), sizes)
+        c, u = self._relative(f)
         if v.q != 1:
             raise RamifiedError(int(v.q))
         if u.vanishes:
             body = self.constant(1)
-        elif q.q == 1 and 0 < q <= 16:
+        elif q.q == 1 and 0 < q <= LARGEST_PRODUCT:
             body = self.constant(1)
             for _ in range(int(q.p)):
                 body = body * (1 + u)
@@ -473,6 +486,8 @@ class Germs:
         """
         if f.power:
             raise LogarithmError("log x")
+        if not f.terms and not f.exponent and f.rest > 0:
+            return self.bounded(f.rest.log())
         c, u = self._relative(f)
         if not as_ball(c) > 0:
             raise UnresolvedError("the argument of a logarithm is not certainly positive")

@@ -91,13 +91,28 @@ class Size:
         """The leading term in plain text, coefficients to six digits."""
         parts = [self.coefficient.str(6, radius=False)]
         if self.logarithmic:
-            name = f"(1/log(1/{name}))"
+            return " * ".join([*parts, *self._logarithmic_parts(name)])
         if self.power != 0:
             parts.append(f"{name}^({fraction_text(self.power)})")
         for j, p in enumerate(self.exponent):
             if not p.is_zero():
                 parts.append(f"exp({p.str(6, radius=False)}" + (f"/{name}^{j})" if j else ")"))
         return " * ".join(parts)
+
+    def _logarithmic_parts(self, name: str) -> Iterator[str]:
+        """t^power and exp(exponent_j / t^j) in powers of the parameter and of its logarithm."""
+        far = name.startswith("(1/") and name.endswith(")")
+        base, side = (name[3:-1], 1) if far else (name, -1)
+        logarithm = f"log({base})" if far else f"log(1/{name})"
+        if self.power != 0:
+            yield f"{logarithm}^({fraction_text(-self.power)})"
+        for j, p in enumerate(self.exponent):
+            if j == 1 and not p.is_zero():
+                whole = p.unique_fmpz()
+                shown = (side * p).str(6, radius=False) if whole is None else str(side * whole)
+                yield f"{base}^({shown})"
+            elif not p.is_zero():
+                yield f"exp({p.str(6, radius=False)}" + (f" * {logarithm}^{j})" if j else ")")
 
 
 @dataclass(frozen=True)
@@ -196,6 +211,8 @@ def _expansion(
     function = m.germ(statement.at_parameter(statement.function, t, m))
     gauge = m.germ(statement.at_parameter(statement.gauge, t, m))
     if function.vanishes:
+        if statement.kind == "~" and gauge.vanishes:
+            raise UnresolvedError("both functions are zero")
         return _Expansion(function, function, index, logarithmic, reach)
     ratio = function / gauge
     if not (function.range().is_finite() and ratio.range().is_finite()):
@@ -211,7 +228,7 @@ def _compared(statement: Order, expansion: _Expansion) -> Judgement:
     """
     ratio = expansion.ratio
     growth = -1 if ratio.vanishes else ratio.growth()
-    certain = bool(ratio.terms) and not ratio.leading.contains(0)
+    certain = not ratio.vanishes and not ratio.leading.contains(0)
     if statement.kind == "O":
         holds, fails = growth <= 0, growth > 0 and certain
     elif statement.kind == "o":

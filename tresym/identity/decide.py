@@ -18,6 +18,8 @@ nowhere, as atanh(cosh x) is, the formal derivative decides.
 2. The exact normal form of field.py: a difference that is zero proves.
 3. Balls again, at many points and 700 bits.
 4. What the normal form leaves is tried by derivative: see locally_constant.py.
+5. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
+   sign. Its zeros are limits of other points, and functions are continuous where they are defined.
 """
 
 from __future__ import annotations
@@ -25,6 +27,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import prod
 
 from flint import arb, fmpq
 
@@ -32,20 +35,21 @@ from tresym.arithmetic import ball_precision
 from tresym.exact import fraction_text
 from tresym.identity.constants import settled
 from tresym.identity.evaluation import evaluate, undefined_parts
-from tresym.identity.expression import Expr, symbols
+from tresym.identity.expression import ZERO, Expr, number, symbol, symbols
 from tresym.identity.field import ALL_THEORIES, Field
 from tresym.identity.given import Given
 from tresym.identity.locally_constant import equal_by_derivative, vanishes_or_zero
-from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
+from tresym.identity.ring import Fraction, Poly, TooLargeError, UndefinedError
 from tresym.verdict import Verdict
 
-Points = Callable[[], Sequence[Mapping[str, fmpq]]]
+Points = Callable[[Given], Sequence[Mapping[str, fmpq]]]
 
 FIRST_BITS, FIRST_POINTS = 128, 2
 SIGN_POINTS = 6, 64
 BLAMED_POINTS, MAX_SHOWN = 40, 60
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
+MAX_CASES = 2
 SIZES = (8, 16, 32, 64, 128)
 NOWHERE = "no real point was found where both sides are defined"
 
@@ -109,8 +113,10 @@ def _decide(
     """The verdict on ``left = right`` where these and all of ``real`` are defined."""
     sides = (left, right, *real)
 
-    def look(count: int, bits: int) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-        return sampled_values(left, right, given, names, count, bits, real)
+    def look(
+        count: int, bits: int, where: Given = given
+    ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
+        return sampled_values(left, right, where, names, count, bits, real)
 
     defined: dict[str, fmpq] | None = None
     for point, values in look(FIRST_POINTS, FIRST_BITS):
@@ -120,7 +126,7 @@ def _decide(
     if defined is None:
         return Decision(Verdict.UNDECIDED, _no_point(sides, given, names))
     proof, obstacle = _prove(
-        sides, given, theories, lambda: [point for point, _ in look(*SIGN_POINTS)]
+        sides, given, theories, lambda where: [point for point, _ in look(*SIGN_POINTS, where)]
     )
     if proof is not None:
         shown = _shown(defined)
@@ -197,7 +203,7 @@ def _no_point(sides: tuple[Expr, ...], given: Given, names: list[str]) -> str:
 
 
 def _prove(
-    sides: tuple[Expr, ...], given: Given, theories: frozenset[str], points: Points
+    sides: tuple[Expr, ...], given: Given, theories: frozenset[str], points: Points, depth: int = 0
 ) -> tuple[str | None, str]:
     """A sentence on the proof, or None and a sentence on what stopped it."""
     left, right, *_ = sides
@@ -217,6 +223,11 @@ def _prove(
         proof = equal_by_derivative(left, right, given, theories, field.size)
     except (TooLargeError, UndefinedError):
         proof = None
+    in_doubt = _sign_in_doubt(field, value) if proof is None and depth < MAX_CASES else None
+    if in_doubt is not None:
+        cases = [given & Given(((e, ">", ZERO),)) for e in (in_doubt, -in_doubt)]
+        if all(_prove(sides, case, theories, points, depth + 1)[0] for case in cases):
+            return f"it is proved by cases, in the sign of {in_doubt}", ""
     return proof, "" if proof else _obstacle(field, value)
 
 
@@ -226,7 +237,7 @@ def _difference(
     """The normal form of the first side less the second, on the domain of all."""
     fewest = _generator_count(sides)
     for size in (size for size in SIZES if size >= fewest):
-        field = Field(given, theories, size, points)
+        field = Field(given, theories, size, lambda: points(given))
         try:
             x, y, *_ = field.normal(*sides)
             return field, field.subtract(x, y)
@@ -250,6 +261,27 @@ def _generator_count(sides: tuple[Expr, ...]) -> int:
         count += not rational and node.op not in ("+", "*")
         stack.extend(arg for arg in node.args if isinstance(arg, Expr))
     return min(count, SIZES[-1])
+
+
+def _sign_in_doubt(field: Field, value: Fraction) -> Expr | None:
+    """A polynomial in the symbols, not zero, on whose sign the normal form depends."""
+    for i in field.used(value.num):
+        generator = field.at(i)
+        if generator.kind == "sign":
+            p = generator.data[0]
+            if all(field.at(j).kind == "symbol" for j in field.used(p)):
+                return _as_expression(field, p)
+    return None
+
+
+def _as_expression(field: Field, p: Poly) -> Expr:
+    """A polynomial in generators that are symbols."""
+    factors = {i: symbol(str(field.at(i).data[0])) for i in field.used(p)}
+    terms = (
+        prod((x ** int(powers[i]) for i, x in factors.items()), start=number(fmpq(c)))
+        for powers, c in p.terms()
+    )
+    return sum(terms, ZERO)
 
 
 def _obstacle(field: Field, value: Fraction) -> str:

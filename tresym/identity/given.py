@@ -23,7 +23,7 @@ from tresym.identity.parsing import parse_conditions
 CHECK_BITS = 128
 LONG = 10**18
 _TRIES = 3000
-LISTED = 30
+LISTED = 36
 _FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
 _SYMPY_RELATIONS = {
     "StrictGreaterThan": ">",
@@ -343,11 +343,13 @@ def _sample(where: Range, k: int, j: int) -> fmpq:
     pool = 5 if k < 6 else 9 if k < 20 else 16
     low, high = where.low, where.high
     anywhere = fmpq(1 + (h >> 12) % 9973, 9974)  # late samples leave the lists below
+    if k >= LISTED and (k + j) % 4 == 0:
+        low, high = _beside_zero(low, high, h % 2 == 0)
     if low is not None and high is not None:
         if k >= LISTED:
             return low + (high - low) * anywhere
         nudge = fmpq(1, 1009 + h % 97) if k else fmpq(0)
-        r = _UNIT[h % pool]
+        r = _UNIT[h % pool if k < 20 or j else (k - 20) % 16]
         return _simple(low + (high - low) * (r + (1 - r) * r * nudge), low, high)
     x = _RAY[h % pool] * (1 + (anywhere if k >= LISTED else fmpq(1, 97 + h % 89)))
     if low is not None:
@@ -357,6 +359,17 @@ def _sample(where: Range, k: int, j: int) -> fmpq:
     alternating = (k + j) % 2 == 1 if k < 2 else k == 3
     negative = alternating if k < 4 else (h >> 8) % 2 == 1
     return -x if negative else x
+
+
+def _beside_zero(
+    low: fmpq | None, high: fmpq | None, below: bool
+) -> tuple[fmpq | None, fmpq | None]:
+    """The finite part of a range on one side of 0, which may be short beside the other."""
+    if low is not None and low < 0 and (high is None or (below and high > 0)):
+        return low, fmpq(0)
+    if high is not None and high > 0 and (low is None or (not below and low < 0)):
+        return fmpq(0), high
+    return low, high
 
 
 def _simple(x: fmpq, low: fmpq, high: fmpq) -> fmpq:

@@ -1,0 +1,148 @@
+"""Order claims by other forms of the ratio: scales whose order is known, and planted falsehoods."""
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+import tresym
+from tresym.arithmetic import ball_precision
+from tresym.checking.factors import collected, factors, in_exponentials, joined
+from tresym.checking.ratios import judged_by_ratio
+from tresym.claims.germ import Germs
+from tresym.identity import parse
+from tresym.identity.decide import decide
+from tresym.identity.evaluation import evaluate
+from tresym.identity.given import positive
+from tresym.verdict import Verdict
+
+PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
+REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
+
+SCALE = ("exp(x)", "x", "log(x)", "log(log(x))")
+"""Every function grows faster than all powers of the next."""
+POWERS = st.tuples(
+    st.integers(-1, 2), *(st.sampled_from(["0", "1", "-1", "2", "1/2", "-1/3"]) for _ in range(3))
+)
+BESIDE = st.sampled_from(["1", "(1 + 1/x)", "(2 + sin(x))", "tanh(x)", "(1 + 1/log(x))", "(-3)"])
+
+
+def _size(powers: tuple[object, ...]) -> tuple[fmpq, ...]:
+    return tuple(fmpq(*map(int, str(p).split("/"))) for p in powers)
+
+
+def _text(powers: tuple[object, ...]) -> str:
+    return "*".join(f"{base}**({p})" for base, p in zip(SCALE, powers, strict=True))
+
+
+@given(POWERS, POWERS, BESIDE, st.sampled_from(["O", "o"]))
+def test_products_of_a_scale_compare_like_their_powers(
+    left: tuple[object, ...], right: tuple[object, ...], beside: str, kind: str
+) -> None:
+    """In order of the scale, the first power that differs decides."""
+    f, g = _size(left), _size(right)
+    truth = f <= g if kind == "O" else f < g
+    answer = tresym.check(f"{_text(left)}*{beside} == {kind}({_text(right)})", path="x -> oo")
+    assert answer.verdict in (ENCLOSED if truth else REFUTED, UNDECIDED)
+
+
+@given(POWERS, st.sampled_from(SCALE), st.sampled_from(["O", "o", "~"]))
+def test_one_factor_more(powers: tuple[object, ...], more: str, kind: str) -> None:
+    """f = o(f h), and f h is not O(f), where h tends to infinity."""
+    f = _text(powers)
+    assert tresym.check(f"{f} == o({f}*{more})", path="x -> oo").verdict is ENCLOSED
+    claim = f"{f}*{more} ~ {f}" if kind == "~" else f"{f}*{more} == {kind}({f})"
+    assert tresym.check(claim, path="x -> oo").verdict in (REFUTED, UNDECIDED)
+
+
+HIDDEN_ZERO = "(abs(x - 1/1000) + (x - 1/1000))"
+"""Zero for x ≤ 1/1000, where the limit is."""
+
+
+@pytest.mark.parametrize("kind", ["O", "o"])
+@pytest.mark.parametrize("more", ["log(log(1/x))", "1/x", "exp(1/x)", "exp(exp(1/x))"])
+def test_a_factor_that_is_zero_near_the_end_refutes_nothing(kind: str, more: str) -> None:
+    claim = f"{HIDDEN_ZERO}*{more} == {kind}({HIDDEN_ZERO})"
+    assert tresym.check(claim, path="x -> 0+").verdict in (ENCLOSED, UNDECIDED)
+
+
+@pytest.mark.parametrize(
+    ("claim", "path", "why"),
+    [
+        ("x*log(x) == O(x)", "x -> 0+", "-1.00000 * log(1/x)^(1) * x^(1)"),
+        ("x*log(x) == o(1)", "x -> oo", "1.00000 * log(x)^(1) * x^(1)"),
+        ("exp(log(x)**2) == O(x)", "x -> oo", "1.00000 * exp(1.00000 * log(x)^2)"),
+        ("x**pi == O(x**4)", "x -> 0+", "1.00000 * x^(3.14159)"),
+    ],
+)
+def test_leading_terms_are_written_with_the_logarithm(claim: str, path: str, why: str) -> None:
+    answer = tresym.check(claim, path=path)
+    assert answer.verdict is REFUTED
+    assert f"the left side is about {why}" in answer.why
+
+
+@pytest.mark.parametrize("claim", ["0 ~ 0", "sin(x)**2 + cos(x)**2 - 1 ~ 0", "x - x == o(0)"])
+def test_zero_is_like_zero(claim: str) -> None:
+    """f − g = o(g) holds of two zeros; no answer may call it false."""
+    assert tresym.check(claim, path="x -> 0").verdict in (ENCLOSED, UNDECIDED)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "t**2*exp(1/t)*t**(-1/2)*exp(-2/t)",
+        "sqrt(4*t**2)*(t + t**2)**3/t",
+        "exp(2*log(t) + 1/t - log(t**3))",
+        "(exp(1/t) + exp(-1/t))*exp(-1/t)",
+        "log(t**3)*abs(-2*t)*log(abs(t**2 - 1))",
+        "t*log(t) + t**2*log(t)",
+        "sinh(1/t)**2 - cosh(1/t)**2 + coth(t)",
+        "log(exp(1/t) + t) - 1/t",
+        "(exp(1/t) + 1)**(1/3)",
+        "(1 + t)**2*(2 - t) - (t + 3)**3",
+    ],
+)
+def test_what_is_joined_is_the_same_function(text: str) -> None:
+    e = parse(text)
+    forms = [joined(e, "t"), collected(e), in_exponentials(e, "t")]
+    product = parse("1")
+    for base, exponent in factors(e, "t"):
+        product = product * base**exponent
+    for form in (*forms, product):
+        with ball_precision(200):
+            x, y = (evaluate(f, {"t": arb(fmpq(2, 7))}) for f in (e, form))
+            assert x.is_finite()
+            assert x.overlaps(y)
+            assert abs(x - y) < fmpq(1, 10**40)
+
+
+def test_what_cancels_is_gone() -> None:
+    assert joined(parse("exp(exp(1/t))*exp(-exp(1/t) - 1/t)*t**2/t"), "t") == parse("exp(-1/t)*t")
+    assert (
+        decide(
+            in_exponentials(parse("cosh(1/t)**2 - sinh(1/t)**2"), "t"), parse("1"), positive("t")
+        ).verdict
+        is PROVED
+    )
+
+
+@pytest.mark.parametrize("upto", [1, 2, 8])
+def test_germs_of_bounded_functions(upto: int) -> None:
+    """A function of which only bounds are known: powers, quotients and logarithms keep them."""
+    with ball_precision(128):
+        m = Germs(fmpq(1, upto))
+        wave = m.constant(2) + m.sin(1 / m.x)
+        for germ, f in (
+            (1 / wave, lambda w: 1 / w),
+            (wave**3, lambda w: w**3),
+            (m.sqrt(wave), lambda w: w.sqrt()),
+            (m.log(wave), lambda w: w.log()),
+        ):
+            for k in range(1, 9):
+                value = f(2 + (1 / arb(fmpq(k, 8 * upto))).sin())
+                assert germ.range().contains(value)
+
+
+def test_deep_towers_end_undecided_and_not_in_an_error() -> None:
+    found = judged_by_ratio("o", parse("exp(exp(exp(1/t)))"), parse("exp(exp(exp(1/t) + 1))"), "t")
+    assert found.verdict in (ENCLOSED, UNDECIDED)
