@@ -99,6 +99,11 @@ def test_zero_is_like_zero(claim: str) -> None:
         "sinh(1/t)**2 - cosh(1/t)**2 + coth(t)",
         "log(exp(1/t) + t) - 1/t",
         "(exp(1/t) + 1)**(1/3)",
+        "(exp(1/t) - 1)**(-2)*exp(1/t) + (exp(-1/t) + 3)**(-1)",
+        "log(sqrt(2)*exp(1/t)*t + sqrt(2)*t) - log(cosh(1/t))",
+        "log(6/35*10**(1/3)*exp(1/t)*(1 + t))",
+        "log(3*t**2*exp(1/t)*(1 + t)**2)",
+        "log(1000000007*1000000009*exp(1/t) + exp(2/t))",
         "(1 + t)**2*(2 - t) - (t + 3)**3",
     ],
 )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from itertools import product
 
+from flint import fmpq
+
 from tresym.checking.cancellation import scaled
 from tresym.identity.expression import (
     ONE,
@@ -22,6 +24,7 @@ from tresym.identity.expression import (
 
 MAX_TERMS = 60
 MAX_POWER = 8
+LONGEST_FACTORED = 10**12
 
 
 def factors(e: Expr, name: str) -> list[tuple[Expr, Expr]]:
@@ -66,18 +69,41 @@ def in_exponentials(e: Expr, name: str) -> Expr:
     if e.op == "coth":
         return 1 + 2 / (apply("exp", 2 * args[0]) - 1)
     if e.op == "log":
+        return collected(add(*_logarithms(args[0], name)))
+    if e.op == "^" and _is_no_product(args[1]):
         exponent, rest = _large(args[0], name)
-        return exponent + apply("log", rest)
-    if e.op == "^" and args[1].op == "number":
-        exponent, rest = _large(args[0], name) if args[1].args[0].q > 1 else (ZERO, args[0])
-        return (
-            power(rest, args[1]) * apply("exp", exponent * args[1])
-            if exponent != ZERO
-            else power(rest, args[1])
-        )
+        return joined(power(rest, args[1]) * apply("exp", exponent * args[1]), name)
     found = rebuild(e, args)
     terms = _multiplied_out(found) if e.op in ("+", "*", "^") else None
     return found if terms is None else collected(add(*(joined(term, name) for term in terms)))
+
+
+def _is_no_product(exponent: Expr) -> bool:
+    """Whether a power is a root or a reciprocal."""
+    return exponent.op == "number" and (exponent.args[0].q > 1 or exponent.args[0] < 0)
+
+
+def _logarithms(e: Expr, name: str) -> list[Expr]:
+    """The terms of log of ``e``: its exponential and its numbers taken out."""
+    exponent, rest = _large(e, name)
+    terms, others = [exponent], []
+    for base, x in factors(rest, name):
+        if base == E:
+            terms.append(x)
+        elif base.op == "number" and base.args[0] > 0:
+            terms += [x * k * apply("log", number(p)) for p, k in _primes(base.args[0])]
+        else:
+            others.append((base, x))
+    if len(others) != 1 or others[0][1] != ONE:
+        return [exponent, apply("log", rest)]
+    return [*terms, apply("log", others[0][0])]
+
+
+def _primes(r: fmpq) -> list[tuple[fmpq, int]]:
+    """Primes and powers of a positive rational, itself where it is long."""
+    if max(r.p, r.q) > LONGEST_FACTORED:
+        return [(r, 1)]
+    return [(fmpq(p), side * int(k)) for side, n in ((1, r.p), (-1, r.q)) for p, k in n.factor()]
 
 
 def _large(e: Expr, name: str) -> tuple[Expr, Expr]:
