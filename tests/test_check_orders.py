@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import tresym
 from tresym.arithmetic import ball_precision
 from tresym.checking.factors import collected, factors, in_exponentials, joined
-from tresym.checking.ratios import judged_by_ratio
+from tresym.checking.ratios import judged_by_ratio, one_level_up
 from tresym.claims.germ import Germs
 from tresym.identity import parse
 from tresym.identity.decide import decide
@@ -119,6 +119,28 @@ def test_what_is_joined_is_the_same_function(text: str) -> None:
             assert x.is_finite()
             assert x.overlaps(y)
             assert abs(x - y) < fmpq(1, 10**40)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "log(t)*t**2 + log(2/t**3)",
+        "log(abs(log(t)))*t**(1/3)",
+        "log(t**t)*log(1/t)",
+        "log(sqrt(2)*t)**2/t",
+        "exp(log(t)**2)*log(3*t**2)",
+        "log(1 + t)*log(t)",
+    ],
+)
+def test_one_level_up_is_the_same_function(text: str) -> None:
+    e = parse(text)
+    raised = one_level_up(e, "t")
+    assert raised is not None
+    with ball_precision(200):
+        s = arb(fmpq(2, 7))
+        x, y = evaluate(e, {"t": (-1 / s).exp()}), evaluate(raised, {"t": s})
+        assert x.is_finite()
+        assert abs(x - y) < fmpq(1, 10**40)
 
 
 def test_what_cancels_is_gone() -> None:

@@ -117,7 +117,7 @@ class _Search:
                 failure = self._failure_towards(None, side, beside)
                 if failure.verdict is Verdict.REFUTED:
                     return failure
-                ends.append((other or 0) + side * FAR[1])
+                ends.append((other or fmpq(0)) + side * FAR[1])
                 continue
             ends.append(side / beside[1])
         low, high = ends

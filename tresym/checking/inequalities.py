@@ -6,6 +6,7 @@ an identity, and nothing is proved where no such point is found.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from itertools import islice, product
 
@@ -27,6 +28,7 @@ from tresym.identity.decide import decide, sampled_values
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import PI, Expr, number, rebuild, substitute, symbol, symbols
 from tresym.identity.given import Given, corners
+from tresym.identity.parsing import parse
 from tresym.verdict import Verdict
 
 LOOKS = ((128, 40), (700, 10))
@@ -238,12 +240,14 @@ def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> 
     found = search(*pair, True, region, region)
     if found.verdict is not Verdict.REFUTED:
         return found
-    point = {name: fmpq(*map(int, text.split("/"))) for name, text in (found.witness or {}).items()}
+    point = {name: parse(text) for name, text in (found.witness or {}).items()}
     if equal_at(left, right, point):
-        return refuted(f"both sides are equal at {_shown(point)}", point)
-    zero = _zero_between(left - right, region, defined, point)
-    if zero is not None:
-        return zero
+        return replace(found, why=f"both sides are equal at {_named(found.witness or {})}")
+    if all(value.op == "number" for value in point.values()):
+        exact = {name: value.args[0] for name, value in point.items()}
+        zero = _zero_between(left - right, region, defined, exact)
+        if zero is not None:
+            return zero
     why = "the difference changes its sign, so it may vanish; no zero of it was found"
     return Answer(Verdict.UNDECIDED, why)
 
@@ -283,5 +287,9 @@ def _words(found: str | None) -> str:
 
 
 def _shown(point: dict[str, fmpq]) -> str:
-    shown = ", ".join(f"{name} = {fraction_text(value)}" for name, value in point.items())
+    return _named({name: fraction_text(value) for name, value in point.items()})
+
+
+def _named(point: Mapping[str, str]) -> str:
+    shown = ", ".join(f"{name} = {value}" for name, value in point.items())
     return shown or "the constants themselves"

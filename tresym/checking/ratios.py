@@ -84,7 +84,7 @@ def _by_ratio(kind: str, left: Expr, right: Expr, name: str, level: int) -> Judg
         if found.verdict is not Verdict.UNDECIDED:
             return _shortened(found, reach)
     ratio = joined(left / right, name)
-    for method in (_by_larger, _by_logarithm, _by_oscillation, _one_level_up):
+    for method in (_by_larger, _by_logarithm, _by_oscillation, _by_level):
         found = method(kind, ratio, name, level)
         if found.verdict is not Verdict.UNDECIDED:
             return found
@@ -261,7 +261,7 @@ def _is_below(f: Expr, g: Expr, constant: fmpq, name: str, upto: fmpq) -> bool:
     """Whether |f| ≤ constant |g| for 0 < t ≤ upto."""
     if _at_most(f, g, constant, name, upto):
         return True
-    raised = _raised(joined(f / g, name), name)
+    raised = one_level_up(joined(f / g, name), name)
     # log 2 > 1/2: t ≤ 2^(−n) has 1/log(1/t) ≤ 2/n
     own = fmpq(2, upto.q.bit_length() - 1)
     return raised is not None and _at_most(raised, ONE, constant, name, own)
@@ -284,9 +284,9 @@ def _logarithm(base: Expr, exponent: Expr) -> Expr:
     return exponent * apply("log", base if base.op == "symbol" else apply("abs", base))
 
 
-def _one_level_up(kind: str, ratio: Expr, name: str, level: int) -> Judgement:
+def _by_level(kind: str, ratio: Expr, name: str, level: int) -> Judgement:
     """With t = exp(−1/s), s → 0+."""
-    raised = _raised(ratio, name) if level < MAX_LEVELS else None
+    raised = one_level_up(ratio, name) if level < MAX_LEVELS else None
     if raised is None:
         return _OPEN
     found = judged(kind, raised, ONE, name)
@@ -300,7 +300,7 @@ def _one_level_up(kind: str, ratio: Expr, name: str, level: int) -> Judgement:
     return replace(found, ratio=None, true_order=None, upto=below)
 
 
-def _raised(e: Expr, name: str) -> Expr | None:
+def one_level_up(e: Expr, name: str) -> Expr | None:
     """``e`` at t = exp(−1/s), in s; None where it has no logarithm of a power of t."""
     t, y = symbol(name), 1 / symbol(name)
     found = False
@@ -314,7 +314,9 @@ def _raised(e: Expr, name: str) -> Expr | None:
         inside = _inside(node)
         if inside is not None:
             parts = factors(inside, name)
-            if all(base == t or not symbols(base) for base, _ in parts):
+            if all(
+                name not in symbols(x) and (base == t or not symbols(base)) for base, x in parts
+            ):
                 found = True
                 return collected(
                     add(*(-x * y if base == t else _logarithm(base, x) for base, x in parts))

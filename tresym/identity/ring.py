@@ -18,6 +18,8 @@ Poly: TypeAlias = fmpz_mpoly
 
 MAX_TERMS = 4000
 MAX_DEGREE = 400
+LARGEST_DEGREE = 10**6
+"""Of sums: FLINT's time and memory grow with it, and beyond 64 bits its divisors are wrong."""
 CONJUGATE_TERMS = 600
 _INVERSE = frozenset(("log", "atan", "opaque", "cos", "sin"))
 
@@ -209,13 +211,13 @@ class Ring:
     def add(self, x: Fraction, y: Fraction) -> Fraction:
         """``x + y``."""
         if x.den == y.den:
-            total = x.num + y.num
+            total = _bounded(x.num + y.num)
             if x.den.is_one():
                 return Fraction(total, x.den)
             return self._cancel(total, x.den)
         common = x.den.gcd(y.den)
         left, right = y.den // common, x.den // common
-        return self.make(x.num * left + y.num * right, x.den * left)
+        return self.make(_bounded(x.num * left + y.num * right), x.den * left)
 
     def sum(self, terms: list[Fraction]) -> Fraction:
         """The sum of ``terms``."""
@@ -285,6 +287,12 @@ class Ring:
         if not (x.num.is_constant() and x.den.is_constant()):
             return None
         return fmpq(_constant(x.num), _constant(x.den))
+
+
+def _bounded(p: Poly) -> Poly:
+    if len(p) > 1 and p.total_degree() > LARGEST_DEGREE:
+        raise TooLargeError(f"a sum with powers beyond {LARGEST_DEGREE}")
+    return p
 
 
 def _constant(p: Poly) -> fmpz:
