@@ -244,7 +244,7 @@ def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> 
     if equal_at(left, right, point):
         return replace(found, why=f"both sides are equal at {_named(found.witness or {})}")
     if all(value.op == "number" for value in point.values()):
-        exact = {name: value.args[0] for name, value in point.items()}
+        exact = defined | {name: value.args[0] for name, value in point.items()}
         zero = _zero_between(left - right, region, defined, exact)
         if zero is not None:
             return zero
