@@ -107,7 +107,7 @@ def refuted(
 def _apart(left: arb, right: arb) -> tuple[Decimal, Decimal]:
     """Both balls in decimal, with the digits it takes to see them apart where they are."""
     with ball_precision(5000):
-        for digits in DIGITS:
+        for digits in DIGITS[:1] if left.overlaps(right) else DIGITS:
             x, y = decimal_ball(left, digits), decimal_ball(right, digits)
             try:
                 gap = abs(parse_number(x.mid) - parse_number(y.mid))

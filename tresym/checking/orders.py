@@ -16,7 +16,7 @@ from tresym.identity.expression import Expr, number, substitute, symbol
 from tresym.verdict import Verdict
 
 PRECISION = 128
-LARGEST, INFINITY = arb((1, 10**5)), arb.pos_inf()
+LARGEST = arb((1, 10**8))
 SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3))
 """Where on the path both sides are shown, if they are not real where a refutation would."""
 _PARAMETER = "_t"
@@ -35,13 +35,12 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
     """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED."""
     found = [_one_side(claim, path, side) for side in path.sides]
     for side, judgement in zip(path.sides, found, strict=True):
-        if judgement.verdict is Verdict.REFUTED:
-            for t in (judgement.points["t"], *SHOWN_AT):
-                if _are_real(claim, path, side, t, LARGEST):
-                    return _refutation(claim, path, side, judgement, t)
+        t = _witness_of(claim, path, side, judgement)
+        if t is not None:
+            return _refutation(claim, path, side, judgement, t)
     if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
         ranges = [judgement.upto or fmpq(1) for judgement in found]
-        if all(_are_real(claim, path, s, t / 3) for s, t in zip(path.sides, ranges, strict=True)):
+        if all(_values(claim, path, s, t / 3) for s, t in zip(path.sides, ranges, strict=True)):
             return _holds(claim, path, found)
         return Answer(
             Verdict.UNDECIDED,
@@ -56,13 +55,35 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
     )
 
 
-def _are_real(claim: Comparison, path: Path, side: int, t: fmpq, largest: arb = INFINITY) -> bool:
-    """Whether both sides are shown to be defined at a point of the path, and not too large."""
+def _witness_of(claim: Comparison, path: Path, side: int, judgement: Judgement) -> fmpq | None:
+    """Where on the path a refutation is shown: both sides are real there, and no tower of digits.
+
+    Where the order was found by another form of the ratio, the largest ratio is shown.
+    """
+    if judgement.verdict is not Verdict.REFUTED:
+        return None
+    found = []
+    for t in (judgement.points["t"], *SHOWN_AT):
+        values = _values(claim, path, side, t)
+        if values is not None and all(abs(value) < LARGEST for value in values):
+            found.append((t, values))
+            if judgement.true_order is not None or claim.relation == "~":
+                break
+    with ball_precision(PRECISION):
+        return max(found, key=lambda item: _ratio(*item[1]), default=(None,))[0]
+
+
+def _ratio(left: arb, right: arb) -> arb:
+    return abs(left / right).mid() if right != 0 else arb(0)
+
+
+def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb] | None:
+    """Both sides at a point of the path; None where they are not shown to be real."""
     mapping = {path.name: _along(path, side)}
     with ball_precision(PRECISION):
         at = {_PARAMETER: arb(t)}
-        values = [evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right)]
-        return all(value.is_finite() and abs(value) < largest for value in values)
+        left, right = (evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right))
+        return (left, right) if left.is_finite() and right.is_finite() else None
 
 
 def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
@@ -93,6 +114,8 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
     leading = found[0]
     constant = None
     sentence = _SUCCESSES.get(claim.relation, "")
+    if claim.relation == "~" and leading.true_order is None:
+        sentence = "left - right is o(right)"
     if claim.relation == "O":
         if any(judgement.constant is None for judgement in found):
             return Answer(Verdict.UNDECIDED, "the range of the expansions does not settle it")
@@ -113,11 +136,6 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
 
 
 def _refutation(claim: Comparison, path: Path, side: int, judgement: Judgement, t: fmpq) -> Answer:
-    with ball_precision(PRECISION):
-        at = {_PARAMETER: arb(t)}
-        mapping = {path.name: _along(path, side)}
-        left = evaluate(substitute(claim.left, mapping), at)
-        right = evaluate(substitute(claim.right, mapping), at)
     why = _FAILURES[claim.relation]
     if judgement.true_order is not None:
         why = f"the left side is about {_leading(path, side, judgement)}"
@@ -125,7 +143,7 @@ def _refutation(claim: Comparison, path: Path, side: int, judgement: Judgement, 
         ratio = judgement.ratio.text(_small(path, side))
         why += f", and left/right about {ratio}, which for {claim.relation} it must not be"
     name, value = _witness(path, side, t)
-    return refuted(why, {name: value}, left, right)
+    return refuted(why, {name: value}, *(_values(claim, path, side, t) or ()))
 
 
 def _leading(path: Path, side: int, judgement: Judgement) -> str:
