@@ -6,7 +6,7 @@ from itertools import product
 from pathlib import Path
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -14,8 +14,10 @@ import tresym
 from tresym.bench.check import Known, known
 from tresym.checking.cones import sign_on_cones
 from tresym.checking.domain import with_domain
+from tresym.checking.homogeneous import sign_by_homogeneity
 from tresym.checking.stationary import solutions
 from tresym.identity import Expr, differentiate, parse
+from tresym.identity.evaluation import evaluate
 from tresym.identity.given import Given
 from tresym.verdict import Verdict
 
@@ -217,3 +219,47 @@ def test_what_fails_in_a_small_part_is_refuted(claim: str) -> None:
 def test_a_search_of_a_part_of_the_line_proves_nothing_of_the_rest(claim: str) -> None:
     assert tresym.check(claim).verdict in (ENCLOSED, PROVED)
     assert tresym.check("sin(x) + sin(sqrt(2)*x) < 2 given x > 0").verdict is UNDECIDED
+
+
+HOMOGENEOUS = [
+    ("x*y*z <= 1/27", "x > 0, y > 0, z > 0, x + y + z <= 1", PROVED),
+    ("x*y*z < 1/27", "x > 0, y > 0, z > 0, x + y + z < 1", PROVED),
+    ("x*y*z < 1/27", "x > 0, y > 0, z > 0, x + y + z <= 1", REFUTED),
+    ("x*y*z >= -1/27", "x < 0, y < 0, z < 0, x + y + z >= -1", PROVED),
+    ("x + y >= 2", "x > 0, y > 0, x*y >= 1", PROVED),
+    ("x + y >= 2", "x*y >= 1", REFUTED),
+    ("x**2 - y <= 1/4", "x > 0, y > 0, x + y <= 1", REFUTED),
+    ("1 - x - y - x*y >= 0", "x > 0, y > 0, x + y <= 1", REFUTED),
+    ("1 + x*y - x**2 - y**2 >= 0", "x + y <= 1", REFUTED),
+    ("x*y + y*z + z*x <= 1/3", "x + y + z <= 1", REFUTED),
+    ("x**2*y <= 0.148", "x >= 0, y >= 0, x + y <= 1", REFUTED),
+]
+
+
+@pytest.mark.parametrize(("claim", "conditions", "verdict"), HOMOGENEOUS)
+def test_conditions_that_make_a_polynomial_homogeneous(
+    claim: str, conditions: str, verdict: Verdict
+) -> None:
+    """Only terms of the right sign may be multiplied by the form of the condition."""
+    assert tresym.check(claim, given=conditions).verdict is verdict
+
+
+@given(
+    st.tuples(*(st.integers(-3, 3) for _ in range(6))),
+    st.sampled_from(["x + y <= 1", "x + y >= 1", "x*y >= 1", "x**2 + y**2 <= 1", "x + 2*y < 2"]),
+    st.sampled_from(["x > 0, y > 0", "x > 0, y < 0", "x >= 0", ""]),
+)
+def test_what_is_made_homogeneous_holds_at_points(
+    coefficients: tuple[int, ...], condition: str, signs: str
+) -> None:
+    """Polynomials of degree 2 under a condition: a proof holds at all points of a grid."""
+    parts = zip(coefficients, ("x**2", "x*y", "y**2", "x", "y", "1"), strict=True)
+    polynomial = " + ".join(f"({c})*{monomial}" for c, monomial in parts)
+    region = Given.parse(f"{signs}, {condition}" if signs else condition)
+    proof = sign_by_homogeneity(parse(polynomial), ">=", region)
+    if proof is not None:
+        difference = parse(polynomial)
+        for x, y in product(range(-12, 13), repeat=2):
+            at = {"x": arb(fmpq(x, 4)), "y": arb(fmpq(y, 4))}
+            if all(c.holds_exactly(at) for c in region.conditions):
+                assert evaluate(difference, at) >= 0
