@@ -13,8 +13,9 @@ from typing import NamedTuple
 from flint import fmpq
 
 from tresym.checking.cones import sign_on_cones
+from tresym.checking.factors import collected
 from tresym.identity.bounds import sign
-from tresym.identity.expression import ZERO, Expr, number, power, symbol
+from tresym.identity.expression import ONE, ZERO, Expr, number, power, symbol, symbols
 from tresym.identity.field import Field
 from tresym.identity.given import Condition, Given
 from tresym.identity.ring import TooLargeError, UndefinedError
@@ -23,7 +24,7 @@ _SIGNS = {">": ("+",), ">=": ("+", "0", ">=0")}
 
 
 class _Term(NamedTuple):
-    """A monomial with its coefficient."""
+    """A monomial with its coefficient, which is 0 here where it is no rational number."""
 
     degree: int
     value: fmpq
@@ -45,7 +46,7 @@ def sign_by_homogeneity(difference: Expr, relation: str, region: Given) -> str |
     Args:
         relation: ``">"``, ``">="`` or ``"!="``.
     """
-    terms = _terms(difference)
+    terms = _terms(difference) or _written_terms(difference)
     if not terms or relation == "!=":
         return None
     for condition in region.beyond_box:
@@ -81,6 +82,23 @@ def _terms(e: Expr) -> list[_Term] | None:
         monomial = prod(factors, start=number(coefficient))
         found.append(_Term(sum(map(int, powers)), coefficient, monomial))
     return found
+
+
+def _written_terms(e: Expr) -> list[_Term] | None:
+    """The terms as they stand, where coefficients are constants such as sqrt(3)."""
+    found = []
+    total = collected(e)
+    for term in total.args if total.op == "+" else (total,):
+        degree = 0
+        for part in term.args if term.op == "*" else (term,):
+            base, exponent = part.args if part.op == "^" else (part, ONE)
+            if not symbols(part):
+                continue
+            if base.op != "symbol" or exponent.op != "number" or exponent.args[0].q != 1:
+                return None
+            degree += int(exponent.args[0].p)
+        found.append(_Term(degree, fmpq(0), term))
+    return found if all(term.degree >= 0 for term in found) else None
 
 
 def _bound(condition: Condition, region: Given) -> _Bound | None:

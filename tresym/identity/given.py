@@ -140,6 +140,8 @@ class Given:
         for _ in range(2):
             for condition in (*self.conditions, *self._implied):
                 _propagate(box, condition)
+        for condition in self.conditions:
+            _within_even_powers(box, condition)
         return box
 
     @cached_property
@@ -257,8 +259,27 @@ def _propagate(box: dict[str, Range], condition: Condition) -> None:
                 _tighten(box, symbol(name), sign, number(-total / slope))
 
 
+def _within_even_powers(box: dict[str, Range], condition: Condition) -> None:
+    """Narrow the symbols of a sum of even powers that is bounded: x**2 + 4*y**4 < 1."""
+    form = _sum_of(condition.expression, even=True)
+    if condition.relation == "!=" or form is None or any(c > 0 for key, c in form.items() if key):
+        return
+    for key, c in form.items():
+        if key and form[""] > 0:
+            name, n = key.split("**")
+            with ball_precision(CHECK_BITS):
+                end = number(_rational(arb(-form[""] / c).root(int(n)).upper()))
+            _tighten(box, symbol(name), "<" if condition.relation == ">" else "<=", end)
+            _tighten(box, symbol(name), condition.relation, -end)
+
+
 def _linear(e: Expr) -> dict[str, fmpq] | None:
     """The coefficients of a linear expression, the constant under the empty name, or None."""
+    return _sum_of(e, even=False)
+
+
+def _sum_of(e: Expr, even: bool) -> dict[str, fmpq] | None:
+    """The coefficients of symbols, or of their even powers, ``x**2``; None for other sums."""
     form = {"": fmpq(0)}
     stack = [(e, fmpq(1))]
     while stack:
@@ -267,13 +288,21 @@ def _linear(e: Expr) -> dict[str, fmpq] | None:
             stack.extend((arg, scale) for arg in term.args)
         elif term.op == "*" and len(term.args) == 2 and term.args[0].op == "number":
             stack.append((term.args[1], scale * term.args[0].args[0]))
-        elif term.op in ("number", "symbol"):
-            name = term.args[0] if term.op == "symbol" else ""
-            value = scale if name else scale * term.args[0]
-            form[name] = form.get(name, fmpq(0)) + value
+        elif term.op == "number":
+            form[""] += scale * term.args[0]
+        elif _is_even_power(term) if even else term.op == "symbol":
+            key = str(term)
+            form[key] = form.get(key, fmpq(0)) + scale
         else:
             return None
-    return {name: c for name, c in form.items() if c != 0 or not name}
+    return {key: c for key, c in form.items() if c != 0 or not key}
+
+
+def _is_even_power(e: Expr) -> bool:
+    if e.op != "^" or e.args[0].op != "symbol" or e.args[1].op != "number":
+        return False
+    n = e.args[1].args[0]
+    return bool(n.q == 1 and n > 0 and n.p % 2 == 0)
 
 
 def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
