@@ -2,7 +2,7 @@
 
 import pytest
 from flint import arb, fmpq
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import tresym
@@ -35,7 +35,12 @@ def _text(powers: tuple[object, ...]) -> str:
     return "*".join(f"{base}**({p})" for base, p in zip(SCALE, powers, strict=True))
 
 
+FEWER = settings(max_examples=max(20, settings.default.max_examples // 5))
+"""An order may take a second."""
+
+
 @given(POWERS, POWERS, BESIDE, st.sampled_from(["O", "o"]))
+@FEWER
 def test_products_of_a_scale_compare_like_their_powers(
     left: tuple[object, ...], right: tuple[object, ...], beside: str, kind: str
 ) -> None:
@@ -47,6 +52,7 @@ def test_products_of_a_scale_compare_like_their_powers(
 
 
 @given(POWERS, st.sampled_from(SCALE), st.sampled_from(["O", "o", "~"]))
+@FEWER
 def test_one_factor_more(powers: tuple[object, ...], more: str, kind: str) -> None:
     """f = o(f h), and f h is not O(f), where h tends to infinity."""
     f = _text(powers)
