@@ -10,6 +10,7 @@ from tresym.arithmetic import ball_precision
 from tresym.checking.factors import collected, factors, in_exponentials, joined
 from tresym.checking.ratios import judged_by_ratio, one_level_up
 from tresym.claims.germ import Germs
+from tresym.claims.order import Size
 from tresym.identity import parse
 from tresym.identity.decide import decide
 from tresym.identity.evaluation import evaluate
@@ -85,6 +86,12 @@ def test_leading_terms_are_written_with_the_logarithm(claim: str, path: str, why
     answer = tresym.check(claim, path=path)
     assert answer.verdict is REFUTED
     assert f"the left side is about {why}" in answer.why
+
+
+def test_the_logarithm_of_a_distance_from_a_half_is_not_one_of_infinity() -> None:
+    size = Size(arb(1), fmpq(-1), (arb(0), arb(-2)), logarithmic=True)
+    assert size.text("(1/x)") == "1.00000 * log(x)^(1) * x^(-2)"
+    assert size.text("(1/2 - x)") == "1.00000 * log(1/(1/2 - x))^(1) * (1/2 - x)^(2)"
 
 
 @pytest.mark.parametrize("claim", ["0 ~ 0", "sin(x)**2 + cos(x)**2 - 1 ~ 0", "x - x == o(0)"])

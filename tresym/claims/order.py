@@ -11,6 +11,7 @@ bounds on boxes and belong to the enclosure.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -101,8 +102,8 @@ class Size:
 
     def _logarithmic_parts(self, name: str) -> Iterator[str]:
         """t^power and exp(exponent_j / t^j) in powers of the parameter and of its logarithm."""
-        far = name.startswith("(1/") and name.endswith(")")
-        base, side = (name[3:-1], 1) if far else (name, -1)
+        far = re.fullmatch(r"\(1/(\w+)\)", name)
+        base, side = (far[1], 1) if far else (name, -1)
         logarithm = f"log({base})" if far else f"log(1/{name})"
         if self.power != 0:
             yield f"{logarithm}^({fraction_text(-self.power)})"
