@@ -15,7 +15,7 @@ from flint import arb, fmpq
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.contact import candidates, enclosure, sign_at_contact
-from tresym.checking.domain import equal_at
+from tresym.checking.domain import equal_at, satisfies
 from tresym.checking.ends import sign_beside
 from tresym.checking.stationary import solutions
 from tresym.checking.writing import numerator
@@ -215,17 +215,10 @@ class _Search:
         if not self.strict:
             return True
         with ball_precision(2 * PRECISION):
-            if all(self._holds(condition, point, at) for condition in self.region.conditions):
+            if all(satisfies(c, {name: point}, at) for c in self.region.conditions):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
                 return refuted(f"both sides are equal at {name} = {point}", {name: point}, *values)
         return False
-
-    def _holds(self, condition: Condition, point: Expr, at: dict[str, arb]) -> bool:
-        """Whether the point satisfies the condition."""
-        equal = condition.relation == ">=" and equal_at(
-            condition.expression, ZERO, {self.names[0]: point}
-        )
-        return equal or condition.holds(at)
 
     def _fails(self, condition: Condition, point: Expr, at: dict[str, arb]) -> bool:
         """Whether the condition excludes the point."""

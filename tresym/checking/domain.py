@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from tresym.exact import InputError
+from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import (
     ZERO,
     Expr,
@@ -19,7 +20,7 @@ from tresym.identity.expression import (
     symbols,
 )
 from tresym.identity.field import ALL_THEORIES
-from tresym.identity.given import Given
+from tresym.identity.given import Condition, Given
 from tresym.identity.locally_constant import equal_constants
 
 _MIRRORED = {">": "<", ">=": "<="}
@@ -95,3 +96,18 @@ def equal_at(left: Expr, right: Expr, point: Mapping[str, fmpq | Expr]) -> bool:
         return equal_constants(substitute(left, at), substitute(right, at), ALL_THEORIES)
     except InputError:  # a power that is too long to write
         return False
+
+
+def satisfies(
+    condition: Condition, point: Mapping[str, fmpq | Expr], at: Mapping[str, arb]
+) -> bool:
+    """Whether the exact ``point`` satisfies the condition, equality with it shown exactly.
+
+    Args:
+        at: the point in balls.
+    """
+    balls = dict(at)
+    if condition.holds_exactly(balls):
+        return True
+    near = condition.relation == ">=" and evaluate(condition.expression, balls).contains(0)
+    return near and equal_at(condition.expression, ZERO, point)

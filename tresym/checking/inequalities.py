@@ -18,7 +18,7 @@ from tresym.checking.boxes import search
 from tresym.checking.concave import sign_by_concavity
 from tresym.checking.cones import sign_on_cones
 from tresym.checking.descent import low_points
-from tresym.checking.domain import bound, equal_at, with_domain
+from tresym.checking.domain import bound, equal_at, satisfies, with_domain
 from tresym.checking.equivalents import equivalents
 from tresym.checking.homogeneous import sign_by_homogeneity
 from tresym.checking.regions import ONLY_INSIDE, is_regular
@@ -27,8 +27,8 @@ from tresym.exact import fraction_text
 from tresym.identity.bounds import sign
 from tresym.identity.decide import decide, sampled_values
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import PI, ZERO, Expr, number, rebuild, substitute, symbol, symbols
-from tresym.identity.given import Condition, Given, corners
+from tresym.identity.expression import PI, Expr, number, rebuild, substitute, symbol, symbols
+from tresym.identity.given import Given, corners
 from tresym.identity.parsing import parse
 from tresym.verdict import Verdict
 
@@ -201,7 +201,7 @@ def _refuted_at(
     for bits, _ in LOOKS:
         with ball_precision(bits):
             at = {name: arb(value) for name, value in point.items()}
-            if not all(_satisfies(condition, point, at) for condition in given.conditions):
+            if not all(satisfies(condition, point, at) for condition in given.conditions):
                 continue
             x, y = evaluate(left, at), evaluate(right, at)
         if not (x.is_finite() and y.is_finite()):
@@ -211,14 +211,6 @@ def _refuted_at(
         if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
             return refuted(f"both sides are equal at {_shown(point)}", point, x, y)
     return None
-
-
-def _satisfies(condition: Condition, point: dict[str, fmpq], at: dict[str, arb]) -> bool:
-    """Whether the exact point satisfies the condition, equality with it shown exactly."""
-    if condition.holds_exactly(at):
-        return True
-    near = condition.relation == ">=" and evaluate(condition.expression, at).contains(0)
-    return near and equal_at(condition.expression, ZERO, point)
 
 
 def _constants(left: Expr, relation: str, right: Expr) -> Answer:

@@ -35,9 +35,9 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
     """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED."""
     found = [_one_side(claim, path, side) for side in path.sides]
     for side, judgement in zip(path.sides, found, strict=True):
-        t = _witness_of(claim, path, side, judgement)
-        if t is not None:
-            return _refutation(claim, path, side, judgement, t)
+        shown = _shown_at(claim, path, side, judgement)
+        if shown is not None:
+            return _refutation(claim, path, side, judgement, *shown)
     if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
         ranges = [judgement.upto or fmpq(1) for judgement in found]
         if all(_values(claim, path, s, t / 3) for s, t in zip(path.sides, ranges, strict=True)):
@@ -55,8 +55,10 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
     )
 
 
-def _witness_of(claim: Comparison, path: Path, side: int, judgement: Judgement) -> fmpq | None:
-    """Where on the path a refutation is shown: both sides are real there, and no tower of digits.
+def _shown_at(
+    claim: Comparison, path: Path, side: int, judgement: Judgement
+) -> tuple[fmpq, tuple[arb, arb]] | None:
+    """Where on the path a refutation is shown, and both sides there: real, and no tower of digits.
 
     Where the order was found by another form of the ratio, the largest ratio is shown.
     """
@@ -70,7 +72,7 @@ def _witness_of(claim: Comparison, path: Path, side: int, judgement: Judgement) 
             if judgement.true_order is not None or claim.relation == "~":
                 break
     with ball_precision(PRECISION):
-        return max(found, key=lambda item: _ratio(*item[1]), default=(None,))[0]
+        return max(found, key=lambda item: _ratio(*item[1]), default=None)
 
 
 def _ratio(left: arb, right: arb) -> arb:
@@ -135,7 +137,14 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
     )
 
 
-def _refutation(claim: Comparison, path: Path, side: int, judgement: Judgement, t: fmpq) -> Answer:
+def _refutation(
+    claim: Comparison,
+    path: Path,
+    side: int,
+    judgement: Judgement,
+    t: fmpq,
+    values: tuple[arb, arb],
+) -> Answer:
     why = _FAILURES[claim.relation]
     if judgement.true_order is not None:
         why = f"the left side is about {_leading(path, side, judgement)}"
@@ -143,7 +152,7 @@ def _refutation(claim: Comparison, path: Path, side: int, judgement: Judgement, 
         ratio = judgement.ratio.text(_small(path, side))
         why += f", and left/right about {ratio}, which for {claim.relation} it must not be"
     name, value = _witness(path, side, t)
-    return refuted(why, {name: value}, *(_values(claim, path, side, t) or ()))
+    return refuted(why, {name: value}, *values)
 
 
 def _leading(path: Path, side: int, judgement: Judgement) -> str:

@@ -56,11 +56,18 @@ RANGES = tuple(fmpq(1, 2**n) for n in (4, 8, 16, 32, 64, 128))
 _OPEN = Judgement(Verdict.UNDECIDED)
 
 
-def judged(kind: str, left: Expr, right: Expr, name: str, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
+def judged(
+    kind: str,
+    left: Expr,
+    right: Expr,
+    name: str,
+    upto: fmpq = fmpq(1),  # noqa: B008
+    constant: fmpq | None = None,
+) -> Judgement:
     """The order statement as it stands, for the parameter ``name`` up to ``upto``."""
+    f, g = formula(left, name), formula(right, name)
     try:
-        order = Order(kind, formula(left, name), formula(right, name), upto=upto)
-        return decide(order, PRECISION)
+        return decide(Order(kind, f, g, constant=constant, upto=upto), PRECISION)
     except (ZeroDivisionError, OverflowError, InputError):
         return _OPEN
 
@@ -268,11 +275,7 @@ def _is_below(f: Expr, g: Expr, constant: fmpq, name: str, upto: fmpq) -> bool:
 
 
 def _at_most(f: Expr, g: Expr, constant: fmpq, name: str, upto: fmpq) -> bool:
-    order = Order("<=", formula(f, name), formula(g, name), constant=constant, upto=upto)
-    try:
-        return decide(order, PRECISION).verdict is Verdict.ENCLOSED
-    except (ZeroDivisionError, OverflowError, InputError):
-        return False
+    return judged("<=", f, g, name, upto, constant).verdict is Verdict.ENCLOSED
 
 
 def _logarithm(base: Expr, exponent: Expr) -> Expr:
