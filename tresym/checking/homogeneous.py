@@ -7,7 +7,6 @@ the homogeneous function, in which x = y = z is a ray and not a point, holds of 
 
 from __future__ import annotations
 
-from math import prod
 from typing import NamedTuple
 
 from flint import fmpq
@@ -15,10 +14,9 @@ from flint import fmpq
 from tresym.checking.cones import sign_on_cones
 from tresym.checking.factors import collected
 from tresym.identity.bounds import sign
-from tresym.identity.expression import ONE, ZERO, Expr, number, power, symbol, symbols
-from tresym.identity.field import Field
+from tresym.identity.expression import ONE, ZERO, Expr, number, power, symbols
 from tresym.identity.given import Condition, Given
-from tresym.identity.ring import TooLargeError, UndefinedError
+from tresym.identity.polynomials import as_expression, degree, polynomial
 
 _SIGNS = {">": ("+",), ">=": ("+", "0", ">=0")}
 
@@ -66,22 +64,10 @@ def sign_by_homogeneity(difference: Expr, relation: str, region: Given) -> str |
 
 def _terms(e: Expr) -> list[_Term] | None:
     """The terms of a polynomial in symbols, or None."""
-    try:
-        field = Field(Given())
-        (value,) = field.normal(e)
-    except (TooLargeError, UndefinedError):
+    terms = polynomial(e)
+    if terms is None:
         return None
-    used = {i: field.at(i) for i in field.used(value.num)}
-    if not value.den.is_constant() or any(g.kind != "symbol" for g in used.values()):
-        return None
-    unit = value.den.leading_coefficient()
-    found = []
-    for powers, c in value.num.terms():
-        factors = (symbol(str(g.data[0])) ** int(powers[i]) for i, g in used.items() if powers[i])
-        coefficient = fmpq(c, unit)
-        monomial = prod(factors, start=number(coefficient))
-        found.append(_Term(sum(map(int, powers)), coefficient, monomial))
-    return found
+    return [_Term(degree(m), c, number(c) * as_expression(m)) for m, c in terms.items()]
 
 
 def _written_terms(e: Expr) -> list[_Term] | None:
@@ -89,15 +75,15 @@ def _written_terms(e: Expr) -> list[_Term] | None:
     found = []
     total = collected(e)
     for term in total.args if total.op == "+" else (total,):
-        degree = 0
+        powers = 0
         for part in term.args if term.op == "*" else (term,):
             base, exponent = part.args if part.op == "^" else (part, ONE)
             if not symbols(part):
                 continue
             if base.op != "symbol" or exponent.op != "number" or exponent.args[0].q != 1:
                 return None
-            degree += int(exponent.args[0].p)
-        found.append(_Term(degree, fmpq(0), term))
+            powers += int(exponent.args[0].p)
+        found.append(_Term(powers, fmpq(0), term))
     return found if all(term.degree >= 0 for term in found) else None
 
 
@@ -118,15 +104,15 @@ def _bound(condition: Condition, region: Given) -> _Bound | None:
 
 def _homogeneous(terms: list[_Term], bound: _Bound, region: Given) -> tuple[Expr, bool] | None:
     """What is not larger and homogeneous, and whether it is smaller under a strict condition."""
-    degree = max(t.degree for t in terms)
+    largest = max(t.degree for t in terms)
     result, lost = ZERO, False
     for term in terms:
         part = term.expression
-        if term.degree < degree:
+        if term.degree < largest:
             signed = sign(part * bound.side, region)
             if signed not in ("+", ">=0"):
                 return None
             lost = lost or signed == "+"
-            part = part * power(bound.form, number(fmpq(degree - term.degree, bound.degree)))
+            part = part * power(bound.form, number(fmpq(largest - term.degree, bound.degree)))
         result = result + part
-    return (result, lost) if any(t.degree < degree for t in terms) else None
+    return (result, lost) if any(t.degree < largest for t in terms) else None

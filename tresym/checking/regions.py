@@ -22,11 +22,11 @@ from itertools import combinations
 
 from flint import fmpq, fmpq_mat, fmpz_poly
 
+from tresym.checking.cancellation import scaled
 from tresym.identity.bounds import sign
 from tresym.identity.expression import Expr, differentiate, number, symbol, symbols
-from tresym.identity.field import Field
 from tresym.identity.given import Given
-from tresym.identity.ring import TooLargeError, UndefinedError
+from tresym.identity.polynomials import Monomial, degree, polynomial
 
 MAX_QUADRATIC = 5
 """Variables of a quadratic condition that is looked at."""
@@ -68,23 +68,12 @@ def _is_concave(e: Expr) -> bool:
     """Whether ``e`` is a concave polynomial of degree 2 at most, less absolute values of linear."""
     plain = number(0)
     for term in e.args if e.op == "+" else (e,):
-        factor, inner = _absolute(term)
-        if inner is None:
+        factor, inner = scaled(term)
+        if inner.op != "abs":
             plain = plain + term
-        elif factor > 0 or not _is_linear(inner):
+        elif factor > 0 or not _is_linear(inner.args[0]):
             return False
     return _is_linear(plain) or _is_concave_polynomial(plain)
-
-
-def _absolute(term: Expr) -> tuple[fmpq, Expr | None]:
-    """c and u of a term ``c*abs(u)``."""
-    if term.op == "abs":
-        return fmpq(1), term.args[0]
-    if term.op == "*" and len(term.args) == 2:
-        first, second = term.args
-        if first.op == "number" and second.op == "abs":
-            return first.args[0], second.args[0]
-    return fmpq(0), None
 
 
 def _is_linear(e: Expr) -> bool:
@@ -100,18 +89,18 @@ def _is_made_of(e: Expr, operations: set[str]) -> bool:
 
 
 def _is_concave_polynomial(e: Expr) -> bool:
-    terms = _polynomial(e)
-    if terms is None or any(sum(powers) > 2 for powers in terms):
+    terms = polynomial(e)
+    if terms is None or any(degree(m) > 2 for m in terms):
         return False
-    used = sorted({i for powers in terms if sum(powers) == 2 for i, k in enumerate(powers) if k})
+    used = sorted({name for m in terms if degree(m) == 2 for name, _ in m})
     if len(used) > MAX_QUADRATIC:
         return False
     # −1 times the matrix of second derivatives: it must have no negative principal minor.
     curved = fmpq_mat(len(used), len(used))
-    for powers, value in terms.items():
-        at = [i for i, k in enumerate(powers) for _ in range(k)]
+    for monomial, value in terms.items():
+        at = [name for name, k in monomial for _ in range(k)]
         if len(at) == 2:
-            row, column = (used.index(i) for i in at)
+            row, column = (used.index(name) for name in at)
             curved[row, column] -= value
             curved[column, row] -= value
     return all(
@@ -121,26 +110,11 @@ def _is_concave_polynomial(e: Expr) -> bool:
     )
 
 
-def _polynomial(e: Expr) -> dict[tuple[int, ...], fmpq] | None:
-    """The terms of a polynomial in symbols with rational coefficients, or None."""
-    try:
-        field = Field(Given())
-        (value,) = field.normal(e)
-    except (TooLargeError, UndefinedError):
-        return None
-    if not value.den.is_constant() or any(
-        field.at(i).kind != "symbol" for i in field.used(value.num)
-    ):
-        return None
-    unit = value.den.leading_coefficient()
-    return {tuple(map(int, powers)): fmpq(c, unit) for powers, c in value.num.terms()}
-
-
 def _has_simple_zeros(closed: list[Expr], given: Given) -> bool:
     """Whether these polynomials in one variable have simple zeros, and no two a common one."""
     seen: list[fmpz_poly] = []
     for e in dict.fromkeys(closed):
-        terms = _polynomial(e)
+        terms = polynomial(e)
         if terms is None:
             return False
         p = _simple_part(terms, symbol(*symbols(e)), given)
@@ -150,14 +124,14 @@ def _has_simple_zeros(closed: list[Expr], given: Given) -> bool:
     return True
 
 
-def _simple_part(terms: dict[tuple[int, ...], fmpq], x: Expr, given: Given) -> fmpz_poly | None:
+def _simple_part(terms: dict[Monomial, fmpq], x: Expr, given: Given) -> fmpz_poly | None:
     """The factors of odd power; None if one of even power may vanish under the conditions."""
     if not terms:
         return fmpz_poly([1])
     common = fmpq(1)
     for value in terms.values():
         common *= value.q
-    coefficients = {sum(powers): (value * common).p for powers, value in terms.items()}
+    coefficients = {degree(m): (value * common).p for m, value in terms.items()}
     _, factors = fmpz_poly([coefficients.get(k, 0) for k in range(max(coefficients) + 1)]).factor()
     simple = fmpz_poly([1])
     for factor, power in factors:
@@ -185,8 +159,8 @@ def _rise_together(
 
 def _is_quadratic(e: Expr) -> bool:
     """Whether a polynomial has degree 2 at most: if not concave, it rises along some line."""
-    terms = _polynomial(e)
-    return terms is not None and all(sum(powers) <= 2 for powers in terms)
+    terms = polynomial(e)
+    return terms is not None and all(degree(m) <= 2 for m in terms)
 
 
 def _is_convex_in(x: str, everything: list[Expr], given: Given) -> bool:

@@ -27,7 +27,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import prod
 
 from flint import arb, fmpq
 
@@ -35,11 +34,12 @@ from tresym.arithmetic import ball_precision
 from tresym.exact import fraction_text
 from tresym.identity.constants import settled
 from tresym.identity.evaluation import evaluate, undefined_parts
-from tresym.identity.expression import ZERO, Expr, number, symbol, symbols
+from tresym.identity.expression import ZERO, Expr, number, symbols
 from tresym.identity.field import ALL_THEORIES, Field
 from tresym.identity.given import Given
 from tresym.identity.locally_constant import equal_by_derivative, vanishes_or_zero
-from tresym.identity.ring import Fraction, Poly, TooLargeError, UndefinedError
+from tresym.identity.polynomials import as_expression, terms_in_symbols
+from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
 from tresym.verdict import Verdict
 
 Points = Callable[[Given], Sequence[Mapping[str, fmpq]]]
@@ -268,20 +268,10 @@ def _sign_in_doubt(field: Field, value: Fraction) -> Expr | None:
     for i in field.used(value.num):
         generator = field.at(i)
         if generator.kind == "sign":
-            p = generator.data[0]
-            if all(field.at(j).kind == "symbol" for j in field.used(p)):
-                return _as_expression(field, p)
+            terms = terms_in_symbols(field, generator.data[0])
+            if terms is not None:
+                return sum((number(c) * as_expression(m) for m, c in terms.items()), ZERO)
     return None
-
-
-def _as_expression(field: Field, p: Poly) -> Expr:
-    """A polynomial in generators that are symbols."""
-    factors = {i: symbol(str(field.at(i).data[0])) for i in field.used(p)}
-    terms = (
-        prod((x ** int(powers[i]) for i, x in factors.items()), start=number(fmpq(c)))
-        for powers, c in p.terms()
-    )
-    return sum(terms, ZERO)
 
 
 def _obstacle(field: Field, value: Fraction) -> str:
