@@ -10,7 +10,8 @@ from typing import Any
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
-from tresym.exact import Decimal, InputError, decimal_ball, fraction_text, parse_number
+from tresym.exact import Decimal, InputError, decimal_ball, parse_number
+from tresym.identity.decide import exact_text
 from tresym.identity.expression import Expr
 from tresym.verdict import Verdict
 
@@ -94,10 +95,7 @@ def refuted(
     why: str, point: Mapping[str, fmpq | Expr], left: arb | None = None, right: arb | None = None
 ) -> Answer:
     """A refutation at an exact point, with both sides there."""
-    witness = {
-        name: str(value) if isinstance(value, Expr) else fraction_text(value)
-        for name, value in point.items()
-    }
+    witness = {name: exact_text(value) for name, value in point.items()}
     values = None
     if left is not None and right is not None:
         values = _apart(left, right)

@@ -20,8 +20,9 @@ from tresym.checking.ends import sign_beside
 from tresym.checking.stationary import solutions
 from tresym.checking.writing import numerator
 from tresym.claims.enclosure import Bound, Box, BoxProof, Counterexample, prove_positive
-from tresym.exact import Interval, fraction_text, simplest_between
+from tresym.exact import Interval, simplest_between
 from tresym.identity.bounds import sign
+from tresym.identity.decide import shown
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import PI, ZERO, Expr, differentiate, number, symbol, symbols
 from tresym.identity.given import Condition, Given, Range
@@ -289,8 +290,7 @@ class _Search:
                     continue
                 x, y = evaluate(self.left, at), evaluate(self.right, at)
                 if x < y:
-                    shown = ", ".join(f"{n} = {fraction_text(v)}" for n, v in exact.items())
-                    return refuted(f"it fails at {shown}", exact, x, y)
+                    return refuted(f"it fails at {shown(exact)}", exact, x, y)
         return None
 
     def _margin(self, *arguments: Any) -> arb:
@@ -343,11 +343,11 @@ def _contains(piece: tuple[fmpq, fmpq], x: arb) -> bool:
 
 def _open(names: list[str], worst: Box) -> Answer:
     with ball_precision(PRECISION):
-        shown = ", ".join(
+        near = ", ".join(
             f"{name} = {arb((side.low + side.high) / 2).str(8, radius=False)}"
             for name, side in zip(names, worst, strict=True)
         )
     return Answer(
         Verdict.UNDECIDED,
-        f"boxes near {shown} stayed open: the two sides may touch there; a smaller region may help",
+        f"boxes near {near} stayed open: the two sides may touch there; a smaller region may help",
     )

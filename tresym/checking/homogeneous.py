@@ -13,12 +13,10 @@ from flint import fmpq
 
 from tresym.checking.cones import sign_on_cones
 from tresym.checking.factors import collected
-from tresym.identity.bounds import sign
+from tresym.identity.bounds import PROVING, sign
 from tresym.identity.expression import ONE, ZERO, Expr, number, power, symbols
 from tresym.identity.given import Condition, Given
 from tresym.identity.polynomials import as_expression, degree, polynomial
-
-_SIGNS = {">": ("+",), ">=": ("+", "0", ">=0")}
 
 
 class _Term(NamedTuple):
@@ -55,7 +53,7 @@ def sign_by_homogeneity(difference: Expr, relation: str, region: Given) -> str |
         least, lost = made
         needed = ">=" if bound.strict and lost else relation
         proof: str | None = "it is so by the signs of its parts"
-        if sign(least, region) not in _SIGNS[needed]:
+        if sign(least, region) not in PROVING[needed]:
             proof = sign_on_cones(least, needed, region)
         if proof is not None:
             return f"made homogeneous by {condition.expression} {condition.relation} 0, {proof}"

@@ -6,7 +6,6 @@ an identity, and nothing is proved where no such point is found.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from itertools import islice, product
 
@@ -24,8 +23,8 @@ from tresym.checking.homogeneous import sign_by_homogeneity
 from tresym.checking.regions import ONLY_INSIDE, is_regular
 from tresym.checking.taylor import sign_by_taylor
 from tresym.exact import fraction_text
-from tresym.identity.bounds import sign
-from tresym.identity.decide import decide, sampled_values
+from tresym.identity.bounds import PROVING, sign
+from tresym.identity.decide import decide, sampled_values, shown
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import PI, Expr, number, rebuild, substitute, symbol, symbols
 from tresym.identity.given import Given, corners
@@ -38,7 +37,6 @@ MAX_PAIRS = 8
 MAX_STARTS = 24
 MAX_CASES = 3
 PERIODS = (2 * PI, number(2))
-_STRICT = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-")}
 
 
 def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> Answer:
@@ -63,7 +61,7 @@ def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> A
     proof = _proved(left, relation, right, region)
     inside = proof is not None and not is_regular(given)
     if proof is not None and not inside:
-        return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {_shown(defined)}")
+        return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {shown(defined)}")
     if relation == "!=":
         return _apart(left, right, region, defined)
     starts = given.points(names, MAX_STARTS)
@@ -122,7 +120,7 @@ def _by_equivalents(left: Expr, relation: str, right: Expr, region: Given) -> st
 def _directly(difference: Expr, relation: str, region: Given) -> str | None:
     """A proof by the signs of the parts, by cones, or by Taylor's theorem."""
     found = sign(difference, region)
-    if found in _STRICT[relation]:
+    if found in PROVING[relation]:
         return f"the difference {_words(found)} by the signs of its parts"
     proof = sign_on_cones(difference, relation, region)
     if proof is not None:
@@ -164,9 +162,9 @@ def _sampled(
         for point, (x, y) in sampled_values(left, right, given, names, count, bits):
             defined = point
             if relation != "!=" and x < y:
-                return defined, refuted(f"it fails at {_shown(point)}", point, x, y)
+                return defined, refuted(f"it fails at {shown(point)}", point, x, y)
             if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-                return defined, refuted(f"both sides are equal at {_shown(point)}", point, x, y)
+                return defined, refuted(f"both sides are equal at {shown(point)}", point, x, y)
     return defined, _at_corners(left, relation, right, given, names) if defined else None
 
 
@@ -207,9 +205,9 @@ def _refuted_at(
         if not (x.is_finite() and y.is_finite()):
             continue
         if relation != "!=" and x < y:
-            return refuted(f"it fails at {_shown(point)}", point, x, y)
+            return refuted(f"it fails at {shown(point)}", point, x, y)
         if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-            return refuted(f"both sides are equal at {_shown(point)}", point, x, y)
+            return refuted(f"both sides are equal at {shown(point)}", point, x, y)
     return None
 
 
@@ -220,7 +218,7 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
             return Answer(Verdict.PROVED, "the two constants are equal")
         return refuted("the two constants are equal", {})
     found = sign(left - right, Given())
-    if found in _STRICT[relation]:
+    if found in PROVING[relation]:
         return Answer(Verdict.ENCLOSED, "the balls of the two constants are apart")
     return Answer(Verdict.UNDECIDED, "the balls of the two constants overlap at 1024 bits")
 
@@ -246,7 +244,7 @@ def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> 
         return found
     point = {name: parse(text) for name, text in (found.witness or {}).items()}
     if equal_at(left, right, point):
-        return replace(found, why=f"both sides are equal at {_named(found.witness or {})}")
+        return replace(found, why=f"both sides are equal at {shown(point)}")
     if all(value.op == "number" for value in point.values()):
         exact = defined | {name: value.args[0] for name, value in point.items()}
         zero = _zero_between(left - right, region, defined, exact)
@@ -288,12 +286,3 @@ def _zero_between(
 def _words(found: str | None) -> str:
     words = {"+": "is positive", "-": "is negative", "0": "has normal form 0"}
     return words.get(found or "", "is nowhere negative")
-
-
-def _shown(point: dict[str, fmpq]) -> str:
-    return _named({name: fraction_text(value) for name, value in point.items()})
-
-
-def _named(point: Mapping[str, str]) -> str:
-    shown = ", ".join(f"{name} = {value}" for name, value in point.items())
-    return shown or "the constants themselves"

@@ -26,6 +26,8 @@ _BITS = 128
 
 _POSITIVE = frozenset(("exp", "cosh", "sech"))
 _ODD_INCREASING = frozenset(("sinh", "tanh", "asinh", "atanh", "atan", "asin", "cbrt", "sign"))
+PROVING = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-")}
+"""The signs of a difference that prove its relation to zero."""
 _FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0"}
 
 

@@ -129,8 +129,8 @@ def _decide(
         sides, given, theories, lambda where: [point for point, _ in look(*SIGN_POINTS, where)]
     )
     if proof is not None:
-        shown = _shown(defined)
-        return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown}")
+        where = shown(defined)
+        return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {where}")
     for bits, count in LATER_LOOKS:
         for point, values in look(count, bits):
             if not values[0].overlaps(values[1]):
@@ -174,14 +174,19 @@ def sampled_values(
 
 
 def _refutation(point: dict[str, fmpq], values: tuple[arb, arb]) -> Decision:
-    why = f"the two sides differ at {_shown(point)}"
+    why = f"the two sides differ at {shown(point)}"
     return Decision(Verdict.REFUTED, why, point, values)
 
 
-def _shown(point: Mapping[str, fmpq]) -> str:
-    if not point:
-        return "the constants themselves"
-    return ", ".join(f"{name} = {fraction_text(value)}" for name, value in point.items())
+def shown(point: Mapping[str, fmpq | Expr]) -> str:
+    """The exact point in words."""
+    parts = (f"{name} = {exact_text(value)}" for name, value in point.items())
+    return ", ".join(parts) or "the constants themselves"
+
+
+def exact_text(value: fmpq | Expr) -> str:
+    """A coordinate of an exact point, as one would type it."""
+    return str(value) if isinstance(value, Expr) else fraction_text(value)
 
 
 def _no_point(sides: tuple[Expr, ...], given: Given, names: list[str]) -> str:
