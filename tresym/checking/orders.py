@@ -6,7 +6,7 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, constant_ball, refuted
-from tresym.checking.leading import decide_smooth
+from tresym.checking.contact import decide_smooth
 from tresym.checking.ratios import judged, judged_by_ratio
 from tresym.checking.statement import Comparison, Path
 from tresym.claims.order import Judgement
