@@ -115,7 +115,7 @@ DISPLAYS = {
 
 @pytest.mark.parametrize("source", EXPRESSIONS)
 def test_expressions(source: str) -> None:
-    assert read_expression(source) == EXPRESSIONS[source]
+    assert read_expression(source, author=True) == EXPRESSIONS[source]
 
 
 @pytest.mark.parametrize("source", REFUSED)

@@ -7,9 +7,22 @@ The text is of the expression grammar of :mod:`tresym.identity.parsing`, with th
 from __future__ import annotations
 
 import re
-from typing import NamedTuple, NoReturn
+from collections.abc import Callable
+from typing import NoReturn
 
 from tresym.exact import InputError
+from tresym.identity.latex_reach import (
+    Ahead,
+    Piece,
+    Reach,
+    after_braces,
+    after_bracket,
+    after_derivative,
+    after_derivative_of_bracket,
+    after_open,
+    joined,
+    whole,
+)
 from tresym.identity.latex_tokens import (
     CLOSING,
     FUNCTIONS,
@@ -18,26 +31,45 @@ from tresym.identity.latex_tokens import (
     RELATIONS,
     RESERVED,
     STOPS,
+    Spaced,
 )
 
-
-class Piece(NamedTuple):
-    """Text and how strongly it binds: 1 sum, 2 product, 3 power, 4 atom."""
-
-    text: str
-    strength: int = 4
-    symbol: bool = False
-
-    def within(self, strength: int) -> str:
-        """The text, in parentheses where what surrounds it binds more strongly."""
-        return self.text if self.strength >= strength else f"({self.text})"
+_BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
+_FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac")
+_OPERATORS = ("/", "\\cdot", "\\times", "*")
+_DIFFERENTIALS = ("d", "\\partial")
+_OPENING, _CLOSED = (*_BRACKETS, "{"), (*_BRACKETS.values(), "}")
+_WORDS = sorted((*FUNCTIONS, "sqrt"), key=len, reverse=True)
+_NO_DERIVATIVE = (
+    "a derivative of a symbol is not known: write \\frac{d}{dx} (…) with what it stands for,"
+)
+_INSTEAD = {
+    **dict.fromkeys(
+        ("\\dot", "\\ddot", "'", "\\prime"),
+        "the derivative of a symbol is not known: write \\frac{d}{dt} (…) with what it stands for, "
+        "or a variable of its own name,",
+    ),
+    **dict.fromkeys(
+        ("\\imath", "\\jmath"),
+        "variables are real, and this is read as the imaginary unit: write another letter, and "
+        "\\cos x and \\sin x for the parts of e^{ix},",
+    ),
+}
+"""Tokens that are refused, and what to write instead."""
 
 
 class Reader:
-    """Recursive descent over the tokens; every method returns text of the expression grammar."""
+    """Recursive descent over the tokens; every method returns text of the expression grammar.
 
-    def __init__(self, tokens: list[str]) -> None:
+    Attributes:
+        author: whether ``f(x)``, ``dy/dx`` and ``\\dot x`` are symbols of the author's, and the
+            shorter of two readings is taken, as where a claim is compared with what is read. Else
+            they are refused.
+    """
+
+    def __init__(self, tokens: list[str], author: bool = False) -> None:
         self.tokens = tokens
+        self.author = author
         self.at = 0
         self.differentials: list[str] = []
         self.integrals = 0
@@ -62,6 +94,12 @@ class Reader:
         near = " ".join(self.tokens[max(0, self.at - 3) : self.at + 4])
         raise InputError(f"LaTeX: {why} at {self.peek() or 'the end'!a}, near {near!a}")
 
+    def two_readings(self, first: Piece | str, second: Piece | str) -> NoReturn:
+        """Refuse what can be read in two ways, with both written out."""
+        one, other = (p.text if isinstance(p, Piece) else p for p in (first, second))
+        near = " ".join(self.tokens[max(0, self.at - 6) : self.at + 1])
+        raise InputError(f"LaTeX: two readings remain: write {one} or {other}, near {near!a}")
+
     def skip_stops(self) -> None:
         """Step over commas, full stops and implication arrows."""
         while self.peek() in STOPS:
@@ -77,7 +115,7 @@ class Reader:
             terms.append(Piece(f" {operator} {self.product().within(2)}"))
         if len(terms) == 1:
             return terms[0]
-        return Piece("".join(t.text for t in terms), 1)
+        return Piece("".join(t.text for t in terms), 0)
 
     def signed(self) -> Piece:
         """The first term of a sum, perhaps with a sign."""
@@ -90,19 +128,51 @@ class Reader:
     def product(self) -> Piece:
         """Factors side by side; a slash divides by one factor, and what follows it is refused."""
         factors, operators = [self.factor_or_differential()], [""]
-        while not (self.integrals and factors[-1] is None):
-            if self.peek() in ("/", "\\cdot", "\\times", "*"):
-                operators.append("/" if self.take() == "/" else "*")
-            elif self.starts_factor():
-                if operators[-1] == "/" and not self.at_differential():
-                    self.refuse("what is below the slash? Write it with \\frac or in brackets,")
-                if _is_number(self.peek()) and _is_number(self.tokens[self.at - 1]):
-                    self.refuse("two numbers side by side: one with spaces, or a product?")
-                operators.append("*")
-            else:
-                break
+        while not (self.integrals and factors[-1] is None) and self.continues():
+            self.extend(factors, operators)
+        return joined(factors, operators)
+
+    def continues(self) -> bool:
+        """Whether another factor of the same product follows."""
+        return self.peek() in _OPERATORS or self.starts_factor()
+
+    def extend(self, factors: list[Piece | None], operators: list[str]) -> None:
+        """One more factor of a product, which a sign may lead in."""
+        if self.peek() in _OPERATORS:
+            operators.append("/" if self.take() == "/" else "*")
             factors.append(self.factor_or_differential())
-        return _joined(factors, operators)
+            return
+        last = factors[-1] or Piece("")
+        if operators[-1] == "/" and not self.at_differential():
+            self.refuse("what is below the slash? Write it with \\frac or in brackets,")
+        if _is_number(self.peek()) and _is_number(self.tokens[self.at - 1]):
+            self.refuse("two numbers side by side: one with spaces, or a product?")
+        if last.symbol and self.peek() == "(" and not self.author:
+            factors.append(self.factor_in_brackets(last))
+        else:
+            factors.append(self.factor_or_differential())
+        operators.append("*")
+        if _is_number(last.text) and factors[-1] and re.fullmatch(r"\d+/\d+", factors[-1].text):
+            self.two_readings(f"{last.text} + {factors[-1].text}", joined(factors, operators))
+
+    def factor_in_brackets(self, symbol: Piece) -> Piece:
+        """What follows a symbol in brackets, if they must be there for a product: x(0) may be a
+        function's value.
+        """
+        letter = symbol.text.split("*")[0]
+        start = self.at
+        if self.is_list():
+            self.refuse(f"{letter}(…) is a function that is not known: write out what it is,")
+        self.take("(")
+        inner = self.sum()
+        product = inner.strength == 0 and letter not in LETTERS_OF_FUNCTIONS
+        if product or (0 < inner.strength < 4 and self.peek(1) == "^"):
+            self.at = start
+            return self.factor()
+        self.refuse(
+            f"{letter}({inner.text}) is a product, written {symbol.text}*{inner.within(3)}, or a "
+            f"function's value, written as a variable such as {letter}1, or written out,"
+        )
 
     def factor_or_differential(self) -> Piece | None:
         """A factor, or None where the differential of an integral was stepped over."""
@@ -123,6 +193,54 @@ class Reader:
         """Inside an integral, ``d`` before a symbol."""
         return bool(self.integrals) and self.peek() == "d" and _is_letter(self.peek(1))
 
+    def ahead(self) -> Ahead:
+        """What follows in this product."""
+        if not self.continues() or self.at_differential():
+            return Ahead("")
+        operator = self.peek() if self.peek() in _OPERATORS else ""
+        i = self.at + bool(operator)
+        sign = operator and ("/" if operator == "/" else "*")
+        return Ahead(self.kind(i), sign, isinstance(self.tokens[self.at], Spaced))
+
+    def kind(self, i: int) -> str:
+        """Of the factor that begins at token ``i``."""
+        token = self.tokens[i] if i < len(self.tokens) else ""
+        if token == "\\int" or (token.startswith("\\") and token[1:] in FUNCTIONS):
+            return "function"
+        if token in ("\\dot", "\\ddot") or self.is_derivative_at(i):
+            return "derivative"
+        if token in _BRACKETS:
+            return "bracket"
+        if token in _FRACTIONS:
+            return "fraction"
+        exponential = token == "e" and self.tokens[i + 1 : i + 2] == ["^"]
+        return "letter" if (_is_letter(token) or token == "\\pi") and not exponential else "other"
+
+    def operand(
+        self,
+        applied: Callable[[Piece], Piece],
+        first: Piece,
+        rule: Callable[[Piece, Ahead], Reach],
+        matters: Callable[[Piece], bool] = lambda _: True,
+    ) -> Piece:
+        """``applied`` to ``first`` and to what follows, as far as the rule for it goes.
+
+        Where it is in doubt whether the next factor belongs to it, and that matters, the author's
+        reading is the shorter, and anybody else's is refused.
+        """
+        factors: list[Piece | None] = [first]
+        operators = [""]
+        while True:
+            so_far = joined(factors, operators)
+            reach = rule(so_far, self.ahead())
+            if reach is Reach.ENDS or (reach is Reach.DOUBT and self.author):
+                return applied(so_far)
+            self.extend(factors, operators)
+            last = factors[-1]
+            if reach is Reach.DOUBT and last is not None and matters(last):
+                apart = joined([applied(so_far), last], ["", operators[-1]])
+                self.two_readings(applied(joined(factors, operators)), apart)
+
     # factors
 
     def factor(self) -> Piece:
@@ -131,7 +249,8 @@ class Reader:
         while True:
             if self.peek() == "^":
                 self.at += 1
-                base = Piece(f"{base.within(4)}**{self.script().within(4)}", 3)
+                power = f"{base.within(4)}**{self.script().within(4)}"
+                base = Piece(power, 3, base.symbol)
             elif self.peek() == "|" and self.peek(1) == "_":
                 self.at += 2
                 base = self.evaluated(base.text)
@@ -172,12 +291,13 @@ class Reader:
         if token in ("(", "[", "\\{"):
             return self.bracket()
         if token == "{":
-            return Piece(self.group().within(4))
+            piece = self.group()
+            return Piece(piece.within(4), symbol=piece.symbol)
         if token in ("|", "\\left|"):
             return self.absolute()
         if token == "\\left.":
             return self.barred()
-        if token == "\\frac" or token in ("\\dfrac", "\\tfrac"):
+        if token in _FRACTIONS:
             return self.fraction()
         if token == "\\sqrt":
             return self.root()
@@ -186,7 +306,7 @@ class Reader:
         if token == "\\infty":
             self.take()
             return Piece("inf")
-        if token == "\\dot":
+        if token == "\\dot" and self.author:
             return self.dotted()
         if token.lstrip("\\") in FUNCTIONS and token.startswith("\\"):
             return self.function()
@@ -196,16 +316,20 @@ class Reader:
             return self.named()
         if not token:
             raise InputError("LaTeX: the formula ends where more is expected")
-        self.refuse("this is not read")
+        self.refuse(_INSTEAD.get(token, "this is not read"))
+
+    def enclosed(self) -> Piece:
+        """What stands in a bracket."""
+        opening = self.take()
+        piece = self.sum()
+        if self.take() != _BRACKETS[opening]:
+            self.at -= 1
+            self.refuse(f"the bracket {opening} is not closed")
+        return piece
 
     def bracket(self) -> Piece:
         """A bracket; with limits behind it, the difference of values at its ends."""
-        opening = self.take()
-        piece = self.sum()
-        closing = self.take()
-        if closing.removeprefix("\\right") != {"(": ")", "[": "]", "\\{": "\\}"}[opening]:
-            self.at -= 1
-            self.refuse(f"the bracket {opening} is not closed")
+        opening, piece = self.peek(), self.enclosed()
         if opening == "[" and self.peek() == "_":
             self.at += 1
             low = self.script().text
@@ -231,15 +355,19 @@ class Reader:
         return self.evaluated(piece.text)
 
     def root(self) -> Piece:
-        """A square root, or a root with an index."""
+        """A square root, or a root with an index; an odd one is real for every real number."""
         self.take("\\sqrt")
-        if self.peek() == "[":
-            self.take()
-            index = self.sum().text
-            self.take("]")
-            radicand = self.argument_group()
-            return Piece(f"{radicand.within(4)}**(1/{index})", 3)
-        return Piece(f"sqrt({self.argument_group().text})")
+        if self.peek() != "[":
+            return Piece(f"sqrt({self.argument_group().text})")
+        self.take()
+        index = self.sum()
+        self.take("]")
+        radicand = self.argument_group()
+        if not index.text.isdigit() or int(index.text) % 2 == 0 or _is_number(radicand.text):
+            return Piece(f"{radicand.within(4)}**(1/{index.within(4)})", 3)
+        if index.text == "3":
+            return Piece(f"cbrt({radicand.text})")
+        return Piece(f"sign({radicand.text})*abs({radicand.text})**(1/{index.text})", 2)
 
     def argument_group(self) -> Piece:
         """The argument of a command: a group, or one token."""
@@ -247,9 +375,8 @@ class Reader:
 
     def fraction(self) -> Piece:
         """A fraction, unless it is a derivative."""
-        derivative = self.derivative()
-        if derivative is not None:
-            return derivative
+        if self.is_derivative_at(self.at):
+            return self.derivative()
         self.take()
         if re.fullmatch(r"\d\d", self.peek()):
             # TeX's \frac12 is one half.
@@ -264,25 +391,60 @@ class Reader:
             self.refuse("an empty numerator")
         return self.argument_group()
 
-    def derivative(self) -> Piece | None:
-        """``\\frac{dy}{dx}`` as one symbol, ``\\frac{d}{dx} e`` as ``diff(e, x)``; else None."""
-        start = self.at
-        self.take()
-        order, below = self._higher_order()
-        if order:
-            return Piece(f"diff({self.factor().text}, {below}, {order})")
-        found = self._derivative_parts()
-        if found is None:
-            self.at = start
-            return None
-        above, below, d = found
-        if not above:
-            return Piece(f"diff({self.factor().text}, {below})")
-        return Piece(f"{d}{above}_{d}{below}")
+    def is_derivative_at(self, i: int) -> bool:
+        """A fraction whose halves are ``d…`` and ``d`` before a letter."""
+        if self.tokens[i : i + 1] == [] or self.tokens[i] not in _FRACTIONS:
+            return False
+        above = self.tokens[i + 1 : i + 3]
+        if above[:1] == ["{"]:
+            above, i = above[1:], self.partner(i + 1)
+        else:
+            i += 1
+        below = self.tokens[i + 1 : i + 4]
+        return (
+            above[0:1] == below[1:2]
+            and above[0:1] in (["d"], ["\\partial"])
+            and below[:1] == ["{"]
+            and len(below) == 3
+            and _is_letter(below[2])
+        )
 
-    def _higher_order(self) -> tuple[int, str]:
+    def derivative(self) -> Piece:
+        """``\\frac{dy}{dx}``, a symbol of the author's; ``\\frac{d}{dx} e`` is ``diff(e, x)``."""
+        self.take()
+        if self.peek() in _DIFFERENTIALS:
+            self.tokens[self.at : self.at + 1] = ["{", self.peek(), "}"]
+        order, below = self.higher_order()
+        if order:
+            return self.differentiated(below, f", {order}")
+        self.take("{")
+        kind = self.take().lstrip("\\")
+        above = self.product() if self.peek() != "}" else None
+        self.take("}")
+        self.at += 2
+        below = self.symbol()
+        self.take("}")
+        if above is None:
+            return self.differentiated(below)
+        if not above.symbol or above.strength < 4:
+            return Piece(f"diff({above.text}, {below})")
+        if self.author:
+            return Piece(f"{kind}{above.text.rstrip('_')}_{kind}{below.rstrip('_')}")
+        self.refuse(_NO_DERIVATIVE)
+
+    def differentiated(self, name: str, order: str = "") -> Piece:
+        """What follows ``d/dx``, differentiated."""
+        bracket = self.peek() in (*_BRACKETS, "{")
+        return self.operand(
+            lambda e: Piece(f"diff({e.text}, {name}{order})"),
+            self.factor(),
+            after_derivative_of_bracket if bracket else after_derivative,
+            lambda e: name in e.names or "diff(" in e.text,
+        )
+
+    def higher_order(self) -> tuple[int, str]:
         """The order and the variable of ``{d^n}{dx^n}``, which is stepped over; else 0."""
-        for kind in ("d", "\\partial"):
+        for kind in _DIFFERENTIALS:
             match = re.match(
                 rf"{{ {re.escape(kind)} \^ (?P<n>{{ \d+ }}|\d+) }} {{ {re.escape(kind)} "
                 r"(?P<x>[A-Za-z]|\\[a-z]+) \^ (?P=n) } ",
@@ -290,33 +452,10 @@ class Reader:
             )
             if match:
                 self.at += match[0].count(" ")
-                return int(match["n"].strip("{} ")), match["x"].lstrip("\\")
+                return int(match["n"].strip("{} ")), _name(match["x"].lstrip("\\"))
         if self.tokens[self.at : self.at + 3] in (["{", "d", "^"], ["{", "\\partial", "^"]):
             self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
         return 0, ""
-
-    def _derivative_parts(self) -> tuple[str, str, str] | None:
-        above = self._differential_group()
-        if above is None:
-            return None
-        below = self._differential_group()
-        if below is None or not below[1] or below[0] != above[0]:
-            return None
-        return above[1], below[1], above[0]
-
-    def _differential_group(self) -> tuple[str, str] | None:
-        """``{d y}`` or ``{\\partial y}`` or ``{d}``: what kind, and of what."""
-        if self.peek() != "{" or self.peek(1) not in ("d", "\\partial"):
-            return None
-        kind = "d" if self.peek(1) == "d" else "partial"
-        self.at += 2
-        name = ""
-        if _is_letter(self.peek()):
-            name = self.symbol()
-        if self.peek() != "}":
-            return None
-        self.at += 1
-        return kind, name.rstrip("_")
 
     def dotted(self) -> Piece:
         """A time derivative, as one symbol."""
@@ -330,32 +469,52 @@ class Reader:
         return Piece(f"d{name}_dt")
 
     def function(self) -> Piece:
-        """A function; without brackets its argument is one symbol, fraction or root."""
+        """A function, perhaps with a power of it or the base of a logarithm, and its argument."""
         name = FUNCTIONS[self.take()[1:]]
-        exponent = ""
+        base = ""
+        if name == "log" and self.peek() == "_":
+            self.at += 1
+            base = f", {self.script().text}"
+        exponent = None
         if self.peek() == "^":
             self.at += 1
-            exponent = self.script().within(4)
-            if exponent.startswith("(-"):
-                self.refuse("a negative power of a function can mean its inverse: write \\arc… or")
-        argument = self.argument()
-        text = f"{name}({argument})"
-        return Piece(f"{text}**{exponent}", 3) if exponent else Piece(text)
+            exponent = self.script()
 
-    def argument(self) -> str:
-        """The argument of a function; one that could end in two places is refused."""
-        if self.peek() in ("(", "[", "{"):
-            inner = self.base().text
-            return inner[1:-1] if _is_enclosed(inner) else inner
-        text = ""
-        while re.fullmatch(r"\d.*", self.peek()):
-            text += f"{self.take()}*"
-        piece = self.factor()
-        if piece.symbol or text or piece.text == "pi":
-            ahead = self.peek()
-            if ahead == "/" or (_is_letter(ahead) and not (ahead == "d" and self.integrals)):
-                self.refuse("where does the function's argument end? Write it in brackets,")
-        return text + piece.within(3 if text else 1)
+        def applied(argument: Piece) -> Piece:
+            text = f"{name}({argument.text}{base})"
+            if exponent is None:
+                return Piece(text)
+            if exponent.text == "-1":
+                self.two_readings(f"{_inverse(name)}({argument.text})", f"1/{text}")
+            return Piece(f"{text}**{exponent.within(4)}", 3)
+
+        return self.argument(applied, after_bracket if name != "exp" else whole)
+
+    def argument(
+        self, applied: Callable[[Piece], Piece], rule: Callable[[Piece, Ahead], Reach]
+    ) -> Piece:
+        """``applied`` to the argument that follows; ``rule`` says how far one in brackets goes."""
+        token = self.peek()
+        braced = token == "{" and self.peek(1) in _BRACKETS
+        if braced and self.partner(self.at + 1) + 1 == self.partner(self.at):
+            self.take()
+            inner = self.enclosed()
+            self.take("}")
+            return applied(inner)
+        if token in _BRACKETS:
+            inner = self.enclosed()
+            doubtful = inner.strength < 4 and rule is not whole
+        elif token in ("{", "|", "\\left|"):
+            inner = self.group() if token == "{" else self.absolute()
+            rule, doubtful = after_braces, True
+        else:
+            return self.operand(applied, self.factor(), after_open)
+        if self.peek() == "^" and doubtful and not self.author:
+            self.take()
+            power = f"**{self.script().within(4)}"
+            inside = applied(Piece(inner.within(4) + power, 3))
+            self.two_readings(inside, applied(inner).within(4) + power)
+        return self.operand(applied, inner, rule)
 
     def integral(self) -> Piece:
         """``∫_{low}^{high} … dx``: all terms that carry the differential."""
@@ -396,8 +555,10 @@ class Reader:
     def named(self) -> Piece:
         """A symbol, an inline derivative, ``e^{…}``, or an author's function."""
         token = self.peek()
-        if token in ("d", "\\partial") and self.inline_derivative():
+        if token in _DIFFERENTIALS and self.inline_derivative():
             return self.slashed_derivative()
+        if not self.author:
+            self.check_name()
         if token == "e" and self.peek(1) == "^":
             self.at += 2
             return Piece(f"exp({self.script().text})")
@@ -411,9 +572,23 @@ class Reader:
             self.take()
             return Piece(f"{token}({', '.join(self.arguments())})")
         name = self.symbol()
-        if self.peek() == "(" and self.is_application(name):
+        if self.author and self.peek() == "(" and self.is_application(name):
             return Piece(f"{name}({', '.join(self.arguments())})")
         return Piece(name, symbol=True)
+
+    def check_name(self) -> None:
+        """Refuse letters that are no variable of the author's."""
+        token = self.peek()
+        if token in ("i", "j") and self.peek(1) != "_":
+            self.refuse(_INSTEAD["\\imath"])
+        if token == "d" and _is_letter(self.peek(1)):
+            self.refuse(
+                "d before a letter is a differential: write \\frac{d}{dx} (…) for a derivative, "
+                "d\\cdot x for a product,"
+            )
+        for name in _WORDS:
+            if self.tokens[self.at : self.at + len(name)] == list(name):
+                self.refuse(f"letters side by side are a product: write \\{name} for the function,")
 
     def inline_derivative(self) -> bool:
         """``dy/dx`` in a line."""
@@ -428,6 +603,8 @@ class Reader:
 
     def slashed_derivative(self) -> Piece:
         """``dy/dx`` as one symbol."""
+        if not self.author:
+            self.refuse(_NO_DERIVATIVE)
         d = "d" if self.take() == "d" else "partial"
         above = self.symbol().rstrip("_")
         self.at += 2
@@ -446,7 +623,7 @@ class Reader:
         if self.peek() == "_":
             self.at += 1
             name += self.subscript()
-        return f"{name}_" if name in RESERVED else name
+        return _name(name)
 
     def subscript(self) -> str:
         """A subscript as the end of a name."""
@@ -463,17 +640,22 @@ class Reader:
             self.refuse(f"the subscript {text!a} is not read")
         return text if text[0].isdigit() else f"_{text}"
 
+    def partner(self, i: int) -> int:
+        """Where the bracket that opens at token ``i`` is closed, or the end."""
+        depth = 0
+        for k in range(i, len(self.tokens)):
+            depth += (self.tokens[k] in _OPENING) - (self.tokens[k] in _CLOSED)
+            if depth == 0:
+                return k
+        return len(self.tokens)
+
     def is_list(self) -> bool:
         """Whether the bracket that opens here holds a comma of its own."""
-        depth, i = 0, self.at
-        while i < len(self.tokens):
-            token = self.tokens[i]
-            depth += (token in ("(", "[", "{")) - (token in (")", "]", "}"))
-            if depth == 0:
-                return False
+        depth = 0
+        for token in self.tokens[self.at : self.partner(self.at)]:
+            depth += (token in _OPENING) - (token in _CLOSED)
             if depth == 1 and token == ",":
                 return True
-            i += 1
         return False
 
     def is_application(self, name: str) -> bool:
@@ -500,15 +682,13 @@ class Reader:
         return found
 
 
-def _joined(factors: list[Piece | None], operators: list[str]) -> Piece:
-    """The product of ``factors``; differentials (None) are left out."""
-    kept = [(f, op) for f, op in zip(factors, operators, strict=True) if f is not None]
-    if not kept:
-        return Piece("1")
-    if len(kept) == 1:
-        return kept[0][0]
-    text = kept[0][0].within(2) + "".join(op + factor.within(3) for factor, op in kept[1:])
-    return Piece(_power_of_ten(text), 2)
+def _name(text: str) -> str:
+    """A name that the grammar of expressions does not reserve."""
+    return f"{text}_" if text in RESERVED else text
+
+
+def _inverse(name: str) -> str:
+    return {"log": "exp", "exp": "log"}.get(name) or (name[1:] if name[0] == "a" else f"a{name}")
 
 
 def _is_number(token: str) -> bool:
@@ -525,20 +705,3 @@ def _is_letter(token: str) -> bool:
 
 def _is_derivative(text: str) -> bool:
     return re.search(r"\b(d|partial)[A-Za-z]\w*_(d|partial)[A-Za-z]", text) is not None
-
-
-def _is_enclosed(text: str) -> bool:
-    """Whether one pair of parentheses encloses all of ``text``."""
-    if not (text.startswith("(") and text.endswith(")")):
-        return False
-    depth = 0
-    for i, character in enumerate(text):
-        depth += (character == "(") - (character == ")")
-        if depth == 0:
-            return i == len(text) - 1
-    return False
-
-
-def _power_of_ten(text: str) -> str:
-    """``1.09*10**(-2)`` is the decimal ``1.09e-2``: a printed number keeps its digits."""
-    return re.sub(r"(?<![\w.)])(\d+(?:\.\d+)?)\*10\*\*\(?(-?\d+)\)?(?![\w.])", r"\1e\2", text)
