@@ -39,11 +39,12 @@ _FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac")
 _OPERATORS = ("/", "\\cdot", "\\times", "*")
 _DIFFERENTIALS = ("d", "\\partial")
 _OPENING, _CLOSED = (*_BRACKETS, "{"), (*_BRACKETS.values(), "}")
-_WORDS = sorted((*FUNCTIONS, "sqrt"), key=len, reverse=True)
+_WORDS = sorted((*FUNCTIONS, "sqrt", *(g for g in GREEK if len(g) > 3)), key=len, reverse=True)
 _NO_DERIVATIVE = (
     "a derivative of a symbol is not known: write \\frac{d}{dx} (…) with what it stands for,"
 )
 _INSTEAD = {
+    "\\int": "integrals are not read: write \\frac{d}{dx} (F) = f of an antiderivative F,",
     **dict.fromkeys(
         ("\\dot", "\\ddot", "'", "\\prime"),
         "the derivative of a symbol is not known: write \\frac{d}{dt} (…) with what it stands for, "
@@ -156,23 +157,21 @@ class Reader:
             self.two_readings(f"{last.text} + {factors[-1].text}", joined(factors, operators))
 
     def factor_in_brackets(self, symbol: Piece) -> Piece:
-        """What follows a symbol in brackets, if they must be there for a product: x(0) may be a
-        function's value.
+        """The bracket behind a symbol, where a product needs it: x(x + 1), and (a/r)² behind V.
+
+        Without that need, as in x(0), it may hold the argument of a function.
         """
-        letter = symbol.text.split("*")[0]
-        start = self.at
+        name = symbol.text.split("*")[0]
         if self.is_list():
-            self.refuse(f"{letter}(…) is a function that is not known: write out what it is,")
-        self.take("(")
-        inner = self.sum()
-        product = inner.strength == 0 and letter not in LETTERS_OF_FUNCTIONS
-        if product or (0 < inner.strength < 4 and self.peek(1) == "^"):
-            self.at = start
-            return self.factor()
-        self.refuse(
-            f"{letter}({inner.text}) is a product, written {symbol.text}*{inner.within(3)}, or a "
-            f"function's value, written as a variable such as {letter}1, or written out,"
-        )
+            self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
+        start = self.at
+        inner = self.enclosed()
+        needed = inner.strength == 0 or (1 < inner.strength < 4 and self.peek() == "^")
+        if not needed or name in LETTERS_OF_FUNCTIONS:
+            value = f"{name}_1 for the value of a function {name}"
+            self.two_readings(joined([symbol, inner], ["", "*"]), value)
+        self.at = start
+        return self.factor()
 
     def factor_or_differential(self) -> Piece | None:
         """A factor, or None where the differential of an integral was stepped over."""
@@ -205,7 +204,9 @@ class Reader:
     def kind(self, i: int) -> str:
         """Of the factor that begins at token ``i``."""
         token = self.tokens[i] if i < len(self.tokens) else ""
-        if token == "\\int" or (token.startswith("\\") and token[1:] in FUNCTIONS):
+        if token.startswith("\\") and token[1:] in FUNCTIONS:
+            return "inverse" if FUNCTIONS[token[1:]].startswith("a") else "function"
+        if token == "\\int":
             return "function"
         if token in ("\\dot", "\\ddot") or self.is_derivative_at(i):
             return "derivative"
@@ -271,6 +272,8 @@ class Reader:
 
     def evaluated(self, text: str) -> Piece:
         """The place of an evaluation bar, ``_{x = value}``."""
+        if not self.author:
+            self.refuse("a value at a point is not read: put the point in,")
         self.take("{")
         name = self.sum().text
         self.take("=")
@@ -301,7 +304,7 @@ class Reader:
             return self.fraction()
         if token == "\\sqrt":
             return self.root()
-        if token == "\\int":
+        if token == "\\int" and self.author:
             return self.integral()
         if token == "\\infty":
             self.take()
@@ -330,7 +333,7 @@ class Reader:
     def bracket(self) -> Piece:
         """A bracket; with limits behind it, the difference of values at its ends."""
         opening, piece = self.peek(), self.enclosed()
-        if opening == "[" and self.peek() == "_":
+        if opening == "[" and self.peek() == "_" and self.author:
             self.at += 1
             low = self.script().text
             self.take("^")
@@ -363,6 +366,8 @@ class Reader:
         index = self.sum()
         self.take("]")
         radicand = self.argument_group()
+        if index.text.startswith("-"):
+            self.refuse("a root with a negative index: write 1 over the root,")
         if not index.text.isdigit() or int(index.text) % 2 == 0 or _is_number(radicand.text):
             return Piece(f"{radicand.within(4)}**(1/{index.within(4)})", 3)
         if index.text == "3":
@@ -587,8 +592,10 @@ class Reader:
                 "d\\cdot x for a product,"
             )
         for name in _WORDS:
-            if self.tokens[self.at : self.at + len(name)] == list(name):
-                self.refuse(f"letters side by side are a product: write \\{name} for the function,")
+            letters = self.tokens[self.at : self.at + len(name)]
+            if letters == list(name) and not any(isinstance(x, Spaced) for x in letters[1:]):
+                apart = "\\,".join(name)
+                self.refuse(f"letters in a row are a product: write \\{name}, or {apart},")
 
     def inline_derivative(self) -> bool:
         """``dy/dx`` in a line."""

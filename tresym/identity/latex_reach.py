@@ -44,8 +44,8 @@ class Ahead(NamedTuple):
     """What comes next in a product.
 
     Attributes:
-        kind: ``function``, ``derivative``, ``letter``, ``bracket``, ``fraction`` or ``other``, and
-            nothing where the product ends.
+        kind: ``function``, ``inverse`` of one, ``derivative``, ``letter``, ``bracket``,
+            ``fraction`` or ``other``, and nothing where the product ends.
         operator: ``*`` or ``/`` where one is written, else nothing.
         spaced: whether the author put a space before it.
     """
@@ -67,17 +67,22 @@ def after_open(so_far: Piece, ahead: Ahead) -> Reach:
     """An argument without brackets.
 
     A number, as in ``\\sin 2(x+y)``, takes whatever follows; once it holds a variable only letters
-    are sure, because ``\\sin\\theta(1+x)`` is mostly a product and ``\\sin k(x-t)`` is not.
+    are sure, because ``\\sin\\theta(1+x)`` is mostly a product and ``\\sin k(x-t)`` is not. Another
+    function ends it, but ``\\sin 2\\ln x`` and ``\\cos n\\arccos x`` are in doubt.
     """
     function = re.match(r"(\w+)\(", so_far.text)
     nested = function is not None and function[1] in FUNCTIONS.values()
-    if ahead.kind in ("", "derivative") or (ahead.kind == "function" and not nested):
+    applied = ahead.kind in ("function", "inverse")
+    if ahead.kind in ("", "derivative") or (applied and ahead.operator and not nested):
         return Reach.ENDS
-    if ahead.operator or ahead.spaced or nested:
+    if ahead.operator or nested or ahead.kind == "inverse":
         return Reach.DOUBT
-    if ahead.kind == "letter" or not so_far.names:
-        return Reach.GOES_ON
-    return Reach.DOUBT
+    number = not so_far.names
+    if applied:
+        return Reach.DOUBT if number and "pi" not in so_far.text else Reach.ENDS
+    if ahead.spaced or not (number or ahead.kind == "letter"):
+        return Reach.DOUBT
+    return Reach.GOES_ON
 
 
 def after_bracket(inner: Piece, ahead: Ahead) -> Reach:
@@ -88,7 +93,7 @@ def after_bracket(inner: Piece, ahead: Ahead) -> Reach:
 
 def after_braces(_: Piece, ahead: Ahead) -> Reach:
     """An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
-    return Reach.ENDS if ahead.kind in ("", "function", "derivative") else Reach.DOUBT
+    return Reach.ENDS if ahead.kind in ("", "function", "inverse", "derivative") else Reach.DOUBT
 
 
 def whole(_: Piece, __: Ahead) -> Reach:

@@ -45,7 +45,7 @@ RELATIONS = {
 """Relations as they are written, and as they are read."""
 CALLS = _words("integral at between value diff O o")
 """Calls in the text that are the reader's own, not the author's functions."""
-LETTERS_OF_FUNCTIONS = _words("f g h F G")
+LETTERS_OF_FUNCTIONS = _words("f g h F G Gamma zeta")
 RESERVED = _words("E lambda pi") | frozenset(FUNCTIONS.values())
 _GAPS = {"\\ "} | _words("\\, \\; \\: \\quad \\qquad ~")
 _SPACES = _GAPS | _words("\\! \\displaystyle \\textstyle \\limits \\nonumber \\notag")
@@ -69,6 +69,9 @@ class Spaced(str):
     __slots__ = ()
 
 
+_BRACED = re.compile(
+    rf"\{{\s*(\\(?:{'|'.join(FUNCTIONS)})\s*(?:\^\s*(?:[\da-z]|\{{[^{{}}]*\}}))?)\s*\}}"
+)
 _TOKEN = re.compile(
     r"""(?P<space>\s+|%[^\n]*\n?)
       | (?P<command>\\(?:begin|end)\{[a-zA-Z*]+\}|\\[a-zA-Z]+|\\.)
@@ -98,12 +101,16 @@ def tokenize(source: str, words: frozenset[str] = frozenset()) -> list[str]:
 
 
 def _prepared(source: str) -> str:
-    """Without labels and the optional space after a line's end; upright text as commands."""
+    """Without labels, the optional space after a line's end, and braces around a function's name;
+    upright text as commands.
+    """
     source = re.sub(r"\\(?:label|tag|color)\s*\{[^{}]*\}", " ", source)
     source = re.sub(r"\\\\\s*\[[^\[\]]*\]", r"\\\\ ", source)
-    return re.sub(
+    source = re.sub(r"\\mathrm\s+([dei])", r" \1 ", source)
+    source = re.sub(
         r"(\\(?:text|textrm|mathrm|operatorname|mbox|textup))\s*\{([^{}]*)\}", _text, source
     )
+    return _BRACED.sub(r"\1 ", source)
 
 
 def _text(match: re.Match[str]) -> str:
