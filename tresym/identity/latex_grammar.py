@@ -261,14 +261,14 @@ class Reader:
                 return base
 
     def script(self) -> Piece:
-        """An exponent: one token or a group."""
-        if self.peek() == "{":
-            return self.group()
-        token = self.peek()
-        if token.isdigit() and len(token) > 1:
-            # x^12 is x¹·2 in TeX.
-            self.refuse("an exponent of several digits needs braces")
-        return self.base()
+        """An exponent or a limit: a group, or one token."""
+        inside = self.tokens[self.at + 1 : self.at + 5]
+        raised = self.tokens[self.at - 2]
+        if inside[0:1] + inside[2:] == ["(", ")", "}"] and not (
+            raised == "e" or _is_number(raised)
+        ):
+            self.refuse("one thing in brackets above a name counts derivatives: write it without,")
+        return self.argument_group()
 
     def evaluated(self, text: str) -> Piece:
         """The place of an evaluation bar, ``_{x = value}``."""
@@ -294,8 +294,7 @@ class Reader:
         if token in ("(", "[", "\\{"):
             return self.bracket()
         if token == "{":
-            piece = self.group()
-            return Piece(piece.within(4), symbol=piece.symbol)
+            return self.braces()
         if token in ("|", "\\left|"):
             return self.absolute()
         if token == "\\left.":
@@ -375,8 +374,27 @@ class Reader:
         return Piece(f"sign({radicand.text})*abs({radicand.text})**(1/{index.text})", 2)
 
     def argument_group(self) -> Piece:
-        """The argument of a command: a group, or one token."""
-        return self.group() if self.peek() == "{" else self.base()
+        """The argument of a command, an exponent: a group, or one token."""
+        if self.peek() == "{":
+            return self.group()
+        if _is_number(self.peek()) and len(self.peek()) > 1:
+            # x^12 is x¹·2 in TeX.
+            self.refuse("of several digits TeX takes one: what belongs together needs braces")
+        if self.kind(self.at) in ("function", "inverse"):
+            self.refuse("of a function and its argument TeX takes the name: they need braces")
+        return self.base()
+
+    def braces(self) -> Piece:
+        """A factor in braces, which do not print and so must not be needed."""
+        before = self.tokens[self.at - 1] if self.at else ""
+        piece = self.group()
+        opened = before in ("", "+", "|", "\\left|", *_OPENING, *RELATIONS, *STOPS)
+        closed = not self.continues() and self.peek() != "^"
+        apart = before == "/" or self.peek() == "^" or ("/" in piece.text and not closed)
+        needed = apart if piece.strength > 1 else not (opened and closed)
+        if needed and piece.strength < 4 and not self.author:
+            self.refuse("braces do not print: write brackets around what stands in them,")
+        return Piece(piece.within(4), symbol=piece.symbol)
 
     def fraction(self) -> Piece:
         """A fraction, unless it is a derivative."""
@@ -475,6 +493,7 @@ class Reader:
 
     def function(self) -> Piece:
         """A function, perhaps with a power of it or the base of a logarithm, and its argument."""
+        start = self.at
         name = FUNCTIONS[self.take()[1:]]
         base = ""
         if name == "log" and self.peek() == "_":
@@ -493,10 +512,10 @@ class Reader:
                 self.two_readings(f"{_inverse(name)}({argument.text})", f"1/{text}")
             return Piece(f"{text}**{exponent.within(4)}", 3)
 
-        return self.argument(applied, after_bracket if name != "exp" else whole)
+        return self.argument(start, applied, after_bracket if name != "exp" else whole)
 
     def argument(
-        self, applied: Callable[[Piece], Piece], rule: Callable[[Piece, Ahead], Reach]
+        self, start: int, applied: Callable[[Piece], Piece], rule: Callable[[Piece, Ahead], Reach]
     ) -> Piece:
         """``applied`` to the argument that follows; ``rule`` says how far one in brackets goes."""
         token = self.peek()
@@ -509,9 +528,11 @@ class Reader:
         if token in _BRACKETS:
             inner = self.enclosed()
             doubtful = inner.strength < 4 and rule is not whole
-        elif token in ("{", "|", "\\left|"):
-            inner = self.group() if token == "{" else self.absolute()
+        elif token == "{":
+            inner = self.printed(start, applied)
             rule, doubtful = after_braces, True
+        elif token in ("|", "\\left|"):
+            inner, rule, doubtful = self.absolute(), after_braces, True
         else:
             return self.operand(applied, self.factor(), after_open)
         if self.peek() == "^" and doubtful and not self.author:
@@ -520,6 +541,22 @@ class Reader:
             inside = applied(Piece(inner.within(4) + power, 3))
             self.two_readings(inside, applied(inner).within(4) + power)
         return self.operand(applied, inner, rule)
+
+    def printed(self, start: int, applied: Callable[[Piece], Piece]) -> Piece:
+        """The argument in braces of the function at ``start``, if print says the same without."""
+        name, inside = (
+            self.tokens[start : self.at],
+            self.tokens[self.at + 1 : self.partner(self.at)],
+        )
+        inner = self.group()
+        if inside[0] in ("+", "-"):
+            if inner.strength == 0 and not self.author:
+                self.refuse("braces do not print: write brackets around what stands in them,")
+        elif not self.author:
+            shown = Reader([*name, *inside], author=True).sum()
+            if shown.text != applied(inner).text:
+                self.two_readings(applied(inner), shown)
+        return inner
 
     def integral(self) -> Piece:
         """``∫_{low}^{high} … dx``: all terms that carry the differential."""
@@ -643,6 +680,8 @@ class Reader:
             text = "".join(parts)
         else:
             text = self.take().removeprefix("\\")
+            if _is_number(text) and len(text) > 1:
+                self.refuse("a subscript of several digits needs braces")
         if not re.fullmatch(r"[A-Za-z0-9]+", text):
             self.refuse(f"the subscript {text!a} is not read")
         return text if text[0].isdigit() else f"_{text}"

@@ -93,7 +93,7 @@ def after_bracket(inner: Piece, ahead: Ahead) -> Reach:
 
 def after_braces(_: Piece, ahead: Ahead) -> Reach:
     """An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
-    return Reach.ENDS if ahead.kind in ("", "function", "inverse", "derivative") else Reach.DOUBT
+    return Reach.ENDS if ahead.kind in ("", "function", "derivative") else Reach.DOUBT
 
 
 def whole(_: Piece, __: Ahead) -> Reach:
