@@ -218,6 +218,8 @@ ARGUMENTS = {
     r"\frac{d}{d\lambda}\lambda^2": "diff(lambda_**2, lambda_)",
     r"\frac{d^2}{d\lambda^2}\lambda^3": "diff(lambda_**3, lambda_, 2)",
     r"\frac{\partial}{\partial x}x y": "diff(x*y, x)",
+    r"\frac{\partial}{\partial x}y^2": "diff(y**2, x)",
+    r"\frac{d}{dx}5": "diff(5, x)",
     r"\frac{\partial^2}{\partial x^2}x^3y": "diff(x**3*y, x, 2)",
     r"\frac{\mathrm{d}}{\mathrm{d}x}\sin x": "diff(sin(x), x)",
     r"\frac{\mathrm d}{\mathrm dx}\sin x": "diff(sin(x), x)",
@@ -381,6 +383,11 @@ NO_VARIABLES = {
     r"{x+1}y": "braces do not print",
     r"-{a+b}": "braces do not print",
     r"x{-y}": "braces do not print",
+    r"x{+y}": "braces do not print",
+    r"\frac{d}{dx}y": r"write \frac{d}{dx} (…) with what it stands for",
+    r"\frac{d}{dx}\sin y": r"write \frac{d}{dx} (…) with what it stands for",
+    r"\frac{dy^2}{dx}": r"write \frac{d}{dx} (…) with what it stands for",
+    r"\frac{d^2}{dx^2}y": r"write \frac{d}{dx} (…) with what it stands for",
     r"{xy}^2": "braces do not print",
     r"a/{bc}": "braces do not print",
     r"{a/b}c": "braces do not print",
@@ -461,6 +468,8 @@ def test_displays(source: str) -> None:
 def test_an_author_whose_claims_are_compared_is_read_the_shorter_way() -> None:
     assert read_expression(r"\sin\theta(a+b)", author=True) == "sin(theta)*(a + b)"
     assert read_expression(r"\sin\theta\dot\phi", author=True) == "sin(theta)*dphi_dt"
+    with pytest.raises(InputError, match="two readings remain"):
+        read_expression(r"\sin x/2", author=True)
 
 
 def test_a_line_may_end_in_a_line_break() -> None:
@@ -526,6 +535,19 @@ def test_what_sympy_writes_is_read_back(tree: Expr) -> None:
             first, second = evaluate(tree, at), evaluate(read, at)
         if first.is_finite() and second.is_finite():
             assert (first - second).contains(0)
+
+
+@pytest.mark.parametrize(
+    ("source", "ends"),
+    [("x(1+", ")"), (r"\sin{", "}"), (r"\frac{d}{dx}(x+", ")"), ("{", "}"), (r"\ln(x+", ")")],
+)
+def test_nesting_does_not_multiply_the_reading(source: str, ends: str) -> None:
+    assert read_expression(55 * source + "x" + 55 * ends)
+
+
+@pytest.mark.parametrize("source", [r"\sin " + 9_900 * "x", r"\ln " + 3_000 * "(2)", 3_000 * "(2)"])
+def test_a_long_product_is_read(source: str) -> None:
+    assert read_expression(source)
 
 
 TOKENS = (

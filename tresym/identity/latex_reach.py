@@ -77,10 +77,10 @@ def after_open(so_far: Piece, ahead: Ahead) -> Reach:
         return Reach.ENDS
     if ahead.operator or nested or ahead.kind == "inverse":
         return Reach.DOUBT
-    number = not so_far.names
     if applied:
-        return Reach.DOUBT if number and "pi" not in so_far.text else Reach.ENDS
-    if ahead.spaced or not (number or ahead.kind == "letter"):
+        number = not so_far.names and "pi" not in so_far.text
+        return Reach.DOUBT if number else Reach.ENDS
+    if ahead.spaced or (ahead.kind != "letter" and so_far.names):
         return Reach.DOUBT
     return Reach.GOES_ON
 
