@@ -22,6 +22,8 @@ class Cursor:
         author: whether ``f(x)``, ``dy/dx`` and ``\\dot x`` are symbols of the author's, and the
             shorter of two readings is taken, as where a claim is compared with what is read. Else
             they are refused.
+        at: the next token.
+        open_end: where the last operand without brackets ended.
     """
 
     def __init__(self, tokens: list[str], author: bool = False) -> None:
@@ -30,6 +32,7 @@ class Cursor:
         self.at = 0
         self.differentials: list[str] = []
         self.integrals = 0
+        self.open_end = -1
 
     def peek(self, ahead: int = 0) -> str:
         """The next token, or one further on; empty at the end."""

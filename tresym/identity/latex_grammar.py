@@ -76,11 +76,14 @@ class Reader(Names):
             self.refuse("what is below the slash? Write it with \\frac or in brackets,")
         if is_number(self.peek()) and is_number(self.tokens[self.at - 1]):
             self.refuse("two numbers side by side: one with spaces, or a product?")
-        if last.symbol and self.peek() == "(" and not self.author:
+        opening = self.peek(1) if self.peek() == "{" else self.peek()
+        if last.symbol and opening == "(" and not self.author:
             factors.append(self.factor_in_brackets(last))
         else:
             factors.append(self.factor_or_differential())
         operators.append("*")
+        if last.text == "d" and factors[-1] and factors[-1].symbol and not self.author:
+            self.refuse("d before a letter is a differential,")
         if is_number(last.text) and factors[-1] and re.fullmatch(r"\d+/\d+", factors[-1].text):
             self.two_readings(f"{last.text} + {factors[-1].text}", joined(factors, operators))
 
@@ -92,7 +95,11 @@ class Reader(Names):
         name = symbol.text.split("*")[0]
         if self.is_list():
             self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
+        braced = self.peek() == "{"
+        self.at += braced
         inner = self.enclosed()
+        if braced:
+            self.take("}")
         needed = inner.strength == 0 or (1 < inner.strength < 4 and self.peek() == "^")
         if not needed or name in LETTERS_OF_FUNCTIONS:
             value = f"{name}_1 for the value of a function {name}"
@@ -127,6 +134,8 @@ class Reader(Names):
             reach = rule(so_far, ahead)
             shorter = self.author and not ahead.operator
             if reach is Reach.ENDS or (reach is Reach.DOUBT and shorter):
+                if rule in (after_open, after_derivative):
+                    self.open_end = self.at
                 return applied(so_far)
             self.extend(factors, operators)
             last, both = factors[-1], ["", operators[-1]]
@@ -228,7 +237,7 @@ class Reader(Names):
             low = self.script().text
             self.take("^")
             return Piece(f"between({piece.text}, {low}, {self.script().text})")
-        return Piece(f"({piece.text})") if piece.strength < 4 else piece
+        return Piece(piece.within(4))
 
     def absolute(self) -> Piece:
         """An absolute value."""
@@ -279,11 +288,14 @@ class Reader(Names):
         """A factor in braces, which do not print and so must not be needed."""
         before = self.tokens[self.at - 1] if self.at else ""
         piece = self.group()
-        opened = before in ("", "+", "|", "\\left|", *OPENING, *RELATIONS, *STOPS)
+        opened = before in ("", "+", "\\left|", *OPENING, *RELATIONS, *STOPS)
         closed = not self.continues() and self.peek() != "^"
         apart = before == "/" or self.peek() == "^" or ("/" in piece.text and not closed)
         needed = apart if piece.strength > 1 else not (opened and closed)
-        if needed and piece.strength < 4 and not self.author:
+        needed = needed and piece.strength < 4
+        if self.open_end == self.at - 1:  # as in {\sin x}y
+            needed = needed or not (closed or self.ahead().kind in ("function", "derivative"))
+        if needed and not self.author:
             self.refuse("braces do not print: write brackets around what stands in them,")
         return Piece(piece.within(4), symbol=piece.symbol)
 
