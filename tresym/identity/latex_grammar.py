@@ -148,10 +148,14 @@ class Reader(Names):
 
     def factor(self, base: Piece | None = None) -> Piece:
         """A base, here or read already, with its powers, evaluation bars and values at a point."""
+        raised = base is None and self.peek() == "e" and self.peek(1) == "^"
         base = base or self.base()
         while True:
             if self.peek() == "^":
+                if raised:
+                    self.refuse("TeX takes one exponent: write brackets or braces,")
                 self.at += 1
+                raised = True
                 power = f"{base.within(4)}**{self.script().within(4)}"
                 base = Piece(power, 3, base.symbol)
             elif self.peek() == "|" and self.peek(1) == "_":
@@ -408,7 +412,7 @@ class Reader(Names):
             return applied(inner)
         if token in BRACKETS:
             inner = self.enclosed()
-            doubtful = inner.strength < 4 and rule is not whole
+            doubtful = rule is not whole and min(inner.strength, applied(inner).strength) < 4
         elif token == "{":
             inner = self.printed(start, applied)
             rule, doubtful = after_braces, True
