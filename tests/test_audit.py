@@ -231,12 +231,12 @@ LATEX_SLIPS = [
 
 def test_every_slip_in_the_latex_itself_is_caught() -> None:
     pieces = scan(read_source(PENDULUM)).displays
-    functions = functions_of(read_latex(piece.text) for piece in pieces)
+    functions = functions_of(read_latex(piece.text, author=True) for piece in pieces)
     slips = 0
     for piece in pieces:
         on_it = [c for c in claims() if c.where and c.where.display == piece.number]
         assert piece.label == "d07" or not unmet(
-            read_latex(piece.text), on_it, functions, Reading()
+            read_latex(piece.text, author=True), on_it, functions, Reading()
         )
         for pattern, slip in LATEX_SLIPS:
             for found in re.finditer(pattern, piece.text):
@@ -244,7 +244,7 @@ def test_every_slip_in_the_latex_itself_is_caught() -> None:
                     (piece.text[: found.start()], piece.text[found.end() :])
                 )
                 slips += 1
-                left = unmet(read_latex(text), on_it, functions, Reading())
+                left = unmet(read_latex(text, author=True), on_it, functions, Reading())
                 assert left, text
     assert slips > 25
 
@@ -393,5 +393,5 @@ def test_the_index_fits_the_paper() -> None:
     index = load_index(INDEX)
     found = [(p.label, p.kind, p.line, p.sha256) for p in (*source.displays, *source.others)]
     assert found == [(e.label, e.kind, e.line, e.sha256) for e in index]
-    assert sum(bool(read_latex(d.text)) for d in source.displays) >= 45
+    assert sum(bool(read_latex(d.text, author=True)) for d in source.displays) >= 45
     assert Integer(len(source.displays)) == 58

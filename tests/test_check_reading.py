@@ -1,9 +1,19 @@
 """Text as people write it: what is read, and what is refused with advice."""
 
+import json
+from pathlib import Path
+
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from sympy import Derivative, Eq, Symbol, log, sqrt
 
 import tresym
+from tresym.checking import statement
+from tresym.checking.statement import read
 from tresym.checking.typography import plain
+from tresym.checking.workers import Task, check_within
+from tresym.cli import main
 from tresym.exact import InputError
 from tresym.verdict import Verdict
 
@@ -102,3 +112,159 @@ def test_points_can_be_read_where_the_ends_are_irrational() -> None:
 
 def test_an_irrational_witness_is_exact() -> None:
     assert tresym.check("3 + 4*cos(x) + cos(2*x) > 0").witness in ({"x": "pi"}, {"x": "-pi"})
+
+
+# What the LaTeX of a claim says in print, and so what is decided.
+PROVED_OF_LATEX = [
+    r"\cos\frac{3}{2}\pi = 0",
+    r"\sin\frac{\pi}{2}x=\sin(\pi x/2)",
+    r"\tan\tfrac12\theta = \frac{\sin\theta}{1+\cos\theta}",
+    r"\cosh\frac{1}{2}(x-y) = \cosh(\frac{x-y}{2})",
+    r"\sin\sqrt{2}x = \sin(\sqrt{2}x)",
+    r"\sin n\pi = \sin(n\pi)",
+    r"\sin 2(x+y) = 2\sin(x+y)\cos(x+y)",
+    r"\sin(x)y = y\sin x",
+    r"\cos 2x = \cos^2 x-\sin^2 x",
+    r"2\sin\tfrac{1}{2}(a+b)\cos\tfrac{1}{2}(a-b) = \sin a+\sin b",
+    r"\frac{d}{dx} x^2\sin x = 2x\sin x+x^2\cos x",
+    r"\frac{d}{dx} e^{ax}\sin bx = e^{ax}(a\sin bx+b\cos bx)",
+    r"\frac{d\sin x}{dx} = \cos x",
+    r"\sqrt[3]{x^3} = x",
+    r"\sqrt[3]{-x} = -\sqrt[3]{x}",
+    r"\ln 1 = 0",
+    r"\log_2 8 = 3",
+    r"\operatorname{sech}x\cosh x = 1",
+    r"\lvert x\rvert^2 = x^2",
+    r"{\sin^{2}}z+{\cos^{2}}z = 1 \\",
+]
+REFUTED_OF_LATEX = [
+    r"\sin\frac12 x = x\sin(1/2)",
+    r"\cos\frac{3}{2}\pi = \pi\cos(3/2)",
+    r"\tan\tfrac12\theta = \theta\tan(1/2)",
+    r"\sin\sqrt{2}x = x\sin\sqrt{2}",
+    r"\sin n\pi = \pi\sin n",
+    r"\sin 2(x+y) = (x+y)\sin 2",
+    r"\sin(x)y = \sin(xy)",
+    r"\frac{d}{dx} x^2\sin x = 2x\sin x",
+    r"\sqrt[3]{x^3} = |x|",
+    r"\sqrt[5]{x^5} = |x|",
+    r"a^2\cdot 10^2 = a^{200}",
+]
+
+
+@pytest.mark.parametrize("claim", PROVED_OF_LATEX)
+def test_latex_that_is_true_as_printed_is_proved(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize("claim", REFUTED_OF_LATEX)
+def test_latex_that_is_false_as_printed_is_refuted(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.REFUTED
+
+
+SHOWN = {
+    r"\sin\frac12 x = y": "sin(1/2*x) == y",
+    r"$\frac{x}{2} \le |x|$ given x\ge 0": "x/2 <= abs(x) given x >= 0",
+    r"\cos x \sim 1 as x\to 0^{+}": "cos(x) ~ 1 as x -> 0+",
+    r"x\sin\frac1x \sim 1 as x\to\infty": "x*sin(1/x) ~ 1 as x -> inf",
+    r"\sin\theta = o(1) as \theta\to -\frac{\pi}{2}": "sin(theta) == o(1) as theta -> -pi/2",
+    r"\sin x = x+O(x^3) as x \to 0": "sin(x) == x + O(x**3) as x -> 0",
+    "x² ≥ 0": "x**(2) >= 0",
+    "√(x) ≤ π given 0 < x ≤ 1": "sqrt (x) <= pi given 0 < x <= 1",
+    "e^x > 0": "e**x > 0",
+    "x > 0 given x > 1 and y > 0": "x > 0 given x > 1 , y > 0",
+    "sin(x) == O(x) as x -> 0": "sin(x) == O(x) as x -> 0",
+}
+
+
+@pytest.mark.parametrize("claim", SHOWN)
+def test_what_was_read_is_said_in_the_grammar(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.read_as == SHOWN[claim]
+    assert answer.as_json()["read_as"] == SHOWN[claim]
+    again = tresym.check(answer.read_as)
+    assert (again.verdict, again.witness) == (answer.verdict, answer.witness)
+
+
+def test_what_was_read_is_shown_where_it_is_not_what_was_written() -> None:
+    latex = tresym.check(r"\sin^2 x = 1-\cos^2 x", given=r"x\geq 0")
+    assert ("read as", "sin(x)**2 == 1 - cos(x)**2 given x >= 0") in latex.rows()
+    assert "sin(x)**2 == 1" in latex._repr_html_()
+    assert ("read as", "e**x > 0") in tresym.check("e^x > 0").rows()
+    for text, under in (("x**2>=0", ""), ("x >= 0 given x > 1", ""), ("x >= 0", "x > 1")):
+        answer = tresym.check(text, under)
+        assert answer.read_as
+        assert "read as" not in dict(answer.rows())
+
+
+def test_a_claim_of_sympy_is_said_with_its_derivatives() -> None:
+    x = Symbol("x", positive=True)
+    claim = Eq(Derivative(log(x), x), 1 / x, evaluate=False)
+    shown = tresym.check(claim).read_as
+    assert shown == "diff(log(x), x, 1) == x**(-1) given x > 0, x >= 0, x != 0"
+    claim = Eq(Derivative(sqrt(x), (x, 2)), -1 / (4 * x * sqrt(x)), evaluate=False)
+    answer = tresym.check(claim)
+    assert tresym.check(answer.read_as).verdict is answer.verdict is Verdict.PROVED
+
+
+def test_what_was_read_is_said_where_time_is_over() -> None:
+    for claim in (r"\sin\frac12 x = y", read(r"\sin\frac12 x = y")):
+        assert check_within(Task(claim), 1e-9).read_as == "sin(1/2*x) == y"
+
+
+def test_every_line_of_a_file_says_what_was_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "claims"
+    path.write_text("\\sin\\frac12 x = y\nx² >= 0\n\\sin x/2 = 1\n", encoding="utf-8")
+    assert main(["check", "-f", str(path), "--json"]) == 2
+    captured = capsys.readouterr()
+    found = [json.loads(line)["read_as"] for line in captured.out.splitlines()]
+    assert found == ["sin(1/2*x) == y", "x**(2) >= 0", None]
+    assert "write sin(x/2) or sin(x)/2" in captured.err
+    assert main(["check", "-f", str(path)]) == 2
+    assert "read as    sin(1/2*x) == y" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "claim", [r"\sin x/2 = 1", r"x(0) = 0\cdot x", r"e^{i\pi} = -1", r"\dot x = \frac{dx}{dt}"]
+)
+def test_a_refusal_is_bad_input(claim: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", claim]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+
+
+ATOMS = st.sampled_from(["x", "y", r"\theta", r"\pi", "2", "7", r"\lambda_1", r"\frac12", "e"])
+
+
+def _larger(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    pairs = st.tuples(inner, inner)
+    names = st.sampled_from([r"\sin", r"\cos^2", r"\ln", r"\arctan", r"\cosh", r"\exp"])
+    return st.one_of(
+        pairs.map(" ".join),
+        pairs.map(lambda p: rf"{p[0]}+{p[1]}"),
+        pairs.map(lambda p: rf"\left({p[0]}-{p[1]}\right)"),
+        pairs.map(lambda p: rf"\frac{{{p[0]}}}{{{p[1]}}}"),
+        pairs.map(lambda p: rf"{p[0]}\cdot {p[1]}"),
+        st.tuples(names, inner).map(" ".join),
+        st.tuples(names, inner).map(lambda p: rf"{p[0]}({p[1]})"),
+        inner.map(lambda e: rf"({e})^{{2}}"),
+        inner.map(lambda e: rf"\sqrt{{{e}}}"),
+        inner.map(lambda e: rf"\sqrt[5]{{{e}}}"),
+        inner.map(lambda e: rf"\left|{e}\right|"),
+        inner.map(lambda e: rf"\frac{{d}}{{dx}}({e})"),
+    )
+
+
+@given(st.recursive(ATOMS, _larger, max_leaves=8), st.sampled_from(["=", r"\le", r"\neq"]))
+def test_what_was_read_is_read_again_as_the_same(left: str, relation: str) -> None:
+    try:
+        first = read(rf"{left} {relation} \frac{{x}}{{2}}", r"x \ge -\frac12")
+    except InputError:
+        return
+    second = read(first.read_as)
+    assert second.comparisons == first.comparisons
+    assert second.given == first.given
+    assert second.read_as == first.read_as == statement.read_as(first)

@@ -206,7 +206,7 @@ def _aligned(
 def _read(piece: Piece) -> tuple[Relations, ...] | str:
     """The chains of a display, or why it is not read."""
     try:
-        return read_latex(piece.text)
+        return read_latex(piece.text, author=True)
     except InputError as error:
         return str(error)
 

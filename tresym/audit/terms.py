@@ -123,7 +123,7 @@ class Terms:
                 ends = self.from_text(low), self.from_text(high)
                 return _put(tree, self.variable, ends[1]) - _put(tree, self.variable, ends[0])
             case "diff", [e, x]:
-                return self.derivative(self.from_text(e), x)
+                return self.derivative(self.from_text(e), x.rstrip("_"))
             case name, _:
                 return self.application(name, parts)
 

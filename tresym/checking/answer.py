@@ -34,6 +34,7 @@ class Answer:
         region: where the claim is certified, when that is less or more precise than it says.
         seconds: computing time.
         line: of the file it was read from.
+        read_as: the claim with its conditions and path in the grammar of expressions.
     """
 
     verdict: Verdict
@@ -46,6 +47,7 @@ class Answer:
     region: str | None = None
     seconds: float = field(default=0.0, compare=False)
     line: int | None = None
+    read_as: str = ""
 
     def __bool__(self) -> bool:
         """Whether the claim holds: PROVED or ENCLOSED."""
@@ -55,8 +57,15 @@ class Answer:
         return "\n".join([self.verdict.value, *(f"  {name}: {text}" for name, text in self.rows())])
 
     def rows(self) -> list[tuple[str, str]]:
-        """Everything but the verdict, as names and text."""
-        rows = [("claim", self.statement), ("given", self.given), ("why", self.why)]
+        """Everything but the verdict, as names and text.
+
+        How the claim was read is shown where it is not what was written, spaces aside.
+        """
+        written = (self.statement, f"{self.statement} given {self.given}")
+        same = any(_unspaced(text) == _unspaced(self.read_as) for text in written)
+        read_as = "" if same else self.read_as
+        rows = [("claim", self.statement), ("read as", read_as), ("given", self.given)]
+        rows.append(("why", self.why))
         if self.witness is not None:
             shown = ", ".join(f"{name} = {value}" for name, value in self.witness.items())
             rows.append(("witness", shown or "the constants themselves"))
@@ -84,6 +93,10 @@ class Answer:
             for name, text in self.rows()
         )
         return f"<b>{self.verdict.value}</b><table>{rows}</table>"
+
+
+def _unspaced(text: str) -> str:
+    return "".join(text.split())
 
 
 def ball_text(ball: Decimal) -> str:

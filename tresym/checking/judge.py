@@ -46,6 +46,7 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
         answer,
         statement=_short(statement.text),
         given=_short(str(statement.given)),
+        read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
 

@@ -11,14 +11,17 @@ from tresym.checking.typography import plain
 from tresym.exact import InputError
 from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
 from tresym.identity.given import Given
-from tresym.identity.parsing import parse, parse_claim
+from tresym.identity.parsing import parse, parse_claim, tidy
 
 ORDERS = ("O", "o", "~")
 MAX_CHARACTERS = 30_000
+MAX_PATH = 200
 
 _WORD = re.compile(r"\s(?:--)?(given|as)\s")
 _LATEX = re.compile(r"[\\{}]")
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:->|\\to)\s*(.+?)\s*")
+_ARROW = re.compile(r"(.+?)(?:->|\\to\b|\\rightarrow\b)(.+)", re.DOTALL)
+_SIDE = re.compile(r"\^?\s*\{?\s*([+-])\s*\}?\s*$")
 _AND = re.compile(r"\band\b|;|&&?|∧")
 _INFINITE = frozenset(("oo", "inf", "infinity", r"\infty"))
 _SYMPY = {
@@ -76,12 +79,14 @@ class Statement:
         given: the conditions.
         path: for an order statement.
         text: how it was written.
+        read_as: the same in the grammar of expressions, conditions and path included.
     """
 
     comparisons: tuple[Comparison, ...]
     given: Given
     path: Path | None
     text: str
+    read_as: str = ""
 
     def __str__(self) -> str:
         return self.text
@@ -100,15 +105,42 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
         InputError: what is not read; one line says why.
     """
     if isinstance(claim, str):
-        text, own, own_path = _split(claim)
-        comparisons = tuple(Comparison(*part) for part in parse_claim(_plain(text)))
-        conditions = _given(given) & _given(own)
-        path = own_path or path
+        said, under, where = _texts(claim, given, path)
+        text = _split(claim)[0]
+        comparisons = tuple(Comparison(*part) for part in parse_claim(said))
+        conditions = Given.parse(under)
     else:
         text = str(claim)
-        comparisons, assumed = _from_sympy(claim)
-        conditions = _given(given) & assumed
-    return _checked(Statement(comparisons, conditions, read_path(path) if path else None, text))
+        comparisons, conditions = _from_sympy(claim)
+        conditions = _given(given) & conditions
+        said, under, where = _written(claim), str(conditions), _path_text(path)
+    found = read_path(where) if where else None
+    return _checked(Statement(comparisons, conditions, found, text, _joined(said, under, where)))
+
+
+def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
+    """The claim with its conditions and path in the grammar; nothing where it is not read.
+
+    Nothing is built of it, so that it is at hand also where deciding did not end.
+    """
+    try:
+        return (
+            claim.read_as if isinstance(claim, Statement) else _joined(*_texts(claim, given, path))
+        )
+    except InputError:
+        return ""
+
+
+def _joined(claim: str, given: str, path: str) -> str:
+    parts = (("", claim), (" given ", given), (" as ", path))
+    return "".join(word + tidy(part) for word, part in parts if part.strip())
+
+
+def _texts(claim: str, given: Any, path: str | None) -> tuple[str, str, str]:
+    """A claim, its conditions and its path, each in the grammar of expressions."""
+    text, own, own_path = _split(claim)
+    conditions = [_given_text(given), _given_text(own)]
+    return _plain(text), ", ".join(filter(None, conditions)), _path_text(own_path or path)
 
 
 def _split(text: str) -> tuple[str, str, str]:
@@ -136,15 +168,36 @@ def _plain(text: str) -> str:
     return str(chains[0]).replace(" = ", " == ")
 
 
+def _given_text(given: Any) -> str:
+    """Conditions in the grammar of expressions."""
+    if not isinstance(given, str):
+        return str(_given(given))
+    if _LATEX.search(given):
+        from tresym.identity.latex import read_latex
+
+        given = ", ".join(str(chain) for chain in read_latex(given.strip().strip("$")))
+    return _AND.sub(",", plain(given)).strip()
+
+
+def _path_text(path: str | None) -> str:
+    """A path in the grammar of expressions, as ``x -> 0+``."""
+    if not path or len(path) > MAX_PATH:
+        return path or ""
+    match = _ARROW.fullmatch(path.strip().strip("$"))
+    if match is None or not _LATEX.search(path):
+        return plain(path)
+    from tresym.identity.latex import read_expression
+
+    side = _SIDE.search(match[2])
+    end = match[2][: side.start()] if side else match[2]
+    return f"{read_expression(match[1])} -> {read_expression(end)}{side[1] if side else ''}"
+
+
 def _given(given: Any) -> Given:
     if isinstance(given, Given):
         return given
     if isinstance(given, str):
-        if _LATEX.search(given):
-            from tresym.identity.latex import read_latex
-
-            given = ", ".join(str(chain) for chain in read_latex(given.strip().strip("$")))
-        return Given.parse(_AND.sub(",", plain(given)))
+        return Given.parse(_given_text(given))
     if isinstance(given, Iterable):
         result = Given()
         for part in given:
@@ -171,6 +224,19 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
             if getattr(variable, assumption):
                 conditions.append((symbol(variable.name), sign, number(0)))
     return (comparison,), Given(tuple(conditions))
+
+
+def _written(claim: Any) -> str:
+    """A SymPy relation in the grammar, its derivatives as they were written."""
+
+    def derivative(node: Any, walk: Any) -> Expr:
+        text = str(walk(node.expr))
+        for variable, order in node.variable_count:
+            text = f"diff({text}, {variable.name}, {order})"
+        return symbol(text)
+
+    left, right = (from_sympy(side, derivative) for side in (claim.lhs, claim.rhs))
+    return f"{left} {_SYMPY[type(claim).__name__]} {right}"
 
 
 def _variables(claim: Any) -> list[Any]:
@@ -206,7 +272,7 @@ def read_path(text: str) -> Path:
     Raises:
         InputError: anything else.
     """
-    match = _PATH.fullmatch(plain(text)) if len(text) <= 200 else None
+    match = _PATH.fullmatch(plain(text)) if len(text) <= MAX_PATH else None
     if match is None:
         raise InputError("a path is written like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
     name, end = match[1], match[2].replace(" ", "").replace("^", "")

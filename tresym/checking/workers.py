@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 from tresym.checking.answer import Answer
 from tresym.checking.judge import judge
-from tresym.checking.statement import Statement
+from tresym.checking.statement import Statement, read_as
 from tresym.exact import InputError
 from tresym.processes import cores
 from tresym.verdict import Verdict
@@ -131,6 +131,7 @@ class _Worker:
             f"{reason}; fewer variables, a smaller region or a longer --limit may help",
             statement=" ".join(str(task.claim)[:400].split()),
             given=str(given)[:400],
+            read_as=read_as(*task[:3]),
             seconds=limit,
             line=task.line,
         )
@@ -171,4 +172,5 @@ def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
         return error
     except Exception as error:  # one claim that we fail at must not end the others
         why = f"the procedure failed ({type(error).__name__}); please report this claim"
-        return Answer(Verdict.UNDECIDED, why, statement=" ".join(str(claim)[:400].split()))
+        text = " ".join(str(claim)[:400].split())
+        return Answer(Verdict.UNDECIDED, why, text, read_as=read_as(claim, given, path))

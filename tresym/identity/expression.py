@@ -9,7 +9,7 @@ tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` as
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import reduce
 from typing import Any, TypeAlias
@@ -463,8 +463,13 @@ def _wrap(text: str, own: int, level: int) -> str:
     return f"({text})" if own < level else text
 
 
-def from_sympy(e: Any) -> Expr:
+def from_sympy(e: Any, derivative: Callable[[Any, Any], Expr] | None = None) -> Expr:
     """A SymPy expression of real symbols as a tree.
+
+    Args:
+        e: the expression.
+        derivative: what to make of a derivative and the function that reads its parts; without it
+            derivatives are carried out.
 
     Raises:
         InputError: floats, complex numbers, and functions outside :data:`FUNCTIONS`.
@@ -475,7 +480,10 @@ def from_sympy(e: Any) -> Expr:
 
     def walk(node: Any) -> Expr:
         if node not in done:
-            done[node] = _from_sympy_node(sympy, node, walk)
+            if isinstance(node, sympy.Derivative) and not node.has(sympy.Integral):
+                done[node] = (derivative or _from_sympy_derivative)(node, walk)
+            else:
+                done[node] = _from_sympy_node(sympy, node, walk)
         return done[node]
 
     if isinstance(e, str):
@@ -506,8 +514,6 @@ def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
         return multiply(*map(walk, node.args))
     if node.is_Pow:
         return power(*map(walk, node.args))
-    if isinstance(node, sympy.Derivative) and not node.has(sympy.Integral):
-        return _from_sympy_derivative(node, walk)
     name = type(node).__name__
     if isinstance(node, sympy.core.function.AppliedUndef):
         raise InputError(f"{name} is an unknown function to SymPy, whatever its name")

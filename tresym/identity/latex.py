@@ -8,7 +8,10 @@ Read are sums, products by juxtaposition, ``\\frac``, ``\\sqrt``, powers, absolu
 elementary functions, ``e^{…}``, arrays, and the usual relations, ``\\in`` an interval among them.
 Symbols become names: ``\\psi_0`` is ``psi0``, ``\\theta_{\\min}`` is ``theta_min``,
 ``\\Delta\\psi`` is ``Delta_psi``; names that the grammar reserves get an underscore (``lambda_``).
-``\\frac{d\\psi}{d\\phi}`` and ``\\dot\\theta`` are the symbols ``dpsi_dphi`` and ``dtheta_dt``.
+How far a function's argument goes is told in :mod:`tresym.identity.latex_reach`.
+
+For an ``author`` whose symbols are more than real variables ``\\frac{d\\psi}{d\\phi}`` and
+``\\dot\\theta`` are the symbols ``dpsi_dphi`` and ``dtheta_dt``.
 
 Beyond the grammar of expressions the text has calls that stand for what is not an expression:
 ``integral(f, x, low, high)``, ``at(e, x, value)`` for an evaluation bar, ``between(e, low, high)``
@@ -23,6 +26,8 @@ from dataclasses import dataclass
 from tresym.exact import InputError
 from tresym.identity.latex_grammar import Reader
 from tresym.identity.latex_tokens import ARRAYS, CONDITION, RELATIONS, STOPS, tokenize
+
+_AUTHORS_WORDS = frozenset({"hot"})
 
 
 @dataclass(frozen=True)
@@ -43,13 +48,13 @@ class Relations:
         return text
 
 
-def read_expression(source: str) -> str:
-    """One LaTeX expression as text of the expression grammar.
+def read_expression(source: str, author: bool = False) -> str:
+    """One LaTeX expression as text of the expression grammar; ``author`` as in read_latex.
 
     Raises:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
     """
-    reader = Reader(tokenize(source))
+    reader = Reader(tokenize(source), author)
     text = reader.sum().text
     reader.skip_stops()
     if reader.peek():
@@ -57,20 +62,25 @@ def read_expression(source: str) -> str:
     return text
 
 
-def read_latex(source: str, words: frozenset[str] = frozenset({"hot"})) -> tuple[Relations, ...]:
+def read_latex(source: str, author: bool = False) -> tuple[Relations, ...]:
     """The relations that a displayed formula states, in order.
 
     Args:
         source: what stands between the delimiters of the display.
-        words: runs of letters that are one name (the rest are products of letters).
+        author: whether ``f(x)``, derivatives such as ``dy/dx`` or ``\\dot x``, and the word "hot"
+            are symbols of an author's whose claims are compared with what is read. Else a variable
+            is a real number, and these are refused.
 
     Raises:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
     """
-    return tuple(_statements(tokenize(source, words)))
+    tokens = tokenize(source, _AUTHORS_WORDS if author else frozenset())
+    while tokens[-1:] == ["\\\\"]:
+        tokens.pop()
+    return tuple(_statements(tokens, author))
 
 
-def _statements(tokens: list[str]) -> list[Relations]:
+def _statements(tokens: list[str], author: bool) -> list[Relations]:
     """The chains of a display: rows and cells of an array, or one formula."""
     if tokens and tokens[0].startswith("\\begin{"):
         name = tokens[0][tokens[0].index("{") + 1 : -1]
@@ -78,8 +88,8 @@ def _statements(tokens: list[str]) -> list[Relations]:
             raise InputError(f"LaTeX: environment {name} is not read")
         if not tokens[-1].startswith("\\end") or tokens[-1][5:-1] != name:
             raise InputError(f"LaTeX: something follows the {name}, or it is not closed")
-        return _rows(_body_of(tokens, name))
-    return _chains(tokens)
+        return _rows(_body_of(tokens, name), author)
+    return _chains(tokens, author)
 
 
 def _body_of(tokens: list[str], name: str) -> list[str]:
@@ -91,7 +101,7 @@ def _body_of(tokens: list[str], name: str) -> list[str]:
     return body
 
 
-def _rows(body: list[str]) -> list[Relations]:
+def _rows(body: list[str], author: bool) -> list[Relations]:
     """Each cell is a statement; one that opens with a relation continues the cell before it."""
     cells: list[list[str]] = []
     columns: list[int] = []
@@ -106,10 +116,10 @@ def _rows(body: list[str]) -> list[Relations]:
     conditions: dict[int, Relations] = {}
     for cell, column in zip(cells, columns, strict=True):
         if cell[0] == CONDITION:
-            conditions[column] = _chains([t for t in cell[1:] if t != ":"])[0]
+            conditions[column] = _chains([t for t in cell[1:] if t != ":"], author)[0]
             continue
         condition = conditions.get(column)
-        found.extend(Relations(c.terms, c.ops, condition) for c in _chains(cell))
+        found.extend(Relations(c.terms, c.ops, condition) for c in _chains(cell, author))
     return found
 
 
@@ -123,8 +133,8 @@ def _split(tokens: list[str], separator: str) -> list[list[str]]:
     return parts
 
 
-def _chains(tokens: list[str]) -> list[Relations]:
-    reader = _Chains(tokens)
+def _chains(tokens: list[str], author: bool) -> list[Relations]:
+    reader = _Chains(tokens, author)
     chains: list[Relations] = []
     reader.skip_stops()
     while reader.peek():

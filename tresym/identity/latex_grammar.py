@@ -7,65 +7,36 @@ The text is of the expression grammar of :mod:`tresym.identity.parsing`, with th
 from __future__ import annotations
 
 import re
-from typing import NamedTuple, NoReturn
+from collections.abc import Callable
 
 from tresym.exact import InputError
-from tresym.identity.latex_tokens import (
-    CLOSING,
-    FUNCTIONS,
-    GREEK,
-    LETTERS_OF_FUNCTIONS,
-    RELATIONS,
-    RESERVED,
-    STOPS,
+from tresym.identity.latex_cursor import (
+    BRACKETS,
+    DIFFERENTIALS,
+    FRACTIONS,
+    OPENING,
+    OPERATORS,
+    is_letter,
+    is_number,
 )
+from tresym.identity.latex_names import INSTEAD, NO_DERIVATIVE, Names, allowed, is_derivative
+from tresym.identity.latex_reach import (
+    Ahead,
+    Piece,
+    Reach,
+    after_braces,
+    after_bracket,
+    after_derivative,
+    after_derivative_of_bracket,
+    after_open,
+    joined,
+    whole,
+)
+from tresym.identity.latex_tokens import FUNCTIONS, LETTERS_OF_FUNCTIONS, RELATIONS, STOPS
 
 
-class Piece(NamedTuple):
-    """Text and how strongly it binds: 1 sum, 2 product, 3 power, 4 atom."""
-
-    text: str
-    strength: int = 4
-    symbol: bool = False
-
-    def within(self, strength: int) -> str:
-        """The text, in parentheses where what surrounds it binds more strongly."""
-        return self.text if self.strength >= strength else f"({self.text})"
-
-
-class Reader:
+class Reader(Names):
     """Recursive descent over the tokens; every method returns text of the expression grammar."""
-
-    def __init__(self, tokens: list[str]) -> None:
-        self.tokens = tokens
-        self.at = 0
-        self.differentials: list[str] = []
-        self.integrals = 0
-
-    def peek(self, ahead: int = 0) -> str:
-        """The next token, or one further on; empty at the end."""
-        i = self.at + ahead
-        return self.tokens[i] if i < len(self.tokens) else ""
-
-    def take(self, expected: str = "") -> str:
-        """The next token, which must be the expected one if one is named."""
-        token = self.peek()
-        if not token:
-            raise InputError("LaTeX: the formula ends where more is expected")
-        if expected and token != expected:
-            self.refuse(f"{expected} is expected")
-        self.at += 1
-        return token
-
-    def refuse(self, why: str) -> NoReturn:
-        """Raise the complaint, with the place."""
-        near = " ".join(self.tokens[max(0, self.at - 3) : self.at + 4])
-        raise InputError(f"LaTeX: {why} at {self.peek() or 'the end'!a}, near {near!a}")
-
-    def skip_stops(self) -> None:
-        """Step over commas, full stops and implication arrows."""
-        while self.peek() in STOPS:
-            self.at += 1
 
     # sums and products
 
@@ -77,32 +48,63 @@ class Reader:
             terms.append(Piece(f" {operator} {self.product().within(2)}"))
         if len(terms) == 1:
             return terms[0]
-        return Piece("".join(t.text for t in terms), 1)
+        return Piece("".join(t.text for t in terms), 0)
 
     def signed(self) -> Piece:
         """The first term of a sum, perhaps with a sign."""
         if self.peek() in ("+", "-"):
             sign = self.take()
             piece = self.product()
-            return Piece(f"-{piece.within(2)}", 1) if sign == "-" else piece
+            return Piece(f"-{piece.within(2)}" if sign == "-" else piece.within(2), 1)
         return self.product()
 
     def product(self) -> Piece:
         """Factors side by side; a slash divides by one factor, and what follows it is refused."""
         factors, operators = [self.factor_or_differential()], [""]
-        while not (self.integrals and factors[-1] is None):
-            if self.peek() in ("/", "\\cdot", "\\times", "*"):
-                operators.append("/" if self.take() == "/" else "*")
-            elif self.starts_factor():
-                if operators[-1] == "/" and not self.at_differential():
-                    self.refuse("what is below the slash? Write it with \\frac or in brackets,")
-                if _is_number(self.peek()) and _is_number(self.tokens[self.at - 1]):
-                    self.refuse("two numbers side by side: one with spaces, or a product?")
-                operators.append("*")
-            else:
-                break
+        while not (self.integrals and factors[-1] is None) and self.continues():
+            self.extend(factors, operators)
+        return joined(factors, operators)
+
+    def extend(self, factors: list[Piece | None], operators: list[str]) -> None:
+        """One more factor of a product, which a sign may lead in."""
+        if self.peek() in OPERATORS:
+            operators.append("/" if self.take() == "/" else "*")
             factors.append(self.factor_or_differential())
-        return _joined(factors, operators)
+            return
+        last = factors[-1] or Piece("")
+        if operators[-1] == "/" and not self.at_differential():
+            self.refuse("what is below the slash? Write it with \\frac or in brackets,")
+        if is_number(self.peek()) and is_number(self.tokens[self.at - 1]):
+            self.refuse("two numbers side by side: one with spaces, or a product?")
+        opening = self.peek(1) if self.peek() == "{" else self.peek()
+        if last.symbol and opening == "(" and not self.author:
+            factors.append(self.factor_in_brackets(last))
+        else:
+            factors.append(self.factor_or_differential())
+        operators.append("*")
+        if last.text == "d" and factors[-1] and factors[-1].symbol and not self.author:
+            self.refuse("d before a letter is a differential,")
+        if is_number(last.text) and factors[-1] and re.fullmatch(r"\d+/\d+", factors[-1].text):
+            self.two_readings(f"{last.text} + {factors[-1].text}", joined(factors, operators))
+
+    def factor_in_brackets(self, symbol: Piece) -> Piece:
+        """The bracket behind a symbol, where a product needs it: x(x + 1), and (a/r)² behind V.
+
+        Without that need, as in x(0), it may hold the argument of a function.
+        """
+        name = symbol.text.split("*")[0]
+        if self.is_list():
+            self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
+        braced = self.peek() == "{"
+        self.at += braced
+        inner = self.enclosed()
+        if braced:
+            self.take("}")
+        needed = inner.strength == 0 or (1 < inner.strength < 4 and self.peek() == "^")
+        if not needed or name in LETTERS_OF_FUNCTIONS:
+            value = f"{name}_1 for the value of a function {name}"
+            self.two_readings(joined([symbol, inner], ["", "*"]), value)
+        return self.factor(Piece(inner.within(4)))
 
     def factor_or_differential(self) -> Piece | None:
         """A factor, or None where the differential of an integral was stepped over."""
@@ -112,46 +114,70 @@ class Reader:
         self.differentials.append(self.symbol())
         return None
 
-    def starts_factor(self) -> bool:
-        """Whether the next token begins another factor of the same product."""
-        token = self.peek()
-        if not token or token in RELATIONS or token in STOPS:
-            return False
-        return token not in CLOSING and not token.startswith(("\\end", "\\right"))
+    def operand(
+        self,
+        applied: Callable[[Piece], Piece],
+        first: Piece,
+        rule: Callable[[Piece, Ahead], Reach],
+        matters: Callable[[Piece], bool] = lambda _: True,
+    ) -> Piece:
+        """``applied`` to ``first`` and to what follows, as far as the rule for it goes.
 
-    def at_differential(self) -> bool:
-        """Inside an integral, ``d`` before a symbol."""
-        return bool(self.integrals) and self.peek() == "d" and _is_letter(self.peek(1))
+        Where it is in doubt whether the next factor belongs to it, and that matters, both readings
+        are written out; an author's is the shorter one, unless a sign is written.
+        """
+        so_far = first
+        factors: list[Piece | None] = [first]
+        operators = [""]
+        while True:
+            ahead = self.ahead()
+            reach = rule(so_far, ahead)
+            shorter = self.author and not ahead.operator
+            if reach is Reach.ENDS or (reach is Reach.DOUBT and shorter):
+                if rule in (after_open, after_derivative):
+                    self.open_end = self.at
+                return applied(so_far)
+            self.extend(factors, operators)
+            last, both = factors[-1], ["", operators[-1]]
+            longer = joined([so_far, last], both)
+            if reach is Reach.DOUBT and last is not None and matters(last):
+                self.two_readings(applied(longer), joined([applied(so_far), last], both))
+            so_far = longer
 
     # factors
 
-    def factor(self) -> Piece:
-        """A base with its powers, evaluation bars and values at a point."""
-        base = self.base()
+    def factor(self, base: Piece | None = None) -> Piece:
+        """A base, here or read already, with its powers, evaluation bars and values at a point."""
+        raised = base is None and self.peek() == "e" and self.peek(1) == "^"
+        base = base or self.base()
         while True:
             if self.peek() == "^":
+                if raised:
+                    self.refuse("TeX takes one exponent: write brackets or braces,")
                 self.at += 1
-                base = Piece(f"{base.within(4)}**{self.script().within(4)}", 3)
+                raised = True
+                power = f"{base.within(4)}**{self.script().within(4)}"
+                base = Piece(power, 3, base.symbol)
             elif self.peek() == "|" and self.peek(1) == "_":
                 self.at += 2
                 base = self.evaluated(base.text)
-            elif self.peek() == "(" and _is_derivative(base.text) and self.is_list():
+            elif self.peek() == "(" and is_derivative(base.text) and self.is_list():
                 base = Piece(f"value({base.text}, {', '.join(self.arguments())})")
             else:
                 return base
 
     def script(self) -> Piece:
-        """An exponent: one token or a group."""
-        if self.peek() == "{":
-            return self.group()
-        token = self.peek()
-        if token.isdigit() and len(token) > 1:
-            # x^12 is x¹·2 in TeX.
-            self.refuse("an exponent of several digits needs braces")
-        return self.base()
+        """An exponent or a limit: a group, or one token."""
+        inside = self.tokens[self.at + 1 : self.at + 5]
+        raised = self.tokens[self.at - 2]
+        if inside[0:1] + inside[2:] == ["(", ")", "}"] and not (raised == "e" or is_number(raised)):
+            self.refuse("one thing in brackets above a name counts derivatives: write it without,")
+        return self.argument_group()
 
     def evaluated(self, text: str) -> Piece:
         """The place of an evaluation bar, ``_{x = value}``."""
+        if not self.author:
+            self.refuse("a value at a point is not read: put the point in,")
         self.take("{")
         name = self.sum().text
         self.take("=")
@@ -172,46 +198,50 @@ class Reader:
         if token in ("(", "[", "\\{"):
             return self.bracket()
         if token == "{":
-            return Piece(self.group().within(4))
+            return self.braces()
         if token in ("|", "\\left|"):
             return self.absolute()
         if token == "\\left.":
             return self.barred()
-        if token == "\\frac" or token in ("\\dfrac", "\\tfrac"):
+        if token in FRACTIONS:
             return self.fraction()
         if token == "\\sqrt":
             return self.root()
-        if token == "\\int":
+        if token == "\\int" and self.author:
             return self.integral()
         if token == "\\infty":
             self.take()
             return Piece("inf")
-        if token == "\\dot":
+        if token == "\\dot" and self.author:
             return self.dotted()
         if token.lstrip("\\") in FUNCTIONS and token.startswith("\\"):
             return self.function()
         if re.fullmatch(r"\d.*|\.\d+", token):
             return Piece(self.take())
-        if _is_letter(token) or token in ("\\pi", "\\Delta", "\\partial") or token.isalpha():
+        if is_letter(token) or token in ("\\pi", "\\Delta", "\\partial") or token.isalpha():
             return self.named()
         if not token:
             raise InputError("LaTeX: the formula ends where more is expected")
-        self.refuse("this is not read")
+        self.refuse(INSTEAD.get(token, "this is not read"))
+
+    def enclosed(self) -> Piece:
+        """What stands in a bracket."""
+        opening = self.take()
+        piece = self.sum()
+        if self.take() != BRACKETS[opening]:
+            self.at -= 1
+            self.refuse(f"the bracket {opening} is not closed")
+        return piece
 
     def bracket(self) -> Piece:
         """A bracket; with limits behind it, the difference of values at its ends."""
-        opening = self.take()
-        piece = self.sum()
-        closing = self.take()
-        if closing.removeprefix("\\right") != {"(": ")", "[": "]", "\\{": "\\}"}[opening]:
-            self.at -= 1
-            self.refuse(f"the bracket {opening} is not closed")
-        if opening == "[" and self.peek() == "_":
+        opening, piece = self.peek(), self.enclosed()
+        if opening == "[" and self.peek() == "_" and self.author:
             self.at += 1
             low = self.script().text
             self.take("^")
             return Piece(f"between({piece.text}, {low}, {self.script().text})")
-        return Piece(f"({piece.text})") if piece.strength < 4 else piece
+        return Piece(piece.within(4))
 
     def absolute(self) -> Piece:
         """An absolute value."""
@@ -231,25 +261,52 @@ class Reader:
         return self.evaluated(piece.text)
 
     def root(self) -> Piece:
-        """A square root, or a root with an index."""
+        """A square root, or a root with an index; an odd one is real for every real number."""
         self.take("\\sqrt")
-        if self.peek() == "[":
-            self.take()
-            index = self.sum().text
-            self.take("]")
-            radicand = self.argument_group()
-            return Piece(f"{radicand.within(4)}**(1/{index})", 3)
-        return Piece(f"sqrt({self.argument_group().text})")
+        if self.peek() != "[":
+            return Piece(f"sqrt({self.argument_group().text})")
+        self.take()
+        index = self.sum()
+        self.take("]")
+        radicand = self.argument_group()
+        if index.text.startswith("-"):
+            self.refuse("a root with a negative index: write 1 over the root,")
+        if not index.text.isdigit() or int(index.text) % 2 == 0 or is_number(radicand.text):
+            return Piece(f"{radicand.within(4)}**(1/{index.within(4)})", 3)
+        if index.text == "3":
+            return Piece(f"cbrt({radicand.text})")
+        return Piece(f"sign({radicand.text})*abs({radicand.text})**(1/{index.text})", 2)
 
     def argument_group(self) -> Piece:
-        """The argument of a command: a group, or one token."""
-        return self.group() if self.peek() == "{" else self.base()
+        """The argument of a command, an exponent: a group, or one token."""
+        if self.peek() == "{":
+            return self.group()
+        if is_number(self.peek()) and len(self.peek()) > 1:
+            # x^12 is x¹·2 in TeX.
+            self.refuse("of several digits TeX takes one: what belongs together needs braces")
+        if self.kind(self.at) in ("function", "inverse"):
+            self.refuse("of a function and its argument TeX takes the name: they need braces")
+        return self.base()
+
+    def braces(self) -> Piece:
+        """A factor in braces, which do not print and so must not be needed."""
+        before = self.tokens[self.at - 1] if self.at else ""
+        piece = self.group()
+        opened = before in ("", "+", "\\left|", *OPENING, *RELATIONS, *STOPS)
+        closed = not self.continues() and self.peek() != "^"
+        apart = before == "/" or self.peek() == "^" or ("/" in piece.text and not closed)
+        needed = apart if piece.strength > 1 else not (opened and closed)
+        needed = needed and piece.strength < 4
+        if self.open_end == self.at - 1:  # as in {\sin x}y
+            needed = needed or not (closed or self.ahead().kind in ("function", "derivative"))
+        if needed and not self.author:
+            self.refuse("braces do not print: write brackets around what stands in them,")
+        return Piece(piece.within(4), symbol=piece.symbol)
 
     def fraction(self) -> Piece:
         """A fraction, unless it is a derivative."""
-        derivative = self.derivative()
-        if derivative is not None:
-            return derivative
+        if self.is_derivative_at(self.at):
+            return self.derivative()
         self.take()
         if re.fullmatch(r"\d\d", self.peek()):
             # TeX's \frac12 is one half.
@@ -264,25 +321,49 @@ class Reader:
             self.refuse("an empty numerator")
         return self.argument_group()
 
-    def derivative(self) -> Piece | None:
-        """``\\frac{dy}{dx}`` as one symbol, ``\\frac{d}{dx} e`` as ``diff(e, x)``; else None."""
-        start = self.at
+    def derivative(self) -> Piece:
+        """``\\frac{dy}{dx}``, a symbol of the author's; ``\\frac{d}{dx} e`` is ``diff(e, x)``."""
         self.take()
-        order, below = self._higher_order()
+        if self.peek() in DIFFERENTIALS:
+            self.tokens[self.at : self.at + 1] = ["{", self.peek(), "}"]
+        kind = self.peek(1).lstrip("\\")
+        order, below = self.higher_order()
         if order:
-            return Piece(f"diff({self.factor().text}, {below}, {order})")
-        found = self._derivative_parts()
-        if found is None:
-            self.at = start
-            return None
-        above, below, d = found
-        if not above:
-            return Piece(f"diff({self.factor().text}, {below})")
-        return Piece(f"{d}{above}_{d}{below}")
+            return self.differentiated(kind, below, f", {order}")
+        self.at += 2
+        above = self.product() if self.peek() != "}" else None
+        self.take("}")
+        self.at += 2
+        below = self.symbol()
+        self.take("}")
+        if above is None:
+            return self.differentiated(kind, below)
+        if above.symbol and above.strength == 4 and self.author:
+            return Piece(f"{kind}{above.text.rstrip('_')}_{kind}{below.rstrip('_')}")
+        if above.symbol and above.strength == 4:
+            self.refuse(NO_DERIVATIVE)
+        return self.diff(above, kind, below)
 
-    def _higher_order(self) -> tuple[int, str]:
+    def diff(self, e: Piece, kind: str, name: str, order: str = "") -> Piece:
+        """The derivative of ``e``, in which ``d/dx`` needs the variable: else it is a symbol's."""
+        constant = not e.names or kind == "partial" or "diff(" in e.text
+        if name not in e.names and not constant and not self.author:
+            self.refuse(NO_DERIVATIVE)
+        return Piece(f"diff({e.text}, {name}{order})")
+
+    def differentiated(self, kind: str, name: str, order: str = "") -> Piece:
+        """What follows ``d/dx``, differentiated."""
+        bracket = self.peek() in (*BRACKETS, "{")
+        return self.operand(
+            lambda e: self.diff(e, kind, name, order),
+            self.factor(),
+            after_derivative_of_bracket if bracket else after_derivative,
+            lambda e: name in e.names or "diff(" in e.text,
+        )
+
+    def higher_order(self) -> tuple[int, str]:
         """The order and the variable of ``{d^n}{dx^n}``, which is stepped over; else 0."""
-        for kind in ("d", "\\partial"):
+        for kind in DIFFERENTIALS:
             match = re.match(
                 rf"{{ {re.escape(kind)} \^ (?P<n>{{ \d+ }}|\d+) }} {{ {re.escape(kind)} "
                 r"(?P<x>[A-Za-z]|\\[a-z]+) \^ (?P=n) } ",
@@ -290,72 +371,77 @@ class Reader:
             )
             if match:
                 self.at += match[0].count(" ")
-                return int(match["n"].strip("{} ")), match["x"].lstrip("\\")
+                return int(match["n"].strip("{} ")), allowed(match["x"].lstrip("\\"))
         if self.tokens[self.at : self.at + 3] in (["{", "d", "^"], ["{", "\\partial", "^"]):
             self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
         return 0, ""
 
-    def _derivative_parts(self) -> tuple[str, str, str] | None:
-        above = self._differential_group()
-        if above is None:
-            return None
-        below = self._differential_group()
-        if below is None or not below[1] or below[0] != above[0]:
-            return None
-        return above[1], below[1], above[0]
-
-    def _differential_group(self) -> tuple[str, str] | None:
-        """``{d y}`` or ``{\\partial y}`` or ``{d}``: what kind, and of what."""
-        if self.peek() != "{" or self.peek(1) not in ("d", "\\partial"):
-            return None
-        kind = "d" if self.peek(1) == "d" else "partial"
-        self.at += 2
-        name = ""
-        if _is_letter(self.peek()):
-            name = self.symbol()
-        if self.peek() != "}":
-            return None
-        self.at += 1
-        return kind, name.rstrip("_")
-
-    def dotted(self) -> Piece:
-        """A time derivative, as one symbol."""
-        self.take("\\dot")
-        braced = self.peek() == "{"
-        if braced:
-            self.at += 1
-        name = self.symbol()
-        if braced:
-            self.take("}")
-        return Piece(f"d{name}_dt")
-
     def function(self) -> Piece:
-        """A function; without brackets its argument is one symbol, fraction or root."""
+        """A function, perhaps with a power of it or the base of a logarithm, and its argument."""
+        start = self.at
         name = FUNCTIONS[self.take()[1:]]
-        exponent = ""
+        base = ""
+        if name == "log" and self.peek() == "_":
+            self.at += 1
+            base = f", {self.script().text}"
+        exponent = None
         if self.peek() == "^":
             self.at += 1
-            exponent = self.script().within(4)
-            if exponent.startswith("(-"):
-                self.refuse("a negative power of a function can mean its inverse: write \\arc… or")
-        argument = self.argument()
-        text = f"{name}({argument})"
-        return Piece(f"{text}**{exponent}", 3) if exponent else Piece(text)
+            exponent = self.script()
 
-    def argument(self) -> str:
-        """The argument of a function; one that could end in two places is refused."""
-        if self.peek() in ("(", "[", "{"):
-            inner = self.base().text
-            return inner[1:-1] if _is_enclosed(inner) else inner
-        text = ""
-        while re.fullmatch(r"\d.*", self.peek()):
-            text += f"{self.take()}*"
-        piece = self.factor()
-        if piece.symbol or text or piece.text == "pi":
-            ahead = self.peek()
-            if ahead == "/" or (_is_letter(ahead) and not (ahead == "d" and self.integrals)):
-                self.refuse("where does the function's argument end? Write it in brackets,")
-        return text + piece.within(3 if text else 1)
+        def applied(argument: Piece) -> Piece:
+            text = f"{name}({argument.text}{base})"
+            if exponent is None:
+                return Piece(text)
+            if exponent.text == "-1":
+                self.two_readings(f"{_inverse(name)}({argument.text})", f"1/{text}")
+            return Piece(f"{text}**{exponent.within(4)}", 3)
+
+        return self.argument(start, applied, after_bracket if name != "exp" else whole)
+
+    def argument(
+        self, start: int, applied: Callable[[Piece], Piece], rule: Callable[[Piece, Ahead], Reach]
+    ) -> Piece:
+        """``applied`` to the argument that follows; ``rule`` says how far one in brackets goes."""
+        token = self.peek()
+        braced = token == "{" and self.peek(1) in BRACKETS
+        if braced and self.partner(self.at + 1) + 1 == self.partner(self.at):
+            self.take()
+            inner = self.enclosed()
+            self.take("}")
+            return applied(inner)
+        if token in BRACKETS:
+            inner = self.enclosed()
+            doubtful = rule is not whole and min(inner.strength, applied(inner).strength) < 4
+        elif token == "{":
+            inner = self.printed(start, applied)
+            rule, doubtful = after_braces, True
+        elif token in ("|", "\\left|"):
+            inner, rule, doubtful = self.absolute(), after_braces, True
+        else:
+            return self.operand(applied, self.factor(), after_open)
+        if self.peek() == "^" and doubtful and not self.author:
+            self.take()
+            power = f"**{self.script().within(4)}"
+            inside = applied(Piece(inner.within(4) + power, 3))
+            self.two_readings(inside, applied(inner).within(4) + power)
+        return self.operand(applied, inner, rule)
+
+    def printed(self, start: int, applied: Callable[[Piece], Piece]) -> Piece:
+        """The argument in braces of the function at ``start``, if print says the same without."""
+        name, inside = (
+            self.tokens[start : self.at],
+            self.tokens[self.at + 1 : self.partner(self.at)],
+        )
+        inner = self.group()
+        if inside[0] in ("+", "-"):
+            if inner.strength == 0 and not self.author:
+                self.refuse("braces do not print: write brackets around what stands in them,")
+        elif not self.author:
+            shown = Reader([*name, *inside], author=True).sum()
+            if shown.text != applied(inner).text:
+                self.two_readings(applied(inner), shown)
+        return inner
 
     def integral(self) -> Piece:
         """``∫_{low}^{high} … dx``: all terms that carry the differential."""
@@ -396,8 +482,10 @@ class Reader:
     def named(self) -> Piece:
         """A symbol, an inline derivative, ``e^{…}``, or an author's function."""
         token = self.peek()
-        if token in ("d", "\\partial") and self.inline_derivative():
+        if token in DIFFERENTIALS and self.inline_derivative():
             return self.slashed_derivative()
+        if not self.author:
+            self.check_name()
         if token == "e" and self.peek(1) == "^":
             self.at += 2
             return Piece(f"exp({self.script().text})")
@@ -411,83 +499,9 @@ class Reader:
             self.take()
             return Piece(f"{token}({', '.join(self.arguments())})")
         name = self.symbol()
-        if self.peek() == "(" and self.is_application(name):
+        if self.author and self.peek() == "(" and self.is_application(name):
             return Piece(f"{name}({', '.join(self.arguments())})")
         return Piece(name, symbol=True)
-
-    def inline_derivative(self) -> bool:
-        """``dy/dx`` in a line."""
-        start, d = self.at, self.peek()
-        self.at += 1
-        ok = _is_letter(self.peek())
-        if ok:
-            self.symbol()
-            ok = self.peek() == "/" and self.peek(1) == d and _is_letter(self.peek(2))
-        self.at = start
-        return ok
-
-    def slashed_derivative(self) -> Piece:
-        """``dy/dx`` as one symbol."""
-        d = "d" if self.take() == "d" else "partial"
-        above = self.symbol().rstrip("_")
-        self.at += 2
-        return Piece(f"{d}{above}_{d}{self.symbol().rstrip('_')}")
-
-    def symbol(self) -> str:
-        """A letter with its subscript as a name."""
-        token = self.take()
-        prefix = ""
-        if token == "\\Delta":
-            prefix, token = "Delta_", self.take()
-        if not (_is_letter(token) or token.isalpha()):
-            self.at -= 1
-            self.refuse("a symbol is expected")
-        name = prefix + token.removeprefix("\\")
-        if self.peek() == "_":
-            self.at += 1
-            name += self.subscript()
-        return f"{name}_" if name in RESERVED else name
-
-    def subscript(self) -> str:
-        """A subscript as the end of a name."""
-        if self.peek() == "{":
-            self.at += 1
-            parts = []
-            while self.peek() != "}":
-                parts.append(self.take().removeprefix("\\"))
-            self.take("}")
-            text = "".join(parts)
-        else:
-            text = self.take().removeprefix("\\")
-        if not re.fullmatch(r"[A-Za-z0-9]+", text):
-            self.refuse(f"the subscript {text!a} is not read")
-        return text if text[0].isdigit() else f"_{text}"
-
-    def is_list(self) -> bool:
-        """Whether the bracket that opens here holds a comma of its own."""
-        depth, i = 0, self.at
-        while i < len(self.tokens):
-            token = self.tokens[i]
-            depth += (token in ("(", "[", "{")) - (token in (")", "]", "}"))
-            if depth == 0:
-                return False
-            if depth == 1 and token == ",":
-                return True
-            i += 1
-        return False
-
-    def is_application(self, name: str) -> bool:
-        """f(…), any name before a list, or before one symbol alone, as in ε(γ)."""
-        if name in LETTERS_OF_FUNCTIONS or self.is_list():
-            return True
-        start = self.at
-        self.at += 1
-        alone = _is_letter(self.peek())
-        if alone:
-            self.symbol()
-            alone = self.peek() == ")"
-        self.at = start
-        return alone
 
     def arguments(self) -> list[str]:
         """The arguments of an author's function."""
@@ -500,45 +514,5 @@ class Reader:
         return found
 
 
-def _joined(factors: list[Piece | None], operators: list[str]) -> Piece:
-    """The product of ``factors``; differentials (None) are left out."""
-    kept = [(f, op) for f, op in zip(factors, operators, strict=True) if f is not None]
-    if not kept:
-        return Piece("1")
-    if len(kept) == 1:
-        return kept[0][0]
-    text = kept[0][0].within(2) + "".join(op + factor.within(3) for factor, op in kept[1:])
-    return Piece(_power_of_ten(text), 2)
-
-
-def _is_number(token: str) -> bool:
-    return token[:1].isdigit() or token[:1] == "."
-
-
-def _is_letter(token: str) -> bool:
-    return (
-        (len(token) == 1 and token.isascii() and token.isalpha())
-        or token[1:] in GREEK
-        or (token == "\\Delta")
-    )
-
-
-def _is_derivative(text: str) -> bool:
-    return re.search(r"\b(d|partial)[A-Za-z]\w*_(d|partial)[A-Za-z]", text) is not None
-
-
-def _is_enclosed(text: str) -> bool:
-    """Whether one pair of parentheses encloses all of ``text``."""
-    if not (text.startswith("(") and text.endswith(")")):
-        return False
-    depth = 0
-    for i, character in enumerate(text):
-        depth += (character == "(") - (character == ")")
-        if depth == 0:
-            return i == len(text) - 1
-    return False
-
-
-def _power_of_ten(text: str) -> str:
-    """``1.09*10**(-2)`` is the decimal ``1.09e-2``: a printed number keeps its digits."""
-    return re.sub(r"(?<![\w.)])(\d+(?:\.\d+)?)\*10\*\*\(?(-?\d+)\)?(?![\w.])", r"\1e\2", text)
+def _inverse(name: str) -> str:
+    return {"log": "exp", "exp": "log"}.get(name) or (name[1:] if name[0] == "a" else f"a{name}")

@@ -21,6 +21,7 @@ FUNCTIONS = {
     **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "sec", "csc")},
     **{f"ar{name}": f"a{name}" for name in ("sinh", "cosh", "tanh")},
     **{f"a{name}": f"a{name}" for name in _TRIGONOMETRIC},
+    **{"sech": "sech", "csch": "csch", "sgn": "sign", "sign": "sign", "arccot": "acot"},
 }
 """Commands and upright words that apply a function, and the function."""
 GREEK = _words(
@@ -44,11 +45,10 @@ RELATIONS = {
 """Relations as they are written, and as they are read."""
 CALLS = _words("integral at between value diff O o")
 """Calls in the text that are the reader's own, not the author's functions."""
-LETTERS_OF_FUNCTIONS = _words("f g h F G")
+LETTERS_OF_FUNCTIONS = _words("f g h F G Gamma zeta")
 RESERVED = _words("E lambda pi") | frozenset(FUNCTIONS.values())
-_SPACES = {"\\ "} | _words(
-    "\\, \\; \\: \\! \\quad \\qquad \\displaystyle \\textstyle \\limits \\nonumber \\notag ~"
-)
+_GAPS = {"\\ "} | _words("\\, \\; \\: \\quad \\qquad ~")
+_SPACES = _GAPS | _words("\\! \\displaystyle \\textstyle \\limits \\nonumber \\notag")
 _SIZES = _words("\\big \\Big \\bigl \\bigr \\Bigl \\Bigr \\bigg \\Bigg")
 ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
 STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
@@ -57,6 +57,21 @@ CONDITION = "\\conditionfor"
 """The token for upright words that open a condition."""
 _CONDITIONS = _words("for if when")
 
+_SAME = {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
+    "\\lvert": "\\left|",
+    "\\rvert": "\\right|",
+}
+
+
+class Spaced(str):
+    """A token before which the author put a space that prints."""
+
+    __slots__ = ()
+
+
+_BRACED = re.compile(
+    rf"\{{\s*(\\(?:{'|'.join(FUNCTIONS)})\s*(?:\^\s*(?:[\da-z]|\{{[^{{}}]*\}}))?)\s*\}}"
+)
 _TOKEN = re.compile(
     r"""(?P<space>\s+|%[^\n]*\n?)
       | (?P<command>\\(?:begin|end)\{[a-zA-Z*]+\}|\\[a-zA-Z]+|\\.)
@@ -86,21 +101,25 @@ def tokenize(source: str, words: frozenset[str] = frozenset()) -> list[str]:
 
 
 def _prepared(source: str) -> str:
-    """Without labels and the optional space after a line's end; upright text as commands."""
+    """Without labels, the optional space after a line's end, and braces around a function's name;
+    upright text as commands.
+    """
     source = re.sub(r"\\(?:label|tag|color)\s*\{[^{}]*\}", " ", source)
     source = re.sub(r"\\\\\s*\[[^\[\]]*\]", r"\\\\ ", source)
-    return re.sub(
+    source = re.sub(r"\\mathrm\s+([dei])", r" \1 ", source)
+    source = re.sub(
         r"(\\(?:text|textrm|mathrm|operatorname|mbox|textup))\s*\{([^{}]*)\}", _text, source
     )
+    return _BRACED.sub(r"\1 ", source)
 
 
 def _text(match: re.Match[str]) -> str:
-    """Upright text: a function's name, a differential's d, radians, or a condition's "for"."""
+    """Upright text: a function's name, the letters d, e and i, radians, or a condition's "for"."""
     word = match[2].strip()
     if word in FUNCTIONS:
         return f"\\{word} "
-    if word == "d":
-        return " d "
+    if word in ("d", "e", "i"):
+        return f" {word} "
     if word == "rad":
         return " "
     if word.lower() in _CONDITIONS:
@@ -110,7 +129,7 @@ def _text(match: re.Match[str]) -> str:
 
 def _merged(raw: list[str], words: frozenset[str]) -> list[str]:
     """Tokens without spacing and sizes; declared words become one token."""
-    kept = [t for t in raw if t not in _SPACES and t not in _SIZES]
+    kept = _without_spaces([t for t in raw if t not in _SIZES])
     result: list[str] = []
     i = 0
     while i < len(kept):
@@ -120,12 +139,24 @@ def _merged(raw: list[str], words: frozenset[str]) -> list[str]:
             i += len(word)
         elif kept[i] in ("\\left", "\\right"):
             delimiter = kept[i + 1] if i + 1 < len(kept) else ""
+            delimiter = {"\\vert": "|", "\\lvert": "|", "\\rvert": "|"}.get(delimiter, delimiter)
             # "\left." and "\right." are invisible partners of an evaluation bar.
             result.append(f"{kept[i]}{delimiter}" if delimiter in (".", "|") else delimiter)
             i += 2
         else:
-            result.append(
-                {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"}.get(kept[i], kept[i])
-            )
+            result.append(_SAME.get(kept[i], kept[i]))
             i += 1
     return result
+
+
+def _without_spaces(raw: list[str]) -> list[str]:
+    """The tokens but for spaces; one behind a space that prints is :class:`Spaced`."""
+    kept: list[str] = []
+    gap = False
+    for token in raw:
+        if token not in _SPACES:
+            kept.append(Spaced(token) if gap else token)
+            gap = False
+        elif token in _GAPS:
+            gap = True
+    return kept
