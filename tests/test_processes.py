@@ -15,6 +15,9 @@ import tresym
 from tresym import processes
 from tresym.processes import Processes
 
+HANGS = 60
+"""Seconds after which a process must be hanging."""
+
 ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -64,6 +67,27 @@ def test_leaving_early_ends_what_is_under_way() -> None:
 
     with pytest.raises(ZeroDivisionError):
         leave()
+
+
+KILLED = """
+import os, time
+from tresym.processes import Processes
+with Processes(2, forked=True) as pool:
+    for future in [pool.submit(time.sleep, 0.1) for _ in range(4)]:
+        future.result()
+    os.kill(os.getpid(), 9)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+def test_copies_end_with_their_parent() -> None:
+    """As long as one of them lives it holds the other end of what is read here."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    command = [sys.executable, "-c", KILLED]
+    done = subprocess.run(
+        command, env=environment, stdout=subprocess.PIPE, timeout=HANGS, check=False
+    )
+    assert done.returncode == -9
 
 
 def _decided(claim: str) -> str:

@@ -82,9 +82,9 @@ class Processes(ThreadPoolExecutor):
             forked: start them at once as copies of this one, where the system can. For calls that
                 run Python and FLINT alone: other libraries take locks that a copy never gets back.
         """
-        method = "fork" if forked and "fork" in get_all_start_methods() else "spawn"
-        super().__init__(count, initializer=_deaf_to_interrupts, initargs=(method,))
-        self._context: Any = get_context(method)
+        self._forked = forked and "fork" in get_all_start_methods()
+        super().__init__(count, initializer=_deaf_to_interrupts, initargs=(self._forked,))
+        self._context: Any = get_context("fork" if self._forked else "spawn")
         self._limit, self._deaths = limit, deaths
         self._mine = threading.local()
         self._children: list[_Child] = []
@@ -128,7 +128,11 @@ class Processes(ThreadPoolExecutor):
             if self._ended:
                 raise BrokenExecutor("the processes have been ended")
             ours, theirs = self._context.Pipe()
-            process = self._context.Process(target=_serve, args=(theirs, self._limit), daemon=True)
+            # A copy of this process holds all ends that this one holds, and has to let them go.
+            copied = [ours, *(child.connection for child in self._children)] if self._forked else []
+            process = self._context.Process(
+                target=_serve, args=(theirs, self._limit, copied), daemon=True
+            )
             process.start()
             # Now only the child holds its end, and its death is the end of the pipe.
             theirs.close()
@@ -162,8 +166,10 @@ class Processes(ThreadPoolExecutor):
             child.end()
 
 
-def _serve(connection: Connection, limit: float | None) -> None:
+def _serve(connection: Connection, limit: float | None, copied: list[Connection]) -> None:
     """The life of a process: calls in, answers out, until the other end of the pipe is gone."""
+    for end in copied:
+        end.close()
     alarm = getattr(signal, "setitimer", None) if limit is not None else None
     if alarm is not None:
         signal.signal(signal.SIGALRM, signal.SIG_DFL)
@@ -182,10 +188,10 @@ def _serve(connection: Connection, limit: float | None) -> None:
             connection.send(answer)
 
 
-def _deaf_to_interrupts(method: str) -> None:
+def _deaf_to_interrupts(forked: bool) -> None:
     """Processes started by this thread do not hear Ctrl-C: it is for their parent."""
     if hasattr(signal, "pthread_sigmask"):
-        if method == "spawn":
+        if not forked:
             from multiprocessing import resource_tracker
 
             # Starting the tracker, as the first process would, opens the ears again.
