@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import threading
+import warnings
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
@@ -215,7 +216,10 @@ def _unhindered() -> Iterator[None]:
 
     spawn.get_preparation_data = without_main
     try:
-        yield
+        with warnings.catch_warnings():
+            # Python warns of copies beside threads, for the sake of locks: see ``forked``.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            yield
     finally:
         spawn.get_preparation_data = prepared
         parent.daemon = daemon
