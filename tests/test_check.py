@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+import tracemalloc
 from fractions import Fraction
 from pathlib import Path
 from random import Random
@@ -21,6 +22,7 @@ from tresym.checking.workers import Task, check_all, check_within
 from tresym.cli import main
 from tresym.exact import InputError, parse_number, simplest_between
 from tresym.identity import Given
+from tresym.report.check import read_tasks
 from tresym.report.deciding import measured
 from tresym.verdict import Verdict
 
@@ -478,6 +480,17 @@ def test_a_file_of_claims(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert [row["line"] for row in rows] == [2, 4, 5, 6]
     assert [row["verdict"] for row in rows] == ["PROVED", None, "PROVED", "REFUTED"]
     assert "line 4" in err
+
+
+def test_a_file_of_many_lines_is_not_held_as_so_many_tasks(tmp_path: Path) -> None:
+    (tmp_path / "claims").write_text("x\n" * 200_000)
+    tracemalloc.start()
+    try:
+        tasks = read_tasks(str(tmp_path / "claims"), "", None)
+        assert next(tasks).claim == "x"
+        assert tracemalloc.get_traced_memory()[0] < 4_000_000
+    finally:
+        tracemalloc.stop()
 
 
 def test_a_claim_that_takes_too_long_is_stopped_and_the_rest_decided() -> None:

@@ -8,19 +8,15 @@ and the digits its answer has in common with the ball.
 
 from __future__ import annotations
 
-import json
 import os
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
-from pathlib import Path
-from typing import IO, Any
+from typing import Any
+from unittest.mock import patch
 
 from flint import arb, fmpq
 
-import tresym
 from tresym.bench import peers
 from tresym.bench.run import (
     WRONG,
@@ -31,12 +27,12 @@ from tresym.bench.run import (
     Pace,
     forget,
     interleave,
-    reason,
     time_once,
 )
 from tresym.bench.truth import SLACK, true_digits
 from tresym.body import Shape, named_body
 from tresym.flip import separatrix
+from tresym.processes import Processes
 
 BODY = "str"
 DIGITS = 50
@@ -71,17 +67,10 @@ def digits_at(method: peers.Method, shape: Shape) -> float:
         return 0.0
 
 
-def serve(commands: IO[str], answers: IO[str]) -> None:
-    """The process behind a contender: reads a name, times it once, writes seconds and digits."""
+def timed(name: str) -> tuple[float, float]:
+    """The seconds that a method takes once in this process, and its true digits."""
     shape = named_body(BODY).shape
-    for line in commands:
-        method = WORK[line.strip()]
-        try:
-            seconds = time_once(partial(method, shape, fmpq(0), DIGITS))
-            answer = [seconds, digits_at(method, shape), ""]
-        except Exception as error:
-            answer = [0.0, 0.0, reason(error)]
-        print(json.dumps(answer), file=answers, flush=True)
+    return time_once(partial(WORK[name], shape, fmpq(0), DIGITS)), digits_at(WORK[name], shape)
 
 
 Ask = Callable[[str], tuple[float, float]]
@@ -90,38 +79,13 @@ Ask = Callable[[str], tuple[float, float]]
 @contextmanager
 def worker(pure_python: bool) -> Iterator[Ask]:
     """A process that times by name, with mpmath on gmpy2 or in pure Python."""
-    environment = {**os.environ, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
-    environment.pop("MPMATH_NOGMPY", None)
-    if pure_python:
-        environment["MPMATH_NOGMPY"] = "1"
-    process = subprocess.Popen(
-        [sys.executable, "-m", "tresym.bench.separatrix"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        encoding="utf-8",
-        env=environment,
-    )
-    assert process.stdin is not None
-    assert process.stdout is not None
-    commands, answers = process.stdin, process.stdout
-
-    def ask(name: str) -> tuple[float, float]:
-        print(name, file=commands, flush=True)
-        seconds, digits, problem = json.loads(answers.readline())
-        if problem:
-            raise ArithmeticError(problem)
-        return seconds, digits
-
-    try:
-        yield ask
-    finally:
-        commands.close()
-        try:
-            process.wait(5)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-        answers.close()
+    with Processes(1) as process:
+        with patch.dict(os.environ):
+            os.environ.pop("MPMATH_NOGMPY", None)
+            if pure_python:
+                os.environ["MPMATH_NOGMPY"] = "1"
+            process.submit(timed, OURS).result()  # starts it, and imports mpmath there
+        yield lambda name: process.submit(timed, name).result()
 
 
 PACE = Pace(rounds=40, patience=2.0)
@@ -178,7 +142,3 @@ def _has_gmpy() -> bool:
     from importlib.util import find_spec
 
     return find_spec("gmpy2") is not None
-
-
-if __name__ == "__main__":
-    serve(sys.stdin, sys.stdout)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from itertools import chain
 
 from tresym.checking.answer import Answer
 from tresym.checking.workers import Task, check_all, check_within
 from tresym.exact import InputError, parse_number
-from tresym.report.output import bold, colour_wanted, dim, write_text
+from tresym.report.output import bold, colour_wanted, dim, writing
 from tresym.verdict import Verdict
 
 MAX_BYTES = 50_000_000
@@ -26,7 +30,7 @@ def one(
     answer = check_within(Task(claim.strip(), given, path), _seconds(limit))
     colour = colour_wanted() and target is None
     text = _line(answer) if as_json else answer_text(answer, colour)
-    _deliver([text], target)
+    _deliver(text, target)
     return _STATUS.get(answer.verdict, 0)
 
 
@@ -36,31 +40,33 @@ def many(
     """Decide every claim of a file, show each answer as it comes; returns the exit status."""
     tasks = read_tasks(file, given, path)
     seconds = _seconds(limit)
-    statuses: list[int] = []
     counts = dict.fromkeys([*(verdict.value for verdict in Verdict), "not read"], 0)
+    status = 0
     colour = colour_wanted() and target is None
-    kept: list[str] = []
-    show = kept.append if target is not None else _print
-    for task, found in check_all(tasks, seconds):
-        if isinstance(found, InputError):
-            print(f"tresym: {file}, line {task.line}: {found}", file=sys.stderr)
-            statuses.append(BAD)
-            counts["not read"] += 1
-            if as_json:
-                show(_bad_line(task, found))
-        else:
-            statuses.append(_STATUS.get(found.verdict, 0))
-            counts[found.verdict.value] += 1
-            show(_line(found) if as_json else answer_text(found, colour))
-        _progress(len(statuses), len(tasks))
-    if target is not None:
-        write_text(target, "".join(kept))
+    with _shown_by(target) as show:
+        for task, found in check_all(tasks, seconds):
+            if isinstance(found, InputError):
+                print(f"tresym: {file}, line {task.line}: {found}", file=sys.stderr)
+                status = _worse(status, BAD)
+                counts["not read"] += 1
+                if as_json:
+                    show(_bad_line(task, found))
+            else:
+                status = _worse(status, _STATUS.get(found.verdict, 0))
+                counts[found.verdict.value] += 1
+                show(_line(found) if as_json else answer_text(found, colour))
+            _progress(sum(counts.values()))
     summary = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
-    print(f"{len(tasks)} claims: {summary}", file=sys.stderr)
+    print(f"{sum(counts.values())} claims: {summary}", file=sys.stderr)
+    return status
+
+
+def _worse(*statuses: int) -> int:
+    """Of several, the exit status that is heard."""
     return next((status for status in (BAD, REFUTED, UNDECIDED) if status in statuses), 0)
 
 
-def read_tasks(file: str, given: str, path: str | None) -> list[Task]:
+def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     """The claims of a file, one a line; what follows a ``#`` is a comment.
 
     Raises:
@@ -73,12 +79,21 @@ def read_tasks(file: str, given: str, path: str | None) -> list[Task]:
         raise InputError(f"{file}: cannot be read ({error.strerror})") from None
     if len(data) > MAX_BYTES:
         raise InputError(f"{file}: more than {MAX_BYTES} bytes")
-    lines = data.decode("utf-8-sig", errors="replace").splitlines()
-    stripped = [(number, line.split("#")[0].strip()) for number, line in enumerate(lines, 1)]
-    tasks = [Task(line, given, path, number) for number, line in stripped if line]
-    if not tasks:
+    tasks = (
+        Task(claim, given, path, number)
+        for number, line in enumerate(_lines(data), 1)
+        if (claim := line.split("#")[0].strip())
+    )
+    first = next(tasks, None)
+    if first is None:
         raise InputError(f"{file}: no claim in it; write one a line")
-    return tasks
+    return chain([first], tasks)
+
+
+def _lines(data: bytes) -> Iterator[str]:
+    """The lines, one at a time: a list of many short ones would be far larger than the file."""
+    text = io.TextIOWrapper(io.BytesIO(data), encoding="utf-8-sig", errors="replace")
+    return (line for piece in text for line in piece.splitlines())
 
 
 def answer_text(answer: Answer, colour: bool = False) -> str:
@@ -111,19 +126,25 @@ def _seconds(text: str) -> float:
     return float(value.p) / float(value.q)
 
 
-def _deliver(parts: Iterable[str], target: str | None) -> None:
-    if target is not None:
-        write_text(target, "".join(parts))
+def _deliver(text: str, target: str | None) -> None:
+    with _shown_by(target) as show:
+        show(text)
+
+
+@contextmanager
+def _shown_by(target: str | None) -> Iterator[Callable[[str], object]]:
+    """What shows a text in the block: on standard output, or in a file."""
+    if target is None:
+        yield partial(print, end="", flush=True)
         return
-    for part in parts:
-        _print(part)
+    with (
+        writing(target) as aside,
+        open(aside, "w", encoding="utf-8", errors="backslashreplace", newline="") as file,
+    ):
+        yield file.write
 
 
-def _print(text: str) -> None:
-    print(text, end="", flush=True)
-
-
-def _progress(done: int, total: int) -> None:
+def _progress(done: int) -> None:
     """A counter on standard error, where that is a terminal."""
     if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
-        print(f"\r{done}/{total}\r", end="", file=sys.stderr, flush=True)
+        print(f"\r{done} claims\r", end="", file=sys.stderr, flush=True)

@@ -4,48 +4,51 @@ from __future__ import annotations
 
 import os
 import sys
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 
 from tresym.exact import InputError
 
 
 def write_text(path: str, text: str) -> None:
-    """Write ``text`` (UTF-8) to ``path`` as :func:`write_bytes` does."""
+    """Write ``text`` (UTF-8) to ``path``, whole or not at all (:func:`writing`)."""
     write_bytes(path, text.encode("utf-8", errors="backslashreplace"))
 
 
 def write_bytes(path: str, data: bytes) -> None:
-    """Write ``data`` to ``path``: aside first, then renamed, so no half file is ever seen.
+    """Write ``data`` to ``path``, whole or not at all (:func:`writing`)."""
+    with writing(path) as aside, open(aside, "wb") as file:
+        file.write(data)
+
+
+@contextmanager
+def writing(path: str) -> Iterator[str]:
+    """What the block writes to: a file aside, renamed at its end, so no half file is ever seen.
 
     A device or a pipe is written to as it is; of a link, the file it leads to is replaced.
 
     Raises:
         InputError: the file cannot be written there.
     """
+    aside = None
     try:
         if os.path.exists(path) and not os.path.isfile(path):
-            _write(path, data)
+            yield path
         else:
-            _replace(os.path.realpath(path), data)
+            goal = os.path.realpath(path)
+            aside = f"{goal}.{os.getpid()}.part"
+            yield aside
+            os.replace(aside, goal)
+    except InputError:
+        raise
     except (OSError, ValueError) as error:
         shown = path if path.isprintable() else ascii(path)
-        reason = error.strerror if isinstance(error, OSError) else error
+        reason = error.strerror or error if isinstance(error, OSError) else error
         raise InputError(f"{shown}: cannot be written ({reason})") from None
-
-
-def _replace(path: str, data: bytes) -> None:
-    aside = f"{path}.{os.getpid()}.part"
-    try:
-        _write(aside, data)
-        os.replace(aside, path)
     finally:
-        with suppress(OSError):
-            os.remove(aside)
-
-
-def _write(path: str, data: bytes) -> None:
-    with open(path, "wb") as file:
-        file.write(data)
+        if aside is not None:
+            with suppress(OSError):
+                os.remove(aside)
 
 
 def colour_wanted() -> bool:

@@ -3,31 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from typing import Any
 
-_FIELDS = {"Args": "param", "Attributes": "ivar", "Raises": "raises", "Returns": "returns"}
 _ALIAS = re.compile(r"TypeAliasForwardRef\('(\w+)'\)")
-_ITEM = re.compile(r"    (\*{0,2}\w+): (.*)")
 
 
-def restructured(lines: list[str]) -> Iterator[str]:
-    """The lines of a docstring with its sections as fields; all else is left as it is."""
-    field = ""
-    for line in lines:
-        head = line.rstrip(":")
-        if line.endswith(":") and head in _FIELDS:
-            field = _FIELDS[head]
-            yield ""
-            if field == "returns":
-                yield ":returns:"
-        elif field and line and not line.startswith(" "):
-            field = ""
-            yield from ("", line)
-        elif field in ("param", "ivar", "raises") and (item := _ITEM.fullmatch(line)):
-            yield f":{field} {item[1]}: {item[2]}"
-        else:
-            yield line
+def restructured(lines: list[str]) -> list[str]:
+    """The lines of a docstring with its sections as fields.
+
+    Napoleon is not told of what: of an attribute it takes the words before a colon for its type.
+    """
+    from sphinx.ext.napoleon import Config, GoogleDocstring
+
+    return GoogleDocstring(lines, Config(napoleon_use_ivar=True)).lines()
 
 
 def process(app: Any, what: str, name: str, value: Any, options: Any, lines: list[str]) -> None:

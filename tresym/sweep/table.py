@@ -12,10 +12,11 @@ import json
 import os
 import sqlite3
 from collections.abc import Iterator, Sequence
-from contextlib import closing, contextmanager, suppress
+from contextlib import closing, contextmanager
 from typing import Any
 
 from tresym.exact import InputError
+from tresym.report.output import writing
 from tresym.sweep.rows import Row
 
 APPLICATION = 0x74726573
@@ -114,18 +115,9 @@ class Table:
         Raises:
             InputError: the file cannot be written, or Parquet is wanted without pyarrow.
         """
-        aside = f"{path}.{os.getpid()}.part"
-        try:
-            if path.endswith(".parquet"):
-                _write_parquet(aside, self._pieces(), self.in_floats)
-            else:
-                _write_csv(aside, self._pieces(), self.in_floats)
-            os.replace(aside, path)
-        except OSError as error:
-            raise InputError(f"{path}: cannot be written ({error.strerror or error})") from None
-        finally:
-            with suppress(OSError):
-                os.remove(aside)
+        write = _write_parquet if path.endswith(".parquet") else _write_csv
+        with writing(path) as aside:
+            write(aside, self._pieces(), self.in_floats)
 
 
 @contextmanager
