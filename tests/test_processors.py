@@ -150,7 +150,7 @@ def test_what_is_drawn_at_a_round_place_is_far_from_where_the_last_digit_changes
 
 def test_zero_has_no_sign() -> None:
     assert [coordinate(x) for x in (0.0, -0.0, -1e-12, 1e-12)] == ["0"] * 4
-    assert [coordinate(x, 1) for x in (-12.04, 100.0)] == ["-12", "100"]
+    assert [coordinate(x, 1) for x in (-12.01, 100.0)] == ["-12", "100"]
 
 
 def test_points_that_may_be_one_are_one() -> None:
