@@ -321,6 +321,8 @@ def test_six_panels_of_both_kinds(panels):
         else:
             assert panel.psi.min() > 0
             assert panel.psi.max() < math.pi
+            # From rest the two ends mirror each other; a rate left by rounding is its square root.
+            assert np.abs(panel.psi[0] + panel.psi[-1] - math.pi).max() < 1e-13
 
 
 def test_far_from_the_separatrix_there_is_no_flip_by_the_papers_tolerance(panels):
