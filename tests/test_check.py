@@ -11,6 +11,7 @@ from random import Random
 import mpmath
 import pytest
 import sympy
+from hangs import HANGS
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -360,7 +361,7 @@ def test_sympy_relations_and_assumptions() -> None:
     assert tresym.check(sympy.Eq(sympy.Abs(x), x, evaluate=False), given=x > 0)
     assert tresym.check(sympy.Eq(sympy.Abs(x), x, evaluate=False)).verdict is REFUTED
     same = sympy.Eq(sympy.sin(x), sympy.sin(x), evaluate=False)
-    assert tresym.check(same, limit=20).verdict is PROVED  # SymPy would evaluate a copy of it
+    assert tresym.check(same, limit=HANGS).verdict is PROVED  # SymPy would evaluate a copy of it
     modulus = sympy.Derivative(sympy.Abs(x), x)
     assert tresym.check(sympy.Eq(modulus, sympy.sign(x), evaluate=False))
     assert tresym.check(sympy.Eq(sympy.atan2(x, a), sympy.atan(x / a)))
@@ -453,11 +454,11 @@ def test_bad_input_is_one_line(claim: str, capsys: pytest.CaptureFixture[str]) -
     ],
 )
 def test_exit_status(words: list[str], status: int) -> None:
-    assert main(["check", *words]) == status
+    assert main(["check", "--limit", str(HANGS), *words]) == status
 
 
 def test_json_has_every_key(capsys: pytest.CaptureFixture[str]) -> None:
-    main(["check", "sqrt(x**2) == x", "--json"])
+    main(["check", "--limit", str(HANGS), "sqrt(x**2) == x", "--json"])
     value = json.loads(capsys.readouterr().out)
     keys = {"verdict", "witness", "constant", "region", "seconds", "why", "statement", "line"}
     assert keys <= set(value)
@@ -474,7 +475,7 @@ def test_a_file_of_claims(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
         "sin(x) == O(x**2) as x -> 0\n",
         encoding="utf-8",
     )
-    assert main(["check", "-f", str(file), "--json"]) == 2
+    assert main(["check", "--limit", str(HANGS), "-f", str(file), "--json"]) == 2
     out, err = capsys.readouterr()
     rows = [json.loads(line) for line in out.splitlines()]
     assert [row["line"] for row in rows] == [2, 4, 5, 6]
@@ -512,7 +513,7 @@ def test_a_claim_that_we_fail_at_does_not_end_the_others(monkeypatch: pytest.Mon
         return Answer(PROVED, "")
 
     monkeypatch.setattr("tresym.checking.workers.judge", fails)
-    found = [answer for _, answer in check_all([Task("fail"), Task("1 == 1")], 20, processes=1)]
+    found = [answer for _, answer in check_all([Task("fail"), Task("1 == 1")], HANGS, processes=1)]
     assert [getattr(answer, "verdict", None) for answer in found] == [UNDECIDED, PROVED]
     assert "ZeroDivisionError" in getattr(found[0], "why", "")
 

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from flint import fmpq
+from hangs import HANGS
 
 from tresym.body import NAMED_BODIES, shape
 from tresym.exact import fraction_text
@@ -24,7 +25,6 @@ playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is no
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "explorer" / "index.html"
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-SECONDS = 20
 
 HARD = (
     ("12.5372", "0.0629", "0"),
@@ -69,7 +69,7 @@ Open = Callable[..., "playwright.Page"]
 def browser() -> Iterator["playwright.Browser"]:
     with playwright.sync_playwright() as driver:
         found = driver.chromium.launch(
-            executable_path=CHROMIUM, args=["--no-sandbox"], timeout=1000 * SECONDS
+            executable_path=CHROMIUM, args=["--no-sandbox"], timeout=1000 * HANGS
         )
         yield found
         found.close()
@@ -82,7 +82,7 @@ def open_page(browser: "playwright.Browser") -> Iterator[Open]:
 
     def opened(fragment: str = "", **look: object) -> "playwright.Page":
         context = browser.new_context(**{"reduced_motion": "reduce", **look})
-        context.set_default_timeout(1000 * SECONDS)
+        context.set_default_timeout(1000 * HANGS)
         context.set_offline(True)
         page = context.new_page()
         page.on("console", lambda message: heard.append(message.text))

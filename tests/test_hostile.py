@@ -23,6 +23,7 @@ from pathlib import Path
 import chunks
 import pytest
 from flint import ctx, fmpq, fmpz
+from hangs import HANGS
 
 from tresym import InputError, flip_defect
 from tresym.arithmetic import ball_precision
@@ -36,9 +37,6 @@ ROOT = Path(__file__).resolve().parent.parent
 PAPER = str(ROOT / "tests" / "data" / "pendulum.tex")
 INPUTS = 10_000 if chunks.DEEP else 400
 PROCESSES = 100 if chunks.DEEP else 12
-
-HANGS = 600 if chunks.DEEP else 60
-"""Seconds after which a process counts as hanging; a hunt runs at the lowest priority."""
 
 # The classes of hostile text, each with its worst examples.
 CLASSES = {

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 import sympy
+from hangs import HANGS
 
 from tresym.claims.chain import check_chain
 from tresym.claims.claim import (
@@ -219,7 +220,7 @@ def test_verdicts_do_not_hang_on_the_order_of_sets() -> None:
 def _ledger_with_seed(seed: str, workers: str, labels: tuple[str, ...]) -> dict[str, Any]:
     command = [sys.executable, "-m", "tresym", "verify", "--json", "--workers", workers, *labels]
     environment = {**os.environ, "PYTHONHASHSEED": seed}
-    run = subprocess.run(command, env=environment, capture_output=True, timeout=50, check=False)
+    run = subprocess.run(command, env=environment, capture_output=True, timeout=HANGS, check=False)
     return _without_times(json.loads(run.stdout))
 
 

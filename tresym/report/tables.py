@@ -158,7 +158,7 @@ def thresholds() -> Table:
 
 
 def routes() -> Table:
-    """ε(γ) by routes that share no formula: the digits on which each agrees with the ball."""
+    """ε(γ) by routes that share no formula: how many of its digits agree with the ball."""
     from tresym.flip.routes import ROUTES, compare
 
     rows = tuple(
@@ -166,8 +166,8 @@ def routes() -> Table:
     )
     heads = tuple(f"{route.name} (of {route.digits})" for route in ROUTES[1:])
     return Table(
-        "ε(γ) by routes that share nothing but f or the differential equations: correct digits of "
-        "each, counted against the ball.",
+        "ε(γ) by routes that share nothing but f or the differential equations: how many "
+        "of the digits that each is meant to have agree with the ball.",
         ("body", "γ", "ε(γ)", *heads),
         rows,
     )

@@ -35,7 +35,9 @@ def data() -> Data:
 def _panel(a: float, b: float, gamma: float) -> Panel:
     least = np.arcsin(np.sqrt(max(-gamma, 0.0) / b))
     start = np.linspace(least, np.pi - least, STARTS)
-    rate = np.nan_to_num(rate_at(start, gamma, a, b))
+    rate = rate_at(start, gamma, a, b)
+    if gamma < 0:
+        rate[[0, -1]] = 0  # they turn there; a root of what is left by rounding would not
     phi = np.linspace(0.0, 2 * np.pi, 121)
     turn = arrivals(a, b, start[:, None], rate[:, None], phi).turn
     return Panel(gamma, phi, start[:, None] + turn)

@@ -54,10 +54,10 @@ def draw(data: Data) -> Any:
         ball(sheet)
         names = (r"$\theta_{\min}$", r"$\theta_{\max}$")
         for bound, name in zip(motion.bounds, names, strict=True):
-            ring = circle([0, 0, 1], float(np.cos(bound)))
-            curve(sheet, eye, ring, color="0.2", linewidth=1.6)
-            edge = ring[np.argmax(ring @ eye.right)]
-            label(sheet, eye, edge + 0.14 * eye.right, name, fontsize=10)
+            height = np.array([0, 0, float(np.cos(bound))])
+            curve(sheet, eye, circle([0, 0, 1], height[2]), color="0.2", linewidth=1.6)
+            edge = height + (np.sin(bound) + 0.14) * eye.right
+            label(sheet, eye, edge, name, fontsize=10)
         curve(sheet, eye, circle([0, 0, 1]), color="0.65", linewidth=0.7)
         look = {**style.kind(motion.gamma), "linestyle": "-", "linewidth": 1.3}
         curve(sheet, eye, motion.handle, **look)

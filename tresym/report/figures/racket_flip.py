@@ -17,6 +17,7 @@ from tresym.flip.attitude import attitude
 from tresym.flip.flipmap import Floats
 from tresym.report.figures.curves import rate_at, shape_of
 from tresym.report.figures.defect_map import symmetric_defect
+from tresym.report.figures.grid import coordinate
 from tresym.report.figures.racket import racket
 from tresym.report.figures.view import View, circle, view
 
@@ -69,7 +70,7 @@ def data() -> Data:
 def draw(data: Data) -> str:
     """The moving picture as SVG text."""
     eye, shape = view(-50, 22), racket(41)
-    clock = ";".join(f"{x:.4f}" for x in (*data.time[:-1], 1.0))
+    clock = ";".join(coordinate(x, 4) for x in (*data.time[:-1], 1.0))
     rims = [_line(eye, shape.rim @ frame) for frame in data.frames]
     handles = [_line(eye, shape.handle @ frame) for frame in data.frames]
     strings = [
@@ -116,14 +117,14 @@ def _body(
 def _still(eye: View) -> list[str]:
     """The circle a level handle's end runs on, and the momentum."""
     ring = _line(eye, circle([0, 0, 1], points=73))
-    base, tip = _at(eye, np.zeros(3)), _at(eye, np.array([0, 0, 1.05]))
+    tip = _at(eye, np.array([0, 0, 1.05]))
     wings = [(tip[0] - 4, tip[1] + 10), (tip[0] + 4, tip[1] + 10), tip]
-    head = " ".join(f"{x:.1f},{y:.1f}" for x, y in wings)
-    letter = f"M{tip[0] + 10:.1f} {tip[1] + 12:.1f}l2 -11l4 8l6 -8l2 11"
+    head = " ".join(f"{coordinate(x, 1)},{coordinate(y, 1)}" for x, y in wings)
+    momentum = _line(eye, np.array([[0, 0, 0], [0, 0, 1.0]]))
+    letter = f"M{coordinate(tip[0] + 10, 1)} {coordinate(tip[1] + 12, 1)}l2 -11l4 8l6 -8l2 11"
     return [
         f'<path d="{ring}" fill="none" stroke="#bbb"/>',
-        f'<line x1="{base[0]:.1f}" y1="{base[1]:.1f}" x2="{tip[0]:.1f}" y2="{tip[1] + 8:.1f}" '
-        'stroke="#555" stroke-width="1.5"/>',
+        f'<path d="{momentum}" stroke="#555" stroke-width="1.5"/>',
         f'<polygon points="{head}" fill="#555"/>',
         f'<path id="M" d="{letter}" fill="none" stroke="#333" stroke-width="1.5"/>',
     ]
@@ -136,7 +137,9 @@ def _at(eye: View, point: Floats) -> tuple[float, float]:
 
 def _line(eye: View, points: Floats) -> str:
     """The drawing commands of a line through points in space."""
-    return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in (_at(eye, point) for point in points))
+    return "M" + "L".join(
+        f"{coordinate(x, 1)} {coordinate(y, 1)}" for x, y in (_at(eye, point) for point in points)
+    )
 
 
 def _moves(attribute: str, values: Iterable[str], clock: str, mode: str = "linear") -> str:

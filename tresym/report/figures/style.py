@@ -14,6 +14,7 @@ from fractions import Fraction
 from typing import Any
 
 from tresym.exact import InputError
+from tresym.report.figures.grid import on_grid
 
 ROTATING = {"color": "#0072b2", "linewidth": 1.1, "linestyle": "-"}
 OSCILLATING = {"color": "#d55e00", "linewidth": 1.1, "linestyle": (0, (5, 1.6))}
@@ -86,8 +87,8 @@ def svg_text(figure: Any, title: str) -> str:
     _settle(figure)
     out = io.StringIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
-    text = out.getvalue().replace(" <metadata>", f" <title>{title}</title>\n <metadata>", 1)
-    return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+    text = "\n".join(line.rstrip() for line in out.getvalue().splitlines()) + "\n"
+    return on_grid(text, title).replace(" <metadata>", f" <title>{title}</title>\n <metadata>", 1)
 
 
 def bitmap_or_page(figure: Any, title: str, kind: str) -> bytes:
