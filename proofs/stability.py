@@ -3,11 +3,11 @@
 Around M along a principal axis, Euler's equations are linearised; the eigenvalues λ solve
 λ(λ² − …) = 0 exactly. Where λ² < 0 the energy on the sphere of M has a strict extremum, and the
 distance from the axis stays below a constant times what it was; where λ² > 0 one eigenvalue is
-positive.
+positive, and a product of two components grows exponentially.
 
 - `eigenvalues_e1`, `eigenvalues_e2`, `eigenvalues_e3`, and the signs of λ²;
 - `energy_near_e1`, `energy_near_e3`: the energy on the sphere of M, with its extrema;
-- `stays_near_e1`, `stays_near_e3`: stability, with a constant;
+- `stays_near_e1`, `stays_near_e3`: stability, with a constant; `leaves_e2`: instability;
 - `permanent_rotations`: the equilibria are the six points with two components zero.
 """
 
@@ -26,10 +26,17 @@ from sympy import (
     eye,
     pi,
     sin,
+    sqrt,
 )
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, velocity_from_momentum
-from tresym.proofs.momentum import energy_conserved, energy_of_momentum, eq_dMi, momentum_conserved
+from tresym.proofs.momentum import (
+    along_euler,
+    energy_conserved,
+    energy_of_momentum,
+    eq_dMi,
+    momentum_conserved,
+)
 
 from tresym.claims.claim import (
     Claim,
@@ -40,6 +47,7 @@ from tresym.claims.claim import (
     citing,
     equal,
     multiplying,
+    roots,
     step,
     substituting,
     together,
@@ -211,12 +219,42 @@ stable_e3 = Claim(
     where=Place(line=49),
 )
 
+_first_rate, _third_rate = sqrt(1 / I1 - 1 / I2), sqrt(1 / I2 - 1 / I3)
+
+leaves_e2 = Claim(
+    label="leaves_e2",
+    says=Tuple(
+        *(
+            -M2 * along_euler(M1 * M3) - side * 2 * _first_rate * _third_rate * M2**2 * M1 * M3 >= 0
+            for side in (1, -1)
+        )
+    ),
+    kind="bound",
+    given=ordered_moments,
+    proof=together(
+        *(
+            (
+                step(
+                    M2**2 * (_first_rate * M1 - side * _third_rate * M3) ** 2,
+                    substituting(eq_dMi),
+                    roots,
+                ),
+            )
+            for side in (1, -1)
+        )
+    ),
+    note="Let P be −M₁M₃ where M₂ > 0 and M₁M₃ where M₂ < 0. As long as |M₂| ≥ m, a positive P "
+    "grows at least as e^{2αβmt}, α² = 1/I₁ − 1/I₂ and β² = 1/I₂ − 1/I₃; but it is at most M²/2.",
+)
+
 unstable_e2 = Claim(
     label="unstable_e2",
-    says="The rotation about the intermediate axis is unstable.",
+    says="The rotation about the intermediate axis is unstable: from starts as near to it as one "
+    "likes M leaves the region |M₂| ≥ m, for every m > 0.",
     kind="statement",
-    proof=all_of(eigenvalues_e2, saddle_at_e2),
+    proof=all_of(eigenvalues_e2, saddle_at_e2, *_conserved, leaves_e2),
     where=Place(line=49),
+    note="Shown without linearisation: such are the starts with M₁M₂M₃ < 0, by `leaves_e2`.",
 )
 
 points_of_the_sphere = Claim(
