@@ -327,6 +327,7 @@ UNREAD = {
         *("symmetric_maximum", "bend_carries", "threshold_impossible", "no_tre_far", "bend_leaves"),
         *("two_rectangles", "near_flip_likely", "every_start_overshoots", "larger_ab_less_robust"),
         *("remark1_speed", "remainder_constant", "up_and_down", "standard_is_a_body"),
+        "lower_level_unturned",
     ),
     "two shapes at once": (
         *("larger_ab_smaller_eps0", "formula_shows_larger_ab", "hyperbolic_levels"),

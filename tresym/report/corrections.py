@@ -53,7 +53,7 @@ MISPRINTS = Fault(
 ROUNDING = Fault(
     "Rounding, and approximations printed as equalities",
     "The number or the formula is near the truth, and not as near as it is printed.",
-    frozenset({"table_racket_3_a", "equation", "d31", "d27", "upper_level"}),
+    frozenset({"table_racket_3_a", "equation", "d31", "d27", "d29"}),
 )
 REASONS = Fault(
     "Reasons",
