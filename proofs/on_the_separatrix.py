@@ -243,7 +243,6 @@ angle_below_tangent = Claim(
         step(
             Integral(cos(psi) ** 2 / sin(psi) ** 2, (psi, epsilon, pi / 2)),
             integrating(-cos(psi) / sin(psi) - psi, sine_to_the_middle),
-            trigonometry,
         ),
     ),
     note="x ≤ tan x for x = π/2 − ε between 0 and π/2.",

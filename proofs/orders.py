@@ -4,7 +4,8 @@ S = +1 throughout; constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they 
 
 - `d24`, `eps0` (in `asymptotics`): the remainder of the theorem, which is not exponentially small;
   `d38`, `eqnew`: what the higher orders left out on the way are, with constants;
-- `u_flat_order`: u = O(λ²) holds, and is far from sharp: `u_exponentially_small`;
+- `u_flat_order`: u = O(λ²) holds, so that du/dλ is 0 at the origin, `dudlam`; it is far from sharp:
+  `u_exponentially_small`;
 - `d52`, `d56`, `d57`: the printed orders hold; `d52_true_order`, `d56_true_order` and
   `d57_true_order` say what they are in truth, with lower and upper constants;
 - `eq_epsilon_gen`: ε is quadratically close to its tangent, with a constant for every shape with
@@ -17,6 +18,7 @@ S = +1 throughout; constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import sympy
@@ -39,6 +41,7 @@ from tresym.proofs.bending import curvature
 from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
+from tresym.proofs.implicit_function import du_dlambda
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
@@ -172,6 +175,15 @@ u_flat_order = boxed(
     "0.009",
     where=Place(display=46),
     note="True, and far from sharp: u is exponentially small.",
+)
+
+
+slope_of_u = replace(
+    u_flat_order,
+    label="dudlam",
+    says=equal(du_dlambda, 0),
+    note="From λ ≥ 0, where u(0, 0) = 0: |u/λ| ≤ 0.009 λ, uniformly in b. The paper has it by the "
+    "implicit function theorem (`d44`), with a reason that must be mended (`dmu_dlambda_zero`).",
 )
 
 
