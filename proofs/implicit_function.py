@@ -19,6 +19,8 @@ from sympy import (
     Equivalent,
     Gt,
     Integer,
+    Le,
+    Ne,
     Subs,
     Symbol,
     Tuple,
@@ -191,7 +193,31 @@ equation_for_u = Claim(
     ),
     where=Place(display=43),
     note="Exact for the reduced equation, with no higher orders; ε₀ depends on (u, λ, μ), where "
-    "the paper prints a product.",
+    "the paper prints a product: `defect_of_a_product`.",
+)
+
+_twice = [(Symbol(f"lambda{n}", real=True), Symbol(f"mu{n}", real=True)) for n in (1, 2)]
+_one_product = sympy.Mul(*_twice[0]) - sympy.Mul(*_twice[1])
+
+defect_of_a_product = Claim(
+    label="defect_of_a_product",
+    says="ε₀ depends on u and on the product λμ: it is written ε₀(u, λμ).",
+    kind="statement",
+    given=(*(part > 0 for pair in _twice for part in pair), Le(_one_product**2, 0, evaluate=False)),
+    proof=Counterexample(
+        {
+            "u": fmpq(0),
+            "lambda1": fmpq(1, 2),
+            "mu1": fmpq(1, 4),
+            "lambda2": fmpq(1, 4),
+            "mu2": fmpq(1, 2),
+        },
+        Ne(*(printed.defect_of_u(u, *pair, sympy) for pair in _twice), evaluate=False),
+    ),
+    where=Place(display=43),
+    expect=Verdict.REFUTED,
+    amended_by=(equation_for_u,),
+    note="A comma is missing: ε₀ is that of the display before, a function of u, λ and μ.",
 )
 
 # -- the flat function ----------------------------------------------------------------------------

@@ -38,7 +38,7 @@ MISPRINTS = Fault(
     "What is meant is plain from the context, and what is built on it stands.",
     frozenset(
         {
-            "angles_of_the_reference",
+            "defect_of_a_product",
             "ordered_moments",
             "positive_only_if",
             "reference_to_section_2",
