@@ -598,7 +598,9 @@ rate_at_the_top = number(
 
 slow_on_separatrix = Claim(
     label="slow_on_separatrix",
-    says="On the separatrix ψ changes very slowly: |dψ/dφ| ≤ 1/2 for the standard racket.",
+    says="Everywhere on the separatrix |dψ/dφ| ≤ 1/2 for the standard racket.",
+    paper_says="On the separatrix ψ changes very slowly. Read as: near the unstable points; how "
+    "slowly is not said.",
     kind="statement",
     given=(Gt(psi, 0), Lt(psi, pi)),
     proof=Counterexample(
@@ -664,6 +666,7 @@ nearly_hyperbolic = Claim(
 hyperbolic_levels = Claim(
     label="hyperbolic_levels",
     says="The level curves of ε₀ are the hyperbolas ab = const.",
+    paper_says="The level curves of ε₀ have a hyperbolic shape. Read as: nearly ab = const.",
     kind="bound",
     proof=Boxes(
         (Bound(_same_product, box(*((v, v) for v in ("1", "3/10", "10", "3/100")))),),

@@ -392,7 +392,9 @@ linear = Claim(
     where=Place(display=31),
     expect=Verdict.REFUTED,
     amended_by=(tangent,),
-    note="A tangent, not the curve; the paper calls it an idea and adds O(γ²) elsewhere.",
+    note="A tangent, not the curve.",
+    paper_says="The idea is to express ε close to γ = 0 as the sum of two terms; elsewhere O(γ²) "
+    "is added. Read as: up to O(γ²).",
 )
 
 

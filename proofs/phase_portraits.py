@@ -184,7 +184,10 @@ flip_is_bounded = Claim(
 
 each_trajectory = Claim(
     label="each_oscillating_trajectory",
-    says="Each oscillating motion has ψ between arcsin √(|γ|/b) and π − arcsin √(|γ|/b).",
+    says="Each oscillating motion, with −π < ψ < 0 too, has ψ between arcsin √(|γ|/b) and "
+    "π − arcsin √(|γ|/b).",
+    paper_says="Each oscillating trajectory is bounded by ψ_min = arcsin √(|γ|/b) and "
+    "ψ_max = π − ψ_min. Read as: each with 0 < ψ < π; the others are mirror images.",
     kind="statement",
     given=(*oscillating, psi > -pi, psi < pi, gamma + b * _sine > 0),
     proof=Counterexample(

@@ -143,6 +143,8 @@ def _entry(row: Row, known: Collection[str]) -> str:
     lines = [head]
     if finding.verdict is Verdict.REFUTED:
         lines.append(r"\verdict{refuted}{This is refuted:}\par")
+    if claim.paper_says:
+        lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
     if isinstance(claim.says, str):
         lines.append(prose(claim.says) + r"\par")
     if claim.given:
