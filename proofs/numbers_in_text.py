@@ -366,7 +366,10 @@ lower_level_exists = number(
 )
 threshold_impossible = Claim(
     label="threshold_impossible",
-    says="At the γ of the linear formula for ε = π/12 a motion passes ψ = π/12.",
+    says="At the γ of the linear formula for ε = π/12, with all its digits, a motion passes "
+    "ψ = π/12.",
+    paper_says="For the standard racket γ = −4.2·10⁻³ where ε = π/12, by the formula. Read as: to "
+    "the digits that are printed.",
     kind="bound",
     proof=Boxes(
         (
@@ -429,7 +432,7 @@ robustness_at_fixed_b = Claim(
 
 larger_ab_less_robust = Claim(
     label="larger_ab_less_robust",
-    says="The larger the product ab is, the larger |dε/dγ| at γ = 0.",
+    says="The larger the product ab is, the less robust is the effect: |dε/dγ| at γ = 0 is larger.",
     kind="bound",
     proof=Boxes(
         (

@@ -43,9 +43,11 @@ from tresym.claims.claim import (
     Counterexample,
     Place,
     all_of,
+    at,
     by,
     citing,
     equal,
+    evaluating,
     multiplying,
     roots,
     step,
@@ -53,6 +55,7 @@ from tresym.claims.claim import (
     together,
     trigonometry,
 )
+from tresym.claims.denial import Denied
 from tresym.formulas import printed
 from tresym.notation import (
     I1,
@@ -265,18 +268,25 @@ points_of_the_sphere = Claim(
     where=Place(line=103),
 )
 
+sphere_at_rest = Claim(
+    label="sphere_at_rest",
+    says=Tuple(*(equal(at(rate, {I2: I1, I3: I1}), 0) for rate in _rates)),
+    given=(I1 > 0,),
+    proof=together(*(by(evaluating) for _ in range(3))),
+    shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2=I_3} = (0, 0, 0)",
+    note="With three equal moments M stays where it is in the body.",
+)
+
 any_body = Claim(
     label="any_rigid_body_is_unstable",
-    says="In any rigid body the rotation about the second axis has a positive eigenvalue.",
+    says="In any rigid body the rotation about the second axis is unstable.",
     kind="statement",
-    given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
-    proof=Counterexample(
-        {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(2), "M": fmpq(1)}, Le(_square2, 0)
-    ),
+    proof=Denied((sphere_at_rest,), {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1)}),
     where=Place(line=49),
     expect=Verdict.REFUTED,
     amended_by=(stable_e1, stable_e3, unstable_e2),
-    note="True of three different moments; a symmetric top has no such axis.",
+    note="True of three different moments; a body with three equal ones turns steadily about any "
+    "axis.",
 )
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
