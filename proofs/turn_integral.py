@@ -224,19 +224,32 @@ excess_falls = Claim(
     proof=(step(_at_end, substituting(excess_by_end)),),
 )
 
+defect_by_excess = Claim(
+    label="defect_by_excess",
+    says=equal(defect_F, -excess_value / excess_epsilon),
+    given=_one_motion,
+    proof=by(substituting(inverse_symbol, slopes_of_the_excess), citing(excess_falls)),
+)
+
 defect_by_turn = Claim(
     label="defect_by_turn",
     says=equal(defect_F, -1 / _at_end),
     given=_one_motion,
     proof=(
-        step(
-            -excess_value / excess_epsilon,
-            substituting(inverse_symbol, slopes_of_the_excess),
-            citing(excess_falls),
-        ),
+        step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
         step(None, substituting(excess_by_value, excess_by_end)),
     ),
     where=Place(display=51),
+)
+
+inverse_of_slope = Claim(
+    label="inverse_of_slope",
+    says=equal(defect_F, 1 / F_epsilon0),
+    given=_one_motion,
+    proof=(
+        step(-1 / _at_end, substituting(defect_by_turn)),
+        step(None, substituting(slope_by_end_at_zero)),
+    ),
 )
 
 # -- the derivative by γ --------------------------------------------------------------------------
@@ -303,8 +316,7 @@ implicit_derivative = Claim(
     given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
     proof=(
         step(-F_gamma / F_epsilon0, substituting(implicit_defect, turn_symbol, slope_symbol)),
-        step(F_gamma / _at_end, substituting(slope_by_end_at_zero)),
-        step(None, substituting(defect_by_turn)),
+        step(None, substituting(inverse_of_slope)),
     ),
     where=Place(display=50),
 )
