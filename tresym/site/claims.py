@@ -74,7 +74,7 @@ def _heading(claim: Record, title: str | None) -> str:
 
 def _printed(claim: Record) -> Iterator[str]:
     """What the paper prints, where the claim is a sharper reading of it."""
-    if claim.get("paper_says"):
+    if claim["paper_says"]:
         yield f"The paper: {sentence(claim['paper_says'])} Read more sharply, which is ours:"
 
 
