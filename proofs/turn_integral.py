@@ -21,6 +21,7 @@ from tresym.claims.claim import (
     by,
     changing_variable,
     citing,
+    collecting,
     cutting,
     differentiating_integral,
     equal,
@@ -159,12 +160,27 @@ _excess = Integral(
 """F − F₀ at γ = 0, as one integral: F₀ is spread over its interval."""
 _one_motion = (*shape, b < 1, *defect, S > 0)
 
-defect_of_a_value = Claim(
-    label="defect_of_a_value",
-    says=equal(_excess, 0),
-    given=(*_one_motion, _value > 0),
+value_at_zero = Claim(
+    label="value_at_zero",
+    says=equal(_value, _turn(Integer(0))),
+    given=_one_motion,
     proof=Definition(),
-    note="F = F₀ at γ = 0: this is the ε that F₀ belongs to. In one turn F₀ is π.",
+    note="F at γ = 0; in one turn it is π.",
+)
+
+value_reached = Claim(
+    label="value_reached",
+    says=equal(_excess, 0),
+    given=_one_motion,
+    proof=(
+        step(
+            _turn(Integer(0)) - Integral(_value / _length, (psi, epsilon, pi / 2)),
+            collecting(sine_to_the_middle),
+        ),
+        step(_turn(Integer(0)) - _value, integrating(_value * psi / _length)),
+        step(None, substituting(value_at_zero)),
+    ),
+    note="F = F₀ at γ = 0, as an equation for ε.",
 )
 
 _by_value = Subs(Derivative(_excess, _value), _value, pi)
@@ -180,7 +196,7 @@ inverse_symbol = Claim(
     says=equal(defect_F, -_by_value / _by_end),
     given=_one_motion,
     proof=ImplicitFunction(
-        equation=defect_of_a_value,
+        equation=value_reached,
         unknown=epsilon,
         parameter=_value,
         at=pi,
