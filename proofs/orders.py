@@ -18,7 +18,6 @@ S = +1 throughout; constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import sympy
@@ -41,7 +40,6 @@ from tresym.proofs.bending import curvature
 from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
-from tresym.proofs.implicit_function import du_dlambda
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
@@ -178,12 +176,15 @@ u_flat_order = boxed(
 )
 
 
-slope_of_u = replace(
-    u_flat_order,
+slope_of_u = Claim(
     label="dudlam",
-    says=equal(du_dlambda, 0),
-    note="From λ ≥ 0, where u(0, 0) = 0: |u/λ| ≤ 0.009 λ, uniformly in b. The paper has it by the "
-    "implicit function theorem (`d44`), with a reason that must be mended (`dmu_dlambda_zero`).",
+    says="du/dλ(0, 0, 0) = 0, from λ ≥ 0: |u/λ| ≤ 0.009 λ uniformly in b, where u(0, 0) = 0.",
+    kind="statement",
+    proof=all_of(u_flat_order),
+    where=Place(display=46),
+    expect=Verdict.ENCLOSED,
+    note="The paper has it by the implicit function theorem (`d44`), with a reason that must be "
+    "mended (`dmu_dlambda_zero`).",
 )
 
 
