@@ -28,7 +28,7 @@ def test_every_claim_is_in_the_article(report: Report) -> None:
 
 def test_nothing_unprintable_is_left(report: Report) -> None:
     for row in report.rows:
-        for sentence in (row.claim.note, row.claim.says):
+        for sentence in (row.claim.note, row.claim.says, row.claim.paper_says):
             if isinstance(sentence, str):
                 assert "?" not in prose(sentence.replace("?", "")), row.claim.label
 
