@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from types import ModuleType
+
     from tresym.claims.claim import Claim
 
 PARTS = (
@@ -45,20 +47,32 @@ PARTS = (
 
 def parts() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
     """For every file its title (the first line of its docstring) and the claims it states."""
+    import sys
     from importlib import import_module
 
+    modules = [import_module(f"tresym.proofs.{part}") for part in PARTS]
+    # The file that states a claim is done before any that takes it from there, whatever the order
+    # of the parts; `sys.modules` has them in the order in which they were done.
+    done = {name: n for n, name in enumerate(sys.modules)}
+    stated: dict[Claim, str] = {}
+    for module in sorted(modules, key=lambda m: done[m.__name__]):
+        for claim in _named_in(module):
+            stated.setdefault(claim, module.__name__)
+    return tuple(
+        (
+            (module.__doc__ or module.__name__).strip().splitlines()[0].rstrip("."),
+            tuple(c for c in _named_in(module) if stated[c] == module.__name__),
+        )
+        for module in modules
+    )
+
+
+def _named_in(module: ModuleType) -> dict[Claim, None]:
+    """The claims that a file has names for, its own and those it takes from others, in order."""
     from tresym.claims.claim import Claim
 
-    stated: set[Claim] = set()
-    found = []
-    for part in PARTS:
-        module = import_module(f"tresym.proofs.{part}")
-        several = (v if isinstance(v, tuple) else (v,) for v in vars(module).values())
-        here = dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))
-        title = (module.__doc__ or part).strip().splitlines()[0].rstrip(".")
-        found.append((title, tuple(claim for claim in here if claim not in stated)))
-        stated |= here.keys()
-    return tuple(found)
+    several = (v if isinstance(v, tuple) else (v,) for v in vars(module).values())
+    return dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))
 
 
 def claims() -> tuple[Claim, ...]:

@@ -108,8 +108,10 @@ _second_reading = (about_z(phi) * _about_x * about_z(psi)).T * upright
 
 angles_of_the_reference = Claim(
     label="angles_of_the_reference",
-    says="The angles are those of the reference that the section follows, which turns about "
-    "the axes z, x and z.",
+    says="The angles themselves are those of the reference that the section follows, which turns "
+    "about the axes z, x and z.",
+    paper_says="Euler angles φ, θ, ψ, with a reference, which is followed in fixing Z along M. "
+    "Read as: only that choice is the reference's.",
     kind="statement",
     proof=formally(
         equal(M * _second_reading[0], -M * sin(theta) * cos(psi)),
@@ -227,6 +229,8 @@ _one, _two = (printed.momentum(theta, angle, M, sympy) for angle in (_psi1, _psi
 angles_are_global = Claim(
     label="globally_parameterize",
     says="The angles describe every motion: different θ, ψ (up to full turns) give different M.",
+    paper_says="The angles are chosen to parametrize the effect globally. Read as: the motions "
+    "that show it, whose handle is never along M.",
     kind="statement",
     given=(
         M > 0,

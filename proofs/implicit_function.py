@@ -4,7 +4,8 @@
 - `flat_function`: e^{−1/s} is flat from one side only, and so ε₀(u, λ, μ) is smooth for λ ≥ 0;
 - `slope_by_u`, `slope_by_lambda`, `slope_by_mu`: the derivatives of G where ε₀ is e + p·(…), with
   the slope p of ε₀ a symbol; at the origin they are 1, 0 and 0;
-- `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; du/dλ = 0 follows from ∂G/∂μ = 0 instead.
+- `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; dG/dλ = 0 follows from ∂G/∂μ = 0 instead (`d45`),
+  and with it du/dλ = 0, which `dudlam` in `orders` shows of u itself.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ from sympy import (
     Equivalent,
     Gt,
     Integer,
+    Le,
+    Ne,
     Subs,
     Symbol,
     Tuple,
@@ -190,7 +193,31 @@ equation_for_u = Claim(
     ),
     where=Place(display=43),
     note="Exact for the reduced equation, with no higher orders; ε₀ depends on (u, λ, μ), where "
-    "the paper prints a product.",
+    "the paper prints a product: `defect_of_a_product`.",
+)
+
+_twice = [(Symbol(f"lambda{n}", real=True), Symbol(f"mu{n}", real=True)) for n in (1, 2)]
+_one_product = sympy.Mul(*_twice[0]) - sympy.Mul(*_twice[1])
+
+defect_of_a_product = Claim(
+    label="defect_of_a_product",
+    says="ε₀ depends on u and on the product λμ: it is written ε₀(u, λμ).",
+    kind="statement",
+    given=(*(part > 0 for pair in _twice for part in pair), Le(_one_product**2, 0, evaluate=False)),
+    proof=Counterexample(
+        {
+            "u": fmpq(0),
+            "lambda1": fmpq(1, 2),
+            "mu1": fmpq(1, 4),
+            "lambda2": fmpq(1, 4),
+            "mu2": fmpq(1, 2),
+        },
+        Ne(*(printed.defect_of_u(u, *pair, sympy) for pair in _twice), evaluate=False),
+    ),
+    where=Place(display=43),
+    expect=Verdict.REFUTED,
+    amended_by=(equation_for_u,),
+    note="A comma is missing: ε₀ is that of the display before, a function of u, λ and μ.",
 )
 
 # -- the flat function ----------------------------------------------------------------------------
@@ -358,11 +385,6 @@ G_at_origin = Claim(
 )
 
 
-def _value(slope: Claim) -> Any:
-    """What a derivative of G, as ``slope`` says it is, comes to at the origin."""
-    return parts_of(slope.says)[0].args[1].subs(at_origin)
-
-
 def _at_origin(
     label: str, says: str, slope: Claim, value: int, *reasons: Reason, **rest: Any
 ) -> tuple[Claim, Claim]:
@@ -444,18 +466,6 @@ dmu_dlambda_zero = Claim(
     note="The conclusion stands: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",
 )
 
-slopes_at_origin = Claim(
-    label="slopes_at_origin",
-    says=Tuple(
-        equal(dG_du, _value(slope_by_u)),
-        equal(G_lambda, _value(slope_by_lambda)),
-        equal(G_mu, _value(slope_by_mu)),
-        equal(mu_lambda, parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0)),
-    ),
-    proof=Definition(),
-    note="The derivatives at the origin, from λ ≥ 0, where ε₀ and its slopes are 0.",
-)
-
 _G = printed.implicit_function(u, lam, mu, sympy)
 _along = printed.implicit_function(u, lam, _mu_of_lambda, sympy)
 
@@ -486,12 +496,6 @@ deduced_from_the_chain_rule = Claim(
     proof=by(substituting(total_slope)),
     where=Place(line=379),
     note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
-)
-
-values_at_origin = Claim(
-    label="values_at_origin",
-    says=Tuple(equal(dG_du, 1), equal(G_lambda, 0), equal(G_mu, 0), equal(mu_lambda, b)),
-    proof=together(*(by(substituting(slopes_at_origin)) for _ in range(4))),
 )
 
 chain_rule = Claim(
@@ -526,32 +530,4 @@ implicit_slope = Claim(
     where=Place(display=44),
     expect=Verdict.ENCLOSED,
     note="The implicit function theorem, on λ ≥ 0.",
-)
-
-slope_symbol_of_u = Claim(
-    label="slope_symbol_of_u",
-    says=equal(du_dlambda, -dG_dlambda / dG_du),
-    given=(dG_du > 0,),
-    proof=Definition(),
-    note="What du/dλ is at the origin, by `implicit_rule`; `u_flat_order` bounds u itself.",
-)
-
-slope_of_u_solved = Claim(
-    label="slope_of_u_solved",
-    says=equal(dG_dlambda + dG_du * du_dlambda, 0),
-    given=(dG_du > 0,),
-    proof=by(substituting(slope_symbol_of_u)),
-    note="What `implicit_rule` starts from.",
-)
-
-slope_of_u = Claim(
-    label="dudlam",
-    says=equal(du_dlambda, 0),
-    given=(dG_du > 0,),
-    proof=(
-        step(-(G_lambda + G_mu * mu_lambda) / dG_du, substituting(slope_symbol_of_u, total_slope)),
-        step(None, substituting(slopes_at_origin)),
-    ),
-    where=Place(display=46),
-    note="By the mended reason: ∂G/∂μ is 0 there, not ∂μ/∂λ.",
 )

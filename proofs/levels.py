@@ -323,8 +323,8 @@ standard_is_a_body = Claim(
 
 levels_of_the_thresholds = Claim(
     label="levels_of_the_thresholds",
-    says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, "
-    "3.20·10⁻³ and 1.04·10⁻².",
+    says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, where "
+    "the motion turns on the way, 3.20·10⁻³ and 1.04·10⁻².",
     kind="statement",
     proof=all_of(
         decrease_of_bodies, standard_is_a_body, lower_exact, perfect_level, upper_exact_value

@@ -21,7 +21,7 @@ from tresym.proofs.implicit_function import (
     small_together,
 )
 from tresym.proofs.orders import (
-    d56_true_order,
+    d56,
     exponential_decay,
     pavao,
     tangent,
@@ -189,11 +189,13 @@ more_difficult = Claim(
 
 terms_dominant = Claim(
     label="terms_dominant",
-    says="For small ε₀ the terms of order 1/ε₀² dominate ∂F/∂γ.",
+    says="For small ε₀ the term of order 1/ε₀² dominates ∂F/∂γ: for ab ≥ 1/4, 0 < b ≤ 1 all the "
+    "rest is at most 0.96 ε₀ times as large.",
     kind="statement",
-    proof=all_of(d56_true_order),
+    proof=all_of(d56),
     where=Place(line=413),
     expect=Verdict.ENCLOSED,
+    note="The term is −1/(4b√(ab) ε₀²), the rest by `d56` at most 0.96/(4b√(ab) ε₀).",
 )
 
 remainder_constant = Claim(

@@ -1,10 +1,12 @@
 """Sections 6 and 7: every number in running text, and what is concluded from the numbers.
 
-Printed inputs and outputs are intervals of half a unit in the last place. Where a value belongs to
-the asymptotic formula and not to the exact equation there is a claim for each reading.
+Printed inputs and outputs are intervals of half a unit in the last place. A printed value is read
+of the quantity it is printed for; where it belongs to the asymptotic formula and not to the exact
+equation there is a claim for each reading.
 
 - `d26` … `accuracy`: ε₀ of the standard racket; `d27`: the slope at the separatrix;
-- `d29` and its four readings: the levels at which the tolerance is reached;
+- `d29`: the levels at which the tolerance is reached, exactly and by the linear formula, and
+  `lower_level_unturned`: by the integral of the appendix one of them is not;
 - `each_eps0_one_a`, `larger_ab_less_robust`, `linear_range`: what the formula is said to show;
 - `zero_on_separatrix`, `slow_on_separatrix`, …: what the figures are said to show.
 """
@@ -27,6 +29,7 @@ from sympy import (
     cos,
     pi,
     sin,
+    sqrt,
 )
 from tresym.proofs.conditions import shape_of_a_body
 from tresym.proofs.euler_angles import elimination_of_time
@@ -52,6 +55,7 @@ from tresym.claims.claim import (
     equal,
     evaluating,
     multiplying,
+    roots,
     step,
     substituting,
     together,
@@ -59,10 +63,10 @@ from tresym.claims.claim import (
 )
 from tresym.claims.denial import Denied
 from tresym.claims.enclosure import Bound, box
-from tresym.exact import Interval
+from tresym.exact import Interval, as_rational
 from tresym.flip.angle import Angle
 from tresym.flip.levels import level_of
-from tresym.flip.quadrature import rigorous
+from tresym.flip.quadrature import rigorous, rigorous_turned
 from tresym.formulas import printed
 from tresym.notation import (
     W1,
@@ -271,10 +275,9 @@ upper_exact = number(
     "1.09e-2",
     of_moments(rotating_level),
     STR,
-    where=Place(line=262),
     expect=Verdict.REFUTED,
     amended_by=(upper_exact_value, upper_linear),
-    note="Read of ε(γ) itself; the number is that of the linear formula.",
+    note="The number is that of the linear formula.",
 )
 lower_linear = number(
     "lower_level_linear",
@@ -286,20 +289,73 @@ lower_linear = number(
 )
 lower_exact = number(
     "lower_level",
-    "For the standard racket ε = π/12 at γ = −4.2·10⁻³.",
+    "The standard racket has ε = π/12 at γ = −4.2·10⁻³ by a motion that starts backwards at "
+    "ψ = π/12, turns, and passes π/2 after half a turn of the handle.",
     "-4.2e-3",
     lambda m: level_of(A, B, Angle(TWELFTH, fmpq(0)), 20),
     {},
     where=Place(line=262),
-    note="On a motion that has turned once: below γ* = −0.00348 the sign S changes on the way.",
+    note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
+)
+
+_square, _before = sin(psi) ** 2, Symbol("c", real=True)
+_roots = [sqrt(level + b * _square) for level in (_before, gamma)]
+
+slower_at_lower_level = Claim(
+    label="slower_at_lower_level",
+    says=printed.integrand(psi, a, b, _before, 1, sympy)
+    >= printed.integrand(psi, a, b, gamma, 1, sympy),
+    kind="bound",
+    given=(*shape_of_a_body, _before + b * _square > 0, gamma - _before >= 0),
+    proof=(
+        step(
+            (1 - b * _square)
+            * (gamma - _before)
+            / (sqrt(a + b * _square) * _roots[0] * _roots[1] * (_roots[0] + _roots[1])),
+            roots,
+        ),
+    ),
+    note="f is largest at the least γ, here called c.",
+)
+
+
+def _longest(a: arb, b: arb, m: Any) -> arb:
+    """F(π/12, γ) at the least γ with which ψ = π/12 is reached, and where it is the turning point.
+
+    At χ = π/2 the motion has just come from there.
+    """
+    return rigorous_turned(m.pi / 2, a, b, -b * m.sin(m.pi / 12) ** 2)
+
+
+lower_level_unturned = Claim(
+    label="lower_level_unturned",
+    says="By F(ε, γ) = π, as the appendix has it, no γ gives the standard racket ε = π/12: "
+    "F(π/12, γ) stays below 3.0373 for every γ > −b sin²(π/12).",
+    kind="bound",
+    proof=Boxes(
+        (
+            Bound(
+                lambda a, b, m: arb("3.0373") - _longest(a, b, m),
+                (Interval(A, A), Interval(B, B)),
+            ),
+        ),
+        ("a", "b"),
+        "the standard racket",
+        as_rational("3.0373"),
+        (slower_at_lower_level,),
+    ),
+    expect=Verdict.ENCLOSED,
+    note="F falls as γ grows, so that it is largest in the limit γ = −b sin²(π/12).",
 )
 d29 = Claim(
     label="d29",
-    says="By the linear formula ε = −π/12 and ε = π/12 at γ = 1.09·10⁻² and −4.2·10⁻³.",
+    says="For the standard racket ε = −π/12 at γ = 1.09·10⁻² and ε = π/12 at γ = −4.2·10⁻³.",
     kind="number",
-    proof=all_of(upper_linear, lower_linear),
+    proof=all_of(upper_exact, lower_exact),
     where=Place(display=29),
-    expect=Verdict.ENCLOSED,
+    expect=Verdict.REFUTED,
+    amended_by=(upper_exact_value, lower_exact, lower_level_unturned, upper_linear, lower_linear),
+    note="Read of ε(γ) itself, as d27 is; the numbers are those of the linear formula.",
 )
 lower_level_exists = number(
     "lower_level_exists",
@@ -310,7 +366,10 @@ lower_level_exists = number(
 )
 threshold_impossible = Claim(
     label="threshold_impossible",
-    says="At the γ of the linear formula for ε = π/12 a motion passes ψ = π/12.",
+    says="At the γ of the linear formula for ε = π/12, with all its digits, a motion passes "
+    "ψ = π/12.",
+    paper_says="For the standard racket γ = −4.2·10⁻³ where ε = π/12, by the formula. Read as: to "
+    "the digits that are printed.",
     kind="bound",
     proof=Boxes(
         (
@@ -324,7 +383,7 @@ threshold_impossible = Claim(
     ),
     where=Place(line=262),
     expect=Verdict.REFUTED,
-    amended_by=(lower_level_exists, lower_exact),
+    amended_by=(lower_level_exists, lower_level_unturned, lower_exact),
     note="It lies below the least γ with which ψ = π/12 can be reached.",
 )
 
@@ -373,7 +432,7 @@ robustness_at_fixed_b = Claim(
 
 larger_ab_less_robust = Claim(
     label="larger_ab_less_robust",
-    says="The larger the product ab is, the larger |dε/dγ| at γ = 0.",
+    says="The larger the product ab is, the less robust is the effect: |dε/dγ| at γ = 0 is larger.",
     kind="bound",
     proof=Boxes(
         (
@@ -542,7 +601,9 @@ rate_at_the_top = number(
 
 slow_on_separatrix = Claim(
     label="slow_on_separatrix",
-    says="On the separatrix ψ changes very slowly: |dψ/dφ| ≤ 1/2 for the standard racket.",
+    says="Everywhere on the separatrix |dψ/dφ| ≤ 1/2 for the standard racket.",
+    paper_says="On the separatrix ψ changes very slowly. Read as: near the unstable points; how "
+    "slowly is not said.",
     kind="statement",
     given=(Gt(psi, 0), Lt(psi, pi)),
     proof=Counterexample(
@@ -608,6 +669,7 @@ nearly_hyperbolic = Claim(
 hyperbolic_levels = Claim(
     label="hyperbolic_levels",
     says="The level curves of ε₀ are the hyperbolas ab = const.",
+    paper_says="The level curves of ε₀ have a hyperbolic shape. Read as: nearly ab = const.",
     kind="bound",
     proof=Boxes(
         (Bound(_same_product, box(*((v, v) for v in ("1", "3/10", "10", "3/100")))),),

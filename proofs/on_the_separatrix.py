@@ -3,7 +3,8 @@
 - `level_of_a_start`: γ from the initial flip angle and rate;
 - `turn_to_the_middle`, `time_of_a_turn`: the unstable points are reached
   in infinite time only, and never crossed;
-- `cotangent_form`, `rest_of_the_time`, `hyperbolic_sine_at_most`: ε₀ → π/2 as b → 0;
+- `cotangent_form`, `rest_of_the_time`, `hyperbolic_sine_at_most`, `angle_below_tangent`: ε₀ → π/2
+  as b → 0;
 - `separatrix_horizontal`, `separatrix_equilibria`: the separatrix of a top with I₂ = I₃.
 """
 
@@ -233,6 +234,20 @@ hyperbolic_sine_at_most = Claim(
     expect=Verdict.ENCLOSED,
 )
 
+angle_below_tangent = Claim(
+    label="angle_below_tangent",
+    says=cos(epsilon) / sin(epsilon) - (pi / 2 - epsilon) >= 0,
+    kind="bound",
+    given=defect,
+    proof=(
+        step(
+            Integral(cos(psi) ** 2 / sin(psi) ** 2, (psi, epsilon, pi / 2)),
+            integrating(-cos(psi) / sin(psi) - psi, sine_to_the_middle),
+        ),
+    ),
+    note="x ≤ tan x for x = π/2 − ε between 0 and π/2.",
+)
+
 b_to_zero = Claim(
     label="b_to_zero",
     says="ε₀ → π/2 as b → 0 at fixed a, and the flip π − 2ε₀ → 0: for ab ≤ 1 it is at most "
@@ -245,6 +260,7 @@ b_to_zero = Claim(
         rest_of_the_time,
         hyperbolic_sine_grows,
         hyperbolic_sine_at_most,
+        angle_below_tangent,
     ),
     where=Place(line=249),
     expect=Verdict.ENCLOSED,

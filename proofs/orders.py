@@ -4,7 +4,8 @@ S = +1 throughout; constants are uniform on ab ≥ 1/4, 0 < b ≤ 1 unless they 
 
 - `d24`, `eps0` (in `asymptotics`): the remainder of the theorem, which is not exponentially small;
   `d38`, `eqnew`: what the higher orders left out on the way are, with constants;
-- `u_flat_order`: u = O(λ²) holds, and is far from sharp: `u_exponentially_small`;
+- `u_flat_order`: u = O(λ²) holds, so that du/dλ is 0 at the origin, `dudlam`; it is far from sharp:
+  `u_exponentially_small`;
 - `d52`, `d56`, `d57`: the printed orders hold; `d52_true_order`, `d56_true_order` and
   `d57_true_order` say what they are in truth, with lower and upper constants;
 - `eq_epsilon_gen`: ε is quadratically close to its tangent, with a constant for every shape with
@@ -172,6 +173,18 @@ u_flat_order = boxed(
     "0.009",
     where=Place(display=46),
     note="True, and far from sharp: u is exponentially small.",
+)
+
+
+slope_of_u = Claim(
+    label="dudlam",
+    says="du/dλ(0, 0, 0) = 0, from λ ≥ 0: |u/λ| ≤ 0.009 λ uniformly in b, where u(0, 0) = 0.",
+    kind="statement",
+    proof=all_of(u_flat_order),
+    where=Place(display=46),
+    expect=Verdict.ENCLOSED,
+    note="The paper has it by the implicit function theorem (`d44`), with a reason that must be "
+    "mended (`dmu_dlambda_zero`).",
 )
 
 
@@ -380,7 +393,9 @@ linear = Claim(
     where=Place(display=31),
     expect=Verdict.REFUTED,
     amended_by=(tangent,),
-    note="A tangent, not the curve; the paper calls it an idea and adds O(γ²) elsewhere.",
+    note="A tangent, not the curve.",
+    paper_says="The idea is to express ε close to γ = 0 as the sum of two terms; elsewhere O(γ²) "
+    "is added. Read as: up to O(γ²).",
 )
 
 

@@ -28,7 +28,7 @@ from sympy import (
     sqrt,
 )
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
-from tresym.proofs.euler_angles import eq_Euler, eq_gamma, gamma_conserved
+from tresym.proofs.euler_angles import eq_Euler, eq_gamma, gamma_conserved, precession_forward
 from tresym.proofs.flip_dynamics import eq_dpsidphi
 from tresym.proofs.regimes import (
     depth_at_e3,
@@ -184,7 +184,10 @@ flip_is_bounded = Claim(
 
 each_trajectory = Claim(
     label="each_oscillating_trajectory",
-    says="Each oscillating motion has ψ between arcsin √(|γ|/b) and π − arcsin √(|γ|/b).",
+    says="Each oscillating motion, with −π < ψ < 0 too, has ψ between arcsin √(|γ|/b) and "
+    "π − arcsin √(|γ|/b).",
+    paper_says="Each oscillating trajectory is bounded by ψ_min = arcsin √(|γ|/b) and "
+    "ψ_max = π − ψ_min. Read as: each with 0 < ψ < π; the others are mirror images.",
     kind="statement",
     given=(*oscillating, psi > -pi, psi < pi, gamma + b * _sine > 0),
     proof=Counterexample(
@@ -218,7 +221,7 @@ linear_at_e2 = Claim(
     says=equal(_characteristic(Integer(0)), eigenvalue**2 - a * b),
     given=shape_of_a_body,
     proof=by(differentiation, trigonometry),
-    note="Eigenvalues ±√(ab): unstable.",
+    note="Eigenvalues ±√(ab): a saddle.",
     shown=r"\det(\lambda-A) = \lambda^2-ab,\quad A = "
     r"\left.\frac{\partial(\theta', \psi')}{\partial(\theta, \psi)}\right|_{\theta=\pi/2,\,\psi=0}",
 )
@@ -252,15 +255,6 @@ rest_points = Claim(
     r"V = \left(\frac{d\theta}{d\phi}, \frac{d\psi}{d\phi}\right)",
 )
 
-equilibria = Claim(
-    label="equilibria_phase_portrait",
-    says="ψ = π/2 with dψ/dφ = 0 is stable and ψ = 0 with dψ/dφ = 0 unstable, modulo π.",
-    kind="statement",
-    proof=all_of(rest_points, linear_at_e2, linear_at_e3, depth_at_e3, mirror_images),
-    where=Place(line=159),
-    note="γ has its least value at ψ = θ = π/2, which makes the centre stable.",
-)
-
 momentum_at_rest = Claim(
     label="momentum_at_rest",
     says=Tuple(
@@ -276,6 +270,26 @@ momentum_at_rest = Claim(
     shown=r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, 0\right) = (0, -M, 0),\quad "
     r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \pi\right) = (0, M, 0),\quad "
     r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = (0, 0, M)",
+)
+
+equilibria = Claim(
+    label="equilibria_phase_portrait",
+    says="ψ = π/2 with dψ/dφ = 0 is stable and ψ = 0 with dψ/dφ = 0 unstable, modulo π.",
+    kind="statement",
+    proof=all_of(
+        rest_points,
+        linear_at_e2,
+        linear_at_e3,
+        gamma_conserved,
+        depth_at_e3,
+        momentum_at_rest,
+        precession_forward,
+        unstable_e2,
+        mirror_images,
+    ),
+    where=Place(line=159),
+    note="γ, which is conserved, has its least value at ψ = θ = π/2, and only there modulo π: "
+    "stable. At ψ = 0 M is along e₂, and leaves it while φ grows: unstable.",
 )
 
 correspondence = Claim(
@@ -303,7 +317,7 @@ flip_portrait = Claim(
     says="Oscillating for γ < 0, rotating for γ > 0; the two unstable points lie on the "
     "separatrix, and there the racket turns about e₂.",
     kind="statement",
-    proof=all_of(three_regimes, separatrix_passes, momentum_at_rest, linear_at_e2),
+    proof=all_of(three_regimes, separatrix_passes, momentum_at_rest, equilibria),
     where=Place(line=157),
 )
 

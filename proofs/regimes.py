@@ -44,6 +44,7 @@ from tresym.claims.claim import (
     together,
     trigonometry,
 )
+from tresym.claims.denial import Denied
 from tresym.formulas import printed
 from tresym.notation import I1, I2, I3, M1, M2, M3, E, M, a, b, gamma, psi, theta
 from tresym.verdict import Verdict
@@ -207,7 +208,10 @@ _end = Symbol("theta_f", real=True)
 
 components_are_sufficient = Claim(
     label="components_are_sufficient",
-    says="The components of M by the angles are enough to show that Δψ = π gives Δθ = 0.",
+    says="The components of M by the angles are enough, without the energy, to show that Δψ = π "
+    "gives Δθ = 0.",
+    paper_says="The components of M by the angles suffice to show that Δψ ≃ π gives Δθ ≃ 0, as the "
+    "figure of the curves on the sphere shows. Read as: with those curves, which hold the energy.",
     kind="statement",
     given=(M > 0, theta > 0, theta < pi, _end > 0, _end < pi),
     proof=Counterexample(
@@ -430,14 +434,13 @@ ratios_of_moments = Claim(
 
 a_and_b_large = Claim(
     label="a_and_b_large",
-    says="a ≫ 1 and b ≫ 1 give I₁ ≪ I₂ ≪ I₃.",
+    says="There is a case a ≫ 1, b ≫ 1, in which I₁ ≪ I₂ ≪ I₃.",
     kind="statement",
-    given=(I1 > 0, I2 > 0, Ne(I3, 0), I2 / I1 - 1 >= 10, 1 - I2 / I3 >= 10),
-    proof=Counterexample({"I1": fmpq(1), "I2": fmpq(11), "I3": fmpq(-1)}, I3 < I2),
+    proof=Denied((strict_range,), {"b": fmpq(1)}),
     where=Place(line=124),
     expect=Verdict.REFUTED,
     amended_by=(ratios_of_moments, strict_range),
-    note="b is below 1 for every body, and below 1/2 for a rigid one.",
+    note="b is below 1 for every body, and below 1/2 for a rigid one; I₁ ≪ I₂ ≪ I₃ needs b near 1.",
 )
 
 depth_at_e1 = Claim(
@@ -478,6 +481,8 @@ ends_of_gamma = Claim(
 angles_rest = Claim(
     label="angles_rest_at_e1",
     says="At θ = 0 the planar system is in equilibrium.",
+    paper_says="The two equilibrium points, given by γ = a and γ = −b, correspond to p₊ and p₋; "
+    "γ = a is at θ = 0. Read as: M rests there.",
     kind="statement",
     given=shape_of_a_body,
     proof=Counterexample(

@@ -3,11 +3,11 @@
 Around M along a principal axis, Euler's equations are linearised; the eigenvalues λ solve
 λ(λ² − …) = 0 exactly. Where λ² < 0 the energy on the sphere of M has a strict extremum, and the
 distance from the axis stays below a constant times what it was; where λ² > 0 one eigenvalue is
-positive.
+positive, and a product of two components grows exponentially.
 
 - `eigenvalues_e1`, `eigenvalues_e2`, `eigenvalues_e3`, and the signs of λ²;
 - `energy_near_e1`, `energy_near_e3`: the energy on the sphere of M, with its extrema;
-- `stays_near_e1`, `stays_near_e3`: stability, with a constant;
+- `stays_near_e1`, `stays_near_e3`: stability, with a constant; `leaves_e2`: instability;
 - `permanent_rotations`: the equilibria are the six points with two components zero.
 """
 
@@ -26,25 +26,36 @@ from sympy import (
     eye,
     pi,
     sin,
+    sqrt,
 )
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, velocity_from_momentum
-from tresym.proofs.momentum import energy_conserved, energy_of_momentum, eq_dMi, momentum_conserved
+from tresym.proofs.momentum import (
+    along_euler,
+    energy_conserved,
+    energy_of_momentum,
+    eq_dMi,
+    momentum_conserved,
+)
 
 from tresym.claims.claim import (
     Claim,
     Counterexample,
     Place,
     all_of,
+    at,
     by,
     citing,
     equal,
+    evaluating,
     multiplying,
+    roots,
     step,
     substituting,
     together,
     trigonometry,
 )
+from tresym.claims.denial import Denied
 from tresym.formulas import printed
 from tresym.notation import (
     I1,
@@ -211,12 +222,42 @@ stable_e3 = Claim(
     where=Place(line=49),
 )
 
+_first_rate, _third_rate = sqrt(1 / I1 - 1 / I2), sqrt(1 / I2 - 1 / I3)
+
+leaves_e2 = Claim(
+    label="leaves_e2",
+    says=Tuple(
+        *(
+            -M2 * along_euler(M1 * M3) - side * 2 * _first_rate * _third_rate * M2**2 * M1 * M3 >= 0
+            for side in (1, -1)
+        )
+    ),
+    kind="bound",
+    given=ordered_moments,
+    proof=together(
+        *(
+            (
+                step(
+                    M2**2 * (_first_rate * M1 - side * _third_rate * M3) ** 2,
+                    substituting(eq_dMi),
+                    roots,
+                ),
+            )
+            for side in (1, -1)
+        )
+    ),
+    note="Let P be −M₁M₃ where M₂ > 0 and M₁M₃ where M₂ < 0. As long as |M₂| ≥ m, a positive P "
+    "grows at least as e^{2αβmt}, α² = 1/I₁ − 1/I₂ and β² = 1/I₂ − 1/I₃; but it is at most M²/2.",
+)
+
 unstable_e2 = Claim(
     label="unstable_e2",
-    says="The rotation about the intermediate axis is unstable.",
+    says="The rotation about the intermediate axis is unstable: from starts as near to it as one "
+    "likes M leaves the region |M₂| ≥ m, for every m > 0.",
     kind="statement",
-    proof=all_of(eigenvalues_e2, saddle_at_e2),
+    proof=all_of(eigenvalues_e2, saddle_at_e2, *_conserved, leaves_e2),
     where=Place(line=49),
+    note="Shown without linearisation: such are the starts with M₁M₂M₃ < 0, by `leaves_e2`.",
 )
 
 points_of_the_sphere = Claim(
@@ -227,18 +268,25 @@ points_of_the_sphere = Claim(
     where=Place(line=103),
 )
 
+sphere_at_rest = Claim(
+    label="sphere_at_rest",
+    says=Tuple(*(equal(at(rate, {I2: I1, I3: I1}), 0) for rate in _rates)),
+    given=(I1 > 0,),
+    proof=together(*(by(evaluating) for _ in range(3))),
+    shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2=I_3} = (0, 0, 0)",
+    note="With three equal moments M stays where it is in the body.",
+)
+
 any_body = Claim(
     label="any_rigid_body_is_unstable",
-    says="In any rigid body the rotation about the second axis has a positive eigenvalue.",
+    says="In any rigid body the rotation about the second axis is unstable.",
     kind="statement",
-    given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
-    proof=Counterexample(
-        {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(2), "M": fmpq(1)}, Le(_square2, 0)
-    ),
+    proof=Denied((sphere_at_rest,), {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1)}),
     where=Place(line=49),
     expect=Verdict.REFUTED,
     amended_by=(stable_e1, stable_e3, unstable_e2),
-    note="True of three different moments; a symmetric top has no such axis.",
+    note="True of three different moments; a body with three equal ones turns steadily about any "
+    "axis.",
 )
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
@@ -277,7 +325,9 @@ _distances = [sum((m - p) ** 2 for m, p in zip(_components, point, strict=True))
 
 three_equilibria = Claim(
     label="three_equilibria",
-    says="The dynamics has three equilibrium points: p₊, p₋ and p_D.",
+    says="The dynamics has three equilibrium points and no more: p₊, p₋ and p_D.",
+    paper_says="The figure shows the three equilibrium points p₊, p₋ and p_D of the dynamics. Read "
+    "as: up to the sign of M.",
     kind="statement",
     given=(
         I1 > 0,
@@ -348,7 +398,9 @@ transverse_velocity = Claim(
 
 only_about_the_handle = Claim(
     label="only_about_the_handle",
-    says="Around p₊ the racket rotates only about its handle.",
+    says="Not only at p₊ but all around it the racket rotates about its handle alone.",
+    paper_says="Around the stable point p₊ the racket rotates only about its handle. Read as: at "
+    "p₊, and nearly so close to it.",
     kind="statement",
     given=(*ordered_moments, theta > 0, theta < pi / 12),
     proof=Counterexample(

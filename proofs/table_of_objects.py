@@ -22,7 +22,7 @@ from flint import arb, fmpq
 from sympy import Basic, Rational, Symbol
 from tresym.proofs.printed import ROW_LINES, TABLE_1
 
-from tresym.claims.claim import Claim, Place, Printed, formally
+from tresym.claims.claim import Claim, Place, Printed, all_of, formally
 from tresym.exact import printed as printed_interval
 from tresym.flip.separatrix import defect_over
 from tresym.formulas import printed
@@ -187,6 +187,32 @@ racket_3_third_moment = Claim(
     proof=formally(8051 * (1 - b) < I2, 8145 * (1 - b) > I2),
 )
 
+racket_3_swapped_b = Claim(
+    label="racket_3_swapped_b",
+    says="With I₃ = 8118 racket 3 has b = 0.1222.",
+    kind="number",
+    proof=Printed("0.1222", _b_of_moments, {"I2": fmpq(7126), "I3": fmpq(8118)}),
+    expect=Verdict.ENCLOSED,
+)
+
+racket_3_swapped_order = Claim(
+    label="racket_3_swapped_order",
+    says="With I₃ = 8118 racket 3 has I₁ < I₂ < I₃, and I₃ exceeds the sum of the others.",
+    kind="statement",
+    given=as_printed(I1=_third["I1"], I2=_third["I2"]),
+    proof=formally(I1 < I2, I2 < 8118, I1 + I2 < 8118),
+)
+
+racket_3_swapped = Claim(
+    label="racket_3_swapped",
+    says="With I₃ = 8118 for the printed 1818, two digits in each other's place, racket 3 has its "
+    "moments in order and b = 0.1222, printed 0.12.",
+    kind="statement",
+    proof=all_of(racket_3_swapped_order, racket_3_swapped_b),
+    expect=Verdict.ENCLOSED,
+    note="No rigid body has these moments either.",
+)
+
 racket_3_a = Claim(
     label="racket_3_a",
     says="With the printed moments of racket 3, a = 14.91 to two decimals.",
@@ -196,7 +222,11 @@ racket_3_a = Claim(
 )
 
 racket_3 = (
-    replace(_order("racket-3"), expect=Verdict.REFUTED, amended_by=(racket_3_third_moment,)),
+    replace(
+        _order("racket-3"),
+        expect=Verdict.REFUTED,
+        amended_by=(racket_3_third_moment, racket_3_swapped),
+    ),
     replace(
         _cell("racket-3", "a", "14.88", _a_of_moments, {n: _third[n] for n in ("I1", "I2")}, ""),
         expect=Verdict.REFUTED,
@@ -205,7 +235,7 @@ racket_3 = (
     replace(
         _cell("racket-3", "b", "0.12", _b_of_moments, {n: _third[n] for n in ("I2", "I3")}, ""),
         expect=Verdict.REFUTED,
-        amended_by=(racket_3_third_moment,),
+        amended_by=(racket_3_third_moment, racket_3_swapped),
     ),
     *_defects("racket-3", lambda q: q, dict(zip("ab", TABLE_1["racket-3"][3:5], strict=True))),
 )

@@ -1,7 +1,8 @@
 """Appendix, second part: the integral F whose level lines are ε(γ).
 
 - `half_turn`: the turn is twice F, by the symmetry of the flip angle about π/2; `d49` defines F;
-- `slope_by_end`: ∂F/∂ε = −f, and `defect_by_turn`: ∂ε/∂F = −1/f at γ = 0;
+- `slope_by_end`: ∂F/∂ε = −f; `inverse_symbol`: ε as a function of F, which has a slope where
+  F = π, and `defect_by_turn`: it is ∂ε/∂F = −1/f at γ = 0;
 - `derivative_under_the_integral`: ∂F/∂γ is the integral of ∂f/∂γ, and `slope_of_turn`: its value;
 - `implicit_defect`: F(ε(γ), γ) = π has a slope, and `implicit_derivative`: which it is;
 - `S_drops_out`: the sign S does not matter for dε/dγ.
@@ -20,13 +21,13 @@ from tresym.claims.claim import (
     by,
     changing_variable,
     citing,
+    collecting,
     cutting,
     differentiating_integral,
     equal,
     integrating,
     step,
     substituting,
-    together,
 )
 from tresym.formulas import printed
 from tresym.notation import F, S, a, b, epsilon, gamma, psi, theta, x
@@ -38,6 +39,11 @@ F_epsilon, F_gamma, defect_F, defect_gamma = (
 )
 F_epsilon0 = Symbol("partialF_partialepsilon0", real=True)
 """Partial derivatives, as symbols of their own; the last of F by ε at γ = 0."""
+_value = Symbol("F0", real=True)
+excess_value, excess_epsilon = (
+    Symbol(f"partialexcess_partial{by}", real=True) for by in ("F0", "epsilon")
+)
+"""A value F₀ of F at γ = 0, and the slopes of F − F₀ by F₀ and by ε."""
 _rotating = (*shape, b < 1, *defect, gamma > 0)
 
 
@@ -129,36 +135,137 @@ slope_symbol = Claim(
 
 slope_by_end = Claim(
     label="slope_by_end",
-    says=Tuple(
-        equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
-        equal(F_epsilon0, -printed.integrand(epsilon, a, b, 0, S, sympy)),
-    ),
+    says=equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
     given=(*shape, b < 1, *defect, gamma > 0),
-    proof=together(
-        by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
-        by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
-    ),
+    proof=by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
     where=Place(display=51),
     note="F is an integral from ε.",
 )
 
+_at_end = printed.integrand(epsilon, a, b, 0, S, sympy)
+
+slope_by_end_at_zero = Claim(
+    label="slope_by_end_at_zero",
+    says=equal(F_epsilon0, -_at_end),
+    given=(*shape, b < 1, *defect),
+    proof=by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
+    where=Place(display=51),
+    note="At γ = 0.",
+)
+
+_length = pi / 2 - epsilon
+_excess = Integral(
+    printed.integrand(psi, a, b, 0, S, sympy) - _value / _length, (psi, epsilon, pi / 2)
+)
+"""F − F₀ at γ = 0, as one integral: F₀ is spread over its interval."""
+_one_motion = (*shape, b < 1, *defect, S > 0)
+
+value_at_zero = Claim(
+    label="value_at_zero",
+    says=equal(_value, _turn(Integer(0))),
+    given=_one_motion,
+    proof=Definition(),
+    note="F at γ = 0; in one turn it is π.",
+)
+
+value_reached = Claim(
+    label="value_reached",
+    says=equal(_excess, 0),
+    given=_one_motion,
+    proof=(
+        step(
+            _turn(Integer(0)) - Integral(_value / _length, (psi, epsilon, pi / 2)),
+            collecting(sine_to_the_middle),
+        ),
+        step(_turn(Integer(0)) - _value, integrating(_value * psi / _length)),
+        step(None, substituting(value_at_zero)),
+    ),
+    note="F = F₀ at γ = 0, as an equation for ε.",
+)
+
+_by_value = Subs(Derivative(_excess, _value), _value, pi)
+_by_end = Derivative(_excess.xreplace({_value: pi}), epsilon)
+_spread_slope = -pi / _length**2
+_opened = (
+    differentiating_integral(_spread_slope, sine_to_the_middle),
+    integrating(_spread_slope * psi),
+)
+
 inverse_symbol = Claim(
     label="inverse_symbol",
-    says=equal(defect_F, 1 / F_epsilon0),
-    given=(Ne(F_epsilon0, 0),),
+    says=equal(defect_F, -_by_value / _by_end),
+    given=_one_motion,
+    proof=ImplicitFunction(
+        equation=value_reached,
+        unknown=epsilon,
+        parameter=_value,
+        at=pi,
+        slope=(step(-_at_end, *_opened),),
+        bounds=(sine_to_the_middle,),
+    ),
+    note="∂ε/∂F at γ = 0: the slope of the inverse function, where F = π.",
+)
+
+slopes_of_the_excess = Claim(
+    label="slopes_of_the_excess",
+    says=Tuple(equal(excess_value, _by_value), equal(excess_epsilon, _by_end)),
+    given=_one_motion,
     proof=Definition(),
-    note="∂ε/∂F at γ = 0: the slope of the inverse function.",
+    note="The slopes of F − F₀ by F₀ and by ε.",
+)
+
+excess_by_value = Claim(
+    label="excess_by_value",
+    says=equal(excess_value, -1),
+    given=_one_motion,
+    proof=by(
+        substituting(slopes_of_the_excess),
+        differentiating_integral(-1 / _length, sine_to_the_middle),
+        integrating(-psi / _length),
+    ),
+)
+
+excess_by_end = Claim(
+    label="excess_by_end",
+    says=equal(excess_epsilon, -_at_end),
+    given=_one_motion,
+    proof=by(substituting(slopes_of_the_excess), *_opened),
+)
+
+excess_falls = Claim(
+    label="excess_falls",
+    says=excess_epsilon < 0,
+    kind="bound",
+    given=_one_motion,
+    proof=(step(_at_end, substituting(excess_by_end)),),
+)
+
+defect_by_excess = Claim(
+    label="defect_by_excess",
+    says=equal(defect_F, -excess_value / excess_epsilon),
+    given=_one_motion,
+    proof=by(substituting(inverse_symbol, slopes_of_the_excess), citing(excess_falls)),
 )
 
 defect_by_turn = Claim(
     label="defect_by_turn",
-    says=equal(defect_F, -1 / printed.integrand(epsilon, a, b, 0, S, sympy)),
-    given=(*shape, b < 1, *defect, gamma > 0, Ne(S, 0), Ne(F_epsilon0, 0)),
+    says=equal(defect_F, -1 / _at_end),
+    given=_one_motion,
     proof=(
-        step(1 / F_epsilon0, substituting(inverse_symbol)),
-        step(None, substituting(slope_by_end)),
+        step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
+        step(None, substituting(excess_by_value, excess_by_end)),
     ),
     where=Place(display=51),
+)
+
+inverse_of_slope = Claim(
+    label="inverse_of_slope",
+    says=equal(defect_F, 1 / F_epsilon0),
+    given=_one_motion,
+    proof=(
+        step(-1 / _at_end, substituting(defect_by_turn)),
+        step(None, substituting(slope_by_end_at_zero)),
+    ),
 )
 
 # -- the derivative by γ --------------------------------------------------------------------------
@@ -225,7 +332,7 @@ implicit_derivative = Claim(
     given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
     proof=(
         step(-F_gamma / F_epsilon0, substituting(implicit_defect, turn_symbol, slope_symbol)),
-        step(None, substituting(inverse_symbol)),
+        step(None, substituting(inverse_of_slope)),
     ),
     where=Place(display=50),
 )

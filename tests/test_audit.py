@@ -28,6 +28,7 @@ from tresym.cli import main
 from tresym.exact import InputError
 from tresym.identity.latex import read_latex
 from tresym.report.audit import show_audit
+from tresym.verification import all_claims
 
 PENDULUM = Path(__file__).parent / "data" / "pendulum.tex"
 ROOT = Path(__file__).resolve().parent.parent
@@ -164,6 +165,46 @@ def test_an_uncovered_piece_is_named(label: str) -> None:
     (row,) = [row for row in result.rows if not row.good]
     assert row.claims == ()
     assert row.note == "no claim answers it"
+
+
+def reading_of(label: str, reads: dict[str, str]) -> tuple[Entry, ...]:
+    return tuple(
+        replace(e, reading=replace(e.reading, reads=reads)) if e.label == label else e
+        for e in index_of()
+    )
+
+
+def test_what_is_read_otherwise_than_printed_is_told() -> None:
+    energy = equal(h, dq_dt**2 / 2)
+    other = [replace(c, says=energy) if c.label == "energy" else c for c in claims()]
+    assert bad(audit(PENDULUM, other, index_of())) == {"eq_energy": Transcription.DIFFERS}
+    result = audit(PENDULUM, other, reading_of("eq_energy", {"w": "0"}))
+    row = result.rows[0]
+    assert row.transcription is Transcription.AS_READ
+    assert row.note == "w read as 0"
+    assert result.complete
+    assert (result.read, result.read_otherwise) == (DISPLAYS - 1, 1)
+    assert result.as_json()["read_otherwise"] == 1
+    console = Console(width=100, record=True, file=StringIO())
+    show_audit(result, console)
+    text = console.export_text()
+    assert "display 1 (eq_energy): w read as 0" in text
+    assert "1 of these with something read otherwise than printed" in " ".join(text.split())
+
+
+def test_a_reading_that_is_not_needed_is_not_told() -> None:
+    result = audit(PENDULUM, claims(), reading_of("eq_energy", {"k": "q"}))
+    assert result.rows[0].transcription is Transcription.EQUAL
+    assert result.read_otherwise == 0
+
+
+@pytest.mark.skipif(not PAPERS, reason="the paper does not lie beside the checkout")
+def test_every_reading_of_the_index_is_needed_and_told() -> None:
+    index = load_index(INDEX)
+    result = audit(PAPERS[0], all_claims(), index)
+    told = {row.label for row in result.rows if row.transcription is Transcription.AS_READ}
+    assert told == {entry.label for entry in index if entry.reading.reads}
+    assert result.complete
 
 
 SLIPS = [

@@ -8,8 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from tresym.cli import main
 from tresym.exact import InputError
 from tresym.report.derivation import article, fragment, prose
+from tresym.verdict import Verdict
 from tresym.verification import Report, verify
 
 
@@ -26,7 +28,7 @@ def test_every_claim_is_in_the_article(report: Report) -> None:
 
 def test_nothing_unprintable_is_left(report: Report) -> None:
     for row in report.rows:
-        for sentence in (row.claim.note, row.claim.says):
+        for sentence in (row.claim.note, row.claim.says, row.claim.paper_says):
             if isinstance(sentence, str):
                 assert "?" not in prose(sentence.replace("?", "")), row.claim.label
 
@@ -36,6 +38,39 @@ def test_one_statement_to_paste() -> None:
     assert r"\gamma &= \frac{2I_2E}{M^2}-1 && \text{\footnotesize by \texttt{d08}}" in text
     with pytest.raises(InputError):
         verify(["eq_gamm"])
+
+
+@pytest.mark.parametrize("labels", [["d24"], ["eq_gamma", "d24"], ["d24", "eq_pavao"]])
+def test_what_is_refuted_is_not_printed_unasked(
+    labels: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["derive", *labels, "-o", str(tmp_path / "out.tex")]) == 1
+    assert not (tmp_path / "out.tex").exists()
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    lines = printed.err.splitlines()
+    assert len(lines) == len(set(labels) - {"eq_gamma"})
+    for line in lines:
+        assert re.match(r"tresym: \w+ is REFUTED; true instead: \w+, \w+", line)
+    assert "true instead: printed_leading_term, printed_error, repaired" in printed.err
+
+
+def test_what_is_refuted_is_printed_marked(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["derive", "--refuted", "d24", "prop1", "eq_gamma"]) == 0
+    text = capsys.readouterr().out
+    assert text.count(r"\textbf{Refuted}") == 2
+    formula = text.index(r"\epsilon_0 = \left(2\sqrt")
+    assert text.index(r"\textbf{Refuted} (\texttt{d24})") < formula
+    assert formula < text.index(r"\textbf{True instead} (\texttt{printed\_error})")
+    assert r"\begin{aligned}" in text
+    assert main(["derive", "--refuted", "eq_gamma"]) == 0
+    assert "Refuted" not in capsys.readouterr().out
+
+
+def test_the_article_marks_what_is_refuted(report: Report) -> None:
+    entries = article(report).split(r"\paragraph{\texttt{")[1:]
+    marked = [r"\verdict{refuted}{This is refuted:}" in entry for entry in entries]
+    assert sum(marked) == report.counts[Verdict.REFUTED.value]
 
 
 @pytest.mark.slow

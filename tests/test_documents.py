@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from tresym.report.corrections import corrections
+from tresym.report.corrections import corrections, is_correction
 from tresym.report.documents import ledger
 from tresym.verdict import Verdict
-from tresym.verification import Report, verify
+from tresym.verification import Report, all_claims, verify
 
 
 @pytest.fixture(scope="module")
@@ -25,6 +25,30 @@ def test_the_corrections_are_the_refuted_statements_of_the_paper(report: Report)
         row.finding.verdict is Verdict.REFUTED and row.claim.where is not None
         for row in report.rows
     )
+
+
+HEDGED = (
+    *("abstract_general_formula", "angles_of_the_reference", "angles_rest_at_e1", "d31"),
+    *("components_are_sufficient", "each_oscillating_trajectory", "globally_parameterize"),
+    *("hyperbolic_levels", "intro_any_body", "near_flip_likely", "no_tre_far", "not_elementary"),
+    *("one_circle_e1", "only_about_the_handle", "slow_on_separatrix", "three_equilibria"),
+    "threshold_impossible",
+)
+"""Where the paper hedges or prints no number, and what is refuted is a sharper reading of ours."""
+
+
+def test_a_sharper_reading_is_kept_apart_from_what_the_paper_says() -> None:
+    found = verify([*HEDGED, "d27", "zero_on_separatrix"])
+    rows = [row for row in found.rows if row.finding.verdict is Verdict.REFUTED]
+    said = {row.claim.label for row in rows if is_correction(row)}
+    assert said == {"d27", "zero_on_separatrix"}
+    assert {c.label for c in all_claims() if c.paper_says} == set(HEDGED)
+    page, apart = corrections(found).split("## Read more sharply than printed")
+    assert all(f"### `{label}` (" in apart and label not in page for label in HEDGED)
+    assert apart.count("**The paper:**") == apart.count("**More sharply, and ours:**")
+    assert apart.count("Read as:") == len(HEDGED)
+    for word in ("approximately", "very likely", "≃", "hyperbolic shape", "very slowly"):
+        assert word in apart
 
 
 def test_the_ledger_lists_every_claim() -> None:

@@ -1,16 +1,20 @@
 """The ledger: one test per claim, one per reason, and the second opinion of SymPy."""
 
+import ast
+import importlib
 import json
 import os
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 import sympy
 from hangs import HANGS
 
+from tresym import proofs
 from tresym.claims.chain import check_chain
 from tresym.claims.claim import (
     AllOf,
@@ -42,6 +46,25 @@ def ledger() -> Report:
 def test_verdict(claim: Claim, ledger: Report) -> None:
     row = ledger[claim.label]
     assert row.as_expected, f"{row.finding.verdict.value}: {row.finding.why}"
+
+
+def test_a_claim_is_listed_where_it_is_stated() -> None:
+    """By the file that assigns it: one that only imports it does not state it."""
+    stated = dict(zip(proofs.PARTS, (claims for _, claims in proofs.parts()), strict=True))
+    for part, claims in stated.items():
+        source = Path(str(importlib.import_module(f"tresym.proofs.{part}").__file__))
+        tree = ast.parse(source.read_text(encoding="utf-8"))
+        froms = [node for node in tree.body if isinstance(node, ast.ImportFrom)]
+        taken = {alias.asname or alias.name for node in froms for alias in node.names}
+        here = [
+            v for name, v in vars(sys.modules[f"tresym.proofs.{part}"]).items() if name not in taken
+        ]
+        several = {
+            c for v in here for c in (v if isinstance(v, tuple) else (v,)) if isinstance(c, Claim)
+        }
+        assert set(claims) <= several, part
+    assert "sine_to_the_middle" in {c.label for c in stated["turn_integral"]}
+    assert sum(map(len, stated.values())) == len(CLAIMS)
 
 
 def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:

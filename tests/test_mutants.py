@@ -110,6 +110,16 @@ def test_a_definition_is_changed_where_others_prove_something_by_it() -> None:
         assert judge(mutant.claim, held).verdict is Verdict.REFUTED
 
 
+@pytest.mark.parametrize("label", ["rotating_turn", "unturned_turn", "half_a_turn_before"])
+def test_an_equation_is_changed_where_it_defines_a_function_with_a_slope(label: str) -> None:
+    """What `decrease_of_bodies` rests on: with another equation the slope is another."""
+    score = verify_mutants([label], 5)
+    assert score.survivors == score.few == ()
+    (row,) = score.rows
+    assert row.changes == 5
+    assert row.counts == {"PROVED": 0, "ENCLOSED": 0, "REFUTED": 5, "UNDECIDED": 5}
+
+
 def test_a_conjunction_has_its_parts_changed() -> None:
     assert list(mutants(Claim("all", "all", AllOf(())), 5)) == []
     parts = tuple(Claim(str(e), equal(e - e / 2, e / 2), by()) for e in (x, y))

@@ -284,7 +284,6 @@ SMALL: dict[str, tuple[Basic, Basic, str | None]] = {
     "flat_from_above": (sympy.exp(-1 / _s), _s**10, None),
     "slopes_vanish": (12 * sympy.exp(-2 / _s) / _s**2, _s**10, None),
     "product_is_approached": (_s / (_s + 2), sympy.Integer(1), None),
-    "printed_leading_term": (epsilon0, leading.subs({a: 1 / _s**2, b: 1}), None),
     "no_single_constant": (_excess.subs({a: _s**2, b: 1}), (star**2).subs({a: _s**2, b: 1}), None),
 }
 """Orders: function, gauge and constant, of one parameter (s), at b = 1 where of a shape."""
@@ -328,6 +327,7 @@ UNREAD = {
         *("symmetric_maximum", "bend_carries", "threshold_impossible", "no_tre_far", "bend_leaves"),
         *("two_rectangles", "near_flip_likely", "every_start_overshoots", "larger_ab_less_robust"),
         *("remark1_speed", "remainder_constant", "up_and_down", "standard_is_a_body"),
+        "lower_level_unturned",
     ),
     "two shapes at once": (
         *("larger_ab_smaller_eps0", "formula_shows_larger_ab", "hyperbolic_levels"),

@@ -21,6 +21,10 @@ SOME = (
     "floor_of_every_body",
     "table_racket_3_b",
     "racket_3_third_moment",
+    "racket_3_swapped",
+    "hyperbolic_levels",
+    "nearly_hyperbolic",
+    "monotonicity",
     "d27",
     "slope_str_exact",
     "slope_str_formula",
@@ -68,6 +72,18 @@ def test_refuted_pages_say_what_is_true(ledger: claims.Record) -> None:
     page = dict(claims.pages(ledger, {}))["table_racket_3_b.md"]
     assert "## True instead" in page
     assert "(/claims/racket_3_third_moment.md)" in page
+
+
+def test_the_page_of_a_sharper_reading_says_what_the_paper_does(ledger: claims.Record) -> None:
+    pages = dict(claims.pages(ledger, {}))
+    page = pages["hyperbolic_levels.md"]
+    assert page.index("The paper: The level curves of ε₀ have a hyperbolic shape.") < page.index(
+        "The level curves of ε₀ are the hyperbolas ab = const."
+    )
+    assert "line 291, read more sharply" in page
+    assert "tresym derive --refuted hyperbolic_levels" in page
+    assert "The paper:" not in pages["table_racket_3_b.md"]
+    assert "tresym derive eq_gamma" in pages["eq_gamma.md"]
 
 
 def test_uses_and_used_by_are_each_other(ledger: claims.Record) -> None:

@@ -161,9 +161,15 @@ def _add_derive(commands: Commands) -> None:
         "derive",
         help="the derivation in LaTeX: the whole article, or one statement to paste",
         description="Without labels, one article; with labels, each statement and its chain.",
+        epilog="Exit status 1, and nothing printed, when a claim named is refuted.",
         allow_abbrev=False,
     )
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument(
+        "--refuted",
+        action="store_true",
+        help="print refuted claims too, marked, with what is true instead",
+    )
     parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
     parser.set_defaults(run=_derive)
 
@@ -174,10 +180,13 @@ def _derive(args: argparse.Namespace) -> int:
     from tresym.verification import verify
 
     report = verify(args.labels, workers=cores())
-    if args.labels:
-        text = "\n".join(derivation.fragment(row) for row in report.rows if row.requested)
-    else:
-        text = derivation.article(report)
+    asked = [row for row in report.rows if row.requested]
+    refused = derivation.refused(asked) if args.labels and not args.refuted else ()
+    if refused:
+        print("\n".join(refused), file=sys.stderr)
+        return UNEXPECTED
+    statements = map(derivation.fragment, asked)
+    text = "\n".join(statements) if args.labels else derivation.article(report)
     _deliver(text, args.path)
     return 0 if report.as_expected else UNEXPECTED
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from difflib import SequenceMatcher
 from enum import Enum
 from pathlib import Path
@@ -36,6 +36,8 @@ class Transcription(Enum):
 
     EQUAL = "equal"
     """Read from the LaTeX; every relation agrees in balls with what a claim says."""
+    AS_READ = "equal as read"
+    """The same, with something read otherwise than it is printed: the note says what."""
     DIFFERS = "differs"
     SENTENCE = "sentence"
     """No claim can say it as it stands, for the reason in the index, which transcribes it twice."""
@@ -99,7 +101,13 @@ class Audit:
     @property
     def read(self) -> int:
         """How many displays are read from the LaTeX itself and agree."""
-        return sum(row.transcription is Transcription.EQUAL for row in self.rows)
+        agree = (Transcription.EQUAL, Transcription.AS_READ)
+        return sum(row.transcription in agree for row in self.rows)
+
+    @property
+    def read_otherwise(self) -> int:
+        """How many of these only after something is read otherwise than it is printed."""
+        return sum(row.transcription is Transcription.AS_READ for row in self.rows)
 
     def as_json(self) -> dict[str, Any]:
         """The audit as `tresym audit --json` prints it."""
@@ -107,7 +115,13 @@ class Audit:
             {**asdict(row), "text": row.text.value, "transcription": row.transcription.value}
             for row in self.rows
         ]
-        return {"paper": self.paper, "complete": self.complete, "read": self.read, "rows": rows}
+        return {
+            "paper": self.paper,
+            "complete": self.complete,
+            "read": self.read,
+            "read_otherwise": self.read_otherwise,
+            "rows": rows,
+        }
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -265,4 +279,6 @@ def _compare(
     left = unmet(chains, claims, functions, reading)
     if left:
         return Transcription.DIFFERS, f"no claim says {left[0]}"
+    if reading.reads and unmet(chains, claims, functions, replace(reading, reads={})):
+        return Transcription.AS_READ, reading.otherwise
     return Transcription.EQUAL, ""

@@ -41,6 +41,11 @@ class Reading:
     sentence: str = ""
     again: tuple[str, ...] = ()
 
+    @property
+    def otherwise(self) -> str:
+        """What is read otherwise than it is printed, in words."""
+        return ", ".join(f"{name} read as {meant}" for name, meant in self.reads.items())
+
 
 @dataclass(frozen=True)
 class Link:

@@ -305,6 +305,8 @@ class Claim:
         note: one or two sentences for the reader.
         kind: identity, number, bound, order, limit or statement.
         shown: LaTeX for reports, where the statement written out would hide what it says.
+        paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
+            where ``says`` is a sharper reading, which is ours.
     """
 
     label: str
@@ -317,6 +319,7 @@ class Claim:
     amended_by: tuple[Claim, ...] = ()
     note: str = ""
     shown: str | None = None
+    paper_says: str = ""
 
     def __hash__(self) -> int:
         return hash(self.label)

@@ -3,9 +3,9 @@
 What a claim says is changed (the ends of its chains follow), and each step of its chains alone;
 see `tresym.claims.changes` and, for numbers, bounds and orders, `tresym.claims.changed_numbers`.
 What a claim says is also put to the judge without its chain. A definition cannot be false, so what
-is changed is what others prove by it; a conjunction has its parts changed. What is denied at a
-point has its conditions changed too, and what claims deny has those claims changed: then nothing
-may be made of the denial.
+is changed is what others prove by it, and of a function that it defines the slope; a conjunction
+has its parts changed. What is denied at a point has its conditions changed too, and what claims
+deny has those claims changed: then nothing may be made of the denial.
 
 A mutant counts only where balls show it violated: γ ≤ 2a differs from γ ≤ a and is true.
 """
@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
-from sympy import Basic, Eq, Equivalent, Integral, Tuple
+from sympy import Basic, Derivative, Eq, Equivalent, Integral, Subs, Tuple
 
 from tresym.claims.bounds import Asymptotics, Boxes
 from tresym.claims.changed_numbers import (
@@ -43,9 +43,11 @@ from tresym.claims.claim import (
     Step,
     Together,
     UniqueRoot,
+    by,
     equal,
     formally,
     parts_of,
+    substituting,
 )
 from tresym.claims.denial import Denied
 from tresym.claims.judge import judge, refute
@@ -126,7 +128,8 @@ def mutants(
 
 def why_few(claim: Claim, dependents: tuple[Claim, ...] = ()) -> str:
     """Why a claim has fewer mutants than were wanted, for the list of those."""
-    if isinstance(claim.proof, Definition | ImplicitFunction) and not [*_proving(dependents)]:
+    asked = [*_proving(dependents), *_sloping(dependents)]
+    if isinstance(claim.proof, Definition | ImplicitFunction) and not asked:
         return "nothing is proved by this definition directly"
     if not isinstance(claim.proof, AllOf | Denied) and not [*_spots(claim, dependents)]:
         return "no change is known for this kind of evidence"
@@ -172,6 +175,8 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
         case Definition() | ImplicitFunction():
             for dependent in islice(_proving(dependents), DEPENDENTS):
                 yield _definition_spot(claim, dependent)
+            for dependent in islice(_sloping(dependents), DEPENDENTS):
+                yield _equation_spot(claim, dependent)
         case UniqueRoot():
             yield from _root_spots(claim, claim.proof)
         case Counterexample():
@@ -313,6 +318,36 @@ def _definition_spot(claim: Claim, dependent: Claim) -> _Spot:
         return (_resting_on(dependent, replace(claim, says=changed)),)
 
     return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _falls)
+
+
+def _sloping(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
+    return (d for d in dependents if isinstance(d.proof, ImplicitFunction))
+
+
+def _equation_spot(claim: Claim, dependent: Claim) -> _Spot:
+    """The slope of a function that ``claim`` defines, where the equation for it is changed.
+
+    It is claimed by the slope that the function has then, put in so that balls show it to be
+    another, and by the implicit function theorem.
+    """
+    proof: Any = dependent.proof
+    says: Any = dependent.says
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        other = replace(proof, equation=replace(claim, says=changed))
+        slope = replace(claim, says=equal(says.args[0], _slope_of(other)), given=dependent.given)
+        put_in = replace(dependent, proof=by(substituting(slope)))
+        return put_in, replace(dependent, proof=other)
+
+    return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _is_violated)
+
+
+def _slope_of(proof: ImplicitFunction) -> Basic:
+    """The slope that the implicit function theorem gives."""
+    equation: Any = proof.equation.says
+    left, p = equation.args[0], proof.parameter
+    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
+    return -Subs(Derivative(left, p), p, proof.at) / by_unknown
 
 
 def _other_meanings(says: Basic) -> Iterator[Basic]:

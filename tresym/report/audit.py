@@ -6,7 +6,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from tresym.audit import Audit, Row
+from tresym.audit import Audit, Row, Transcription
 from tresym.audit import Text as Found
 
 SHOWN_CLAIMS = 3
@@ -23,8 +23,9 @@ def show_audit(audit: Audit, console: Console) -> None:
         table.add_row(*_cells(row))
     console.print(table)
     for row in audit.rows:
-        if row.note and not row.good:
-            console.print(Text(f"{_piece(row)} ({row.label}): {row.note}", style="red"))
+        if row.note and (not row.good or row.transcription is Transcription.AS_READ):
+            style = "yellow" if row.good else "red"
+            console.print(Text(f"{_piece(row)} ({row.label}): {row.note}", style=style))
     console.print(_summary(audit))
 
 
@@ -45,6 +46,8 @@ def _piece(row: Row) -> str:
 def _summary(audit: Audit) -> Text:
     good, total = audit.count()
     parts = [f"{good} of {total} displays", f"{audit.read} of them read from the LaTeX"]
+    if audit.read_otherwise:
+        parts[-1] += f", {audit.read_otherwise} of these with something read otherwise than printed"
     for kind in audit.kinds:
         good, total = audit.count(kind)
         parts.append(f"{kind} {good}/{total}")

@@ -8,6 +8,7 @@ from tresym.claims.claim import Claim
 from tresym.exact import fraction_text
 from tresym.report.chains import EQUIVALENT, Display, Line, Said, displays
 from tresym.report.conditions import gathered
+from tresym.report.latex import says_latex
 from tresym.report.markdown import SCRIPTS
 from tresym.report.place import place_text
 from tresym.report.width import width
@@ -99,8 +100,36 @@ def article(report: Report) -> str:
 
 
 def fragment(row: Row) -> str:
-    """One statement with its chain, to paste into a paper that loads amsmath."""
-    return "\n".join(_displays(row.claim)) + "\n"
+    """One statement with its chain, to paste into a paper that loads amsmath.
+
+    A refuted one is a paragraph that says so, with the evidence and what is true instead.
+    """
+    claim = row.claim
+    if row.finding.verdict is not Verdict.REFUTED:
+        return "\n".join(_displays(claim) or [prose(str(claim.says))]) + "\n"
+    lines = [rf"\textbf{{Refuted}} (\texttt{{{_lettered(claim.label)}}}):", *_stated(claim)]
+    lines += [prose(f"Evidence: {readable(row.finding.why[:300])}.")]
+    for true in claim.amended_by:
+        lines += [rf"\textbf{{True instead}} (\texttt{{{_lettered(true.label)}}}):", *_stated(true)]
+    return "\n".join(lines) + "\n"
+
+
+def refused(rows: Collection[Row]) -> tuple[str, ...]:
+    """For every refuted claim one line that says so, and what is true instead."""
+    return tuple(
+        f"tresym: {row.claim.label} is REFUTED; true instead: "
+        f"{', '.join(true.label for true in row.claim.amended_by) or 'nothing is claimed'}"
+        " (derive --refuted prints it, marked)"
+        for row in rows
+        if row.finding.verdict is Verdict.REFUTED
+    )
+
+
+def _stated(claim: Claim) -> list[str]:
+    """What a claim says, without its chain, in lines of text."""
+    if isinstance(claim.says, str):
+        return [prose(claim.says)]
+    return [rf"\[{claim.shown or says_latex(claim.says)}\]"]
 
 
 def _entry(row: Row, known: Collection[str]) -> str:
@@ -112,6 +141,10 @@ def _entry(row: Row, known: Collection[str]) -> str:
         rf"{prose(place_text(claim) if claim.where else 'lemma')}}}\par"
     )
     lines = [head]
+    if finding.verdict is Verdict.REFUTED:
+        lines.append(r"\verdict{refuted}{This is refuted:}\par")
+    if claim.paper_says:
+        lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
     if isinstance(claim.says, str):
         lines.append(prose(claim.says) + r"\par")
     if claim.given:

@@ -9,6 +9,7 @@ from flint import arb
 
 from tresym.arithmetic import ball_precision, balls
 from tresym.body import NAMED_BODIES
+from tresym.report.corrections import is_correction
 from tresym.report.tables import digits_of
 from tresym.verification import Report
 
@@ -25,10 +26,7 @@ def numbers(report: Report) -> dict[str, str]:
     """
     found = {name.lower(): str(count) for name, count in report.counts.items()}
     placed = sum(row.claim.where is not None for row in report.rows)
-    refuted = sum(
-        row.claim.where is not None and row.finding.verdict.value == "REFUTED"
-        for row in report.rows
-    )
+    refuted = sum(map(is_correction, report.rows))
     found |= {
         "claims": str(len(report.rows)),
         "statements": str(placed),

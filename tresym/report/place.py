@@ -13,4 +13,5 @@ def place_text(claim: Claim) -> str:
     parts = [f"display {where.display}"] if where.display else []
     parts += [f"cell {where.cell}"] if where.cell else []
     parts += [f"line {where.line}"] if where.line and not where.display else []
+    parts += ["read more sharply"] if claim.paper_says else []
     return ", ".join(parts) or "—"

@@ -93,6 +93,7 @@ def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "witness": finding.witness
         and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
         "note": claim.note,
+        "paper_says": claim.paper_says,
         "uses": [used.label for used in claim.uses],
         "amended_by": [amendment.label for amendment in claim.amended_by],
     }

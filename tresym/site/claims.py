@@ -51,6 +51,7 @@ def page(label: str, claims: dict[str, Record], title: str | None, seconds: floa
     sections = [
         f"---\norphan: true\n---\n\n# `{label}`",
         _heading(claim, title),
+        *_printed(claim),
         statement(claim),
         *_conditions(claim),
         *_proof(claim),
@@ -58,7 +59,7 @@ def page(label: str, claims: dict[str, Record], title: str | None, seconds: floa
         *_truth(claim, claims),
         *_relations(claim, claims),
         *_cost(claim, seconds),
-        f"```sh\ntresym verify {label}\ntresym derive {label}\n```",
+        f"```sh\ntresym verify {label}\ntresym derive {_if_refuted(claim)}{label}\n```",
     ]
     return "\n\n".join(sections) + "\n"
 
@@ -69,6 +70,16 @@ def _heading(claim: Record, title: str | None) -> str:
         where += f" (line {claim['line']} of its source)"
     part = f"\\\n[{sentence(title)}](index.md)" if title else ""
     return f"{badge(claim['verdict'])} {claim['kind']}, {where}{part}"
+
+
+def _printed(claim: Record) -> Iterator[str]:
+    """What the paper prints, where the claim is a sharper reading of it."""
+    if claim["paper_says"]:
+        yield f"The paper: {sentence(claim['paper_says'])} Read more sharply, which is ours:"
+
+
+def _if_refuted(claim: Record) -> str:
+    return "--refuted " if claim["verdict"] == "REFUTED" else ""
 
 
 def _conditions(claim: Record) -> Iterator[str]:
