@@ -9,7 +9,7 @@ from typing import Any
 
 from tresym.checking.typography import plain
 from tresym.exact import InputError
-from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
+from tresym.identity.expression import Expr, differentiate, from_sympy, number, symbol, symbols
 from tresym.identity.given import Given
 from tresym.identity.parsing import parse, parse_claim
 
@@ -20,7 +20,7 @@ _WORD = re.compile(r"\s(?:--)?(given|as)\s")
 _LATEX = re.compile(r"[\\{}]")
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:->|\\to)\s*(.+?)\s*")
 _AND = re.compile(r"\band\b|;|&&?|∧")
-_INFINITE = frozenset(("oo", "inf", "infinity", r"\infty"))
+_INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity|\\infty)")
 _SYMPY = {
     "Equality": "==",
     "Unequality": "!=",
@@ -42,14 +42,17 @@ _ASSUMPTIONS = {
 class Comparison:
     """``left relation right``; for ``O`` and ``o`` the right side is the gauge.
 
-    ``differentiated`` are the functions whose derivatives were written: a derivative is one where
-    its function is real.
+    Attributes:
+        differentiated: the functions whose derivatives were written: a derivative is one where its
+            function is real, there and beside it.
+        by: the variables by which.
     """
 
     left: Expr
     relation: str
     right: Expr
     differentiated: tuple[Expr, ...] = ()
+    by: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -159,8 +162,8 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
     if name not in _SYMPY:
         hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
         raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
-    inner = tuple(from_sympy(part.expr) for part in _derivatives(claim))
-    comparison = Comparison(from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs), inner)
+    sides = from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs)
+    comparison = Comparison(*sides, *_differentiated(claim))
     conditions = []
     names: set[str] = set()
     for variable in _variables(claim):
@@ -194,10 +197,20 @@ def _variables(claim: Any) -> list[Any]:
     return found
 
 
-def _derivatives(claim: Any) -> list[Any]:
-    from sympy import Derivative, Integral
+def _differentiated(claim: Any) -> tuple[tuple[Expr, ...], frozenset[str]]:
+    """The functions whose derivatives a SymPy relation, read already, holds; and by what."""
+    from sympy import Derivative
 
-    return [part for part in claim.atoms(Derivative) if not part.has(Integral)]
+    functions: list[Expr] = []
+    by: set[str] = set()
+    for part in sorted(claim.atoms(Derivative), key=str):
+        function = from_sympy(part.expr)
+        for variable, order in part.variable_count:
+            by.add(variable.name)
+            for _ in range(int(order)):
+                functions.append(function)
+                function = differentiate(function, variable.name)
+    return tuple(dict.fromkeys(functions)), frozenset(by)
 
 
 def read_path(text: str) -> Path:
@@ -209,14 +222,15 @@ def read_path(text: str) -> Path:
     match = _PATH.fullmatch(plain(text)) if len(text) <= 200 else None
     if match is None:
         raise InputError("a path is written like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
-    name, end = match[1], match[2].replace(" ", "").replace("^", "")
-    if end.lstrip("+-") in _INFINITE:
-        return Path(name, None, (-1 if end.startswith("-") else 1,))
-    sides = {"+": (1,), "-": (-1,)}.get(end[-1], (1, -1))
-    point = parse(end.rstrip("+-"))
+    name, end = match[1], match[2].replace(" ", "")
+    infinite = _INFINITE.fullmatch(end)
+    if infinite:
+        return Path(name, None, (-1 if infinite[1] == "-" else 1,))
+    side = end[-1:] if end.endswith(("+", "-")) else ""
+    point = parse(end.removesuffix(side).removesuffix("^") if side else end)
     if symbols(point):
         raise InputError("a path ends at a constant or at oo")
-    return Path(name, point, sides)
+    return Path(name, point, {"+": (1,), "-": (-1,)}.get(side, (1, -1)))
 
 
 def _checked(statement: Statement) -> Statement:
