@@ -59,7 +59,7 @@ def _holds_everywhere(e: Expr, relation: str) -> bool:
 
 
 def _conditions(expressions: Iterable[Expr]) -> list[tuple[Expr, str]]:
-    """Expressions that are ``>``, ``>=`` or ``!=`` zero where all of ``expressions`` are defined."""
+    """What is ``>``, ``>=`` or ``!=`` zero wherever all of ``expressions`` are defined."""
     found: dict[tuple[Expr, str], None] = {}
     seen: set[Expr] = set()
     stack = list(expressions)

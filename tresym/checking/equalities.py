@@ -23,7 +23,8 @@ from tresym.verdict import Verdict
 
 BITS, LOOKS = 128, 10
 REAL = "what is differentiated is real"
-NOWHERE = "no point was found at which what is differentiated is real"
+NOWHERE = f"no point was found at which {REAL}"
+FORMAL = "so that this is proved of formal derivatives alone"
 
 
 def decide_equality(

@@ -2,8 +2,9 @@
 
 What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
 are defined. More exactly: at every point that is a limit of interior points of that set, for the
-normal form is silent on isolated points of the domain. This is not the convention of complex principal branches: ``log(x**2) = 2*log(x)`` is
-PROVED, since negative x are outside the common domain, and ``sqrt(x**2) = x`` is REFUTED.
+normal form is silent on isolated points of the domain. This is not the convention of complex
+principal branches: ``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common
+domain, and ``sqrt(x**2) = x`` is REFUTED.
 
 Nothing is proved vacuously: a point inside ``given`` must be found at which both sides are shown,
 in balls, to be defined.
