@@ -206,6 +206,8 @@ class _Search:
         name = self.names[0]
         with ball_precision(2 * PRECISION):
             at = {name: evaluate(point, {})}
+            if not at[name].is_finite():
+                return False  # a candidate need not be real
             value = evaluate(self.difference, at)
             if any(self._fails(condition, point, at) for condition in self.region.conditions):
                 return True

@@ -53,10 +53,8 @@ def decide_equality(
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1, BITS), None)
     if found.verdict is Verdict.PROVED:
-        at = (
-            f", {REAL} at {shown(real[0])}" if real else f"; the proof is of formal ones: {NOWHERE}"
-        )
-        return replace(found, why=found.why + at)
+        where = f", {REAL} at {shown(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
+        return replace(found, why=found.why + where)
     if real is None:
         return Decision(Verdict.UNDECIDED, f"{no_point(parts, given)}; {NOWHERE}")
     again = decide(left, right, whole)

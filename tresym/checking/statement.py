@@ -9,7 +9,7 @@ from typing import Any
 
 from tresym.checking.typography import plain
 from tresym.exact import InputError
-from tresym.identity.expression import Expr, differentiate, from_sympy, number, symbol, symbols
+from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
 from tresym.identity.given import Given
 from tresym.identity.parsing import parse, parse_claim
 
@@ -201,16 +201,9 @@ def _differentiated(claim: Any) -> tuple[tuple[Expr, ...], frozenset[str]]:
     """The functions whose derivatives a SymPy relation, read already, holds; and by what."""
     from sympy import Derivative
 
-    functions: list[Expr] = []
-    by: set[str] = set()
-    for part in sorted(claim.atoms(Derivative), key=str):
-        function = from_sympy(part.expr)
-        for variable, order in part.variable_count:
-            by.add(variable.name)
-            for _ in range(int(order)):
-                functions.append(function)
-                function = differentiate(function, variable.name)
-    return tuple(dict.fromkeys(functions)), frozenset(by)
+    parts = sorted(claim.atoms(Derivative), key=str)
+    by = frozenset(variable.name for part in parts for variable in part.variables)
+    return tuple(dict.fromkeys(from_sympy(part.expr) for part in parts)), by
 
 
 def read_path(text: str) -> Path:

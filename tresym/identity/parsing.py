@@ -120,8 +120,7 @@ class _Reader:
     """Turns a syntax tree into an expression; keeps the text for exact numbers.
 
     Attributes:
-        differentiated: the functions whose derivatives were read, those on the way to a derivative
-            of higher order among them.
+        differentiated: the functions whose derivatives were read.
         by: the variables by which.
     """
 
@@ -207,8 +206,9 @@ class _Reader:
         return apply(name, values[0])
 
     def _diff(self, args: list[ast.expr]) -> Expr:
-        if len(args) not in (2, 3) or not isinstance(args[1], ast.Name):
+        if len(args) not in (2, 3) or (name := self._read(args[1])).op != "symbol":
             raise InputError("diff takes an expression, a variable and perhaps an order")
+        variable = str(name.args[0])
         result = self._read(args[0])
         order = 1
         if len(args) == 3:
@@ -218,10 +218,10 @@ class _Reader:
             order = last.value
         if not 1 <= order <= MAX_DERIVATIVES:
             raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
-        self.by.add(args[1].id)
+        self.differentiated.append(result)
+        self.by.add(variable)
         for _ in range(order):
-            self.differentiated.append(result)
-            result = differentiate(result, args[1].id)
+            result = differentiate(result, variable)
         return result
 
     def _segment(self, node: ast.expr) -> str:

@@ -49,21 +49,30 @@ def windows(conditions: Sequence[Expr], starts: Sequence[Point]) -> Iterator[Poi
 
 
 def _of_regions(conditions: Sequence[Expr], names: list[str], other: Point) -> Iterator[Point]:
-    """A point of every region that the polynomials among the conditions cut out."""
+    """A point of every region that the polynomials in the conditions cut out."""
     context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
-    pairs = [(e, _polynomial(e, context)) for e in conditions if symbols(e)]
-    polynomials = [p for _, p in pairs if p is not None]
-    used = sorted(frozenset().union(*(symbols(e) for e, p in pairs if p is not None)))
-    if not 0 < len(used) <= MAX_NAMES or sum(p.total_degree() for p in polynomials) > MAX_DEGREE:
+    found = dict(part for e in conditions for part in _polynomials(e, context))
+    used = sorted(frozenset().union(*map(symbols, found)))
+    if not 0 < len(used) <= MAX_NAMES or sum(p.total_degree() for p in found.values()) > MAX_DEGREE:
         return
     ring = fmpz_mpoly_ctx.get(tuple(used), Ordering.lex)
     places = [names.index(name) for name in used]
     try:
-        whole = [_whole(p, places, ring) for p in polynomials]
+        whole = [_whole(p, places, ring) for p in found.values()]
         for values in sample_points(whole, ring):
             yield other | dict(zip(used, values, strict=True))
     except TooLargeError:
         return
+
+
+def _polynomials(e: Expr, context: fmpq_mpoly_ctx) -> Iterator[tuple[Expr, fmpq_mpoly]]:
+    """The largest parts of ``e`` that are polynomials, as it changes its ways at their zeros."""
+    p = _polynomial(e, context)
+    if p is None:
+        for arg in e.args:
+            yield from _polynomials(arg, context)
+    elif symbols(e):
+        yield e, p
 
 
 def _whole(p: fmpq_mpoly, places: list[int], ring: fmpz_mpoly_ctx) -> fmpz_mpoly:
@@ -81,12 +90,14 @@ def _polynomial(e: Expr, context: fmpq_mpoly_ctx) -> fmpq_mpoly | None:
     if e.op == "^":
         base, exponent = e.args
         n = exponent.args[0] if exponent.op == "number" else fmpq(-1)
-        inner = _polynomial(base, context) if n.q == 1 and 0 < n <= MAX_DEGREE else None
-        return None if inner is None else inner ** int(n.p)
+        inner = _polynomial(base, context) if n.q == 1 and n > 0 else None
+        if inner is None or inner.total_degree() * n > MAX_DEGREE:
+            return None
+        return inner ** int(n.p)
     parts = [_polynomial(arg, context) for arg in e.args] if e.op in ("+", "*") else [None]
     total = parts[0]
     for part in parts[1:]:
-        if total is None or part is None:
+        if total is None or part is None or total.total_degree() > MAX_DEGREE:
             return None
         total = total + part if e.op == "+" else total * part
     return total
