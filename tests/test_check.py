@@ -270,6 +270,11 @@ def test_nothing_is_proved_vacuously(claim: str) -> None:
     assert tresym.check(claim).verdict is UNDECIDED
 
 
+def test_a_candidate_for_a_point_of_contact_need_not_be_real() -> None:
+    """1 - (x - pi)**2 = 2 at x = pi + sqrt(-1)."""
+    assert not tresym.check("1/(1 - (x - pi)**2) != 1/2 given pi - 1 < x < pi + 1")
+
+
 def test_a_refutation_shows_both_sides_apart() -> None:
     answer = tresym.check("x == x + 10**(-60)")
     assert answer.verdict is REFUTED
@@ -523,6 +528,15 @@ def test_a_file_of_claims(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert [row["line"] for row in rows] == [2, 4, 5, 6]
     assert [row["verdict"] for row in rows] == ["PROVED", None, "PROVED", "REFUTED"]
     assert "line 4" in err
+
+
+def test_claims_from_standard_input() -> None:
+    command = [sys.executable, "-m", "tresym", "check", "-f", "-", "--json"]
+    for text, status in (("1 == 1\nx ==\n", 2), ("1 == 1", 0), ("", 2)):
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+        assert done.returncode == status
+        assert done.stdout.count('"PROVED"') == bool(text)
+        assert "Traceback" not in done.stderr
 
 
 def test_a_claim_that_takes_too_long_is_stopped_and_the_rest_decided() -> None:
