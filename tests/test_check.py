@@ -91,7 +91,10 @@ TRUE = [
     "diff(log(1e-9 - (sin(x) - 1/2)**2), x)*abs(1e-9 - (sin(x) - 1/2)**2) == cos(x)*(1 - 2*sin(x))",
     "diff(log(x*y - 10**6), x)*abs(x*y - 10**6) == y",
     "diff(log(log(log(log(x))) - 1), x) > 0",
-    # where a power is real, though not beside it
+    # real at 1, where samples begin, but not beside it
+    "diff(((x - 1)**2*(x - 2))**(3/2) + abs(x - 2) - x, x)"
+    " == diff(((x - 1)**2*(x - 2))**(3/2), x) given 0 < x < 3",
+    # a power that is real on both sides
     "diff((x**2)**(3/2), x) != 0 given x > 0",
     # a sign that a later condition on the domain settles
     "diff(-3/2*((x + 1)/(x - 1))**(1/3), x) == 1/((x - 1)**(4/3)*(x + 1)**(2/3))",

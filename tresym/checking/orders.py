@@ -16,7 +16,7 @@ from tresym.checking.statement import Comparison, Path
 from tresym.claims.order import Judgement
 from tresym.exact import fraction_text
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import Expr, number, substitute, symbol
+from tresym.identity.expression import ONE, Expr, number, substitute, symbol
 from tresym.identity.given import Given
 from tresym.verdict import Verdict
 
@@ -50,7 +50,7 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
             "nothing is decided of formal derivatives alone",
         )
     path = replace(path, sides=tuple(side for side in path.sides if real[side]))
-    found = [_one_side(claim, path, side, real[side]) for side in path.sides]
+    found = [_one_side(claim, path, side) for side in path.sides]
     for side, judgement in zip(path.sides, found, strict=True):
         shown = _shown_at(claim, path, side, judgement, real[side])
         if shown is not None:
@@ -75,16 +75,30 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
 def _real_upto(claim: Comparison, path: Path, side: int) -> fmpq | None:
     """Where what is differentiated is real, 0 < t <= this; 0 if nowhere, None if that is open."""
     inside, _ = where_real(Given(), claim.differentiated, claim.by)
-    conditions = [(c.expression, c.relation) for c in inside.conditions]
     if inside.names - {path.name}:
         return None
-    found = [sign_beside(e, path.name, path.point, side) for e, _ in conditions]
+    conditions = [(c.expression, c.relation) for c in inside.conditions]
+    found = [_sign_along(e, path, side) for e, _ in conditions]
     for beside, (_, relation) in zip(found, conditions, strict=True):
         if beside is not None and (beside[0] == 0 or (beside[0] < 0 and relation != "!=")):
             return fmpq(0)
     if None in found:
         return None
     return min([LONGEST, *(beside[1] for beside in found if beside is not None)])
+
+
+def _sign_along(e: Expr, path: Path, side: int) -> tuple[int, fmpq] | None:
+    """The sign of ``e`` for 0 < t <= r, and r: by its expansion, or at a point where 1 = o(e)."""
+    beside = sign_beside(e, path.name, path.point, side)
+    if beside is not None:
+        return beside
+    along = substitute(e, {path.name: _along(path, side)})
+    reach = judged_by_ratio("o", ONE, along, _PARAMETER).upto
+    if reach is None:
+        return None
+    with ball_precision(PRECISION):
+        value = evaluate(along, {_PARAMETER: arb(reach / 3)})
+    return (1 if value > 0 else -1, reach / 3) if value > 0 or value < 0 else None
 
 
 def _shown_at(
@@ -120,19 +134,15 @@ def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb
         return (left, right) if left.is_finite() and right.is_finite() else None
 
 
-def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq) -> Judgement:
-    """The order from one side, for 0 < t <= ``upto`` at most."""
+def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
     mapping = {path.name: _along(path, side)}
     sides = substitute(claim.left, mapping), substitute(claim.right, mapping)
     found = judged(claim.relation, *sides, _PARAMETER, upto)
-    if found.verdict is Verdict.UNDECIDED and path.point is not None:
+    if found.verdict is Verdict.UNDECIDED and path.point is not None and upto == 1:
         found = decide_smooth(claim.relation, claim.left, claim.right, path.name, path.point, side)
-    if found.verdict is Verdict.UNDECIDED:
-        found = judged_by_ratio(claim.relation, *sides, _PARAMETER)
-    if found.upto is None or found.upto <= upto:
-        return found
-    constant = None if found.constant is None else arb(0).union(found.constant.upper())
-    return replace(found, upto=upto, constant=constant)
+    if found.verdict is Verdict.UNDECIDED and upto == 1:
+        return judged_by_ratio(claim.relation, *sides, _PARAMETER)
+    return found
 
 
 def _along(path: Path, side: int) -> Expr:
