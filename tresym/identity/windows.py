@@ -7,14 +7,14 @@ counts more than any that almost does.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from math import prod
 
-from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly, fmpz_mpoly_ctx
+from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly
 
 from tresym.arithmetic import ball_precision
-from tresym.identity.cells import sample_points
+from tresym.identity.cells import between, sample_points
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import Expr, symbols
 from tresym.identity.ring import TooLargeError
@@ -55,14 +55,31 @@ def _of_regions(conditions: Sequence[Expr], names: list[str], other: Point) -> I
     used = sorted(frozenset().union(*map(symbols, found)))
     if not 0 < len(used) <= MAX_NAMES or sum(p.total_degree() for p in found.values()) > MAX_DEGREE:
         return
-    ring = fmpz_mpoly_ctx.get(tuple(used), Ordering.lex)
-    places = [names.index(name) for name in used]
     try:
-        whole = [_whole(p, places, ring) for p in found.values()]
-        for values in sample_points(whole, ring):
+        for values in _values(list(found.values()), [names.index(name) for name in used], used):
             yield other | dict(zip(used, values, strict=True))
     except TooLargeError:
         return
+
+
+def _values(
+    polynomials: list[fmpq_mpoly], places: list[int], used: list[str]
+) -> Iterable[tuple[fmpq, ...]]:
+    """The points, in the variables at these places; of one variable whatever its coefficients."""
+    terms = [_whole(p, places) for p in polynomials]
+    if len(used) > 1:
+        ring = fmpz_mpoly_ctx.get(tuple(used), Ordering.lex)
+        return sample_points([ring.from_dict(part) for part in terms], ring)
+    line = fmpz_poly([1])
+    for part in terms:
+        line *= fmpz_poly([part.get((k,), 0) for k in range(max(part)[0] + 1)])
+    return [(value,) for value in between(line)]
+
+
+def _whole(p: fmpq_mpoly, places: list[int]) -> dict[tuple[int, ...], int]:
+    """The terms of ``p`` in some of its variables, cleared of denominators."""
+    scale = prod(int(c.q) for c in p.coeffs())
+    return {tuple(int(m[k]) for k in places): int((c * scale).p) for m, c in p.terms()}
 
 
 def _polynomials(e: Expr, context: fmpq_mpoly_ctx) -> Iterator[tuple[Expr, fmpq_mpoly]]:
@@ -71,14 +88,8 @@ def _polynomials(e: Expr, context: fmpq_mpoly_ctx) -> Iterator[tuple[Expr, fmpq_
     if p is None:
         for arg in e.args:
             yield from _polynomials(arg, context)
-    elif symbols(e):
+    elif symbols(e) and not p.is_zero():
         yield e, p
-
-
-def _whole(p: fmpq_mpoly, places: list[int], ring: fmpz_mpoly_ctx) -> fmpz_mpoly:
-    """``p`` in some of its variables, cleared of denominators."""
-    scale = prod(int(c.q) for c in p.coeffs())
-    return ring.from_dict({tuple(m[k] for k in places): int((c * scale).p) for m, c in p.terms()})
 
 
 def _polynomial(e: Expr, context: fmpq_mpoly_ctx) -> fmpq_mpoly | None:
