@@ -87,7 +87,6 @@ TRUE = [
     "diff(log(x - 10**15), x) == 1/abs(x - 10**15)",
     "diff(log(x - 1000), x) > 0",
     "abs(1e-6 - (x - 7/3)**2)*diff(log(1e-6 - (x - 7/3)**2), x) == -2*(x - 7/3)",
-    "abs(1e-40 - (x - 7/3)**2)*diff(log(1e-40 - (x - 7/3)**2), x) == -2*(x - 7/3)",
     "diff(log(exp(x - 1000) - 1), x) != 0",
     "diff(log(1e-9 - (sin(x) - 1/2)**2), x)*abs(1e-9 - (sin(x) - 1/2)**2) == cos(x)*(1 - 2*sin(x))",
     "diff(log(x*y - 10**6), x)*abs(x*y - 10**6) == y",
@@ -155,6 +154,7 @@ FALSE = [
     "diff(log(x - 1000), x) == -1/abs(x - 1000)",
     "diff(log(x - 1000), x) < 0",
     "diff(log(1e-6 - (x - 7/3)**2), x) > 0",
+    "diff(log(1e-40 - (x - 7/3)**2), x) > 0",
     "diff((x**2)**(3/2), x) != 0",
     "diff(sqrt(y)*x, x) != 0",  # at y = 0, where it is a function of x still
     "diff(x + log(y), x) == 2",
