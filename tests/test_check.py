@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 import tracemalloc
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 from random import Random
@@ -74,6 +75,30 @@ TRUE = [
     "diff(x*asec(x) - log(x + sqrt(x**2 - 1)), x) == asec(x)",
     "diff(asin(sin(x) - cos(x)) + log(sin(x) + cos(x) - sqrt(sin(2*x))), x) == sqrt(2*tan(x))",
     "diff(-atanh(cosh(x)), x) == csch(x)",  # what is differentiated is real nowhere
+    "diff(log(x), x) >= 1/abs(x)",
+    "diff(log(x), x) != -1/abs(x)",
+    "diff(atanh(x), x) >= 1",
+    "diff(log(-x), x) < 0",
+    "diff(log(log(x)), x) != -1/abs(x*log(x))",
+    "diff(log(x), x, 2) < 0",
+    "diff(diff(log(x)*x, x), x) == 1/abs(x)",
+    "diff(x*log(y), y) != -x/abs(y) given x > 0",
+    "diff(atanh(x), x) <= 4/3 given abs(x) < 1/2",
+    "diff(log(2 + sin(x)), x) <= 1",
+    # far away, and on narrow sets
+    "diff(log(x - 1000), x) == 1/abs(x - 1000)",
+    "diff(log(x - 10**15), x) == 1/abs(x - 10**15)",
+    "diff(log(x - 1000), x) > 0",
+    "abs(1e-6 - (x - 7/3)**2)*diff(log(1e-6 - (x - 7/3)**2), x) == -2*(x - 7/3)",
+    "diff(log(exp(x - 1000) - 1), x) != 0",
+    "diff(log(1e-9 - (sin(x) - 1/2)**2), x)*abs(1e-9 - (sin(x) - 1/2)**2) == cos(x)*(1 - 2*sin(x))",
+    "diff(log(x*y - 10**6), x)*abs(x*y - 10**6) == y",
+    "diff(log(log(log(log(x))) - 1), x) > 0",
+    # real at 1, where samples begin, but not beside it
+    "diff(((x - 1)**2*(x - 2))**(3/2) + abs(x - 2) - x, x)"
+    " == diff(((x - 1)**2*(x - 2))**(3/2), x) given 0 < x < 3",
+    # a power that is real on both sides
+    "diff((x**2)**(3/2), x) != 0 given x > 0",
     # a sign that a later condition on the domain settles
     "diff(-3/2*((x + 1)/(x - 1))**(1/3), x) == 1/((x - 1)**(4/3)*(x + 1)**(2/3))",
     "sqrt((a - b)/(a + b))*(a + b) == sqrt(a**2 - b**2) given a > abs(b)",
@@ -123,8 +148,19 @@ FALSE = [
     "diff(log(x), x) == 1/abs(x) + 10**(-30)",
     "diff(log(abs(x)), x) == 1/abs(x)",
     "diff(x*acsch(x) + asinh(x), x) == acsch(x)",  # true for x > 0, but real for x < 0 too
-    "diff(-atanh(cosh(x)), x) == csch(x) + 1",
     "diff(F, x) == 1/x",
+    "diff(log(x), x) != 1/abs(x)",
+    "diff(log(x), x) > 1/abs(x)",
+    "diff(log(x), x) <= 0",
+    "diff(atanh(x), x) > 1",
+    "diff(atanh(x), x) <= 10**6",
+    "diff(log(x - 1000), x) == -1/abs(x - 1000)",
+    "diff(log(x - 1000), x) < 0",
+    "diff(log(1e-6 - (x - 7/3)**2), x) > 0",
+    "diff(log(1e-40 - (x - 7/3)**2), x) > 0",
+    "diff((x**2)**(3/2), x) != 0",
+    "diff(sqrt(y)*x, x) != 0",  # at y = 0, where it is a function of x still
+    "diff(x + log(y), x) == 2",
     "sqrt((a - b)/(a + b))*(a + b) == sqrt(a**2 - b**2) given abs(a) > abs(b)",
     "sqrt((a - b)**2) == b - a given a >= abs(b)",
     "sqrt((a - 1)**2) == a - 1 given 3 < 4*a",
@@ -147,6 +183,21 @@ OPEN = [
     "sqrt(x) + sqrt(-1 - x) >= 0",
     "1/x != 0",  # both signs, and no zero between them
     "1/0 == 1",
+    # what is differentiated is real nowhere
+    "diff(-atanh(cosh(x)), x) == csch(x) + 1",
+    "diff(atanh(cosh(x)), x) != 0",
+    "diff(log(-1 - x**2), x) <= abs(x)",
+    "diff(x + log(-1), x) >= 1",
+    "diff(log(x - x), x) > 1",
+    "diff(log(-1), x) != 1",
+    "diff(log(sin(x) - 2), x) < 10",
+    "diff(log(x), x) > 0 given x < 0",
+    # real at 0, but not beside it: a proof counts the point in, a refutation leaves it out
+    "diff(x**(3/2), x) > 0",
+    "diff(x**(3/2), x) != 0",
+    "diff((x**2*(x + 1))**(3/2), x) > 0 given x >= 0",
+    "diff((x**2*(x - 1))**(3/2), x) != 0 given x < 1/2",
+    "diff((x**2*(x - 1))**(3/2), x) == 1 given x < 1/2",
 ]
 
 
@@ -226,6 +277,11 @@ def test_planted_falsehoods_are_refuted(claim: str) -> None:
 @pytest.mark.parametrize("claim", OPEN)
 def test_nothing_is_proved_vacuously(claim: str) -> None:
     assert tresym.check(claim).verdict is UNDECIDED
+
+
+def test_a_candidate_for_a_point_of_contact_need_not_be_real() -> None:
+    """1 - (x - pi)**2 = 2 at x = pi + sqrt(-1)."""
+    assert not tresym.check("1/(1 - (x - pi)**2) != 1/2 given pi - 1 < x < pi + 1")
 
 
 def test_a_refutation_shows_both_sides_apart() -> None:
@@ -494,6 +550,15 @@ def test_a_file_of_many_lines_is_not_held_as_so_many_tasks(tmp_path: Path) -> No
         tracemalloc.stop()
 
 
+def test_claims_from_standard_input() -> None:
+    command = [sys.executable, "-m", "tresym", "check", "-f", "-", "--json"]
+    for text, status in (("1 == 1\nx ==\n", 2), ("1 == 1", 0), ("", 2)):
+        done = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+        assert done.returncode == status
+        assert done.stdout.count('"PROVED"') == bool(text)
+        assert "Traceback" not in done.stderr
+
+
 def test_a_claim_that_takes_too_long_is_stopped_and_the_rest_decided() -> None:
     slow = "(sin(x*y*z) + cos(x + y))**60*(x + y + z)**50 - 1 <= 0"
     conditions = "0 <= x <= 1, 0 <= y <= 1, 0 <= z <= 1"
@@ -528,6 +593,28 @@ def test_where_nothing_is_real_the_parts_are_named() -> None:
     answer = tresym.check("diff(asin(x)*log(x**2 - 1), x) == 1")
     assert answer.verdict is UNDECIDED
     assert "log(x**2 - 1) and asin(x) would have to be real" in answer.why
+
+
+def test_a_proof_says_whether_what_is_differentiated_is_real() -> None:
+    assert "what is differentiated is real at" in tresym.check("diff(log(x), x) == 1/x").why
+    for claim in ("diff(-atanh(cosh(x)), x) == csch(x)", "diff(x + log(-1), x) == 1"):
+        answer = tresym.check(claim)
+        assert answer.verdict is PROVED
+        assert answer.why.endswith("so that this is proved of formal derivatives alone")
+
+
+@pytest.mark.parametrize(
+    ("relation", "verdict"),
+    [(sympy.Ge, PROVED), (sympy.Ne, REFUTED), (sympy.Lt, REFUTED), (sympy.Eq, PROVED)],
+)
+def test_derivatives_of_sympy_speak_where_their_functions_are_real(
+    relation: Callable[..., sympy.Basic], verdict: Verdict
+) -> None:
+    x = sympy.Symbol("x", real=True)
+    slope = sympy.Derivative(sympy.log(x), x)
+    assert tresym.check(relation(slope, 1 / sympy.Abs(x))).verdict is verdict
+    twice = sympy.Derivative(x * sympy.log(x), x, 2)
+    assert tresym.check(relation(twice, 1 / sympy.Abs(x))).verdict is verdict
 
 
 def test_mutants_are_false() -> None:

@@ -186,3 +186,42 @@ def test_germs_of_bounded_functions(upto: int) -> None:
 def test_deep_towers_end_undecided_and_not_in_an_error() -> None:
     found = judged_by_ratio("o", parse("exp(exp(exp(1/t)))"), parse("exp(exp(exp(1/t) + 1))"), "t")
     assert found.verdict in (ENCLOSED, UNDECIDED)
+
+
+@pytest.mark.parametrize(
+    ("claim", "path", "verdict", "region"),
+    [
+        ("diff(log(x), x) ~ 1/abs(x)", "x -> 0", ENCLOSED, "0 < x <= 1"),  # real on one side
+        ("diff(log(-x), x) ~ -1/abs(x)", "x -> 0", ENCLOSED, "0 < -x <= 1"),
+        ("diff(log(x), x) ~ -1/abs(x)", "x -> 0", REFUTED, None),
+        ("diff(log(x), x) == O(1)", "x -> 0", REFUTED, None),
+        ("diff(log(abs(x)), x) ~ 1/abs(x)", "x -> 0", REFUTED, None),  # real on both sides
+        ("diff(diff(log(x), x), x) == o(1/abs(x))", "x -> 0", REFUTED, None),
+        ("1/abs(x) == diff(log(x), x) + O(1)", "x -> 0", ENCLOSED, "0 < x <= 1"),
+        ("1/abs(x) == O(diff(log(x), x))", "x -> 0", ENCLOSED, "0 < x <= 1"),
+        ("diff(log(1 - 2*x), x) == O(1)", "x -> 0", ENCLOSED, "0 < |x| <= 1/4"),
+        ("diff(sqrt(x**2 - 1), x) ~ 1", "x -> oo", ENCLOSED, "x >= 2"),
+        ("diff(atanh(x), x) ~ -1/x**2", "x -> oo", UNDECIDED, None),  # real nowhere on the way
+        ("diff(atanh(x), x) == O(x)", "x -> oo", UNDECIDED, None),
+        ("diff(atanh(x), x) == o(x**(-2))", "x -> oo", UNDECIDED, None),
+        ("diff(log(x), x) ~ 1/x", "x -> 0-", UNDECIDED, None),
+        ("diff(x + log(y), x) == O(1)", "x -> 0", UNDECIDED, None),
+        ("diff(atanh(3 + sin(1/x)), x) == O(x**(-2))", "x -> 0", UNDECIDED, None),
+        ("diff(log(-log(log(x))), x) ~ 1/(x*log(x)*log(log(x)))", "x -> oo", UNDECIDED, None),
+        ("diff(log(-1/log(log(log(x)))), x) == O(1)", "x -> oo", UNDECIDED, None),
+        ("diff(log(log(log(x))), x) ~ 1/(x*log(x)*log(log(x)))", "x -> oo", ENCLOSED, "x >= 1"),
+        ("diff(log(3 + sin(1/x)), x) == O(x**(-2))", "x -> 0+", ENCLOSED, "0 < x <= 1"),
+    ],
+)
+def test_an_order_speaks_of_the_sides_on_which_the_functions_are_real(
+    claim: str, path: str, verdict: Verdict, region: str | None
+) -> None:
+    answer = tresym.check(claim, path=path)
+    assert (answer.verdict, answer.region) == (verdict, region)
+
+
+def test_a_refutation_is_shown_where_the_functions_are_real() -> None:
+    answer = tresym.check("sin(1/x) + 0*diff(log(1 - 1000*x), x) == o(1)", path="x -> 0+")
+    assert answer.verdict is REFUTED
+    assert answer.witness is not None
+    assert fmpq(*map(int, answer.witness["x"].split("/"))) < fmpq(1, 1000)

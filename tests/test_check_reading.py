@@ -1,20 +1,23 @@
 """Text as people write it: what is read, and what is refused with advice."""
 
+import contextlib
 import json
 from pathlib import Path
 
 import pytest
+import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Derivative, Eq, Symbol, log, sqrt
 
 import tresym
 from tresym.checking import statement
-from tresym.checking.statement import read
+from tresym.checking.statement import read, read_path
 from tresym.checking.typography import plain
 from tresym.checking.workers import Task, check_within
 from tresym.cli import main
 from tresym.exact import InputError
+from tresym.identity.expression import number
 from tresym.verdict import Verdict
 
 READ = [
@@ -82,6 +85,11 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("x^^2 == 1", r"one \^"),
         ("O(x) == x as x -> 0", "right end"),
         ("x == 1 as x -> 0", "path belongs to"),
+        ("x == 1or 2", "one claim at a time"),
+        ("x == 0x1for", "is not an expression"),
+        ("x == x given x > 1or 2", "is not a condition"),
+        ("x > 0 given diff(log(x), x) > 0", "write it out"),
+        ("diff(pi*x, pi) == x", "a variable"),
     ],
 )
 def test_a_slip_is_told_in_one_line(claim: str, advice: str) -> None:
@@ -268,3 +276,48 @@ def test_what_was_read_is_read_again_as_the_same(left: str, relation: str) -> No
     assert second.comparisons == first.comparisons
     assert second.given == first.given
     assert second.read_as == first.read_as == statement.read_as(first)
+
+
+@pytest.mark.parametrize(
+    "end", [" ", "^", "+", "-", "^+", "0+-", "0--", "+-oo", "oo+", "1or 2", "2^"]
+)
+def test_a_path_without_one_end_is_refused(end: str) -> None:
+    with pytest.raises(InputError) as found:
+        read_path(f"x -> {end}")
+    assert "\n" not in str(found.value)
+
+
+def test_paths_are_read_as_they_are_written() -> None:
+    assert read_path("x -> 0^+") == read_path("x -> 0+") == statement.Path("x", number(0), (1,))
+    assert read_path("x -> 2^3") == statement.Path("x", number(8), (1, -1))
+    assert read_path("x -> -oo") == statement.Path("x", None, (-1,))
+    assert tresym.check("1 == O(1)", path="x -> sqrt(2)+").region == "0 < x - sqrt(2) <= 1"
+
+
+def test_no_derivative_of_sympy_is_a_condition() -> None:
+    x = sympy.Symbol("x")
+    with pytest.raises(InputError, match="write it out"):
+        tresym.check("x == x", given=sympy.Gt(sympy.Derivative(sympy.log(x), x), 0))
+
+
+PIECES = [
+    *"xy012.+-*/^()<>=!~,|eEoO_ &;:'\"jlbafr[]{}$#@%`?\\\n\t\0é²",
+    *("1or 2", "0x1for", "1_0", "1e5", "1and", "0b1", " or ", " if ", " else ", " in ", " is "),
+    *("lambda", "==", "!=", ">=", "**", "O(", "o(", "sin(", "diff(", "atan2(", "max(", ",x)"),
+    *("oo", "pi", "True", "None", "f'", "b'", "'''", "\\x", "\\N{", " given ", " as ", "x -> "),
+    *("0+", "x:=", "**x", "await x", "yield", "1__0", "09", "1e+", "\\frac", "\\to", "√", "π"),
+]
+SHORT = st.lists(st.sampled_from(PIECES), max_size=8).map("".join)
+
+
+@given(
+    st.one_of(SHORT, st.builds("{} == {}".format, SHORT, SHORT)),
+    st.one_of(st.just(""), SHORT),
+    st.one_of(st.none(), SHORT, st.builds("x -> {}".format, SHORT)),
+)
+def test_nothing_but_an_input_error_escapes_and_nothing_is_said_beside(
+    claim: str, conditions: str, path: str | None
+) -> None:
+    """Python's own warnings are errors here."""
+    with contextlib.suppress(InputError):
+        read(claim, conditions, path)

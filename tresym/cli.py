@@ -288,7 +288,9 @@ def _add_check(commands: Commands) -> None:
     parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
     parser.add_argument("--given", default="", metavar="CONDITIONS", help="a > 0, 0 < b <= 1")
     parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
-    parser.add_argument("-f", dest="file", metavar="FILE", help="one claim a line; # comments")
+    parser.add_argument(
+        "-f", dest="file", metavar="FILE", help="one claim a line; # comments; - reads input"
+    )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
     _add_output(parser)
     parser.set_defaults(run=_check)
@@ -571,7 +573,8 @@ def _keep_negative_values(words: list[str]) -> list[str]:
     Every number is parsed after the spaces around it are dropped.
     """
     return [
-        " " + word if word.startswith("-") and not _OPTION.match(word) else word for word in words
+        " " + word if word.startswith("-") and word != "-" and not _OPTION.match(word) else word
+        for word in words
     ]
 
 

@@ -38,31 +38,29 @@ FAR = (2, 16, 1024)
 _ONE, _NAN = arb(1), arb.nan()
 
 
-def search(left: Expr, right: Expr, strict: bool, region: Given, given: Given) -> Answer:
+def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) -> Answer:
     """ENCLOSED, REFUTED or UNDECIDED for ``left > right`` (or ``>=``).
 
     Args:
-        region: ``given``, and what holds where both sides are defined.
+        region: what holds wherever the claim speaks.
+        inside: what a point must satisfy besides at which it is refuted.
     """
     region = _about(region, symbols(left) | symbols(right))
     names = sorted(symbols(left) | symbols(right) | region.names)
-    search_ = _Search(left, right, strict, region, names)
+    conditions = region.conditions + _about(inside, frozenset(names)).conditions
+    search_ = _Search(left, right, strict, region, names, conditions)
     ranges = [region.box.get(name, Range()) for name in names]
     if len(names) == 1:
-        found = search_.on_line(ranges[0])
-    elif len(names) <= MAX_VARIABLES and all(_bounded(r) for r in ranges):
+        return search_.on_line(ranges[0])
+    if len(names) <= MAX_VARIABLES and all(_bounded(r) for r in ranges):
         sides = tuple(Interval(r.low, r.high) for r in ranges)
-        found = search_.in_box(sides)
-    else:
-        free = [n for n, r in zip(names, ranges, strict=True) if not _bounded(r)]
-        found = Answer(
-            Verdict.UNDECIDED,
-            "no sign of the difference is proved, and boxes need bounds on at most "
-            f"{MAX_VARIABLES} variables: bounds on {', '.join(free or names)} may help",
-        )
-    if found.verdict is Verdict.ENCLOSED and given.comparisons:
-        return Answer(found.verdict, found.why, region=str(given))
-    return found
+        return search_.in_box(sides)
+    free = [n for n, r in zip(names, ranges, strict=True) if not _bounded(r)]
+    return Answer(
+        Verdict.UNDECIDED,
+        "no sign of the difference is proved, and boxes need bounds on at most "
+        f"{MAX_VARIABLES} variables: bounds on {', '.join(free or names)} may help",
+    )
 
 
 def _about(region: Given, names: frozenset[str]) -> Given:
@@ -92,6 +90,8 @@ class _Search:
     strict: bool
     region: Given
     names: list[str]
+    spoken_of: tuple[Condition, ...]
+    """What holds at a point at which the claim speaks, and is refuted if it fails."""
     pieces: list[tuple[fmpq, fmpq]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -206,6 +206,8 @@ class _Search:
         name = self.names[0]
         with ball_precision(2 * PRECISION):
             at = {name: evaluate(point, {})}
+            if not at[name].is_finite():
+                return False  # a candidate need not be real
             value = evaluate(self.difference, at)
             if any(self._fails(condition, point, at) for condition in self.region.conditions):
                 return True
@@ -216,7 +218,7 @@ class _Search:
         if not self.strict:
             return True
         with ball_precision(2 * PRECISION):
-            if all(satisfies(c, {name: point}, at) for c in self.region.conditions):
+            if all(satisfies(c, {name: point}, at) for c in self.spoken_of):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
                 return refuted(f"both sides are equal at {name} = {point}", {name: point}, *values)
         return False
@@ -286,7 +288,7 @@ class _Search:
         for bits in (128, 1000):
             with ball_precision(bits):
                 at = {name: arb(x) for name, x in exact.items()}
-                if not all(condition.holds_exactly(at) for condition in self.region.conditions):
+                if not all(condition.holds_exactly(at) for condition in self.spoken_of):
                     continue
                 x, y = evaluate(self.left, at), evaluate(self.right, at)
                 if x < y:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from flint import arb, fmpq
 
 from tresym.exact import InputError
+from tresym.identity.bounds import PROVING, sign
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import (
     ZERO,
@@ -31,6 +32,34 @@ def with_domain(given: Given, *expressions: Expr) -> Given:
 
     A claim speaks of those points alone, so a proof may use it.
     """
+    parts = (part for part in _conditions(expressions) if symbols(part[0]))
+    return Given(given.comparisons + tuple(bound(*part) for part in parts))
+
+
+def where_real(
+    given: Given, functions: Iterable[Expr], by: Iterable[str] = ()
+) -> tuple[Given, Given]:
+    """``given`` and that the functions are real, to refute at a point and to prove everywhere.
+
+    A claim that holds derivatives speaks of the points beside which, in the variables ``by``, what
+    is differentiated is real. ``x**(3/2)`` is real at 0 and not beside it: a proof counts such a
+    point in, and a refutation leaves it out.
+    """
+    parts = [part for part in _conditions(functions) if not _holds_everywhere(*part)]
+    whole = tuple(bound(*part) for part in parts)
+    opened = tuple(
+        bound(e, ">" if relation == ">=" and symbols(e) & set(by) else relation)
+        for e, relation in parts
+    )
+    return Given(given.comparisons + opened), Given(given.comparisons + whole)
+
+
+def _holds_everywhere(e: Expr, relation: str) -> bool:
+    return sign(e, Given()) in PROVING[relation]
+
+
+def _conditions(expressions: Iterable[Expr]) -> list[tuple[Expr, str]]:
+    """What is ``>``, ``>=`` or ``!=`` zero wherever all of ``expressions`` are defined."""
     found: dict[tuple[Expr, str], None] = {}
     seen: set[Expr] = set()
     stack = list(expressions)
@@ -40,11 +69,8 @@ def with_domain(given: Given, *expressions: Expr) -> Given:
             continue
         seen.add(node)
         stack.extend(node.args)
-        for part in _needs(node):
-            if symbols(part[0]):
-                found[part] = None
-    extra = tuple(bound(part, relation) for part, relation in found)
-    return Given(given.comparisons + extra)
+        found |= dict.fromkeys(_needs(node))
+    return list(found)
 
 
 def _needs(node: Expr) -> list[tuple[Expr, str]]:
@@ -84,8 +110,8 @@ def bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:
         start = substitute(e, {name: ZERO})
         if slope.op == "number" and start.op == "number" and slope != ZERO:
             a, b = slope.args[0], start.args[0]
-            sign = relation if a > 0 else _MIRRORED.get(relation, relation)
-            return symbol(name), sign, number(-b / a)
+            relation = relation if a > 0 else _MIRRORED.get(relation, relation)
+            return symbol(name), relation, number(-b / a)
     return e, relation, ZERO
 
 

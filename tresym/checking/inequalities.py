@@ -6,6 +6,7 @@ an identity, and nothing is proved where no such point is found.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from itertools import islice, product
 
@@ -17,7 +18,7 @@ from tresym.checking.boxes import search
 from tresym.checking.concave import sign_by_concavity
 from tresym.checking.cones import sign_on_cones
 from tresym.checking.descent import low_points
-from tresym.checking.domain import bound, equal_at, satisfies, with_domain
+from tresym.checking.domain import bound, equal_at, satisfies, where_real, with_domain
 from tresym.checking.equivalents import equivalents
 from tresym.checking.homogeneous import sign_by_homogeneity
 from tresym.checking.regions import ONLY_INSIDE, is_regular
@@ -39,40 +40,62 @@ MAX_CASES = 3
 PERIODS = (2 * PI, number(2))
 
 
-def decide_inequality(left: Expr, relation: str, right: Expr, given: Given) -> Answer:
-    """PROVED, ENCLOSED, REFUTED or UNDECIDED for ``left relation right``."""
+def decide_inequality(
+    left: Expr,
+    relation: str,
+    right: Expr,
+    given: Given,
+    differentiated: Iterable[Expr] = (),
+    by: Iterable[str] = (),
+) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for ``left relation right``.
+
+    Args:
+        differentiated: the functions of which derivatives, by the variables ``by``, are compared.
+    """
     if relation in ("<", "<="):
-        found = decide_inequality(right, relation.replace("<", ">"), left, given)
+        mirrored = relation.replace("<", ">")
+        found = decide_inequality(right, mirrored, left, given, differentiated, by)
         values = found.values and (found.values[1], found.values[0])
         return replace(found, values=values)
-    names = sorted(symbols(left) | symbols(right) | given.names)
-    defined, refutation = _sampled(left, relation, right, given, names)
+    inside, whole = where_real(given, differentiated, by)
+    names = sorted(symbols(left) | symbols(right) | inside.names)
+    defined, refutation = _sampled(left, relation, right, inside, names)
     if refutation is not None:
         return refutation
     if defined is None:
         return Answer(
             Verdict.UNDECIDED,
-            "no exact point was found inside the conditions where both sides are defined, "
+            "no exact point was found inside the conditions where both sides "
+            f"{'and what is differentiated ' if differentiated else ''}are defined, "
             "and nothing is proved vacuously; a condition that bounds the variables may help",
         )
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
-    region = with_domain(given, left, right)
+    region = with_domain(whole, left, right)
     proof = _proved(left, relation, right, region)
-    inside = proof is not None and not is_regular(given)
-    if proof is not None and not inside:
+    partly = proof is not None and not is_regular(given)
+    if proof is not None and not partly:
         return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {shown(defined)}")
     if relation == "!=":
-        return _apart(left, right, region, defined)
-    starts = given.points(names, MAX_STARTS)
-    for point in low_points(left - right, given, starts):
-        refutation = _refuted_at(point, left, relation, right, given)
+        return _shown_under(given, _apart(left, right, region, inside, defined))
+    starts = inside.points(names, MAX_STARTS)
+    for point in low_points(left - right, inside, starts):
+        refutation = _refuted_at(point, left, relation, right, inside)
         if refutation is not None:
             return refutation
-    found = search(left, right, relation == ">", _one_period(left - right, region, given), given)
-    return (
-        replace(found, why=ONLY_INSIDE) if inside and found.verdict is Verdict.UNDECIDED else found
-    )
+    period = _one_period(left - right, region, given)
+    found = _shown_under(given, search(left, right, relation == ">", period, inside))
+    if partly and found.verdict is Verdict.UNDECIDED:
+        return replace(found, why=ONLY_INSIDE)
+    return found
+
+
+def _shown_under(given: Given, found: Answer) -> Answer:
+    """What boxes enclose, with the conditions that were typed."""
+    if found.verdict is not Verdict.ENCLOSED or not given.comparisons:
+        return found
+    return replace(found, region=str(given))
 
 
 def _one_period(difference: Expr, region: Given, given: Given) -> Given:
@@ -223,7 +246,9 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
     return Answer(Verdict.UNDECIDED, "the balls of the two constants overlap at 1024 bits")
 
 
-def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> Answer:
+def _apart(
+    left: Expr, right: Expr, region: Given, inside: Given, defined: dict[str, fmpq]
+) -> Answer:
     """``left != right``: refuted by a zero between two points, or by a strict inequality."""
     names = sorted(defined)
     signs: dict[bool, list[dict[str, fmpq]]] = {True: [], False: []}
@@ -239,7 +264,7 @@ def _apart(left: Expr, right: Expr, region: Given, defined: dict[str, fmpq]) -> 
         why = "the difference has both signs, so it may vanish; no zero of it was found"
         return Answer(Verdict.UNDECIDED, why)
     pair = (left, right) if above else (right, left)
-    found = search(*pair, True, region, region)
+    found = search(*pair, True, region, inside)
     if found.verdict is not Verdict.REFUTED:
         return found
     point = {name: parse(text) for name, text in (found.witness or {}).items()}

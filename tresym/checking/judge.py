@@ -7,10 +7,10 @@ from dataclasses import replace
 from typing import Any
 
 from tresym.checking.answer import Answer, refuted
+from tresym.checking.equalities import decide_equality
 from tresym.checking.regions import ONLY_INSIDE, is_regular
 from tresym.checking.statement import ORDERS, Comparison, Statement, read
 from tresym.exact import InputError
-from tresym.identity.decide import decide
 from tresym.identity.expression import symbols
 from tresym.verdict import Verdict
 
@@ -61,9 +61,9 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
+    functions = comparison.differentiated, comparison.by
     if relation == "==":
-        real = comparison.differentiated
-        found = decide(left, right, statement.given, real=real)
+        found = decide_equality(left, right, statement.given, *functions)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
         if found.verdict.holds and not is_regular(statement.given):
@@ -77,7 +77,7 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         return decide_order(comparison, statement.path)
     from tresym.checking.inequalities import decide_inequality
 
-    return decide_inequality(left, relation, right, statement.given)
+    return decide_inequality(left, relation, right, statement.given, *functions)
 
 
 def _mistaken(statement: Statement) -> str:

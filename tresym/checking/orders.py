@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer, constant_ball, refuted
 from tresym.checking.contact import decide_smooth
+from tresym.checking.domain import where_real
+from tresym.checking.ends import sign_beside
 from tresym.checking.ratios import judged, judged_by_ratio
 from tresym.checking.statement import Comparison, Path
 from tresym.claims.order import Judgement
 from tresym.exact import fraction_text
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import Expr, number, substitute, symbol
+from tresym.identity.expression import ONE, Expr, number, substitute, symbol
+from tresym.identity.given import Given
 from tresym.verdict import Verdict
 
 PRECISION = 128
+LONGEST = fmpq(1)
 LARGEST = arb((1, 10**8))
 SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3))
 """Where on the path both sides are shown, if they are not real where a refutation would."""
@@ -32,10 +38,21 @@ _FAILURES = {
 
 
 def decide_order(claim: Comparison, path: Path) -> Answer:
-    """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED."""
+    """ENCLOSED with a range and, for O, a constant; REFUTED with the true order; UNDECIDED.
+
+    What is differentiated must be real on the path: a side on which it is not is not spoken of.
+    """
+    real = {side: _real_upto(claim, path, side) for side in path.sides}
+    if None in real.values() or not any(real.values()):
+        return Answer(
+            Verdict.UNDECIDED,
+            "what is differentiated is not shown to be real on the way to the end of the path, and "
+            "nothing is decided of formal derivatives alone",
+        )
+    path = replace(path, sides=tuple(side for side in path.sides if real[side]))
     found = [_one_side(claim, path, side) for side in path.sides]
     for side, judgement in zip(path.sides, found, strict=True):
-        shown = _shown_at(claim, path, side, judgement)
+        shown = _shown_at(claim, path, side, judgement, real[side])
         if shown is not None:
             return _refutation(claim, path, side, judgement, *shown)
     if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
@@ -55,8 +72,37 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
     )
 
 
+def _real_upto(claim: Comparison, path: Path, side: int) -> fmpq | None:
+    """Where what is differentiated is real, 0 < t <= this; 0 if nowhere, None if that is open."""
+    inside, _ = where_real(Given(), claim.differentiated, claim.by)
+    if inside.names - {path.name}:
+        return None
+    conditions = [(c.expression, c.relation) for c in inside.conditions]
+    found = [_sign_along(e, path, side) for e, _ in conditions]
+    for beside, (_, relation) in zip(found, conditions, strict=True):
+        if beside is not None and (beside[0] == 0 or (beside[0] < 0 and relation != "!=")):
+            return fmpq(0)
+    if None in found:
+        return None
+    return min([LONGEST, *(beside[1] for beside in found if beside is not None)])
+
+
+def _sign_along(e: Expr, path: Path, side: int) -> tuple[int, fmpq] | None:
+    """The sign of ``e`` for 0 < t <= r, and r: by its expansion, or at a point where 1 = o(e)."""
+    beside = sign_beside(e, path.name, path.point, side)
+    if beside is not None:
+        return beside
+    along = substitute(e, {path.name: _along(path, side)})
+    reach = judged_by_ratio("o", ONE, along, _PARAMETER).upto
+    if reach is None:
+        return None
+    with ball_precision(PRECISION):
+        value = evaluate(along, {_PARAMETER: arb(reach / 3)})
+    return (1 if value > 0 else -1, reach / 3) if value > 0 or value < 0 else None
+
+
 def _shown_at(
-    claim: Comparison, path: Path, side: int, judgement: Judgement
+    claim: Comparison, path: Path, side: int, judgement: Judgement, upto: fmpq
 ) -> tuple[fmpq, tuple[arb, arb]] | None:
     """Where on the path a refutation is shown, and both sides there: real, and no tower of digits.
 
@@ -65,7 +111,7 @@ def _shown_at(
     if judgement.verdict is not Verdict.REFUTED:
         return None
     found = []
-    for t in (judgement.points["t"], *SHOWN_AT):
+    for t in (min(t, upto) for t in (judgement.points["t"], *SHOWN_AT)):
         values = _values(claim, path, side, t)
         if values is not None and all(abs(value) < LARGEST for value in values):
             found.append((t, values))
@@ -177,7 +223,12 @@ def _witness(path: Path, side: int, t: fmpq) -> tuple[str, fmpq]:
         return path.name, side / t
     if path.point.op == "number":
         return path.name, path.point.args[0] + side * t
-    return _small(path, side).strip("()"), t
+    return _bare(path, side), t
+
+
+def _bare(path: Path, side: int) -> str:
+    """The small parameter where it needs no parentheses."""
+    return _small(path, side).removeprefix("(").removesuffix(")")
 
 
 def _region(path: Path, reach: fmpq) -> str:
@@ -189,4 +240,4 @@ def _region(path: Path, reach: fmpq) -> str:
     if path.sides == (1, -1):
         size = f"|{name}|" if path.point == number(0) else f"|{name} - {path.point}|"
         return f"0 < {size} <= {shown}"
-    return f"0 < {_small(path, path.sides[0]).strip('()')} <= {shown}"
+    return f"0 < {_bare(path, path.sides[0])} <= {shown}"

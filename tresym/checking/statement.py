@@ -23,7 +23,7 @@ _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:->|\\to)\s*(.+?)\s*")
 _ARROW = re.compile(r"(.+?)(?:->|\\to\b|\\rightarrow\b)(.+)", re.DOTALL)
 _SIDE = re.compile(r"\^?\s*\{?\s*([+-])\s*\}?\s*$")
 _AND = re.compile(r"\band\b|;|&&?|∧")
-_INFINITE = frozenset(("oo", "inf", "infinity", r"\infty"))
+_INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity|\\infty)")
 _SYMPY = {
     "Equality": "==",
     "Unequality": "!=",
@@ -45,14 +45,17 @@ _ASSUMPTIONS = {
 class Comparison:
     """``left relation right``; for ``O`` and ``o`` the right side is the gauge.
 
-    ``differentiated`` are the functions whose derivatives were written: a derivative is one where
-    its function is real.
+    Attributes:
+        differentiated: the functions whose derivatives were written: a derivative is one where its
+            function is real, there and beside it.
+        by: the variables by which.
     """
 
     left: Expr
     relation: str
     right: Expr
     differentiated: tuple[Expr, ...] = ()
+    by: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -212,8 +215,8 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
     if name not in _SYMPY:
         hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
         raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
-    inner = tuple(from_sympy(part.expr) for part in _derivatives(claim))
-    comparison = Comparison(from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs), inner)
+    sides = from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs)
+    comparison = Comparison(*sides, *_differentiated(claim))
     conditions = []
     names: set[str] = set()
     for variable in _variables(claim):
@@ -260,10 +263,13 @@ def _variables(claim: Any) -> list[Any]:
     return found
 
 
-def _derivatives(claim: Any) -> list[Any]:
-    from sympy import Derivative, Integral
+def _differentiated(claim: Any) -> tuple[tuple[Expr, ...], frozenset[str]]:
+    """The functions whose derivatives a SymPy relation, read already, holds; and by what."""
+    from sympy import Derivative
 
-    return [part for part in claim.atoms(Derivative) if not part.has(Integral)]
+    parts = sorted(claim.atoms(Derivative), key=str)
+    by = frozenset(variable.name for part in parts for variable in part.variables)
+    return tuple(dict.fromkeys(from_sympy(part.expr) for part in parts)), by
 
 
 def read_path(text: str) -> Path:
@@ -275,14 +281,15 @@ def read_path(text: str) -> Path:
     match = _PATH.fullmatch(plain(text)) if len(text) <= MAX_PATH else None
     if match is None:
         raise InputError("a path is written like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
-    name, end = match[1], match[2].replace(" ", "").replace("^", "")
-    if end.lstrip("+-") in _INFINITE:
-        return Path(name, None, (-1 if end.startswith("-") else 1,))
-    sides = {"+": (1,), "-": (-1,)}.get(end[-1], (1, -1))
-    point = parse(end.rstrip("+-"))
+    name, end = match[1], match[2].replace(" ", "")
+    infinite = _INFINITE.fullmatch(end)
+    if infinite:
+        return Path(name, None, (-1 if infinite[1] == "-" else 1,))
+    side = end[-1:] if end.endswith(("+", "-")) else ""
+    point = parse(end.removesuffix(side).removesuffix("^") if side else end)
     if symbols(point):
         raise InputError("a path ends at a constant or at oo")
-    return Path(name, point, sides)
+    return Path(name, point, {"+": (1,), "-": (-1,)}.get(side, (1, -1)))
 
 
 def _checked(statement: Statement) -> Statement:

@@ -77,7 +77,7 @@ def _lift(
         line = _restricted(p, point)
         if line.degree() > 0:
             product = product * (line // line.gcd(product))
-    for value in _between(product):
+    for value in between(product):
         yield from _lift(levels, context, (*point, value))
 
 
@@ -97,7 +97,7 @@ def _restricted(p: fmpz_mpoly, point: tuple[fmpq, ...]) -> fmpz_poly:
     return fmpz_poly([(coefficients.get(i, fmpq(0)) * scale).p for i in range(degree + 1)])
 
 
-def _between(p: fmpz_poly) -> list[fmpq]:
+def between(p: fmpz_poly) -> list[fmpq]:
     """A simple rational in each interval between the real roots of ``p``."""
     if p.degree() < 1:
         return [fmpq(0)]

@@ -1,18 +1,13 @@
 """PROVED, REFUTED or UNDECIDED for an identity between real expressions.
 
 What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
-are defined, and so is every function whose derivative stands in them. More exactly: at every point
-that is a limit of interior points of that set, for the normal form is silent on isolated points of
-the domain. This is not the convention of complex principal branches: ``log(x**2) = 2*log(x)`` is
-PROVED, since negative x are outside the common domain, and ``sqrt(x**2) = x`` is REFUTED.
+are defined. More exactly: at every point that is a limit of interior points of that set, for the
+normal form is silent on isolated points of the domain. This is not the convention of complex
+principal branches: ``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common
+domain, and ``sqrt(x**2) = x`` is REFUTED.
 
 Nothing is proved vacuously: a point inside ``given`` must be found at which both sides are shown,
 in balls, to be defined.
-
-Derivatives are first taken as formal ones, which may be real where the functions themselves are
-not, as 1/x is that of log x. What holds of them there too is proved of the functions; what does
-not is looked at again, on the domain of the functions alone. Only where they are found real
-nowhere, as atanh(cosh x) is, the formal derivative decides.
 
 1. Balls at a few exact rational points: disjoint values refute.
 2. The exact normal form of field.py: a difference that is zero proves.
@@ -26,7 +21,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from flint import arb, fmpq
 
@@ -76,47 +71,20 @@ def decide(
     right: Expr,
     given: Given = Given(),  # noqa: B008 - frozen
     theories: frozenset[str] = ALL_THEORIES,
-    real: tuple[Expr, ...] = (),
 ) -> Decision:
     """Whether ``left = right`` at every real point of ``given`` where both are defined.
 
     Args:
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
-        real: the functions of which derivatives are compared; the claim speaks of the points at
-            which they too are defined.
     """
-    names = sorted(frozenset().union(*map(symbols, (left, right, *real))))
-    found = _decide(left, right, given, theories, names, ())
-    if not real or found.verdict is Verdict.PROVED:
-        return found
-    if found.witness is not None and _are_defined(real, found.witness):
-        return found
-    inside = _decide(left, right, given, theories, names, real)
-    if inside.verdict is not Verdict.UNDECIDED or found.witness is None:
-        return inside
-    if inside.why.startswith(NOWHERE):
-        why = f"{found.why}; what is differentiated was found real nowhere, only its derivative"
-        return replace(found, why=why)
-    why = f"{inside.why}; {found.why}, but what is differentiated is not real there"
-    return Decision(Verdict.UNDECIDED, why)
-
-
-def _decide(
-    left: Expr,
-    right: Expr,
-    given: Given,
-    theories: frozenset[str],
-    names: list[str],
-    real: tuple[Expr, ...],
-) -> Decision:
-    """The verdict on ``left = right`` where these and all of ``real`` are defined."""
-    sides = (left, right, *real)
+    names = sorted(symbols(left) | symbols(right))
+    sides = (left, right)
 
     def look(
         count: int, bits: int, where: Given = given
     ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-        return sampled_values(left, right, where, names, count, bits, real)
+        return sampled_values(left, right, where, names, count, bits)
 
     defined: dict[str, fmpq] | None = None
     for point, values in look(FIRST_POINTS, FIRST_BITS):
@@ -124,7 +92,7 @@ def _decide(
             return _refutation(point, values)
         defined = point
     if defined is None:
-        return Decision(Verdict.UNDECIDED, _no_point(sides, given, names))
+        return Decision(Verdict.UNDECIDED, no_point(sides, given))
     proof, obstacle = _prove(
         sides, given, theories, lambda where: [point for point, _ in look(*SIGN_POINTS, where)]
     )
@@ -138,16 +106,6 @@ def _decide(
     return Decision(Verdict.UNDECIDED, obstacle)
 
 
-def _are_defined(functions: tuple[Expr, ...], point: Mapping[str, fmpq]) -> bool:
-    """Whether balls show every function to be real at ``point``."""
-    for bits in (FIRST_BITS, 8 * FIRST_BITS):
-        with ball_precision(bits):
-            at = {name: arb(value) for name, value in point.items()}
-            if all(evaluate(function, at).is_finite() for function in functions):
-                return True
-    return False
-
-
 def sampled_values(
     left: Expr,
     right: Expr,
@@ -155,9 +113,8 @@ def sampled_values(
     names: list[str],
     count: int,
     bits: int,
-    real: tuple[Expr, ...] = (),
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
-    """Points where both sides are defined, and ``real``, at most ``count``, with their values."""
+    """Points where both sides are defined, at most ``count``, with their values."""
     found = 0
     for point in given.points(names, SEARCH_POINTS):
         with ball_precision(bits):
@@ -165,8 +122,7 @@ def sampled_values(
             known: dict[Expr, arb] = {}
             x = evaluate(left, at, known)
             y = evaluate(right, at, known) if x.is_finite() else x
-            inside = y.is_finite() and all(evaluate(e, at, known).is_finite() for e in real)
-        if inside:
+        if y.is_finite():
             yield point, (x, y)
             found += 1
         if found == count or not point:
@@ -189,7 +145,9 @@ def exact_text(value: fmpq | Expr) -> str:
     return str(value) if isinstance(value, Expr) else fraction_text(value)
 
 
-def _no_point(sides: tuple[Expr, ...], given: Given, names: list[str]) -> str:
+def no_point(parts: tuple[Expr, ...], given: Given) -> str:
+    """Why nothing is proved where no point is found at which all ``parts`` are defined."""
+    names = sorted(frozenset().union(*map(symbols, parts)))
     if not names:
         return "one of the sides is not shown to be a real number; nothing is proved vacuously"
     if next(given.points(names, 1), None) is None:
@@ -198,7 +156,7 @@ def _no_point(sides: tuple[Expr, ...], given: Given, names: list[str]) -> str:
     with ball_precision(FIRST_BITS):
         for point in given.points(names, BLAMED_POINTS):
             at = {name: arb(value) for name, value in point.items()}
-            missing.update(undefined_parts(sides, at))
+            missing.update(undefined_parts(parts, at))
     ranked = sorted((-count, str(part)) for part, count in missing.items())
     blamed = " and ".join([text for _, text in ranked if len(text) <= MAX_SHOWN][:2])
     hint = "a condition that bounds the variables may help"
@@ -208,10 +166,14 @@ def _no_point(sides: tuple[Expr, ...], given: Given, names: list[str]) -> str:
 
 
 def _prove(
-    sides: tuple[Expr, ...], given: Given, theories: frozenset[str], points: Points, depth: int = 0
+    sides: tuple[Expr, Expr],
+    given: Given,
+    theories: frozenset[str],
+    points: Points,
+    depth: int = 0,
 ) -> tuple[str | None, str]:
     """A sentence on the proof, or None and a sentence on what stopped it."""
-    left, right, *_ = sides
+    left, right = sides
     if left == right:
         return "both sides are the same expression", ""
     try:
@@ -237,14 +199,14 @@ def _prove(
 
 
 def _difference(
-    sides: tuple[Expr, ...], given: Given, theories: frozenset[str], points: Points
+    sides: tuple[Expr, Expr], given: Given, theories: frozenset[str], points: Points
 ) -> tuple[Field, Fraction]:
-    """The normal form of the first side less the second, on the domain of all."""
+    """The normal form of the first side less the second."""
     fewest = _generator_count(sides)
     for size in (size for size in SIZES if size >= fewest):
         field = Field(given, theories, size, lambda: points(given))
         try:
-            x, y, *_ = field.normal(*sides)
+            x, y = field.normal(*sides)
             return field, field.subtract(x, y)
         except TooLargeError:
             if len(field.generators) < size:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq
@@ -18,7 +19,8 @@ from tresym.arithmetic import ball_precision
 from tresym.exact import InputError, simplest_between
 from tresym.identity.evaluation import evaluate
 from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
-from tresym.identity.parsing import parse_conditions
+from tresym.identity.parsing import NO_DERIVATIVE, parse_conditions
+from tresym.identity.windows import windows
 
 CHECK_BITS = 128
 LONG = 10**18
@@ -99,6 +101,8 @@ class Given:
             if name == "And":
                 result.extend(Given.from_sympy(*item.args).comparisons)
             elif name in _SYMPY_RELATIONS:
+                if "Derivative" in {type(part).__name__ for part in _parts(item)}:
+                    raise InputError(NO_DERIVATIVE)
                 left, right = from_sympy(item.lhs), from_sympy(item.rhs)
                 result.append((left, _SYMPY_RELATIONS[name], right))
             elif name != "BooleanTrue":
@@ -207,6 +211,15 @@ class Given:
                 found += 1
                 if found == n:
                     return
+        if not found and self.conditions:
+            yield from islice(filter(self._holds, self._far(wanted, ranges)), n)
+
+    def _far(self, wanted: list[str], ranges: list[Range]) -> Iterator[dict[str, fmpq]]:
+        """Points to try where the conditions hold far away or on narrow sets."""
+        starts = [
+            {name: _sample(ranges[j], k, j) for j, name in enumerate(wanted)} for k in range(4)
+        ]
+        yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
 
     def _holds(self, point: dict[str, fmpq]) -> bool:
         if not self.conditions:
@@ -214,6 +227,13 @@ class Given:
         with ball_precision(CHECK_BITS):
             at = {name: arb(value) for name, value in point.items()}
             return all(condition.holds(at) for condition in self.conditions)
+
+
+def _parts(item: Any) -> Iterator[Any]:
+    """A SymPy expression and all its parts."""
+    yield item
+    for part in item.args:
+        yield from _parts(part)
 
 
 def _tighten(box: dict[str, Range], side: Expr, relation: str, bound: Expr) -> None:

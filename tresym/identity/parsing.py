@@ -14,6 +14,7 @@ from __future__ import annotations
 import ast
 import re
 import unicodedata
+import warnings
 from collections.abc import Callable
 
 from tresym.exact import InputError, parse_number
@@ -100,7 +101,10 @@ def tree(source: str) -> ast.expr:
         InputError: not an expression, or too deep for the parser.
     """
     try:
-        return ast.parse(source, mode="eval").body
+        with warnings.catch_warnings():  # of text such as 1or 2, which is refused in our words
+            warnings.simplefilter("ignore", SyntaxWarning)
+            warnings.simplefilter("ignore", DeprecationWarning)
+            return ast.parse(source, mode="eval").body
     except SyntaxError:
         advice = hint(source, _KNOWN)
         raise InputError(f"{_quoted(source)} is not an expression{advice}") from None
@@ -117,11 +121,13 @@ class _Reader:
 
     Attributes:
         differentiated: the functions whose derivatives were read.
+        by: the variables by which.
     """
 
     def __init__(self, source: str) -> None:
         self.source = source
         self.differentiated: list[Expr] = []
+        self.by: set[str] = set()
 
     def read(self, node: ast.expr) -> Expr:
         try:
@@ -200,8 +206,9 @@ class _Reader:
         return apply(name, values[0])
 
     def _diff(self, args: list[ast.expr]) -> Expr:
-        if len(args) not in (2, 3) or not isinstance(args[1], ast.Name):
+        if len(args) not in (2, 3) or (name := self._read(args[1])).op != "symbol":
             raise InputError("diff takes an expression, a variable and perhaps an order")
+        variable = str(name.args[0])
         result = self._read(args[0])
         order = 1
         if len(args) == 3:
@@ -212,8 +219,9 @@ class _Reader:
         if not 1 <= order <= MAX_DERIVATIVES:
             raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
         self.differentiated.append(result)
+        self.by.add(variable)
         for _ in range(order):
-            result = differentiate(result, args[1].id)
+            result = differentiate(result, variable)
         return result
 
     def _segment(self, node: ast.expr) -> str:
@@ -241,6 +249,9 @@ _RELATIONS: dict[type[ast.cmpop], str] = {
 }
 
 
+NO_DERIVATIVE = "a condition takes no derivative: write it out, and where its function is real"
+
+
 def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
     """Comma-separated chains of comparisons as ``(left, relation, right)``.
 
@@ -265,26 +276,33 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
             right = reader.read(node)
             result.append((left, _RELATIONS[type(op)], right))
             left = right
+    if reader.differentiated:
+        raise InputError(NO_DERIVATIVE)
     return result
 
 
 _CLAIMS = _RELATIONS | {ast.Eq: "=="}
 
 
-def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
-    """A chain of comparisons, or one order statement, as ``(left, relation, right, functions)``.
+Claimed = tuple[Expr, str, Expr, tuple[Expr, ...], frozenset[str]]
+"""``left relation right``, the functions whose derivatives were written, and the variables by which
+they were taken."""
 
-    ``functions`` are those whose derivatives the claim speaks of. Relations are
-    ``== != > >= < <=``; ``f ~ g``; ``f == O(g)`` and ``f == h + o(g)``, which come out as
-    ``(f - h, "o", g)``.
+
+def parse_claim(text: str) -> list[Claimed]:
+    """A chain of comparisons, or one order statement.
+
+    Relations are ``== != > >= < <=``; ``f ~ g``; ``f == O(g)`` and ``f == h + o(g)``, which come
+    out as ``(f - h, "o", g)``.
 
     Raises:
         InputError: anything else; one line says what is expected.
     """
     source = tidy(text)
     if source.count("~") == 1:
-        left, right = source.split("~")
-        return [(parse(left), "~", parse(right), ())]
+        readers = [_Reader(tidy(side)) for side in source.split("~")]
+        left, right = (reader.read(tree(reader.source)) for reader in readers)
+        return [_claimed((left, "~", right), *readers)]
     if re.search(r"(?<![=<>!~])=(?!=)", source):
         advice = hint(source, _KNOWN) if re.search("=[<>]", source) else ""
         raise InputError(f"write == for equality: {_quoted(source)}{advice}")
@@ -299,7 +317,7 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
     reader = _Reader(source)
     nodes = [body.left, *body.comparators]
     if isinstance(body.ops[0], ast.Eq) and len(nodes) == 2 and (order := _order_term(nodes[1])):
-        return [(*_order_claim(reader, nodes[0], nodes[1], order), ())]
+        return [_claimed(_order_claim(reader, nodes[0], nodes[1], order), reader)]
     result = []
     left_side = reader.read(nodes[0])
     for op, node in zip(body.ops, nodes[1:], strict=True):
@@ -308,7 +326,14 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
         right_side = reader.read(node)
         result.append((left_side, _CLAIMS[type(op)], right_side))
         left_side = right_side
-    return [(*part, tuple(reader.differentiated)) for part in result]
+    return [_claimed(part, reader) for part in result]
+
+
+def _claimed(part: tuple[Expr, str, Expr], *readers: _Reader) -> Claimed:
+    """A comparison with what its readers met."""
+    functions = [function for reader in readers for function in reader.differentiated]
+    by = frozenset(name for reader in readers for name in reader.by)
+    return *part, tuple(dict.fromkeys(functions)), by
 
 
 def _order_term(node: ast.expr) -> ast.Call | None:

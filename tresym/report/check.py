@@ -69,12 +69,17 @@ def _worse(*statuses: int) -> int:
 def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     """The claims of a file, one a line; what follows a ``#`` is a comment.
 
+    Args:
+        file: its path; ``-`` is standard input.
+
     Raises:
         InputError: the file cannot be read, or holds no claim.
     """
     try:
-        with open(file, "rb") as stream:
+        with open(sys.stdin.fileno() if file == "-" else file, "rb", closefd=file != "-") as stream:
             data = stream.read(MAX_BYTES + 1)
+    except AttributeError:
+        raise InputError("there is no standard input to read claims from") from None
     except OSError as error:
         raise InputError(f"{file}: cannot be read ({error.strerror})") from None
     if len(data) > MAX_BYTES:
