@@ -85,7 +85,14 @@ def _value(node: Expr, point: Mapping[str, arb], walk: Callable[[Expr], arb]) ->
         for value in values[1:]:
             total = total * value
         return total
-    return _function(op, values[0])
+    return _angle(*values) if op == "atan2" else _function(op, values[0])
+
+
+def _angle(y: arb, x: arb) -> arb:
+    """``atan2(y, x)``; all of [−π, π] for a ball that meets the negative x-axis and more."""
+    if y.contains(0) and x.contains(0):
+        raise _UndefinedError
+    return arb.atan2(y, x)
 
 
 def _power(base: Expr, exponent: Expr, walk: Callable[[Expr], arb]) -> arb:
@@ -118,9 +125,9 @@ def _function(name: str, x: arb) -> arb:
         return abs(x)
     if name == "cbrt":
         return -((-x).root(3)) if x < 0 else _cube_root(x)
-    if x > 0 or x < 0:
-        return arb(1 if x > 0 else -1)
-    raise _UndefinedError
+    if x.contains(0):
+        return arb(0, 0 if x.is_zero() else 1)
+    return arb(1 if x > 0 else -1)
 
 
 def _cube_root(x: arb) -> arb:

@@ -42,6 +42,7 @@ from tresym.identity.expression import (
     apply,
     differentiate,
     number,
+    sqrt,
     substitute,
     symbols,
 )
@@ -213,6 +214,8 @@ def singularities(e: Expr) -> Iterator[tuple[Expr, bool]]:
             yield 1 + x, True
         elif node.op == "acosh":
             yield x - 1, True
+        elif node.op == "atan2":
+            yield sqrt(node.args[1] ** 2 + x**2) + node.args[1], False
 
 
 def _walls(
@@ -223,14 +226,28 @@ def _walls(
     Empty where nothing but bounds of single variables limits the region.
     """
     context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
-    walls = []
     found = [e for e, _ in [*singularities(left), *singularities(right)]]
     for condition in given.beyond_box:
         found += [condition.expression, *(e for e, _ in singularities(condition.expression))]
-    edges = _edges(field, field.normal(left, right, *found)[2:])
+    walls = _zeros(left, right, found, field, names)
+    if walls:
+        for end in _factors(field, left, right, [c.expression for c in given.conditions]):
+            wall = _in_symbols(field, end, names, context)
+            if wall is not None:
+                walls.append(wall)
+    return walls
+
+
+def _zeros(
+    left: Expr, right: Expr, expressions: list[Expr], field: Field, names: list[str]
+) -> list[fmpz_mpoly] | None:
+    """Polynomials whose zeros contain those of ``expressions`` on the domain of both sides."""
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    walls = []
+    edges = _edges(field, field.normal(left, right, *expressions)[2:])
     if edges is None:
         return None
-    for part in {str(p): p for p in [*_factors(field, left, right, found), *edges]}.values():
+    for part in {str(p): p for p in [*_factors(field, left, right, expressions), *edges]}.values():
         if part.is_constant() or field.definite(part):
             continue
         for inner in _algebraic_walls(field, part) or [part]:
@@ -240,12 +257,16 @@ def _walls(
             if wall is None:
                 return None
             walls.append(wall)
-    if walls:
-        for end in _factors(field, left, right, [c.expression for c in given.conditions]):
-            wall = _in_symbols(field, end, names, context)
-            if wall is not None:
-                walls.append(wall)
     return walls
+
+
+def nonzero_inside(e: Expr, given: Given) -> bool:
+    """Whether ``e`` is shown to vanish nowhere inside the box of the conditions."""
+    try:
+        field = Field(given, size=64)
+        return _zeros(e, e, [e], field, sorted(symbols(e))) == []
+    except (TooLargeError, UndefinedError):
+        return False
 
 
 def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> list[Poly]:
