@@ -21,13 +21,17 @@ from tresym.identity.expression import (
     Expr,
     as_expr,
     differentiate,
+    number,
     replaced,
     sqrt,
     substitute,
     symbols,
 )
+from tresym.identity.field import Field
 from tresym.identity.given import Given
 from tresym.identity.locally_constant import nonzero_inside, singularities
+from tresym.identity.polynomials import as_expression, terms_in_symbols
+from tresym.identity.ring import TooLargeError, UndefinedError
 
 _ZERO_WITH_ARGUMENT = ("abs", "cbrt", "sign", "sinh", "tanh", "asinh", "atanh", "atan", "asin")
 
@@ -127,7 +131,27 @@ def zeros(e: Expr, given: Given) -> Iterator[Expr]:
     elif e.op in _ZERO_WITH_ARGUMENT or (e.op == "^" and e.args[1].op == "number"):
         yield from zeros(e.args[0], given)
     else:
-        yield e
+        factors = [part for part in _polynomials(e) if not is_nonzero(part, given)]
+        yield from factors if all(map(_solved, factors)) else [e]
+
+
+def _polynomials(e: Expr) -> list[Expr]:
+    """Factors of a continuous ``e`` that is a fraction of polynomials; else itself."""
+    if _solved(e) or jumps((e,), Given()):
+        return [e]
+    try:
+        field = Field(Given())
+        (value,) = field.normal(e)
+        factors = [part for part, _ in field.factor(value.num)[1]]
+    except (TooLargeError, UndefinedError):
+        return [e]
+    terms = [terms_in_symbols(field, part) for part in (value.den, *factors)]
+    if value.num.is_zero() or None in terms:
+        return [e]
+    return [
+        sum((number(c) * as_expression(m) for m, c in (part or {}).items()), ZERO)
+        for part in terms[1:]
+    ]
 
 
 def _solved(e: Expr) -> dict[str, Expr] | None:
