@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 import sympy
 from flint import arb, fmpq
+from hypothesis import given as over
+from hypothesis import settings
+from hypothesis import strategies as st
 
 import tresym
 from tresym.arithmetic import ball_precision
@@ -16,9 +21,10 @@ from tresym.identity import (
     from_sympy,
     parse,
     sign,
+    substitute,
     to_sympy,
 )
-from tresym.identity.expression import angle
+from tresym.identity.expression import angle, number
 from tresym.identity.field import Field
 from tresym.verdict import Verdict
 
@@ -85,6 +91,7 @@ CLAIMS = [
     ("sign(x**3 - x)**2 == 1", "x > 1", PROVED),
     ("sign(tan(atan(x)))*cbrt(x**3) == abs(x)", "", PROVED),
     ("sign(x**2 - 2)**2 == 1", "", UNDECIDED),
+    ("sign(x*y*sign(y)**2) == sign(x*y)", "", UNDECIDED),  # nothing is there to put 0 in for
     ("sign(x*y)**2 == sign(x)**2", "", REFUTED),
     ("sign(x - y) == -sign(y - x)", "", PROVED),
     ("sign(x - y)**2 == 1", "x >= y", REFUTED),
@@ -172,3 +179,50 @@ def test_single_points_of_conditions_at_a_jump(left: str, right: str) -> None:
     """Where y is 0, x = 0 satisfies the condition and is no limit of other points."""
     found = decide(parse(left), parse(right), Given.parse("x**2*(x - 1) >= y"))
     assert found.verdict is UNDECIDED
+
+
+ARGUMENTS = st.sampled_from(
+    ("x", "y", "-x", "x - 1", "x + y", "x*y", "x**2 - 1", "abs(x)", "y + abs(y)", "1", "0", "-1")
+)
+JUMPING = st.one_of(
+    st.builds("sign({})".format, ARGUMENTS),
+    st.builds("atan2({}, {})".format, ARGUMENTS, ARGUMENTS),
+    st.sampled_from(("x", "abs(x)", "y", "2", "sqrt(x)", "1/x", "log(abs(y))")),
+)
+PRODUCTS = st.builds("{}*{}".format, JUMPING, JUMPING)
+REWRITTEN = st.sampled_from(
+    (
+        ("sign(", "-sign(-"),
+        ("sign(", "1/sign("),
+        ("sign(", "2 - 2*sign(x)**2 + sign("),
+        ("atan2(", "-atan2(-"),
+        ("atan2(", "sign(y)**2*atan2("),
+        ("atan2(", "pi - sign(x)**2*pi + atan2("),
+        ("sqrt(x)", "sign(x)*sqrt(x)"),
+        ("abs(x)", "x*sign(x)"),
+    )
+)
+GRID = [fmpq(p, 2) for p in (0, 2, -2, 1, -1, 4, -5)]
+
+
+@over(
+    PRODUCTS,
+    PRODUCTS,
+    REWRITTEN,
+    st.sampled_from(("", "x >= 0", "x > 0", "y >= 0", "-1 <= x <= 1")),
+)
+@settings(max_examples=40)
+def test_what_holds_holds_at_zeros_too(
+    one: str, two: str, rule: tuple[str, str], given: str
+) -> None:
+    left = f"{one} + {two}"
+    right = left.replace(*rule)
+    answer = tresym.check(f"{left} == {right}", given=given)
+    for x, y in product(GRID, repeat=2):
+        at = {"x": number(x), "y": number(y)}
+        with ball_precision(100):
+            balls = {name: evaluate(value, {}) for name, value in at.items()}
+            inside = all(c.holds_exactly(balls) for c in Given.parse(given).conditions)
+            u, v = (evaluate(substitute(parse(side), at), {}) for side in (left, right))
+        if answer and inside and u.is_finite() and v.is_finite():
+            assert u.overlaps(v), (left, right, x, y)

@@ -86,7 +86,9 @@ def cases_at_jumps(
                 yield None
             elif left is not EMPTY:
                 case = Case(known, values, left)
-                if not _is_nowhere_defined([case.of(e) for e in (*sides, *others)], left):
+                if not values and all(case.of(side) == side for side in sides):
+                    yield None
+                elif not _is_nowhere_defined([case.of(e) for e in (*sides, *others)], left):
                     yield case
 
 
