@@ -86,7 +86,7 @@ def _needs(node: Expr) -> list[tuple[Expr, str]]:
         return [(x, "!=")] if r < 0 else []
     if node.op == "log":
         return [(x, ">")]
-    if node.op in ("sign", "coth", "csch"):
+    if node.op in ("coth", "csch"):
         return [(x, "!=")]
     if node.op in ("tan", "sec"):
         return [(apply("cos", x), "!=")]
@@ -98,6 +98,8 @@ def _needs(node: Expr) -> list[tuple[Expr, str]]:
         return [(1 - x, ">"), (1 + x, ">")]
     if node.op == "acosh":
         return [(x - 1, ">=")]
+    if node.op == "atan2":
+        return [(x**2 + node.args[1] ** 2, ">")]
     return []
 
 

@@ -11,7 +11,7 @@ from tresym.checking.cancellation import scaled, without_cancellation
 from tresym.claims.germ import Germ, UnresolvedError
 from tresym.claims.gradient import Gradient
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import ONE, Expr
+from tresym.identity.expression import ONE, Expr, off_the_cut
 
 _RECIPROCALS = {"sec": "cos", "csc": "sin", "sech": "cosh", "csch": "sinh"}
 
@@ -52,6 +52,8 @@ class _Run:
             return m.pi
         if e.op == "^":
             return self._power(*e.args)
+        if e.op == "atan2":
+            return self.value(off_the_cut(e))
         if e.op == "+" and isinstance(self.x, Germ):
             return self._sum(without_cancellation(e))
         if e.op == "log" and isinstance(self.x, Germ):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -11,7 +12,11 @@ from tresym.checking.equalities import decide_equality
 from tresym.checking.regions import ONLY_INSIDE, is_regular
 from tresym.checking.statement import ORDERS, Comparison, Statement, read
 from tresym.exact import InputError
-from tresym.identity.expression import symbols
+from tresym.identity.decide import JUMP, exact_text
+from tresym.identity.expression import ZERO, Expr, symbols
+from tresym.identity.given import Given
+from tresym.identity.jumps import cases_at_jumps, jumps, zeros
+from tresym.identity.parsing import parse
 from tresym.verdict import Verdict
 
 _LOOK_ALIKE = {
@@ -35,7 +40,7 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
     start = time.perf_counter()
     statement = claim if isinstance(claim, Statement) else read(claim, given, path)
     answers = [_bounded(comparison, statement) for comparison in statement.comparisons]
-    answer = min(answers, key=lambda found: _WORST.index(found.verdict))
+    answer = _worst(answers)
     if len(answers) > 1:
         broken = statement.comparisons[answers.index(answer)]
         which = f"{broken.left} {broken.relation} {broken.right}: "
@@ -49,6 +54,10 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
+
+
+def _worst(answers: list[Answer]) -> Answer:
+    return min(answers, key=lambda found: _WORST.index(found.verdict))
 
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
@@ -75,9 +84,45 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         if statement.path is None:
             raise TypeError("an order claim is read with its path")
         return decide_order(comparison, statement.path)
+    return _decide_inequality(left, relation, right, statement.given, *functions)
+
+
+def _decide_inequality(
+    left: Expr,
+    relation: str,
+    right: Expr,
+    given: Given,
+    differentiated: tuple[Expr, ...],
+    by: frozenset[str],
+) -> Answer:
+    """The answer to an inequality; where sign and atan2 jump, it is one by itself."""
     from tresym.checking.inequalities import decide_inequality
 
-    return decide_inequality(left, relation, right, statement.given, *functions)
+    nodes = jumps((left, right), given)
+    apart = Given(tuple((u, "!=", ZERO) for node in nodes for u in zeros(node.args[0], given)))
+    answer = decide_inequality(left, relation, right, given & apart, differentiated, by)
+    answers = [replace(answer, region=str(given) or None) if nodes and answer.region else answer]
+    for case in cases_at_jumps((left, right), given) if nodes else ():
+        if case is None:
+            answers.append(Answer(Verdict.UNDECIDED, JUMP))
+            continue
+        real = tuple(map(case.of, differentiated))
+        found = _decide_inequality(case.of(left), relation, case.of(right), case.given, real, by)
+        at = case.point(_exact(found.witness))
+        if found.verdict is Verdict.REFUTED and at is None:
+            found = replace(found, verdict=Verdict.UNDECIDED)
+        shown = at and {name: exact_text(value) for name, value in at.items()}
+        why = f"{case}: {found.why}"
+        answers.append(replace(found, why=why, witness=shown, region=str(given) or None))
+    return _worst(answers)
+
+
+def _exact(witness: Mapping[str, str] | None) -> dict[str, Expr] | None:
+    """The witness as it was before it was written, None where that was no point."""
+    try:
+        return None if witness is None else {name: parse(v) for name, v in witness.items()}
+    except InputError:  # intervals between whose ends the sign changes
+        return None
 
 
 def _mistaken(statement: Statement) -> str:

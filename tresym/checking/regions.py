@@ -26,6 +26,7 @@ from tresym.checking.cancellation import scaled
 from tresym.identity.bounds import sign
 from tresym.identity.expression import Expr, differentiate, number, symbol, symbols
 from tresym.identity.given import Given
+from tresym.identity.jumps import cases_at_jumps
 from tresym.identity.polynomials import Monomial, degree, polynomial
 
 MAX_QUADRATIC = 5
@@ -49,6 +50,8 @@ _SMOOTH = {"+", "*", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "at
 
 def is_regular(given: Given) -> bool:
     """Whether the conditions are shown to have no points but limits of those inside them."""
+    if next(cases_at_jumps(tuple(c.expression for c in given.conditions), given), None):
+        return False
     closed = [c.expression for c in given.beyond_box if c.relation == ">="]
     if not closed or all(map(_is_concave, closed)):
         return True

@@ -81,8 +81,6 @@ def _conditions(e: Basic) -> list[tuple[Basic, tuple[str, ...]]]:
             return [(1 - e.args[0] ** 2, POSITIVE)]
         case acosh():
             return [(e.args[0] - 1, NON_NEGATIVE)]
-        case sign():
-            return [(e.args[0], NON_ZERO)]
         case tan() | sec():
             return [(cos(e.args[0]), NON_ZERO)]
         case cot() | csc():

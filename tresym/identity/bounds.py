@@ -7,7 +7,7 @@ a term at each closed corner is positive.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import product
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from tresym.arithmetic import ball_precision
 from tresym.identity.evaluation import evaluate
-from tresym.identity.expression import Expr, apply, symbols
+from tresym.identity.expression import ZERO, Expr, apply, replaced, symbols
 from tresym.identity.field import Field
 from tresym.identity.given import Given, Range
 from tresym.identity.ring import Poly, TooLargeError, UndefinedError
@@ -60,18 +60,65 @@ def sign(e: Expr, given: Given) -> str | None:
     return found
 
 
+def is_nonzero(e: Expr, given: Given) -> bool:
+    """Whether ``e`` is shown to vanish nowhere under ``given``."""
+    return sign(e, given) in ("+", "-") or _Bounds(given).nonzero(e)
+
+
+def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
+    """The nodes ``sign u`` and ``atan2(y, x)`` in them that are not shown to be continuous.
+
+    They jump where u is 0, and where y is 0 and x is negative; no other function does so where it
+    is defined, and no product of sign u and what vanishes with u.
+    """
+    found: list[Expr] = []
+    seen: set[Expr] = set()
+    stack = list(expressions)
+    while stack:
+        node = stack.pop()
+        if node in seen or node.op in ("number", "symbol", "pi"):
+            continue
+        seen.add(node)
+        for arg in node.args:
+            calm = node.op == "*" and arg.op == "sign" and _vanishes_beside(arg, node.args)
+            stack.append(arg.args[0] if calm else arg)
+        if (
+            node.op in ("sign", "atan2")
+            and not is_nonzero(node.args[0], given)
+            and sign(node.args[0], given) != "0"
+            and not (node.op == "atan2" and sign(node.args[1], given) == "+")
+        ):
+            found.append(node)
+    return found
+
+
+def _vanishes_beside(node: Expr, factors: tuple[Expr, ...]) -> bool:
+    """Whether one of the factors is continuous, and 0 where the argument of the node is."""
+    known = {node.args[0]: ZERO, -node.args[0]: ZERO}
+    return any(
+        _constant_sign(rest) == "0" and not jumps((factor,), Given())
+        for factor in factors
+        if not symbols(rest := replaced(factor, known))
+    )
+
+
 def nonzero_denominators(e: Expr, given: Given) -> Expr | None:
     """The first denominator of ``e`` not proved non-zero under ``given``, or None.
 
     Denominators are the bases of negative powers, the cosine under ``tan`` and ``sec``, the sine
-    under ``cot`` and ``csc``, the arguments of logarithms, signs and hyperbolic cotangents, and
-    ``1 − u**2`` under ``atanh u``.
+    under ``cot`` and ``csc``, the arguments of logarithms and hyperbolic cotangents, ``1 − u**2``
+    under ``atanh u``, and ``y**2 + x**2`` under ``atan2(y, x)``.
     """
     bounds = _Bounds(given)
-    for denominator in _denominators(e, set()):
+    for denominator in denominators(e):
         if not bounds.nonzero(denominator):
             return denominator
     return None
+
+
+def denominators(e: Expr) -> Iterator[Expr]:
+    """What must not vanish for ``e`` to be defined."""
+    return _denominators(e, set())
 
 
 def _denominators(e: Expr, seen: set[Expr]) -> Iterator[Expr]:
@@ -84,8 +131,10 @@ def _denominators(e: Expr, seen: set[Expr]) -> Iterator[Expr]:
         base, exponent = e.args
         if exponent.op != "number" or exponent.args[0] < 0:
             yield base
-    elif e.op in ("log", "sign", "coth", "csch"):
+    elif e.op in ("log", "coth", "csch"):
         yield e.args[0]
+    elif e.op == "atan2":
+        yield e.args[0] ** 2 + e.args[1] ** 2
     elif e.op in ("tan", "sec"):
         yield apply("cos", e.args[0])
     elif e.op in ("cot", "csc"):
@@ -95,7 +144,9 @@ def _denominators(e: Expr, seen: set[Expr]) -> Iterator[Expr]:
 
 
 def _open_sign(e: Expr, given: Given) -> str | None:
-    """The sign on the open domain, which bounds the sign on its closure."""
+    """The sign on the open domain, which bounds the sign on its closure where ``e`` has no jump."""
+    if jumps((e,), given):
+        return None
     try:
         field = Field(given)
         (value,) = field.normal(e)
@@ -256,6 +307,8 @@ class _Bounds:
             return Span(fmpq(1), None, False)
         if e.op == "atan":
             return Span(fmpq(-11, 7), fmpq(11, 7))
+        if e.op == "atan2":
+            return Span(fmpq(-22, 7), fmpq(22, 7))
         if e.op == "abs":
             return _absolute(self.span(e.args[0]), self.nonzero(e.args[0]))
         if e.op in ("+", "*"):

@@ -13,7 +13,9 @@ in balls, to be defined.
 2. The exact normal form of field.py: a difference that is zero proves.
 3. Balls again, at many points and 700 bits.
 4. What the normal form leaves is tried by derivative: see locally_constant.py.
-5. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
+5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
+   value put in is decided by itself: see jumps.py.
+6. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
 """
 
@@ -32,6 +34,7 @@ from tresym.identity.evaluation import evaluate, undefined_parts
 from tresym.identity.expression import ZERO, Expr, number, symbols
 from tresym.identity.field import ALL_THEORIES, Field
 from tresym.identity.given import Given
+from tresym.identity.jumps import cases_at_jumps
 from tresym.identity.locally_constant import equal_by_derivative, vanishes_or_zero
 from tresym.identity.polynomials import as_expression, terms_in_symbols
 from tresym.identity.ring import Fraction, TooLargeError, UndefinedError
@@ -46,6 +49,7 @@ LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
 MAX_CASES = 2
 SIZES = (8, 16, 32, 64, 128)
+JUMP = "it is proved but where sign or atan2 jumps, and these points could not be told apart"
 NOWHERE = "no real point was found where both sides are defined"
 
 
@@ -97,6 +101,9 @@ def decide(
         sides, given, theories, lambda where: [point for point, _ in look(*SIGN_POINTS, where)]
     )
     if proof is not None:
+        unproved = _at_jumps(sides, given, theories)
+        if unproved is not None:
+            return unproved
         where = shown(defined)
         return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {where}")
     for bits, count in LATER_LOOKS:
@@ -104,6 +111,25 @@ def decide(
             if not values[0].overlaps(values[1]):
                 return _refutation(point, values)
     return Decision(Verdict.UNDECIDED, obstacle)
+
+
+def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -> Decision | None:
+    """What fails, or is not shown, at points that a proof at almost all points leaves out."""
+    left, right = sides
+    if left == right:
+        return None
+    for case in cases_at_jumps(sides, given):
+        if case is None:
+            return Decision(Verdict.UNDECIDED, JUMP)
+        found = decide(case.of(left), case.of(right), case.given, theories)
+        if found.verdict is Verdict.PROVED:
+            continue
+        why = f"it is proved but {case}; there, {found.why}"
+        point = case.point(found.witness)
+        if point is not None and found.values is not None:
+            return _refutation(point, found.values)
+        return Decision(Verdict.UNDECIDED, why)
+    return None
 
 
 def sampled_values(

@@ -85,7 +85,14 @@ def _value(node: Expr, point: Mapping[str, arb], walk: Callable[[Expr], arb]) ->
         for value in values[1:]:
             total = total * value
         return total
-    return _function(op, values[0])
+    return _angle(*values) if op == "atan2" else _function(op, values[0])
+
+
+def _angle(y: arb, x: arb) -> arb:
+    """``atan2(y, x)``; all of [−π, π] for a ball that meets the negative x-axis and more."""
+    if y.contains(0) and x.contains(0):
+        raise _UndefinedError
+    return arb.atan2(y, x)
 
 
 def _power(base: Expr, exponent: Expr, walk: Callable[[Expr], arb]) -> arb:
@@ -100,7 +107,7 @@ def _power(base: Expr, exponent: Expr, walk: Callable[[Expr], arb]) -> arb:
         return _natural_power(x, p) if x.contains(0) else x**p
     if not x >= 0:
         raise _UndefinedError
-    root = x.sqrt() if q == 2 else x.root(q)
+    root = x.sqrt() if q == 2 else _root(x, q)
     return root if p == 1 else root**p
 
 
@@ -117,15 +124,24 @@ def _function(name: str, x: arb) -> arb:
     if name == "abs":
         return abs(x)
     if name == "cbrt":
-        return -((-x).root(3)) if x < 0 else _cube_root(x)
-    if x > 0 or x < 0:
-        return arb(1 if x > 0 else -1)
-    raise _UndefinedError
+        return _cube_root(x)
+    if x.contains(0):
+        return arb(0, 0 if x.is_zero() else 1)
+    return arb(1 if x > 0 else -1)
 
 
 def _cube_root(x: arb) -> arb:
-    """The real cube root of a ball that may contain zero."""
+    """The real cube root of any ball."""
     if x >= 0:
-        return x.root(3)
-    low, high = x.lower(), x.upper()
-    return (-((-low).root(3))).union(high.root(3))
+        return _root(x, 3)
+    if x < 0:
+        return -((-x).root(3))
+    return (-_root(-x.lower(), 3)).union(_root(x.upper(), 3))
+
+
+def _root(x: arb, n: int) -> arb:
+    """The root of ``x ≥ 0``; FLINT's is NaN for a ball that contains 0."""
+    if x > 0:
+        return x.root(n)
+    high = x.upper()
+    return arb(0).union(high.root(n)) if high > 0 else arb(0)

@@ -4,7 +4,8 @@ A tree is what was written, not what it means: constructors fold numbers and fla
 products, and nothing else, because ``0*log(x)`` is not defined where ``0`` is, and ``1/0`` is a
 tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` asks for ``x ≥ 0``
 (``cbrt`` is the real cube root of any number), ``log x`` for ``x > 0``, ``asin`` and ``acos`` for
-``|x| ≤ 1``, ``sign x`` and ``1/x`` for ``x ≠ 0``.
+``|x| ≤ 1``, ``1/x`` for ``x ≠ 0``. ``sign 0`` is 0, and ``atan2(y, x)``, the angle of the point
+``(x, y)`` in (−π, π], is defined but at the origin: ``atan2(0, x)`` is π for ``x < 0``.
 """
 
 from __future__ import annotations
@@ -27,7 +28,8 @@ FUNCTIONS = frozenset(
         *("asinh", "acosh", "atanh"),
     )
 )
-"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``."""
+"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
+there is ``atan2`` alone, see :func:`angle`."""
 
 MAX_DEPTH = 120
 MAX_SIZE = 20_000
@@ -40,7 +42,8 @@ class Expr:
     """One node. Build it with :func:`number`, :func:`symbol`, :func:`apply` and the operators.
 
     Attributes:
-        op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"`` or a function's name.
+        op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"``, ``"atan2"`` or a
+            function's name.
         args: the operands; an ``fmpq`` for a number, a ``str`` for a symbol.
         size, depth: nodes counted as a tree, and its height; both are bounded.
     """
@@ -245,7 +248,13 @@ def sqrt(x: Expr) -> Expr:
 
 
 def angle(y: Expr, x: Expr) -> Expr:
-    """atan2(y, x), the angle of the point (x, y) in (−π, π), off the negative x-axis."""
+    """atan2(y, x), the angle of the point (x, y) in (−π, π], off the origin."""
+    return Expr("atan2", (y, x))
+
+
+def off_the_cut(e: Expr) -> Expr:
+    """A node ``atan2(y, x)`` where (x, y) is not on the negative x-axis, by an arc tangent."""
+    y, x = e.args
     return 2 * apply("atan", y / (sqrt(x**2 + y**2) + x))
 
 
@@ -302,6 +311,15 @@ def substitute(e: Expr, mapping: Mapping[str, Expr]) -> Expr:
     return walk(e)
 
 
+def replaced(e: Expr, known: Mapping[Expr, Expr]) -> Expr:
+    """``e`` with parts replaced, outermost first."""
+    if e in known:
+        return known[e]
+    if e.op in ("number", "symbol", "pi"):
+        return e
+    return rebuild(e, tuple(replaced(arg, known) for arg in e.args))
+
+
 def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
     """The operation of ``node`` on other operands."""
     if node.op == "+":
@@ -310,7 +328,7 @@ def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
         return multiply(*args)
     if node.op == "^":
         return power(*args)
-    return apply(node.op, args[0])
+    return angle(*args) if node.op == "atan2" else apply(node.op, args[0])
 
 
 def differentiate(e: Expr, name: str) -> Expr:
@@ -348,6 +366,10 @@ def _derivative(node: Expr, walk: Any) -> Expr | None:
         )
     if node.op == "^":
         return _power_derivative(*node.args, *parts)
+    if node.op == "atan2":
+        y, x = node.args
+        dy, dx = (ZERO if part is None else part for part in parts)
+        return (x * dy - y * dx) / (x**2 + y**2)
     return multiply(_slope(node.op, node.args[0], node), parts[0])
 
 
@@ -438,7 +460,7 @@ def _text(e: Expr, level: int) -> str:
         return _wrap(f"{_text(e.args[0], 4)}**{_text(e.args[1], 4)}", 3, level)
     if e == E:
         return "E"
-    return f"{e.op}({_text(e.args[0], 0)})"
+    return f"{e.op}({', '.join(_text(arg, 0) for arg in e.args)})"
 
 
 def _product_text(e: Expr, level: int) -> str:
@@ -575,4 +597,4 @@ def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
         return sympy.Pow(*args)
     if node.op == "cbrt":
         return sympy.sign(args[0]) * sympy.Abs(args[0]) ** sympy.Rational(1, 3)
-    return getattr(sympy, "Abs" if node.op == "abs" else node.op)(args[0])
+    return getattr(sympy, "Abs" if node.op == "abs" else node.op)(*args)

@@ -2,7 +2,7 @@
 
 Every rewriting holds at each real point where the expression is defined and no factor met on the
 way vanishes. Such points are dense in the open part of the domain, and elementary functions are
-continuous, so a difference that reduces to zero is zero there.
+continuous, so a difference that reduces to zero is zero there, but where sign and atan2 jump.
 
 - sin, cos, …: t = tan(angle/2) for each angle of a rational basis of the angles met.
 - exp, powers: y = exp(exponent) for each exponent of a rational basis of the exponents met.
@@ -10,6 +10,7 @@ continuous, so a difference that reduces to zero is zero there.
   is positive is a linear equation over GF(2) between the σ; what it decides is used in a new pass.
 - log: log|f| for each irreducible factor f. asin and acos through atan; the hyperbolic functions
   through exp and log.
+- atan2(y, x) is an arc tangent where y is not 0 on a region; else it is 0 or π, by the sign of x.
 - A function outside the allowed theories is an opaque generator of its normalised argument.
 """
 
@@ -36,6 +37,7 @@ _THEORY: dict[str, frozenset[str]] = (
     | {name: frozenset({"trigonometry"}) for name in ("sin", "cos", "tan", "cot", "sec", "csc")}
     | {name: frozenset({"inverses"}) for name in ("asin", "acos", "atan")}
     | {name: frozenset({"inverses"}) for name in ("asinh", "acosh", "atanh")}
+    | {"atan2": frozenset({"inverses", "roots"})}
 )
 
 MAX_PASSES = 40
@@ -122,8 +124,8 @@ class Field(AngleRing):
                 total = self.multiply(total, value)
             return total
         if not _THEORY[op] <= self.theories:
-            return self._opaque(op, values[0])
-        return self._function(op, values[0])
+            return self._opaque(op, *values)
+        return self._angle(*values) if op == "atan2" else self._function(op, values[0])
 
     def _function(self, name: str, x: Fraction) -> Fraction:
         simple: dict[str, Callable[[Fraction], Fraction]] = {
@@ -188,6 +190,22 @@ class Field(AngleRing):
         return self._fraction(self.generator("opaque", key, (name, *args)))
 
     # Inverse functions
+
+    def _angle(self, y: Fraction, x: Fraction) -> Fraction:
+        """``atan2(y, x)``: that y is 0, or not, must be so on the whole domain."""
+        if y.num.is_zero():
+            half_turns = self.subtract(self.one, self._sign_function(self.invert(x)))
+            return self.multiply(self.pi(fmpq(1, 2)), half_turns)
+        if self.is_mixed(y.num):
+            return self._opaque("atan2", y, x)
+        if self.product_sign(x.num) * self.product_sign(x.den) > 0:
+            return self.atan(self.divide(y, x))
+        side = self.product_sign(y.num) * self.product_sign(y.den)
+        if side:
+            return self.subtract(self.pi(fmpq(side, 2)), self.atan(self.divide(x, y)))
+        square = self.add(self.power(x, 2), self.power(y, 2))
+        below = self.add(self._root(square, fmpq(1, 2)), x)
+        return self.multiply(self.constant(2), self.atan(self.divide(y, below)))
 
     def atan(self, u: Fraction) -> Fraction:
         """``atan u``, odd in u, with atan(1/u) = ±π/2 − atan u used to choose between the two."""

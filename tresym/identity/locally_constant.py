@@ -5,6 +5,21 @@ arguments of logarithms, and so on. Where its gradient vanishes identically it i
 connected region between them. The singularities that can change sign must be polynomials in the
 symbols; cells.py gives an exact point of every region, and there the difference is decided exactly.
 
+The walls are read off the normal form, and that is a chart: where a generator jumps or is infinite,
+a singularity may vanish and no factor of its normal form shows it. So each operation that hides
+zeros adds walls of its own, or is shown to do no harm under the conditions:
+
+- t = tan(u/2) is infinite where u is an odd multiple of π, and 1 + cos u = 2/(1 + t²) is 0 there:
+  the conditions must keep u from such multiples, or the leading coefficient in t tells that there
+  is no zero. It tells nothing of a t inside another generator, as in log(3 + t²) − log(1 + t²).
+- A sign σ_f, of abs, of even roots and of atan u = ±π/2 − atan(1/u), jumps where f is 0, and the
+  cases f > 0 and f < 0 say nothing of that: the zeros of f are walls.
+- log|f|, a root of |f|, and exp, atan, cos and sin of a fraction are at home only off the zeros of
+  f and of the denominator, which cancels in the expression and not in them: these are walls.
+- A sum of squares is 0 at single points without changing its sign, and splits a line there: what is
+  no wall must be shown other than 0 at every point, which is more than its sign.
+- Conditions end where they are undefined, too: their singularities are walls like those of sides.
+
 Where only bounds of single variables are walls, the region is convex and one point is enough.
 Else a bound that is no rational number, such as x < π/2, is no such polynomial: of one variable
 the line is cut on both sides of it, so closely that no wall is between.
@@ -27,12 +42,13 @@ from tresym.identity.expression import (
     apply,
     differentiate,
     number,
+    sqrt,
     substitute,
     symbols,
 )
 from tresym.identity.field import Field
 from tresym.identity.given import Given, Range
-from tresym.identity.ring import Poly, TooLargeError, UndefinedError
+from tresym.identity.ring import Fraction, Poly, TooLargeError, UndefinedError
 
 MAX_POINTS = 400
 MAX_SYMBOLS = 4
@@ -198,6 +214,8 @@ def singularities(e: Expr) -> Iterator[tuple[Expr, bool]]:
             yield 1 + x, True
         elif node.op == "acosh":
             yield x - 1, True
+        elif node.op == "atan2":
+            yield sqrt(node.args[1] ** 2 + x**2) + node.args[1], False
 
 
 def _walls(
@@ -208,10 +226,28 @@ def _walls(
     Empty where nothing but bounds of single variables limits the region.
     """
     context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
-    walls = []
     found = [e for e, _ in [*singularities(left), *singularities(right)]]
-    found += [c.expression for c in given.beyond_box]
-    for part in _factors(field, left, right, found):
+    for condition in given.beyond_box:
+        found += [condition.expression, *(e for e, _ in singularities(condition.expression))]
+    walls = _zeros(left, right, found, field, names)
+    if walls:
+        for end in _factors(field, left, right, [c.expression for c in given.conditions]):
+            wall = _in_symbols(field, end, names, context)
+            if wall is not None:
+                walls.append(wall)
+    return walls
+
+
+def _zeros(
+    left: Expr, right: Expr, expressions: list[Expr], field: Field, names: list[str]
+) -> list[fmpz_mpoly] | None:
+    """Polynomials whose zeros contain those of ``expressions`` on the domain of both sides."""
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    walls = []
+    edges = _edges(field, field.normal(left, right, *expressions)[2:])
+    if edges is None:
+        return None
+    for part in {str(p): p for p in [*_factors(field, left, right, expressions), *edges]}.values():
         if part.is_constant() or field.definite(part):
             continue
         for inner in _algebraic_walls(field, part) or [part]:
@@ -221,12 +257,16 @@ def _walls(
             if wall is None:
                 return None
             walls.append(wall)
-    if walls:
-        for end in _factors(field, left, right, [c.expression for c in given.conditions]):
-            wall = _in_symbols(field, end, names, context)
-            if wall is not None:
-                walls.append(wall)
     return walls
+
+
+def nonzero_inside(e: Expr, given: Given) -> bool:
+    """Whether ``e`` is shown to vanish nowhere inside the box of the conditions."""
+    try:
+        field = Field(given, size=64)
+        return _zeros(e, e, [e], field, sorted(symbols(e))) == []
+    except (TooLargeError, UndefinedError):
+        return False
 
 
 def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> list[Poly]:
@@ -235,6 +275,48 @@ def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> 
     for value in field.normal(left, right, *expressions)[2:]:
         factors |= {key: part for key, (part, _) in field.factors(value)[1].items()}
     return list(factors.values())
+
+
+def _edges(field: Field, values: list[Fraction]) -> list[Poly] | None:
+    """Polynomials off whose zeros ``values`` are as continuous as the functions they stand for.
+
+    None where one of them may vanish with a half angle at π/2, or where that is not seen.
+    """
+    found = [p for value in values for p in _at_poles(field, value)]
+    for position in set().union(*(field.involved(p) for x in values for p in (x.num, x.den))):
+        generator = field.at(position)
+        if generator.kind in ("root", "sign", "log"):
+            found.append(generator.data[0])
+        elif generator.kind in ("exp", "tan", "cos", "sin", "atan"):
+            found.append(generator.data[-1].den)
+    if any(p.is_zero() for p in found):
+        return None
+    return [part for p in found for part, _ in field.factor(p)[1]]
+
+
+def _at_poles(field: Field, value: Fraction) -> list[Poly]:
+    """What must not vanish for ``value`` not to vanish where half tangents in it are infinite.
+
+    Zero where that cannot be said.
+    """
+    used = set(field.used(value.num)) | set(field.used(value.den))
+    within = {
+        j
+        for i in used
+        for x in field.at(i).data
+        for p in ((x.num, x.den) if isinstance(x, Fraction) else (x,))
+        if isinstance(p, fmpz_mpoly)
+        for j in field.involved(p)
+    }
+    leading = [value.num]
+    for i in used | within:
+        if field.at(i).kind != "tan" or not field.support(i) or field.has_no_pole(field.at(i)):
+            continue
+        n = int(value.num.degrees()[i])
+        if i in within or value.den.degrees()[i] > n:
+            return [field.zero_poly]
+        leading += [field.split(p, i).get(n, field.zero_poly) for p in leading]
+    return leading[1:]
 
 
 def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:

@@ -12,7 +12,7 @@ from flint import arb, fmpq, fmpz
 
 from tresym.arithmetic import ball_precision
 from tresym.identity.given import Given, Range
-from tresym.identity.ring import Generator, Poly, small_factor
+from tresym.identity.ring import Fraction, Generator, Poly, small_factor
 from tresym.identity.values import SIGN_BITS, ValuedRing
 
 MAX_SIGN_TERMS = 60
@@ -146,14 +146,18 @@ class ProvingRing(ValuedRing):
             case _:
                 return None, None
 
-    def _numeric_ends(self, generator: Generator) -> Ends | None:
+    def _numeric_ends(self, generator: Generator) -> tuple[fmpq, fmpq] | None:
         with ball_precision(64):
-            value = self._generator_ball(generator, {}, {})
-            if not value.is_finite():
-                return None
-            low, high = fmpq(*_dyadic(value.lower())), fmpq(*_dyadic(value.upper()))
-            slack = fmpq(1, 10**9) * (1 + abs(low))
-            return low - slack, high + slack
+            return self._outward(self._generator_ball(generator, {}, {}))
+
+    @staticmethod
+    def _outward(value: arb) -> tuple[fmpq, fmpq] | None:
+        """Rational ends of an open interval that contains a ball."""
+        if not value.is_finite():
+            return None
+        low, high = fmpq(*_dyadic(value.lower())), fmpq(*_dyadic(value.upper()))
+        slack = fmpq(1, 10**9) * (1 + abs(low))
+        return low - slack, high + slack
 
     def _positive_ends(self, generator: Generator) -> Ends:
         """Ends of an exponential or a root, compared with 1."""
@@ -174,22 +178,54 @@ class ProvingRing(ValuedRing):
         return fmpq(0) if above > 0 else None, fmpq(0) if above < 0 else None
 
     def _tangent_ends(self, generator: Generator) -> Ends:
-        """tan(angle/2) from the range of an angle that is a multiple of one symbol."""
-        _, unit, angle = generator.data
-        used = self.used(angle.num)
-        if len(used) != 1 or self.at(used[0]).kind != "symbol" or not angle.den.is_constant():
+        """tan(angle/2) from the range of the angle."""
+        turns = self._half_turns(generator)
+        if turns is None:
             return None, None
-        if angle.num.total_degree() != 1 or len(angle.num) != 1:
-            return None, None
-        slope = fmpq(angle.num.leading_coefficient(), angle.den.leading_coefficient() * unit)
-        where = self.box.get(self.at(used[0]).data[0], Range())
-        ends = [None if end is None else end * slope for end in (where.pi_low, where.pi_high)]
-        low, high = ends if slope > 0 else reversed(ends)
-        if low is None or high is None or low < -1 or high > 1:
-            return None, None
+        low, high = turns
         below = fmpq(0) if low >= 0 else fmpq(-1) if low >= fmpq(-1, 2) else None
         above = fmpq(0) if high <= 0 else fmpq(1) if high <= fmpq(1, 2) else None
         return below, above
+
+    def has_no_pole(self, generator: Generator) -> bool:
+        """Whether tan(angle/2) is shown to be finite on the whole box of the conditions."""
+        with self._knowing(dict(self.given.box), {}, {}):
+            return self._half_turns(generator) is not None
+
+    def _half_turns(self, generator: Generator) -> tuple[fmpq, fmpq] | None:
+        """Ends of angle/π in [−1, 1], between which it lies, less an even number; else None."""
+        _, unit, angle = generator.data
+        ends = self._over_pi(angle)
+        if ends is None:
+            return None
+        low, high = ends[0] / unit, ends[1] / unit
+        middle = (low + high + 2) / 4
+        turns = 2 * (middle.p // middle.q)
+        return (low - turns, high - turns) if turns - 1 <= low and high <= turns + 1 else None
+
+    def _over_pi(self, x: Fraction) -> tuple[fmpq, fmpq] | None:
+        """Rational ends between which x/π lies: exact ones for what is linear in symbols."""
+        boxes = {name: self.box.get(name, Range()) for name in self.dependence(x)}
+        if not boxes or any(b.low is None or b.high is None for b in boxes.values()):
+            return None
+        linear = x.den.is_constant() and x.num.total_degree() == 1
+        if not linear or any(self.at(i).kind != "symbol" for i in self.used(x.num)):
+            with ball_precision(64):
+                at = {name: arb(b.low).union(arb(b.high)) for name, b in boxes.items()}
+                return self._outward(self.ball(x, at) / arb.pi())
+        ends = [fmpq(0), fmpq(0)]
+        for monomial, value in x.num.terms():
+            slope = fmpq(value, x.den.leading_coefficient())
+            if not any(monomial):
+                pair = (_over_pi(slope, True), _over_pi(slope, False))
+            else:
+                where = boxes[self.at(next(i for i, k in enumerate(monomial) if k)).data[0]]
+                low, high = where.pi_low, where.pi_high
+                low = _over_pi(where.low, True) if low is None else low
+                high = _over_pi(where.high, False) if high is None else high
+                pair = (slope * low, slope * high) if slope > 0 else (slope * high, slope * low)
+            ends = [end + more for end, more in zip(ends, pair, strict=True)]
+        return ends[0], ends[1]
 
     def _atan_ends(self, generator: Generator) -> Ends:
         argument = generator.data[0]
@@ -245,6 +281,8 @@ class ProvingRing(ValuedRing):
             return 0
         if free and any(int(m[i]) % 2 for m in p.monoms() for i in free):
             return 0
+        if self._everywhere and all(any(m[i] for i in free) for m in p.monoms()):
+            return 0  # zero where all that is free is
         return 1 if signs == {True} else -1
 
     def _in_quarter_turns(self, p: Poly, position: int) -> Poly:
@@ -371,6 +409,11 @@ class ProvingRing(ValuedRing):
                     return 0
             return found.pop()
         return 0
+
+
+def _over_pi(x: fmpq, down: bool) -> fmpq:
+    """A number that is less than ``x/π``, or greater."""
+    return x / (_PI_HIGH if (x > 0) == down else _PI_LOW)
 
 
 def _dyadic(x: arb) -> tuple[fmpz, fmpz]:
