@@ -226,3 +226,9 @@ def test_what_holds_holds_at_zeros_too(
             u, v = (evaluate(substitute(parse(side), at), {}) for side in (left, right))
         if answer and inside and u.is_finite() and v.is_finite():
             assert u.overlaps(v), (left, right, x, y)
+
+
+def test_a_polynomial_that_is_zero_where_its_range_is_a_point_has_no_sign() -> None:
+    angle = "atan2(x*abs(y), y+1)*sign(x**2-1)*sign(-x)"
+    other = "sign(x*abs(y))*(pi/2-atan((y+1)/abs(x*abs(y))))*sign(x**2-1)*sign(-x)"
+    assert tresym.check(f"atan({angle}) <= atan({other})", given="y <= 0, x < 0") is not None

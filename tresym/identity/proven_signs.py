@@ -274,7 +274,7 @@ class ProvingRing(ValuedRing):
                 free.append(position)
                 continue
             p = self._mapped(p, position, low, high)
-            if len(p) > 4 * MAX_SIGN_TERMS:
+            if not 0 < len(p) <= 4 * MAX_SIGN_TERMS:  # none: the range is a point where it is 0
                 return 0
         signs = {value > 0 for value in p.coeffs()}
         if len(signs) != 1:
