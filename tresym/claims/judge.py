@@ -28,17 +28,19 @@ from tresym.claims.claim import (
     Printed,
     Together,
     UniqueRoot,
+    citing,
     equal,
     parts_of,
 )
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.enclosure import CertificateError
 from tresym.claims.finding import Finding, StepFinding
-from tresym.claims.integrals import NotShownError, need_smooth
+from tresym.claims.integrals import NotShownError, need_smooth, with_bounds
 from tresym.claims.printed import judge_printed
 from tresym.claims.signs import is_manifest, manifest_sign
 from tresym.claims.translate import (
     CircularError,
+    defined,
     definitions,
     put_in,
     to_expression,
@@ -115,7 +117,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         case Counterexample():
             return _judge_counterexample(claim, claim.proof)
         case UniqueRoot():
-            return _judge_unique_root(claim.proof, claim.given)
+            return _judge_unique_root(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
         case Together(chains):
@@ -139,7 +141,7 @@ def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
 
 def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
     """PROVED when every step of every chain is; otherwise tried at exact points."""
-    if to_given(claim.given).satisfying_point() is None:
+    if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     steps: list[StepFinding] = []
     for says, chain in parts:
@@ -154,6 +156,19 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Findi
         if refuted is not None:
             return replace(refuted, steps=tuple(steps))
     return Finding(UNDECIDED, failed.why, steps=tuple(steps))
+
+
+def _possible(claim: Claim) -> bool:
+    """Whether an exact point satisfies the conditions, as the symbols in them are defined."""
+    if to_given(claim.given).satisfying_point() is None:
+        return False
+    bounds = with_bounds(claim.given, (citing(*claim.uses),))
+    behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
+    rules = {left: right for left, right in definitions(behind).items() if left.is_Symbol}
+    meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in bounds))
+    plain = (c for c in meant if isinstance(c, Relational))
+    plain = tuple(c for c in plain if not c.has(Derivative, Integral, Subs))
+    return false not in meant and to_given(plain).satisfying_point() is not None
 
 
 def refute(says: Basic, claim: Claim) -> Finding | None:
@@ -222,8 +237,13 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
     return Finding(Verdict.ENCLOSED if enclosed else PROVED, why)
 
 
-def _judge_unique_root(proof: UniqueRoot, given: Conditions) -> Finding:
+def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
     """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
+    given = claim.given
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    if any(proof.variable in defined(used) for used in claim.uses):
+        return Finding(UNDECIDED, f"{proof.variable} is bound, and is defined in what is used")
     finding = _one_root(proof, given)
     if finding.verdict is PROVED:
         return finding
@@ -275,10 +295,10 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
         return Finding(UNDECIDED, f"{rate} is not a new symbol")
     if says.args[1] != -Subs(Derivative(left, p), p, at) / by_unknown or rate in left.free_symbols:
         return Finding(UNDECIDED, "that is not the slope of the implicit function")
-    if to_given(claim.given).satisfying_point() is None:
-        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    if not _possible(claim) or any(p in defined(bound) for bound in proof.bounds):
+        return Finding(UNDECIDED, "the conditions are met nowhere, or a bound is about what varies")
     outside = tuple(c for c in claim.given if p not in c.free_symbols)
-    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)), frozenset())
+    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)))
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
     try:
@@ -319,13 +339,14 @@ def _settle(relation: Basic, claim: Claim) -> Finding:
 
 def _without_chain(relation: Relational, claim: Claim) -> Finding:
     """PROVED by normal form or by a manifest sign, else UNDECIDED."""
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     rules = definitions(claim.uses)
     meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
     if false in meant:
         return Finding(UNDECIDED, "what is put in contradicts the conditions")
     replaced = tuple(c for c in meant if not c.has(Derivative, Integral, Subs))
-    spoken_of = frozenset().union(*(e.free_symbols for e in (relation, *claim.given)))
-    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced), spoken_of)
+    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced))
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
     conditions = Given.from_sympy(*(c for c in replaced if isinstance(c, Relational)))
