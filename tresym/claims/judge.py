@@ -166,8 +166,8 @@ def _possible(claim: Claim) -> bool:
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
     rules = {left: right for left, right in definitions(behind).items() if left.is_Symbol}
     meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in bounds))
-    plain = (c for c in meant if isinstance(c, Relational))
-    plain = tuple(c for c in plain if not c.has(Derivative, Integral, Subs))
+    relations = (c for c in meant if isinstance(c, Relational))
+    plain = tuple(c for c in relations if not c.has(Derivative, Integral, Subs))
     return false not in meant and to_given(plain).satisfying_point() is not None
 
 
