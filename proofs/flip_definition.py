@@ -95,7 +95,7 @@ eq_robust_gen = Claim(
 full_turn = Claim(
     label="full_turn",
     says=equal(Delta_phi, 2 * pi),
-    proof=Definition(),
+    proof=Definition(assumes="the turn that is studied"),
     where=Place(display=18),
     note="The turn that is studied: one of the handle.",
 )

@@ -16,6 +16,7 @@ from tresym.claims.denial import Denied
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge, judge_evidence
 from tresym.claims.mutants import Mutant, mutants, why_few
+from tresym.claims.table import conflict
 from tresym.exact import InputError, fraction_text, quoted
 from tresym.processes import Processes
 from tresym.verdict import Verdict
@@ -97,9 +98,12 @@ def verify(
         workers: processes to look at the evidence in; with 1, this very process.
 
     Raises:
-        InputError: a label that no claim has, or processes that keep dying.
+        InputError: a label that no claim has, claims that no ledger can hold together, or
+            processes that keep dying.
     """
-    chosen, requested = _choose(all_claims(), tuple(labels))
+    claims = all_claims()
+    _need_coherent(claims)
+    chosen, requested = _choose(claims, tuple(labels))
     found: dict[str, Finding] = {}
     rows = []
     for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
@@ -267,6 +271,9 @@ def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
         if used.label not in found:
             found[used.label] = judge(used, found)
     changed = dict(found)
+    for used in mutant.claim.uses:
+        if found[used.label].of not in (None, used):
+            changed[used.label] = Finding(Verdict.PROVED, "a definition that was changed", of=used)
     for claim in mutant.beneath:
         changed[claim.label] = judge(claim, changed)
     return judge(mutant.claim, changed)
@@ -282,13 +289,52 @@ def _dependents(claims: tuple[Claim, ...]) -> dict[Claim, tuple[Claim, ...]]:
 
 
 def all_claims() -> tuple[Claim, ...]:
-    """Every claim of the proofs, each after all that it rests on."""
+    """Every claim of the proofs, each after all that it rests on.
+
+    Raises:
+        InputError: a claim that rests on itself.
+    """
     from tresym.proofs import claims
 
-    order: dict[Claim, None] = {}
-    for claim in claims():
-        order.update(dict.fromkeys((*claim.rests_on, claim)))
-    return tuple(order)
+    return _foundations_first(claims())
+
+
+def _foundations_first(claims: Iterable[Claim]) -> tuple[Claim, ...]:
+    """These claims and all that they use, each after what it rests on.
+
+    Raises:
+        InputError: a claim that rests on itself.
+    """
+    done: dict[int, Claim] = {}
+    open_: set[int] = set()
+
+    def visit(claim: Claim) -> None:
+        if id(claim) in open_:
+            raise InputError(f"the ledger: {claim.label} rests on itself")
+        if id(claim) not in done:
+            open_.add(id(claim))
+            for used in claim.uses:
+                visit(used)
+            open_.discard(id(claim))
+            done[id(claim)] = claim
+
+    for claim in claims:
+        visit(claim)
+    return tuple(dict.fromkeys(done.values()))
+
+
+def _need_coherent(claims: tuple[Claim, ...]) -> None:
+    """That a ledger can hold these claims: each label and each symbol once, and nothing in circles.
+
+    Raises:
+        InputError: it cannot.
+    """
+    claims = _foundations_first(claims)
+    counted = Counter(claim.label for claim in claims)
+    twins = [label for label, count in counted.items() if count > 1]
+    why = f"two claims are labelled {quoted(twins[0])}" if twins else conflict(claims)
+    if why is not None:
+        raise InputError(f"the ledger: {why}")
 
 
 def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:

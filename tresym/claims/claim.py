@@ -171,7 +171,12 @@ Chain = tuple[Step, ...]
 
 @dataclass(frozen=True)
 class Definition:
-    """The claim introduces symbols: each is new, defined once, by symbols known before."""
+    """The claim introduces symbols: each is new, defined once, by symbols known before.
+
+    ``assumes`` names what is assumed of symbols that are defined elsewhere: physics that is put in.
+    """
+
+    assumes: str = ""
 
 
 @dataclass(frozen=True)
@@ -320,9 +325,6 @@ class Claim:
 
     def __hash__(self) -> int:
         return hash(self.label)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Claim) and other.label == self.label
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:

@@ -38,6 +38,7 @@ from tresym.claims.finding import Finding, StepFinding
 from tresym.claims.integrals import NotShownError, need_smooth, with_bounds
 from tresym.claims.printed import judge_printed
 from tresym.claims.signs import is_manifest, manifest_sign
+from tresym.claims.table import conflict, overdetermined
 from tresym.claims.translate import (
     CircularError,
     defined,
@@ -67,7 +68,7 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
-    return replace(finding, seconds=before + time.perf_counter() - began)
+    return replace(finding, seconds=before + time.perf_counter() - began, of=claim)
 
 
 def judge_evidence(claim: Claim) -> Finding | None:
@@ -92,9 +93,21 @@ def _guarded(claim: Claim, found: Findings) -> Finding:
 
 
 def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
-    """UNDECIDED when evidence other than a conjunction names a claim that does not hold."""
+    """UNDECIDED when what is used is no ground: definitions that conflict, a claim that fails.
+
+    A conjunction is as strong as its parts are found to be.
+    """
+    for used in claim.uses:
+        if found[used.label].of not in (None, used):
+            return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
+    why = conflict((*claim.rests_on, claim))
+    if why is not None:
+        return Finding(UNDECIDED, why)
     if isinstance(claim.proof, AllOf):
         return None
+    why = overdetermined((*claim.rests_on, claim))
+    if why is not None:
+        return Finding(UNDECIDED, why)
     for used in claim.uses:
         if not found[used.label].verdict.holds:
             verdict = found[used.label].verdict.value
