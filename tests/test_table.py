@@ -7,7 +7,17 @@ import pytest
 from sympy import Basic, Eq, Gt, Integer, Integral, Symbol
 
 from tresym import verification
-from tresym.claims.claim import Claim, Definition, all_of, by, equal, formally, step, substituting
+from tresym.claims.claim import (
+    Claim,
+    Definition,
+    all_of,
+    by,
+    equal,
+    formally,
+    integrating,
+    step,
+    substituting,
+)
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge
 from tresym.claims.table import conflict
@@ -112,23 +122,26 @@ def test_symbols_are_defined_once(claims: tuple[Claim, ...], ledger: Callable[..
         assert not judged(user).holds or claims == TWICE["implicit"]
 
 
-def test_four_is_not_nine_by_two_equations_for_integrals() -> None:
-    """∫₀ˣ 2t dt = 4 makes x = 2, ∫₀ˣ 3t² dt = 27 makes it 3, and either may stand alone."""
-    four = new("four", equal(area(2 * t), 4), x > 0)
-    for other in (
-        new("nine", equal(area(2 * t), 9), x > 0),
-        new("cubed", equal(area(3 * t**2), 27), x > 0),
-        new("three", equal(x, 3)),
-    ):
-        assert judged(four) is judged(other) is Verdict.PROVED
-        right = other.says.args[1]
-        steps = (step(area(2 * t), substituting(four)), step(None, substituting(other)))
-        assert not judged(Claim("user", equal(4, right), steps, given=(x > 0,))).holds
-        both = formally(equal(4, right), using=(four, other))
-        assert not judged(Claim("user", "…", both, given=(x > 0,))).holds
-        middle = Claim("middle", equal(area(2 * t), 4), by(substituting(four)), given=(x > 0,))
-        steps = (step(area(2 * t), substituting(middle)), step(None, substituting(other)))
-        assert not judged(Claim("user", equal(4, right), steps, given=(x > 0,))).holds
+def test_four_is_not_nine_by_equations_for_integrals() -> None:
+    """∫₀ˣ 2t dt = 4 makes x = 2, ∫₀ˣ 3t² dt = 27 makes it 3, and each may stand alone."""
+    given = (x > 0,)
+    double, treble = area(2 * t), area(3 * t**2)
+    four, cubed = new("four", equal(double, 4), *given), new("cubed", equal(treble, 27), *given)
+    nine, three = new("nine", equal(double, 9), *given), new("three", equal(x, 3))
+    assert {judged(claim) for claim in (four, cubed, nine, three)} == {Verdict.PROVED}
+    middle = Claim("middle", equal(double, 4), by(substituting(four)), given=given)
+    assert judged(middle) is Verdict.PROVED
+    square, cube = integrating(t**2), integrating(t**3)
+    for first in (four, middle):
+        start = step(double, substituting(first)), step(x**2, square)
+        sixth = step(double**3, substituting(first)), step(x**6, square), step(treble**2, cube)
+        for right, steps in (
+            (9, (start[0], step(None, substituting(nine)))),
+            (9, (*start, step(None, substituting(three)))),
+        ):
+            assert not judged(Claim("user", equal(4, right), steps, given=given)).holds
+        steps = (*sixth, step(None, substituting(cubed)))
+        assert not judged(Claim("user", equal(64, 729), steps, given=given)).holds
 
 
 def test_definitions_for_different_cases_and_assumptions_stand_together() -> None:
