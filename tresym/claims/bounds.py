@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from typing import Any
 
 from flint import fmpq
 
@@ -49,6 +50,7 @@ class Boxes:
         stored: gives the stored proofs, or None where there are none; None itself where none are
             kept, because the search is short or ends at a counterexample.
         budget: boxes a search may look at, for each bound.
+        meant: for a formula, what its symbols are in the box (`tresym.claims.meaning.Meant`).
     """
 
     bounds: tuple[Bound, ...]
@@ -58,6 +60,7 @@ class Boxes:
     claims: tuple[Claim, ...] = ()
     stored: Callable[[], tuple[BoxProof, ...] | None] | None = None
     budget: int = 20_000
+    meant: Any = None
 
     def decisions(self) -> tuple[Decision, ...]:
         """What each bound came to, by its stored proof where there is one.
@@ -99,11 +102,15 @@ class Boxes:
 
 @dataclass(frozen=True)
 class Asymptotics:
-    """An order statement; ``parameter`` says what tends to its limit, and along which path."""
+    """An order statement; ``parameter`` says what tends to its limit, and along which path.
+
+    ``meant`` is, for a formula, what its symbols are on that path.
+    """
 
     statement: Order
     parameter: str
     claims: tuple[Claim, ...] = ()
+    meant: Any = None
 
     def judge(self) -> Finding:
         """The verdict of the order machinery, with the true order for what is refuted."""

@@ -16,6 +16,7 @@ from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol,
 from sympy.core.relational import Equality, Relational
 
 from tresym.arithmetic import ball_precision
+from tresym.claims.bounds import Asymptotics, Boxes
 from tresym.claims.chain import check_chain, unmet_condition
 from tresym.claims.claim import (
     AllOf,
@@ -32,10 +33,12 @@ from tresym.claims.claim import (
     equal,
     parts_of,
 )
+from tresym.claims.denial import Denied
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.enclosure import CertificateError
 from tresym.claims.finding import Finding, StepFinding
 from tresym.claims.integrals import NotShownError, need_smooth, with_bounds
+from tresym.claims.meaning import unfit
 from tresym.claims.printed import judge_printed
 from tresym.claims.signs import is_manifest, manifest_sign
 from tresym.claims.table import conflict, overdetermined
@@ -116,13 +119,14 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
 
 
 def _judge(claim: Claim, found: Findings) -> Finding:
+    why = unfit(claim)
+    if why is not None:
+        return Finding(UNDECIDED, why)
     match claim.proof:
         case Definition():
             return _judge_definition(claim)
         case Printed():
             return judge_printed(claim.proof)
-        case AllOf() if not isinstance(claim.says, str):
-            return Finding(UNDECIDED, "a conjunction proves a sentence; a formula needs a chain")
         case AllOf(claims):
             return _judge_all(claims, found)
         case Formally(relations=relations):
@@ -141,8 +145,10 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_chains(claim, ((claim.says, claim.proof),))
         case tuple():
             return Finding(UNDECIDED, "a chain proves a relation, and this is none")
-        case _:
+        case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
+        case _:
+            return Finding(UNDECIDED, "that is no kind of evidence")
 
 
 def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
