@@ -12,7 +12,14 @@ from flint import fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.claims.claim import Claim
-from tresym.claims.enclosure import Bound, BoxProof, CertificateError, Decision, decide
+from tresym.claims.enclosure import (
+    Bound,
+    BoxProof,
+    CertificateError,
+    Decision,
+    decide,
+    inconsistent,
+)
 from tresym.claims.finding import Finding
 from tresym.claims.order import Judgement, Order
 from tresym.claims.order import decide as decide_order
@@ -78,6 +85,11 @@ class Boxes:
 
     def judge(self) -> Finding:
         """ENCLOSED when all bounds are, REFUTED at a point where one fails."""
+        for bound in self.bounds:
+            with ball_precision(bound.precision):
+                why = inconsistent(bound.margin, bound.box, bound.slopes)
+            if why is not None:
+                return Finding(Verdict.UNDECIDED, why)
         decisions = self.decisions()
         constant = None if self.constant is None else _decimal(self.constant)
         for found in decisions:

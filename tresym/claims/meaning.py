@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 from flint import arb
-from sympy import Basic, Function, Integer, Symbol
+from sympy import Basic, Integer, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Equality, Relational
 
@@ -92,13 +92,13 @@ def unfit(claim: Claim) -> str | None:
         case Boxes() | Asymptotics() if in_words and claim.given:
             return "the conditions decide nothing here: a box, or a path, stands for them"
         case Boxes() | Asymptotics() if not in_words:
-            return _other_meaning(claim)
+            return _other_meaning(claim, proof)
     return None
 
 
-def _other_meaning(claim: Claim) -> str | None:
+def _other_meaning(claim: Claim, proof: Boxes | Asymptotics) -> str | None:
     """Where the formula says something else than its bounds or its order, or None."""
-    says, meant = claim.says, claim.proof.meant
+    says, meant = claim.says, proof.meant
     if meant is None or not isinstance(says, Equality):
         return "nothing says what the evidence has to do with the formula"
     orders = {*says.atoms(AppliedUndef)}
@@ -106,7 +106,7 @@ def _other_meaning(claim: Claim) -> str | None:
     if gap is not None:
         return gap
     plain = rest.xreplace({**dict.fromkeys(orders, Integer(0)), HOT: Integer(0)})
-    if not _is_of_kind(claim.proof, orders, HOT in says.free_symbols):
+    if not _is_of_kind(proof, orders, HOT in says.free_symbols):
         return "the evidence is not for a formula with such an order"
     with ball_precision(BITS):
         samples = list(meant.samples())
@@ -119,7 +119,7 @@ def _other_meaning(claim: Claim) -> str | None:
             if not all(_met(condition.xreplace(names), point) for condition in claim.given):
                 return "the conditions do not hold where the evidence is"
             remainder = value(plain.xreplace(names), point) / value(meant.gauge, point)
-            if not _is_bounded(claim.proof, at, remainder):
+            if not _is_bounded(proof, at, remainder):
                 return "the evidence is not about what the formula leaves out"
     return None if samples else "nothing says what the evidence has to do with the formula"
 
@@ -169,8 +169,8 @@ def _is_bounded(proof: Boxes | Asymptotics, at: tuple[arb, ...], remainder: arb)
     suffice, the remainder must keep to the constant.
     """
     if isinstance(proof, Asymptotics):
-        order = proof.statement
-        f, g = (order.at_parameter(h, *at, balls) for h in (order.function, order.gauge))
+        order, (t,) = proof.statement, at
+        f, g = (order.at_parameter(h, t, balls) for h in (order.function, order.gauge))
         return _same(f / g, remainder)
     inside = (
         side.low <= x.upper() and x.lower() <= side.high
