@@ -353,6 +353,7 @@ symmetric_maximum = Claim(
         ),
         ("a", "b", "gamma", "psi0", "turn"),
         "the standard racket",
+        claims=(precession_integrand,),
     ),
     where=Place(line=211),
     expect=Verdict.REFUTED,

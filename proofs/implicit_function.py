@@ -30,7 +30,7 @@ from sympy import (
 )
 from tresym.proofs.conditions import shape
 from tresym.proofs.remainders import RACKET, in_chart
-from tresym.proofs.separatrix import stable_equation
+from tresym.proofs.separatrix import one_flip_defect, stable_equation
 from tresym.proofs.table_of_objects import exact_defect
 
 from tresym.claims.bounds import Asymptotics, Boxes
@@ -124,6 +124,7 @@ reduced_equation = Claim(
         (Bound(_reduced_residual, box(("1517/121",) * 2, ("55/874",) * 2)),),
         ("a", "b"),
         "the standard racket",
+        claims=(one_flip_defect,),
         meant=in_chart(("a", "b"), epsilon0, shapes=(RACKET,)),
     ),
     where=Place(display=41),

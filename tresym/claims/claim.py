@@ -239,6 +239,8 @@ class Printed:
     inputs: Mapping[str, str | fmpq] = field(default_factory=dict)
     half_units: int = 1
     """Half-width of the printed value in half units of its last place."""
+    claims: tuple[Claim, ...] = ()
+    """What the formula rests on: that what it solves for exists and is one."""
 
 
 @dataclass(frozen=True)
