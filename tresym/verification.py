@@ -11,11 +11,13 @@ from difflib import get_close_matches
 from typing import Any
 
 from tresym.claims.bounds import Boxes, finding_anew, searching_anew
-from tresym.claims.claim import Claim
+from tresym.claims.claim import Claim, Counterexample
 from tresym.claims.denial import Denied
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge, judge_evidence
+from tresym.claims.meaning import is_formal
 from tresym.claims.mutants import Mutant, mutants, why_few
+from tresym.claims.planted import planted
 from tresym.claims.table import conflict
 from tresym.exact import InputError, fraction_text, quoted
 from tresym.processes import Processes
@@ -74,6 +76,7 @@ class Report:
         return {
             "version": JSON_VERSION,
             "counts": self.counts,
+            "prose": [row.claim.label for row in self.rows if not is_formal(row.claim)],
             "claims": [_row_json(row, lines) for row in self.rows],
         }
 
@@ -224,6 +227,8 @@ def verify_mutants(
 ) -> MutantReport:
     """Judge mutants of every claim, or of those named by ``labels``: none may hold.
 
+    With those of every claim, the falsehoods that are planted for the guards of the judge.
+
     Args:
         labels: labels of claims; none means all.
         wanted: changes to each claim, spread over its places, one or more at each.
@@ -253,7 +258,28 @@ def verify_mutants(
         rows.append(MutantRow(claim, counts, survivors, changes, few))
         if on_row is not None:
             on_row(rows[-1])
+    if labels:
+        return MutantReport(tuple(rows))
+    for claim in planted():
+        rows.append(_planted_row(claim))
+        if on_row is not None:
+            on_row(rows[-1])
     return MutantReport(tuple(rows))
+
+
+def _planted_row(claim: Claim) -> MutantRow:
+    """What became of a planted falsehood, with all that it rests on."""
+    found: dict[str, Finding] = {}
+    for used in (*claim.rests_on, claim):
+        found[used.label] = judge(used, found)
+    mutant = Mutant(claim, "the judge", "a guard is missing", claim)
+    verdict = found[claim.label].verdict
+    counts = {v.value: int(v is verdict) for v in Verdict}
+    return MutantRow(claim, counts, (mutant,) if _believed(claim, verdict) else (), 1)
+
+
+def _believed(claim: Claim, verdict: Verdict) -> bool:
+    return verdict.holds or (isinstance(claim.proof, Counterexample) and verdict is Verdict.REFUTED)
 
 
 def _survives(mutant: Mutant, verdict: Verdict) -> bool:
@@ -376,6 +402,7 @@ def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "requested": row.requested,
         "kind": claim.kind,
         "says": says_latex(claim.says),
+        "formal": is_formal(claim),
         "given": [given_latex(condition) for condition in claim.given],
         "verdict": finding.verdict.value,
         "expect": claim.expect.value,

@@ -226,6 +226,8 @@ def recheck(bound: Bound, proof: BoxProof) -> None:
     Raises:
         CertificateError: the tree is malformed, or a box does not close.
     """
+    if not isinstance(proof.tree, str):
+        raise CertificateError("the tree is no text")
     with ball_precision(bound.precision):
         stack = [bound.box]
         for mark in proof.tree:

@@ -69,6 +69,15 @@ class Meant:
     gauge: Basic
 
 
+def is_formal(claim: Claim) -> bool:
+    """Whether what the claim says is the formula that its evidence decides.
+
+    What is said in words is compared with the evidence by a reader, and a formula with an order is
+    compared with what bounds it at points.
+    """
+    return not isinstance(claim.says, str) and not isinstance(claim.proof, Boxes | Asymptotics)
+
+
 def unfit(claim: Claim) -> str | None:
     """Why the evidence cannot decide what is said, whatever it comes to; None where it can."""
     proof, says = claim.proof, claim.says
@@ -114,7 +123,8 @@ def _other_meaning(claim: Claim, proof: Boxes | Asymptotics) -> str | None:
         with ball_precision(BITS):
             names = {e: Symbol(f"[{e}]", real=True) for e in known if not isinstance(e, Symbol)}
             point = {names.get(e, e): ball for e, ball in known.items()}
-            if not plain.xreplace(names).free_symbols <= {*point}:
+            spoken_of = (e.xreplace(names) for e in (plain, meant.gauge, *claim.given))
+            if any(not e.free_symbols <= {*point} for e in spoken_of):
                 return "a symbol of the formula has no value where the evidence is"
             if not all(_met(condition.xreplace(names), point) for condition in claim.given):
                 return "the conditions do not hold where the evidence is"
@@ -150,6 +160,8 @@ def _is_of_kind(proof: Boxes | Asymptotics, orders: set[Basic], hot: bool) -> bo
 
 
 def _met(condition: Basic, point: Mapping[Symbol, arb]) -> bool:
+    if not isinstance(condition, Relational):
+        return False
     room = value(condition.lhs - condition.rhs, point)
     return bool(
         {
