@@ -131,6 +131,10 @@ def test_conditions_that_decide_nothing_are_refused(name: str) -> None:
         "400x² is twice differentiable at 0.",
         "The limit of 400x² at 0 is 0.",
         "400x² is flat at 0.",
+        "400x² has a derivative at 0.",
+        "Smooth is 400x² at 0, and of class C¹.",
+        "400x² is bounded near 0.",
+        "400x² vanishes as x goes to 0.",
     ],
 )
 def test_one_point_tells_nothing_of_smoothness_or_a_limit(says: str) -> None:
