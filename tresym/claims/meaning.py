@@ -49,8 +49,8 @@ KINDS = (
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
 
 LOCAL = re.compile(
-    r"smooth|analytic|holomorph|regular|continu|differentiab|derivative|lipschitz|class C|C\^|bounded|"
-    r"\bflat\b|limit|tends?\b|converg|approach|asymptot|vanish|\bnear|neighbou?r|→|\bo\(",
+    r"smooth|analytic|holomorph|regular|continu|differentiab|derivative|lipschitz|class C|"
+    r"C\^|bounded|\bflat\b|limit|tends?\b|converg|approach|asymptot|vanish|\bnear|neighbou?r|→|\bo\(",
     re.IGNORECASE,
 )
 """Words for what a function does as it comes near a point, of which no single point tells."""
