@@ -150,6 +150,15 @@ def test_definitions_for_different_cases_and_assumptions_stand_together() -> Non
     assert conflict(cases) is conflict(assumed) is None
 
 
+def test_what_is_assumed_must_be_possible_as_the_other_symbols_are_defined() -> None:
+    two, same = new("two", equal(y, 2)), new("same", equal(x, y))
+    three = new("three", equal(x, 3), assumes="so I say")
+    assert conflict((same, three)) is None
+    assert conflict((two, same, three)) is not None
+    to, fro = new("to", equal(x, y), assumes="this"), new("fro", equal(y, x + 1), assumes="that")
+    assert conflict((to, fro)) is not None
+
+
 def test_what_rests_on_itself_is_refused(ledger: Callable[..., None]) -> None:
     claims = [Claim(label, label, all_of()) for label in "abc"]
     for claim, used in zip(claims, [*claims[1:], claims[0]], strict=True):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
+from itertools import combinations
 
 from sympy import Basic, Integral, Symbol
 from sympy.core.relational import Relational
@@ -37,21 +38,35 @@ def _conflict(claims: tuple[Claim, ...]) -> str | None:
     meanings: dict[Basic, list[tuple[Basic, Claim]]] = {}
     for claim in claims:
         for left, right in definitions((claim,)).items():
-            for meaning, other in meanings.setdefault(left, []):
-                if meaning != right and not _agree(left, (meaning, other), (right, claim)):
-                    return f"{left} is defined by {other.label} and by {claim.label}"
-            meanings[left].append((right, claim))
-    return _circle({left: [m for m, c in ms if not _assumes(c)] for left, ms in meanings.items()})
+            meanings.setdefault(left, []).append((right, claim))
+    circle = _circle({left: [m for m, _ in found] for left, found in meanings.items()})
+    if circle is not None:
+        return circle
+    once = {s: found[0][0] for s, found in meanings.items() if s.is_Symbol and len(found) == 1}
+    for left, found in meanings.items():
+        for one, two in combinations(found, 2):
+            if one[0] != two[0] and not _agree(left, one, two, once):
+                return f"{left} is defined by {one[1].label} and by {two[1].label}"
+    return None
 
 
-def _agree(left: Basic, one: tuple[Basic, Claim], two: tuple[Basic, Claim]) -> bool:
-    """Whether two equations for a symbol are for different cases, or one is assumed by name."""
+def _agree(left: Basic, one: tuple[Basic, Claim], two: tuple[Basic, Claim], rules: Rules) -> bool:
+    """Whether two equations for a symbol are for different cases, or one is assumed by name.
+
+    What is assumed must be possible as the other symbols are defined.
+    """
     (first, earlier), (second, later) = one, two
     if _exclude(earlier.given, later.given) or _exclude(later.given, earlier.given):
         return True
     both = (*earlier.given, *later.given)
     assumed = _assumes(earlier) or _assumes(later)
-    return assumed and satisfiable(both, (equal(left, first), equal(left, second)))
+    known = equal(left, first), equal(left, second)
+    try:
+        both = tuple(put_in(condition, rules) for condition in both)
+        known = tuple(equal(left, put_in(e.args[1], rules)) for e in known)
+    except CircularError:
+        pass  # a symbol is bound there, or the equations go on: they are taken as they stand
+    return assumed and satisfiable(both, known)
 
 
 def _exclude(given: Conditions, others: Conditions) -> bool:
