@@ -31,6 +31,7 @@ from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import auxiliary, shape
 from tresym.proofs.exponent import logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import slope_in_T_positive
+from tresym.proofs.remainders import at_unit_b
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.arithmetic import balls
@@ -48,6 +49,7 @@ from tresym.claims.claim import (
 )
 from tresym.claims.enclosure import Bound, box
 from tresym.claims.germ import Germs
+from tresym.claims.meaning import Meant
 from tresym.claims.order import Order
 from tresym.exact import as_rational
 from tresym.flip.separatrix import defect_over
@@ -104,12 +106,14 @@ def boxed(
     constant: str | None = None,
     expect: Verdict = Verdict.ENCLOSED,
     slopes: bool = False,
+    meant: Meant | None = None,
     **rest: Any,
 ) -> Claim:
     """A claim that is a conjunction of bounds on one box."""
     bounds = tuple(Bound(part, box(*sides), slopes) for part in parts)
     exact = None if constant is None else as_rational(constant)
-    proof = Boxes(bounds, names, region, exact, RESTS_ON, certificate(label), budget=30_000)
+    stored = certificate(label)
+    proof = Boxes(bounds, names, region, exact, RESTS_ON, stored, budget=30_000, meant=meant)
     return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
 
 
@@ -216,6 +220,7 @@ printed_remainder = Claim(
         ),
         "t = 1/sqrt(ab) -> 0 along b = 1, a = 1/t^2",
         RESTS_ON,
+        at_unit_b(exp(-2 * sqrt(a * b) * pi)),
     ),
     expect=Verdict.REFUTED,
     where=Place(display=47),

@@ -8,7 +8,7 @@ from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
 
-from tresym.claims.enclosure import BoxProof
+from tresym.claims.enclosure import BoxProof, CertificateError
 from tresym.exact import InputError
 
 FILE = "certificates.json"
@@ -21,11 +21,18 @@ def _trees() -> dict[str, list[str]]:
 
 
 def certificate(label: str) -> Callable[[], tuple[BoxProof, ...] | None]:
-    """The stored proofs of the claim ``label``, one for each bound; None if there are none."""
+    """The stored proofs of the claim ``label``, one for each bound; None if there are none.
+
+    What it gives raises a CertificateError where the file holds something else.
+    """
 
     def stored() -> tuple[BoxProof, ...] | None:
         trees = _trees().get(label)
-        return None if trees is None else tuple(BoxProof(tree) for tree in trees)
+        if trees is None:
+            return None
+        if not isinstance(trees, list) or not all(isinstance(tree, str) for tree in trees):
+            raise CertificateError(f"{FILE} has no list of trees for {label}")
+        return tuple(BoxProof(tree) for tree in trees)
 
     return stored
 

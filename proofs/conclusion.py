@@ -13,6 +13,7 @@ from typing import Any
 from flint import arb
 from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
+from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import exact_defect, formula_defect, share_of_pi
 
 from tresym.claims.claim import Claim, Place, all_of, at, by, equal, evaluating, step, together
@@ -60,6 +61,7 @@ ethylene_flip_exact = number(
     "0.0870",
     _of_constants(share_of_pi(exact_defect)),
     CONSTANTS,
+    rests_on=(rotational_constants, one_flip_defect),
 )
 
 ethylene_flip_formula = number(
@@ -68,6 +70,7 @@ ethylene_flip_formula = number(
     "0.0871",
     _of_constants(share_of_pi(formula_defect)),
     CONSTANTS,
+    rests_on=(rotational_constants,),
 )
 
 
@@ -81,6 +84,7 @@ ethylene_without_prefactor = number(
     "0.0528",
     _of_constants(share_of_pi(_bare_exponential)),
     CONSTANTS,
+    rests_on=(rotational_constants,),
 )
 
 _AMENDED = (ethylene_flip_exact, ethylene_flip_formula, ethylene_without_prefactor)
@@ -94,6 +98,7 @@ ethylene_flip = number(
     where=Place(line=320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
+    rests_on=(rotational_constants, one_flip_defect),
 )
 
 ethylene_flip_by_formula = number(
@@ -105,6 +110,7 @@ ethylene_flip_by_formula = number(
     where=Place(line=320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
+    rests_on=(rotational_constants,),
 )
 
 ethylene_plane = number(

@@ -209,7 +209,7 @@ gamma_conserved = Claim(
         diff(_gamma_of_angles, theta) * dtheta_dphi + diff(_gamma_of_angles, psi) * dpsi_dphi,
         0,
     ),
-    given=(*tilted, *shape_of_a_body),
+    given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
     where=Place(line=134),
     note="The second route to the constant of motion: its derivative along the flow.",
@@ -231,7 +231,7 @@ range_of_gamma = Claim(
     label="range_of_gamma",
     says=Tuple(gamma >= -b, gamma <= a),
     kind="bound",
-    given=shape,
+    given=(*ordered_moments, *shape),
     proof=together(
         (
             step(a - sin(theta) ** 2 * (a + b * sin(psi) ** 2) + b, substituting(eq_gamma)),

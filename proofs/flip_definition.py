@@ -95,7 +95,7 @@ eq_robust_gen = Claim(
 full_turn = Claim(
     label="full_turn",
     says=equal(Delta_phi, 2 * pi),
-    proof=Definition(),
+    proof=Definition(assumes="the turn that is studied"),
     where=Place(display=18),
     note="The turn that is studied: one of the handle.",
 )
@@ -355,6 +355,7 @@ symmetric_maximum = Claim(
         ),
         ("a", "b", "gamma", "psi0", "turn"),
         "the standard racket",
+        claims=(precession_integrand,),
     ),
     where=Place(line=211),
     expect=Verdict.REFUTED,

@@ -8,7 +8,7 @@
 
 import sympy
 from sympy import Abs, Ne, cos, sin, sqrt
-from tresym.proofs.conditions import shape_of_a_body, tilted
+from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma
 
 from tresym.claims.claim import (
@@ -25,7 +25,7 @@ from tresym.claims.claim import (
 from tresym.formulas import printed
 from tresym.notation import S, a, b, dpsi_dphi, gamma, psi, theta
 
-moving = (*shape_of_a_body, cos(theta) ** 2 > 0, gamma + b * sin(psi) ** 2 > 0)
+moving = (*ordered_moments, *shape_of_a_body, cos(theta) ** 2 > 0, gamma + b * sin(psi) ** 2 > 0)
 """Away from the turning points, where cos θ ≠ 0; the two conditions mean the same."""
 
 sign_of_tilt = Claim(

@@ -17,7 +17,6 @@ from flint import fmpq
 from sympy import (
     Derivative,
     Equivalent,
-    Gt,
     Integer,
     Le,
     Ne,
@@ -34,7 +33,8 @@ from sympy import (
     sqrt,
 )
 from tresym.proofs.conditions import shape
-from tresym.proofs.separatrix import stable_equation
+from tresym.proofs.remainders import RACKET, in_chart
+from tresym.proofs.separatrix import one_flip_defect, stable_equation
 from tresym.proofs.table_of_objects import exact_defect
 
 from tresym.claims.bounds import Asymptotics, Boxes
@@ -129,6 +129,8 @@ reduced_equation = Claim(
         (Bound(_reduced_residual, box(("1517/121",) * 2, ("55/874",) * 2)),),
         ("a", "b"),
         "the standard racket",
+        claims=(one_flip_defect,),
+        meant=in_chart(("a", "b"), epsilon0, shapes=(RACKET,)),
     ),
     where=Place(display=41),
     expect=Verdict.REFUTED,
@@ -233,13 +235,17 @@ flat_from_above = Claim(
     expect=Verdict.ENCLOSED,
 )
 
+
+def _one(x: Any, m: Any) -> Any:
+    return x / x
+
+
 flat_function = Claim(
     label="flat_function",
-    says="e^{−1/s} with the value 0 at 0 is flat there: |e^{−1/s}| ≤ |s| for |s| ≤ 1/10.",
-    kind="statement",
-    given=(x**2 <= sympy.Rational(1, 100),),
-    proof=Counterexample(
-        {"x": fmpq(-1, 20)}, Gt(printed.flat_function(x, sympy), 1, evaluate=False)
+    says="e^{−1/s} with the value 0 at 0 is flat there: from below, too, it is O(s) as s → 0.",
+    kind="order",
+    proof=Asymptotics(
+        Order("O", printed.flat_function, lambda s, m: s, side=-1), "t = -s, s -> 0 from below"
     ),
     where=Place(line=358),
     expect=Verdict.REFUTED,
@@ -249,11 +255,11 @@ flat_function = Claim(
 
 smooth_at_origin = Claim(
     label="eps0_smooth",
-    says="ε₀(u, λ, μ) is smooth at the origin; near it, it stays below 1.",
-    kind="statement",
-    given=(lam**2 <= sympy.Rational(1, 100), u**2 <= 1, mu**2 <= sympy.Rational(1, 4), *_small),
-    proof=Counterexample(
-        {"lambda": fmpq(-1, 20), "u": fmpq(0), "mu": fmpq(1, 2)}, Gt(_by_u, 1, evaluate=False)
+    says="ε₀(u, λ, μ) is smooth at the origin: it is O(1) near it.",
+    kind="order",
+    proof=Asymptotics(
+        Order("O", lambda s, m: printed.defect_of_u(0 * s, s, 0 * s, m), _one, side=-1),
+        "t = -lambda, lambda -> 0 from below, u = mu = 0",
     ),
     where=Place(line=363),
     expect=Verdict.REFUTED,
@@ -400,18 +406,25 @@ def _at_origin(
     )
 
 
+def steep_path(defect: Any, m: Any) -> tuple[Any, Any]:
+    """(λ, μ) on the way to the origin, u = 0 and μ = 1/ε₀, at which ε₀ is ``defect``."""
+    small = 1 / defect
+    return -(m.pi + m.asin(small)) / m.log(defect / (2 * m.sqrt(1 - small * small))), small
+
+
+def slope_on_steep_path(defect: Any, m: Any) -> Any:
+    """∂G/∂λ = μ sin ε₀ ∂ε₀/∂λ/√(1 − μ² cos²ε₀) on the path, where sin ε₀ is 1 and cos ε₀ is 0."""
+    size, small = steep_path(defect, m)
+    return small * defect * (m.pi + m.asin(small)) / (size * size)
+
+
 G_is_smooth = Claim(
     label="G_is_smooth",
-    says="G is smooth at the origin; near it |∂G/∂λ| stays below 1000.",
-    kind="statement",
-    given=(lam**2 <= sympy.Rational(1, 100), u**2 <= 1, mu**2 <= sympy.Rational(1, 4), *_small),
-    proof=Counterexample(
-        {"lambda": fmpq(-1, 20), "u": fmpq(0), "mu": fmpq(1, 2)},
-        Gt(
-            Derivative(printed.implicit_function(u, lam, mu, sympy), lam) ** 2,
-            10**6,
-            evaluate=False,
-        ),
+    says="G is smooth at the origin: ∂G/∂λ is O(1) near it.",
+    kind="order",
+    proof=Asymptotics(
+        Order("O", slope_on_steep_path, _one, at=None),
+        "t = 1/epsilon0, epsilon0 = pi/2 + 2 pi n -> oo, u = 0, mu = t: lambda -> 0 from below",
     ),
     where=Place(line=367),
     expect=Verdict.REFUTED,

@@ -34,6 +34,7 @@ from sympy import (
     sqrt,
 )
 from tresym.proofs.conditions import shape
+from tresym.proofs.flip_dynamics import precession_integrand
 from tresym.proofs.numbers_in_text import A, B, lower_exact, number, upper_exact_value
 from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.turning import (
@@ -286,6 +287,7 @@ up_and_down = Claim(
         ),
         ("a", "b"),
         "a = 10, b = 1/2",
+        claims=(precession_integrand,),
     ),
     expect=Verdict.ENCLOSED,
     note="It has the value ε(−19/60) twice more at least, once above −3/20 and once below −7/15.",
@@ -307,6 +309,7 @@ perfect_level = number(
     "3.20e-3",
     lambda m: level_of(A, B, Angle(fmpq(0), fmpq(0)), 20),
     {},
+    rests_on=(precession_integrand,),
 )
 
 standard_is_a_body = Claim(

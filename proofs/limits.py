@@ -202,7 +202,6 @@ remainder_constant = Claim(
     label="remainder_constant",
     says="With the printed slope the remainder is O(γ²): over γ² it tends to a constant.",
     kind="order",
-    given=pavao.given,
     proof=pavao.proof,
     where=Place(line=426),
     expect=Verdict.REFUTED,

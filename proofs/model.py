@@ -155,7 +155,7 @@ momentum_along_z = Claim(
     label="momentum_along_z",
     shown=r"(M_2, M_3, M_1)^{\mathsf T} = M\,R^{\mathsf T}(0, 0, 1)^{\mathsf T}",
     says=equal(momentum, M * rotation.T * ImmutableMatrix([0, 0, 1])),
-    proof=Definition(),
+    proof=Definition(assumes="the choice of axes in space"),
     note="The third axis of the laboratory is chosen along the angular momentum.",
 )
 

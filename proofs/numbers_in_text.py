@@ -32,14 +32,15 @@ from sympy import (
     sqrt,
 )
 from tresym.proofs.conditions import shape_of_a_body
-from tresym.proofs.euler_angles import elimination_of_time
+from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
-from tresym.proofs.flip_dynamics import sign_of_tilt
+from tresym.proofs.flip_dynamics import precession_integrand, sign_of_tilt
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import exponential_decay
 from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
 from tresym.proofs.regimes import three_regimes
+from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import exact_defect, formula_defect, of_moments, share_of_pi
 
 from tresym.claims.bounds import Boxes
@@ -100,10 +101,12 @@ def number(
     *,
     expect: Verdict = Verdict.ENCLOSED,
     half_units: int = 1,
+    rests_on: tuple[Claim, ...] = (),
     **rest: Any,
 ) -> Claim:
     """A claim that says a printed number."""
-    proof = Printed(text, formula, inputs, half_units)
+    shape = (shape_and_depth,) if "I1" in inputs else ()
+    proof = Printed(text, formula, inputs, half_units, (*shape, *rests_on))
     return Claim(label=label, says=says, kind="number", proof=proof, expect=expect, **rest)
 
 
@@ -125,6 +128,7 @@ defect_exact = number(
     STR,
     where=Place(line=252),
     note="The printed moments give 0.11494…; moments that round to them give 0.1150.",
+    rests_on=(one_flip_defect,),
 )
 d26 = Claim(
     label="d26",
@@ -149,6 +153,7 @@ flip_str_exact = number(
     of_moments(share_of_pi(exact_defect)),
     STR,
     where=Place(line=253),
+    rests_on=(one_flip_defect,),
 )
 
 
@@ -164,6 +169,7 @@ accuracy = number(
     STR,
     half_units=2,
     where=Place(line=253),
+    rests_on=(one_flip_defect,),
 )
 accuracy_relative = number(
     "accuracy_relative",
@@ -173,6 +179,7 @@ accuracy_relative = number(
     STR,
     half_units=2,
     where=Place(line=253),
+    rests_on=(one_flip_defect,),
 )
 
 # -- the slope ------------------------------------------------------------------------------------
@@ -209,6 +216,7 @@ slope_exact_value = number(
     "-35.6",
     of_moments(exact_slope),
     STR,
+    rests_on=(one_flip_defect,),
 )
 d27 = number(
     "d27",
@@ -220,6 +228,7 @@ d27 = number(
     expect=Verdict.REFUTED,
     amended_by=(slope_exact_value, slope_of_formula),
     note="Read of ε(γ) itself; the number is that of −1/(4bε₀).",
+    rests_on=(one_flip_defect,),
 )
 
 # -- the levels at which the tolerance is reached -------------------------------------------------
@@ -268,6 +277,7 @@ upper_exact_value = number(
     "1.04e-2",
     of_moments(rotating_level),
     STR,
+    rests_on=(precession_integrand,),
 )
 upper_exact = number(
     "upper_level",
@@ -278,6 +288,7 @@ upper_exact = number(
     expect=Verdict.REFUTED,
     amended_by=(upper_exact_value, upper_linear),
     note="The number is that of the linear formula.",
+    rests_on=(precession_integrand,),
 )
 lower_linear = number(
     "lower_level_linear",
@@ -296,6 +307,7 @@ lower_exact = number(
     {},
     where=Place(line=262),
     note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
+    rests_on=(precession_integrand,),
 )
 
 _square, _before = sin(psi) ** 2, Symbol("c", real=True)
@@ -410,15 +422,16 @@ larger_ab_smaller_eps0 = tuple(
             (Bound(_falls_with_product(defect), box(*_REALIZABLE)),),
             ("a1", "b1", "a2", "b2"),
             "two shapes that bodies can have",
+            claims=used,
         ),
         where=Place(line=251),
         expect=Verdict.REFUTED,
         amended_by=(monotonicity,),
         note="True at fixed a and at fixed b.",
     )
-    for label, how, defect in (
-        ("larger_ab_smaller_eps0", "", exact_defect),
-        ("formula_shows_larger_ab", ", by the formula", formula_defect),
+    for label, how, defect, used in (
+        ("larger_ab_smaller_eps0", "", exact_defect, (one_flip_defect,)),
+        ("formula_shows_larger_ab", ", by the formula", formula_defect, ()),
     )
 )
 
@@ -443,6 +456,7 @@ larger_ab_less_robust = Claim(
         ),
         ("a1", "b1", "a2", "b2"),
         "two shapes that bodies can have",
+        claims=(one_flip_defect,),
     ),
     where=Place(line=254),
     expect=Verdict.REFUTED,
@@ -675,6 +689,7 @@ hyperbolic_levels = Claim(
         (Bound(_same_product, box(*((v, v) for v in ("1", "3/10", "10", "3/100")))),),
         ("a1", "b1", "a2", "b2"),
         "two shapes of one product",
+        claims=(one_flip_defect,),
     ),
     where=Place(line=291),
     expect=Verdict.REFUTED,
@@ -690,4 +705,5 @@ flip_of_no_flip = number(
     {"a": fmpq(1), "b": fmpq(1, 100)},
     where=Place(line=318),
     note="So the effect needs constraints on the moments, as the conclusion says.",
+    rests_on=(one_flip_defect,),
 )

@@ -40,6 +40,7 @@ from tresym.proofs.bending import curvature
 from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
+from tresym.proofs.remainders import RACKET, TURN, beside_tangent, in_bent_chart, in_chart
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
@@ -121,6 +122,7 @@ quadratic_left = boxed(
     "b/a <= 4, epsilon0 <= 1/4",
     "1.84",
     slopes=True,
+    meant=in_chart(("R", "epsilon0"), (1 + b / a) * epsilon0**4 / 4),
     given=shape,
     where=Place(display=38),
     note="The higher orders are at most 1.84 ε₀² times the term before them.",
@@ -135,6 +137,7 @@ linear_left = boxed(
     "b/a <= 4, epsilon0 <= 1/4",
     "0.92",
     slopes=True,
+    meant=in_chart(("R", "epsilon0"), epsilon0**3),
     given=shape,
     where=Place(display=39),
     note="The higher orders are at most 0.92 ε₀³.",
@@ -228,11 +231,14 @@ def _printed_order(
     label: str,
     display: int,
     left: Any,
+    value: Callable[..., Any],
     right: Any,
+    gauge: Any,
     error: Callable[..., Any],
     constant: str,
     **k: Any,
 ) -> Claim:
+    """A display whose left side has this ``value`` at γ = 0, its remainder over a gauge bounded."""
     return boxed(
         label,
         equal(left, right),
@@ -241,6 +247,7 @@ def _printed_order(
         BY_KAPPA,
         QUARTER,
         constant,
+        meant=in_chart(BY_KAPPA, gauge, {left: value}),
         given=(*shape, S**2 > 0),
         where=Place(display=display),
         **k,
@@ -270,7 +277,9 @@ d52 = _printed_order(
     "d52",
     52,
     _per_turn,
+    printed.defect_per_turn,
     printed.defect_per_turn_asymptotic(epsilon0, a, b, S, sympy) + O(epsilon0**2),
+    sqrt(a * b) * epsilon0**2,
     _per_turn_square,
     "0.31",
     note="|∂ε/∂F + √(ab) ε₀| ≤ 0.31 √(ab) ε₀². The true order is ε₀³.",
@@ -289,7 +298,9 @@ d56 = _printed_order(
     "d56",
     56,
     _turn_slope,
+    printed.turn_slope,
     printed.turn_slope_asymptotic(epsilon0, a, b, S, sympy) + O(1 / epsilon0),
+    1 / (4 * b * sqrt(a * b) * epsilon0),
     _turn_slope_times_defect,
     "0.96",
     note="The rest is at most 0.96/(4b√(ab) ε₀). Its true order is log(1/ε₀), which √(ab) is.",
@@ -309,7 +320,9 @@ d57 = _printed_order(
     "d57",
     57,
     _slope,
+    lambda *at: -printed.defect_per_turn(*at) * printed.turn_slope(*at),
     printed.defect_slope_asymptotic(epsilon0, b) + O(Integer(1)),
+    1 / b,
     _slope_times_defect,
     "0.18",
     note="|dε/dγ + 1/(4bε₀)| ≤ 0.18/b: O(1) at fixed b. The true order is √(ab) ε₀.",
@@ -328,8 +341,6 @@ d57_true_order = _true_order(
 
 # -- near the separatrix --------------------------------------------------------------------------
 
-RACKET = (fmpq(1517, 121), fmpq(55, 874))
-"""The standard racket."""
 COARSE = arb("1e-4")
 """Tolerance of the integral: the boxes are wider."""
 BENT = ((0, 1), (0, 2), (-1, 1))
@@ -366,6 +377,7 @@ tangent = Claim(
         as_rational("2"),
         (one_flip_defect, logarithmic_equation, slope_of_integral),
         certificate("eq_epsilon_gen"),
+        meant=in_bent_chart(sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
     ),
     where=Place(display=22),
     expect=Verdict.ENCLOSED,
@@ -389,6 +401,7 @@ linear = Claim(
         ("gamma",),
         "the standard racket",
         claims=(one_flip_defect,),
+        meant=beside_tangent(1 / TURN, (fmpq(1, 10000),)),
     ),
     where=Place(display=31),
     expect=Verdict.REFUTED,
@@ -415,6 +428,7 @@ def _printed_slope(label: str, display: int) -> Claim:
             Order("O", difference, lambda t, m: t**2, upto=fmpq(1, 2000)),
             "t = gamma -> 0 from above, the standard racket",
             (tangent,),
+            beside_tangent(gamma**2),
         ),
         where=Place(display=display),
         expect=Verdict.REFUTED,

@@ -17,6 +17,7 @@ from flint import arb
 from sympy import Derivative, Rational, Symbol, asin, sin, sqrt
 from tresym.proofs.conditions import defect, shape_of_a_body
 from tresym.proofs.flip_definition import symmetric_is_extreme
+from tresym.proofs.flip_dynamics import precession_integrand
 from tresym.proofs.numbers_in_text import (
     A,
     B,
@@ -242,6 +243,7 @@ no_tre_far = Claim(
         (Bound(_misses, box(("51/5000", "51/5000"))),),
         ("gamma",),
         "the standard racket, symmetric start",
+        claims=(precession_integrand,),
     ),
     where=Place(line=272),
     expect=Verdict.REFUTED,

@@ -20,7 +20,10 @@ from typing import Any
 
 from flint import arb, fmpq
 from sympy import Basic, Rational, Symbol
+from tresym.proofs.euler_angles import shape_and_depth
+from tresym.proofs.flip_definition import eqdefect
 from tresym.proofs.printed import ROW_LINES, TABLE_1
+from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.claims.claim import Claim, Place, Printed, all_of, formally
 from tresym.exact import printed as printed_interval
@@ -72,6 +75,11 @@ def _rational(x: fmpq) -> Rational:
 
 def _cell(row: str, column: str, x: str, formula: Formula, inputs: Inputs, reading: str) -> Claim:
     """One printed number; ``reading`` is empty, ``formula`` or ``from_epsilon0``."""
+    rests_on = (shape_and_depth,) if {*inputs} & {*MOMENTS} else ()
+    if column in ("epsilon0", "flip") and not reading:
+        rests_on = (*rests_on, one_flip_defect)
+    if column == "flip":
+        rests_on = (*rests_on, eqdefect)
     name = {"epsilon0": "ε₀", "flip": "1 − Δψ/π"}.get(column, column)
     how = {
         "": "",
@@ -83,7 +91,7 @@ def _cell(row: str, column: str, x: str, formula: Formula, inputs: Inputs, readi
         label=label,
         says=f"Table 1, {row}: {name} = {x}{how}.",
         kind="number",
-        proof=Printed(x, formula, inputs),
+        proof=Printed(x, formula, inputs, claims=rests_on),
         where=Place(line=ROW_LINES[row], cell=column),
         expect=Verdict.ENCLOSED,
     )
@@ -217,7 +225,12 @@ racket_3_a = Claim(
     label="racket_3_a",
     says="With the printed moments of racket 3, a = 14.91 to two decimals.",
     kind="number",
-    proof=Printed("14.91", _a_of_moments, {n: _third[n] for n in ("I1", "I2")}),
+    proof=Printed(
+        "14.91",
+        _a_of_moments,
+        {n: _third[n] for n in ("I1", "I2")},
+        claims=(shape_and_depth,),
+    ),
     expect=Verdict.ENCLOSED,
 )
 

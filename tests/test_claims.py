@@ -1,5 +1,7 @@
 """Every checker of claims rejects the falsehoods planted for it."""
 
+from dataclasses import replace
+
 import pytest
 from flint import arb
 from sympy import (
@@ -484,3 +486,48 @@ def test_a_definition_that_contradicts_a_condition_proves_nothing() -> None:
     for proof in (by(substituting(nought)), formally(equal(1 / x, 2), using=(nought,))):
         user = Claim("user", equal(1 / x, 2), proof, given=(x > 0,))
         assert not judge(user, held).verdict.holds
+
+
+def test_what_a_claim_rests_on_is_shown_whether_spoken_of_or_not() -> None:
+    below = Claim("below", equal(t, -1), Definition(), given=(y < 0,))
+    root = Claim("root", equal(sqrt(y**2), t * y), by(substituting(below), roots), given=(y < 0,))
+    held = {"below": judge(below, {})}
+    held["root"] = judge(root, held)
+    assert held["root"].verdict is Verdict.PROVED
+    user = Claim("user", equal(t, -1), by(substituting(below)))
+    assert judge(user, held).verdict is Verdict.UNDECIDED
+    hidden = Claim("hidden", equal(x, 1), Definition(), given=(y > 0,))
+    other = Claim(
+        "other", equal(sqrt(y**2), x * y), by(substituting(hidden), roots), given=(y > 0,)
+    )
+    held["hidden"] = judge(hidden, {})
+    held["other"] = judge(other, held)
+    assert held["other"].verdict is Verdict.PROVED
+    for proof in (
+        by(substituting(other), substituting(hidden)),
+        formally(equal(sqrt(y**2), y), using=(other, hidden)),
+    ):
+        says = equal(sqrt(y**2), y)
+        assert not judge(Claim("up", says, proof, given=(y < 0,)), held).verdict.holds
+
+
+def test_a_condition_against_a_definition_or_a_cited_bound_proves_nothing() -> None:
+    half = Claim("half", equal(x, Rational(1, 2)), Definition())
+    proof = (step(Rational(1, 2), substituting(half)),)
+    bound = Claim("bound", Gt(1 - x, 0, evaluate=False), proof)
+    held = {"half": judge(half, {})}
+    held["bound"] = judge(bound, held)
+    assert held["bound"].verdict is Verdict.PROVED
+    says = Gt(1 - x, 0, evaluate=False)
+    steps = (step(1 - x, citing(bound)),)
+    assert not judge(Claim("user", says, steps, given=(x > 5,)), held).verdict.holds
+    third = Claim("third", equal(y, x + 1), by(substituting(half)))
+    held["third"] = Finding(Verdict.PROVED, "assumed")
+    third = replace(third, says=equal(y, Rational(3, 2)))
+    sentence = formally(Gt(y + x, 6, evaluate=False), using=(third,))
+    assert not judge(Claim("…", "…", sentence, given=(x > 5,)), held).verdict.holds
+    chain = (step(3 * x**2 + a, differentiation),)
+    ends = [(step((x**3 + a * x - a).subs(x, end)),) for end in (0, 1)]
+    root = UniqueRoot(x, x**3 + a * x - a, Integer(0), Integer(1), chain, *ends)
+    assert verdict(claim("one root", root, (a > 0,))) is Verdict.PROVED
+    assert not verdict(claim("one root", root, (a > 0, a < 0))).holds

@@ -30,6 +30,7 @@ from tresym.claims.claim import (
     Definition,
     ImplicitFunction,
     Reason,
+    UniqueRoot,
     by,
     changing_variable,
     citing,
@@ -342,3 +343,69 @@ def test_what_holds_of_one_integral_holds_of_no_other() -> None:
     ):
         user = Claim("user", says, by(substituting(used), differentiation), given=(x > 0, y > 0))
         assert not judge(user, held).verdict.holds
+
+
+def test_a_variable_that_is_free_outside_is_not_bound_inside() -> None:
+    """∫₀¹ x dx is 1/2: a new variable, or the sum of several, must not catch a free symbol."""
+    change = by(changing_variable(2 * t))
+    assert not verdict(equal(area(2 * t), Integral(t, (y, 0, 2))), change).holds
+    assert not verdict(equal(area(2 * y), Integral(y, (y, 0, 2))), change).holds
+    same = equal(area(t), Integral(t, (x, 0, 1)))
+    assert not verdict(same, by(changing_variable(t))).holds
+    for says in (
+        equal(area(x) + area(t), Integral(2 * x, (x, 0, 1))),
+        equal(Integral(2 * x, (x, 0, 1)), area(x) + area(t)),
+        equal(2 * area(x), Integral(2 * x, (x, 0, 1))),
+        equal(x * area(exp(t)), Integral(x * exp(x), (x, 0, 1))),
+    ):
+        assert not verdict(says, by(collecting())).holds
+    renamed = equal(y * area(exp(t)) + area(y), Integral(y * exp(x) + y, (x, 0, 1)))
+    assert verdict(renamed, by(collecting())) is Verdict.PROVED
+
+
+def defined_bound() -> tuple[Claim, Claim, dict[str, Finding]]:
+    half = Claim("half", equal(t, Rational(1, 2)), Definition())
+    proof = (step(Rational(5, 2), substituting(half)),)
+    bound = Claim("bound", Gt(3 - t, 0, evaluate=False), proof)
+    held = {"half": judge(half, {})}
+    held["bound"] = judge(bound, held)
+    assert held["bound"].verdict is Verdict.PROVED
+    return half, bound, held
+
+
+def test_a_bound_on_a_defined_symbol_says_nothing_of_a_bound_variable() -> None:
+    _, bound, held = defined_bound()
+    square, across = area(1 / (3 - t) ** 2, 0, 10), area(3 - t, 0, 10)
+    for says, proof in (
+        (equal(square, Rational(-10, 21)), by(integrating(1 / (3 - t), bound))),
+        (Gt(across, 0, evaluate=False), (step(across, citing(bound)),)),
+        (
+            equal(square, area(1 / (3 - t) ** 2) + area(1 / (3 - t) ** 2, 1, 10)),
+            by(cutting(ONE, bound)),
+        ),
+        (
+            equal(
+                Subs(Derivative(Integral(log(3 - t) * x, (x, 0, 1)), t), t, 5),
+                Integral(x / 2, (x, 0, 1)),
+            ),
+            by(differentiating_integral(x / 2, bound)),
+        ),
+    ):
+        assert not judge(Claim("user", says, proof), held).verdict.holds
+
+
+def test_no_root_is_looked_for_where_a_symbol_is_defined() -> None:
+    half, _, held = defined_bound()
+    slope = (step(3 * t**2 - 1, differentiation), step(Rational(-1, 4), substituting(half)))
+    ends = [(step((t**3 - t).subs(t, end)),) for end in (Rational(-1, 2), Rational(1, 2))]
+    proof = UniqueRoot(t, t**3 - t, Rational(-1, 2), Rational(1, 2), slope, *ends)
+    assert not judge(Claim("root", "one root", proof), held).verdict.holds
+
+
+def test_rules_are_not_applied_where_another_node_binds_a_symbol() -> None:
+    """For y > 0 the integrand is continuous on [y, 2]; at y = −1 it is not."""
+    whole, parts = area(1 / t**2, y, 2), area(1 / t**2, y, 1) + area(1 / t**2, 1, 2)
+    says = equal(Subs(whole, y, -1), Subs(parts, y, -1))
+    assert not verdict(says, by(cutting(ONE)), (y > 0, y < 1)).holds
+    says = equal(Subs(whole, y, -1), Subs(1 / y - Rational(1, 2), y, -1))
+    assert not verdict(says, by(integrating(-1 / t)), (y > 0, y < 1)).holds

@@ -17,10 +17,8 @@ from hangs import HANGS
 from tresym import proofs
 from tresym.claims.chain import check_chain
 from tresym.claims.claim import (
-    AllOf,
     Chain,
     Claim,
-    Definition,
     ImplicitFunction,
     Step,
     Together,
@@ -108,10 +106,6 @@ def test_no_reason_is_idle(claim: Claim, part: int, s: int, r: int) -> None:
     assert {f.verdict for f in findings} == {Verdict.PROVED, Verdict.UNDECIDED} or (
         len(chain) == 1 and findings[0].verdict is Verdict.UNDECIDED
     )
-
-
-def test_labels_are_unique() -> None:
-    assert len({claim.label for claim in CLAIMS}) == len(CLAIMS)
 
 
 def test_refuted_claims_are_amended_by_claims_that_hold(ledger: Report) -> None:
@@ -251,27 +245,3 @@ def _without_times(value: Any) -> Any:
     if isinstance(value, dict):
         return {k: _without_times(v) for k, v in value.items() if k != "seconds"}
     return [_without_times(v) for v in value] if isinstance(value, list) else value
-
-
-DEFINED_TWICE = {
-    "M1": "M = I Ω in the body and M along Z in space: the two together are the physics",
-    "M2": "as M1",
-    "M3": "as M1",
-    "Delta_phi": "the precession of a motion, and the one full turn that is studied",
-    "theta_min": "one bound for each regime; no chain uses both",
-    "theta_max": "as theta_min",
-}
-
-
-def test_symbols_are_defined_once_or_for_a_reason() -> None:
-    """Two definitions of one symbol together could prove anything: each pair is listed here."""
-    defined: dict[sympy.Basic, list[Claim]] = {}
-    for claim in CLAIMS:
-        if isinstance(claim.proof, Definition | ImplicitFunction):
-            for left in definitions((claim,)):
-                defined.setdefault(left, []).append(claim)
-    twice = {left: claims for left, claims in defined.items() if len(claims) > 1}
-    assert {str(left) for left in twice if left.is_Symbol} == set(DEFINED_TWICE)
-    bounds = {c for left, cs in twice.items() if "theta" in str(left) for c in cs}
-    inferred = [claim for claim in CLAIMS if not isinstance(claim.proof, AllOf)]
-    assert all(len(bounds & set(claim.uses)) <= 1 for claim in inferred)

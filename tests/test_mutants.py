@@ -107,7 +107,9 @@ def test_a_definition_is_changed_where_others_prove_something_by_it() -> None:
     assert judge(square, held).verdict is Verdict.PROVED
     for mutant in found:
         assert mutant.place == "in square"
-        assert judge(mutant.claim, held).verdict is Verdict.REFUTED
+        assert judge(mutant.claim, held).verdict is Verdict.UNDECIDED  # it names another "new"
+        changed = {"new": Finding(Verdict.PROVED, "changed")}
+        assert judge(mutant.claim, changed).verdict is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("label", ["rotating_turn", "unturned_turn", "half_a_turn_before"])

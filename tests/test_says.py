@@ -282,6 +282,8 @@ SMALL: dict[str, tuple[Basic, Basic, str | None]] = {
     "arctangent_below": (sympy.atan(_s), _s, "1"),
     "hyperbolic_sine_at_most": (sympy.sinh(3 * _pi * _s / 2), _s, "56"),
     "flat_from_above": (sympy.exp(-1 / _s), _s**10, None),
+    "flat_function": (sympy.exp(-1 / _s), _s, None),
+    "eps0_smooth": (2 * sympy.exp(-_pi / _s), sympy.Integer(1), None),
     "slopes_vanish": (12 * sympy.exp(-2 / _s) / _s**2, _s**10, None),
     "product_is_approached": (_s / (_s + 2), sympy.Integer(1), None),
     "no_single_constant": (_excess.subs({a: _s**2, b: 1}), (star**2).subs({a: _s**2, b: 1}), None),
@@ -329,6 +331,7 @@ UNREAD = {
         *("remark1_speed", "remainder_constant", "up_and_down", "standard_is_a_body"),
         "lower_level_unturned",
     ),
+    "a sequence of points, in test_meaning": ("G_is_smooth",),
     "two shapes at once": (
         *("larger_ab_smaller_eps0", "formula_shows_larger_ab", "hyperbolic_levels"),
     ),

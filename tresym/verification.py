@@ -11,11 +11,14 @@ from difflib import get_close_matches
 from typing import Any
 
 from tresym.claims.bounds import Boxes, finding_anew, searching_anew
-from tresym.claims.claim import Claim
+from tresym.claims.claim import Claim, Counterexample
 from tresym.claims.denial import Denied
 from tresym.claims.finding import Finding
 from tresym.claims.judge import judge, judge_evidence
+from tresym.claims.meaning import is_formal
 from tresym.claims.mutants import Mutant, mutants, why_few
+from tresym.claims.planted import planted
+from tresym.claims.table import conflict
 from tresym.exact import InputError, fraction_text, quoted
 from tresym.processes import Processes
 from tresym.verdict import Verdict
@@ -73,6 +76,7 @@ class Report:
         return {
             "version": JSON_VERSION,
             "counts": self.counts,
+            "prose": [row.claim.label for row in self.rows if not is_formal(row.claim)],
             "claims": [_row_json(row, lines) for row in self.rows],
         }
 
@@ -97,9 +101,12 @@ def verify(
         workers: processes to look at the evidence in; with 1, this very process.
 
     Raises:
-        InputError: a label that no claim has, or processes that keep dying.
+        InputError: a label that no claim has, claims that no ledger can hold together, or
+            processes that keep dying.
     """
-    chosen, requested = _choose(all_claims(), tuple(labels))
+    claims = all_claims()
+    _need_coherent(claims)
+    chosen, requested = _choose(claims, tuple(labels))
     found: dict[str, Finding] = {}
     rows = []
     for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
@@ -220,6 +227,8 @@ def verify_mutants(
 ) -> MutantReport:
     """Judge mutants of every claim, or of those named by ``labels``: none may hold.
 
+    With those of every claim, the falsehoods that are planted for the guards of the judge.
+
     Args:
         labels: labels of claims; none means all.
         wanted: changes to each claim, spread over its places, one or more at each.
@@ -249,7 +258,28 @@ def verify_mutants(
         rows.append(MutantRow(claim, counts, survivors, changes, few))
         if on_row is not None:
             on_row(rows[-1])
+    if labels:
+        return MutantReport(tuple(rows))
+    for claim in planted():
+        rows.append(_planted_row(claim))
+        if on_row is not None:
+            on_row(rows[-1])
     return MutantReport(tuple(rows))
+
+
+def _planted_row(claim: Claim) -> MutantRow:
+    """What became of a planted falsehood, with all that it rests on."""
+    found: dict[str, Finding] = {}
+    for used in (*claim.rests_on, claim):
+        found[used.label] = judge(used, found)
+    mutant = Mutant(claim, "the judge", "a guard is missing", claim)
+    verdict = found[claim.label].verdict
+    counts = {v.value: int(v is verdict) for v in Verdict}
+    return MutantRow(claim, counts, (mutant,) if _believed(claim, verdict) else (), 1)
+
+
+def _believed(claim: Claim, verdict: Verdict) -> bool:
+    return verdict.holds or (isinstance(claim.proof, Counterexample) and verdict is Verdict.REFUTED)
 
 
 def _survives(mutant: Mutant, verdict: Verdict) -> bool:
@@ -267,6 +297,9 @@ def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
         if used.label not in found:
             found[used.label] = judge(used, found)
     changed = dict(found)
+    for used in mutant.claim.uses:
+        if found[used.label].of not in (None, used):
+            changed[used.label] = Finding(Verdict.PROVED, "a definition that was changed", of=used)
     for claim in mutant.beneath:
         changed[claim.label] = judge(claim, changed)
     return judge(mutant.claim, changed)
@@ -282,13 +315,52 @@ def _dependents(claims: tuple[Claim, ...]) -> dict[Claim, tuple[Claim, ...]]:
 
 
 def all_claims() -> tuple[Claim, ...]:
-    """Every claim of the proofs, each after all that it rests on."""
+    """Every claim of the proofs, each after all that it rests on.
+
+    Raises:
+        InputError: a claim that rests on itself.
+    """
     from tresym.proofs import claims
 
-    order: dict[Claim, None] = {}
-    for claim in claims():
-        order.update(dict.fromkeys((*claim.rests_on, claim)))
-    return tuple(order)
+    return _foundations_first(claims())
+
+
+def _foundations_first(claims: Iterable[Claim]) -> tuple[Claim, ...]:
+    """These claims and all that they use, each after what it rests on.
+
+    Raises:
+        InputError: a claim that rests on itself.
+    """
+    done: dict[int, Claim] = {}
+    open_: set[int] = set()
+
+    def visit(claim: Claim) -> None:
+        if id(claim) in open_:
+            raise InputError(f"the ledger: {claim.label} rests on itself")
+        if id(claim) not in done:
+            open_.add(id(claim))
+            for used in claim.uses:
+                visit(used)
+            open_.discard(id(claim))
+            done[id(claim)] = claim
+
+    for claim in claims:
+        visit(claim)
+    return tuple(dict.fromkeys(done.values()))
+
+
+def _need_coherent(claims: tuple[Claim, ...]) -> None:
+    """That a ledger can hold these claims: each label and each symbol once, and nothing in circles.
+
+    Raises:
+        InputError: it cannot.
+    """
+    claims = _foundations_first(claims)
+    counted = Counter(claim.label for claim in claims)
+    twins = [label for label, count in counted.items() if count > 1]
+    why = f"two claims are labelled {quoted(twins[0])}" if twins else conflict(claims)
+    if why is not None:
+        raise InputError(f"the ledger: {why}")
 
 
 def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
@@ -330,6 +402,7 @@ def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "requested": row.requested,
         "kind": claim.kind,
         "says": says_latex(claim.says),
+        "formal": is_formal(claim),
         "given": [given_latex(condition) for condition in claim.given],
         "verdict": finding.verdict.value,
         "expect": claim.expect.value,

@@ -6,12 +6,20 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from typing import Any
 
 from flint import fmpq
 
 from tresym.arithmetic import ball_precision
 from tresym.claims.claim import Claim
-from tresym.claims.enclosure import Bound, BoxProof, CertificateError, Decision, decide
+from tresym.claims.enclosure import (
+    Bound,
+    BoxProof,
+    CertificateError,
+    Decision,
+    decide,
+    inconsistent,
+)
 from tresym.claims.finding import Finding
 from tresym.claims.order import Judgement, Order
 from tresym.claims.order import decide as decide_order
@@ -49,6 +57,7 @@ class Boxes:
         stored: gives the stored proofs, or None where there are none; None itself where none are
             kept, because the search is short or ends at a counterexample.
         budget: boxes a search may look at, for each bound.
+        meant: for a formula, what its symbols are in the box (`tresym.claims.meaning.Meant`).
     """
 
     bounds: tuple[Bound, ...]
@@ -58,6 +67,7 @@ class Boxes:
     claims: tuple[Claim, ...] = ()
     stored: Callable[[], tuple[BoxProof, ...] | None] | None = None
     budget: int = 20_000
+    meant: Any = None
 
     def decisions(self) -> tuple[Decision, ...]:
         """What each bound came to, by its stored proof where there is one.
@@ -75,6 +85,11 @@ class Boxes:
 
     def judge(self) -> Finding:
         """ENCLOSED when all bounds are, REFUTED at a point where one fails."""
+        for bound in self.bounds:
+            with ball_precision(bound.precision):
+                why = inconsistent(bound.margin, bound.box, bound.slopes)
+            if why is not None:
+                return Finding(Verdict.UNDECIDED, why)
         decisions = self.decisions()
         constant = None if self.constant is None else _decimal(self.constant)
         for found in decisions:
@@ -99,11 +114,15 @@ class Boxes:
 
 @dataclass(frozen=True)
 class Asymptotics:
-    """An order statement; ``parameter`` says what tends to its limit, and along which path."""
+    """An order statement; ``parameter`` says what tends to its limit, and along which path.
+
+    ``meant`` is, for a formula, what its symbols are on that path.
+    """
 
     statement: Order
     parameter: str
     claims: tuple[Claim, ...] = ()
+    meant: Any = None
 
     def judge(self) -> Finding:
         """The verdict of the order machinery, with the true order for what is refuted."""

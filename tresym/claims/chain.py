@@ -28,7 +28,7 @@ from sympy.core.relational import (
     StrictLessThan,
 )
 
-from tresym.claims.claim import Chain, Claim, Definition, Reason, Step, parts_of
+from tresym.claims.claim import Chain, Claim, Reason, Step
 from tresym.claims.domain import Conditions, undefined
 from tresym.claims.finding import StepFinding
 from tresym.claims.integrals import NotShownError, sign_of_integral, with_bounds, without_integrals
@@ -211,8 +211,7 @@ def _check_scalar(
     relations = (c for c in replaced if isinstance(c, Relational))
     elementary = (c for c in relations if not c.has(Integral, Derivative, Subs))
     given = tuple(dict.fromkeys((*given, *elementary)))
-    spoken_of = frozenset().union(*(e.free_symbols for e in (before, after, *given)))
-    unmet = unmet_condition(used, rules, given, spoken_of)
+    unmet = unmet_condition(used, rules, given)
     if unmet is not None:
         return _undecided(f"{unmet} is not shown, but a claim that is put in needs it")
     written = (before, after)
@@ -242,24 +241,11 @@ def _decided(
     return decide(left, right, to_given(given), theories)
 
 
-def unmet_condition(
-    used: tuple[Claim, ...], rules: Rules, given: Conditions, spoken_of: frozenset[Basic]
-) -> Basic | None:
-    """The first condition of a claim that is put in which does not follow from ``given``.
-
-    Conditions of definitions on symbols that neither the claim put in nor the statement
-    (``spoken_of``) names are those under which its symbols exist: they stand wherever they do.
-    """
+def unmet_condition(used: tuple[Claim, ...], rules: Rules, given: Conditions) -> Basic | None:
+    """The first condition of a claim that is put in which does not follow from ``given``."""
     for claim in used:
-        named = spoken_of.union(*(part.free_symbols for part in parts_of(claim.says)))
-        defining = (c for c in (claim, *claim.rests_on) if isinstance(c.proof, Definition))
-        existing = {condition for c in defining for condition in c.given}
         for condition in claim.given:
             meant = put_in(condition, rules)
-            if condition in existing and not condition.free_symbols & named:
-                continue
-            if {condition, meant} & set(given):
-                continue
-            if not is_manifest(meant, given):
+            if not {condition, meant} & set(given) and not is_manifest(meant, given):
                 return condition
     return None

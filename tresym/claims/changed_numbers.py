@@ -116,6 +116,11 @@ def _pieces(side: Interval, pieces: int) -> list[arb]:
     return [Interval(*pair).ball() for pair in ends]
 
 
+def _in_words(claim: Claim) -> Claim:
+    """The claim without its formula, of which changed evidence says nothing."""
+    return replace(claim, says=str(claim.says), given=())
+
+
 # Bounds on boxes
 
 
@@ -129,7 +134,7 @@ def bound_changes(claim: Claim) -> Iterator[Changes]:
 
         def changed(margin: Named, bound: Bound = bound) -> Claim:
             other = replace(bound, margin=margin.changed, sufficient=False)
-            return _with(claim, bounds=(other,), stored=None)
+            return _with(_in_words(claim), bounds=(other,), stored=None)
 
         yield f"bound {n}", _lowered(bound), changed
 
@@ -172,7 +177,8 @@ def _lowered(bound: Bound) -> Iterator[Named]:
 def order_changes(claim: Claim) -> Iterator[Changes]:
     """The gauge, the function, and for "at most C times" the constant and the range."""
     proof = cast(Asymptotics, claim.proof)
-    yield "order", _orders(proof.statement), lambda named: _with(claim, statement=named.changed)
+    words = _in_words(claim)
+    yield "order", _orders(proof.statement), lambda named: _with(words, statement=named.changed)
 
 
 def _orders(order: Order) -> Iterator[Named]:

@@ -171,7 +171,12 @@ Chain = tuple[Step, ...]
 
 @dataclass(frozen=True)
 class Definition:
-    """The claim introduces symbols: each is new, defined once, by symbols known before."""
+    """The claim introduces symbols: each is new, defined once, by symbols known before.
+
+    ``assumes`` names what is assumed of symbols that are defined elsewhere: physics that is put in.
+    """
+
+    assumes: str = ""
 
 
 @dataclass(frozen=True)
@@ -234,6 +239,8 @@ class Printed:
     inputs: Mapping[str, str | fmpq] = field(default_factory=dict)
     half_units: int = 1
     """Half-width of the printed value in half units of its last place."""
+    claims: tuple[Claim, ...] = ()
+    """What the formula rests on: that what it solves for exists and is one."""
 
 
 @dataclass(frozen=True)
@@ -323,9 +330,6 @@ class Claim:
 
     def __hash__(self) -> int:
         return hash(self.label)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Claim) and other.label == self.label
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:

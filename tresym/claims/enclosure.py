@@ -37,6 +37,8 @@ SMALLEST = fmpq(1, 2**40)
 """The search ends at a box whose longest side is this part of the whole: it touches zero there."""
 
 
+FINE = 512
+"""Bits at which a formula must differ at two points: flat ones differ by little."""
 SLENDER = 2**8
 """No box is made longer than this times its width, both as parts of the whole."""
 
@@ -142,6 +144,37 @@ def decide(bound: Bound, budget: int = 20_000, stored: BoxProof | None = None) -
     return Decision(Verdict.UNDECIDED)
 
 
+def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | None:
+    """Why ``function`` is none of its coordinates in balls, or None; at the working precision.
+
+    It must not be constant, and what it gives over a small box must hold what it gives at points of
+    it: a margin that compares floats, forgets radii or goes by the type of what it is given does
+    not.
+    """
+    start = tuple((low + high) / 2 for low, high in region)
+    end = tuple((side.low + 3 * side.high) / 4 for side in region)
+    near = tuple(p + (q - p) / (32 + n) for n, (p, q) in enumerate(zip(start, end, strict=True)))
+    here = tuple(Interval(p, q) for p, q in zip(start, near, strict=True))
+    values = [value_at(function, start), value_at(function, near), function(*_sides(here), balls)]
+    if not all(isinstance(v, arb) for v in values):
+        return "the formula gives no ball"
+    if start == near or not all(v.is_finite() for v in values):
+        return None
+    first, second, whole = values
+    if first.mid() == second.mid():
+        with ball_precision(FINE):
+            if value_at(function, start).mid() == value_at(function, near).mid():
+                return "the formula does not depend on its coordinates"
+    if not (whole.overlaps(first) and whole.overlaps(second)):
+        return "the formula over a box does not hold its values there"
+    if slopes:
+        rates = _slopes(function, here)
+        steps = [rate * arb(q - p) for rate, p, q in zip(rates, start, near, strict=True)]
+        if not (second - first).overlaps(sum(steps, arb(0))):
+            return "the formula's slopes are not those of its values"
+    return None
+
+
 def prove_positive(bound: Bound, budget: int = 20_000) -> BoxProof | Counterexample | Open:
     """Search for a proof of the bound, or for a point that refutes it, in ``budget`` boxes."""
     with ball_precision(bound.precision):
@@ -193,6 +226,8 @@ def recheck(bound: Bound, proof: BoxProof) -> None:
     Raises:
         CertificateError: the tree is malformed, or a box does not close.
     """
+    if not isinstance(proof.tree, str):
+        raise CertificateError("the tree is no text")
     with ball_precision(bound.precision):
         stack = [bound.box]
         for mark in proof.tree:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from flint import fmpq
 
@@ -34,6 +35,7 @@ class Finding:
         steps: one finding for each step of a chain, in order.
         trees: for bounds on boxes, the bisection tree that closes each.
         seconds: time taken.
+        of: the claim that was judged; None where nobody was asked.
     """
 
     verdict: Verdict
@@ -46,3 +48,4 @@ class Finding:
     steps: tuple[StepFinding, ...] = field(default=())
     trees: tuple[str, ...] = ()
     seconds: float = 0.0
+    of: Any = field(default=None, repr=False, compare=False)

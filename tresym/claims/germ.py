@@ -125,6 +125,15 @@ class Germ:
             total = total * x + as_ball(c)
         return total
 
+    def at(self, x: arb) -> arb:
+        """A ball that contains f at a point of (0, x₀]."""
+        total = self.rest
+        for c in reversed(self.terms):
+            total = total * x + as_ball(c)
+        for power, p in enumerate(self.exponent):
+            total *= (as_ball(p) / x**power).exp()
+        return total * x**self.power
+
     def growth(self) -> int:
         """Of |x^v exp(…)| as x → 0: 1 if unbounded, 0 if it has a limit that is not 0, −1 if null.
 

@@ -14,12 +14,15 @@ from sympy import Basic, Derivative, Eq, Expr, Integer, Integral, Rel, Subs, Sym
 from tresym.claims.claim import Claim, Reason, citing, parts_of
 from tresym.claims.domain import Conditions, continuous_on
 from tresym.claims.signs import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
-from tresym.claims.translate import to_expression, to_given
+from tresym.claims.translate import defined, to_expression, to_given
 from tresym.identity import Expr as Tree
 from tresym.identity import decide
 from tresym.verdict import Verdict
 
 Sides = tuple[Basic, Basic]
+
+FRESH = Symbol("[of the sum]", real=True)
+"""The variable of integrals that are added: no claim can name it."""
 
 
 class NotShownError(ValueError):
@@ -50,6 +53,8 @@ def without_integrals(
         rule = RULES.get(reason.name)
         if rule is not None:
             replaced = rule(before, after, reason, given)
+            for side in (before, after):
+                _need_free(side, replaced)
             before, after = before.xreplace(replaced), after.xreplace(replaced)
     return before, after
 
@@ -124,6 +129,8 @@ def _substitute(before: Basic, after: Basic, reason: Reason, given: Conditions) 
     old, new = apart if _plain(apart[0])[0] in change.free_symbols else apart[::-1]
     variable, low, high = _plain(old)
     fresh, start, end = _plain(new)
+    if variable in new.free_symbols or fresh in old.free_symbols | change.free_symbols - {variable}:
+        raise NotShownError("the variable of one integral is free in the other")
     conditions = _inside(old, reason.claims, given)
     pulled = new.function.subs(fresh, change)
     slope = to_expression(change.diff(variable, evaluate=False), open_derivatives=True)
@@ -157,11 +164,14 @@ def _cut(before: Basic, after: Basic, reason: Reason, given: Conditions) -> Mapp
 
 
 def _collect(before: Basic, after: Basic, reason: Reason, given: Conditions) -> Mapping:
-    """A sum of multiples of integrals over one interval is the integral of the sum."""
+    """A sum of multiples of integrals over one interval is the integral of the sum.
+
+    Their variables are renamed to one that is free nowhere.
+    """
     sides = [_ordered(side.atoms(Integral)) for side in (before, after)]
     single = 0 if len(sides[0]) == 1 else 1
     whole, parts = _one_of(sides[single]), sides[1 - single]
-    _, low, high = _plain(whole)
+    own, low, high = _plain(whole)
     total: Basic = Integer(0)
     integrand: Basic = Integer(0)
     for part in parts:
@@ -169,13 +179,15 @@ def _collect(before: Basic, after: Basic, reason: Reason, given: Conditions) -> 
         if tuple(ends) != (low, high):
             raise NotShownError("the integrals are not over one interval")
         share = (before, after)[1 - single].coeff(part)
-        if variable in share.free_symbols or share.has(Integral):
+        if share.has(Integral):
             raise NotShownError(f"the factor of {part} is no constant")
         total += share * part
-        integrand += share * part.function.xreplace({variable: _plain(whole)[0]})
+        integrand += share * part.function.xreplace({variable: FRESH})
         _need_continuous((part.function,), _inside(part, reason.claims, given))
-    _need_continuous((whole.function,), _inside(whole, reason.claims, given))
-    _need_equal(whole.function, integrand, _inside(whole, reason.claims, given))
+    conditions = _inside(whole, reason.claims, given)
+    _need_continuous((whole.function,), conditions)
+    fresh = tuple(c.xreplace({own: FRESH}) for c in conditions)
+    _need_equal(whole.function.xreplace({own: FRESH}), integrand, fresh)
     return {whole: total}
 
 
@@ -202,7 +214,7 @@ def _differentiate(before: Basic, after: Basic, reason: Reason, given: Condition
         outside = tuple(c for c in given if parameter not in c.free_symbols)
         outside = (*outside, parameter >= node.point[0], parameter <= node.point[0])
         derived = Subs(derived, parameter, node.point[0])
-    conditions = _inside(integral, reason.claims, outside)
+    conditions = _inside(integral, reason.claims, outside, frozenset(put))
     elsewhere = tuple(c for c in conditions if parameter not in c.free_symbols)
     _need_equal(derived, slope, elsewhere if isinstance(node, Subs) else conditions)
     _need_continuous((f, slope), conditions)
@@ -273,13 +285,30 @@ def _is_slope(e: Basic) -> bool:
     return isinstance(e, Derivative) and isinstance(e.expr, Integral) and len(e.variables) == 1
 
 
-def _inside(integral: Basic, bounds: tuple[Claim, ...], given: Conditions) -> Conditions:
+def _need_free(side: Basic, replaced: Mapping) -> None:
+    """A rule was shown for the symbols of the claim, not where another node binds their names."""
+    for node in side.atoms(Integral, Derivative, Subs):
+        for left in replaced:
+            if node != left and set(node.variables) & left.free_symbols and node.has(left):
+                raise NotShownError(f"{left} stands where its symbols are bound")
+
+
+def _inside(
+    integral: Basic,
+    bounds: tuple[Claim, ...],
+    given: Conditions,
+    parameter: frozenset[Basic] = frozenset(),
+) -> Conditions:
     """The conditions on the interval of integration, with the bounds cited for it.
 
     Conditions on the variable of integration are dropped: it runs over the whole interval,
-    whatever a claim assumes of a symbol of that name.
+    whatever a claim assumes of a symbol of that name. Nor is a bound cited that rests on what the
+    variable, or a ``parameter`` that is bound too, is defined to be.
     """
     variable, low, high = _plain(integral)
+    for claim in bounds:
+        if defined(claim) & {variable, *parameter}:
+            raise NotShownError(f"{claim.label} is about a symbol that is bound here")
     outside = tuple(c for c in given if variable not in c.free_symbols)
     inside = (*outside, (variable - low) * (high - variable) >= 0)
     if manifest_sign(high - low, outside) in NON_NEGATIVE:

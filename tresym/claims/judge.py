@@ -16,6 +16,7 @@ from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol,
 from sympy.core.relational import Equality, Relational
 
 from tresym.arithmetic import ball_precision
+from tresym.claims.bounds import Asymptotics, Boxes
 from tresym.claims.chain import check_chain, unmet_condition
 from tresym.claims.claim import (
     AllOf,
@@ -28,17 +29,22 @@ from tresym.claims.claim import (
     Printed,
     Together,
     UniqueRoot,
+    citing,
     equal,
     parts_of,
 )
+from tresym.claims.denial import Denied
 from tresym.claims.domain import Conditions, continuous_on, undefined
 from tresym.claims.enclosure import CertificateError
 from tresym.claims.finding import Finding, StepFinding
-from tresym.claims.integrals import NotShownError, need_smooth
+from tresym.claims.integrals import NotShownError, need_smooth, with_bounds
+from tresym.claims.meaning import unfit
 from tresym.claims.printed import judge_printed
 from tresym.claims.signs import is_manifest, manifest_sign
+from tresym.claims.table import conflict, overdetermined
 from tresym.claims.translate import (
     CircularError,
+    defined,
     definitions,
     put_in,
     to_expression,
@@ -65,7 +71,7 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
-    return replace(finding, seconds=before + time.perf_counter() - began)
+    return replace(finding, seconds=before + time.perf_counter() - began, of=claim)
 
 
 def judge_evidence(claim: Claim) -> Finding | None:
@@ -90,9 +96,21 @@ def _guarded(claim: Claim, found: Findings) -> Finding:
 
 
 def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
-    """UNDECIDED when evidence other than a conjunction names a claim that does not hold."""
+    """UNDECIDED when what is used is no ground: definitions that conflict, a claim that fails.
+
+    A conjunction is as strong as its parts are found to be.
+    """
+    for used in claim.uses:
+        if found[used.label].of not in (None, used):
+            return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
+    why = conflict((*claim.rests_on, claim))
+    if why is not None:
+        return Finding(UNDECIDED, why)
     if isinstance(claim.proof, AllOf):
         return None
+    why = overdetermined((*claim.rests_on, claim))
+    if why is not None:
+        return Finding(UNDECIDED, why)
     for used in claim.uses:
         if not found[used.label].verdict.holds:
             verdict = found[used.label].verdict.value
@@ -101,13 +119,14 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
 
 
 def _judge(claim: Claim, found: Findings) -> Finding:
+    why = unfit(claim)
+    if why is not None:
+        return Finding(UNDECIDED, why)
     match claim.proof:
         case Definition():
             return _judge_definition(claim)
         case Printed():
             return judge_printed(claim.proof)
-        case AllOf() if not isinstance(claim.says, str):
-            return Finding(UNDECIDED, "a conjunction proves a sentence; a formula needs a chain")
         case AllOf(claims):
             return _judge_all(claims, found)
         case Formally(relations=relations):
@@ -115,7 +134,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         case Counterexample():
             return _judge_counterexample(claim, claim.proof)
         case UniqueRoot():
-            return _judge_unique_root(claim.proof, claim.given)
+            return _judge_unique_root(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
         case Together(chains):
@@ -126,8 +145,10 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_chains(claim, ((claim.says, claim.proof),))
         case tuple():
             return Finding(UNDECIDED, "a chain proves a relation, and this is none")
-        case _:
+        case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
+        case _:
+            return Finding(UNDECIDED, "that is no kind of evidence")
 
 
 def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
@@ -139,7 +160,7 @@ def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
 
 def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
     """PROVED when every step of every chain is; otherwise tried at exact points."""
-    if to_given(claim.given).satisfying_point() is None:
+    if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     steps: list[StepFinding] = []
     for says, chain in parts:
@@ -154,6 +175,19 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Findi
         if refuted is not None:
             return replace(refuted, steps=tuple(steps))
     return Finding(UNDECIDED, failed.why, steps=tuple(steps))
+
+
+def _possible(claim: Claim) -> bool:
+    """Whether an exact point satisfies the conditions, as the symbols in them are defined."""
+    if to_given(claim.given).satisfying_point() is None:
+        return False
+    bounds = with_bounds(claim.given, (citing(*claim.uses),))
+    behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
+    rules = {left: right for left, right in definitions(behind).items() if left.is_Symbol}
+    meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in bounds))
+    relations = (c for c in meant if isinstance(c, Relational))
+    plain = tuple(c for c in relations if not c.has(Derivative, Integral, Subs))
+    return false not in meant and to_given(plain).satisfying_point() is not None
 
 
 def refute(says: Basic, claim: Claim) -> Finding | None:
@@ -222,8 +256,13 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
     return Finding(Verdict.ENCLOSED if enclosed else PROVED, why)
 
 
-def _judge_unique_root(proof: UniqueRoot, given: Conditions) -> Finding:
+def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
     """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
+    given = claim.given
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    if any(proof.variable in defined(used) for used in claim.uses):
+        return Finding(UNDECIDED, f"{proof.variable} is bound, and is defined in what is used")
     finding = _one_root(proof, given)
     if finding.verdict is PROVED:
         return finding
@@ -275,10 +314,10 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
         return Finding(UNDECIDED, f"{rate} is not a new symbol")
     if says.args[1] != -Subs(Derivative(left, p), p, at) / by_unknown or rate in left.free_symbols:
         return Finding(UNDECIDED, "that is not the slope of the implicit function")
-    if to_given(claim.given).satisfying_point() is None:
-        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    if not _possible(claim) or any(p in defined(bound) for bound in proof.bounds):
+        return Finding(UNDECIDED, "the conditions are met nowhere, or a bound is about what varies")
     outside = tuple(c for c in claim.given if p not in c.free_symbols)
-    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)), frozenset())
+    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)))
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
     try:
@@ -319,13 +358,14 @@ def _settle(relation: Basic, claim: Claim) -> Finding:
 
 def _without_chain(relation: Relational, claim: Claim) -> Finding:
     """PROVED by normal form or by a manifest sign, else UNDECIDED."""
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     rules = definitions(claim.uses)
     meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
     if false in meant:
         return Finding(UNDECIDED, "what is put in contradicts the conditions")
     replaced = tuple(c for c in meant if not c.has(Derivative, Integral, Subs))
-    spoken_of = frozenset().union(*(e.free_symbols for e in (relation, *claim.given)))
-    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced), spoken_of)
+    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced))
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
     conditions = Given.from_sympy(*(c for c in replaced if isinstance(c, Relational)))

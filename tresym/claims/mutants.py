@@ -376,14 +376,16 @@ def _resting_on(claim: Claim, other: Claim) -> Claim:
         return Step(link.expression, tuple(reason(r) for r in link.reasons))
 
     def reason(r: Reason) -> Reason:
-        return replace(r, claims=tuple(other if c == other else c for c in r.claims))
+        return replace(r, claims=tuple(other if c.label == other.label else c for c in r.claims))
 
     proof: Any = claim.proof
     match proof:
         case Together(chains):
             proof = Together(tuple(tuple(step(link) for link in c) for c in chains))
         case Formally(relations=relations, claims=claims):
-            proof = Formally(relations, tuple(other if c == other else c for c in claims))
+            proof = Formally(
+                relations, tuple(other if c.label == other.label else c for c in claims)
+            )
         case _:
             proof = tuple(step(link) for link in proof)
     return replace(claim, proof=proof)

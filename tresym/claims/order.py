@@ -163,9 +163,10 @@ def decide(statement: Order, precision: int = 128) -> Judgement:
     with ball_precision(precision):
         for expansion in _expansions(statement):
             try:
-                return judge(statement, expansion)
+                found = judge(statement, expansion)
             except UnresolvedError:
                 continue
+            return found if _agrees(statement, expansion) else Judgement(Verdict.UNDECIDED)
     return Judgement(Verdict.UNDECIDED)
 
 
@@ -287,6 +288,21 @@ def _ratio(statement: Order, t: Any, m: Any) -> Any:
     """function/gauge where the small parameter is ``t``."""
     function = statement.at_parameter(statement.function, t, m)
     return function / statement.at_parameter(statement.gauge, t, m)
+
+
+def _agrees(statement: Order, expansion: _Expansion) -> bool:
+    """Whether balls at points lie on the expansion: a function may go by what it is given."""
+    germ = expansion.ratio
+    for part in (2, 64):
+        own = germ.field.upto / part
+        t = (-1 / own).exp() if expansion.logarithmic else own**expansion.index
+        gauge = statement.at_parameter(statement.gauge, t, balls)
+        value = statement.at_parameter(statement.function, t, balls)
+        if not germ.vanishes:
+            value = value / gauge
+        if not isinstance(value, arb) or (value.is_finite() and not germ.at(own).overlaps(value)):
+            return False
+    return True
 
 
 def _samples(statement: Order, reach: fmpq) -> dict[str, str]:

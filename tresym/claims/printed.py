@@ -14,6 +14,7 @@ from flint import arb, fmpq
 
 from tresym.arithmetic import ball_precision, balls, bits
 from tresym.claims.claim import Printed
+from tresym.claims.enclosure import inconsistent
 from tresym.claims.finding import Finding
 from tresym.exact import Interval, decimal_ball, printed
 from tresym.verdict import Verdict
@@ -23,6 +24,8 @@ BITS = 128
 GRID = 12
 """Inputs are tried on a grid of this many steps along each side of their box."""
 HALVINGS = 40
+WIDEST = 2
+"""A printed value is taken to half a unit of its last place, or where it says so to a whole one."""
 CELLS = 4096
 """At most this many cells when the range over the box of inputs is enclosed."""
 
@@ -31,10 +34,15 @@ Box = tuple[Interval, ...]
 
 def judge_printed(number: Printed) -> Finding:
     """The verdict on one printed number, with its value at the inputs as printed."""
+    if not 1 <= number.half_units <= WIDEST:
+        return Finding(Verdict.UNDECIDED, f"{number.half_units} half units are no last place")
     target = _target(number)
     box = tuple(_interval(v) for v in number.inputs.values())
     centre = tuple((i.low + i.high) / 2 for i in box)
     with ball_precision(bits(DIGITS, 64)) as m:
+        why = inconsistent(number.formula, box)
+        if why is not None:
+            return Finding(Verdict.UNDECIDED, why)
         value = decimal_ball(number.formula(*(arb(p) for p in centre), m), DIGITS)
     # The whole box at once: cheap, and no inputs need be looked for where it misses.
     missed = _misses(number, box, target)
@@ -42,13 +50,19 @@ def judge_printed(number: Printed) -> Finding:
     if witness is not None:
         names = dict(zip(number.inputs, witness, strict=True))
         exact = "the inputs as printed" if witness == centre else "inputs that round to them"
-        why = f"{exact} give a value that rounds to {number.text}"
+        why = f"{exact} give a value that {_near(number)}"
         return Finding(Verdict.ENCLOSED, why, value=value, witness=names)
     if missed or _excluded(number, box, target):
         point = dict(zip(number.inputs, centre, strict=True))
         why = f"no inputs that round to the printed ones give {number.text}; as printed they give "
         return Finding(Verdict.REFUTED, why + value.mid[:12], value=value, witness=point)
     return Finding(Verdict.UNDECIDED, "neither inputs nor an exclusion were found", value=value)
+
+
+def _near(number: Printed) -> str:
+    if number.half_units == 1:
+        return f"rounds to {number.text}"
+    return f"is {number.text} to within {number.half_units} half units of its last place"
 
 
 def _target(number: Printed) -> Interval:

@@ -11,7 +11,7 @@ from functools import lru_cache
 
 from sympy import Basic, Derivative, Eq, Integer, Integral, MatrixBase, Subs, Symbol, srepr
 
-from tresym.claims.claim import Claim, parts_of
+from tresym.claims.claim import Claim, Definition, ImplicitFunction, parts_of
 from tresym.identity import Expr, Given, differentiate, from_sympy, substitute
 
 Rules = dict[Basic, Basic]
@@ -19,6 +19,8 @@ Rules = dict[Basic, Basic]
 MAX_PASSES = 20
 BOUND = Symbol("[bound]", real=True)
 """The name of every variable of integration: ∫ f(x) dx and ∫ f(y) dy are one number."""
+DEFINING = (Definition, ImplicitFunction)
+"""Evidence that introduces symbols."""
 REMEMBERED = 4096
 """Translations and signs kept: the same conditions come back at every step of a chain."""
 
@@ -35,6 +37,15 @@ def definitions(claims: Iterable[Claim]) -> Rules:
             if isinstance(part, Eq):
                 rules.update(_rules_of(part))
     return rules
+
+
+def defined(claim: Claim) -> frozenset[Basic]:
+    """The symbols that are no variables of ``claim``: what it rests on says what they are.
+
+    An equation for an integral may define any symbol in it.
+    """
+    behind = (c for c in (claim, *claim.rests_on) if isinstance(c.proof, DEFINING))
+    return frozenset().union(*(left.free_symbols for c in behind for left in definitions((c,))))
 
 
 def _rules_of(equation: Eq) -> Rules:

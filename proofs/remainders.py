@@ -1,0 +1,122 @@
+"""What the symbols of a formula are where its remainder is bounded: at shapes, with their exact ε₀.
+
+What a margin or an order bounds is compared there with what the formula itself leaves out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from flint import arb, fmpq
+from sympy import Basic, Subs, Symbol
+
+from tresym.arithmetic import balls
+from tresym.claims.meaning import Meant
+from tresym.flip.quadrature import rigorous
+from tresym.flip.separatrix import defect_over
+from tresym.formulas import printed, stable
+from tresym.notation import S, a, b, depsilon_dgamma, epsilon, epsilon0, gamma, lam, mu
+
+Values = dict[Basic, arb]
+Sample = tuple[tuple[arb, ...], Values]
+
+RACKET = (fmpq(1517, 121), fmpq(55, 874))
+"""The standard racket."""
+SHAPES = tuple(
+    (fmpq(*p), fmpq(*q))
+    for p, q in (((9, 2), (1, 2)), ((12, 1), (1, 4)), ((5, 4), (7, 8)), ((40, 1), (9, 10)))
+)
+"""Shapes with ab ≥ 1/4 and b ≤ 4a, strictly inside every box."""
+NEAR = (fmpq(1, 2**40),)
+"""A γ at which the first order is the remainder of a line that is no tangent."""
+TURN = Symbol("f", real=True)
+"""−∂F/∂ε at a level, by which F − π is turned into a distance of ε."""
+
+
+def at_shape(p: fmpq | arb, q: fmpq | arb) -> Values:
+    """Every symbol of the separatrix, at a shape and its exact ε₀."""
+    point: Values = {a: arb(p), b: arb(q), S: arb(1)}
+    point[epsilon0] = defect_over(point[a], point[b])
+    point[lam], point[mu] = printed.small_parameters(point[a], point[b], balls)
+    return point
+
+
+def in_chart(
+    names: tuple[str, ...],
+    gauge: Basic,
+    left: Mapping[Basic, Callable[..., Any]] | None = None,
+    shapes: tuple[tuple[fmpq, fmpq], ...] = SHAPES,
+) -> Meant:
+    """Shapes, in a chart of b, κ = 1/√(ab), R = b/a, a and ε₀.
+
+    Args:
+        left: values at γ = 0 that the formula names by a symbol, as functions of (ε₀, a, b, S, m).
+    """
+
+    def samples() -> Iterator[Sample]:
+        for p, q in shapes:
+            known = at_shape(p, q)
+            for node, function in (left or {}).items():
+                known[node] = function(known[epsilon0], known[a], known[b], 1, balls)
+            chart = {
+                "a": known[a],
+                "b": known[b],
+                "kappa": known[lam],
+                "R": known[b] / known[a],
+                "epsilon0": known[epsilon0],
+            }
+            yield tuple(chart[name] for name in names), known
+
+    return Meant(samples, gauge)
+
+
+def at_unit_b(gauge: Basic) -> Meant:
+    """The path b = 1, a = 1/t²."""
+
+    def samples() -> Iterator[Sample]:
+        for t in (arb(fmpq(1, 2)), arb(fmpq(1, 4))):
+            yield (t,), at_shape(1 / t**2, fmpq(1))
+
+    return Meant(samples, gauge)
+
+
+def beside_tangent(gauge: Basic, levels: tuple[fmpq, ...] = NEAR) -> Meant:
+    """The standard racket at these levels γ."""
+    return Meant(
+        lambda: (((arb(level),), _at_level(*RACKET, arb(level))) for level in levels), gauge
+    )
+
+
+def in_bent_chart(gauge: Basic) -> Meant:
+    """Levels γ = bε₀²v, in the chart (b, κ, v)."""
+
+    def samples() -> Iterator[Sample]:
+        for p, q in SHAPES[:2]:
+            shape = at_shape(p, q)
+            for v in (arb("0.5"), arb("-0.5")):
+                known = _at_level(p, q, shape[b] * shape[epsilon0] ** 2 * v)
+                yield (known[b], known[lam], v), known
+
+    return Meant(samples, gauge)
+
+
+def slope_at_separatrix(known: Values) -> arb:
+    """dε/dγ at γ = 0."""
+    place = known[epsilon0], known[a], known[b]
+    turn = printed.integrand(*place, arb(0), 1, balls)
+    return stable.turn_slope(*place, balls) / turn
+
+
+def _at_level(p: fmpq, q: fmpq, level: arb) -> Values:
+    """As `at_shape`, with the ε of a level by one step of Newton's method from the tangent."""
+    known = at_shape(p, q)
+    slope = slope_at_separatrix(known)
+    start = known[epsilon0] + slope * level
+    reach = 4 * (known[a] * known[b]).sqrt() * level**2 / (known[b] ** 2 * known[epsilon0])
+    turn = printed.integrand(start + reach * arb(0, 1), known[a], known[b], level, 1, balls)
+    step = (rigorous(start, known[a], known[b], level) - balls.pi) / turn
+    found = start + step if abs(step) < reach else arb.nan()
+    known[gamma], known[epsilon], known[TURN] = level, found, turn
+    known[Subs(depsilon_dgamma, gamma, 0)] = slope
+    return known

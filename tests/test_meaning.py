@@ -1,0 +1,372 @@
+"""Evidence that is about something else than the claim proves nothing, and refutes nothing."""
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+from sympy import Basic, Function, Gt, Integer, Symbol, Tuple
+from tresym.proofs.implicit_function import slope_on_steep_path, steep_path
+
+from tresym import verification
+from tresym.arithmetic import Balls, ball_precision, balls
+from tresym.claims import bounds
+from tresym.claims import judge as judging
+from tresym.claims.bounds import Asymptotics, Boxes
+from tresym.claims.changes import mutations
+from tresym.claims.claim import (
+    Claim,
+    Counterexample,
+    Printed,
+    UniqueRoot,
+    all_of,
+    by,
+    equal,
+    formally,
+    step,
+)
+from tresym.claims.denial import Denied
+from tresym.claims.enclosure import Bound, BoxProof, box
+from tresym.claims.finding import Finding
+from tresym.claims.germ import Germs
+from tresym.claims.gradient import Gradient
+from tresym.claims.judge import judge, judge_evidence
+from tresym.claims.meaning import Meant, unfit
+from tresym.claims.order import Order
+from tresym.claims.planted import planted
+from tresym.claims.violation import value
+from tresym.formulas import printed
+from tresym.notation import b, epsilon0, lam, mu, u
+from tresym.verdict import Verdict
+from tresym.verification import all_claims, verify, verify_mutants
+
+x, y = (Symbol(name, real=True) for name in "xy")
+O, o = Function("O"), Function("o")  # noqa: E741
+FALSE = equal(Integer(0), Integer(1))
+TRUE = Claim("true", equal(x + x, 2 * x), by())
+HELD = {"true": judge(TRUE, {})}
+SQUARE = Bound(lambda x, m: x * x, box(("1", "2")))
+CLAIMS = {claim.label: claim for claim in all_claims()}
+
+
+def verdict(says: Basic | str, proof: Any, *given: Basic) -> Verdict:
+    return judge(Claim("planted", says, proof, given=given), HELD).verdict
+
+
+class Believer:
+    """No kind of evidence: it says yes."""
+
+    def judge(self) -> Finding:
+        return Finding(Verdict.PROVED, "so it is")
+
+
+class BelievingBoxes(Boxes):
+    def judge(self) -> Finding:
+        return Finding(Verdict.ENCLOSED, "so it is")
+
+
+@pytest.mark.parametrize(
+    "proof",
+    [Believer(), BelievingBoxes((SQUARE,), ("x",), "1 <= x <= 2"), None, "so it is", 1],
+    ids=lambda proof: type(proof).__name__,
+)
+def test_the_kinds_of_evidence_are_closed(proof: Any) -> None:
+    for says in (FALSE, "0 = 1"):
+        assert verdict(says, proof) is Verdict.UNDECIDED
+
+
+FOR_SENTENCES = {
+    "a conjunction": all_of(TRUE),
+    "another relation": formally(Gt(x**2 + 1, 0, evaluate=False)),
+    "a root": UniqueRoot(
+        x,
+        x**3 + x - 1,
+        Integer(0),
+        Integer(1),
+        (step(3 * x**2 + 1),),
+        (step(Integer(-1)),),
+        (step(Integer(1)),),
+    ),
+    "a number": Printed("0.5", lambda m: arb(1) / 2),
+    "a denial": Denied((TRUE,), {"x": fmpq(1)}),
+    "bounds": Boxes((SQUARE,), ("x",), "1 <= x <= 2"),
+    "an order": Asymptotics(Order("O", lambda t, m: m.sin(t), lambda t, m: t), "t -> 0"),
+}
+
+
+@pytest.mark.parametrize("name", FOR_SENTENCES)
+def test_no_formula_is_decided_by_evidence_that_does_not_mention_it(name: str) -> None:
+    proof = FOR_SENTENCES[name]
+    for says in (FALSE, Gt(epsilon0, 100, evaluate=False), Tuple(FALSE, FALSE)):
+        assert verdict(says, proof) is Verdict.UNDECIDED
+
+
+def test_a_formula_is_proved_by_all_of_its_own_relations() -> None:
+    above, below = Gt(x**2 + 1, 0, evaluate=False), Gt(x, 0, evaluate=False)
+    assert verdict(above, formally(above)) is Verdict.PROVED
+    assert verdict(Tuple(above, below), formally(above)) is Verdict.UNDECIDED
+    assert verdict(Tuple(above, below), formally(above, below), x > 1) is Verdict.PROVED
+
+
+def test_a_point_denies_one_relation() -> None:
+    point = Counterexample({"x": fmpq(1)}, Gt(x, 0, evaluate=False))
+    assert verdict(Tuple(equal(x, 1), equal(x, x)), point) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("name", ["a conjunction", "a number", "a denial", "bounds", "an order"])
+def test_conditions_that_decide_nothing_are_refused(name: str) -> None:
+    proof = FOR_SENTENCES[name]
+    assert verdict("so it is", proof) is not Verdict.UNDECIDED
+    assert verdict("so it is", proof, x > 0) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    "says",
+    [
+        "400x² is smooth at 0.",
+        "400x² tends to 0 as x → 0.",
+        "400x² is continuous.",
+        "400x² is O(x) near 0.",
+        "400x² is twice differentiable at 0.",
+        "The limit of 400x² at 0 is 0.",
+        "400x² is flat at 0.",
+        "400x² has a derivative at 0.",
+        "Smooth is 400x² at 0, and of class C¹.",
+        "400x² is bounded near 0.",
+        "400x² vanishes as x goes to 0.",
+    ],
+)
+def test_one_point_tells_nothing_of_smoothness_or_a_limit(says: str) -> None:
+    point = Counterexample({"x": fmpq(1, 10)}, Gt(400 * x**2, 1, evaluate=False))
+    assert verdict(says, point, x**2 <= 1) is Verdict.UNDECIDED
+    assert verdict(says, Denied((TRUE,), {"x": fmpq(1, 10)})) is Verdict.UNDECIDED
+    assert verdict("400x² stays below 1.", point, x**2 <= 1) is Verdict.REFUTED
+
+
+COMPARED = tuple(
+    label
+    for label, claim in CLAIMS.items()
+    if isinstance(claim.says, Basic) and isinstance(claim.proof, Boxes | Asymptotics)
+)
+
+
+def test_formulas_with_an_order_are_compared_with_their_evidence() -> None:
+    assert len(COMPARED) == 12
+    assert not any(unfit(CLAIMS[label]) for label in COMPARED)
+
+
+@pytest.mark.parametrize("label", COMPARED)
+def test_a_slip_of_a_formula_is_noticed(label: str) -> None:
+    claim = CLAIMS[label]
+    left, right = claim.says.args
+    for other in (equal(left, right + epsilon0**2 / 2), equal(left * 2, right)):
+        assert unfit(replace(claim, says=other)), other
+    # What is changed under an O may leave it as it is: half of the changes are noticed, or more.
+    changed = [*mutations(claim.says)][:12]
+    assert sum(unfit(replace(claim, says=c)) is not None for c in changed) >= len(changed) / 2
+
+
+@pytest.mark.parametrize("label", ["d38", "d24", "eq_pavao", "d52"])
+def test_a_formula_under_other_conditions_is_another(label: str) -> None:
+    claim = CLAIMS[label]
+    assert unfit(replace(claim, given=(*claim.given, b > 2)))
+    assert unfit(replace(claim, given=(*claim.given, b > 1, b < 1)))
+    assert unfit(replace(claim, given=(x > 0,))) if x not in claim.says.free_symbols else True
+
+
+def test_the_gauge_is_the_order_that_is_named() -> None:
+    claim = CLAIMS["d52"]
+    left, right = claim.says.args
+    (node,) = right.atoms(O)
+    for other in (O(epsilon0**3), o(epsilon0**2), 0):
+        assert unfit(replace(claim, says=equal(left, right.xreplace({node: other}))))
+    proof = replace(claim.proof, constant=fmpq(1, 10**9))
+    assert unfit(replace(claim, proof=proof))
+    assert unfit(replace(claim, proof=replace(claim.proof, bounds=claim.proof.bounds[:1])))
+    assert unfit(replace(claim, proof=replace(claim.proof, meant=None)))
+    nowhere = Meant(lambda: (), claim.proof.meant.gauge)
+    assert unfit(replace(claim, proof=replace(claim.proof, meant=nowhere)))
+
+
+# Margins, orders and printed formulas that are not one function
+
+
+def by_type(x: Any, m: Any) -> Any:
+    return x if isinstance(m, Germs) else 0 * x + arb(3)
+
+
+def by_type_of_slopes(x: Any, m: Any) -> Any:
+    return Gradient(arb(1), (arb(1),)) if isinstance(x, Gradient) else x - arb("0.9") + (x - 1) ** 2
+
+
+MARGINS: dict[str, Any] = {
+    "a constant": lambda x, m: arb(1),
+    "a number": lambda x, m: 1,
+    "a comparison": lambda x, m: arb(1) if x > 0 else arb("0.5"),
+    "a comparison of floats": lambda x, m: arb(1 if float(x.mid()) > -1 else -1),
+    "a midpoint": lambda x, m: arb(x.mid()) - arb("0.4"),
+    "truth": lambda x, m: bool(x > 0),
+}
+
+
+@pytest.mark.parametrize("name", MARGINS)
+def test_a_margin_is_a_function_of_its_coordinates_in_balls(name: str) -> None:
+    for stored in (None, lambda: (BoxProof("b"),)):
+        proof = Boxes((Bound(MARGINS[name], box(("0", "1"))),), ("x",), "…", stored=stored)
+        assert verdict("x > 100 on [0, 1]", proof) is Verdict.UNDECIDED
+
+
+def test_the_slopes_of_a_margin_are_those_of_its_values() -> None:
+    bound = Bound(by_type_of_slopes, box(("1", "2")), slopes=True)
+    assert verdict("…", Boxes((bound,), ("x",), "…")) is Verdict.UNDECIDED
+    assert verdict("…", Boxes((replace(bound, slopes=False),), ("x",), "…")) is Verdict.ENCLOSED
+
+
+def test_an_order_is_of_one_function() -> None:
+    for kind, gauge in (("o", lambda t, m: t / t), ("O", lambda t, m: t), ("~", lambda t, m: t)):
+        order = Order(kind, by_type, gauge)
+        assert verdict("…", Asymptotics(order, "t -> 0")) is Verdict.UNDECIDED
+    swapped = Order("O", lambda t, m: t**2 if isinstance(m, Balls) else t**3, lambda t, m: t**2)
+    assert verdict("…", Asymptotics(swapped, "t -> 0")) is Verdict.UNDECIDED
+    bound = Order("<=", by_type, lambda t, m: t, constant=fmpq(4))
+    assert not verdict("…", Asymptotics(bound, "t -> 0")).holds
+
+
+def test_a_printed_number_is_taken_to_its_last_place() -> None:
+    assert verdict("π", Printed("3.14", lambda m: m.pi)) is Verdict.ENCLOSED
+    assert verdict("π", Printed("4.00", lambda m: m.pi, half_units=1000)) is Verdict.UNDECIDED
+    assert verdict("π", Printed("3.14", lambda m: m.pi, half_units=0)) is Verdict.UNDECIDED
+    finding = judge(Claim("π", "π", Printed("3.15", lambda m: m.pi, half_units=2)), {})
+    assert "within 2 half units" in finding.why
+    constant = Printed("0.5", lambda p, m: arb("0.5"), {"p": "1.0"})
+    assert verdict("p/2", constant) is Verdict.UNDECIDED
+    assert verdict("p/2", Printed("0.5", lambda p, m: 0.5, {"p": "1.0"})) is Verdict.UNDECIDED
+
+
+def test_a_printed_number_stands_in_its_sentence() -> None:
+    ordinary = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
+    missing = {
+        claim.label
+        for claim in CLAIMS.values()
+        if isinstance(claim.proof, Printed)
+        and claim.proof.text not in claim.says.translate(ordinary).replace("·10", "e")
+    }
+    assert missing == {"accuracy", "accuracy_relative", "ethylene_plane"}
+
+
+# What the ledger says of itself
+
+
+def test_prose_is_marked_and_listed() -> None:
+    report = verify(["d26", "eq_gamma", "d52"]).as_json()
+    formal = {row["label"]: row["formal"] for row in report["claims"]}
+    assert formal["eq_gamma"]
+    assert not formal["d26"]
+    assert not formal["d52"]
+    assert report["prose"] == [label for label, is_formal in formal.items() if not is_formal]
+
+
+SOLVERS = ("defect_over", "level_of")
+
+
+def test_what_solves_rests_on_a_claim_that_its_root_is_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    import sys
+
+    from tresym.flip import levels, separatrix
+
+    called: set[str] = set()
+    for solve in (separatrix.defect_over, levels.level_of):
+
+        def counted(*at: Any, solve: Any = solve, **rest: Any) -> Any:
+            called.add(solve.__name__)
+            return solve(*at, **rest)
+
+        for name, module in [*sys.modules.items()]:
+            if name.startswith("tresym"):
+                for key in [k for k, v in vars(module).items() if v is solve]:
+                    monkeypatch.setattr(module, key, counted)
+    for claim in CLAIMS.values():
+        if isinstance(claim.proof, Printed):
+            called.clear()
+            judge_evidence(claim)
+            below = {used.label for used in claim.rests_on}
+            needed = {"defect_over": "unique_root", "level_of": "d19"}
+            assert {needed[name] for name in called} <= below, claim.label
+
+
+def test_numbers_fall_with_what_they_rest_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = {"unique_root": Finding(Verdict.UNDECIDED, "broken")}
+    for label in ("table_str_epsilon0", "d27", "equation", "larger_ab_smaller_eps0"):
+        claim = CLAIMS[label]
+        for used in claim.rests_on:
+            if used.label not in found:
+                found[used.label] = judge(used, found)
+        assert judge(claim, found).verdict is Verdict.UNDECIDED
+
+
+def test_the_slope_on_the_steep_path_is_that_of_the_implicit_function() -> None:
+    """At ε₀ = π/2 + 2πn, u = 0, μ = 1/ε₀, the derivative of G by λ is what the order is of."""
+    slope = printed.implicit_function(u, lam, mu, __import__("sympy")).diff(lam)
+    with ball_precision(200):
+        for n in (3, 40):
+            defect = balls.pi / 2 + 2 * n * balls.pi
+            size, small = steep_path(defect, balls)
+            point = {u: arb(0), lam: size, mu: small}
+            by_u = value(printed.defect_of_u(u, lam, mu, __import__("sympy")), point)
+            assert by_u.overlaps(defect)
+            assert value(slope, point).overlaps(slope_on_steep_path(defect, balls))
+
+
+# Planted falsehoods
+
+
+def believed() -> set[str]:
+    return {c.label for c in planted() if verification._planted_row(c).survivors}
+
+
+def test_no_planted_falsehood_is_believed() -> None:
+    assert believed() == set()
+
+
+def test_planted_falsehoods_are_judged_with_the_mutants(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(verification, "all_claims", lambda: (TRUE,))
+    monkeypatch.setattr(judging, "unfit", lambda claim: None)
+    report = verify_mutants()
+    assert {m.origin.label for m in report.survivors} >= {"planted: another bound"}
+    assert json.dumps(report.as_json())
+
+
+@pytest.mark.parametrize(
+    ("where", "guard", "without", "survivor"),
+    [
+        (judging, "conflict", lambda claims: None, "planted: defined twice"),
+        (judging, "conflict", lambda claims: None, "planted: a circle"),
+        (judging, "overdetermined", lambda claims: None, "planted: an area twice"),
+        (judging, "_possible", lambda claim: True, "planted: against a bound"),
+        (judging, "unfit", lambda claim: None, "planted: another formula"),
+        (judging, "unfit", lambda claim: None, "planted: no smoothness"),
+        (bounds, "inconsistent", lambda *bound: None, "planted: no bound"),
+    ],
+)
+def test_without_its_guard_a_planted_falsehood_is_believed(
+    monkeypatch: pytest.MonkeyPatch, where: Any, guard: str, without: Any, survivor: str
+) -> None:
+    monkeypatch.setattr(where, guard, without)
+    assert survivor in believed()
+
+
+def test_stored_trees_that_are_no_text_leave_their_claim_undecided(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from tresym.proofs import certificates
+
+    proof = Boxes((SQUARE,), ("x",), "…", stored=certificates.certificate("planted"))
+    for trees in (5, [5], "b", {"b": 1}, [["b"]], [None]):
+        monkeypatch.setattr(certificates, "_trees", lambda trees=trees: {"planted": trees})
+        finding = judge(Claim("planted", "…", proof), {})
+        assert finding.verdict is Verdict.UNDECIDED
+        assert "stored proof" in finding.why
+    odd: Any = BoxProof(5)  # type: ignore[arg-type]
+    finding = judge(Claim("planted", "…", replace(proof, stored=lambda: (odd,))), {})
+    assert "stored proof" in finding.why
