@@ -6,10 +6,12 @@ import time
 from dataclasses import replace
 from typing import Any
 
+from tresym.checking.advocate import attack
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.regions import ONLY_INSIDE, is_regular
 from tresym.checking.statement import ORDERS, Comparison, Statement, read
 from tresym.exact import InputError
+from tresym.identity.advocate import STOPPED
 from tresym.identity.decide import decide
 from tresym.identity.expression import symbols
 from tresym.verdict import Verdict
@@ -52,10 +54,15 @@ def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
+    start = time.process_time()
     try:
-        return _decide(comparison, statement)
+        answer = _decide(comparison, statement)
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if not answer:
+        return answer
+    against = attack(comparison, statement, answer, time.process_time() - start)
+    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
 
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:

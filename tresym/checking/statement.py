@@ -11,7 +11,7 @@ from tresym.checking.typography import plain
 from tresym.exact import InputError
 from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
 from tresym.identity.given import Given
-from tresym.identity.parsing import parse, parse_claim
+from tresym.identity.parsing import Derivative, parse, parse_claim
 
 ORDERS = ("O", "o", "~")
 MAX_CHARACTERS = 30_000
@@ -43,13 +43,14 @@ class Comparison:
     """``left relation right``; for ``O`` and ``o`` the right side is the gauge.
 
     ``differentiated`` are the functions whose derivatives were written: a derivative is one where
-    its function is real.
+    its function is real. ``derivatives`` are the same with variable, order and derivative.
     """
 
     left: Expr
     relation: str
     right: Expr
     differentiated: tuple[Expr, ...] = ()
+    derivatives: tuple[Derivative, ...] = ()
 
 
 @dataclass(frozen=True)

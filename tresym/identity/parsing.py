@@ -15,6 +15,7 @@ import ast
 import re
 import unicodedata
 from collections.abc import Callable
+from typing import TypeAlias
 
 from tresym.exact import InputError, parse_number
 from tresym.identity.expression import (
@@ -58,6 +59,10 @@ _RECIPROCALS = {
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 _KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 _KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
+
+
+Derivative: TypeAlias = tuple[Expr, str, int, Expr]
+"""A function, a variable, an order, and that derivative."""
 
 
 def parse(text: str) -> Expr:
@@ -117,11 +122,13 @@ class _Reader:
 
     Attributes:
         differentiated: the functions whose derivatives were read.
+        derivatives: each with its variable, its order, and its derivative.
     """
 
     def __init__(self, source: str) -> None:
         self.source = source
         self.differentiated: list[Expr] = []
+        self.derivatives: list[Derivative] = []
 
     def read(self, node: ast.expr) -> Expr:
         try:
@@ -211,9 +218,11 @@ class _Reader:
             order = last.value
         if not 1 <= order <= MAX_DERIVATIVES:
             raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
-        self.differentiated.append(result)
+        function, name = result, args[1].id
+        self.differentiated.append(function)
         for _ in range(order):
-            result = differentiate(result, args[1].id)
+            result = differentiate(result, name)
+        self.derivatives.append((function, name, order, result))
         return result
 
     def _segment(self, node: ast.expr) -> str:
@@ -271,8 +280,10 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
 _CLAIMS = _RELATIONS | {ast.Eq: "=="}
 
 
-def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
-    """A chain of comparisons, or one order statement, as ``(left, relation, right, functions)``.
+def parse_claim(
+    text: str,
+) -> list[tuple[Expr, str, Expr, tuple[Expr, ...], tuple[Derivative, ...]]]:
+    """A chain of comparisons, or one order: ``(left, relation, right, functions, derivatives)``.
 
     ``functions`` are those whose derivatives the claim speaks of. Relations are
     ``== != > >= < <=``; ``f ~ g``; ``f == O(g)`` and ``f == h + o(g)``, which come out as
@@ -284,7 +295,7 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
     source = tidy(text)
     if source.count("~") == 1:
         left, right = source.split("~")
-        return [(parse(left), "~", parse(right), ())]
+        return [(parse(left), "~", parse(right), (), ())]
     if re.search(r"(?<![=<>!~])=(?!=)", source):
         advice = hint(source, _KNOWN) if re.search("=[<>]", source) else ""
         raise InputError(f"write == for equality: {_quoted(source)}{advice}")
@@ -299,7 +310,7 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
     reader = _Reader(source)
     nodes = [body.left, *body.comparators]
     if isinstance(body.ops[0], ast.Eq) and len(nodes) == 2 and (order := _order_term(nodes[1])):
-        return [(*_order_claim(reader, nodes[0], nodes[1], order), ())]
+        return [(*_order_claim(reader, nodes[0], nodes[1], order), (), ())]
     result = []
     left_side = reader.read(nodes[0])
     for op, node in zip(body.ops, nodes[1:], strict=True):
@@ -308,7 +319,7 @@ def parse_claim(text: str) -> list[tuple[Expr, str, Expr, tuple[Expr, ...]]]:
         right_side = reader.read(node)
         result.append((left_side, _CLAIMS[type(op)], right_side))
         left_side = right_side
-    return [(*part, tuple(reader.differentiated)) for part in result]
+    return [(*part, tuple(reader.differentiated), tuple(reader.derivatives)) for part in result]
 
 
 def _order_term(node: ast.expr) -> ast.Call | None:

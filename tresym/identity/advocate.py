@@ -1,0 +1,377 @@
+"""The advocate: attacks a statement at points that its prover did not choose, before it passes.
+
+It shares the tree of expressions with the provers and nothing else: the meaning of every operation
+stands here once more, in balls, and so does the choice of points. They lie past the first period
+of what oscillates, far out, near zero, just inside every end of the conditions, with unlike scales
+in several variables, on hyperplanes where evaluation is exact, and at random, always the same.
+
+A statement speaks of the points at which its conditions are shown to hold and all of its parts are
+shown to be defined; it is contradicted by balls alone. What is not shown contradicts nothing.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
+from math import comb
+from time import process_time
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.arithmetic import ball_precision
+from tresym.exact import fraction_text
+from tresym.identity.expression import Expr, symbols
+
+Comparison = tuple[Expr, str, Expr]
+Derivative = tuple[Expr, str, int, Expr]
+"""A function, a variable, an order, and what is said to be that derivative."""
+Point = list[arb]
+
+BITS = 128
+SHOWN, TRIED, MORE = 3, 20, 120
+"""Points looked at at which all is defined; points tried for so many, and for a single one."""
+SHARE = 0.07
+"""The part of a decision's time that more points may take."""
+MOST = 600
+
+STOPPED = "it was taken to be proved, but {}: the proof is at fault; please report this claim"
+"""What is said of a statement that the advocate has stopped."""
+
+
+def contradiction(
+    claim: Comparison,
+    given: Sequence[Comparison] = (),
+    functions: Sequence[Expr] = (),
+    derivatives: Sequence[Derivative] = (),
+    spent: float = 0.0,
+) -> str | None:
+    """Where balls contradict ``claim`` and what they are there, in words; None if nowhere found.
+
+    Args:
+        given: conditions on the points.
+        functions: what has to be defined there, too.
+        derivatives: each is compared with difference quotients of its function.
+        spent: seconds that the decision took; with more of them, more points are tried.
+    """
+    left, relation, right = claim
+    trees = [left, right, *functions]
+    slopes = []
+    for function, _, _, slope in derivatives:
+        slopes.append((len(trees), len(trees) + 1))
+        trees += [function, slope]
+    names = sorted(frozenset().union(*map(symbols, trees), *(symbols(e) for c in given for e in c[::2])))
+    start, shown = process_time(), 0
+    with ball_precision(BITS):
+        value = program(trees, names)
+        for tried, point in enumerate(points(names, given)):
+            enough = shown >= SHOWN or tried >= (TRIED if shown else MORE)
+            if enough and process_time() - start > SHARE * spent:
+                return None
+            found = value(point)
+            if found is None:
+                continue
+            shown += 1
+            if violates(found[0], relation, found[1]):
+                return f"at {where(names, point)} its sides are {_said(*found[:2])}"
+            if shown == 1:
+                for (f, d), (_, name, order, _) in zip(slopes, derivatives, strict=True):
+                    if not _is_slope(value, f, d, names.index(name), order, point, found[f]):
+                        place = where(names, point)
+                        return f"at {place} a derivative in it is no limit of difference quotients"
+    return None
+
+
+def violates(left: arb, relation: str, right: arb) -> bool:
+    """Whether balls show that ``left relation right`` is false."""
+    return bool(
+        {
+            "==": not left.overlaps(right),
+            "!=": left == right,
+            ">": left <= right,
+            ">=": left < right,
+            "<": left >= right,
+            "<=": left > right,
+        }[relation]
+    )
+
+
+def where(names: Sequence[str], point: Sequence[arb]) -> str:
+    """An exact point in words."""
+    shown = (f"{name} = {fraction_text(exact(x))}" for name, x in zip(names, point, strict=True))
+    return ", ".join(shown) or "the constants themselves"
+
+
+def exact(x: arb) -> fmpq:
+    """The middle of a ball."""
+    mantissa, exponent = (int(part) for part in x.mid().man_exp())
+    return fmpq(mantissa * 2 ** max(exponent, 0), 2 ** max(-exponent, 0))
+
+
+def _said(left: arb, right: arb) -> str:
+    return f"{left.str(12)} and {right.str(12)}"
+
+
+def _is_slope(
+    value: Program, f: int, d: int, x: int, order: int, point: Point, first: arb
+) -> bool:
+    """Whether a difference quotient of ``f`` may be a value that ``d`` takes beside ``point``.
+
+    It is one by the mean value theorem, where both are defined all the way.
+    """
+    step = arb((1, -min(20, 100 // order))) * (1 + abs(point[x]))
+    line = [[*point[:x], point[x] + k * step, *point[x + 1 :]] for k in range(1, order + 1)]
+    values = [value(place) for place in line]
+    between = value([*point[:x], point[x].union(line[-1][x]), *point[x + 1 :]])
+    if between is None or None in values:
+        return True
+    difference = (-1) ** order * first
+    for k, found in enumerate(values, 1):
+        difference += comb(order, k) * (-1) ** (order - k) * found[f]
+    return bool(between[d].overlaps(difference / step**order))
+
+
+# What every operation means
+
+
+class _UndefinedError(Exception):
+    """Not shown to be defined."""
+
+
+def _sign(x: arb) -> arb:
+    if x.is_zero() or not x.contains(0):
+        return arb(0 if x.is_zero() else 1 if x > 0 else -1)
+    raise _UndefinedError
+
+
+def _cbrt(x: arb) -> arb:
+    return x if x.is_zero() else _sign(x) * abs(x).root(3)
+
+
+def _atan2(y: arb, x: arb) -> arb:
+    if x > 0 or not y.contains(0):
+        return arb.atan2(y, x)
+    if y.is_zero() and x < 0:
+        return arb.pi()
+    raise _UndefinedError
+
+
+def _general(x: arb, y: arb) -> arb:
+    value = (y * x.log()).exp() if x > 0 else x
+    if x > 0 and value.is_finite():
+        return value
+    raise _UndefinedError
+
+
+def _rational(p: int, q: int) -> Callable[[arb], arb]:
+    """x^(p/q): a root of even or odd degree asks for x ≥ 0, a power that is not positive for ≠ 0."""
+
+    def power(x: arb) -> arb:
+        if (p <= 0 and x.contains(0)) or (q > 1 and not x >= 0):
+            raise _UndefinedError
+        return (x if q == 1 else x.root(q)) ** p
+
+    return arb.sqrt if (p, q) == (1, 2) else power
+
+
+_BY_NAME: dict[str, Callable[..., arb]] = {
+    name: getattr(arb, name)  # FLINT's are not finite outside of the real domain
+    for name in (
+        *("exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
+        *("sinh", "cosh", "tanh", "coth", "sech", "csch", "asinh", "acosh", "atanh"),
+    )
+} | {"+": operator.add, "*": operator.mul, "abs": abs} | {
+    "sign": _sign, "cbrt": _cbrt, "atan2": _atan2
+}
+
+Program = Callable[[Point], "list[arb] | None"]
+
+
+def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
+    """The values of ``trees`` as a function of a point; None where not all are shown defined."""
+    places: dict[Expr, int] = {}
+    start: list[Any] = [None] * len(names)
+    steps: list[tuple[Callable[..., arb], int, int | None, int]] = []
+
+    def step(function: Callable[..., arb], i: int, j: int | None = None) -> int:
+        start.append(None)
+        steps.append((function, i, j, len(start) - 1))
+        return len(start) - 1
+
+    def place(node: Expr) -> int:
+        found = places.get(node)
+        if found is None:
+            found = places[node] = _place(node)
+        return found
+
+    def _place(node: Expr) -> int:
+        op, args = node.op, node.args
+        if op == "symbol":
+            return names.index(args[0])
+        if op in ("number", "pi"):
+            start.append(arb(args[0]) if args else arb.pi())
+            return len(start) - 1
+        if op == "^" and args[1].op == "number":
+            base, r = place(args[0]), args[1].args[0]
+            if r == 2:
+                return step(operator.mul, base, base)
+            return step(_rational(int(r.p), int(r.q)), base)
+        if op == "^":
+            return step(_general, place(args[0]), place(args[1]))
+        function, first, *rest = _BY_NAME[op], *map(place, args)
+        if not rest:
+            return step(function, first)
+        for other in rest:
+            first = step(function, first, other)
+        return first
+
+    ends = [place(e) for e in trees]
+
+    def run(point: Point) -> list[arb] | None:
+        values = [*point, *start[len(point) :]]
+        try:
+            for function, i, j, k in steps:
+                if j is not None:  # finite where its arguments are
+                    values[k] = function(values[i], values[j])
+                else:
+                    values[k] = value = function(values[i])
+                    if not value.is_finite():
+                        return None
+        except _UndefinedError:
+            return None
+        return [values[k] for k in ends]
+
+    return run
+
+
+# Where the points lie
+
+
+def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point]:
+    """Points at which the conditions are shown to hold, the more telling ones first."""
+    sides = program([e for c in given for e in (c[0], c[2])], names)
+    relations = [relation for _, relation, _ in given]
+
+    def holds(point: Point) -> bool:
+        found = sides(point)
+        return found is not None and all(
+            _shown(found[2 * n], relation, found[2 * n + 1]) for n, relation in enumerate(relations)
+        )
+
+    ranges = [_range(name, given) for name in names]
+    inside = outside = None
+    for k in range(MOST if names else 1):
+        if not given:
+            yield _free(k, len(names))
+            continue
+        point = [_coordinate(k, j, *ends) for j, ends in enumerate(ranges)]
+        if holds(point):
+            inside = point
+            yield point
+        else:
+            outside = point
+        if inside and outside and k % 8 == 7:
+            yield _at_the_edge(holds, inside, outside)
+            outside = None
+
+
+def _shown(left: arb, relation: str, right: arb) -> bool:
+    return bool(
+        {
+            ">": left > right,
+            ">=": left >= right,
+            "<": left < right,
+            "<=": left <= right,
+            "!=": not left.overlaps(right),
+        }[relation]
+    )
+
+
+def _at_the_edge(holds: Callable[[Point], bool], inside: Point, outside: Point) -> Point:
+    """A point just inside of the conditions, between two points."""
+    for _ in range(40):
+        middle = [((x + y) / 2).mid() for x, y in zip(inside, outside, strict=True)]
+        if holds(middle):
+            inside = middle
+        else:
+            outside = middle
+    return inside
+
+
+def _range(name: str, given: Sequence[Comparison]) -> tuple[arb | None, arb | None]:
+    """Where the bounds by constants put a variable, about."""
+    low: arb | None = None
+    high: arb | None = None
+    for left, relation, right in given:
+        for side, bound, upper in ((left, right, "<"), (right, left, ">")):
+            size = side.op == "abs" and relation[0] == upper
+            inner = side.args[0] if size else side
+            if inner.op != "symbol" or inner.args[0] != name or symbols(bound) or relation == "!=":
+                continue
+            found = program([bound], [])([])
+            if found is None:
+                continue
+            end = found[0].mid()
+            if relation[0] == upper:
+                high = end if high is None or end < high else high
+            if relation[0] != upper or size:
+                end = -end if size else end
+                low = end if low is None or end > low else low
+    return low, high
+
+
+@lru_cache(maxsize=1 << 12)
+def _free(k: int, count: int) -> Point:
+    """The ``k``-th point where there are no conditions."""
+    return [_offset(k, j)[0] for j in range(count)]
+
+
+def _coordinate(k: int, j: int, low: arb | None, high: arb | None) -> arb:
+    """The ``k``-th value of the ``j``-th variable: out from 0, or in from an end of its range."""
+    size, part = _offset(k, j)
+    if low is None and high is None:
+        return size
+    if low is None:
+        return (high - abs(size)).mid()
+    if high is None:
+        return (low + abs(size)).mid()
+    return (high - (high - low) * part if size > 0 else low + (high - low) * part).mid()
+
+
+_LISTED = (
+    *((13, -2, 0), (-41, -3, 0), (9, 18, 0), (-15, -3, 0), (5, -3, 0), (0, 0, 0), (-11, 18, 0)),
+    *((11, -3, 1), (-27, -3, 1), (57, -3, 10), (-7, -3, -10), (89, -3, 0), (1, 0, 0), (-1, 0, 0)),
+    *((13, -24, 0), (-13, -24, 0), (19, -3, 0), (-19, -3, 0), (45, -6, 40), (-23, -4, -40)),
+)
+"""The first values n·2^e, and how the second variable differs: 1 in sign, else in size."""
+
+
+@lru_cache(maxsize=1 << 14)
+def _offset(k: int, j: int) -> tuple[arb, arb]:
+    """A signed distance, and one below 1/2 that is near 0 where the first is large or small."""
+    if k < len(_LISTED):
+        n, e, other = _LISTED[k]
+        if other == 1:
+            n = -n if j % 2 else n
+        elif j % 2:
+            e += other
+        if abs(n) > 1 and abs(n) != 19:  # those stay equal in all variables
+            n, e = n * (16 + 5 * j), e - 4
+    else:
+        noise = _noise(k, 0 if _noise(k, j) % 16 == 1 else j)
+        n = 0 if noise % 16 == 0 else (noise >> 8) % (1 << 20) | 1
+        n = -n if noise & 16 else n
+        spread = (4, 4, 9, 30, 60)[k % 5]
+        e = (noise >> 32) % (2 * spread + 1) - spread - 20
+    length = abs(n).bit_length()
+    part = arb(0) if abs(n) <= 1 else arb((abs(n), -length - max(abs(length + e), 1)))
+    return arb((n, e)), part
+
+
+def _noise(k: int, j: int) -> int:
+    """The same number for the same arguments, and no pattern in them."""
+    mixed = (k * 0x9E3779B97F4A7C15 + j * 0xC2B2AE3D27D4EB4F + 0x165667B19E3779F9) % (1 << 64)
+    mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9 % (1 << 64)
+    mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EB % (1 << 64)
+    return mixed ^ mixed >> 31
