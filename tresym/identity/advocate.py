@@ -30,11 +30,26 @@ Derivative = tuple[Expr, str, int, Expr]
 Point = list[arb]
 
 BITS = 128
-SHOWN, TRIED, MORE = 3, 20, 120
+ENOUGH, TRIED, MORE = 4, 20, 120
 """Points looked at at which all is defined; points tried for so many, and for a single one."""
 SHARE = 0.07
 """The part of a decision's time that more points may take."""
 MOST = 600
+
+FALSE = {"==": operator.ne, "!=": operator.eq} | {
+    ">": operator.le,
+    ">=": operator.lt,
+    "<": operator.ge,
+    "<=": operator.gt,
+}
+"""What shows a relation between two balls to be false: FLINT's answer yes when they are sure."""
+SHOWN = {
+    "!=": operator.ne,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "<": operator.lt,
+    "<=": operator.le,
+}
 
 STOPPED = "it was taken to be proved, but {}: the proof is at fault; please report this claim"
 """What is said of a statement that the advocate has stopped."""
@@ -56,50 +71,38 @@ def contradiction(
         spent: seconds that the decision took; with more of them, more points are tried.
     """
     left, relation, right = claim
-    trees = [left, right, *functions]
-    slopes = []
-    for function, _, _, slope in derivatives:
-        slopes.append((len(trees), len(trees) + 1))
-        trees += [function, slope]
-    names = sorted(frozenset().union(*map(symbols, trees), *(symbols(e) for c in given for e in c[::2])))
+    trees = [left, right, *functions, *(e for f, _, _, slope in derivatives for e in (f, slope))]
+    conditions = (e for condition in given for e in condition[::2])
+    spoken_of = frozenset().union(*map(symbols, trees), *map(symbols, conditions))
+    names = sorted(spoken_of.union(d[1] for d in derivatives))
     start, shown = process_time(), 0
     with ball_precision(BITS):
-        value = program(trees, names)
+        value, pairs = program(trees, names), range(2 + len(functions), len(trees), 2)
         for tried, point in enumerate(points(names, given)):
-            enough = shown >= SHOWN or tried >= (TRIED if shown else MORE)
+            enough = shown >= ENOUGH or tried >= (TRIED if shown else MORE)
             if enough and process_time() - start > SHARE * spent:
                 return None
             found = value(point)
             if found is None:
                 continue
             shown += 1
-            if violates(found[0], relation, found[1]):
+            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
                 return f"at {where(names, point)} its sides are {_said(*found[:2])}"
             if shown == 1:
-                for (f, d), (_, name, order, _) in zip(slopes, derivatives, strict=True):
-                    if not _is_slope(value, f, d, names.index(name), order, point, found[f]):
+                for f, (_, name, order, _) in zip(pairs, derivatives, strict=True):
+                    if not _is_slope(value, f, names.index(name), order, point, found[f]):
                         place = where(names, point)
                         return f"at {place} a derivative in it is no limit of difference quotients"
     return None
 
 
-def violates(left: arb, relation: str, right: arb) -> bool:
-    """Whether balls show that ``left relation right`` is false."""
-    return bool(
-        {
-            "==": not left.overlaps(right),
-            "!=": left == right,
-            ">": left <= right,
-            ">=": left < right,
-            "<": left >= right,
-            "<=": left > right,
-        }[relation]
-    )
-
-
 def where(names: Sequence[str], point: Sequence[arb]) -> str:
-    """An exact point in words."""
-    shown = (f"{name} = {fraction_text(exact(x))}" for name, x in zip(names, point, strict=True))
+    """A point in words, exactly where that is short."""
+    texts = (fraction_text(exact(x)) for x in point)
+    shown = (
+        f"{name} = {text}" if len(text) <= 24 else f"{name} near {x.mid().str(15, radius=False)}"
+        for name, x, text in zip(names, point, texts, strict=True)
+    )
     return ", ".join(shown) or "the constants themselves"
 
 
@@ -113,23 +116,29 @@ def _said(left: arb, right: arb) -> str:
     return f"{left.str(12)} and {right.str(12)}"
 
 
-def _is_slope(
-    value: Program, f: int, d: int, x: int, order: int, point: Point, first: arb
-) -> bool:
-    """Whether a difference quotient of ``f`` may be a value that ``d`` takes beside ``point``.
+def _is_a_limit(value: Program, point: Point) -> bool:
+    """Whether all is defined close by: what is so at single points is nobody's claim."""
+    return any(
+        value([x + arb((_noise(k, j) % 97 - 48, -60)) * (1 + abs(x)) for j, x in enumerate(point)])
+        for k in range(16)
+    )
+
+
+def _is_slope(value: Program, f: int, x: int, order: int, point: Point, first: arb) -> bool:
+    """Whether a difference quotient of value ``f`` may be one that the next has near ``point``.
 
     It is one by the mean value theorem, where both are defined all the way.
     """
     step = arb((1, -min(20, 100 // order))) * (1 + abs(point[x]))
     line = [[*point[:x], point[x] + k * step, *point[x + 1 :]] for k in range(1, order + 1)]
-    values = [value(place) for place in line]
     between = value([*point[:x], point[x].union(line[-1][x]), *point[x + 1 :]])
-    if between is None or None in values:
-        return True
     difference = (-1) ** order * first
-    for k, found in enumerate(values, 1):
+    for k, place in enumerate(line, 1):
+        found = value(place)
+        if found is None or between is None:
+            return True
         difference += comb(order, k) * (-1) ** (order - k) * found[f]
-    return bool(between[d].overlaps(difference / step**order))
+    return between is None or bool(between[f + 1].overlaps(difference / step**order))
 
 
 # What every operation means
@@ -165,25 +174,27 @@ def _general(x: arb, y: arb) -> arb:
 
 
 def _rational(p: int, q: int) -> Callable[[arb], arb]:
-    """x^(p/q): a root of even or odd degree asks for x ≥ 0, a power that is not positive for ≠ 0."""
+    """x^(p/q): a root of any degree asks for x ≥ 0, a power that is not positive for x ≠ 0."""
 
     def power(x: arb) -> arb:
         if (p <= 0 and x.contains(0)) or (q > 1 and not x >= 0):
             raise _UndefinedError
-        return (x if q == 1 else x.root(q)) ** p
+        return x**p if q == 1 else x.root(q) ** p
 
-    return arb.sqrt if (p, q) == (1, 2) else power
+    return arb.sqrt if p == 1 and q == 2 else power
 
 
-_BY_NAME: dict[str, Callable[..., arb]] = {
-    name: getattr(arb, name)  # FLINT's are not finite outside of the real domain
-    for name in (
-        *("exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
-        *("sinh", "cosh", "tanh", "coth", "sech", "csch", "asinh", "acosh", "atanh"),
-    )
-} | {"+": operator.add, "*": operator.mul, "abs": abs} | {
-    "sign": _sign, "cbrt": _cbrt, "atan2": _atan2
-}
+_BY_NAME: dict[str, Callable[..., arb]] = (
+    {
+        name: getattr(arb, name)  # FLINT's are not finite outside of the real domain
+        for name in (
+            *("exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
+            *("sinh", "cosh", "tanh", "coth", "sech", "csch", "asinh", "acosh", "atanh"),
+        )
+    }
+    | {"+": operator.add, "*": operator.mul, "abs": abs}
+    | {"sign": _sign, "cbrt": _cbrt, "atan2": _atan2, "^": _general}
+)
 
 Program = Callable[[Point], "list[arb] | None"]
 
@@ -195,36 +206,31 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
     steps: list[tuple[Callable[..., arb], int, int | None, int]] = []
 
     def step(function: Callable[..., arb], i: int, j: int | None = None) -> int:
+        steps.append((function, i, j, len(start)))
         start.append(None)
-        steps.append((function, i, j, len(start) - 1))
         return len(start) - 1
 
     def place(node: Expr) -> int:
-        found = places.get(node)
-        if found is None:
-            found = places[node] = _place(node)
-        return found
-
-    def _place(node: Expr) -> int:
+        k = places.get(node)
+        if k is not None:
+            return k
         op, args = node.op, node.args
         if op == "symbol":
-            return names.index(args[0])
-        if op in ("number", "pi"):
+            k = names.index(args[0])
+        elif op == "number" or op == "pi":
+            k = len(start)
             start.append(arb(args[0]) if args else arb.pi())
-            return len(start) - 1
-        if op == "^" and args[1].op == "number":
-            base, r = place(args[0]), args[1].args[0]
-            if r == 2:
-                return step(operator.mul, base, base)
-            return step(_rational(int(r.p), int(r.q)), base)
-        if op == "^":
-            return step(_general, place(args[0]), place(args[1]))
-        function, first, *rest = _BY_NAME[op], *map(place, args)
-        if not rest:
-            return step(function, first)
-        for other in rest:
-            first = step(function, first, other)
-        return first
+        elif op == "^" and args[1].op == "number":
+            k, r = place(args[0]), args[1].args[0]
+            k = step(operator.mul, k, k) if r == 2 else step(_rational(int(r.p), int(r.q)), k)
+        elif len(args) == 1:
+            k = step(_BY_NAME[op], place(args[0]))
+        else:
+            function, k = _BY_NAME[op], place(args[0])
+            for other in args[1:]:
+                k = step(function, k, place(other))
+        places[node] = k
+        return k
 
     ends = [place(e) for e in trees]
 
@@ -256,7 +262,7 @@ def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point]
     def holds(point: Point) -> bool:
         found = sides(point)
         return found is not None and all(
-            _shown(found[2 * n], relation, found[2 * n + 1]) for n, relation in enumerate(relations)
+            SHOWN[relation](found[2 * n], found[2 * n + 1]) for n, relation in enumerate(relations)
         )
 
     ranges = [_range(name, given) for name in names]
@@ -274,18 +280,6 @@ def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point]
         if inside and outside and k % 8 == 7:
             yield _at_the_edge(holds, inside, outside)
             outside = None
-
-
-def _shown(left: arb, relation: str, right: arb) -> bool:
-    return bool(
-        {
-            ">": left > right,
-            ">=": left >= right,
-            "<": left < right,
-            "<=": left <= right,
-            "!=": not left.overlaps(right),
-        }[relation]
-    )
 
 
 def _at_the_edge(holds: Callable[[Point], bool], inside: Point, outside: Point) -> Point:
@@ -340,7 +334,7 @@ def _coordinate(k: int, j: int, low: arb | None, high: arb | None) -> arb:
 
 
 _LISTED = (
-    *((13, -2, 0), (-41, -3, 0), (9, 18, 0), (-15, -3, 0), (5, -3, 0), (0, 0, 0), (-11, 18, 0)),
+    *((13, -2, 0), (-41, -3, 0), (0, 0, 0), (9, 18, 0), (-15, -3, 0), (5, -3, 0), (-11, 18, 0)),
     *((11, -3, 1), (-27, -3, 1), (57, -3, 10), (-7, -3, -10), (89, -3, 0), (1, 0, 0), (-1, 0, 0)),
     *((13, -24, 0), (-13, -24, 0), (19, -3, 0), (-19, -3, 0), (45, -6, 40), (-23, -4, -40)),
 )
