@@ -34,6 +34,7 @@ class Finding:
         steps: one finding for each step of a chain, in order.
         trees: for bounds on boxes, the bisection tree that closes each.
         seconds: time taken.
+        stopped: whether it was about to pass, and the advocate contradicted it.
     """
 
     verdict: Verdict
@@ -46,3 +47,4 @@ class Finding:
     steps: tuple[StepFinding, ...] = field(default=())
     trees: tuple[str, ...] = ()
     seconds: float = 0.0
+    stopped: bool = False

@@ -78,21 +78,21 @@ def contradiction(
     start, shown = process_time(), 0
     with ball_precision(BITS):
         value, pairs = program(trees, names), range(2 + len(functions), len(trees), 2)
-        for tried, point in enumerate(points(names, given)):
+        for tried, point in enumerate(points(names, given), 1):
+            found = None if point is None else value(point)
+            if point is not None and found is not None:
+                shown += 1
+                if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
+                    return f"at {where(names, point)} its sides are {_said(found[0], found[1])}"
+                for f, (_, name, order, _) in zip(pairs, derivatives, strict=True):
+                    if shown == 1 and not _is_slope(
+                        value, f, names.index(name), order, point, found[f]
+                    ):
+                        place = where(names, point)
+                        return f"at {place} a derivative in it is no limit of difference quotients"
             enough = shown >= ENOUGH or tried >= (TRIED if shown else MORE)
             if enough and process_time() - start > SHARE * spent:
                 return None
-            found = value(point)
-            if found is None:
-                continue
-            shown += 1
-            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
-                return f"at {where(names, point)} its sides are {_said(*found[:2])}"
-            if shown == 1:
-                for f, (_, name, order, _) in zip(pairs, derivatives, strict=True):
-                    if not _is_slope(value, f, names.index(name), order, point, found[f]):
-                        place = where(names, point)
-                        return f"at {place} a derivative in it is no limit of difference quotients"
     return None
 
 
@@ -254,15 +254,15 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
 # Where the points lie
 
 
-def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point]:
-    """Points at which the conditions are shown to hold, the more telling ones first."""
+def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point | None]:
+    """Points for all names, the more telling first; None where ``given`` is not shown to hold."""
     sides = program([e for c in given for e in (c[0], c[2])], names)
-    relations = [relation for _, relation, _ in given]
+    relations = [SHOWN[relation] for _, relation, _ in given]
 
     def holds(point: Point) -> bool:
         found = sides(point)
         return found is not None and all(
-            SHOWN[relation](found[2 * n], found[2 * n + 1]) for n, relation in enumerate(relations)
+            relation(found[2 * n], found[2 * n + 1]) for n, relation in enumerate(relations)
         )
 
     ranges = [_range(name, given) for name in names]
@@ -277,6 +277,7 @@ def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point]
             yield point
         else:
             outside = point
+            yield None
         if inside and outside and k % 8 == 7:
             yield _at_the_edge(holds, inside, outside)
             outside = None
