@@ -301,7 +301,8 @@ def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Int
         return
     symbols, plain, hard = _parts(world, names)
     order = sorted(symbols)
-    for values in advocate.points(order, Given.from_sympy(*plain).comparisons):
+    given = Given.from_sympy(*plain).comparisons
+    for values in advocate.points(order, given, advocate.conditions(order, given)):
         if values is None:
             yield None
             continue

@@ -30,8 +30,10 @@ Derivative = tuple[Expr, str, int, Expr]
 Point = list[arb]
 
 BITS = 128
-ENOUGH, TRIED, MORE = 4, 20, 120
-"""Points looked at at which all is defined; points tried for so many, and for a single one."""
+ENOUGH, TRIED = 4, 20
+"""Points looked at, and tried for that, where a bare equation is decided in a millisecond."""
+SLOWER = 4
+"""How many times as many elsewhere."""
 SHARE = 0.07
 """The part of a decision's time that more points may take."""
 MOST = 600
@@ -72,28 +74,67 @@ def contradiction(
     """
     left, relation, right = claim
     trees = [left, right, *functions, *(e for f, _, _, slope in derivatives for e in (f, slope))]
-    conditions = (e for condition in given for e in condition[::2])
-    spoken_of = frozenset().union(*map(symbols, trees), *map(symbols, conditions))
+    spoken_of = frozenset().union(
+        *map(symbols, trees), *(symbols(e) for c in given for e in c[::2])
+    )
     names = sorted(spoken_of.union(d[1] for d in derivatives))
-    start, shown = process_time(), 0
+    patience = 1 if relation == "==" and not given else SLOWER
+    start, shown, against = process_time(), 0, ""
+
+    def has_time(part: int) -> bool:
+        return process_time() - start < SHARE * spent / part
+
+    def look(point: Point | None) -> list[arb] | None:
+        nonlocal shown, against
+        found = None if point is None else value(point)
+        if point is not None and found is not None:
+            shown += 1
+            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
+                against = f"at {where(names, point)} its sides are {_said(found[0], found[1])}"
+            elif shown == 1 and not _are_slopes(value, derivatives, names, point, found):
+                against = f"at {where(names, point)} a derivative is no limit of differences"
+        return found
+
     with ball_precision(BITS):
-        value, pairs = program(trees, names), range(2 + len(functions), len(trees), 2)
-        for tried, point in enumerate(points(names, given), 1):
-            found = None if point is None else value(point)
-            if point is not None and found is not None:
-                shown += 1
-                if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
-                    return f"at {where(names, point)} its sides are {_said(found[0], found[1])}"
-                for f, (_, name, order, _) in zip(pairs, derivatives, strict=True):
-                    if shown == 1 and not _is_slope(
-                        value, f, names.index(name), order, point, found[f]
-                    ):
-                        place = where(names, point)
-                        return f"at {place} a derivative in it is no limit of difference quotients"
-            enough = shown >= ENOUGH or tried >= (TRIED if shown else MORE)
-            if enough and process_time() - start > SHARE * spent:
-                return None
+        value, holds, lowest = program(trees, names), conditions(names, given), None
+        for tried, point in enumerate(points(names, given, holds), 1):
+            found = look(point)
+            if against:
+                return against
+            if found is not None and point is not None and relation[0] in "<>":
+                room = _room(found, relation)
+                lowest = [room, point] if lowest is None or room < lowest[0] else lowest
+            enough = shown >= patience * ENOUGH or tried >= (1 if shown else 5) * patience * TRIED
+            if enough and not has_time(1 if lowest is None else 2):
+                break
+        for n, point in enumerate(_downhill(lowest, holds)):
+            found = look(point)
+            if against:
+                return against
+            if found is not None and lowest and (room := _room(found, relation)) < lowest[0]:
+                lowest[:] = room, point
+            if n >= patience * ENOUGH and not has_time(1):
+                break
     return None
+
+
+def _room(sides: list[arb], relation: str) -> arb:
+    """About how far an inequality is from being false."""
+    return (sides[0] - sides[1] if relation[0] == ">" else sides[1] - sides[0]).mid()
+
+
+def _downhill(lowest: list[Any] | None, holds: Callable[[Point], bool]) -> Iterator[Point]:
+    """Neighbours of the second of ``lowest``, which may move meanwhile, closer and closer."""
+    part = 1
+    while lowest is not None and lowest[1] and part < 1 << 40:
+        before = lowest[1]
+        for j, x in enumerate(before):
+            for step in (abs(x) / 3 / part + arb((1, -30)), -abs(x) / 4 / part - arb((1, -30))):
+                point = list(lowest[1])
+                point[j] = (point[j] + step).mid()
+                if holds(point):
+                    yield point
+        part *= 1 if lowest[1] is not before else 4
 
 
 def where(names: Sequence[str], point: Sequence[arb]) -> str:
@@ -124,21 +165,31 @@ def _is_a_limit(value: Program, point: Point) -> bool:
     )
 
 
-def _is_slope(value: Program, f: int, x: int, order: int, point: Point, first: arb) -> bool:
-    """Whether a difference quotient of value ``f`` may be one that the next has near ``point``.
+def _are_slopes(
+    value: Program,
+    derivatives: Sequence[Derivative],
+    names: Sequence[str],
+    point: Point,
+    found: list[arb],
+) -> bool:
+    """Whether difference quotients may be values that the derivatives take near ``point``.
 
-    It is one by the mean value theorem, where both are defined all the way.
+    They are by the mean value theorem, where function and derivative are defined all the way. The
+    last values of the program are those of each function and of its derivative, in turn.
     """
-    step = arb((1, -min(20, 100 // order))) * (1 + abs(point[x]))
-    line = [[*point[:x], point[x] + k * step, *point[x + 1 :]] for k in range(1, order + 1)]
-    between = value([*point[:x], point[x].union(line[-1][x]), *point[x + 1 :]])
-    difference = (-1) ** order * first
-    for k, place in enumerate(line, 1):
-        found = value(place)
-        if found is None or between is None:
-            return True
-        difference += comb(order, k) * (-1) ** (order - k) * found[f]
-    return between is None or bool(between[f + 1].overlaps(difference / step**order))
+    for k, (_, name, order, _) in enumerate(derivatives):
+        f, x = len(found) - 2 * (len(derivatives) - k), names.index(name)
+        step = arb((1, -min(20, 100 // order))) * (1 + abs(point[x]))
+        line = [[*point[:x], point[x] + n * step, *point[x + 1 :]] for n in range(1, order + 1)]
+        between = value([*point[:x], point[x].union(line[-1][x]), *point[x + 1 :]])
+        ends = [found, *(end for end in map(value, line) if end is not None)]
+        if between is None or len(ends) <= order:
+            continue
+        weights = [comb(order, n) * (-1) ** (order - n) for n in range(order + 1)]
+        difference = sum((w * end[f] for w, end in zip(weights, ends, strict=True)), arb(0))
+        if not between[f + 1].overlaps(difference / step**order):
+            return False
+    return True
 
 
 # What every operation means
@@ -254,8 +305,8 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
 # Where the points lie
 
 
-def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point | None]:
-    """Points for all names, the more telling first; None where ``given`` is not shown to hold."""
+def conditions(names: Sequence[str], given: Sequence[Comparison]) -> Callable[[Point], bool]:
+    """Whether all of ``given`` is shown to hold at a point."""
     sides = program([e for c in given for e in (c[0], c[2])], names)
     relations = [SHOWN[relation] for _, relation, _ in given]
 
@@ -265,6 +316,13 @@ def points(names: Sequence[str], given: Sequence[Comparison]) -> Iterator[Point 
             relation(found[2 * n], found[2 * n + 1]) for n, relation in enumerate(relations)
         )
 
+    return holds
+
+
+def points(
+    names: Sequence[str], given: Sequence[Comparison], holds: Callable[[Point], bool]
+) -> Iterator[Point | None]:
+    """Points for all names, the more telling first; None where ``given`` is not shown to hold."""
     ranges = [_range(name, given) for name in names]
     inside = outside = None
     for k in range(MOST if names else 1):
@@ -336,8 +394,26 @@ def _coordinate(k: int, j: int, low: arb | None, high: arb | None) -> arb:
 
 _LISTED = (
     *((13, -2, 0), (-41, -3, 0), (0, 0, 0), (9, 18, 0), (-15, -3, 0), (5, -3, 0), (-11, 18, 0)),
-    *((11, -3, 1), (-27, -3, 1), (57, -3, 10), (-7, -3, -10), (89, -3, 0), (1, 0, 0), (-1, 0, 0)),
-    *((13, -24, 0), (-13, -24, 0), (19, -3, 0), (-19, -3, 0), (45, -6, 40), (-23, -4, -40)),
+    *(
+        (11, -3, 1),
+        (-27, -3, 1),
+        (57, -3, 10),
+        (-7, -3, -10),
+        (89, -3, 0),
+        (1, 0, 0),
+        (-1, 0, 0),
+        (1, -1, 0),
+    ),
+    *(
+        (13, -24, 0),
+        (-13, -24, 0),
+        (3, -160, 0),
+        (-3, -160, 0),
+        (19, -3, 0),
+        (-19, -3, 0),
+        (45, -6, 40),
+        (-23, -4, -40),
+    ),
 )
 """The first values n·2^e, and how the second variable differs: 1 in sign, else in size."""
 
