@@ -55,7 +55,7 @@ BITS, ROUGH = 128, 64
 POINTS = 40
 """Exact points tried before a relation is taken to be unviolated."""
 LOOKS = ((BITS, POINTS), (1024, 2))
-ENOUGH, TRIED, SHARE = (2, 1), (8, 2), 0.03
+ENOUGH, TRIED, SHARE = (3, 1), (8, 2), 0.02
 """The advocate's points: those looked at, those tried (also where an integral or a root makes them
 dear), and the part of a decision's time that more may take."""
 ROOTS = 2
