@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sympy import Equivalent, Ge, Gt, Integral, Symbol, Tuple, cos, sin
+from sympy import Derivative, Eq, Equivalent, Ge, Gt, Integral, Symbol, Tuple, cos, sin
 
 import tresym
 from tresym.arithmetic import ball_precision
@@ -90,6 +90,9 @@ FALSE = [
     "log(x*y) == log(x) + log(y) + 10**(-12)",
     "diff(x**x, x) == x*x**(x-1)",
     "2 + 2 == 5",
+    # nothing that takes forever to write
+    "exp(x**9) < 1 given x > 10",
+    "x < (10**981)**5 given x > (10**980)**5",
 ]
 
 
@@ -145,6 +148,12 @@ def test_a_wrong_rule_of_differentiation(
     assert not tresym.check(claim)
     monkeypatch.setattr(check_judge, "_decide", lambda *_: Answer(PROVED, "it looks right"))
     assert stopped(tresym.check(claim))
+
+
+def test_a_wrong_rule_of_differentiation_before_sympy(monkeypatch: Patch) -> None:
+    monkeypatch.setattr(expression, "_slope", lambda name, at, value: value)
+    slope = Derivative(cos(x), x)
+    assert stopped(tresym.check(Eq(slope, cos(x), evaluate=False)))
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from tresym.arithmetic import ball_precision
 from tresym.checking.answer import Answer
 from tresym.checking.statement import ORDERS, Comparison, Path, Statement
 from tresym.exact import parse_number
-from tresym.identity.advocate import contradiction, program, where
+from tresym.identity.advocate import contradiction, program, said, where
 
 BITS = 512
 HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
@@ -45,8 +45,8 @@ def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str |
         for x in _along(path, arb(parse_number(answer.region.split()[-1]))):
             found = value([x])
             if found is not None and abs(found[0]) > constant * abs(found[1]):
-                ratio = (abs(found[0]) / abs(found[1])).str(12)
-                return f"at {where([path.name], [x])} the ratio of its sides is {ratio}"
+                sides = f"{said(found[0])} and {said(found[1])}"
+                return f"at {where([path.name], [x])} its sides are {sides}, beyond the constant"
     return None
 
 

@@ -160,8 +160,15 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
     if name not in _SYMPY:
         hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
         raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
-    inner = tuple(from_sympy(part.expr) for part in _derivatives(claim))
-    comparison = Comparison(from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs), inner)
+    parts = _derivatives(claim)
+    inner = tuple(from_sympy(part.expr) for part in parts)
+    derivatives = tuple(
+        (function, part.variables[0].name, len(part.variables), from_sympy(part))
+        for function, part in zip(inner, parts, strict=True)
+        if len(set(part.variables)) == 1
+    )
+    sides = from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs)
+    comparison = Comparison(*sides, inner, derivatives)
     conditions = []
     names: set[str] = set()
     for variable in _variables(claim):

@@ -55,7 +55,7 @@ BITS, ROUGH = 128, 64
 POINTS = 40
 """Exact points tried before a relation is taken to be unviolated."""
 LOOKS = ((BITS, POINTS), (1024, 2))
-ENOUGH, TRIED, SHARE = (3, 1), (8, 2), 0.02
+ENOUGH, TRIED, SHARE = (2, 1), (8, 2), 0.02
 """The advocate's points: those looked at, those tried (also where an integral or a root makes them
 dear), and the part of a decision's time that more may take."""
 ROOTS = 2
@@ -132,7 +132,7 @@ def contradiction(
                     sides = value(left, point), value(right, point)
                     shown += sides[0].is_finite() and sides[1].is_finite()
                     if excluded(sides[0] - sides[1], relation.rel_op):
-                        seen = " and ".join(side.str(12) for side in sides)
+                        seen = " and ".join(map(advocate.said, sides))
                         return f"{_violated_at(place).why}: the sides are {seen}"
                 enough = shown >= ENOUGH[dear] or tried >= TRIED[dear]
                 if enough and process_time() - start > SHARE * spent / len(relations):

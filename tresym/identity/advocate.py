@@ -90,7 +90,9 @@ def contradiction(
         if point is not None and found is not None:
             shown += 1
             if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
-                against = f"at {where(names, point)} its sides are {_said(found[0], found[1])}"
+                against = (
+                    f"at {where(names, point)} its sides are {said(found[0])} and {said(found[1])}"
+                )
             elif shown == 1 and not _are_slopes(value, derivatives, names, point, found):
                 against = f"at {where(names, point)} a derivative is no limit of differences"
         return found
@@ -139,22 +141,27 @@ def _downhill(lowest: list[Any] | None, holds: Callable[[Point], bool]) -> Itera
 
 def where(names: Sequence[str], point: Sequence[arb]) -> str:
     """A point in words, exactly where that is short."""
-    texts = (fraction_text(exact(x)) for x in point)
-    shown = (
-        f"{name} = {text}" if len(text) <= 24 else f"{name} near {x.mid().str(15, radius=False)}"
-        for name, x, text in zip(names, point, texts, strict=True)
-    )
+    shown = []
+    for name, x in zip(names, point, strict=True):
+        size = abs(x.mid())
+        short = size.is_zero() or arb((1, -60)) < size < arb((1, 60))
+        text = fraction_text(exact(x)) if short else ""
+        shown.append(f"{name} = {text}" if 0 < len(text) <= 24 else f"{name} near {said(x.mid())}")
     return ", ".join(shown) or "the constants themselves"
+
+
+def said(x: arb) -> str:
+    """A ball in words; FLINT writes a tower of digits forever."""
+    size = abs(x)
+    if size.contains(0) or arb((1, -(10**6))) < size < arb((1, 10**6)):
+        return str(x.str(12, radius=not x.is_exact()))
+    return "too large or too small to be written"
 
 
 def exact(x: arb) -> fmpq:
     """The middle of a ball."""
     mantissa, exponent = (int(part) for part in x.mid().man_exp())
     return fmpq(mantissa * 2 ** max(exponent, 0), 2 ** max(-exponent, 0))
-
-
-def _said(left: arb, right: arb) -> str:
-    return f"{left.str(12)} and {right.str(12)}"
 
 
 def _is_a_limit(value: Program, point: Point) -> bool:
@@ -383,12 +390,12 @@ def _free(k: int, count: int) -> Point:
 def _coordinate(k: int, j: int, low: arb | None, high: arb | None) -> arb:
     """The ``k``-th value of the ``j``-th variable: out from 0, or in from an end of its range."""
     size, part = _offset(k, j)
-    if low is None and high is None:
+    end = high if low is None else low
+    if end is None:
         return size
-    if low is None:
-        return (high - abs(size)).mid()
-    if high is None:
-        return (low + abs(size)).mid()
+    if low is None or high is None:
+        away = abs(size) * (1 + abs(end)) if k % 3 == 2 else abs(size)
+        return (end - away if low is None else end + away).mid()
     return (high - (high - low) * part if size > 0 else low + (high - low) * part).mid()
 
 
