@@ -153,7 +153,7 @@ def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
         from tresym.report.terminal import show_mutants
 
         report = show_mutants(labels, Console(highlight=False))
-    return UNEXPECTED if report.survivors else 0
+    return UNEXPECTED if report.survivors or report.stopped else 0
 
 
 def _add_derive(commands: Commands) -> None:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any
 
@@ -168,6 +168,8 @@ class MutantRow:
     """How many got each verdict; all four are always present."""
     survivors: tuple[Mutant, ...]
     """Mutants that were PROVED or ENCLOSED, or denied something: there must be none."""
+    stopped: tuple[Mutant, ...]
+    """Mutants that the evidence let through and the advocate alone stopped, UNDECIDED: none too."""
     changes: int
     """How many changes made them: one change may be judged with and without its chain."""
     why_few: str = ""
@@ -196,6 +198,11 @@ class MutantReport:
         return tuple(mutant for row in self.rows for mutant in row.survivors)
 
     @property
+    def stopped(self) -> tuple[Mutant, ...]:
+        """Every mutant that only the advocate stopped."""
+        return tuple(mutant for row in self.rows for mutant in row.stopped)
+
+    @property
     def few(self) -> tuple[MutantRow, ...]:
         """The claims with fewer changes than wanted, with the reason."""
         return tuple(row for row in self.rows if row.why_few)
@@ -205,10 +212,8 @@ class MutantReport:
         return {
             "version": JSON_VERSION,
             "counts": self.counts,
-            "survivors": [
-                {"label": m.origin.label, "place": m.place, "change": m.change}
-                for m in self.survivors
-            ],
+            "survivors": [_mutant_json(mutant) for mutant in self.survivors],
+            "stopped": [_mutant_json(mutant) for mutant in self.stopped],
             "claims": [
                 {"label": row.claim.label, "changes": row.changes, **row.counts}
                 for row in self.rows
@@ -218,6 +223,10 @@ class MutantReport:
                 for row in self.few
             ],
         }
+
+
+def _mutant_json(mutant: Mutant) -> dict[str, str]:
+    return {"label": mutant.origin.label, "place": mutant.place, "change": mutant.change}
 
 
 def verify_mutants(
@@ -249,13 +258,14 @@ def verify_mutants(
     using = _dependents(all_claims())
     rows = []
     for claim in (row.claim for row in report.rows if row.requested):
-        judged = [(mutant, _judge_mutant(mutant, found).verdict) for mutant in of(claim)]
-        counted = Counter(verdict for _, verdict in judged)
+        judged = [(mutant, _judge_mutant(mutant, found)) for mutant in of(claim)]
+        counted = Counter(finding.verdict for _, finding in judged)
         counts = {v.value: counted[v] for v in Verdict}
-        survivors = tuple(mutant for mutant, verdict in judged if _survives(mutant, verdict))
+        survivors = tuple(mutant for mutant, f in judged if _survives(mutant, f.verdict))
+        stopped = tuple(mutant for mutant, finding in judged if finding.stopped)
         changes = len({(mutant.place, mutant.change) for mutant, _ in judged})
         few = why_few(claim, using[claim]) if changes < wanted else ""
-        rows.append(MutantRow(claim, counts, survivors, changes, few))
+        rows.append(MutantRow(claim, counts, survivors, stopped, changes, few))
         if on_row is not None:
             on_row(rows[-1])
     if labels:
@@ -275,7 +285,9 @@ def _planted_row(claim: Claim) -> MutantRow:
     mutant = Mutant(claim, "the judge", "a guard is missing", claim)
     verdict = found[claim.label].verdict
     counts = {v.value: int(v is verdict) for v in Verdict}
-    return MutantRow(claim, counts, (mutant,) if _believed(claim, verdict) else (), 1)
+    survivors = (mutant,) if _believed(claim, verdict) else ()
+    stopped = (mutant,) if found[claim.label].stopped else ()
+    return MutantRow(claim, counts, survivors, stopped, 1)
 
 
 def _believed(claim: Claim, verdict: Verdict) -> bool:
@@ -302,7 +314,9 @@ def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
             changed[used.label] = Finding(Verdict.PROVED, "a definition that was changed", of=used)
     for claim in mutant.beneath:
         changed[claim.label] = judge(claim, changed)
-    return judge(mutant.claim, changed)
+    finding = judge(mutant.claim, changed)
+    stopped = finding.stopped or any(changed[claim.label].stopped for claim in mutant.beneath)
+    return replace(finding, stopped=stopped)
 
 
 def _dependents(claims: tuple[Claim, ...]) -> dict[Claim, tuple[Claim, ...]]:

@@ -44,7 +44,9 @@ from tresym.bench.run import (
     forget,
     interleave,
 )
-from tresym.checking import check
+from tresym.checking import Answer, check
+from tresym.checking.advocate import attack
+from tresym.checking.statement import read
 from tresym.checking.workers import Task, check_all
 from tresym.exact import InputError
 from tresym.identity import Expr, differentiate, parse, symbols
@@ -121,22 +123,36 @@ def measure(
 
 
 def decided(claims: list[str]) -> dict[str, Any]:
-    """How often each verdict, and the processor time it took."""
+    """How often each verdict, the processor time it took, and the advocate's part in it."""
     check(claims[0])  # what is done once in a process is not counted
     verdicts: Counter[str] = Counter()
-    seconds = []
+    seconds, parts = [], []
     for claim in claims:
         start = time.process_time()
-        verdicts[check(claim).verdict.value] += 1
+        answer = check(claim)
         seconds.append(time.process_time() - start)
+        verdicts[answer.verdict.value] += 1
+        if answer:
+            parts.append(_advocated(claim, answer, seconds[-1]) / seconds[-1])
     seconds.sort()
+    parts.sort()
     return {
         "claims": len(claims),
         **verdicts,
         "median": _short(seconds[len(seconds) // 2]),
         "p99": _short(seconds[int(0.99 * len(seconds))]),
         "longest": _short(seconds[-1]),
+        "advocate": parts and _short(parts[len(parts) // 2]),
     }
+
+
+def _advocated(claim: str, answer: Answer, spent: float) -> float:
+    """The processor time of the advocate before a claim that passes."""
+    statement = read(claim)
+    start = time.process_time()
+    for comparison in statement.comparisons:
+        attack(comparison, statement, answer, spent)
+    return time.process_time() - start
 
 
 def mutants(everything: list[Pair]) -> dict[str, Any]:

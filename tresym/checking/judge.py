@@ -7,11 +7,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from tresym.checking.advocate import attack
 from tresym.checking.answer import Answer, refuted
 from tresym.checking.equalities import decide_equality
 from tresym.checking.regions import ONLY_INSIDE, is_regular
 from tresym.checking.statement import ORDERS, Comparison, Statement, read
 from tresym.exact import InputError
+from tresym.identity.advocate import STOPPED
 from tresym.identity.decide import JUMP, exact_text
 from tresym.identity.expression import ZERO, Expr, symbols
 from tresym.identity.given import Given
@@ -62,10 +64,15 @@ def _worst(answers: list[Answer]) -> Answer:
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
+    start = time.process_time()
     try:
-        return _decide(comparison, statement)
+        answer = _decide(comparison, statement)
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if not answer:
+        return answer
+    against = attack(comparison, statement, answer, time.process_time() - start)
+    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
 
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:

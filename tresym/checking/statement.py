@@ -9,9 +9,9 @@ from typing import Any
 
 from tresym.checking.typography import plain
 from tresym.exact import InputError
-from tresym.identity.expression import Expr, from_sympy, number, symbol, symbols
+from tresym.identity.expression import Expr, differentiate, from_sympy, number, symbol, symbols
 from tresym.identity.given import Given
-from tresym.identity.parsing import parse, parse_claim, tidy
+from tresym.identity.parsing import Derivative, parse, parse_claim, tidy
 
 ORDERS = ("O", "o", "~")
 MAX_CHARACTERS = 30_000
@@ -46,16 +46,24 @@ class Comparison:
     """``left relation right``; for ``O`` and ``o`` the right side is the gauge.
 
     Attributes:
-        differentiated: the functions whose derivatives were written: a derivative is one where its
-            function is real, there and beside it.
-        by: the variables by which.
+        derivatives: those that were written: a derivative is one where its function is real, there
+            and beside it.
     """
 
     left: Expr
     relation: str
     right: Expr
-    differentiated: tuple[Expr, ...] = ()
-    by: frozenset[str] = frozenset()
+    derivatives: tuple[Derivative, ...] = ()
+
+    @property
+    def differentiated(self) -> tuple[Expr, ...]:
+        """The functions whose derivatives were written."""
+        return tuple(dict.fromkeys(found.function for found in self.derivatives))
+
+    @property
+    def by(self) -> frozenset[str]:
+        """The variables by which."""
+        return frozenset(found.by for found in self.derivatives)
 
 
 @dataclass(frozen=True)
@@ -216,7 +224,7 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
         hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
         raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
     sides = from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs)
-    comparison = Comparison(*sides, *_differentiated(claim))
+    comparison = Comparison(*sides, _derivatives(claim))
     conditions = []
     names: set[str] = set()
     for variable in _variables(claim):
@@ -263,13 +271,20 @@ def _variables(claim: Any) -> list[Any]:
     return found
 
 
-def _differentiated(claim: Any) -> tuple[tuple[Expr, ...], frozenset[str]]:
-    """The functions whose derivatives a SymPy relation, read already, holds; and by what."""
-    from sympy import Derivative
+def _derivatives(claim: Any) -> tuple[Derivative, ...]:
+    """The derivatives that a SymPy relation, read already, holds: one variable after the other."""
+    from sympy import Derivative as Written
 
-    parts = sorted(claim.atoms(Derivative), key=str)
-    by = frozenset(variable.name for part in parts for variable in part.variables)
-    return tuple(dict.fromkeys(from_sympy(part.expr) for part in parts)), by
+    found: dict[Derivative, None] = {}
+    for part in sorted(claim.atoms(Written), key=str):
+        function = from_sympy(part.expr)
+        for variable, count in part.variable_count:
+            slope = function
+            for _ in range(count):
+                slope = differentiate(slope, variable.name)
+            found[Derivative(function, variable.name, int(count), slope)] = None
+            function = slope
+    return tuple(found)
 
 
 def read_path(text: str) -> Path:

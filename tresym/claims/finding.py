@@ -36,6 +36,7 @@ class Finding:
         trees: for bounds on boxes, the bisection tree that closes each.
         seconds: time taken.
         of: the claim that was judged; None where nobody was asked.
+        stopped: whether it was about to pass, and the advocate contradicted it.
     """
 
     verdict: Verdict
@@ -48,4 +49,5 @@ class Finding:
     steps: tuple[StepFinding, ...] = field(default=())
     trees: tuple[str, ...] = ()
     seconds: float = 0.0
+    stopped: bool = False
     of: Any = field(default=None, repr=False, compare=False)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import replace
+from time import process_time
 
 from flint import arb, fmpq
 from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol, Tuple, false
@@ -50,9 +51,17 @@ from tresym.claims.translate import (
     to_expression,
     to_given,
 )
-from tresym.claims.violation import excluded, rootless, satisfiable, scalars, violation
+from tresym.claims.violation import (
+    contradiction,
+    excluded,
+    rootless,
+    satisfiable,
+    scalars,
+    violation,
+)
 from tresym.exact import InputError, fraction_text
 from tresym.identity import Given, decide, evaluate
+from tresym.identity.advocate import STOPPED
 from tresym.verdict import Verdict
 
 Findings = Mapping[str, Finding]
@@ -86,13 +95,43 @@ def judge_evidence(claim: Claim) -> Finding | None:
 
 
 def _guarded(claim: Claim, found: Findings) -> Finding:
+    start = process_time()
     try:
-        return _judge(claim, found)
+        finding = _judge(claim, found)
+        return _attacked(claim, finding, process_time() - start)
     except (CircularError, InputError) as error:
         return Finding(UNDECIDED, str(error))
     except CertificateError as error:
         why = f"the stored proof does not hold ({error}); --full searches for a new one"
         return Finding(UNDECIDED, why)
+
+
+def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
+    """The finding, unless it would pass a formula that balls contradict at the advocate's points.
+
+    A definition says nothing that could be contradicted.
+    """
+    if not finding.verdict.holds or isinstance(claim.proof, Definition | ImplicitFunction):
+        return finding
+    says = Tuple(*claim.proof.relations) if isinstance(claim.proof, Formally) else claim.says
+    if isinstance(says, str) or not _can_be_evaluated(says, claim):
+        return finding
+    try:
+        against = contradiction(says, claim.given, _known(claim), spent)
+    except CircularError:
+        return finding
+    if against is None:
+        return finding
+    return replace(finding, verdict=UNDECIDED, why=STOPPED.format(against), stopped=True)
+
+
+def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
+    """Whether every symbol may take all values that the conditions allow.
+
+    In what boxes enclose, symbols may stand for what is defined nowhere, as higher orders are.
+    """
+    known = frozenset().union(*(condition.free_symbols for condition in claim.given))
+    return isinstance(claim.proof, tuple | Together | Formally) or says.free_symbols <= known
 
 
 def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
@@ -192,15 +231,20 @@ def _possible(claim: Claim) -> bool:
 
 def refute(says: Basic, claim: Claim) -> Finding | None:
     """REFUTED with a point at which balls violate ``says`` and all that is used holds, or None."""
+    try:
+        found = violation(says, claim.given, _known(claim))
+    except (CircularError, InputError):
+        return None
+    return Finding(REFUTED, found.why, witness=found.point) if found else None
+
+
+def _known(claim: Claim) -> tuple[Basic, ...]:
+    """What the claims that are used say, and under which conditions."""
     known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
     for used in claim.uses:
         relations = (p for p in parts_of(used.says) if isinstance(p, Relational))
         known.update((p, None) for p in relations if not _is_rule_of_calculus(p, used))
-    try:
-        found = violation(says, claim.given, tuple(known))
-    except (CircularError, InputError):
-        return None
-    return Finding(REFUTED, found.why, witness=found.point) if found else None
+    return tuple(known)
 
 
 def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:

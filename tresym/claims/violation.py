@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, reduce
 from itertools import pairwise
+from time import process_time
 from typing import Any
 
 from flint import acb, arb, ctx, fmpq
@@ -41,7 +42,7 @@ from tresym.arithmetic import ball_precision
 from tresym.claims.claim import equal
 from tresym.claims.translate import Rules, put_in, to_expression
 from tresym.exact import Interval, fraction_text
-from tresym.identity import Given, decide
+from tresym.identity import Given, advocate, decide
 from tresym.identity.expression import FUNCTIONS
 from tresym.identity.given import Range
 from tresym.verdict import Verdict
@@ -54,6 +55,9 @@ BITS, ROUGH = 128, 64
 POINTS = 40
 """Exact points tried before a relation is taken to be unviolated."""
 LOOKS = ((BITS, POINTS), (1024, 2))
+ENOUGH, TRIED, SHARE = (2, 1), (8, 2), 0.02
+"""The advocate's points: those looked at, those tried (also where an integral or a root makes them
+dear), and the part of a decision's time that more may take."""
 ROOTS = 2
 """Points on an implicit equation that are looked for."""
 SPAN, GRID = fmpq(8), 16
@@ -94,29 +98,70 @@ def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> 
         says: a relation, a `Tuple` of them (one must fail), or an `Equivalent` of two equations.
         known: relations of the claims that are used.
     """
+    for relation, held in _relations(says, known):
+        world = _world(given, held)
+        left, right = _put_in_world(relation, world)
+        points = _points(world, _names(left, right))
+        for bits, count in LOOKS:
+            for place in points[:count]:
+                with ball_precision(bits):
+                    point = {s: i.ball() for s, i in place.items()}
+                    if excluded(value(left, point) - value(right, point), relation.rel_op):
+                        return _violated_at(place)
+    return None
+
+
+def contradiction(
+    says: Basic, given: Conditions, known: tuple[Basic, ...] = (), spent: float = 0.0
+) -> str | None:
+    """As :func:`violation`, but at the advocate's points: what is seen there, in words, or None.
+
+    Args:
+        spent: seconds that the decision took; with more of them, more points are tried.
+    """
+    relations = tuple(_relations(says, known))
+    for relation, held in relations:
+        world = _world(given, held)
+        left, right = _put_in_world(relation, world)
+        start, shown = process_time(), 0
+        dear = bool(world.implicit) or relation.has(Integral)
+        with ball_precision(BITS):
+            for tried, place in enumerate(_places(world, _names(left, right)), 1):
+                if place is not None:
+                    point = {s: i.ball() for s, i in place.items()}
+                    sides = value(left, point), value(right, point)
+                    shown += sides[0].is_finite() and sides[1].is_finite()
+                    if excluded(sides[0] - sides[1], relation.rel_op):
+                        seen = " and ".join(map(advocate.said, sides))
+                        return f"{_violated_at(place).why}: the sides are {seen}"
+                enough = shown >= ENOUGH[dear] or tried >= TRIED[dear]
+                if enough and process_time() - start > SHARE * spent / len(relations):
+                    break
+    return None
+
+
+def _relations(
+    says: Basic, known: tuple[Basic, ...]
+) -> Iterator[tuple[Relational, tuple[Basic, ...]]]:
+    """The relations between numbers that ``says`` consists of, each with what is known there."""
     if isinstance(says, Equivalent):
         first, second = says.args
-        return violation(second, given, (*known, first)) or violation(
-            first, given, (*known, second)
-        )
-    if isinstance(says, Tuple):
-        found = (violation(part, given, known) for part in says.args)
-        return next((f for f in found if f is not None), None)
-    if not isinstance(says, Relational):
-        return None
-    if isinstance(says.args[0], MatrixBase):
-        return violation(Tuple(*scalars(says)), given, known)
-    world = _world(given, known)
-    rules = dict(world.rules)
-    left, right = (put_in(side, rules) for side in says.args)
-    points = _points(world, frozenset(left.free_symbols | right.free_symbols))
-    for bits, count in LOOKS:
-        for place in points[:count]:
-            with ball_precision(bits):
-                point = {s: i.ball() for s, i in place.items()}
-                if excluded(value(left, point) - value(right, point), says.rel_op):
-                    return _violated_at(place)
-    return None
+        yield from _relations(second, (*known, first))
+        yield from _relations(first, (*known, second))
+    elif isinstance(says, Tuple):
+        for part in says.args:
+            yield from _relations(part, known)
+    elif isinstance(says, Relational):
+        yield from ((entry, known) for entry in scalars(says))
+
+
+def _names(*sides: Basic) -> frozenset[Symbol]:
+    return frozenset().union(*(side.free_symbols for side in sides))
+
+
+def _put_in_world(relation: Relational, world: World) -> tuple[Basic, Basic]:
+    left, right = (put_in(side, dict(world.rules)) for side in relation.args)
+    return left, right
 
 
 def rootless(
@@ -228,10 +273,7 @@ def _points(
     """Points, or tiny segments, on which every condition and equation holds somewhere."""
     if len(world.implicit) > 1 or false in world.conditions:
         return ()
-    symbols = {s.name: s for s in names.union(*(d.free_symbols for d in world.implicit))}
-    symbols |= {s.name: s for condition in world.conditions for s in condition.free_symbols}
-    hard = [c for c in world.conditions if c.has(Integral, Derivative, Subs)]
-    plain = [c for c in world.conditions if c not in hard]
+    symbols, plain, hard = _parts(world, names)
 
     def starts() -> Iterator[dict[Symbol, Interval]]:
         for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
@@ -243,15 +285,52 @@ def _points(
 
     if not world.implicit:
         return tuple(starts())
-    # An integral is dear: it is first looked at near both ends only.
-    coarse = ((1, GRID - 1),) if world.implicit[0].has(Integral) else ()
-    for grid in (*coarse, range(1, GRID)):
-        found: list[dict[Symbol, Interval]] = []
+    found: list[dict[Symbol, Interval]] = []
+    for grid in _grids(world):
+        found = []
         for exact in starts():
             found += _on_equation(world, exact, grid)
             if len(found) >= enough:
                 return tuple(found)
     return tuple(found)
+
+
+def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Interval] | None]:
+    """As :func:`_points`, from those of the advocate; None where one is not shown to be inside."""
+    if len(world.implicit) > 1 or false in world.conditions:
+        return
+    symbols, plain, hard = _parts(world, names)
+    order = sorted(symbols)
+    given = Given.from_sympy(*plain).comparisons
+    for values in advocate.points(order, given, advocate.conditions(order, given)):
+        if values is None:
+            yield None
+            continue
+        ends = (Interval(v, v) for v in map(advocate.exact, values))
+        exact = dict(zip((symbols[name] for name in order), ends, strict=True))
+        if not all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard):
+            yield None
+        elif world.implicit:
+            yield next(_on_equation(world, exact, _grids(world)[0]), None)
+        else:
+            yield exact
+
+
+def _parts(
+    world: World, names: frozenset[Symbol]
+) -> tuple[dict[str, Symbol], list[Basic], list[Basic]]:
+    """All symbols by name, the conditions that are plain, and those that are not."""
+    conditions = world.conditions
+    symbols = {s.name: s for s in names.union(*(e.free_symbols for e in world.implicit))}
+    symbols |= {s.name: s for condition in conditions for s in condition.free_symbols}
+    hard = [c for c in conditions if c.has(Integral, Derivative, Subs)]
+    return symbols, [c for c in conditions if c not in hard], hard
+
+
+def _grids(world: World) -> tuple[Sequence[int], ...]:
+    """An integral is dear: it is first looked at near both ends only."""
+    coarse = ((1, GRID - 1),) if world.implicit[0].has(Integral) else ()
+    return (*coarse, range(1, GRID))
 
 
 def _on_equation(

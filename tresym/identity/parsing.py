@@ -16,6 +16,7 @@ import re
 import unicodedata
 import warnings
 from collections.abc import Callable
+from typing import NamedTuple
 
 from tresym.exact import InputError, parse_number
 from tresym.identity.expression import (
@@ -59,6 +60,15 @@ _RECIPROCALS = {
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 _KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 _KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
+
+
+class Derivative(NamedTuple):
+    """A derivative that was written: of which function, by which variable, how often; its value."""
+
+    function: Expr
+    by: str
+    order: int
+    value: Expr
 
 
 def parse(text: str) -> Expr:
@@ -120,14 +130,12 @@ class _Reader:
     """Turns a syntax tree into an expression; keeps the text for exact numbers.
 
     Attributes:
-        differentiated: the functions whose derivatives were read.
-        by: the variables by which.
+        derivatives: each with its variable, its order, and its derivative.
     """
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.differentiated: list[Expr] = []
-        self.by: set[str] = set()
+        self.derivatives: list[Derivative] = []
 
     def read(self, node: ast.expr) -> Expr:
         try:
@@ -218,10 +226,10 @@ class _Reader:
             order = last.value
         if not 1 <= order <= MAX_DERIVATIVES:
             raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
-        self.differentiated.append(result)
-        self.by.add(variable)
+        function = result
         for _ in range(order):
             result = differentiate(result, variable)
+        self.derivatives.append(Derivative(function, variable, order, result))
         return result
 
     def _segment(self, node: ast.expr) -> str:
@@ -276,7 +284,7 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
             right = reader.read(node)
             result.append((left, _RELATIONS[type(op)], right))
             left = right
-    if reader.differentiated:
+    if reader.derivatives:
         raise InputError(NO_DERIVATIVE)
     return result
 
@@ -284,9 +292,8 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
 _CLAIMS = _RELATIONS | {ast.Eq: "=="}
 
 
-Claimed = tuple[Expr, str, Expr, tuple[Expr, ...], frozenset[str]]
-"""``left relation right``, the functions whose derivatives were written, and the variables by which
-they were taken."""
+Claimed = tuple[Expr, str, Expr, tuple[Derivative, ...]]
+"""``left relation right``, and the derivatives that were written."""
 
 
 def parse_claim(text: str) -> list[Claimed]:
@@ -331,9 +338,8 @@ def parse_claim(text: str) -> list[Claimed]:
 
 def _claimed(part: tuple[Expr, str, Expr], *readers: _Reader) -> Claimed:
     """A comparison with what its readers met."""
-    functions = [function for reader in readers for function in reader.differentiated]
-    by = frozenset(name for reader in readers for name in reader.by)
-    return *part, tuple(dict.fromkeys(functions)), by
+    found = (derivative for reader in readers for derivative in reader.derivatives)
+    return *part, tuple(dict.fromkeys(found))
 
 
 def _order_term(node: ast.expr) -> ast.Call | None:

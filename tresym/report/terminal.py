@@ -59,8 +59,9 @@ def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
         task = progress.add_task("claims", total=len(labels) or total)
 
         def show(row: MutantRow) -> None:
-            for mutant in row.survivors:
-                text = f"{row.claim.label}, {mutant.place}: {mutant.change}"
+            for mutant in (*row.survivors, *row.stopped):
+                by = " (stopped by the advocate alone)" if mutant in row.stopped else ""
+                text = f"{row.claim.label}, {mutant.place}: {mutant.change}{by}"
                 console.print(Text(text, style="bold red"), soft_wrap=True)
             progress.advance(task)
 
@@ -70,8 +71,9 @@ def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
     console.print(f"{total} false variants of {of} claims:")
     console.print(_counts(report.counts))
     share = f"{100 * refuted / total:.1f} % refuted with a witness" if total else "nothing to judge"
-    held = len(report.survivors)
-    outcome = "none holds" if not held else f"{held} of them hold: the verifier is wrong"
+    held = len(report.survivors) + len(report.stopped)
+    stopped = f" ({len(report.stopped)} but for the advocate)" if report.stopped else ""
+    outcome = "none holds" if not held else f"{held} of them hold{stopped}: the verifier is wrong"
     console.print(Text(f"{share}, {outcome}", style="green" if not held else "bold red"))
     for row in report.few:
         text = f"{row.claim.label}: {row.changes} of {MUTANTS}, {row.why_few}"
