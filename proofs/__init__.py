@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from types import ModuleType
 
-    from tresym.claims.claim import Claim
+    from tresym.ledger.claim import Claim
 
 PARTS = (
     "model",
@@ -69,7 +69,7 @@ def parts() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
 
 def _named_in(module: ModuleType) -> dict[Claim, None]:
     """The claims that a file has names for, its own and those it takes from others, in order."""
-    from tresym.claims.claim import Claim
+    from tresym.ledger.claim import Claim
 
     several = (v if isinstance(v, tuple) else (v,) for v in vars(module).values())
     return dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))

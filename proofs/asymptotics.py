@@ -26,36 +26,27 @@ from typing import Any
 
 from flint import arb, fmpq
 from sympy import Derivative, Function, Rational, cosh, exp, pi, sinh, sqrt, tanh
-from tresym.proofs import margins
-from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import auxiliary, shape
 from tresym.proofs.exponent import logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.remainders import at_unit_b
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
-from tresym.arithmetic import balls
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import (
-    Claim,
-    Place,
-    algebra,
-    all_of,
-    by,
-    differentiation,
-    equal,
-    exponentials,
-    step,
-)
-from tresym.claims.enclosure import Bound, box
-from tresym.claims.germ import Germs
-from tresym.claims.meaning import Meant
-from tresym.claims.order import Order
-from tresym.exact import as_rational
-from tresym.flip.separatrix import defect_over
-from tresym.formulas import stable
-from tresym.notation import T, a, b, epsilon0, gamma, k, r, x
-from tresym.verdict import Verdict
+from tresym.ledger.certificates import certificate
+from tresym.ledger.claim import Claim, Place, all_of, by, equal, step
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.meant import Meant
+from tresym.ledger.reasons import algebra, differentiation, exponentials
+from tresym.racket.flip.separatrix import defect_over
+from tresym.racket.formulas import stable
+from tresym.racket.near import charts as margins
+from tresym.racket.notation import T, a, b, epsilon0, gamma, k, r, x
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.germ import Germs
+from tresym.reals.balls.order import Order
+from tresym.reals.numbers.arithmetic import balls
+from tresym.reals.numbers.exact import as_rational
+from tresym.reals.verdict import Verdict
 
 RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases)
 QUARTER = "ab >= 1/4, 0 < b <= 1"

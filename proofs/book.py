@@ -16,7 +16,7 @@ from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
 from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, standard_racket
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Definition,
     Place,
@@ -25,15 +25,14 @@ from tresym.claims.claim import (
     by,
     equal,
     equations,
-    evaluating,
     formally,
     step,
-    substituting,
     together,
 )
-from tresym.formulas import printed
-from tresym.notation import I1, I2, I3, a, b
-from tresym.verdict import Verdict
+from tresym.ledger.reasons import evaluating, substituting
+from tresym.racket.formulas import printed
+from tresym.racket.notation import I1, I2, I3, a, b
+from tresym.reals.verdict import Verdict
 
 mass, length, width, height = (Symbol(name, real=True) for name in ("m", "L", "W", "H"))
 _box = (

@@ -16,10 +16,11 @@ from tresym.proofs.numbers_in_text import number
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import exact_defect, formula_defect, share_of_pi
 
-from tresym.claims.claim import Claim, Place, all_of, at, by, equal, evaluating, step, together
-from tresym.formulas import printed
-from tresym.notation import I1, I2, I3
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step, together
+from tresym.ledger.reasons import evaluating
+from tresym.racket.formulas import printed
+from tresym.racket.notation import I1, I2, I3
+from tresym.reals.verdict import Verdict
 
 B1, B2, B3 = (Symbol(f"B{n}", real=True) for n in (1, 2, 3))
 _ordered = (B1 > 0, B2 > 0, B3 > 0, B2 - B3 > 0, B1 - B2 > 0)

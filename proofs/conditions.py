@@ -2,7 +2,7 @@
 
 from sympy import cos, exp, pi, sin
 
-from tresym.notation import I1, I2, I3, M, T, a, b, epsilon, k, r, theta
+from tresym.racket.notation import I1, I2, I3, M, T, a, b, epsilon, k, r, theta
 
 ordered_moments = (I1 > 0, I2 > 0, I3 > 0, I2 - I1 > 0, I3 - I2 > 0, M > 0)
 """0 < I₁ < I₂ < I₃, and a body that turns."""

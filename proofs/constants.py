@@ -17,21 +17,21 @@ from collections.abc import Callable
 from typing import Any
 
 from flint import arb, fmpq
-from tresym.proofs import margins
 from tresym.proofs.asymptotics import RESTS_ON, repaired
-from tresym.proofs.certificates import certificate
 from tresym.proofs.exponent import leading_below
 
-from tresym.arithmetic import balls
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import Claim
-from tresym.claims.enclosure import Bound, box
-from tresym.claims.germ import Germs
-from tresym.claims.order import Order
-from tresym.exact import as_rational
-from tresym.flip.constants import CONSTANTS
-from tresym.flip.separatrix import defect_over
-from tresym.verdict import Verdict
+from tresym.ledger.certificates import certificate
+from tresym.ledger.claim import Claim
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.racket.compared.constants import CONSTANTS
+from tresym.racket.flip.separatrix import defect_over
+from tresym.racket.near import charts as margins
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.germ import Germs
+from tresym.reals.balls.order import Order
+from tresym.reals.numbers.arithmetic import balls
+from tresym.reals.numbers.exact import as_rational
+from tresym.reals.verdict import Verdict
 
 EXCESSES = (margins.first_excess, margins.second_excess)
 SAYS = ("|ε₀/ε* − 1| ≤ {} ε*².", "|ε₀/ε* − 1 − c₁ε*²| ≤ {} ε*⁴.")

@@ -14,22 +14,20 @@ from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, ti
 from tresym.proofs.model import angular_velocity, eq_Mi, velocity_from_momentum
 from tresym.proofs.momentum import energy_of_momentum
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Definition,
     Place,
     all_of,
     by,
-    citing,
     equal,
     equations,
     step,
-    substituting,
     together,
-    trigonometry,
 )
-from tresym.formulas import printed
-from tresym.notation import (
+from tresym.ledger.reasons import citing, substituting, trigonometry
+from tresym.racket.formulas import printed
+from tresym.racket.notation import (
     I1,
     I2,
     I3,

@@ -20,26 +20,22 @@ from sympy import Derivative, Equivalent, asin, asinh, cos, exp, log, pi, sin, s
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.separatrix import one_flip_defect, root_under_cosine, stable_equation
 
-from tresym.claims.bounds import Asymptotics
-from tresym.claims.claim import (
-    Claim,
+from tresym.ledger.claim import Claim, all_of, by, equal, step
+from tresym.ledger.evidence.balls import Asymptotics
+from tresym.ledger.reasons import (
     adding,
-    all_of,
     applying,
-    by,
     citing,
     differentiation,
-    equal,
     exponentials,
     inverses,
     multiplying,
     roots,
-    step,
     trigonometry,
 )
-from tresym.claims.order import Order
-from tresym.notation import a, b, epsilon
-from tresym.verdict import Verdict
+from tresym.racket.notation import a, b, epsilon
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
 
 _mu = sqrt(b / (a + b))
 _cosine = sqrt(a / (a + b))

@@ -30,41 +30,37 @@ from sympy import (
 from tresym.proofs.conditions import shape
 from tresym.proofs.flip_dynamics import eq_dpsidphi, precession_integrand
 from tresym.proofs.regimes import rotating_speed
-from tresym.proofs.separatrix import (
-    exact_equation,
-    integrated,
-    one_flip_defect,
-    stable_equation,
-)
+from tresym.proofs.separatrix import exact_equation, integrated, one_flip_defect, stable_equation
 
-from tresym.claims.bounds import Boxes
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Definition,
     Place,
-    adding,
     all_of,
     at,
     by,
+    equal,
+    formally,
+    step,
+    together,
+)
+from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.reasons import (
+    adding,
     changing_variable,
     cutting,
     differentiating_integral,
     differentiation,
-    equal,
     evaluating,
-    formally,
     multiplying,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.claims.denial import Denied
-from tresym.claims.enclosure import Bound, box
-from tresym.flip.quadrature import rigorous
-from tresym.formulas import printed
-from tresym.notation import (
+from tresym.racket.formulas import printed
+from tresym.racket.motion.quadrature import rigorous
+from tresym.racket.notation import (
     Delta_phi,
     Delta_psi,
     S,
@@ -77,7 +73,8 @@ from tresym.notation import (
     psi_f,
     x,
 )
-from tresym.verdict import Verdict
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.verdict import Verdict
 
 _integrand = printed.integrand(psi, a, b, gamma, S, sympy)
 _square = sin(psi) ** 2

@@ -11,19 +11,10 @@ from sympy import Abs, Ne, cos, sin, sqrt
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma
 
-from tresym.claims.claim import (
-    Claim,
-    Definition,
-    Place,
-    by,
-    equal,
-    roots,
-    step,
-    substituting,
-    trigonometry,
-)
-from tresym.formulas import printed
-from tresym.notation import S, a, b, dpsi_dphi, gamma, psi, theta
+from tresym.ledger.claim import Claim, Definition, Place, by, equal, step
+from tresym.ledger.reasons import roots, substituting, trigonometry
+from tresym.racket.formulas import printed
+from tresym.racket.notation import S, a, b, dpsi_dphi, gamma, psi, theta
 
 moving = (*ordered_moments, *shape_of_a_body, cos(theta) ** 2 > 0, gamma + b * sin(psi) ** 2 > 0)
 """Away from the turning points, where cos θ ≠ 0; the two conditions mean the same."""

@@ -25,7 +25,7 @@ from tresym.proofs.model import (
 )
 from tresym.proofs.momentum import momentum_conserved
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Place,
@@ -33,15 +33,13 @@ from tresym.claims.claim import (
     by,
     equal,
     formally,
-    roots,
     step,
-    substituting,
     together,
-    trigonometry,
 )
-from tresym.formulas import printed
-from tresym.notation import I1, I2, I3, M1, M2, M3, W1, W2, W3, M, phi, psi, theta
-from tresym.verdict import Verdict
+from tresym.ledger.reasons import roots, substituting, trigonometry
+from tresym.racket.formulas import printed
+from tresym.racket.notation import I1, I2, I3, M1, M2, M3, W1, W2, W3, M, phi, psi, theta
+from tresym.reals.verdict import Verdict
 
 upright = ImmutableMatrix([0, 0, 1])
 """Z in the laboratory, and e₁ in the body (its axes in the order e₂, e₃, e₁)."""

@@ -37,37 +37,39 @@ from tresym.proofs.remainders import RACKET, in_chart
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 from tresym.proofs.table_of_objects import exact_defect
 
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
     Place,
     Reason,
-    adding,
     all_of,
-    applying,
     at,
     by,
+    equal,
+    formally,
+    parts_of,
+    step,
+    together,
+)
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.reasons import (
+    adding,
+    applying,
     citing,
     differentiation,
-    equal,
     evaluating,
     exponentials,
-    formally,
     multiplying,
-    parts_of,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.claims.enclosure import Bound, box
-from tresym.claims.order import Order
-from tresym.formulas import printed
-from tresym.notation import a, b, epsilon, epsilon0, lam, mu, u, x
-from tresym.verdict import Verdict
+from tresym.racket.formulas import printed
+from tresym.racket.notation import a, b, epsilon, epsilon0, lam, mu, u, x
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
 
 _small = (mu > -1, mu < 1)
 

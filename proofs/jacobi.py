@@ -15,23 +15,17 @@ from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
 from tresym.proofs.stability import outer_moments
 
-from tresym.claims.claim import (
-    Claim,
-    Place,
-    all_of,
-    by,
+from tresym.ledger.claim import Claim, Place, all_of, by, equal, step, together
+from tresym.ledger.reasons import (
     citing,
     differentiation,
-    equal,
     exponentials,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.formulas import printed
-from tresym.notation import I1, I2, I3, M1, M2, M3, E, M
+from tresym.racket.formulas import printed
+from tresym.racket.notation import I1, I2, I3, M1, M2, M3, E, M
 
 chi, time = Symbol("chi", real=True), Symbol("t", real=True)
 """The amplitude of the elliptic functions, and time."""

@@ -52,28 +52,18 @@ from tresym.proofs.turning import (
     unfolded_turn,
 )
 
-from tresym.claims.bounds import Boxes
-from tresym.claims.claim import (
-    Claim,
-    Definition,
-    ImplicitFunction,
-    all_of,
-    citing,
-    differentiating_integral,
-    equal,
-    integrating,
-    step,
-    substituting,
-)
-from tresym.claims.denial import Denied
-from tresym.claims.enclosure import Bound, box
-from tresym.flip.angle import Angle
-from tresym.flip.defect import defect_on
-from tresym.flip.levels import level_of
-from tresym.flip.orbit import exact_level
-from tresym.formulas import printed
-from tresym.notation import a, b, epsilon, gamma, psi, x
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, Definition, ImplicitFunction, all_of, equal, step
+from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.reasons import citing, differentiating_integral, integrating, substituting
+from tresym.racket.angle import Angle
+from tresym.racket.flip.defect import defect_on
+from tresym.racket.flip.levels import level_of
+from tresym.racket.formulas import printed
+from tresym.racket.motion.orbit import exact_level
+from tresym.racket.notation import a, b, epsilon, gamma, psi, x
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.verdict import Verdict
 
 F_epsilon, F_gamma = (Symbol(name, real=True) for name in ("F_epsilon", "F_gamma"))
 rotating_rate, unturned_rate = (

@@ -20,13 +20,7 @@ from tresym.proofs.implicit_function import (
     flat_from_above,
     small_together,
 )
-from tresym.proofs.orders import (
-    d56,
-    exponential_decay,
-    pavao,
-    tangent,
-    u_exponentially_small,
-)
+from tresym.proofs.orders import d56, exponential_decay, pavao, tangent, u_exponentially_small
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import inverse_slope
 from tresym.proofs.turn_integral import (
@@ -35,22 +29,12 @@ from tresym.proofs.turn_integral import (
     slope_of_turn,
 )
 
-from tresym.claims.bounds import Asymptotics
-from tresym.claims.claim import (
-    Claim,
-    Place,
-    all_of,
-    by,
-    equal,
-    exponentials,
-    inverses,
-    multiplying,
-    roots,
-    step,
-)
-from tresym.claims.order import Order
-from tresym.notation import S, a, b, epsilon, lam
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, Place, all_of, by, equal, step
+from tresym.ledger.evidence.balls import Asymptotics
+from tresym.ledger.reasons import exponentials, inverses, multiplying, roots
+from tresym.racket.notation import S, a, b, epsilon, lam
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
 
 zero_asymptotic = Claim(
     label="zero_asymptotic",

@@ -15,20 +15,10 @@ import sympy
 from sympy import Basic, ImmutableMatrix, Symbol, Tuple, cos, diff, eye, sin
 from tresym.proofs.conditions import ordered_moments
 
-from tresym.claims.claim import (
-    Claim,
-    Definition,
-    Place,
-    by,
-    equal,
-    equations,
-    step,
-    substituting,
-    together,
-    trigonometry,
-)
-from tresym.formulas import printed
-from tresym.notation import (
+from tresym.ledger.claim import Claim, Definition, Place, by, equal, equations, step, together
+from tresym.ledger.reasons import substituting, trigonometry
+from tresym.racket.formulas import printed
+from tresym.racket.notation import (
     I1,
     I2,
     I3,

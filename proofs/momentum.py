@@ -9,7 +9,7 @@ from sympy import Expr, Tuple, diff
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, eq_omega, momentum_transport, velocity_from_momentum
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Definition,
     Place,
@@ -18,27 +18,11 @@ from tresym.claims.claim import (
     equal,
     equations,
     step,
-    substituting,
     together,
-    trigonometry,
 )
-from tresym.formulas import printed
-from tresym.notation import (
-    I1,
-    I2,
-    I3,
-    M1,
-    M2,
-    M3,
-    W1,
-    W2,
-    W3,
-    E,
-    M,
-    dM1_dt,
-    dM2_dt,
-    dM3_dt,
-)
+from tresym.ledger.reasons import substituting, trigonometry
+from tresym.racket.formulas import printed
+from tresym.racket.notation import I1, I2, I3, M1, M2, M3, W1, W2, W3, E, M, dM1_dt, dM2_dt, dM3_dt
 
 
 def along_euler(quantity: Expr) -> Expr:

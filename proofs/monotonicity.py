@@ -15,20 +15,12 @@ from sympy import Derivative, atan, cosh, exp, pi, sinh, sqrt, tanh
 from tresym.proofs.conditions import later, shape
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
-from tresym.claims.bounds import Asymptotics
-from tresym.claims.claim import (
-    Claim,
-    all_of,
-    by,
-    differentiation,
-    equal,
-    exponentials,
-    roots,
-    step,
-)
-from tresym.claims.order import Order
-from tresym.notation import T, a, b
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, all_of, by, equal, step
+from tresym.ledger.evidence.balls import Asymptotics
+from tresym.ledger.reasons import differentiation, exponentials, roots
+from tresym.racket.notation import T, a, b
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
 
 _ratio = b / a
 _spread = cosh(T) ** 2 + _ratio * sinh(T) ** 2

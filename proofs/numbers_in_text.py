@@ -43,33 +43,26 @@ from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import exact_defect, formula_defect, of_moments, share_of_pi
 
-from tresym.claims.bounds import Boxes
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Place,
     Printed,
-    adding,
     all_of,
     at,
     by,
     equal,
-    evaluating,
-    multiplying,
-    roots,
     step,
-    substituting,
     together,
-    trigonometry,
 )
-from tresym.claims.denial import Denied
-from tresym.claims.enclosure import Bound, box
-from tresym.exact import Interval, as_rational
-from tresym.flip.angle import Angle
-from tresym.flip.levels import level_of
-from tresym.flip.quadrature import rigorous, rigorous_turned
-from tresym.formulas import printed
-from tresym.notation import (
+from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.reasons import adding, evaluating, multiplying, roots, substituting, trigonometry
+from tresym.racket.angle import Angle
+from tresym.racket.flip.levels import level_of
+from tresym.racket.formulas import printed
+from tresym.racket.motion.quadrature import rigorous, rigorous_turned
+from tresym.racket.notation import (
     W1,
     S,
     a,
@@ -82,7 +75,9 @@ from tresym.notation import (
     psi,
     theta,
 )
-from tresym.verdict import Verdict
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.numbers.exact import Interval, as_rational
+from tresym.reals.verdict import Verdict
 
 STR = {"I1": "1210", "I2": "16380", "I3": "17480"}
 """The standard racket's moments as Table 1 prints them."""

@@ -35,32 +35,39 @@ from tresym.proofs.regimes import separatrix_case
 from tresym.proofs.separatrix import stable_equation, unique_root
 from tresym.proofs.turn_integral import sine_to_the_middle
 
-from tresym.claims.bounds import Asymptotics
-from tresym.claims.claim import (
-    Claim,
-    Place,
+from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step, together
+from tresym.ledger.evidence.balls import Asymptotics
+from tresym.ledger.reasons import (
     adding,
-    all_of,
-    at,
-    by,
     citing,
     collecting,
-    equal,
     evaluating,
     exponentials,
     integrating,
     inverses,
     multiplying,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.claims.order import Order
-from tresym.formulas import printed
-from tresym.notation import I2, M, S, T, a, b, dphi_dt, dpsi_dphi, epsilon, gamma, psi, theta, x
-from tresym.verdict import Verdict
+from tresym.racket.formulas import printed
+from tresym.racket.notation import (
+    I2,
+    M,
+    S,
+    T,
+    a,
+    b,
+    dphi_dt,
+    dpsi_dphi,
+    epsilon,
+    gamma,
+    psi,
+    theta,
+    x,
+)
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
 
 _square = sin(psi) ** 2
 _slow, _fast = 1 - b * _square, a + b * _square

@@ -23,7 +23,6 @@ from typing import Any
 import sympy
 from flint import acb, arb, fmpq
 from sympy import Function, Integer, Subs, Symbol, asin, cos, exp, pi, sqrt
-from tresym.proofs import margins
 from tresym.proofs.asymptotics import (
     BY_KAPPA,
     KAPPA,
@@ -36,25 +35,21 @@ from tresym.proofs.asymptotics import (
     slope_leading_term,
     within,
 )
-from tresym.proofs.bending import curvature
-from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
 from tresym.proofs.remainders import RACKET, TURN, beside_tangent, in_bent_chart, in_chart
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
-from tresym.arithmetic import balls
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import Claim, Place, all_of, equal
-from tresym.claims.enclosure import Bound, box
-from tresym.claims.germ import Germs
-from tresym.claims.order import Order
-from tresym.exact import as_rational
-from tresym.flip.quadrature import rigorous
-from tresym.flip.separatrix import defect_over
-from tresym.formulas import printed, stable
-from tresym.notation import (
+from tresym.ledger.certificates import certificate
+from tresym.ledger.claim import Claim, Place, all_of, equal
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.racket.flip.separatrix import defect_over
+from tresym.racket.formulas import printed, stable
+from tresym.racket.motion.quadrature import rigorous
+from tresym.racket.near import charts as margins
+from tresym.racket.near.bending import curvature
+from tresym.racket.notation import (
     S,
     a,
     b,
@@ -66,7 +61,12 @@ from tresym.notation import (
     partialepsilon_partialgamma,
     partialF_partialgamma,
 )
-from tresym.verdict import Verdict
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.germ import Germs
+from tresym.reals.balls.order import Order
+from tresym.reals.numbers.arithmetic import balls
+from tresym.reals.numbers.exact import as_rational
+from tresym.reals.verdict import Verdict
 
 O, o = Function("O"), Function("o")  # noqa: E741
 hot = Symbol("hot", real=True)

@@ -44,7 +44,7 @@ from tresym.proofs.regimes import (
 )
 from tresym.proofs.stability import stable_e3, unstable_e2
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
@@ -52,20 +52,22 @@ from tresym.claims.claim import (
     all_of,
     at,
     by,
-    differentiation,
     equal,
     equations,
-    evaluating,
     formally,
+    step,
+    together,
+)
+from tresym.ledger.reasons import (
+    differentiation,
+    evaluating,
     inverses,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.formulas import printed
-from tresym.notation import (
+from tresym.racket.formulas import printed
+from tresym.racket.notation import (
     S2,
     M,
     a,
@@ -80,7 +82,7 @@ from tresym.notation import (
     theta_max,
     theta_min,
 )
-from tresym.verdict import Verdict
+from tresym.reals.verdict import Verdict
 
 _sine = sin(psi) ** 2
 _body = (*ordered_moments, *shape_of_a_body)

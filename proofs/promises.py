@@ -20,15 +20,10 @@ from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import str_realizable
 
-from tresym.claims.claim import (
-    Claim,
-    Counterexample,
-    Place,
-    all_of,
-)
-from tresym.formulas import printed
-from tresym.notation import a, b, epsilon
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, Counterexample, Place, all_of
+from tresym.racket.formulas import printed
+from tresym.racket.notation import a, b, epsilon
+from tresym.reals.verdict import Verdict
 
 abstract_flip = Claim(
     label="abstract_flip",

@@ -24,30 +24,32 @@ from tresym.proofs.jacobi import intersection_condition, solution_on_intersectio
 from tresym.proofs.momentum import eq_dMi
 from tresym.proofs.stability import permanent_rotations, three_equilibria_and_opposites
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Place,
     all_of,
     at,
     by,
-    citing,
-    collecting,
     equal,
     equations,
+    step,
+    together,
+)
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.reasons import (
+    citing,
+    collecting,
     evaluating,
     integrating,
     multiplying,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.claims.denial import Denied
-from tresym.formulas import printed
-from tresym.notation import I1, I2, I3, M1, M2, M3, E, M, a, b, gamma, psi, theta
-from tresym.verdict import Verdict
+from tresym.racket.formulas import printed
+from tresym.racket.notation import I1, I2, I3, M1, M2, M3, E, M, a, b, gamma, psi, theta
+from tresym.reals.verdict import Verdict
 
 _sine = sin(psi) ** 2
 

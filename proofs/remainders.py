@@ -11,12 +11,12 @@ from typing import Any
 from flint import arb, fmpq
 from sympy import Basic, Subs, Symbol
 
-from tresym.arithmetic import balls
-from tresym.claims.meaning import Meant
-from tresym.flip.quadrature import rigorous
-from tresym.flip.separatrix import defect_over
-from tresym.formulas import printed, stable
-from tresym.notation import S, a, b, depsilon_dgamma, epsilon, epsilon0, gamma, lam, mu
+from tresym.ledger.evidence.meant import Meant
+from tresym.racket.flip.separatrix import defect_over
+from tresym.racket.formulas import printed, stable
+from tresym.racket.motion.quadrature import rigorous
+from tresym.racket.notation import S, a, b, depsilon_dgamma, epsilon, epsilon0, gamma, lam, mu
+from tresym.reals.numbers.arithmetic import balls
 
 Values = dict[Basic, arb]
 Sample = tuple[tuple[arb, ...], Values]

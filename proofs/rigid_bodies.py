@@ -16,20 +16,21 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.proofs.certificates import certificate
 from tresym.proofs.conditions import ordered_moments, shape
-from tresym.proofs.margins import arcsine_over
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.arithmetic import balls
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import Claim, algebra, all_of, by, equal, step
-from tresym.claims.enclosure import Bound, box
-from tresym.claims.gradient import coordinates, gradients
-from tresym.claims.order import Order
-from tresym.notation import I1, I2, I3, a, b
-from tresym.verdict import Verdict
+from tresym.ledger.certificates import certificate
+from tresym.ledger.claim import Claim, all_of, by, equal, step
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.reasons import algebra
+from tresym.racket.near.charts import arcsine_over
+from tresym.racket.notation import I1, I2, I3, a, b
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.gradient import coordinates, gradients
+from tresym.reals.balls.order import Order
+from tresym.reals.numbers.arithmetic import balls
+from tresym.reals.verdict import Verdict
 
 realizable = Claim(
     label="realizable",

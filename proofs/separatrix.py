@@ -32,32 +32,34 @@ from sympy import (
 )
 from tresym.proofs.conditions import auxiliary, defect, later, shape
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Definition,
     Place,
     UniqueRoot,
+    all_of,
+    by,
+    equal,
+    step,
+    together,
+)
+from tresym.ledger.reasons import (
     adding,
     algebra,
-    all_of,
     applying,
-    by,
     changing_variable,
     citing,
     differentiation,
-    equal,
     exponentials,
     integrating,
     inverses,
     multiplying,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.formulas import printed
-from tresym.notation import T, a, b, epsilon, k, psi, r, x, x0
+from tresym.racket.formulas import printed
+from tresym.racket.notation import T, a, b, epsilon, k, psi, r, x, x0
 
 between = (psi > 0, psi < pi, sin(psi) > 0)
 """On the separatrix the flip angle stays between the unstable points."""

@@ -11,20 +11,10 @@ from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
 from tresym.proofs.separatrix import between, contraction_bound
 
-from tresym.claims.claim import (
-    Claim,
-    Place,
-    by,
-    citing,
-    differentiation,
-    equal,
-    roots,
-    step,
-    substituting,
-    trigonometry,
-)
-from tresym.formulas import printed
-from tresym.notation import S, a, b, epsilon, gamma, psi, theta
+from tresym.ledger.claim import Claim, Place, by, equal, step
+from tresym.ledger.reasons import citing, differentiation, roots, substituting, trigonometry
+from tresym.racket.formulas import printed
+from tresym.racket.notation import S, a, b, epsilon, gamma, psi, theta
 
 slope_of_integrand = Claim(
     label="d54",

@@ -38,26 +38,11 @@ from tresym.proofs.momentum import (
     momentum_conserved,
 )
 
-from tresym.claims.claim import (
-    Claim,
-    Counterexample,
-    Place,
-    all_of,
-    at,
-    by,
-    citing,
-    equal,
-    evaluating,
-    multiplying,
-    roots,
-    step,
-    substituting,
-    together,
-    trigonometry,
-)
-from tresym.claims.denial import Denied
-from tresym.formulas import printed
-from tresym.notation import (
+from tresym.ledger.claim import Claim, Counterexample, Place, all_of, at, by, equal, step, together
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.reasons import citing, evaluating, multiplying, roots, substituting, trigonometry
+from tresym.racket.formulas import printed
+from tresym.racket.notation import (
     I1,
     I2,
     I3,
@@ -74,7 +59,7 @@ from tresym.notation import (
     psi,
     theta,
 )
-from tresym.verdict import Verdict
+from tresym.reals.verdict import Verdict
 
 eigenvalue = Symbol("eigenvalue", real=True)
 """λ; the characteristic polynomials have no real root but 0 where the rotation is stable."""

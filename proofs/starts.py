@@ -18,36 +18,19 @@ from sympy import Derivative, Rational, Symbol, asin, sin, sqrt
 from tresym.proofs.conditions import defect, shape_of_a_body
 from tresym.proofs.flip_definition import symmetric_is_extreme
 from tresym.proofs.flip_dynamics import precession_integrand
-from tresym.proofs.numbers_in_text import (
-    A,
-    B,
-    central_symmetry,
-    lower_exact,
-    upper_exact_value,
-)
+from tresym.proofs.numbers_in_text import A, B, central_symmetry, lower_exact, upper_exact_value
 from tresym.proofs.on_the_separatrix import level_of_a_start
 from tresym.proofs.phase_portraits import flip_between
 from tresym.proofs.regimes import oscillating
 
-from tresym.claims.bounds import Boxes
-from tresym.claims.claim import (
-    Claim,
-    Place,
-    all_of,
-    applying,
-    at,
-    by,
-    differentiation,
-    equal,
-    evaluating,
-    roots,
-    step,
-)
-from tresym.claims.enclosure import Bound, box
-from tresym.flip.quadrature import rigorous
-from tresym.formulas import printed
-from tresym.notation import a, b, epsilon, gamma, psi
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step
+from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.reasons import applying, differentiation, evaluating, roots
+from tresym.racket.formulas import printed
+from tresym.racket.motion.quadrature import rigorous
+from tresym.racket.notation import a, b, epsilon, gamma, psi
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.verdict import Verdict
 
 _square = sin(psi) ** 2
 _rate = Symbol("v", real=True)

@@ -25,12 +25,12 @@ from tresym.proofs.flip_definition import eqdefect
 from tresym.proofs.printed import ROW_LINES, TABLE_1
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.claims.claim import Claim, Place, Printed, all_of, formally
-from tresym.exact import printed as printed_interval
-from tresym.flip.separatrix import defect_over
-from tresym.formulas import printed
-from tresym.notation import I1, I2, I3, b
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, Place, Printed, all_of, formally
+from tresym.racket.flip.separatrix import defect_over
+from tresym.racket.formulas import printed
+from tresym.racket.notation import I1, I2, I3, b
+from tresym.reals.numbers.exact import printed as printed_interval
+from tresym.reals.verdict import Verdict
 
 Formula = Callable[..., arb]
 Inputs = dict[str, str]

@@ -13,24 +13,18 @@ from sympy import Derivative, Expr, Integer, Integral, Ne, Subs, Symbol, Tuple, 
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
 
-from tresym.claims.claim import (
-    Claim,
-    Definition,
-    ImplicitFunction,
-    Place,
-    by,
+from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Place, by, equal, step
+from tresym.ledger.reasons import (
     changing_variable,
     citing,
     collecting,
     cutting,
     differentiating_integral,
-    equal,
     integrating,
-    step,
     substituting,
 )
-from tresym.formulas import printed
-from tresym.notation import F, S, a, b, epsilon, gamma, psi, theta, x
+from tresym.racket.formulas import printed
+from tresym.racket.notation import F, S, a, b, epsilon, gamma, psi, theta, x
 
 _f = printed.integrand(psi, a, b, gamma, S, sympy)
 F_epsilon, F_gamma, defect_F, defect_gamma = (

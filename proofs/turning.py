@@ -42,27 +42,20 @@ from sympy import (
 )
 from tresym.proofs.conditions import shape
 
-from tresym.claims.claim import (
-    Claim,
-    Definition,
-    ImplicitFunction,
-    at,
-    by,
+from tresym.ledger.claim import Claim, Definition, ImplicitFunction, at, by, equal, step, together
+from tresym.ledger.reasons import (
     changing_variable,
     citing,
     collecting,
     differentiating_integral,
     differentiation,
-    equal,
     integrating,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.formulas import printed
-from tresym.notation import a, b, gamma, psi, x
+from tresym.racket.formulas import printed
+from tresym.racket.notation import a, b, gamma, psi, x
 
 c = Symbol("c", real=True)
 """A level, where γ is held."""

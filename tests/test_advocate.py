@@ -13,25 +13,29 @@ import pytest
 from sympy import Derivative, Eq, Equivalent, Ge, Gt, Integral, Symbol, Tuple, cos, sin
 
 import tresym
-from tresym.arithmetic import ball_precision
-from tresym.bench.check import known, pairs
-from tresym.checking.advocate import attack
-from tresym.checking.answer import Answer
-from tresym.checking.statement import read
-from tresym.claims.claim import Claim, Definition, by, equal, formally, substituting, together
-from tresym.claims.finding import StepFinding
 from tresym.cli import main
-from tresym.exact import Decimal
-from tresym.identity import advocate, expression, locally_constant, parse
-from tresym.identity.expression import FUNCTIONS, Expr, apply
-from tresym.identity.given import Given
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, Definition, by, equal, formally, together
+from tresym.ledger.finding import StepFinding
+from tresym.ledger.reasons import substituting
+from tresym.reals import advocate
+from tresym.reals.corpus.lists import known, pairs
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.attack import attack
+from tresym.reals.decisions.reading import read
+from tresym.reals.language import expression
+from tresym.reals.language.expression import FUNCTIONS, Expr, apply
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal import locally_constant
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Decimal
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
 
 # The modules: their packages export functions of the same name.
-check_judge: Any = importlib.import_module("tresym.checking.judge")
-claims_judge: Any = importlib.import_module("tresym.claims.judge")
-inequalities: Any = importlib.import_module("tresym.checking.inequalities")
-orders: Any = importlib.import_module("tresym.checking.orders")
+check_judge: Any = importlib.import_module("tresym.reals.decisions.statement")
+claims_judge: Any = importlib.import_module("tresym.ledger.judge")
+inequalities: Any = importlib.import_module("tresym.reals.decisions.inequalities")
+orders: Any = importlib.import_module("tresym.reals.decisions.orders")
 
 PROVED, UNDECIDED = Verdict.PROVED, Verdict.UNDECIDED
 x, y, t = (Symbol(name, real=True) for name in "xyt")
@@ -229,7 +233,7 @@ def test_a_sentence_is_attacked_by_what_it_states(monkeypatch: Patch) -> None:
 
 @pytest.mark.usefixtures("careless")
 def test_verify_does_not_end_well(monkeypatch: Patch, capsys: Any) -> None:
-    from tresym import verification
+    from tresym.ledger import verification
 
     claim = PLANTED[0]
     monkeypatch.setattr(verification, "all_claims", lambda: (claim,))
@@ -242,7 +246,7 @@ def test_verify_does_not_end_well(monkeypatch: Patch, capsys: Any) -> None:
 
 @pytest.mark.usefixtures("careless")
 def test_mutants_that_only_the_advocate_stops_are_told(monkeypatch: Patch, capsys: Any) -> None:
-    from tresym import verification
+    from tresym.ledger import verification
 
     true = Claim("true", equal(sin(x) ** 2, 1 - cos(x) ** 2), by())
     monkeypatch.setattr(verification, "all_claims", lambda: (true,))
@@ -284,7 +288,11 @@ def test_nothing_is_shared_with_the_provers() -> None:
     tree = ast.parse(Path(advocate.__file__).read_text(encoding="utf-8"))
     ours = {n.module for n in ast.walk(tree) if isinstance(n, ast.ImportFrom)}
     ours = {name for name in ours if name and name.startswith("tresym")}
-    assert ours == {"tresym.arithmetic", "tresym.exact", "tresym.identity.expression"}
+    assert ours == {
+        "tresym.reals.numbers.arithmetic",
+        "tresym.reals.numbers.exact",
+        "tresym.reals.language.expression",
+    }
     taken = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and "identity" in n.module]
     assert [alias.name for n in taken for alias in n.names] == ["Expr", "symbols"]
 

@@ -6,23 +6,23 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
-from tresym.proofs import (
-    asymptotics,
-    bending,
-    certificates,
-    constants,
-    exponent,
-    margins,
-    monotonicity,
-    orders,
-    rigid_bodies,
-)
+from tresym.proofs import asymptotics, constants, exponent, monotonicity, orders, rigid_bodies
 
-from tresym import verification
-from tresym.arithmetic import ball_precision, balls
-from tresym.claims.bounds import Asymptotics, Boxes, finding_anew
-from tresym.claims.claim import Claim
-from tresym.claims.enclosure import (
+from tresym.cli import main
+from tresym.ledger import certificates, verification
+from tresym.ledger.claim import Claim
+from tresym.ledger.evidence.balls import Asymptotics, Boxes, finding_anew
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.racket.compared.constants import CONSTANTS, excesses
+from tresym.racket.compared.errors import slope_at
+from tresym.racket.flip import defect, series, uniform
+from tresym.racket.flip.separatrix import solve
+from tresym.racket.formulas import printed, stable
+from tresym.racket.motion.quadrature import rigorous
+from tresym.racket.near import bending
+from tresym.racket.near import charts as margins
+from tresym.reals.balls.boxes import (
     Bound,
     BoxProof,
     CertificateError,
@@ -32,17 +32,9 @@ from tresym.claims.enclosure import (
     recheck,
     value_at,
 )
-from tresym.claims.finding import Finding
-from tresym.claims.judge import judge
-from tresym.cli import main
-from tresym.exact import InputError, as_rational
-from tresym.flip import defect, series, uniform
-from tresym.flip.constants import CONSTANTS, excesses
-from tresym.flip.errors import slope_at
-from tresym.flip.quadrature import rigorous
-from tresym.flip.separatrix import solve
-from tresym.formulas import printed, stable
-from tresym.verdict import Verdict
+from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.numbers.exact import InputError, as_rational
+from tresym.reals.verdict import Verdict
 
 SHAPES = [
     (fmpq(1, 4), fmpq(1)),

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from tresym.body import named_body
-from tresym.flip.attitude import attitude
+from tresym.racket.body import named_body
+from tresym.racket.motion.attitude import attitude
 
 STR = named_body("str").shape
 A, B = 1517 / 121, 55 / 874

@@ -11,7 +11,8 @@ from flint import fmpq
 from rich.console import Console
 from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, cos, sin, sqrt
 
-from tresym.audit import (
+from tresym.cli import main
+from tresym.ledger.audit import (
     Audit,
     Entry,
     Text,
@@ -22,13 +23,12 @@ from tresym.audit import (
     read_source,
     scan,
 )
-from tresym.audit.transcription import Reading, functions_of, unmet
-from tresym.claims.claim import Claim, Definition, Place, Printed, all_of, equal, formally
-from tresym.cli import main
-from tresym.exact import InputError
-from tresym.identity.latex import read_latex
+from tresym.ledger.audit.transcription import Reading, functions_of, unmet
+from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal, formally
+from tresym.ledger.verification import all_claims
+from tresym.reals.language.latex import read_latex
+from tresym.reals.numbers.exact import InputError
 from tresym.report.audit import show_audit
-from tresym.verification import all_claims
 
 PENDULUM = Path(__file__).parent / "data" / "pendulum.tex"
 ROOT = Path(__file__).resolve().parent.parent

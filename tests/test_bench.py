@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, mp_precision
 from tresym.bench import (
     economy,
     flipmap,
@@ -38,14 +37,15 @@ from tresym.bench.run import (
     interleave,
 )
 from tresym.bench.truth import by_digits, true_digits
-from tresym.body import Shape
 from tresym.cli import main
-from tresym.exact import InputError
-from tresym.flip import asymptotic
-from tresym.flip.ladder import RUNGS, climb
-from tresym.flip.many import defects
+from tresym.racket.body import Shape
+from tresym.racket.flip import asymptotic
+from tresym.racket.flip.ladder import RUNGS, climb
+from tresym.racket.floats.many import defects
+from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 from tresym.report.charts import CHARTS
-from tresym.verdict import Verdict
 
 QUICK = Pace(rounds=1, limit=20.0, patience=0.01)
 SAVED = Path(__file__).resolve().parent.parent / "docs" / "measurements"

@@ -12,13 +12,13 @@ from flint import arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tresym.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
-from tresym.body import named_body
-from tresym.exact import parse_number
-from tresym.flip import quadrature
-from tresym.flip.carlson import amplitude, by_flint, turn
-from tresym.flip.gauss import FLOAT_ENDING, ball_ending, ending, turn_by_gauss
-from tresym.flip.jacobi import functions, parameter, thetas
+from tresym.racket.body import named_body
+from tresym.racket.motion import quadrature
+from tresym.racket.motion.carlson import amplitude, by_flint, turn
+from tresym.racket.motion.gauss import FLOAT_ENDING, ball_ending, ending, turn_by_gauss
+from tresym.racket.motion.jacobi import functions, parameter, thetas
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
+from tresym.reals.numbers.exact import parse_number
 
 STR = named_body("str").shape
 

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 from tresym.cli import main
-from tresym.exact import InputError
+from tresym.reals.numbers.exact import InputError
 from tresym.report import charts
 from tresym.report.charts import economy, saved, scaling, times, work_precision
 from tresym.report.charts.common import tick_text, time_text

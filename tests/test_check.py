@@ -18,15 +18,15 @@ from hypothesis import strategies as st
 
 import tresym
 from tresym.bench import check as check_pairs
-from tresym.checking.answer import Answer
-from tresym.checking.regions import is_regular
-from tresym.checking.workers import Task, check_all, check_within
 from tresym.cli import main
-from tresym.exact import InputError, parse_number, simplest_between
-from tresym.identity import Given
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.limits import Task, check_all, check_within
+from tresym.reals.numbers.exact import InputError, parse_number, simplest_between
+from tresym.reals.places.conditions import Given
+from tresym.reals.signs.regular import is_regular
+from tresym.reals.verdict import Verdict
 from tresym.report.check import read_tasks
-from tresym.report.deciding import measured
-from tresym.verdict import Verdict
+from tresym.report.pages.deciding import measured
 
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
@@ -577,7 +577,7 @@ def test_a_claim_that_we_fail_at_does_not_end_the_others(monkeypatch: pytest.Mon
             raise ZeroDivisionError("within")
         return Answer(PROVED, "")
 
-    monkeypatch.setattr("tresym.checking.workers.judge", fails)
+    monkeypatch.setattr("tresym.reals.decisions.limits.judge", fails)
     found = [answer for _, answer in check_all([Task("fail"), Task("1 == 1")], HANGS, processes=1)]
     assert [getattr(answer, "verdict", None) for answer in found] == [UNDECIDED, PROVED]
     assert "ZeroDivisionError" in getattr(found[0], "why", "")

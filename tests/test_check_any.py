@@ -5,9 +5,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import tresym
-from tresym.exact import InputError
-from tresym.identity.expression import FUNCTIONS
-from tresym.verdict import Verdict
+from tresym.reals.language.expression import FUNCTIONS
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 
 CONSTANTS = ("0", "1", "2", "-1", "1/2", "pi", "E", "10**(-30)", "sqrt(2)")
 LEAVES = st.sampled_from(("x", "x", "x", "y", *CONSTANTS))

@@ -11,15 +11,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import tresym
-from tresym.bench.check import Known, known
-from tresym.checking.cones import sign_on_cones
-from tresym.checking.domain import with_domain
-from tresym.checking.homogeneous import sign_by_homogeneity
-from tresym.checking.stationary import solutions
-from tresym.identity import Expr, differentiate, parse
-from tresym.identity.evaluation import evaluate
-from tresym.identity.given import Given
-from tresym.verdict import Verdict
+from tresym.reals.corpus.lists import Known, known
+from tresym.reals.language.expression import Expr, differentiate
+from tresym.reals.language.inverted import solutions
+from tresym.reals.language.parsing import parse
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import with_domain
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.cones import sign_on_cones
+from tresym.reals.signs.homogeneous import sign_by_homogeneity
+from tresym.reals.verdict import Verdict
 
 SAVED = Path(__file__).resolve().parent.parent / "docs" / "measurements"
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED

@@ -6,16 +6,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import tresym
-from tresym.arithmetic import ball_precision
-from tresym.checking.factors import collected, factors, in_exponentials, joined
-from tresym.checking.ratios import judged_by_ratio, one_level_up
-from tresym.claims.germ import Germs
-from tresym.claims.order import Size
-from tresym.identity import parse
-from tresym.identity.decide import decide
-from tresym.identity.evaluation import evaluate
-from tresym.identity.given import positive
-from tresym.verdict import Verdict
+from tresym.reals.balls.germ import Germs
+from tresym.reals.balls.order import Size
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.ratios import judged_by_ratio, one_level_up
+from tresym.reals.language.parsing import parse
+from tresym.reals.language.products import collected, factors, in_exponentials, joined
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.conditions import positive
+from tresym.reals.places.values import evaluate
+from tresym.reals.verdict import Verdict
 
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED

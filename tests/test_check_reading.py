@@ -11,14 +11,14 @@ from hypothesis import strategies as st
 from sympy import Derivative, Eq, Symbol, log, sqrt
 
 import tresym
-from tresym.checking import statement
-from tresym.checking.statement import read, read_path
-from tresym.checking.typography import plain
-from tresym.checking.workers import Task, check_within
 from tresym.cli import main
-from tresym.exact import InputError
-from tresym.identity.expression import number
-from tresym.verdict import Verdict
+from tresym.reals.decisions import reading as statement
+from tresym.reals.decisions.limits import Task, check_within
+from tresym.reals.decisions.reading import read, read_path
+from tresym.reals.language.expression import number
+from tresym.reals.language.typography import plain
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 
 READ = [
     "sin(π) == 0",

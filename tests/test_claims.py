@@ -27,37 +27,39 @@ from sympy import (
     tanh,
 )
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
     Printed,
     UniqueRoot,
-    algebra,
     all_of,
-    applying,
     at,
     by,
+    equal,
+    formally,
+    step,
+    together,
+)
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.ledger.reasons import (
+    algebra,
+    applying,
     changing_variable,
     citing,
     differentiation,
-    equal,
     evaluating,
     exponentials,
-    formally,
     integrating,
     inverses,
     multiplying,
     roots,
-    step,
     substituting,
-    together,
     trigonometry,
 )
-from tresym.claims.finding import Finding
-from tresym.claims.judge import judge
-from tresym.exact import parse_number
-from tresym.verdict import Verdict
+from tresym.reals.numbers.exact import parse_number
+from tresym.reals.verdict import Verdict
 
 a, b, x, y, t = (Symbol(name, real=True) for name in "abxyt")
 
@@ -469,8 +471,8 @@ def test_the_name_of_a_variable_of_integration_does_not_matter() -> None:
 
 
 def test_a_stored_proof_that_does_not_hold_leaves_its_claim_undecided() -> None:
-    from tresym.claims.bounds import Boxes
-    from tresym.claims.enclosure import Bound, BoxProof, box
+    from tresym.ledger.evidence.balls import Boxes
+    from tresym.reals.balls.boxes import Bound, BoxProof, box
 
     bound = Bound(lambda x, m: x - arb("0.5"), box(("0", "1")))
     for proofs in ((BoxProof("b"),), (BoxProof("?"),), (BoxProof("xb"),), ()):

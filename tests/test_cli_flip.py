@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 from flint import arb
 
-from tresym.arithmetic import ball_precision
 from tresym.cli import main
-from tresym.flip import flip_defect
-from tresym.report.output import colour_wanted
+from tresym.output import colour_wanted
+from tresym.racket.flip import flip_defect
+from tresym.reals.numbers.arithmetic import ball_precision
 
 ROOT = Path(__file__).parent.parent
 
@@ -186,5 +186,5 @@ def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(*_: object) -> None:
         signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr("tresym.flip.ladder.climb", interrupted)
+    monkeypatch.setattr("tresym.racket.flip.ladder.climb", interrupted)
     assert main(["flip", "--body", "str"]) == 130

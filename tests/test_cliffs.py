@@ -17,12 +17,12 @@ from hypothesis import strategies as st
 from tresym.bench import atlas, peers, turn
 from tresym.bench.flipmap import ball_flip
 from tresym.bench.truth import true_digits
-from tresym.body import Shape, named_body
-from tresym.exact import parse_number
-from tresym.flip import separatrix
-from tresym.flip.flipmap import flip_map, flip_uncertainty
-from tresym.flip.ladder import RUNGS, climb
-from tresym.flip.many import defects
+from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import separatrix
+from tresym.racket.flip.ladder import RUNGS, climb
+from tresym.racket.floats.flipmap import flip_map, flip_uncertainty
+from tresym.racket.floats.many import defects
+from tresym.reals.numbers.exact import parse_number
 
 PAIRS = {pair.name: pair for pair in atlas.PAIRS}
 ROOT, LEFT = "root of the separatrix equation", "its left-hand side"

@@ -10,19 +10,21 @@ from flint import arb, fmpq
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tresym.arithmetic import ball_precision, bits
-from tresym.body import named_body
-from tresym.exact import InputError, parse_number
-from tresym.flip import defect, flip_defect, quadrature, routes
-from tresym.flip.angle import parse_angle
-from tresym.flip.defect import corrected, defect_on, inverted, quick, solve, unfolded
-from tresym.flip.fold import Fold, folded
-from tresym.flip.jacobi import functions
-from tresym.flip.levels import level_of, turning_level
-from tresym.flip.orbit import exact_level, orbit, slope, time_of
-from tresym.flip.orbit import phase_at as phase_of
-from tresym.flip.result import proves
-from tresym.flip.slopes import slopes
+from tresym.racket.angle import parse_angle
+from tresym.racket.body import named_body
+from tresym.racket.compared import routes
+from tresym.racket.flip import defect, flip_defect
+from tresym.racket.flip.defect import corrected, defect_on, inverted, quick, solve, unfolded
+from tresym.racket.flip.fold import Fold, folded
+from tresym.racket.flip.levels import level_of, turning_level
+from tresym.racket.flip.slopes import slopes
+from tresym.racket.motion import quadrature
+from tresym.racket.motion.jacobi import functions
+from tresym.racket.motion.orbit import exact_level, orbit, slope, time_of
+from tresym.racket.motion.orbit import phase_at as phase_of
+from tresym.racket.result import proves
+from tresym.reals.numbers.arithmetic import ball_precision, bits
+from tresym.reals.numbers.exact import InputError, parse_number
 
 STR = named_body("str").shape
 RACKET = named_body("racket-1").shape
@@ -267,8 +269,8 @@ def test_slopes_are_the_limits_of_differences(shape, gamma):
 
 
 def test_the_slope_on_the_separatrix_is_the_paper_s_integral():
-    from tresym.arithmetic import balls
-    from tresym.formulas import stable
+    from tresym.racket.formulas import stable
+    from tresym.reals.numbers.arithmetic import balls
 
     found = slopes(*STR, fmpq(0), 40)
     with ball_precision(200):

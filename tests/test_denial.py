@@ -3,10 +3,11 @@
 from flint import fmpq
 from sympy import Symbol, sqrt
 
-from tresym.claims.claim import Claim, by, equal, roots
-from tresym.claims.denial import Denied
-from tresym.claims.judge import judge
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim, by, equal
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.judge import judge
+from tresym.ledger.reasons import roots
+from tresym.reals.verdict import Verdict
 
 x = Symbol("x", real=True)
 CASE = {"x": fmpq(1)}

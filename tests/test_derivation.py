@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from tresym.cli import main
-from tresym.exact import InputError
-from tresym.report.derivation import article, fragment, prose
-from tresym.verdict import Verdict
-from tresym.verification import Report, verify
+from tresym.ledger.verification import Report, verify
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
+from tresym.report.pages.derivation import article, fragment, prose
 
 
 @pytest.fixture(scope="module")

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from tresym.report.corrections import corrections, is_correction
-from tresym.report.documents import ledger
-from tresym.verdict import Verdict
-from tresym.verification import Report, all_claims, verify
+from tresym.ledger.verification import Report, all_claims, verify
+from tresym.reals.verdict import Verdict
+from tresym.report.pages.corrections import corrections, is_correction
+from tresym.report.pages.documents import ledger
 
 
 @pytest.fixture(scope="module")

@@ -3,8 +3,7 @@
 import pytest
 from flint import arb, ctx, fmpq
 
-from tresym.arithmetic import ball_precision, balls
-from tresym.claims.enclosure import (
+from tresym.reals.balls.boxes import (
     Bound,
     BoxProof,
     CertificateError,
@@ -18,8 +17,9 @@ from tresym.claims.enclosure import (
     supremum,
     value_at,
 )
-from tresym.claims.gradient import Divided, coordinates, gradients, taylor_coefficients
-from tresym.verdict import Verdict
+from tresym.reals.balls.gradient import Divided, coordinates, gradients, taylor_coefficients
+from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.verdict import Verdict
 
 UNIT = box((0, 1), (0, 1))
 

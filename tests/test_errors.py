@@ -3,8 +3,8 @@
 import pytest
 from flint import arb, fmpq
 
-from tresym.body import NAMED_BODIES
-from tresym.flip import errors
+from tresym.racket.body import NAMED_BODIES
+from tresym.racket.compared import errors
 
 
 @pytest.mark.parametrize("b", errors.WIDTHS)

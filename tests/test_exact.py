@@ -7,8 +7,8 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.arithmetic import ball_precision
-from tresym.exact import (
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import (
     MAX_CHARACTERS,
     InputError,
     as_rational,

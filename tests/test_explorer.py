@@ -14,12 +14,12 @@ import pytest
 from flint import fmpq
 from hangs import HANGS
 
-from tresym.body import NAMED_BODIES, shape
-from tresym.exact import fraction_text
-from tresym.flip import defect
-from tresym.flip.attitude import attitude
-from tresym.flip.levels import turning_level
-from tresym.formulas import printed
+from tresym.racket.body import NAMED_BODIES, shape
+from tresym.racket.flip import defect
+from tresym.racket.flip.levels import turning_level
+from tresym.racket.formulas import printed
+from tresym.racket.motion.attitude import attitude
+from tresym.reals.numbers.exact import fraction_text
 
 playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 

@@ -9,11 +9,11 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from tresym.body import named_body
 from tresym.cli import main
-from tresym.flip import flip_angle, flip_defect
-from tresym.flip.attitude import attitude
-from tresym.flip.flipmap import flip_map
+from tresym.racket.body import named_body
+from tresym.racket.flip import flip_angle, flip_defect
+from tresym.racket.floats.flipmap import flip_map
+from tresym.racket.motion.attitude import attitude
 from tresym.report import figures
 from tresym.report.figures import (
     curves,
@@ -29,9 +29,7 @@ from tresym.report.figures import (
     shape_map,
     symmetric_flips,
 )
-from tresym.report.figures import (
-    flip_map as flip_map_figure,
-)
+from tresym.report.figures import flip_map as flip_map_figure
 from tresym.report.figures.grid import shown
 
 SAVED = Path(__file__).resolve().parent.parent / "docs" / "generated" / "figures"

@@ -13,13 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import tresym
-from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
-from tresym.body import NAMED_BODIES, Body, Shape, named_body, shape
-from tresym.exact import InputError, parse_number
-from tresym.flip import Flip, asymptotic, flip_defect
-from tresym.flip import separatrix as solver
-from tresym.flip.result import ball_json, proves
-from tresym.formulas import printed, stable
+from tresym.racket.body import NAMED_BODIES, Body, Shape, named_body, shape
+from tresym.racket.flip import Flip, asymptotic, flip_defect
+from tresym.racket.flip import separatrix as solver
+from tresym.racket.formulas import printed, stable
+from tresym.racket.result import ball_json, proves
+from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision, to_mp
+from tresym.reals.numbers.exact import InputError, parse_number
 
 # 75 shapes: five b, and ab from 1/1000 to 10 000 in half decades
 SHAPES = [

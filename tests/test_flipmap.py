@@ -10,12 +10,12 @@ import pytest
 from flint import arb, fmpq
 
 import tresym
-from tresym.body import Shape, named_body
-from tresym.exact import InputError
-from tresym.flip import flipmap, float_orbit
-from tresym.flip.angle import Angle
-from tresym.flip.flipmap import arrivals, flip_map, flip_uncertainty
-from tresym.flip.trajectory import Start, travel
+from tresym.racket.angle import Angle
+from tresym.racket.body import Shape, named_body
+from tresym.racket.floats import flipmap, float_orbit
+from tresym.racket.floats.flipmap import arrivals, flip_map, flip_uncertainty
+from tresym.racket.motion.trajectory import Start, travel
+from tresym.reals.numbers.exact import InputError
 
 STR = named_body("str").shape
 TURN = Angle(fmpq(0), fmpq(*(2 * math.pi).as_integer_ratio()))
@@ -85,7 +85,7 @@ def test_both_ways_come_to_the_same(monkeypatch):
 
 
 def test_the_map_runs_without_numba(monkeypatch):
-    monkeypatch.setitem(sys.modules, "tresym.flip.compiled", None)
+    monkeypatch.setitem(sys.modules, "tresym.racket.floats.compiled", None)
     monkeypatch.setattr(flipmap, "LARGE", 1)
     assert flipmap._compiled() is None
     assert flip_map(A, B, 0.0, 0.5) == pytest.approx(4.775939189758933, abs=1e-13)

@@ -17,8 +17,8 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tresym.arithmetic import Balls, ball_precision, balls, mp_precision, to_mp
-from tresym.formulas import printed, stable
+from tresym.racket.formulas import printed, stable
+from tresym.reals.numbers.arithmetic import Balls, ball_precision, balls, mp_precision, to_mp
 
 Formula = Callable[..., Any]
 

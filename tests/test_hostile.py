@@ -26,12 +26,12 @@ from flint import ctx, fmpq, fmpz
 from hangs import HANGS
 
 from tresym import InputError, flip_defect
-from tresym.arithmetic import ball_precision
-from tresym.body import shape
 from tresym.cli import main
-from tresym.exact import parse_number
-from tresym.flip.angle import parse_angle
-from tresym.identity.parsing import parse, parse_conditions
+from tresym.racket.angle import parse_angle
+from tresym.racket.body import shape
+from tresym.reals.language.parsing import parse, parse_conditions
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import parse_number
 
 ROOT = Path(__file__).resolve().parent.parent
 PAPER = str(ROOT / "tests" / "data" / "pendulum.tex")

@@ -24,7 +24,7 @@ from sympy import (
     sqrt,
 )
 
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Chain,
     Claim,
     Definition,
@@ -32,22 +32,24 @@ from tresym.claims.claim import (
     Reason,
     UniqueRoot,
     by,
+    equal,
+    step,
+)
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.ledger.reasons import (
     changing_variable,
     citing,
     collecting,
     cutting,
     differentiating_integral,
     differentiation,
-    equal,
     integrating,
     roots,
-    step,
     substituting,
 )
-from tresym.claims.finding import Finding
-from tresym.claims.judge import judge
-from tresym.claims.violation import value
-from tresym.verdict import Verdict
+from tresym.ledger.second_look import value
+from tresym.reals.verdict import Verdict
 
 a, r, t, x, y = (Symbol(name, real=True) for name in "artxy")
 ZERO, ONE = Integer(0), Integer(1)

@@ -4,12 +4,30 @@ import pytest
 import sympy
 from sympy import Derivative, Integral, Rational, Subs, exp, pi, sqrt
 
-from tresym.formulas import printed
-from tresym.notation import I1, I2, I3, M1, M2, M3, E, M, S, T, a, b, epsilon, gamma, psi, r, theta
-from tresym.notation import x as x_
-from tresym.report.conditions import gathered
-from tresym.report.latex import expression_latex, says_latex
-from tresym.report.width import width
+from tresym.racket.formulas import printed
+from tresym.racket.notation import (
+    I1,
+    I2,
+    I3,
+    M1,
+    M2,
+    M3,
+    E,
+    M,
+    S,
+    T,
+    a,
+    b,
+    epsilon,
+    gamma,
+    psi,
+    r,
+    theta,
+)
+from tresym.racket.notation import x as x_
+from tresym.report.words.conditions import gathered
+from tresym.report.words.latex import expression_latex, says_latex
+from tresym.report.words.width import width
 
 GOLDEN = {
     r"a-\sin^2\theta(a+b\sin^2\psi)": printed.depth(theta, psi, a, b, sympy),

@@ -6,11 +6,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import I, latex, nan, zoo
 
-from tresym.arithmetic import ball_precision
-from tresym.exact import InputError
-from tresym.identity import Expr, Given, evaluate, parse, symbols, to_sympy
-from tresym.identity.expression import apply, number, power, sqrt, symbol
-from tresym.identity.latex import read_expression, read_latex
+from tresym.reals.language.expression import Expr, apply, number, power, sqrt, symbol, symbols
+from tresym.reals.language.latex import read_expression, read_latex
+from tresym.reals.language.parsing import parse
+from tresym.reals.language.sympy import to_sympy
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
 
 EXPRESSIONS = {
     r"a+b": "a + b",

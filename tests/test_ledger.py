@@ -15,8 +15,7 @@ import sympy
 from hangs import HANGS
 
 from tresym import proofs
-from tresym.claims.chain import check_chain
-from tresym.claims.claim import (
+from tresym.ledger.claim import (
     Chain,
     Claim,
     ImplicitFunction,
@@ -26,11 +25,12 @@ from tresym.claims.claim import (
     equal,
     parts_of,
 )
-from tresym.claims.translate import definitions, put_in
-from tresym.exact import InputError
-from tresym.identity import Given
-from tresym.verdict import Verdict
-from tresym.verification import Report, all_claims, graph, verify
+from tresym.ledger.evidence.chain import check_chain
+from tresym.ledger.meaning import definitions, put_in
+from tresym.ledger.verification import Report, all_claims, graph, verify
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
 
 CLAIMS = all_claims()
 
@@ -137,9 +137,10 @@ def test_the_graph_names_every_claim() -> None:
 
 
 def test_a_claim_resting_on_a_refuted_one_is_undecided(ledger: Report) -> None:
-    from tresym.claims.claim import by, substituting
-    from tresym.claims.judge import judge, judge_evidence
-    from tresym.notation import a, b
+    from tresym.ledger.claim import by
+    from tresym.ledger.judge import judge, judge_evidence
+    from tresym.ledger.reasons import substituting
+    from tresym.racket.notation import a, b
 
     wrong = Claim("wrong", equal(a, b), by())
     heir = Claim("heir", equal(a + 1, b + 1), by(substituting(wrong)))

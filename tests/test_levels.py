@@ -5,13 +5,13 @@ from itertools import pairwise
 import pytest
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision
-from tresym.exact import InputError
-from tresym.flip.angle import parse_angle
-from tresym.flip.defect import defect_on
-from tresym.flip.levels import _bracket, level_of, turning_level
-from tresym.flip.orbit import exact_level
-from tresym.flip.slopes import slopes
+from tresym.racket.angle import parse_angle
+from tresym.racket.flip.defect import defect_on
+from tresym.racket.flip.levels import _bracket, level_of, turning_level
+from tresym.racket.flip.slopes import slopes
+from tresym.racket.motion.orbit import exact_level
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
 
 STR = fmpq(1517, 121), fmpq(55, 874)
 NOT_BODIES = [

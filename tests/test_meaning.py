@@ -9,13 +9,9 @@ from flint import arb, fmpq
 from sympy import Basic, Function, Gt, Integer, Symbol, Tuple
 from tresym.proofs.implicit_function import slope_on_steep_path, steep_path
 
-from tresym import verification
-from tresym.arithmetic import Balls, ball_precision, balls
-from tresym.claims import bounds
-from tresym.claims import judge as judging
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.changes import mutations
-from tresym.claims.claim import (
+from tresym.ledger import judge as judging
+from tresym.ledger import verification
+from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Printed,
@@ -26,20 +22,25 @@ from tresym.claims.claim import (
     formally,
     step,
 )
-from tresym.claims.denial import Denied
-from tresym.claims.enclosure import Bound, BoxProof, box
-from tresym.claims.finding import Finding
-from tresym.claims.germ import Germs
-from tresym.claims.gradient import Gradient
-from tresym.claims.judge import judge, judge_evidence
-from tresym.claims.meaning import Meant, unfit
-from tresym.claims.order import Order
-from tresym.claims.planted import planted
-from tresym.claims.violation import value
-from tresym.formulas import printed
-from tresym.notation import b, epsilon0, lam, mu, u
-from tresym.verdict import Verdict
-from tresym.verification import all_claims, verify, verify_mutants
+from tresym.ledger.evidence import balls as bounds
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.meant import Meant, unfit
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge, judge_evidence
+from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.mutants.planted import planted
+from tresym.ledger.mutants.report import verify_mutants
+from tresym.ledger.second_look import value
+from tresym.ledger.verification import all_claims, verify
+from tresym.racket.formulas import printed
+from tresym.racket.notation import b, epsilon0, lam, mu, u
+from tresym.reals.balls.boxes import Bound, BoxProof, box
+from tresym.reals.balls.germ import Germs
+from tresym.reals.balls.gradient import Gradient
+from tresym.reals.balls.order import Order
+from tresym.reals.numbers.arithmetic import Balls, ball_precision, balls
+from tresym.reals.verdict import Verdict
 
 x, y = (Symbol(name, real=True) for name in "xy")
 O, o = Function("O"), Function("o")  # noqa: E741
@@ -273,7 +274,7 @@ SOLVERS = ("defect_over", "level_of")
 def test_what_solves_rests_on_a_claim_that_its_root_is_one(monkeypatch: pytest.MonkeyPatch) -> None:
     import sys
 
-    from tresym.flip import levels, separatrix
+    from tresym.racket.flip import levels, separatrix
 
     called: set[str] = set()
     for solve in (separatrix.defect_over, levels.level_of):
@@ -359,7 +360,7 @@ def test_without_its_guard_a_planted_falsehood_is_believed(
 def test_stored_trees_that_are_no_text_leave_their_claim_undecided(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    from tresym.proofs import certificates
+    from tresym.ledger import certificates
 
     proof = Boxes((SQUARE,), ("x",), "…", stored=certificates.certificate("planted"))
     for trees in (5, [5], "b", {"b": 1}, [["b"]], [None]):

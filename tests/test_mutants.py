@@ -6,9 +6,8 @@ import pytest
 from flint import arb, fmpq
 from sympy import Ge, Integral, Symbol, Tuple, cos, exp, sin, sqrt, tan
 
-from tresym.claims.bounds import Asymptotics
-from tresym.claims.changes import mutations
-from tresym.claims.claim import (
+from tresym.cli import main
+from tresym.ledger.claim import (
     AllOf,
     Claim,
     Counterexample,
@@ -17,19 +16,20 @@ from tresym.claims.claim import (
     by,
     equal,
     formally,
-    substituting,
-    trigonometry,
 )
-from tresym.claims.denial import Denied
-from tresym.claims.finding import Finding
-from tresym.claims.judge import judge
-from tresym.claims.mutants import mutants, why_few
-from tresym.claims.order import Order
-from tresym.claims.violation import value, violation
-from tresym.cli import main
-from tresym.notation import a, b
-from tresym.verdict import Verdict
-from tresym.verification import MutantReport, all_claims, verify_mutants
+from tresym.ledger.evidence.balls import Asymptotics
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.mutants.mutants import mutants, why_few
+from tresym.ledger.mutants.report import MutantReport, verify_mutants
+from tresym.ledger.reasons import substituting, trigonometry
+from tresym.ledger.second_look import value, violation
+from tresym.ledger.verification import all_claims
+from tresym.racket.notation import a, b
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
 
 x, y, t = (Symbol(name, real=True) for name in "xyt")
 
@@ -157,7 +157,7 @@ def test_a_denial_by_what_is_false_denies_nothing(monkeypatch: pytest.MonkeyPatc
     for mutant in found:
         held = {c.label: judge(c, {}) for c in mutant.beneath}
         assert judge(mutant.claim, held).verdict is Verdict.UNDECIDED
-    from tresym import verification
+    from tresym.ledger import verification
 
     monkeypatch.setattr(verification, "all_claims", lambda: (ground, denied))
     assert verify_mutants(["denied"], 2).survivors == ()
@@ -200,7 +200,7 @@ def test_moved_digits_count_only_where_no_inputs_give_them() -> None:
 
 
 def test_a_verifier_that_believes_everything_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    from tresym import verification
+    from tresym.ledger import verification
 
     def gullible(claim: Claim, found: object, evidence: object = None) -> Finding:
         return Finding(Verdict.PROVED, "it looks right")

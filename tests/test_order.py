@@ -5,17 +5,17 @@ from dataclasses import replace
 import pytest
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, balls
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import Claim
-from tresym.claims.enclosure import Bound, box
-from tresym.claims.enclosure import decide as decide_bound
-from tresym.claims.finding import Finding
-from tresym.claims.germ import Germs, UnresolvedError, as_ball
-from tresym.claims.gradient import Divided
-from tresym.claims.judge import judge
-from tresym.claims.order import Order, decide
-from tresym.verdict import Verdict
+from tresym.ledger.claim import Claim
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.boxes import decide as decide_bound
+from tresym.reals.balls.germ import Germs, UnresolvedError, as_ball
+from tresym.reals.balls.gradient import Divided
+from tresym.reals.balls.order import Order, decide
+from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.verdict import Verdict
 
 ENCLOSED, REFUTED, UNDECIDED = Verdict.ENCLOSED, Verdict.REFUTED, Verdict.UNDECIDED
 INFINITY = None

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 import tresym
-from tresym import processes
-from tresym.processes import Processes
+from tresym.reals import processes
+from tresym.reals.processes import Processes
 
 HANGS = 60
 """Seconds after which a process must be hanging."""
@@ -71,7 +71,7 @@ def test_leaving_early_ends_what_is_under_way() -> None:
 
 KILLED = """
 import os, time
-from tresym.processes import Processes
+from tresym.reals.processes import Processes
 with Processes(2, forked=True) as pool:
     for future in [pool.submit(time.sleep, 0.1) for _ in range(4)]:
         future.result()

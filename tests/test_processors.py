@@ -17,10 +17,11 @@ import numpy as np
 import pytest
 from hangs import HANGS
 
-from tresym.flip import flipmap
-from tresym.report import charts, documents, figures
+from tresym.racket.floats import flipmap
+from tresym.report import charts, figures
 from tresym.report.figures.grid import coordinate, on_grid, shown
-from tresym.report.tables import TABLES, table, written
+from tresym.report.pages import documents
+from tresym.report.pages.tables import TABLES, table, written
 
 pytest.importorskip("matplotlib")
 

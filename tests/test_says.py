@@ -14,14 +14,14 @@ from flint import arb, fmpq
 from sympy import Basic, Function, Symbol, sqrt
 from tresym.proofs.table_of_objects import exact_defect
 
-from tresym.arithmetic import ball_precision, balls
-from tresym.claims.bounds import Asymptotics, Boxes
-from tresym.claims.claim import Claim
-from tresym.claims.violation import value
-from tresym.exact import as_rational
-from tresym.formulas import printed
-from tresym.notation import S, a, b, epsilon0, lam, mu
-from tresym.verification import all_claims
+from tresym.ledger.claim import Claim
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.second_look import value
+from tresym.ledger.verification import all_claims
+from tresym.racket.formulas import printed
+from tresym.racket.notation import S, a, b, epsilon0, lam, mu
+from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.numbers.exact import as_rational
 
 BITS, FINE = 160, 400
 SHAPES = tuple(

@@ -10,10 +10,10 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.arithmetic import ball_precision, balls, to_mp
-from tresym.flip import series
-from tresym.flip.separatrix import solve
-from tresym.formulas import stable
+from tresym.racket.flip import series
+from tresym.racket.flip.separatrix import solve
+from tresym.racket.formulas import stable
+from tresym.reals.numbers.arithmetic import ball_precision, balls, to_mp
 
 SHAPES = [
     (fmpq(1, 4), fmpq(1)),

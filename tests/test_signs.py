@@ -3,7 +3,7 @@
 import pytest
 from sympy import Abs, Basic, Expr, Symbol, sign, sqrt
 
-from tresym.claims.signs import manifest_sign
+from tresym.ledger.evidence.manifest import manifest_sign
 
 b, t, x, y = (Symbol(name, real=True) for name in "btxy")
 PINNED = (b > 0, y > -b, x >= y, x <= y)

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from tresym.report.markdown import finding, sentence
-from tresym.report.numbers import numbers
-from tresym.report.record import record
-from tresym.report.wording import readable
+from tresym.ledger.verification import Report, verify
+from tresym.report.pages.numbers import numbers
+from tresym.report.pages.record import record
+from tresym.report.words.markdown import finding, sentence
+from tresym.report.words.wording import readable
 from tresym.site import claims, commands, links
 from tresym.site.docstrings import restructured
 from tresym.site.markdown import display, inline
-from tresym.verification import Report, verify
 
 ROOT = Path(__file__).resolve().parent.parent
 SOME = (

@@ -29,10 +29,10 @@ from flint import arb, ctx, fmpq
 from hangs import HANGS
 
 from tresym import flip_defect
-from tresym.arithmetic import ball_precision, balls, mp_precision
 from tresym.cli import main
-from tresym.exact import InputError, parse_number
-from tresym.formulas import printed
+from tresym.racket.formulas import printed
+from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision
+from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.sweep import CsvFile, Grid, cluster, processes, sweep
 from tresym.sweep.rows import FORMULAS, Row, compute
 from tresym.sweep.run import Progress, batch_size, duration

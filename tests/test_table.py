@@ -6,25 +6,16 @@ from dataclasses import replace
 import pytest
 from sympy import Basic, Eq, Gt, Integer, Integral, Symbol
 
-from tresym import verification
-from tresym.claims.claim import (
-    Claim,
-    Definition,
-    all_of,
-    by,
-    equal,
-    formally,
-    integrating,
-    step,
-    substituting,
-)
-from tresym.claims.finding import Finding
-from tresym.claims.judge import judge
-from tresym.claims.table import conflict
 from tresym.cli import main
-from tresym.exact import InputError
-from tresym.verdict import Verdict
-from tresym.verification import all_claims, verify
+from tresym.ledger import verification
+from tresym.ledger.claim import Claim, Definition, all_of, by, equal, formally, step
+from tresym.ledger.definitions import conflict
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.ledger.reasons import integrating, substituting
+from tresym.ledger.verification import all_claims, verify
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 
 t, x, y, z = (Symbol(name, real=True) for name in "txyz")
 ONE, TWO = Integer(1), Integer(2)

@@ -5,12 +5,12 @@ import json
 import pytest
 from flint import arb
 
-from tresym.arithmetic import ball_precision
-from tresym.body import named_body
 from tresym.cli import main
-from tresym.exact import InputError
-from tresym.flip.separatrix import solve
-from tresym.report.tables import FORMATS, TABLES, Table, digits_of, table, written
+from tresym.racket.body import named_body
+from tresym.racket.flip.separatrix import solve
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.report.pages.tables import FORMATS, TABLES, Table, digits_of, table, written
 
 QUICK = [name for name in TABLES if name != "routes"]
 

@@ -12,12 +12,12 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import tresym
-from tresym.arithmetic import ball_precision, balls, bits, mp_precision
-from tresym.body import Shape, named_body
 from tresym.cli import main
-from tresym.exact import InputError
-from tresym.flip import flip_angle, flip_defect
-from tresym.flip.angle import Angle, parse_angle
+from tresym.racket.angle import Angle, parse_angle
+from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import flip_angle, flip_defect
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits, mp_precision
+from tresym.reals.numbers.exact import InputError
 
 STR = named_body("str").shape
 

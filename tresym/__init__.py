@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
-    "Body": "tresym.body",
-    "InputError": "tresym.exact",
-    "Verdict": "tresym.verdict",
-    "check": "tresym.checking",
-    "flip_angle": "tresym.flip",
-    "flip_defect": "tresym.flip",
-    "flip_map": "tresym.flip.flipmap",
-    "verify": "tresym.verification",
+    "Body": "tresym.racket.body",
+    "InputError": "tresym.reals.numbers.exact",
+    "Verdict": "tresym.reals.verdict",
+    "check": "tresym.reals.decisions",
+    "flip_angle": "tresym.racket.flip",
+    "flip_defect": "tresym.racket.flip",
+    "flip_map": "tresym.racket.floats.flipmap",
+    "verify": "tresym.ledger.verification",
 }
 
 __all__ = ["Body", "InputError", "Verdict", "__version__", "check", "flip_defect", "verify"]

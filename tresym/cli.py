@@ -14,12 +14,12 @@ import sys
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import tresym
-from tresym.exact import InputError
+from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tresym.body import Shape
+    from tresym.racket.body import Shape
 
     Commands = argparse._SubParsersAction["Parser"]
 
@@ -96,10 +96,10 @@ def _verify(args: argparse.Namespace) -> int:
         raise InputError("--save-certificates stores what --full finds: give both")
     if not args.full:
         return _verify_claims(args)
-    from tresym.claims.bounds import finding_anew
+    from tresym.ledger.evidence.balls import finding_anew
 
     if args.save_certificates:
-        from tresym.proofs.certificates import checkout_file
+        from tresym.ledger.certificates import checkout_file
 
         checkout_file()  # refused before the search, not after it
     with finding_anew():
@@ -107,7 +107,7 @@ def _verify(args: argparse.Namespace) -> int:
 
 
 def _verify_claims(args: argparse.Namespace) -> int:
-    from tresym import verification
+    from tresym.ledger import verification
 
     labels = tuple(args.labels)
     workers = _workers(args.workers)
@@ -134,13 +134,13 @@ def _verify_claims(args: argparse.Namespace) -> int:
 
 def _workers(text: str | None) -> int:
     """The number of processes that ``text`` asks for; one a core if nothing is asked."""
-    from tresym.processes import cores, parse_workers
+    from tresym.reals.processes import cores, parse_workers
 
     return cores() if text is None else parse_workers(text)
 
 
 def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
-    from tresym import verification
+    from tresym.ledger import verification
 
     if args.json or args.path is not None:
         import json
@@ -175,9 +175,9 @@ def _add_derive(commands: Commands) -> None:
 
 
 def _derive(args: argparse.Namespace) -> int:
-    from tresym.processes import cores
-    from tresym.report import derivation
-    from tresym.verification import verify
+    from tresym.ledger.verification import verify
+    from tresym.reals.processes import cores
+    from tresym.report.pages import derivation
 
     report = verify(args.labels, workers=cores())
     asked = [row for row in report.rows if row.requested]
@@ -207,7 +207,7 @@ def _add_table(commands: Commands) -> None:
 
 
 def _table(args: argparse.Namespace) -> int:
-    from tresym.report import tables
+    from tresym.report.pages import tables
 
     found = tables.table(args.name)
     if args.json:
@@ -231,7 +231,7 @@ def _add_docs(commands: Commands) -> None:
 
 
 def _docs(args: argparse.Namespace) -> int:
-    from tresym.report import documents
+    from tresym.report.pages import documents
 
     if args.check:
         stale = documents.stale()
@@ -323,7 +323,8 @@ def _add_audit(commands: Commands) -> None:
 def _audit(args: argparse.Namespace) -> int:
     from pathlib import Path
 
-    from tresym import audit, proofs
+    from tresym import proofs
+    from tresym.ledger import audit
 
     index = audit.load_index(Path(proofs.__file__).with_name("index.json"))
     found = audit.audit(Path(args.paper), proofs.claims(), index)
@@ -346,8 +347,8 @@ def _add_output(parser: Parser) -> None:
 
 
 def _flip(args: argparse.Namespace) -> int:
-    from tresym.exact import parse_number
-    from tresym.flip.ladder import climb, parse_digits
+    from tresym.racket.flip.ladder import climb, parse_digits
+    from tresym.reals.numbers.exact import parse_number
 
     if args.psi0 is not None:
         return _journey(args)
@@ -359,8 +360,8 @@ def _flip(args: argparse.Namespace) -> int:
     if args.json:
         _deliver_json(answer.as_json(), args.path)
     else:
+        from tresym.output import colour_wanted
         from tresym.report.flip import flip_text
-        from tresym.report.output import colour_wanted
 
         _deliver(flip_text(answer, title, colour_wanted() and args.path is None), args.path)
     return 0
@@ -368,8 +369,8 @@ def _flip(args: argparse.Namespace) -> int:
 
 def _journey(args: argparse.Namespace) -> int:
     """A start of the user's own."""
-    from tresym.flip import flip_angle
-    from tresym.flip.ladder import parse_digits
+    from tresym.racket.flip import flip_angle
+    from tresym.racket.flip.ladder import parse_digits
 
     shape, title = _body(args)
     answer = flip_angle(
@@ -384,8 +385,8 @@ def _journey(args: argparse.Namespace) -> int:
     if args.json:
         _deliver_json(answer.as_json(), args.path)
     else:
+        from tresym.output import colour_wanted
         from tresym.report.flip import journey_text
-        from tresym.report.output import colour_wanted
 
         _deliver(journey_text(answer, title, colour_wanted() and args.path is None), args.path)
     return 0
@@ -399,7 +400,7 @@ def _deliver_json(answer: dict[str, Any], path: str | None) -> None:
 
 def _body(args: argparse.Namespace) -> tuple[Shape, str]:
     """The shape asked for, and a title that says where it came from."""
-    from tresym import body
+    from tresym.racket import body
 
     if args.body is not None:
         named = body.named_body(args.body)
@@ -466,8 +467,8 @@ def _add_sweep(commands: Commands) -> None:
 
 def _sweep(args: argparse.Namespace) -> int:
     from tresym import sweep
-    from tresym.flip.ladder import parse_digits
-    from tresym.processes import parse_workers
+    from tresym.racket.flip.ladder import parse_digits
+    from tresym.reals.processes import parse_workers
     from tresym.sweep.run import summary_text, to_stderr
 
     grid = (args.a, args.b, args.gamma)
@@ -548,8 +549,8 @@ def _chart(args: argparse.Namespace) -> int:
 
 def _deliver_picture(draw: Callable[[str], bytes], path: str | None) -> None:
     """To a file of the kind its name ends in, or as SVG to standard output."""
+    from tresym.output import write_bytes
     from tresym.report.figures import kind_of
-    from tresym.report.output import write_bytes
 
     picture = draw(kind_of(path))
     if path is None:
@@ -562,7 +563,7 @@ def _deliver(text: str, path: str | None) -> None:
     if path is None:
         print(text, end="")
         return
-    from tresym.report.output import write_text
+    from tresym.output import write_text
 
     write_text(path, text)
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.identity import Given, decide, parse
-from tresym.identity.field import Field
-from tresym.verdict import Verdict
+from tresym.reals.decisions.identity import decide
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.field import Field
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
 
 TRUE = [
     ("sqrt(x^2)", "x", "x>=0"),

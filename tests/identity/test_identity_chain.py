@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.identity import Given, decide, parse
-from tresym.verdict import Verdict
+from tresym.reals.decisions.identity import decide
+from tresym.reals.language.parsing import parse
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
 
 CHAIN = {
     "momentum length": (

@@ -5,17 +5,14 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision
-from tresym.identity import (
-    ALL_THEORIES,
-    Given,
-    decide,
-    evaluate,
-    nonzero_denominators,
-    parse,
-    sign,
-)
-from tresym.verdict import Verdict
+from tresym.reals.decisions.identity import decide
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.field import ALL_THEORIES
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.sign import nonzero_denominators, sign
+from tresym.reals.verdict import Verdict
 
 
 def test_points_satisfy_and_repeat() -> None:

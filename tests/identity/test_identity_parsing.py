@@ -7,9 +7,11 @@ from functools import reduce
 
 import pytest
 
-from tresym.exact import InputError
-from tresym.identity import Expr, Given, differentiate, from_sympy, parse, to_sympy
-from tresym.identity.expression import E, add, number, symbol, trees
+from tresym.reals.language.expression import E, Expr, add, differentiate, number, symbol, trees
+from tresym.reals.language.parsing import parse
+from tresym.reals.language.sympy import from_sympy, to_sympy
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
 
 HOSTILE = [
     "",
@@ -193,7 +195,7 @@ def test_conditions_from_sympy() -> None:
 
 
 def _names(e: Expr) -> set[str]:
-    from tresym.identity import symbols
+    from tresym.reals.language.expression import symbols
 
     return set(symbols(e))
 

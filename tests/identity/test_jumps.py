@@ -12,21 +12,16 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 import tresym
-from tresym.arithmetic import ball_precision
-from tresym.identity import (
-    Given,
-    decide,
-    differentiate,
-    evaluate,
-    from_sympy,
-    parse,
-    sign,
-    substitute,
-    to_sympy,
-)
-from tresym.identity.expression import angle, number
-from tresym.identity.field import Field
-from tresym.verdict import Verdict
+from tresym.reals.decisions.identity import decide
+from tresym.reals.language.expression import angle, differentiate, number, substitute
+from tresym.reals.language.parsing import parse
+from tresym.reals.language.sympy import from_sympy, to_sympy
+from tresym.reals.normal.field import Field
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
 
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.identity import Given, decide, parse
-from tresym.identity.field import ALL_THEORIES, Field
-from tresym.identity.locally_constant import equal_by_derivative
-from tresym.verdict import Verdict
+from tresym.reals.decisions.identity import decide
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.field import ALL_THEORIES, Field
+from tresym.reals.normal.locally_constant import equal_by_derivative
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
 
 PAIRS = [
     ("2*atan(sin(t)/(1 + cos(t)))", "t", "-pi < t < pi", "0 < t < 33/10"),

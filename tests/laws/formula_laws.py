@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from types import SimpleNamespace
 from typing import Any
 
-from tresym.formulas import printed, stable
+from tresym.racket.formulas import printed, stable
 
 Point = SimpleNamespace
 Equations = Sequence[Sequence[Any]]

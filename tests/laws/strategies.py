@@ -14,9 +14,9 @@ from hypothesis import given, seed, settings
 from hypothesis import strategies as st
 
 from tresym import flip_angle
-from tresym.arithmetic import ball_precision
-from tresym.body import Shape
-from tresym.flip.result import Journey
+from tresym.racket.body import Shape
+from tresym.racket.result import Journey
+from tresym.reals.numbers.arithmetic import ball_precision
 
 DIGITS = 30
 WORK = 400

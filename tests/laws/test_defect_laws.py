@@ -22,15 +22,15 @@ from strategies import (
 )  # fmt: skip
 
 from tresym import InputError, flip_defect
-from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
-from tresym.body import Body, Shape
-from tresym.exact import parse_number
-from tresym.flip import separatrix
-from tresym.flip.fold import float_defect
-from tresym.flip.ladder import RUNGS
-from tresym.flip.levels import turning_level
-from tresym.flip.quadrature import rigorous
-from tresym.formulas import stable
+from tresym.racket.body import Body, Shape
+from tresym.racket.flip import separatrix
+from tresym.racket.flip.fold import float_defect
+from tresym.racket.flip.ladder import RUNGS
+from tresym.racket.flip.levels import turning_level
+from tresym.racket.formulas import stable
+from tresym.racket.motion.quadrature import rigorous
+from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision, to_mp
+from tresym.reals.numbers.exact import parse_number
 
 
 def floor() -> arb:

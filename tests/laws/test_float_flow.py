@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from strategies import Start, fly, fraction, law, starts, tame_shapes, turns
 
 from tresym import InputError, flip_angle
-from tresym.body import Shape
-from tresym.flip.flipmap import arrivals, flip_map, flip_uncertainty
+from tresym.racket.body import Shape
+from tresym.racket.floats.flipmap import arrivals, flip_map, flip_uncertainty
 
 STARTS = 40
 """Starts in each array; counted as a quarter of so many examples."""

@@ -23,13 +23,13 @@ from strategies import (
 )  # fmt: skip
 
 from tresym import flip_angle, flip_defect
-from tresym.arithmetic import balls
-from tresym.body import Shape
-from tresym.flip.angle import Angle
-from tresym.flip.jacobi import functions
-from tresym.flip.orbit import exact_level, orbit
-from tresym.flip.result import proves
-from tresym.formulas import printed
+from tresym.racket.angle import Angle
+from tresym.racket.body import Shape
+from tresym.racket.formulas import printed
+from tresym.racket.motion.jacobi import functions
+from tresym.racket.motion.orbit import exact_level, orbit
+from tresym.racket.result import proves
+from tresym.reals.numbers.arithmetic import balls
 
 
 @law(starts(), turns, st.integers(-3, 3))

@@ -15,9 +15,11 @@ from hypothesis import strategies as st
 from strategies import law, rational
 from sympy import Rational
 
-from tresym.arithmetic import balls, mp_precision
-from tresym.identity import Given, decide, from_sympy
-from tresym.verdict import Verdict
+from tresym.reals.decisions.identity import decide
+from tresym.reals.language.sympy import from_sympy
+from tresym.reals.numbers.arithmetic import balls, mp_precision
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
 
 NAMES = ("theta", "psi", "a", "b", "M", "I1", "I2", "I3", "c", "S")
 GIVEN = "a > 0, 0 < b < 1, M > 0, I1 > 0, I2 > I1, I3 > I2, c > 0"

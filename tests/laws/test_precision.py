@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from strategies import law, rational, shapes
 
 from tresym import InputError, flip_angle, flip_defect
-from tresym.arithmetic import ball_precision, mp_precision
-from tresym.body import Shape
-from tresym.exact import fraction_text, parse_number
-from tresym.flip.result import proves
+from tresym.racket.body import Shape
+from tresym.racket.result import proves
+from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
+from tresym.reals.numbers.exact import fraction_text, parse_number
 
 
 @law(st.lists(st.tuples(shapes(-3, 2), st.integers(1, 90), st.booleans()), min_size=1, max_size=6))

@@ -16,15 +16,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, balls, bits, mp_precision
 from tresym.bench import peers
 from tresym.bench.run import Keep, Measurement, forget
 from tresym.bench.truth import true_digits
-from tresym.body import named_body
-from tresym.flip import quadrature, separatrix
-from tresym.flip.carlson import Integrals, amplitude, by_flint, turn
-from tresym.flip.many import defects
-from tresym.formulas import printed, stable
+from tresym.racket.body import named_body
+from tresym.racket.flip import separatrix
+from tresym.racket.floats.many import defects
+from tresym.racket.formulas import printed, stable
+from tresym.racket.motion import quadrature
+from tresym.racket.motion.carlson import Integrals, amplitude, by_flint, turn
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits, mp_precision
 
 FLOAT_DIGITS = 53 * math.log10(2)
 MANY = 50

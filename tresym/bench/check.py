@@ -15,21 +15,12 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import partial
-from importlib.resources import files
 from random import Random
-from typing import Any, NamedTuple
+from typing import Any
 
 import sympy
 from sympy.core.cache import clear_cache
 
-from tresym.bench.rewriting import (
-    changed,
-    false_identity,
-    far_apart,
-    points,
-    real_value,
-    true_identity,
-)
 from tresym.bench.run import (
     FAILED,
     RIGHT,
@@ -44,13 +35,23 @@ from tresym.bench.run import (
     forget,
     interleave,
 )
-from tresym.checking import Answer, check
-from tresym.checking.advocate import attack
-from tresym.checking.statement import read
-from tresym.checking.workers import Task, check_all
-from tresym.exact import InputError
-from tresym.identity import Expr, differentiate, parse, symbols
-from tresym.verdict import Verdict
+from tresym.reals.corpus.lists import Pair, known, pairs
+from tresym.reals.corpus.rewriting import (
+    changed,
+    false_identity,
+    far_apart,
+    points,
+    real_value,
+    true_identity,
+)
+from tresym.reals.decisions import Answer, check
+from tresym.reals.decisions.attack import attack
+from tresym.reals.decisions.limits import Task, check_all
+from tresym.reals.decisions.reading import read
+from tresym.reals.language.expression import Expr, differentiate, symbols
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 
 OURS = "tresym check"
 PACE = Pace(rounds=3, limit=20.0, patience=0.5)
@@ -60,41 +61,6 @@ TRIALS = 10_000
 CHUNK = 500
 CHANGES = 20
 LIMIT = 10.0
-
-
-class Known(NamedTuple):
-    """A claim of which it is known whether it is true."""
-
-    truth: bool
-    claim: str
-
-
-class Pair(NamedTuple):
-    """An antiderivative and its integrand, as text."""
-
-    antiderivative: str
-    integrand: str
-
-    @property
-    def claim(self) -> str:
-        """That the derivative is the integrand."""
-        return f"diff({self.antiderivative}, x) == {self.integrand}"
-
-
-def pairs() -> list[Pair]:
-    """The pairs of antiderivatives.txt."""
-    return [Pair(*(side.strip() for side in line.split("|"))) for line in _lines("antiderivatives")]
-
-
-def known(name: str) -> list[Known]:
-    """The claims of inequalities.txt or orders.txt."""
-    parts = (line.split(" | ", 1) for line in _lines(name))
-    return [Known(truth == "true", claim) for truth, claim in parts]
-
-
-def _lines(name: str) -> list[str]:
-    text = files("tresym.bench").joinpath(f"{name}.txt").read_text(encoding="utf-8")
-    return [line for line in text.splitlines() if line and not line.startswith("#")]
 
 
 def measure(

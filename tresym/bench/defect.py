@@ -14,9 +14,9 @@ from flint import arb, fmpq
 from tresym.bench import peers
 from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
 from tresym.bench.truth import by_digits
-from tresym.body import Shape, named_body
-from tresym.exact import parse_number
-from tresym.flip import defect
+from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import defect
+from tresym.reals.numbers.exact import parse_number
 
 DIGITS = 50
 SHAPE = named_body("str").shape

@@ -17,13 +17,13 @@ from flint import fmpq
 
 from tresym.bench import peers
 from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
-from tresym.body import NAMED_BODIES, Shape
-from tresym.exact import parse_number
-from tresym.flip.angle import Angle
-from tresym.flip.flipmap import flip_map
-from tresym.flip.ladder import RUNGS, climb
-from tresym.flip.many import defects
-from tresym.flip.trajectory import Start, travel
+from tresym.racket.angle import Angle
+from tresym.racket.body import NAMED_BODIES, Shape
+from tresym.racket.flip.ladder import RUNGS, climb
+from tresym.racket.floats.flipmap import flip_map
+from tresym.racket.floats.many import defects
+from tresym.racket.motion.trajectory import Start, travel
+from tresym.reals.numbers.exact import parse_number
 
 PACE = Pace(rounds=7, limit=10.0, patience=0.3)
 
@@ -96,7 +96,7 @@ def _cell(where: str, name: str, shape: Shape, gamma: str, digits: int) -> Cell:
 
 def _error_cells() -> Iterator[Cell]:
     """The table of errors: ε₀ to the digits at which the error has four."""
-    from tresym.flip.errors import PRODUCTS, WIDTHS
+    from tresym.racket.compared.errors import PRODUCTS, WIDTHS
 
     for b in WIDTHS:
         for product in PRODUCTS:
@@ -106,7 +106,7 @@ def _error_cells() -> Iterator[Cell]:
 
 def _constant_cells() -> Iterator[Cell]:
     """The table of constants: ε₀ to digits that leave the ratio with ε*⁴ six."""
-    from tresym.flip.constants import CONSTANTS
+    from tresym.racket.compared.constants import CONSTANTS
 
     for row in CONSTANTS:
         shape = Shape(parse_number(row.least), fmpq(1))
@@ -115,8 +115,8 @@ def _constant_cells() -> Iterator[Cell]:
 
 def _threshold_cells() -> Iterator[Cell]:
     """The table of thresholds: ε at the levels of the bodies, which the search goes through."""
-    from tresym.flip.angle import parse_angle
-    from tresym.flip.levels import level_of
+    from tresym.racket.angle import parse_angle
+    from tresym.racket.flip.levels import level_of
 
     for name, body in NAMED_BODIES.items():
         for value in ("-pi/12", "pi/12"):
@@ -125,7 +125,7 @@ def _threshold_cells() -> Iterator[Cell]:
 
 
 def _route_cells() -> Iterator[Cell]:
-    from tresym.flip.routes import CASES
+    from tresym.racket.compared.routes import CASES
 
     for body, gamma in CASES:
         where = "table routes"

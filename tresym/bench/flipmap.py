@@ -18,21 +18,12 @@ import numpy as np
 from flint import arb, fmpq
 
 from tresym.bench import peers
-from tresym.bench.run import (
-    WRONG,
-    Contender,
-    Judged,
-    Keep,
-    Measurement,
-    Pace,
-    forget,
-    interleave,
-)
+from tresym.bench.run import WRONG, Contender, Judged, Keep, Measurement, Pace, forget, interleave
 from tresym.bench.truth import as_ball
-from tresym.body import Shape, named_body
-from tresym.flip import flipmap
-from tresym.flip.angle import Angle
-from tresym.flip.trajectory import Start, travel
+from tresym.racket.angle import Angle
+from tresym.racket.body import Shape, named_body
+from tresym.racket.floats import flipmap
+from tresym.racket.motion.trajectory import Start, travel
 
 BODIES = {"standard racket": named_body("str").shape, "√(ab) = 3": Shape(fmpq(18), fmpq(1, 2))}
 STARTS = 400_000

@@ -17,18 +17,20 @@ from typing import Any
 import numpy as np
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, balls, mp_precision, to_mp
 from tresym.bench import flipmap as starts
 from tresym.bench import peers
 from tresym.bench.limit import TimeUp, time_limit
 from tresym.bench.run import Keep, Measurement, forget
 from tresym.bench.separatrix import SHAPES
 from tresym.bench.truth import true_digits
-from tresym.body import Shape, named_body
-from tresym.exact import parse_number
-from tresym.flip import defect, flipmap, quadrature, separatrix
-from tresym.flip.carlson import amplitude, by_flint, turn
-from tresym.flip.ladder import climb
+from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import defect, separatrix
+from tresym.racket.flip.ladder import climb
+from tresym.racket.floats import flipmap
+from tresym.racket.motion import quadrature
+from tresym.racket.motion.carlson import amplitude, by_flint, turn
+from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision, to_mp
+from tresym.reals.numbers.exact import parse_number
 
 STR = named_body("str").shape
 GAMMAS = ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12", "1e-14", "1e-20", "1e-30", "0")

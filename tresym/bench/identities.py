@@ -33,15 +33,15 @@ from tresym.bench.run import (
     forget,
     interleave,
 )
-from tresym.claims.changes import mutations
-from tresym.claims.claim import Chain, Claim, Together, parts_of
-from tresym.claims.signs import manifest_sign
-from tresym.claims.translate import definitions, put_in, to_expression, to_given
-from tresym.exact import InputError
-from tresym.identity import decide
-from tresym.identity.advocate import contradiction
-from tresym.verdict import Verdict
-from tresym.verification import all_claims
+from tresym.ledger.claim import Chain, Claim, Together, parts_of
+from tresym.ledger.evidence.manifest import manifest_sign
+from tresym.ledger.meaning import definitions, put_in, to_expression, to_given
+from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.verification import all_claims
+from tresym.reals.advocate import contradiction
+from tresym.reals.decisions.identity import decide
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 
 OURS = "tresym, exact normal form"
 OPEN = (sympy.Integral, sympy.Derivative, sympy.Subs, sympy.MatrixBase)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tresym.bench.run import Contender, Judged, Keep, Measurement, Pace, forget, interleave
 from tresym.bench.startup import launch
-from tresym.verification import Report, verify
+from tresym.ledger.verification import Report, verify
 
 PACE = Pace(rounds=3, limit=120, patience=20)
 

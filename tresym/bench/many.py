@@ -14,20 +14,11 @@ from typing import Any
 import numpy as np
 from flint import fmpq
 
-from tresym.bench.run import (
-    WRONG,
-    Contender,
-    Judged,
-    Keep,
-    Measurement,
-    Pace,
-    forget,
-    interleave,
-)
+from tresym.bench.run import WRONG, Contender, Judged, Keep, Measurement, Pace, forget, interleave
 from tresym.bench.truth import true_digits
-from tresym.flip import separatrix
-from tresym.flip.many import Floats, defects
-from tresym.formulas import printed, stable
+from tresym.racket.flip import separatrix
+from tresym.racket.floats.many import Floats, defects
+from tresym.racket.formulas import printed, stable
 
 SHAPES = 1_000_000
 LOOP = 2_000

@@ -13,10 +13,10 @@ from typing import Any
 
 from flint import fmpq
 
-from tresym.arithmetic import mp_precision, to_mp
-from tresym.body import Shape
-from tresym.flip import quadrature
-from tresym.formulas import printed, stable
+from tresym.racket.body import Shape
+from tresym.racket.formulas import printed, stable
+from tresym.racket.motion import quadrature
+from tresym.reals.numbers.arithmetic import mp_precision, to_mp
 
 FINEST = {"xtol": 1e-300, "rtol": 8.9e-16}
 """The least tolerances that brentq takes."""
@@ -42,7 +42,7 @@ def findroot_printed(shape: Shape, gamma: fmpq, digits: int) -> Any:
 
 def findroot_phase(shape: Shape, _: fmpq, digits: int) -> Any:
     """Newton's method in mpmath on our phase equation (γ = 0), from its float64 root."""
-    from tresym.flip.separatrix import float_phase
+    from tresym.racket.flip.separatrix import float_phase
 
     with mp_precision(digits + 5) as mp:
         a, b = to_mp(shape.a, mp), to_mp(shape.b, mp)

@@ -16,22 +16,14 @@ import numpy as np
 from flint import arb, fmpq
 
 from tresym.bench import peers
-from tresym.bench.run import (
-    Contender,
-    Keep,
-    Measurement,
-    Pace,
-    Rising,
-    forget,
-    interleave,
-)
+from tresym.bench.run import Contender, Keep, Measurement, Pace, Rising, forget, interleave
 from tresym.bench.truth import by_digits
-from tresym.body import Shape, named_body
-from tresym.exact import InputError, parse_number
-from tresym.flip import defect, separatrix
-from tresym.flip.flipmap import flip_map
-from tresym.flip.ladder import RUNGS, climb
-from tresym.flip.many import defects
+from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import defect, separatrix
+from tresym.racket.flip.ladder import RUNGS, climb
+from tresym.racket.floats.flipmap import flip_map
+from tresym.racket.floats.many import defects
+from tresym.reals.numbers.exact import InputError, parse_number
 
 DIGITS = (3, 10, 16, 30, 50, 100, 200, 500, 1000)
 FLOATS = 15

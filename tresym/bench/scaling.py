@@ -24,11 +24,11 @@ from tresym.bench.run import (
     forget,
     interleave,
 )
-from tresym.body import named_body
-from tresym.exact import parse_number
-from tresym.flip.flipmap import CHUNK, LARGE, flip_map
-from tresym.flip.ladder import climb
-from tresym.verification import all_claims, verify
+from tresym.ledger.verification import all_claims, verify
+from tresym.racket.body import named_body
+from tresym.racket.flip.ladder import climb
+from tresym.racket.floats.flipmap import CHUNK, LARGE, flip_map
+from tresym.reals.numbers.exact import parse_number
 
 STR = named_body("str").shape
 DIGITS = (50, 100, 200, 500, 1000, 2000, 5000, 10_000)

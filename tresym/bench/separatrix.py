@@ -30,9 +30,9 @@ from tresym.bench.run import (
     time_once,
 )
 from tresym.bench.truth import SLACK, true_digits
-from tresym.body import Shape, named_body
-from tresym.flip import separatrix
-from tresym.processes import Processes
+from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import separatrix
+from tresym.reals.processes import Processes
 
 BODY = "str"
 DIGITS = 50

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from tresym.bench import workloads
 from tresym.bench.names import WORKLOADS
 from tresym.bench.run import Keep, Measurement, Tables, Timing
-from tresym.exact import InputError, quoted
+from tresym.reals.numbers.exact import InputError, quoted
 
 INTERRUPTED = 130
 
@@ -46,7 +46,7 @@ def run(names: Sequence[str], save: bool, as_json: bool, path: str | None) -> in
 
 
 def _deliver(done: list[Measurement], as_json: bool, path: str | None) -> None:
-    from tresym.report.output import write_text
+    from tresym.output import write_text
 
     if as_json:
         text = json.dumps([m.as_json() for m in done], ensure_ascii=False, indent=1) + "\n"

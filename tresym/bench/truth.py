@@ -7,8 +7,8 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from tresym.arithmetic import ball_precision
 from tresym.bench.run import RIGHT, WRONG, Judged
+from tresym.reals.numbers.arithmetic import ball_precision
 
 SLACK = 1.5
 """Digits by which a method may miss what it was asked for and still count as right."""

@@ -10,14 +10,14 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
 from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
 from tresym.bench.truth import by_digits
-from tresym.body import named_body
-from tresym.exact import parse_number
-from tresym.flip import quadrature
-from tresym.flip.carlson import Amplitude, amplitude, by_flint, turn
-from tresym.flip.gauss import ball_ending, turn_by_gauss
+from tresym.racket.body import named_body
+from tresym.racket.motion import quadrature
+from tresym.racket.motion.carlson import Amplitude, amplitude, by_flint, turn
+from tresym.racket.motion.gauss import ball_ending, turn_by_gauss
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
+from tresym.reals.numbers.exact import parse_number
 
 DIGITS = 50
 SHAPE = named_body("str").shape

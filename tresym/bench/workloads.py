@@ -11,8 +11,8 @@ from typing import Any
 import tresym
 from tresym.bench.names import WORKLOADS
 from tresym.bench.run import Keep, Measurement, Tables, Timing, forget
-from tresym.exact import InputError, quoted
-from tresym.report.output import write_text
+from tresym.output import write_text
+from tresym.reals.numbers.exact import InputError, quoted
 
 KEEP_EVERY = 0.2
 """Seconds between two writings of what has been measured so far."""

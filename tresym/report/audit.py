@@ -6,8 +6,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from tresym.audit import Audit, Row, Transcription
-from tresym.audit import Text as Found
+from tresym.ledger.audit import Audit, Row, Transcription
+from tresym.ledger.audit import Text as Found
 
 SHOWN_CLAIMS = 3
 

@@ -11,11 +11,11 @@ from contextlib import contextmanager
 from functools import partial
 from itertools import chain
 
-from tresym.checking.answer import Answer
-from tresym.checking.workers import Task, check_all, check_within
-from tresym.exact import InputError, parse_number
-from tresym.report.output import bold, colour_wanted, dim, writing
-from tresym.verdict import Verdict
+from tresym.output import bold, colour_wanted, dim, writing
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.limits import Task, check_all, check_within
+from tresym.reals.numbers.exact import InputError, parse_number
+from tresym.reals.verdict import Verdict
 
 MAX_BYTES = 50_000_000
 MAX_SECONDS = 86_400

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, balls, bits
-from tresym.exact import decimal_ball, fraction_text
-from tresym.flip.result import Flip, Journey, proves
-from tresym.formulas import printed
-from tresym.report.output import bold, dim
+from tresym.output import bold, dim
+from tresym.racket.formulas import printed
+from tresym.racket.result import Flip, Journey, proves
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
+from tresym.reals.numbers.exact import decimal_ball, fraction_text
 
 LONGEST_FRACTION = 24
 

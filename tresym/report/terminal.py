@@ -7,19 +7,11 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 from rich.text import Text
 
-from tresym.exact import fraction_text
-from tresym.report.place import place_text
-from tresym.verdict import Verdict
-from tresym.verification import (
-    MUTANTS,
-    MutantReport,
-    MutantRow,
-    Report,
-    Row,
-    choose,
-    verify,
-    verify_mutants,
-)
+from tresym.ledger.mutants.report import MUTANTS, MutantReport, MutantRow, verify_mutants
+from tresym.ledger.verification import Report, Row, choose, verify
+from tresym.reals.numbers.exact import fraction_text
+from tresym.reals.verdict import Verdict
+from tresym.report.words.place import place_text
 
 STYLES = {
     Verdict.PROVED: "green",

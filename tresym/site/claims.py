@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from tresym.report.markdown import finding, sentence
+from tresym.report.words.markdown import finding, sentence
 from tresym.site.markdown import badge, chain, display, inline, link, statement
 
 Record = dict[str, Any]
@@ -15,7 +15,7 @@ def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]
     """Every page as its name and its text.
 
     Args:
-        ledger: as `tresym.report.record.record` makes it.
+        ledger: as `tresym.report.pages.record.record` makes it.
         seconds: saved cost of judging, by label; claims without one show none.
     """
     yield "index.md", index(ledger)

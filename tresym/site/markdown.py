@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.report.chains import EQUIVALENT
-from tresym.report.markdown import sentence
+from tresym.report.words.chains import EQUIVALENT
+from tresym.report.words.markdown import sentence
 
 LONGEST_IN_A_LINE = 60
 """Systems of more LaTeX characters than this are set one equation below the other."""

@@ -13,14 +13,14 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.arithmetic import ball_precision, balls, bits
-from tresym.body import Shape
-from tresym.exact import InputError, decimal_ball, fraction_text
-from tresym.flip import uniform
-from tresym.flip.defect import checked_gamma
-from tresym.flip.fold import float_defect
-from tresym.flip.ladder import climb
-from tresym.formulas import printed, stable
+from tresym.racket.body import Shape
+from tresym.racket.flip import uniform
+from tresym.racket.flip.defect import checked_gamma
+from tresym.racket.flip.fold import float_defect
+from tresym.racket.flip.ladder import climb
+from tresym.racket.formulas import printed, stable
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
+from tresym.reals.numbers.exact import InputError, decimal_ball, fraction_text
 from tresym.sweep.source import Entry, Part
 
 ERROR_BITS = 128

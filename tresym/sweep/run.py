@@ -15,9 +15,9 @@ from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from contextlib import AbstractContextManager
 from typing import Any, NamedTuple
 
-from tresym.exact import InputError
-from tresym.flip.ladder import checked_digits
-from tresym.processes import cores
+from tresym.racket.flip.ladder import checked_digits
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.processes import cores
 from tresym.sweep.rows import compute
 from tresym.sweep.source import Part, Source
 from tresym.sweep.table import Table, check_export, open_table, packed

@@ -15,10 +15,10 @@ from typing import Any, NamedTuple, Protocol
 
 from flint import arb, fmpq
 
-from tresym import body
-from tresym.arithmetic import ball_precision
-from tresym.body import Shape
-from tresym.exact import InputError, fraction_text, parse_number
+from tresym.racket import body
+from tresym.racket.body import Shape
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError, fraction_text, parse_number
 
 MOST_ROWS = 10**12
 MOST_VALUES = 10**6

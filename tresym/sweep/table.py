@@ -15,8 +15,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from typing import Any
 
-from tresym.exact import InputError
-from tresym.report.output import writing
+from tresym.output import writing
+from tresym.reals.numbers.exact import InputError
 from tresym.sweep.rows import Row
 
 APPLICATION = 0x74726573

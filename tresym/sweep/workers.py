@@ -13,8 +13,8 @@ from contextlib import contextmanager, suppress
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
-from tresym.exact import InputError, quoted
-from tresym.processes import Processes
+from tresym.reals.numbers.exact import InputError, quoted
+from tresym.reals.processes import Processes
 
 PATIENCE = 10
 """Seconds to wait for a scheduler, and for workers to come or to come back."""

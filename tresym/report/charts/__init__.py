@@ -10,7 +10,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any, NamedTuple
 
-from tresym.exact import InputError, quoted
+from tresym.reals.numbers.exact import InputError, quoted
 
 
 class Chart(NamedTuple):

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import tresym
-from tresym.exact import InputError
+from tresym.reals.numbers.exact import InputError
 
 MOST_BYTES = 50_000_000
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from importlib import import_module
 from pathlib import PurePath
 
-from tresym.exact import InputError, quoted
+from tresym.reals.numbers.exact import InputError, quoted
 
 FIGURES = {
     "racket-frame": "Fig. 1: the frame attached to the racket",

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tresym.body import Shape, named_body
-from tresym.flip.flipmap import Floats
+from tresym.racket.body import Shape, named_body
+from tresym.racket.floats.flipmap import Floats
 
 ILLUSTRATION = "book"
 """The body of the pictures on the sphere: a racket's b/a is too small to see anything."""

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.flip.attitude import Attitude
-from tresym.flip.flipmap import Floats
+from tresym.racket.floats.flipmap import Floats
+from tresym.racket.motion.attitude import Attitude
 from tresym.report.figures import style
 from tresym.report.figures.racket import Racket, racket
 from tresym.report.figures.racket_frame import body

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.flip.flipmap import Floats, flip_map
+from tresym.racket.floats.flipmap import Floats, flip_map
 from tresym.report.figures import style
 from tresym.report.figures.curves import rate_at, shape_of
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.flip.flipmap import Floats
+from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
 from tresym.report.figures.curves import flip_plane, orbit, rate_at, shape_of
 

@@ -6,9 +6,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.flip.attitude import attitude
-from tresym.flip.flipmap import Floats
-from tresym.formulas.stable import theta_min
+from tresym.racket.floats.flipmap import Floats
+from tresym.racket.formulas.stable import theta_min
+from tresym.racket.motion.attitude import attitude
 from tresym.report.figures import style
 from tresym.report.figures.curves import ILLUSTRATION, rate_at, shape_of
 from tresym.report.figures.view import arrow, ball, bare, circle, curve, label, view

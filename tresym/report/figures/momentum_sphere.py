@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.flip.flipmap import Floats
+from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
 from tresym.report.figures.curves import ILLUSTRATION, Orbit, orbit, separatrix, shape_of
 from tresym.report.figures.view import View, arc, arrow, ball, bare, curve, label, view

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tresym.flip.flipmap import Floats
+from tresym.racket.floats.flipmap import Floats
 
 
 class Racket(NamedTuple):

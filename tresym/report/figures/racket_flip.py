@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tresym.flip.attitude import attitude
-from tresym.flip.flipmap import Floats
+from tresym.racket.floats.flipmap import Floats
+from tresym.racket.motion.attitude import attitude
 from tresym.report.figures.curves import rate_at, shape_of
 from tresym.report.figures.defect_map import symmetric_defect
 from tresym.report.figures.grid import coordinate

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.flip.flipmap import Floats
+from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
 from tresym.report.figures.racket import Racket, racket
 from tresym.report.figures.view import View, arrow, bare, label, view

@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.body import NAMED_BODIES
-from tresym.flip.flipmap import Floats
-from tresym.formulas.stable import separatrix_map
+from tresym.racket.body import NAMED_BODIES
+from tresym.racket.floats.flipmap import Floats
+from tresym.racket.formulas.stable import separatrix_map
 from tresym.report.figures import style
 from tresym.report.figures.curves import floats
 

@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-from tresym.exact import InputError
+from tresym.reals.numbers.exact import InputError
 from tresym.report.figures.grid import on_grid
 
 ROTATING = {"color": "#0072b2", "linewidth": 1.1, "linestyle": "-"}

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tresym.flip.flipmap import Floats, arrivals
+from tresym.racket.floats.flipmap import Floats, arrivals
 from tresym.report.figures import flip_portrait, style
 from tresym.report.figures.curves import rate_at, shape_of
 

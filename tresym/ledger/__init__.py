@@ -1,0 +1,1 @@
+"""The ledger: claims of a paper, their evidence, and the judge of both."""

@@ -1,0 +1,28 @@
+"""The paper's displays, theorems, tables and figures against the claims that answer them."""
+
+from tresym.ledger.audit.coverage import (
+    Audit,
+    Entry,
+    Row,
+    Text,
+    Transcription,
+    audit,
+    entry_of,
+    load_index,
+)
+from tresym.ledger.audit.source import Piece, Source, read_source, scan
+
+__all__ = [
+    "Audit",
+    "Entry",
+    "Piece",
+    "Row",
+    "Source",
+    "Text",
+    "Transcription",
+    "audit",
+    "entry_of",
+    "load_index",
+    "read_source",
+    "scan",
+]

@@ -1,0 +1,284 @@
+"""The audit: every display, theorem, table and figure of a paper against the claims on it.
+
+The index holds, for each of them, where it stands and the hash of the text that the claims were
+written against; the paper's text is not part of it. An alteration is named, not only noticed.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field, replace
+from difflib import SequenceMatcher
+from enum import Enum
+from pathlib import Path
+from typing import Any
+
+from tresym.ledger.audit.source import Piece, Source, read_source, scan
+from tresym.ledger.audit.terms import Function
+from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
+from tresym.ledger.claim import Claim
+from tresym.reals.language.latex import Relations, read_latex
+from tresym.reals.numbers.exact import InputError
+
+
+class Text(Enum):
+    """Whether a piece of the paper is what the claims were written against."""
+
+    SAME = "same"
+    ALTERED = "altered"
+    MISSING = "missing"
+    ADDED = "added"
+
+
+class Transcription(Enum):
+    """Whether the claims say what the display says."""
+
+    EQUAL = "equal"
+    """Read from the LaTeX; every relation agrees in balls with what a claim says."""
+    AS_READ = "equal as read"
+    """The same, with something read otherwise than it is printed: the note says what."""
+    DIFFERS = "differs"
+    SENTENCE = "sentence"
+    """No claim can say it as it stands, for the reason in the index, which transcribes it twice."""
+    NOT_READ = "not read"
+    NOT_A_FORMULA = ""
+    """A theorem, remark, table or figure; or no claim, or no unaltered text."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One piece as the index knows it."""
+
+    kind: str
+    label: str
+    line: int
+    end: int
+    sha256: str
+    number: int | None = None
+    reading: Reading = field(default_factory=Reading)
+
+
+@dataclass(frozen=True)
+class Row:
+    """The finding on one piece; ``line`` is its line in the paper given, if it is there."""
+
+    kind: str
+    label: str
+    number: int | None
+    line: int | None
+    text: Text
+    claims: tuple[str, ...]
+    transcription: Transcription
+    note: str = ""
+
+    @property
+    def good(self) -> bool:
+        """Unaltered, answered by a claim, and not contradicted by one."""
+        bad = (Transcription.DIFFERS, Transcription.NOT_READ)
+        return self.text is Text.SAME and bool(self.claims) and self.transcription not in bad
+
+
+@dataclass(frozen=True)
+class Audit:
+    """All rows: the displays in file order, then the theorem, remark, table and figures."""
+
+    paper: str
+    rows: tuple[Row, ...]
+
+    @property
+    def complete(self) -> bool:
+        """Every piece is unaltered, covered and rightly transcribed."""
+        return all(row.good for row in self.rows)
+
+    def count(self, kind: str | None = None) -> tuple[int, int]:
+        """Good rows and all rows: the displays (``None``) or the pieces of one kind."""
+        chosen = [
+            r for r in self.rows if (r.number is not None if kind is None else r.kind == kind)
+        ]
+        return sum(row.good for row in chosen), len(chosen)
+
+    @property
+    def read(self) -> int:
+        """How many displays are read from the LaTeX itself and agree."""
+        agree = (Transcription.EQUAL, Transcription.AS_READ)
+        return sum(row.transcription in agree for row in self.rows)
+
+    @property
+    def read_otherwise(self) -> int:
+        """How many of these only after something is read otherwise than it is printed."""
+        return sum(row.transcription is Transcription.AS_READ for row in self.rows)
+
+    def as_json(self) -> dict[str, Any]:
+        """The audit as `tresym audit --json` prints it."""
+        rows = [
+            {**asdict(row), "text": row.text.value, "transcription": row.transcription.value}
+            for row in self.rows
+        ]
+        return {
+            "paper": self.paper,
+            "complete": self.complete,
+            "read": self.read,
+            "read_otherwise": self.read_otherwise,
+            "rows": rows,
+        }
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of pieces that are no displays, in order."""
+        return tuple(dict.fromkeys(row.kind for row in self.rows if row.number is None))
+
+
+def load_index(path: Path) -> tuple[Entry, ...]:
+    """The index beside the proofs: displays in order, then the rest."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    entries = []
+    for item in (*data["displays"], *data["others"]):
+        reading = Reading(
+            item.pop("reads", {}),
+            item.pop("variable", ""),
+            item.pop("sentence", ""),
+            tuple(item.pop("again", ())),
+        )
+        entries.append(Entry(**item, reading=reading))
+    return tuple(entries)
+
+
+def entry_of(piece: Piece) -> dict[str, Any]:
+    """What the index records of a piece of the paper."""
+    numbered = {"number": piece.number} if piece.number else {}
+    return {
+        **numbered,
+        "label": piece.label,
+        "kind": piece.kind,
+        "line": piece.line,
+        "end": piece.end,
+        "sha256": piece.sha256,
+    }
+
+
+def audit(paper: Path, claims: Iterable[Claim], index: Iterable[Entry]) -> Audit:
+    """Compare the paper with the index and with the claims.
+
+    Raises:
+        InputError: the file cannot be read, or is no balanced LaTeX document.
+    """
+    source = scan(read_source(paper), str(paper))
+    entries = tuple(index)
+    answered = _answers(tuple(claims), entries)
+    pairs = [*_aligned(entries, source, True), *_aligned(entries, source, False)]
+    readings = {p.label: _read(p) for _, p in pairs if p is not None and p.number is not None}
+    unaltered = {p.label for e, p in pairs if p is not None and _text(e, p) is Text.SAME}
+    functions = functions_of(
+        r for label, r in readings.items() if label in unaltered and not isinstance(r, str)
+    )
+    rows = [_row(e, p, answered, readings, functions) for e, p in pairs]
+    return Audit(str(paper), tuple(rows))
+
+
+def _answers(claims: tuple[Claim, ...], entries: tuple[Entry, ...]) -> dict[str, list[Claim]]:
+    """The claims on each piece: by the display they name, their label, or their line."""
+    found: dict[str, list[Claim]] = {entry.label: [] for entry in entries}
+    for claim in claims:
+        for entry in entries:
+            if _answers_to(claim, entry):
+                found[entry.label].append(claim)
+    return found
+
+
+def _answers_to(claim: Claim, entry: Entry) -> bool:
+    if claim.label == entry.label:
+        return True
+    if claim.where is None:
+        return False
+    if claim.where.display is not None:
+        return claim.where.display == entry.number
+    return claim.where.line is not None and entry.line <= claim.where.line <= entry.end
+
+
+def _aligned(
+    entries: tuple[Entry, ...], source: Source, displays: bool
+) -> list[tuple[Entry | None, Piece | None]]:
+    """Entries and pieces side by side, so that one insertion does not shift all that follows."""
+    known = [e for e in entries if (e.number is not None) == displays]
+    pieces = list(source.displays if displays else source.others)
+    matcher = SequenceMatcher(
+        None, [e.sha256 for e in known], [p.sha256 for p in pieces], autojunk=False
+    )
+    pairs: list[tuple[Entry | None, Piece | None]] = []
+    for tag, i, j, k, n in matcher.get_opcodes():
+        left: list[Entry | None] = [*known[i:j]]
+        right: list[Piece | None] = [*pieces[k:n]]
+        if tag != "equal":
+            longest = max(len(left), len(right))
+            left += [None] * (longest - len(left))
+            right += [None] * (longest - len(right))
+        pairs.extend(zip(left, right, strict=True))
+    return pairs
+
+
+def _read(piece: Piece) -> tuple[Relations, ...] | str:
+    """The chains of a display, or why it is not read."""
+    try:
+        return read_latex(piece.text, author=True)
+    except InputError as error:
+        return str(error)
+
+
+def _row(
+    entry: Entry | None,
+    piece: Piece | None,
+    answered: dict[str, list[Claim]],
+    readings: dict[str, tuple[Relations, ...] | str],
+    functions: dict[str, Function],
+) -> Row:
+    text = _text(entry, piece)
+    known = entry or piece
+    assert known is not None
+    claims = answered.get(known.label, []) if entry else []
+    transcription, note = Transcription.NOT_A_FORMULA, ""
+    if entry and piece and text is Text.SAME and claims and entry.number is not None:
+        transcription, note = _compare(readings[piece.label], claims, functions, entry.reading)
+    if text is Text.ALTERED:
+        note = "its text is not the one that the claims were written against"
+    elif not claims and text is Text.SAME:
+        note = "no claim answers it"
+    return Row(
+        known.kind,
+        known.label,
+        known.number,
+        piece.line if piece else None,
+        text,
+        tuple(claim.label for claim in claims),
+        transcription,
+        note,
+    )
+
+
+def _text(entry: Entry | None, piece: Piece | None) -> Text:
+    if piece is None:
+        return Text.MISSING
+    if entry is None:
+        return Text.ADDED
+    return Text.SAME if entry.sha256 == piece.sha256 else Text.ALTERED
+
+
+def _compare(
+    chains: tuple[Relations, ...] | str,
+    claims: list[Claim],
+    functions: dict[str, Function],
+    reading: Reading,
+) -> tuple[Transcription, str]:
+    if isinstance(chains, str):
+        return Transcription.NOT_READ, chains
+    if reading.sentence:
+        other = differing(chains, reading.again)
+        if other is not None:
+            return Transcription.DIFFERS, f"the second transcription does not say {other}"
+        return Transcription.SENTENCE, reading.sentence
+    left = unmet(chains, claims, functions, reading)
+    if left:
+        return Transcription.DIFFERS, f"no claim says {left[0]}"
+    if reading.reads and unmet(chains, claims, functions, replace(reading, reads={})):
+        return Transcription.AS_READ, reading.otherwise
+    return Transcription.EQUAL, ""

@@ -1,0 +1,300 @@
+"""A LaTeX source taken apart: its displays in order, its theorems, tables and figures.
+
+Nothing is typeset and no macro is expanded. What is found is where each thing stands, its label,
+and the SHA-256 of its text with comments removed and white space made single spaces, so that
+another line break or another encoding is no alteration and a changed sign is.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NoReturn
+
+from tresym.reals.numbers.exact import InputError
+
+MAX_BYTES = 10_000_000
+
+DISPLAYS = frozenset(
+    name + star
+    for name in ("equation", "displaymath", "align", "gather", "multline", "eqnarray")
+    for star in ("", "*")
+)
+FLOATS = {"table": "table", "table*": "table", "figure": "figure", "figure*": "figure"}
+
+ENCODINGS = {
+    "utf8": "utf-8",
+    "utf8x": "utf-8",
+    "ascii": "ascii",
+    "latin1": "iso8859-1",
+    "latin2": "iso8859-2",
+    "latin9": "iso8859-15",
+    "ansinew": "cp1252",
+    "applemac": "mac-roman",
+    "cp1250": "cp1250",
+    "cp1252": "cp1252",
+}
+"""Encodings as the package inputenc names them, and as Python does."""
+
+_MARKS = re.compile(
+    r"""(?P<comment>%[^\n]*)
+      | \\begin\s*\{(?P<begin>[^{}\s]+)\}
+      | \\end\s*\{(?P<end>[^{}\s]+)\}
+      | (?P<open>\\\[) | (?P<close>\\\])
+      | (?P<escaped>\\[^a-zA-Z]|\\[a-zA-Z]+)
+      | (?P<dollars>\$)""",
+    re.VERBOSE | re.DOTALL,
+)
+_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*(?:\n|$)")
+_INNER_DISPLAY = re.compile(r"\\begin\{equation\}.*?\\end\{equation\}", re.DOTALL)
+_LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
+_THEOREM = re.compile(r"\\newtheorem\*?\s*\{\s*(\w+)\s*\}\s*(?:\[\w+\])?\s*\{([^{}]*)\}")
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A display or a numbered thing of the source.
+
+    Attributes:
+        kind: ``equation``, ``brackets`` (``\\[ \\]``), ``dollars`` (``$$ $$``) and the like, or
+            ``theorem``, ``remark``, ``table``, ``figure``.
+        label: the author's ``\\label``, else ``d07`` for a display, ``remark1`` for the rest.
+        line, end: its first and last line, counted from 1.
+        text: between the delimiters, white space made single spaces, no comments.
+        number: for a display its place in the file, from 1; else None.
+    """
+
+    kind: str
+    label: str
+    line: int
+    end: int
+    text: str = field(repr=False)
+    number: int | None = None
+
+    @property
+    def sha256(self) -> str:
+        """Of the text in UTF-8."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+
+@dataclass(frozen=True)
+class Source:
+    """What a LaTeX source holds: its displays, and its theorems, remarks, tables and figures."""
+
+    displays: tuple[Piece, ...]
+    others: tuple[Piece, ...]
+
+
+def read_source(path: Path) -> str:
+    """The text of a LaTeX file: any of the usual encodings, line ends as newlines.
+
+    UTF-8 is tried first, then what the file itself declares with inputenc.
+
+    Raises:
+        InputError: no such file, too large, not text, an undecodable byte, or no LaTeX document.
+    """
+    data = _bytes(path)
+    text = _decoded(data, path)
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    if "\\begin{document}" not in text:
+        raise InputError(f"{path}: no \\begin{{document}} in it; a LaTeX source is expected")
+    return text
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        with open(path, "rb") as file:
+            data = file.read(MAX_BYTES + 1)
+    except (FileNotFoundError, ValueError):  # the latter for a NUL in its name
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+    if len(data) > MAX_BYTES:
+        raise InputError(f"{path}: larger than {MAX_BYTES // 1_000_000} MB; no paper is")
+    return data
+
+
+def _decoded(data: bytes, path: Path) -> str:
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return _decode(data, "utf-16", path)
+    if b"\0" in data:
+        raise InputError(f"{path}: holds NUL bytes; a LaTeX source is text")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        declared = re.search(rb"\\usepackage\s*\[(\w+)\]\s*\{inputenc\}", data)
+        if declared is None:
+            raise InputError(
+                f"{path}: is not UTF-8 and declares no encoding; "
+                "add \\usepackage[latin1]{inputenc}, or whichever it is"
+            ) from None
+    name = declared[1].decode("ascii")
+    if name not in ENCODINGS:
+        raise InputError(f"{path}: the encoding {name} is not known; save the file as UTF-8")
+    return _decode(data, ENCODINGS[name], path)
+
+
+def _decode(data: bytes, encoding: str, path: Path) -> str:
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        raise InputError(f"{path}: line {line} is not {encoding}; save the file as UTF-8") from None
+
+
+@dataclass
+class _Open:
+    """An environment or formula that is not closed yet."""
+
+    name: str
+    line: int
+    start: int
+
+
+def scan(text: str, name: str = "the source") -> Source:
+    """The pieces of a LaTeX document, in order.
+
+    Raises:
+        InputError: an environment or formula that is not closed, or closed by another.
+    """
+    start = text.index("\\begin{document}")
+    stop = text.find("\\end{document}")
+    if stop < 0:
+        raise InputError(f"{name}: \\end{{document}} is missing; the file is cut off")
+    found = _Scanner(text, name).run(start + len("\\begin{document}"), stop)
+    theorems = {m[1]: m[2].strip().lower() for m in _THEOREM.finditer(text, 0, start)}
+    displays = [p for p in found if _is_display(p[0])]
+    kinds = {**FLOATS, **theorems}
+    others = [(kinds[p[0]], *p[1:]) for p in found if p[0] in kinds]
+    return Source(
+        tuple(_piece(text, p, n, f"d{n:02d}", True) for n, p in enumerate(displays, start=1)),
+        tuple(_others(text, others)),
+    )
+
+
+_Found = tuple[str, int, int]
+
+
+def _others(text: str, others: list[_Found]) -> list[Piece]:
+    """Numbered things; those without a label are named by their kind and place."""
+    counts: dict[str, int] = {}
+    pieces = []
+    for kind, start, stop in others:
+        counts[kind] = counts.get(kind, 0) + 1
+        number = counts[kind]
+        pieces.append(_piece(text, (kind, start, stop), number, f"{kind}{number}", False))
+    return pieces
+
+
+def _piece(text: str, found: _Found, number: int, unnamed: str, display: bool) -> Piece:
+    kind, start, stop = found
+    body = _COMMENT.sub(r"\1", text[start:stop])
+    # A theorem's own label stands outside the displays in it.
+    label = _LABEL.search(body if display else _INNER_DISPLAY.sub("", body))
+    return Piece(
+        kind,
+        label[1].strip() if label else unnamed,
+        text.count("\n", 0, start) + 1,
+        text.count("\n", 0, stop) + 1,
+        " ".join(body.split()),
+        number if display else None,
+    )
+
+
+class _Scanner:
+    """One pass over the body: a stack of what is open, and what was closed."""
+
+    def __init__(self, text: str, name: str) -> None:
+        self.text = text
+        self.name = name
+        self.stack: list[_Open] = []
+        self.found: list[_Found] = []
+
+    def run(self, start: int, stop: int) -> list[_Found]:
+        at = start
+        while (mark := _MARKS.search(self.text, at, stop)) is not None:
+            at = self.step(mark)
+        if self.stack:
+            last = self.stack[-1]
+            self.fail(f"{_shown(last.name)}, opened in line {last.line}, is not closed")
+        return sorted(self.found, key=lambda found: found[1])
+
+    def step(self, mark: re.Match[str]) -> int:
+        """Deal with one mark; where to go on."""
+        if mark["begin"] is not None:
+            self.open(mark["begin"], mark)
+        elif mark["end"] is not None:
+            self.close(mark["end"], mark)
+        elif mark["open"] is not None:
+            self.open("brackets", mark)
+        elif mark["close"] is not None:
+            self.close("brackets", mark)
+        elif mark["dollars"] is not None:
+            return self.dollars(mark)
+        return mark.end()
+
+    def dollars(self, mark: re.Match[str]) -> int:
+        """``$`` opens and closes a formula in the line, ``$$`` a display."""
+        inside = self.stack[-1].name if self.stack else ""
+        double = self.text.startswith("$$", mark.start())
+        if inside == "$":
+            self.close("$", mark)
+            return mark.end()
+        name = "dollars" if double else "$"
+        end = mark.start() + (2 if double else 1)
+        if inside == "dollars":
+            if not double:
+                self.fail(f"line {self.line(mark.start())}: $$ is closed by a single $")
+            self.close("dollars", mark)
+        else:
+            self.push(name, mark.start(), end)
+        return end
+
+    def open(self, name: str, mark: re.Match[str]) -> None:
+        self.push(name, mark.start(), mark.end())
+
+    def push(self, name: str, at: int, start: int) -> None:
+        """Open ``name``; a display inside a formula means that the formula was not closed."""
+        line = self.line(at)
+        inside = next((o for o in self.stack if o.name == "$" or _is_display(o.name)), None)
+        if inside is not None and _is_display(name):
+            self.fail(
+                f"{_shown(inside.name)}, opened in line {inside.line}, is open in line {line}"
+            )
+        self.stack.append(_Open(name, line, start))
+
+    def close(self, name: str, mark: re.Match[str]) -> None:
+        line = self.line(mark.start())
+        if not self.stack:
+            self.fail(f"line {line}: {_shown(name, closing=True)} closes nothing")
+        last = self.stack.pop()
+        if last.name != name:
+            self.fail(
+                f"line {line}: {_shown(name, closing=True)} where {_shown(last.name)}, "
+                f"opened in line {last.line}, is to be closed"
+            )
+        if name != "$":
+            self.found.append((name, last.start, mark.start()))
+
+    def line(self, at: int) -> int:
+        return self.text.count("\n", 0, at) + 1
+
+    def fail(self, why: str) -> NoReturn:
+        raise InputError(f"{self.name}: {why}")
+
+
+def _is_display(name: str) -> bool:
+    return name in DISPLAYS or name in ("brackets", "dollars")
+
+
+def _shown(name: str, closing: bool = False) -> str:
+    """An environment or delimiter as the author wrote it."""
+    if name == "brackets":
+        return "\\]" if closing else "\\["
+    if name == "dollars":
+        return "$$"
+    if name == "$":
+        return "the formula $"
+    return f"\\{'end' if closing else 'begin'}{{{name}}}"

@@ -1,0 +1,296 @@
+"""Claims: frozen values that say something, under conditions, with the evidence for it.
+
+Nothing here decides anything. `tresym.ledger.judge` turns a claim into a finding, reports turn
+it into LaTeX and ledger rows, and what a claim rests on is read off its evidence, so the graph
+of dependencies cannot drift from the proofs.
+
+A proof by a chain is a tuple of steps. Each step writes out the next expression and the reasons
+why it equals the one before; the first step starts at the left side of what the claim says and
+the last must arrive at its right side. A step may use only the reasons it names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from flint import arb, fmpq
+from sympy import Basic, Derivative, Eq, Expr, Subs, Symbol, Tuple
+
+from tresym.reals.verdict import Verdict
+
+
+def equal(left: Basic, right: Basic) -> Eq:
+    """The equation ``left = right``, as a statement: SymPy must not evaluate it."""
+    return Eq(left, right, evaluate=False)
+
+
+def parts_of(says: Basic | str) -> tuple[Basic, ...]:
+    """The relations a statement consists of."""
+    return says.args if isinstance(says, Tuple) else (says,)
+
+
+def equations(left: tuple[Basic, ...], right: tuple[Basic, ...]) -> Tuple:
+    """A system of equations, side by side."""
+    return Tuple(*(equal(p, q) for p, q in zip(left, right, strict=True)))
+
+
+def at(e: Expr, values: Mapping[Symbol, Any]) -> Subs:
+    """``e`` at these values of its symbols, written and not yet worked out.
+
+    SymPy would work it out by itself, and leave nothing to decide.
+
+    Raises:
+        ValueError: a derivative at one value of several symbols. SymPy takes the symbols for one
+            there, and two derivatives for equal that are not.
+    """
+    if e.has(Derivative) and len(set(values.values())) < len(values):
+        raise ValueError("a derivative at equal values: put them in one after the other")
+    return Subs(e, tuple(values), tuple(values.values()))
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the paper says it: number of the display (1…58), line of the source, table cell."""
+
+    display: int | None = None
+    line: int | None = None
+    cell: str | None = None
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why one expression equals the next: theories that may be used, and claims it rests on."""
+
+    name: str
+    theories: frozenset[str] = frozenset()
+    claims: tuple[Claim, ...] = ()
+    function: str | None = None
+    """For ``applying``: the one-to-one function applied to both sides of an equation."""
+    expression: Expr | None = None
+    """For ``changing_variable`` the new variable, for ``integrating`` the antiderivative, for
+    ``cutting`` the point, for ``differentiating_integral`` the derivative of the integrand."""
+    factor: Expr | None = None
+    """For ``multiplying``: the non-zero factor of both sides of an equation."""
+    term: Expr | None = None
+    """For ``adding``: what is added to both sides of an equation."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """The next expression (or equation) of a chain, and the reasons that lead to it."""
+
+    expression: Basic | None
+    """None stands for the right side of what the claim says."""
+    reasons: tuple[Reason, ...]
+
+
+def step(expression: Basic, *reasons: Reason) -> Step:
+    """The next link of a chain: ``expression``, because of ``reasons``."""
+    return Step(expression, reasons)
+
+
+def by(*reasons: Reason) -> tuple[Step, ...]:
+    """A chain of one step, straight to the right side of what the claim says."""
+    return (Step(None, reasons),)
+
+
+Chain = tuple[Step, ...]
+
+
+@dataclass(frozen=True)
+class Definition:
+    """The claim introduces symbols: each is new, defined once, by symbols known before.
+
+    ``assumes`` names what is assumed of symbols that are defined elsewhere: physics that is put in.
+    """
+
+    assumes: str = ""
+
+
+@dataclass(frozen=True)
+class Together:
+    """One chain for each part of a statement that has several."""
+
+    chains: tuple[Chain, ...]
+
+
+def together(*chains: Chain) -> Together:
+    """Chains for the parts of a system of equations or inequalities, in order."""
+    return Together(chains)
+
+
+@dataclass(frozen=True)
+class UniqueRoot:
+    """Exactly one root of ``function`` in (low, high): opposite signs at the ends, monotone."""
+
+    variable: Symbol
+    function: Expr
+    low: Expr
+    high: Expr
+    derivative: Chain
+    """A chain from the derivative of the function to a form whose sign is manifest."""
+    at_low: Chain
+    at_high: Chain
+    """Chains from the values at the ends to forms whose signs are manifest."""
+
+
+@dataclass(frozen=True)
+class ImplicitFunction:
+    """The claim says what the slope of a function is that an earlier equation defines implicitly.
+
+    ``equation`` relates ``unknown`` and ``parameter``, and its right side does not depend on them.
+    Where the left side L is smooth and its derivative by the unknown is not zero, the implicit
+    function theorem gives the unknown as a smooth function of the parameter, all else held; its
+    slope at parameter = ``at`` is a new symbol, −L_parameter/L_unknown there.
+    """
+
+    equation: Claim
+    unknown: Symbol
+    parameter: Symbol
+    at: Expr
+    slope: Chain
+    """A chain from the derivative by the unknown, at ``at``, to a form whose sign is manifest."""
+    bounds: tuple[Claim, ...] = ()
+    """Proved inequalities that hold on the intervals of integration in the equation."""
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A number as the paper prints it, from inputs as it prints them.
+
+    ``formula`` maps balls (in the order of ``inputs``) and the arithmetic to a ball. Inputs are
+    printed decimals, hence intervals of half a unit in the last place; exact ones are rationals.
+    """
+
+    text: str
+    formula: Callable[..., arb]
+    inputs: Mapping[str, str | fmpq] = field(default_factory=dict)
+    half_units: int = 1
+    """Half-width of the printed value in half units of its last place."""
+    claims: tuple[Claim, ...] = ()
+    """What the formula rests on: that what it solves for exists and is one."""
+
+
+@dataclass(frozen=True)
+class AllOf:
+    """The statement is the conjunction of formal claims."""
+
+    claims: tuple[Claim, ...]
+
+
+def all_of(*claims: Claim) -> AllOf:
+    """Evidence for a sentence that says what several formal claims say together."""
+    return AllOf(claims)
+
+
+@dataclass(frozen=True)
+class Formally:
+    """A sentence of the paper, quantified as written: relations under the claim's `given`.
+
+    It is decided by the identity procedure and by proven signs, without a chain; a false one
+    falls to an exact point at which a ball violates it.
+    """
+
+    relations: tuple[Basic, ...]
+    claims: tuple[Claim, ...] = ()
+
+
+def formally(*relations: Basic, using: tuple[Claim, ...] = ()) -> Formally:
+    """Evidence for a sentence: the relations it states, with earlier equations put in."""
+    return Formally(relations, using)
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """An exact point at which every condition of the claim holds and ``violated`` does too.
+
+    ``violated`` is a strict relation (or `Ne`) that contradicts the statement.
+    """
+
+    point: Mapping[str, fmpq]
+    violated: Basic
+
+
+Evidence = (
+    Chain
+    | Definition
+    | Together
+    | UniqueRoot
+    | ImplicitFunction
+    | Printed
+    | AllOf
+    | Formally
+    | Counterexample
+    | Any
+)
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One statement: what it says, under which conditions, and the evidence for it.
+
+    Attributes:
+        label: the paper's own ``\\label``, or a name of ours.
+        says: a SymPy relation, a `Tuple` of them, an `Equivalent`, or prose.
+        given: SymPy relations that hold wherever the claim is made.
+        proof: the evidence; its type decides how the claim is judged.
+        where: the place in the paper; None for a lemma of ours.
+        expect: the verdict this claim must get.
+        amended_by: for a claim expected REFUTED, the claims that are true instead.
+        note: one or two sentences for the reader.
+        kind: identity, number, bound, order, limit or statement.
+        shown: LaTeX for reports, where the statement written out would hide what it says.
+        paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
+            where ``says`` is a sharper reading, which is ours.
+    """
+
+    label: str
+    says: Basic | str
+    proof: Evidence
+    kind: str = "identity"
+    given: tuple[Basic, ...] = ()
+    where: Place | None = None
+    expect: Verdict = Verdict.PROVED
+    amended_by: tuple[Claim, ...] = ()
+    note: str = ""
+    shown: str | None = None
+    paper_says: str = ""
+
+    def __hash__(self) -> int:
+        return hash(self.label)
+
+    @cached_property
+    def uses(self) -> tuple[Claim, ...]:
+        """The claims that the evidence names, each once, in order."""
+        return tuple(dict.fromkeys(_named(self.proof)))
+
+    @cached_property
+    def rests_on(self) -> tuple[Claim, ...]:
+        """All that the claim rests on, directly or not, foundations first."""
+        order: dict[Claim, None] = {}
+        for claim in self.uses:
+            order.update(dict.fromkeys((*claim.rests_on, claim)))
+        return tuple(order)
+
+
+def _named(proof: Evidence) -> Iterator[Claim]:
+    """Every claim that a piece of evidence names."""
+    match proof:
+        case Together(chains):
+            for chain in chains:
+                yield from _named(chain)
+        case UniqueRoot():
+            for chain in (proof.derivative, proof.at_low, proof.at_high):
+                yield from _named(chain)
+        case ImplicitFunction():
+            yield from (proof.equation, *proof.bounds)
+            yield from _named(proof.slope)
+        case tuple():
+            for link in proof:
+                for reason in link.reasons:
+                    yield from reason.claims
+        case _:
+            yield from getattr(proof, "claims", ())

@@ -1,0 +1,152 @@
+"""Evidence by balls: bounds on boxes, and order statements about one small parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpq
+
+from tresym.ledger.claim import Claim
+from tresym.ledger.finding import Finding
+from tresym.reals.balls.boxes import (
+    Bound,
+    BoxProof,
+    CertificateError,
+    Decision,
+    decide,
+    inconsistent,
+)
+from tresym.reals.balls.order import Judgement, Order
+from tresym.reals.balls.order import decide as decide_order
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Decimal, Interval, decimal_ball, fraction_text
+from tresym.reals.verdict import Verdict
+
+_anew: ContextVar[bool] = ContextVar("_anew", default=False)
+
+
+@contextmanager
+def finding_anew() -> Iterator[None]:
+    """Inside the block box proofs are searched for again, and stored ones are not looked at."""
+    token = _anew.set(True)
+    try:
+        yield
+    finally:
+        _anew.reset(token)
+
+
+def searching_anew() -> bool:
+    """Whether this is inside :func:`finding_anew`."""
+    return _anew.get()
+
+
+@dataclass(frozen=True)
+class Boxes:
+    """Every bound holds on its box.
+
+    Attributes:
+        bounds: the bounds; together they are the statement.
+        names: names of the coordinates, for witnesses and regions.
+        region: where the statement holds, in words.
+        constant: the constant of the statement, where it has one.
+        claims: claims the reduction to these bounds rests on.
+        stored: gives the stored proofs, or None where there are none; None itself where none are
+            kept, because the search is short or ends at a counterexample.
+        budget: boxes a search may look at, for each bound.
+        meant: for a formula, what its symbols are in the box (`tresym.ledger.evidence.meant.Meant`).
+    """
+
+    bounds: tuple[Bound, ...]
+    names: tuple[str, ...]
+    region: str
+    constant: fmpq | None = None
+    claims: tuple[Claim, ...] = ()
+    stored: Callable[[], tuple[BoxProof, ...] | None] | None = None
+    budget: int = 20_000
+    meant: Any = None
+
+    def decisions(self) -> tuple[Decision, ...]:
+        """What each bound came to, by its stored proof where there is one.
+
+        Raises:
+            CertificateError: stored proofs that do not prove the bounds.
+        """
+        proofs = None if searching_anew() or self.stored is None else self.stored()
+        if proofs is None:
+            return tuple(decide(bound, self.budget) for bound in self.bounds)
+        if len(proofs) != len(self.bounds):
+            raise CertificateError("stored proofs of another number of bounds")
+        pairs = zip(self.bounds, proofs, strict=True)
+        return tuple(decide(bound, self.budget, proof) for bound, proof in pairs)
+
+    def judge(self) -> Finding:
+        """ENCLOSED when all bounds are, REFUTED at a point where one fails."""
+        for bound in self.bounds:
+            with ball_precision(bound.precision):
+                why = inconsistent(bound.margin, bound.box, bound.slopes)
+            if why is not None:
+                return Finding(Verdict.UNDECIDED, why)
+        decisions = self.decisions()
+        constant = None if self.constant is None else _decimal(self.constant)
+        for found in decisions:
+            if found.counterexample is not None:
+                point = dict(zip(self.names, found.counterexample.point, strict=True))
+                where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
+                why = f"the bound fails at {where}"
+                return Finding(Verdict.REFUTED, why, constant=constant, witness=point)
+        if not decisions:
+            return Finding(Verdict.UNDECIDED, "there is no bound to show", constant=constant)
+        if any(found.verdict is not Verdict.ENCLOSED for found in decisions):
+            return Finding(Verdict.UNDECIDED, "the search left boxes open", constant=constant)
+        proofs = [found.proof for found in decisions if found.proof is not None]
+        return Finding(
+            Verdict.ENCLOSED,
+            f"closed in {sum(proof.leaves for proof in proofs)} boxes",
+            constant=constant,
+            region=self.region,
+            trees=tuple(proof.tree for proof in proofs),
+        )
+
+
+@dataclass(frozen=True)
+class Asymptotics:
+    """An order statement; ``parameter`` says what tends to its limit, and along which path.
+
+    ``meant`` is, for a formula, what its symbols are on that path.
+    """
+
+    statement: Order
+    parameter: str
+    claims: tuple[Claim, ...] = ()
+    meant: Any = None
+
+    def judge(self) -> Finding:
+        """The verdict of the order machinery, with the true order for what is refuted."""
+        found = decide_order(self.statement)
+        why = _why(found)
+        with ball_precision(64):
+            constant = None if found.constant is None else decimal_ball(found.constant, 6)
+        region = None if found.upto is None else f"0 < t <= {fraction_text(found.upto)}"
+        return Finding(
+            found.verdict,
+            why,
+            constant=constant,
+            region=region,
+            parameter=self.parameter,
+            witness=found.points or None,
+        )
+
+
+def _why(found: Judgement) -> str:
+    if found.ratio is None or found.true_order is None:
+        return "no expansion settles it"
+    return f"the ratio is {found.ratio.text()} and the true order {found.true_order.text()}"
+
+
+def _decimal(x: fmpq) -> Decimal:
+    with ball_precision(64):
+        return decimal_ball(Interval(x, x).ball(), 12)

@@ -1,0 +1,53 @@
+"""Findings: what judging a claim brought to light. Frozen values, like the claims."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from flint import fmpq
+
+from tresym.reals.numbers.exact import Decimal
+from tresym.reals.verdict import Verdict
+
+
+@dataclass(frozen=True)
+class StepFinding:
+    """Verdict on one step of a chain, with the reason it is not PROVED when it is not."""
+
+    verdict: Verdict
+    why: str
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Verdict on a claim, with the evidence that a report shows.
+
+    Attributes:
+        verdict: one of the four.
+        why: one sentence.
+        value: for a number, the ball in decimal.
+        constant: for an order claim or a bound, the constant found, in decimal.
+        region: where the constant holds, in words.
+        witness: exact point that refutes the claim (or exhibits it, for a printed number).
+        steps: one finding for each step of a chain, in order.
+        trees: for bounds on boxes, the bisection tree that closes each.
+        seconds: time taken.
+        of: the claim that was judged; None where nobody was asked.
+        stopped: whether it was about to pass, and the advocate contradicted it.
+    """
+
+    verdict: Verdict
+    why: str
+    value: Decimal | None = None
+    constant: Decimal | None = None
+    region: str | None = None
+    parameter: str | None = None
+    witness: Mapping[str, fmpq] | None = None
+    steps: tuple[StepFinding, ...] = field(default=())
+    trees: tuple[str, ...] = ()
+    seconds: float = 0.0
+    stopped: bool = False
+    of: Any = field(default=None, repr=False, compare=False)

@@ -1,0 +1,470 @@
+"""From a claim to a finding: the one place where verdicts on claims are given.
+
+A claim is PROVED when its evidence checks; otherwise it is tried at exact points, and REFUTED
+only when a ball excludes it at one of them. A claim that rests on one that does not hold is
+UNDECIDED, whatever its own evidence.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from time import process_time
+
+from flint import arb, fmpq
+from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol, Tuple, false
+from sympy.core.relational import Equality, Relational
+
+from tresym.ledger.claim import (
+    AllOf,
+    Chain,
+    Claim,
+    Counterexample,
+    Definition,
+    Formally,
+    ImplicitFunction,
+    Printed,
+    Together,
+    UniqueRoot,
+    equal,
+    parts_of,
+)
+from tresym.ledger.definitions import conflict, overdetermined
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.chain import check_chain, unmet_condition
+from tresym.ledger.evidence.defined import Conditions, continuous_on, undefined
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.integrals import NotShownError, need_smooth, with_bounds
+from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
+from tresym.ledger.evidence.meant import unfit
+from tresym.ledger.evidence.printed import judge_printed
+from tresym.ledger.finding import Finding, StepFinding
+from tresym.ledger.meaning import (
+    CircularError,
+    defined,
+    definitions,
+    put_in,
+    to_expression,
+    to_given,
+)
+from tresym.ledger.reasons import citing
+from tresym.ledger.second_look import (
+    contradiction,
+    excluded,
+    rootless,
+    satisfiable,
+    scalars,
+    violation,
+)
+from tresym.reals.advocate import STOPPED
+from tresym.reals.balls.boxes import CertificateError
+from tresym.reals.decisions.identity import decide
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError, fraction_text
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+from tresym.reals.verdict import Verdict
+
+Findings = Mapping[str, Finding]
+
+UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
+
+
+def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Finding:
+    """The finding on ``claim``, given those on the claims it uses.
+
+    Args:
+        claim: what to judge.
+        found: findings by label, those on all that the claim uses among them.
+        evidence: what :func:`judge_evidence` has found, where it was asked before.
+    """
+    began = time.perf_counter()
+    before = evidence.seconds if evidence else 0.0
+    finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
+    return replace(finding, seconds=before + time.perf_counter() - began, of=claim)
+
+
+def judge_evidence(claim: Claim) -> Finding | None:
+    """The finding on the claim's own evidence, all it uses taken to hold; needs no other finding.
+
+    None for a conjunction, which has no evidence but the findings on its parts.
+    """
+    if isinstance(claim.proof, AllOf):
+        return None
+    began = time.perf_counter()
+    return replace(_guarded(claim, {}), seconds=time.perf_counter() - began)
+
+
+def _guarded(claim: Claim, found: Findings) -> Finding:
+    start = process_time()
+    try:
+        finding = _judge(claim, found)
+        return _attacked(claim, finding, process_time() - start)
+    except (CircularError, InputError) as error:
+        return Finding(UNDECIDED, str(error))
+    except CertificateError as error:
+        why = f"the stored proof does not hold ({error}); --full searches for a new one"
+        return Finding(UNDECIDED, why)
+
+
+def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
+    """The finding, unless it would pass a formula that balls contradict at the advocate's points.
+
+    A definition says nothing that could be contradicted.
+    """
+    if not finding.verdict.holds or isinstance(claim.proof, Definition | ImplicitFunction):
+        return finding
+    says = Tuple(*claim.proof.relations) if isinstance(claim.proof, Formally) else claim.says
+    if isinstance(says, str) or not _can_be_evaluated(says, claim):
+        return finding
+    try:
+        against = contradiction(says, claim.given, _known(claim), spent)
+    except CircularError:
+        return finding
+    if against is None:
+        return finding
+    return replace(finding, verdict=UNDECIDED, why=STOPPED.format(against), stopped=True)
+
+
+def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
+    """Whether every symbol may take all values that the conditions allow.
+
+    In what boxes enclose, symbols may stand for what is defined nowhere, as higher orders are.
+    """
+    known = frozenset().union(*(condition.free_symbols for condition in claim.given))
+    return isinstance(claim.proof, tuple | Together | Formally) or says.free_symbols <= known
+
+
+def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
+    """UNDECIDED when what is used is no ground: definitions that conflict, a claim that fails.
+
+    A conjunction is as strong as its parts are found to be.
+    """
+    for used in claim.uses:
+        if found[used.label].of not in (None, used):
+            return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
+    why = conflict((*claim.rests_on, claim))
+    if why is not None:
+        return Finding(UNDECIDED, why)
+    if isinstance(claim.proof, AllOf):
+        return None
+    why = overdetermined((*claim.rests_on, claim))
+    if why is not None:
+        return Finding(UNDECIDED, why)
+    for used in claim.uses:
+        if not found[used.label].verdict.holds:
+            verdict = found[used.label].verdict.value
+            return Finding(UNDECIDED, f"rests on {used.label}, which is {verdict}")
+    return None
+
+
+def _judge(claim: Claim, found: Findings) -> Finding:
+    why = unfit(claim)
+    if why is not None:
+        return Finding(UNDECIDED, why)
+    match claim.proof:
+        case Definition():
+            return _judge_definition(claim)
+        case Printed():
+            return judge_printed(claim.proof)
+        case AllOf(claims):
+            return _judge_all(claims, found)
+        case Formally(relations=relations):
+            return _judge_relations(relations, claim)
+        case Counterexample():
+            return _judge_counterexample(claim, claim.proof)
+        case UniqueRoot():
+            return _judge_unique_root(claim, claim.proof)
+        case ImplicitFunction():
+            return _judge_implicit_function(claim, claim.proof)
+        case Together(chains):
+            return _judge_together(claim, chains)
+        case tuple() if (
+            isinstance(claim.says, Relational | Equivalent) and len(claim.says.args) == 2
+        ):
+            return _judge_chains(claim, ((claim.says, claim.proof),))
+        case tuple():
+            return Finding(UNDECIDED, "a chain proves a relation, and this is none")
+        case Boxes() | Asymptotics() | Denied():
+            return claim.proof.judge()
+        case _:
+            return Finding(UNDECIDED, "that is no kind of evidence")
+
+
+def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
+    parts = claim.says.args if isinstance(claim.says, Tuple) else ()
+    if len(parts) != len(chains):
+        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
+    return _judge_chains(claim, tuple(zip(parts, chains, strict=True)))
+
+
+def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
+    """PROVED when every step of every chain is; otherwise tried at exact points."""
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    steps: list[StepFinding] = []
+    for says, chain in parts:
+        steps.extend(check_chain(says, chain, claim.given))
+    failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if not steps:
+        return Finding(UNDECIDED, "there is nothing to prove")
+    if failed is None:
+        return Finding(PROVED, "every step follows from the reasons it names", steps=tuple(steps))
+    for says, _ in parts:
+        refuted = refute(says, claim)
+        if refuted is not None:
+            return replace(refuted, steps=tuple(steps))
+    return Finding(UNDECIDED, failed.why, steps=tuple(steps))
+
+
+def _possible(claim: Claim) -> bool:
+    """Whether an exact point satisfies the conditions, as the symbols in them are defined."""
+    if to_given(claim.given).satisfying_point() is None:
+        return False
+    bounds = with_bounds(claim.given, (citing(*claim.uses),))
+    behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
+    rules = {left: right for left, right in definitions(behind).items() if left.is_Symbol}
+    meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in bounds))
+    relations = (c for c in meant if isinstance(c, Relational))
+    plain = tuple(c for c in relations if not c.has(Derivative, Integral, Subs))
+    return false not in meant and to_given(plain).satisfying_point() is not None
+
+
+def refute(says: Basic, claim: Claim) -> Finding | None:
+    """REFUTED with a point at which balls violate ``says`` and all that is used holds, or None."""
+    try:
+        found = violation(says, claim.given, _known(claim))
+    except (CircularError, InputError):
+        return None
+    return Finding(REFUTED, found.why, witness=found.point) if found else None
+
+
+def _known(claim: Claim) -> tuple[Basic, ...]:
+    """What the claims that are used say, and under which conditions."""
+    known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
+    for used in claim.uses:
+        relations = (p for p in parts_of(used.says) if isinstance(p, Relational))
+        known.update((p, None) for p in relations if not _is_rule_of_calculus(p, used))
+    return tuple(known)
+
+
+def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
+    """Whether an equation of derivatives or integrals holds wherever its conditions do.
+
+    It restricts nothing where no definition stands behind it.
+    """
+    behind = (claim, *claim.rests_on)
+    defined = any(isinstance(c.proof, Definition | ImplicitFunction) for c in behind)
+    return says.has(Derivative, Integral, Subs) and not defined
+
+
+def _judge_definition(claim: Claim) -> Finding:
+    """A definition holds when its symbols are new, each defined once, by what has a value.
+
+    An equation for an integral defines a symbol in it implicitly: a point is looked for that
+    satisfies it.
+    """
+    if Given.from_sympy(*claim.given).satisfying_point() is None:
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    if not all(isinstance(part, Equality) for part in parts_of(claim.says)):
+        return Finding(UNDECIDED, "a definition consists of equations")
+    earlier = definitions(claim.rests_on)
+    pairs = [entry.args for part in parts_of(claim.says) for entry in scalars(part)]
+    explicit = {left: right for left, right in pairs if isinstance(left, Symbol)}
+    implicit = [left for left, _ in pairs if isinstance(left, Integral)]
+    if not pairs or len(explicit) + len(implicit) < len(pairs):
+        return Finding(UNDECIDED, "a definition gives each of its symbols one value")
+    for symbol, meaning in explicit.items():
+        if symbol in earlier or put_in(meaning, explicit).has(symbol):
+            return Finding(UNDECIDED, f"{symbol} is not a new symbol")
+        gap = undefined(meaning, claim.given)
+        if gap is not None:
+            return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+    if implicit and not satisfiable(claim.given, parts_of(claim.says)):
+        return Finding(UNDECIDED, "no point is found that satisfies the equation")
+    return Finding(PROVED, "introduces " + ", ".join(sorted(map(str, (*explicit, *implicit)))))
+
+
+def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
+    """A conjunction: as strong as its weakest part; one refuted part refutes it."""
+    if not claims:
+        return Finding(UNDECIDED, "there is nothing to prove")
+    for claim in claims:
+        finding = found[claim.label]
+        if finding.verdict is REFUTED:
+            why = f"{claim.label} is refuted: {finding.why}"
+            return Finding(REFUTED, why, witness=finding.witness)
+        if finding.verdict is UNDECIDED:
+            return Finding(UNDECIDED, f"{claim.label} is undecided")
+    enclosed = any(found[c.label].verdict is Verdict.ENCLOSED for c in claims)
+    why = "follows from " + ", ".join(c.label for c in claims)
+    return Finding(Verdict.ENCLOSED if enclosed else PROVED, why)
+
+
+def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
+    """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
+    given = claim.given
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    if any(proof.variable in defined(used) for used in claim.uses):
+        return Finding(UNDECIDED, f"{proof.variable} is bound, and is defined in what is used")
+    finding = _one_root(proof, given)
+    if finding.verdict is PROVED:
+        return finding
+    none = rootless(proof.function, proof.variable, (proof.low, proof.high), given)
+    return Finding(REFUTED, none.why, witness=none.point, steps=finding.steps) if none else finding
+
+
+def _one_root(proof: UniqueRoot, given: Conditions) -> Finding:
+    """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
+    v, h = proof.variable, proof.function
+    # The root is looked for in the whole interval, whatever is assumed of the symbol.
+    given = tuple(condition for condition in given if v not in condition.free_symbols)
+    gap = continuous_on(h, (*given, v >= proof.low, v <= proof.high))
+    if gap is not None:
+        return Finding(UNDECIDED, f"nothing shows that {gap} stays off its singularity")
+    inside = (*given, v > proof.low, v < proof.high)
+    start = h.diff(v, evaluate=False)
+    last = proof.derivative[-1].expression
+    assert last is not None
+    steps = [*check_chain(equal(start, last), proof.derivative, inside)]
+    ends = []
+    for end, chain in ((proof.low, proof.at_low), (proof.high, proof.at_high)):
+        value = chain[-1].expression
+        assert value is not None
+        steps += check_chain(equal(h.subs(v, end), value), chain, given)
+        ends.append(manifest_sign(value, given))
+    failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if failed is not None:
+        return Finding(UNDECIDED, failed.why, steps=tuple(steps))
+    slope = manifest_sign(last, inside)
+    if slope not in ("+", "-") or sorted(map(str, ends)) != ["+", "-"]:
+        why = f"signs found: derivative {slope}, ends {ends[0]} and {ends[1]}"
+        return Finding(UNDECIDED, why, steps=tuple(steps))
+    why = "opposite signs at the ends, derivative of one sign"
+    return Finding(PROVED, why, steps=tuple(steps))
+
+
+def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
+    """PROVED when the claim says the slope of the implicit function, and the theorem applies."""
+    u, p, at = proof.unknown, proof.parameter, proof.at
+    equation, says = proof.equation.says, claim.says
+    if not isinstance(equation, Equality) or not isinstance(says, Equality):
+        return Finding(UNDECIDED, "an equation is differentiated, and an equation is its slope")
+    left, right = equation.args
+    if {u, p} & right.free_symbols or {u, p} & at.free_symbols or u == p:
+        return Finding(UNDECIDED, "the right side depends on what varies")
+    rate, by_unknown = says.args[0], Derivative(left.xreplace({p: at}), u)
+    if not isinstance(rate, Symbol) or rate in definitions(claim.rests_on):
+        return Finding(UNDECIDED, f"{rate} is not a new symbol")
+    if says.args[1] != -Subs(Derivative(left, p), p, at) / by_unknown or rate in left.free_symbols:
+        return Finding(UNDECIDED, "that is not the slope of the implicit function")
+    if not _possible(claim) or any(p in defined(bound) for bound in proof.bounds):
+        return Finding(UNDECIDED, "the conditions are met nowhere, or a bound is about what varies")
+    outside = tuple(c for c in claim.given if p not in c.free_symbols)
+    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)))
+    if unmet is not None:
+        return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
+    try:
+        need_smooth(left, proof.bounds, (*outside, Ge(p, at), Le(p, at)))
+    except NotShownError as error:
+        return Finding(UNDECIDED, str(error))
+    last = proof.slope[-1].expression
+    steps = check_chain(equal(by_unknown, last), proof.slope, outside)
+    failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if failed is not None or manifest_sign(last, outside) not in ("+", "-"):
+        why = failed.why if failed else f"the sign of {last} is not manifest"
+        return Finding(UNDECIDED, why, steps=steps)
+    if not satisfiable(outside, (equal(left.xreplace({p: at}), right),)):
+        return Finding(UNDECIDED, "no point is found that satisfies the equation", steps=steps)
+    why = f"the equation is smooth and its derivative by {u} is not zero"
+    return Finding(PROVED, why, steps=steps)
+
+
+def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
+    """All relations hold, or the first that does not decides."""
+    finding = Finding(UNDECIDED, "there is no relation to decide")
+    for relation in relations:
+        if not isinstance(relation, Relational):
+            return Finding(UNDECIDED, f"{relation} is not a relation")
+        finding = _settle(relation, claim)
+        if finding.verdict is not PROVED:
+            return finding
+    return finding
+
+
+def _settle(relation: Basic, claim: Claim) -> Finding:
+    """One relation decided without a chain: by normal form or sign, else at exact points."""
+    proved = _without_chain(relation, claim)
+    if proved.verdict is PROVED:
+        return proved
+    return refute(relation, claim) or proved
+
+
+def _without_chain(relation: Relational, claim: Claim) -> Finding:
+    """PROVED by normal form or by a manifest sign, else UNDECIDED."""
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    rules = definitions(claim.uses)
+    meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
+    if false in meant:
+        return Finding(UNDECIDED, "what is put in contradicts the conditions")
+    replaced = tuple(c for c in meant if not c.has(Derivative, Integral, Subs))
+    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced))
+    if unmet is not None:
+        return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
+    conditions = Given.from_sympy(*(c for c in replaced if isinstance(c, Relational)))
+    if conditions.satisfying_point() is None:
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    left, right = (put_in(side, rules) for side in relation.args)
+    if isinstance(relation, Equality):
+        decision = decide(to_expression(left), to_expression(right), conditions)
+        shown, why = decision.verdict is PROVED, decision.why
+    else:
+        shown = is_manifest(relation.func(left, right, evaluate=False), replaced)
+        why = "the sign of the difference of the two sides is " + ("proven" if shown else "open")
+    gaps = (undefined(side, replaced) for side in (left, right)) if shown else ()
+    gap = next((gap for gap in gaps if gap is not None), None)
+    if gap is not None:
+        return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+    return Finding(PROVED if shown else UNDECIDED, why)
+
+
+def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
+    """REFUTED when balls confirm the conditions and the violation at the exact point.
+
+    Where the statement is a relation, balls must exclude it there too; of prose, that the violation
+    contradicts it is for the reader.
+    """
+    with ball_precision(256):
+        for condition in (*claim.given, proof.violated):
+            if not _true_at(condition, proof.point):
+                return Finding(UNDECIDED, f"{condition} is not shown at the point")
+        says = claim.says
+        if isinstance(says, Relational) and not excluded(
+            _difference_at(says, proof.point), says.rel_op
+        ):
+            return Finding(UNDECIDED, "the statement is not shown to fail at the point")
+    where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
+    return Finding(REFUTED, f"violated at {where}", witness=proof.point)
+
+
+def _difference_at(relation: Basic, point: Mapping[str, fmpq]) -> arb:
+    left, right = relation.args
+    at = {name: arb(v) for name, v in point.items()}
+    return evaluate(to_expression(left - right, True), at)
+
+
+def _true_at(relation: Basic, point: Mapping[str, fmpq]) -> bool:
+    difference = _difference_at(relation, point)
+    return bool(
+        {
+            ">": difference > 0,
+            ">=": difference >= 0,
+            "<": difference < 0,
+            "<=": difference <= 0,
+            "!=": not difference.contains(0),
+            "==": difference.is_zero(),
+        }[relation.rel_op]
+    )

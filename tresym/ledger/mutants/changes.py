@@ -1,0 +1,126 @@
+"""Changes of an expression, one at a time: what a careless hand might have written instead.
+
+A sign is flipped, a coefficient changed by one, an exponent by one or by the factor 2, a and b or
+sine and cosine are swapped, a term or a factor is dropped, an inequality is turned round.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from sympy import (
+    Add,
+    Basic,
+    Derivative,
+    Equivalent,
+    I,
+    Integral,
+    MatrixBase,
+    Mul,
+    Pow,
+    Rational,
+    Subs,
+    Symbol,
+    Tuple,
+    cos,
+    nan,
+    oo,
+    sin,
+    zoo,
+)
+from sympy.core.relational import Relational
+
+from tresym.racket.notation import a, b
+
+Path = tuple[int, ...]
+
+
+def mutations(e: Basic) -> Iterator[Basic]:
+    """``e`` with one change anywhere in it, or with a and b swapped; the first few of all kinds."""
+    edits = [((), e.xreplace({a: b, b: a})), *_edits(e, ())]
+    seen = {e}
+    for path, changed in _scattered(edits):
+        whole = _replaced(e, path, changed)
+        if _is_alike(e, whole) and whole not in seen and not whole.has(nan, oo, zoo, I):
+            seen.add(whole)
+            yield whole
+
+
+def _is_alike(e: Basic, changed: Basic) -> bool:
+    """Whether a changed relation is still one: SymPy evaluates some to true or false."""
+    for kind in (Relational, Equivalent):
+        if isinstance(e, kind):
+            return isinstance(changed, kind) and len(changed.args) == len(e.args)
+    return True
+
+
+def _edits(e: Basic, path: Path) -> Iterator[tuple[Path, Basic]]:
+    """Every node of ``e`` with what it can be changed to."""
+    for changed in _here(e):
+        yield path, changed
+    for n in _changeable(e):
+        yield from _edits(e.args[n], (*path, n))
+
+
+def _replaced(e: Basic, path: Path, changed: Basic) -> Basic:
+    if not path:
+        return changed
+    n = path[0]
+    return _rebuilt(e, (*e.args[:n], _replaced(e.args[n], path[1:], changed), *e.args[n + 1 :]))
+
+
+def _changeable(e: Basic) -> range:
+    """Which arguments of ``e`` may be changed: not the variables that it binds."""
+    if isinstance(e, Derivative):
+        return range(1)
+    if isinstance(e, Subs):
+        return range(0, 3, 2)
+    if isinstance(e, MatrixBase):
+        return range(2, 3)
+    if isinstance(e, Tuple) and len(e.args) == 3 and isinstance(e.args[0], Symbol):
+        return range(1, 3)
+    return range(len(e.args))
+
+
+def _rebuilt(e: Basic, args: tuple[Basic, ...]) -> Basic:
+    if isinstance(e, Relational):
+        return e.func(*args, evaluate=False)
+    if isinstance(e, MatrixBase):
+        return type(e)(*args[:2], list(args[2]))
+    if isinstance(e, Integral):
+        return Integral(*args)
+    return e.func(*args)
+
+
+def _here(e: Basic) -> Iterator[Basic]:
+    """Changes of the outermost operation of ``e``."""
+    match e:
+        case Add():
+            for n, term in enumerate(e.args):
+                rest = (*e.args[:n], *e.args[n + 1 :])
+                yield from (Add(*rest), Add(*rest, -term), Add(*rest, 2 * term))
+        case Mul():
+            for n in range(len(e.args)):
+                yield Mul(*e.args[:n], *e.args[n + 1 :])
+            yield -e
+        case Pow():
+            for exponent in (e.exp + 1, e.exp - 1, 2 * e.exp):
+                yield e.base**exponent
+        case Rational():
+            yield from (e + 1, e - 1, -e, 2 * e)
+        case Symbol():
+            yield from (2 * e, -e)
+        case sin():
+            yield from (cos(*e.args), -e)
+        case cos():
+            yield from (sin(*e.args), -e)
+        case Relational():
+            if e.rel_op in (">", ">=", "<", "<="):
+                yield e.reversedsign.func(*e.args, evaluate=False)
+
+
+def _scattered(variants: Iterable[Any]) -> list[Any]:
+    """The same in an order in which the first few are of all kinds."""
+    numbered = enumerate(variants)
+    return [v for _, v in sorted(numbered, key=lambda item: item[0] * 2654435761 % 2**32)]

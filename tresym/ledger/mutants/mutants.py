@@ -1,0 +1,391 @@
+"""Mutants: false variants of claims, made mechanically, that no evidence may prove.
+
+What a claim says is changed (the ends of its chains follow), and each step of its chains alone;
+see `tresym.ledger.mutants.changes` and, for numbers, bounds and orders, `tresym.ledger.mutants.changed_numbers`.
+What a claim says is also put to the judge without its chain. A definition cannot be false, so what
+is changed is what others prove by it, and of a function that it defines the slope; a conjunction
+has its parts changed. What is denied at a point has its conditions changed too, and what claims
+deny has those claims changed: then nothing may be made of the denial.
+
+A mutant counts only where balls show it violated: γ ≤ 2a differs from γ ≤ a and is true.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from typing import Any
+
+from sympy import Basic, Derivative, Eq, Equivalent, Integral, Subs, Tuple
+
+from tresym.ledger.claim import (
+    AllOf,
+    Chain,
+    Claim,
+    Counterexample,
+    Definition,
+    Formally,
+    ImplicitFunction,
+    Printed,
+    Reason,
+    Step,
+    Together,
+    UniqueRoot,
+    by,
+    equal,
+    formally,
+    parts_of,
+)
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.judge import judge, refute
+from tresym.ledger.mutants.changed_numbers import (
+    bound_changes,
+    bounds_fail,
+    no_inputs_give_it,
+    order_changes,
+    order_fails,
+    printed_changes,
+)
+from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.reasons import substituting
+from tresym.ledger.second_look import rootless, scalars
+from tresym.reals.verdict import Verdict
+
+Variant = Any
+"""A changed expression, relation, printed text or function."""
+
+TRIES, INPUT_TRIES = 40, 3
+"""Changes tried at one place to find those that count: few of an input, whose every change is
+looked at over its whole box."""
+LARGEST = 60
+"""Operations of a denial and its conditions that is also decided without its point."""
+DEPENDENTS = 2
+"""At most this many claims are asked to prove something by a changed definition."""
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A false claim made from ``origin`` by one change at one place.
+
+    ``beneath`` are the changed claims that it rests on, foundations first.
+    """
+
+    origin: Claim
+    place: str
+    change: str
+    claim: Claim
+    beneath: tuple[Claim, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """A place where a claim can be changed."""
+
+    name: str
+    variants: Iterable[Variant]
+    claims: Callable[[Variant], tuple[Claim, ...]]
+    violated: Callable[[Claim], bool]
+    tries: int = TRIES
+
+    def mutants(self, origin: Claim) -> Iterator[tuple[Mutant, ...]]:
+        """For every change that counts, the claims that it makes false."""
+        for variant in islice(self.variants, self.tries):
+            claims = self.claims(variant)
+            if self.violated(claims[0]):
+                yield tuple(Mutant(origin, self.name, str(variant), c) for c in claims)
+
+
+def mutants(
+    claim: Claim,
+    wanted: int,
+    dependents: tuple[Claim, ...] = (),
+    made: Callable[[Claim], Iterable[Mutant]] | None = None,
+) -> Iterator[Mutant]:
+    """Mutants of ``claim`` that balls show violated, the same ones in every run.
+
+    Args:
+        wanted: changes to each claim, spread over its places, one or more at each.
+        dependents: claims that use it, for a definition.
+        made: the mutants of a part of a conjunction; by default they are made anew.
+    """
+    if isinstance(claim.proof, AllOf | Denied):
+        yield from _of_parts(claim, wanted, made or (lambda part: mutants(part, wanted)))
+        return
+    places = [spot.mutants(claim) for spot in _spots(claim, dependents)]
+    share = math.ceil(wanted / len(places)) if places else 0
+    count = 0
+    for found in (m for place in places for m in islice(place, share)):
+        count += 1
+        yield from found
+    # Where some places have no more, others make up for them.
+    rest = (m for place in places for m in place)
+    for found in islice(rest, max(0, wanted - count)):
+        yield from found
+
+
+def why_few(claim: Claim, dependents: tuple[Claim, ...] = ()) -> str:
+    """Why a claim has fewer mutants than were wanted, for the list of those."""
+    asked = [*_proving(dependents), *_sloping(dependents)]
+    if isinstance(claim.proof, Definition | ImplicitFunction) and not asked:
+        return "nothing is proved by this definition directly"
+    if not isinstance(claim.proof, AllOf | Denied) and not [*_spots(claim, dependents)]:
+        return "no change is known for this kind of evidence"
+    return "balls show no other change of it violated"
+
+
+def _of_parts(
+    claim: Claim, wanted: int, made: Callable[[Claim], Iterable[Mutant]]
+) -> Iterator[Mutant]:
+    """The conjunction, or the denial, with one part changed; the parts take turns."""
+    evidence: Any = claim.proof
+    parts: tuple[Claim, ...] = evidence.claims
+    waiting = [(part, iter(made(part))) for part in parts]
+    changes: set[tuple[Claim, str, str]] = set()
+    while waiting and len(changes) < wanted:
+        remaining = []
+        for part, changed in waiting:
+            mutant = next(changed, None)
+            if mutant is None:
+                continue
+            changes.add((part, mutant.place, mutant.change))
+            remaining.append((part, changed))
+            others = tuple(mutant.claim if p == part else p for p in parts)
+            conjunction = replace(claim, proof=replace(evidence, claims=others))
+            place = f"part {part.label}: {mutant.place}"
+            below = (*mutant.beneath, mutant.claim)
+            yield Mutant(claim, place, mutant.change, conjunction, below)
+        waiting = remaining
+
+
+def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
+    match claim.proof:
+        case Printed():
+            for name, variants, changed in printed_changes(claim):
+                tries = INPUT_TRIES if name.startswith("input") else TRIES
+                yield _Spot(name, variants, _one(changed), no_inputs_give_it, tries)
+        case Boxes():
+            for name, variants, changed in bound_changes(claim):
+                yield _Spot(name, variants, _one(changed), bounds_fail)
+        case Asymptotics():
+            for name, variants, changed in order_changes(claim):
+                yield _Spot(name, variants, _one(changed), order_fails)
+        case Definition() | ImplicitFunction():
+            for dependent in islice(_proving(dependents), DEPENDENTS):
+                yield _definition_spot(claim, dependent)
+            for dependent in islice(_sloping(dependents), DEPENDENTS):
+                yield _equation_spot(claim, dependent)
+        case UniqueRoot():
+            yield from _root_spots(claim, claim.proof)
+        case Counterexample():
+            yield _counterexample_spot(claim, claim.proof)
+            for n, condition in enumerate(claim.given, 1):
+                yield _condition_spot(claim, n, condition)
+        case Formally(relations=relations):
+            for n, relation in enumerate(relations, 1):
+                yield _formal_spot(claim, relation, f"relation {n}")
+        case Together(chains):
+            for n, (part, chain) in enumerate(zip(parts_of(claim.says), chains, strict=True), 1):
+                yield from _chain_spots(claim, part, chain, f"part {n}: ")
+        case tuple():
+            yield from _chain_spots(claim, claim.says, claim.proof, "")
+
+
+def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim, ...]]:
+    return lambda variant: (changed(variant),)
+
+
+def _is_violated(claim: Claim) -> bool:
+    says = claim.proof.relations[0] if isinstance(claim.proof, Formally) else claim.says
+    return refute(says, claim) is not None
+
+
+def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        return (replace(claim, proof=formally(changed, using=claim.uses)),)
+
+    return _Spot(name, mutations(relation), claims, _is_violated)
+
+
+def _counterexample_spot(claim: Claim, proof: Counterexample) -> _Spot:
+    """What is denied at the point, changed; also decided without the point."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        at_point = replace(claim, proof=replace(proof, violated=changed))
+        if sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
+            return (at_point,)
+        return at_point, replace(claim, proof=formally(changed.negated))
+
+    def violated(mutated: Claim) -> bool:
+        return judge(mutated, {}).verdict is Verdict.REFUTED
+
+    return _Spot("what the point violates", mutations(proof.violated), claims, violated)
+
+
+def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
+    """The sentence under one other condition: as false, where the point satisfies that."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        given = (*claim.given[: n - 1], changed, *claim.given[n:])
+        return (replace(claim, given=given),)
+
+    def violated(mutated: Claim) -> bool:
+        return judge(mutated, {}).verdict is Verdict.REFUTED
+
+    known = condition.free_symbols
+    same = (changed for changed in mutations(condition) if changed.free_symbols <= known)
+    return _Spot(f"condition {n}", same, claims, violated)
+
+
+# Chains
+
+
+def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        follows = replace(claim, says=changed, proof=_following(chain, says, changed))
+        if isinstance(changed, Equivalent):
+            return (follows,)
+        alone = formally(*scalars(changed), using=claim.uses)
+        return follows, replace(claim, says=changed, proof=alone)
+
+    yield _Spot(prefix + "statement", mutations(says), claims, _is_violated)
+    yield from _step_spots(claim, _start(says), chain, prefix)
+
+
+def _following(chain: Chain, says: Any, changed: Any) -> Chain:
+    """The chain with its last expression, where that is an end of ``says``, changed along."""
+    last = chain[-1]
+    ends = dict(zip(says.args, changed.args, strict=True))
+    return (*chain[:-1], Step(ends.get(last.expression, last.expression), last.reasons))
+
+
+def _start(says: Any) -> Basic:
+    if isinstance(says, Eq | Equivalent):
+        return says.args[0]
+    return says.gts - says.lts
+
+
+def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
+    """Each expression of a chain, changed alone and claimed to follow from the one before."""
+    before = start
+    for n, link in enumerate(chain, 1):
+        if link.expression is None:
+            return
+
+        def claims(changed: Variant, before: Basic = before, link: Step = link) -> tuple[Claim]:
+            relate = Equivalent if isinstance(changed, Eq) else equal
+            says, proof = relate(before, changed), (Step(changed, link.reasons),)
+            return (replace(claim, says=says, proof=proof),)
+
+        yield _Spot(f"{prefix}step {n}", mutations(link.expression), claims, _is_violated)
+        before = link.expression
+
+
+def _root_spots(claim: Claim, proof: UniqueRoot) -> Iterator[_Spot]:
+    """The function, the ends, and the chain of the derivative."""
+
+    def violated(mutated: Claim) -> bool:
+        root: Any = mutated.proof
+        ends = root.low, root.high
+        return rootless(root.function, root.variable, ends, mutated.given) is not None
+
+    for name in ("function", "low", "high"):
+
+        def claims(changed: Variant, name: str = name) -> tuple[Claim, ...]:
+            change: Any = {name: changed}
+            return (replace(claim, proof=replace(proof, **change)),)
+
+        yield _Spot(name, mutations(getattr(proof, name)), claims, violated)
+    v = proof.variable
+    inside = replace(claim, given=(*claim.given, v > proof.low, v < proof.high))
+    slope = proof.function.diff(v, evaluate=False)
+    yield from _step_spots(inside, slope, proof.derivative, "derivative: ")
+
+
+# Definitions
+
+
+def _proving(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
+    return (d for d in dependents if isinstance(d.proof, tuple | Together | Formally))
+
+
+def _definition_spot(claim: Claim, dependent: Claim) -> _Spot:
+    """What a claim proves by a definition, asked of it with the definition changed."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        return (_resting_on(dependent, replace(claim, says=changed)),)
+
+    return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _falls)
+
+
+def _sloping(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
+    return (d for d in dependents if isinstance(d.proof, ImplicitFunction))
+
+
+def _equation_spot(claim: Claim, dependent: Claim) -> _Spot:
+    """The slope of a function that ``claim`` defines, where the equation for it is changed.
+
+    It is claimed by the slope that the function has then, put in so that balls show it to be
+    another, and by the implicit function theorem.
+    """
+    proof: Any = dependent.proof
+    says: Any = dependent.says
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        other = replace(proof, equation=replace(claim, says=changed))
+        slope = replace(claim, says=equal(says.args[0], _slope_of(other)), given=dependent.given)
+        put_in = replace(dependent, proof=by(substituting(slope)))
+        return put_in, replace(dependent, proof=other)
+
+    return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _is_violated)
+
+
+def _slope_of(proof: ImplicitFunction) -> Basic:
+    """The slope that the implicit function theorem gives."""
+    equation: Any = proof.equation.says
+    left, p = equation.args[0], proof.parameter
+    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
+    return -Subs(Derivative(left, p), p, proof.at) / by_unknown
+
+
+def _other_meanings(says: Basic) -> Iterator[Basic]:
+    """The definition with another right side, or with another integral on its left."""
+    parts = parts_of(says)
+    for n, part in enumerate(parts):
+        left, right = part.args
+        others = [equal(left, changed) for changed in mutations(right)]
+        if isinstance(left, Integral):
+            others += [equal(changed, right) for changed in mutations(left)]
+        for other in others:
+            whole = (*parts[:n], other, *parts[n + 1 :])
+            yield Tuple(*whole) if isinstance(says, Tuple) else other
+
+
+def _falls(claim: Claim) -> bool:
+    """Whether what the claim proves is violated where all that it uses holds."""
+    relations = claim.proof.relations if isinstance(claim.proof, Formally) else (claim.says,)
+    return any(refute(relation, claim) is not None for relation in relations)
+
+
+def _resting_on(claim: Claim, other: Claim) -> Claim:
+    """The claim with evidence that names ``other`` in place of its namesake."""
+
+    def step(link: Step) -> Step:
+        return Step(link.expression, tuple(reason(r) for r in link.reasons))
+
+    def reason(r: Reason) -> Reason:
+        return replace(r, claims=tuple(other if c.label == other.label else c for c in r.claims))
+
+    proof: Any = claim.proof
+    match proof:
+        case Together(chains):
+            proof = Together(tuple(tuple(step(link) for link in c) for c in chains))
+        case Formally(relations=relations, claims=claims):
+            proof = Formally(
+                relations, tuple(other if c.label == other.label else c for c in claims)
+            )
+        case _:
+            proof = tuple(step(link) for link in proof)
+    return replace(claim, proof=proof)

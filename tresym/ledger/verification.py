@@ -1,0 +1,281 @@
+"""Verification: every claim judged, foundations first, into a report that prints and saves."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import BrokenExecutor
+from contextlib import nullcontext
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any
+
+from tresym.ledger.claim import Claim
+from tresym.ledger.definitions import conflict
+from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
+from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge, judge_evidence
+from tresym.reals.numbers.exact import InputError, fraction_text, quoted
+from tresym.reals.processes import Processes
+from tresym.reals.verdict import Verdict
+
+JSON_VERSION = 1
+BATCH = 6
+"""Claims that a process takes at once: neighbours, for they share what is remembered."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A claim, what was found, and whether it was asked for by name (or only rested on)."""
+
+    claim: Claim
+    finding: Finding
+    requested: bool = True
+
+    @property
+    def as_expected(self) -> bool:
+        """True when the verdict is the one the claim must get."""
+        return _meets(self.claim.expect, self.finding.verdict)
+
+
+def _meets(expected: Verdict, verdict: Verdict) -> bool:
+    """A stronger verdict than expected is welcome: PROVED where ENCLOSED would do."""
+    return verdict is expected or (expected is Verdict.ENCLOSED and verdict is Verdict.PROVED)
+
+
+@dataclass(frozen=True)
+class Report:
+    """The ledger: one row per claim, in the order of the proofs."""
+
+    rows: tuple[Row, ...]
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many claims got each verdict; all four are always present."""
+        counted = Counter(row.finding.verdict.value for row in self.rows)
+        return {v.value: counted[v.value] for v in Verdict}
+
+    @property
+    def as_expected(self) -> bool:
+        """True when every verdict is the expected one."""
+        return all(row.as_expected for row in self.rows)
+
+    def __getitem__(self, label: str) -> Row:
+        return next(row for row in self.rows if row.claim.label == label)
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as `tresym verify --json` prints it."""
+        lines = display_lines()
+        return {
+            "version": JSON_VERSION,
+            "counts": self.counts,
+            "prose": [row.claim.label for row in self.rows if not is_formal(row.claim)],
+            "claims": [_row_json(row, lines) for row in self.rows],
+        }
+
+
+def display_lines() -> dict[int | None, int]:
+    """The line of the paper's source on which each display begins."""
+    import json
+    from importlib.resources import files
+
+    index = json.loads((files("tresym.proofs") / "index.json").read_text(encoding="utf-8"))
+    return {display["number"]: display["line"] for display in index["displays"]}
+
+
+def verify(
+    labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = None, workers: int = 1
+) -> Report:
+    """Judge every claim, or those named by ``labels`` with all that they rest on.
+
+    Args:
+        labels: labels of claims; none means all.
+        on_row: called with each row as it is found, for progress.
+        workers: processes to look at the evidence in; with 1, this very process.
+
+    Raises:
+        InputError: a label that no claim has, claims that no ledger can hold together, or
+            processes that keep dying.
+    """
+    claims = all_claims()
+    _need_coherent(claims)
+    chosen, requested = _choose(claims, tuple(labels))
+    found: dict[str, Finding] = {}
+    rows = []
+    for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
+        found[claim.label] = judge(claim, found, evidence)
+        rows.append(Row(claim, found[claim.label], claim.label in requested))
+        if on_row is not None:
+            on_row(rows[-1])
+    return Report(tuple(rows))
+
+
+def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | None]:
+    """What each claim's own evidence comes to, looked at in ``workers`` processes."""
+    batches = [claims[n : n + BATCH] for n in range(0, len(claims), BATCH)]
+    if workers == 1 or len(batches) == 1:
+        yield from (None for _ in claims)
+        return
+    with Processes(min(workers, len(batches))) as processes:
+        asked = [tuple(claim.label for claim in batch) for batch in batches]
+        for future in [processes.submit(_evidence_of, a, searching_anew()) for a in asked]:
+            try:
+                yield from future.result()
+            except BrokenExecutor as error:
+                raise InputError(f"verify: {error}") from None
+
+
+def _evidence_of(labels: tuple[str, ...], anew: bool) -> list[Finding | None]:
+    """In a process of its own: the evidence of the claims with these labels."""
+    known = {claim.label: claim for claim in all_claims()}
+    with finding_anew() if anew else nullcontext():
+        return [judge_evidence(known[label]) for label in labels]
+
+
+def save_certificates(report: Report) -> int:
+    """Store the box proofs that ``report`` found, for the claims that look for stored ones.
+
+    Returns:
+        How many claims were written.
+
+    Raises:
+        InputError: the proofs are installed and not a checkout's.
+    """
+    from tresym.ledger.certificates import save
+
+    found = {
+        row.claim.label: row.finding.trees
+        for row in report.rows
+        if row.finding.trees and isinstance(row.claim.proof, Boxes) and row.claim.proof.stored
+    }
+    save(found)
+    return len(found)
+
+
+def all_claims() -> tuple[Claim, ...]:
+    """Every claim of the proofs, each after all that it rests on.
+
+    Raises:
+        InputError: a claim that rests on itself.
+    """
+    from tresym.proofs import claims
+
+    return _foundations_first(claims())
+
+
+def _foundations_first(claims: Iterable[Claim]) -> tuple[Claim, ...]:
+    """These claims and all that they use, each after what it rests on.
+
+    Raises:
+        InputError: a claim that rests on itself.
+    """
+    done: dict[int, Claim] = {}
+    open_: set[int] = set()
+
+    def visit(claim: Claim) -> None:
+        if id(claim) in open_:
+            raise InputError(f"the ledger: {claim.label} rests on itself")
+        if id(claim) not in done:
+            open_.add(id(claim))
+            for used in claim.uses:
+                visit(used)
+            open_.discard(id(claim))
+            done[id(claim)] = claim
+
+    for claim in claims:
+        visit(claim)
+    return tuple(dict.fromkeys(done.values()))
+
+
+def _need_coherent(claims: tuple[Claim, ...]) -> None:
+    """That a ledger can hold these claims: each label and each symbol once, and nothing in circles.
+
+    Raises:
+        InputError: it cannot.
+    """
+    claims = _foundations_first(claims)
+    counted = Counter(claim.label for claim in claims)
+    twins = [label for label, count in counted.items() if count > 1]
+    why = f"two claims are labelled {quoted(twins[0])}" if twins else conflict(claims)
+    if why is not None:
+        raise InputError(f"the ledger: {why}")
+
+
+def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
+    """The parts of the proofs in the paper's order: a title and the claims stated there."""
+    from tresym.proofs import parts
+
+    return parts()
+
+
+def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
+    """The claims named by ``labels`` with all that they rest on, foundations first."""
+    return _choose(all_claims(), labels)[0]
+
+
+def _choose(
+    claims: tuple[Claim, ...], labels: tuple[str, ...]
+) -> tuple[tuple[Claim, ...], frozenset[str]]:
+    known = {claim.label: claim for claim in claims}
+    if not labels:
+        return claims, frozenset(known)
+    for label in labels:
+        if label not in known:
+            near = get_close_matches(label, known, n=1)
+            hint = f"; did you mean {near[0]}?" if near else ""
+            raise InputError(f"no claim is labelled {quoted(label)}{hint}")
+    wanted: set[Claim] = set()
+    for label in labels:
+        wanted |= {known[label], *known[label].rests_on}
+    return tuple(claim for claim in claims if claim in wanted), frozenset(labels)
+
+
+def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
+    from tresym.report.words.latex import given_latex, says_latex
+
+    claim, finding = row.claim, row.finding
+    where = claim.where
+    return {
+        "label": claim.label,
+        "requested": row.requested,
+        "kind": claim.kind,
+        "says": says_latex(claim.says),
+        "formal": is_formal(claim),
+        "given": [given_latex(condition) for condition in claim.given],
+        "verdict": finding.verdict.value,
+        "expect": claim.expect.value,
+        "value": finding.value and finding.value._asdict(),
+        "constant": finding.constant and finding.constant._asdict(),
+        "region": finding.region,
+        "parameter": finding.parameter,
+        "steps": [
+            {"verdict": s.verdict.value, "why": s.why, "seconds": round(s.seconds, 6)}
+            for s in finding.steps
+        ],
+        "where": where
+        and {
+            "display": where.display,
+            "line": where.line or lines.get(where.display),
+            "cell": where.cell,
+        },
+        "witness": finding.witness
+        and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
+        "amended_by": [claim.label for claim in claim.amended_by],
+        "uses": [used.label for used in claim.uses],
+        "why": finding.why,
+        "seconds": round(finding.seconds, 6),
+    }
+
+
+def graph(labels: tuple[str, ...] = ()) -> str:
+    """What rests on what, as a Mermaid flow chart."""
+    chosen = choose(labels)
+    lines = ["flowchart BT"]
+    lines += [f'  {_node(claim)}["{claim.label}"]' for claim in chosen]
+    lines += [f"  {_node(claim)} --> {_node(used)}" for claim in chosen for used in claim.uses]
+    return "\n".join(lines) + "\n"
+
+
+def _node(claim: Claim) -> str:
+    return "c_" + "".join(c if c.isalnum() and c.isascii() else "_" for c in claim.label)

@@ -1,0 +1,66 @@
+"""Where answers go: a file that is whole or not there, and a terminal that may be a pipe."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+from tresym.reals.numbers.exact import InputError
+
+
+def write_text(path: str, text: str) -> None:
+    """Write ``text`` (UTF-8) to ``path``, whole or not at all (:func:`writing`)."""
+    write_bytes(path, text.encode("utf-8", errors="backslashreplace"))
+
+
+def write_bytes(path: str, data: bytes) -> None:
+    """Write ``data`` to ``path``, whole or not at all (:func:`writing`)."""
+    with writing(path) as aside, open(aside, "wb") as file:
+        file.write(data)
+
+
+@contextmanager
+def writing(path: str) -> Iterator[str]:
+    """What the block writes to: a file aside, renamed at its end, so no half file is ever seen.
+
+    A device or a pipe is written to as it is; of a link, the file it leads to is replaced.
+
+    Raises:
+        InputError: the file cannot be written there.
+    """
+    aside = None
+    try:
+        if os.path.exists(path) and not os.path.isfile(path):
+            yield path
+        else:
+            goal = os.path.realpath(path)
+            aside = f"{goal}.{os.getpid()}.part"
+            yield aside
+            os.replace(aside, goal)
+    except InputError:
+        raise
+    except (OSError, ValueError) as error:
+        shown = path if path.isprintable() else ascii(path)
+        reason = error.strerror or error if isinstance(error, OSError) else error
+        raise InputError(f"{shown}: cannot be written ({reason})") from None
+    finally:
+        if aside is not None:
+            with suppress(OSError):
+                os.remove(aside)
+
+
+def colour_wanted() -> bool:
+    """Whether standard output is a terminal and the user has not set ``NO_COLOR``."""
+    return sys.stdout is not None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")
+
+
+def bold(text: str, colour: bool) -> str:
+    """``text`` in bold where colour is wanted."""
+    return f"\x1b[1m{text}\x1b[0m" if colour else text
+
+
+def dim(text: str, colour: bool) -> str:
+    """``text`` dimmed where colour is wanted."""
+    return f"\x1b[2m{text}\x1b[0m" if colour else text

@@ -1,0 +1,200 @@
+"""A rigid body as the paper sees it: three moments of inertia, or just the two shape parameters.
+
+a = I₂/I₁ − 1 and b = 1 − I₂/I₃ are formed exactly, from exact input. Named bodies carry the printed
+data of the paper and nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from numbers import Rational
+from typing import NamedTuple, TypeAlias
+
+from flint import fmpq
+
+from tresym.reals.numbers.exact import InputError, as_rational, quoted
+
+Exact: TypeAlias = str | int | Rational | fmpq
+"""What a number may be given as; never a float."""
+
+
+class Shape(NamedTuple):
+    """The shape parameters a = I₂/I₁ − 1 > 0 and b = 1 − I₂/I₃, 0 < b ≤ 1, as exact rationals."""
+
+    a: fmpq
+    b: fmpq
+
+    @property
+    def realizable(self) -> bool:
+        """Whether a body can have this shape: I₃ ≤ I₁ + I₂, which is b ≤ 1/(a+2)."""
+        return bool(self.b * (self.a + 2) <= 1)
+
+
+def shape(a: Exact, b: Exact) -> Shape:
+    """The shape with parameters ``a`` and ``b``.
+
+    Raises:
+        InputError: unless a > 0 and 0 < b ≤ 1; b = 0 is told apart as the symmetric top.
+    """
+    p, q = as_rational(a, "shape parameter a"), as_rational(b, "shape parameter b")
+    if p < 0:
+        raise InputError("shape parameter a: must be positive (a = I2/I1 - 1 with I1 < I2)")
+    if p == 0:
+        raise InputError(
+            "shape parameter a: 0 is a symmetric top (I1 = I2), which only oscillates and has no "
+            "flip; a must be positive"
+        )
+    if q == 0:
+        raise InputError(
+            "shape parameter b: 0 is a symmetric top (I2 = I3), whose separatrix is all "
+            "equilibria: no isolated root, the defect tends to pi/2 as b -> 0; b must be in (0, 1]"
+        )
+    if q < 0 or q > 1:
+        raise InputError("shape parameter b: must be in (0, 1] (b = 1 - I2/I3 with I2 < I3)")
+    return Shape(p, q)
+
+
+class Body:
+    """Three principal moments of inertia in any one unit, smallest first, exact."""
+
+    __slots__ = ("I1", "I2", "I3")
+
+    I1: fmpq
+    I2: fmpq
+    I3: fmpq
+
+    def __init__(self, I1: Exact, I2: Exact, I3: Exact) -> None:
+        """Take the moments as text, integers or fractions.
+
+        Raises:
+            InputError: moments that are not positive, out of order, or of a symmetric top.
+        """
+        moments = [as_rational(x, f"moment I{i}") for i, x in enumerate((I1, I2, I3), start=1)]
+        for i, x in enumerate(moments, start=1):
+            if x <= 0:
+                raise InputError(f"moment I{i}: must be positive")
+        one, two, three = moments
+        if one > two or two > three:
+            raise InputError(
+                "moments of inertia: the expected order is I1 < I2 < I3 (smallest first); "
+                f"here {_order(moments)}"
+            )
+        if one == two or two == three:
+            equal = "I1 = I2 = I3" if one == three else "I1 = I2" if one == two else "I2 = I3"
+            raise InputError(
+                f"moments of inertia: {equal} is a symmetric top, which has no isolated flip "
+                "(as I2 -> I3 the defect tends to pi/2); give I1 < I2 < I3"
+            )
+        for name, value in zip(self.__slots__, moments, strict=True):
+            object.__setattr__(self, name, value)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Refuse: a body is a value."""
+        raise AttributeError("a Body cannot be changed")
+
+    @property
+    def shape(self) -> Shape:
+        """The exact shape parameters."""
+        return Shape(self.I2 / self.I1 - 1, 1 - self.I2 / self.I3)
+
+    @property
+    def realizable(self) -> bool:
+        """Whether I₃ ≤ I₁ + I₂, as for every distribution of mass."""
+        return bool(self.I3 <= self.I1 + self.I2)
+
+    def __eq__(self, other: object) -> bool:
+        """Equal moments."""
+        if not isinstance(other, Body):
+            return NotImplemented
+        return (self.I1, self.I2, self.I3) == (other.I1, other.I2, other.I3)
+
+    def __hash__(self) -> int:
+        """By the moments."""
+        return hash((self.I1, self.I2, self.I3))
+
+    def __repr__(self) -> str:
+        """As one would type it."""
+        return f"Body('{self.I1}', '{self.I2}', '{self.I3}')"
+
+
+def _order(moments: list[fmpq]) -> str:
+    """The order the moments are in, as one writes it."""
+    ranked = sorted((x, f"I{i}") for i, x in enumerate(moments, start=1))
+    text = ranked[0][1]
+    for (x, _), (y, name) in pairwise(ranked):
+        text += f" {'=' if x == y else '<'} {name}"
+    return text
+
+
+def shape_of_moments(I1: Exact, I2: Exact, I3: Exact) -> Shape:
+    """The shape of a body with these moments; raises InputError as :class:`Body` does."""
+    return Body(I1, I2, I3).shape
+
+
+def shape_of_rotational_constants(B1: Exact, B2: Exact, B3: Exact) -> Shape:
+    """The shape of a molecule: rotational constants, largest first, are inverse moments."""
+    constants = [as_rational(x, f"constant B{i}") for i, x in enumerate((B1, B2, B3), start=1)]
+    if min(constants) <= 0:
+        raise InputError("rotational constants: must be positive")
+    return Body(*(1 / x for x in constants)).shape
+
+
+class NamedBody(NamedTuple):
+    """A body the paper prints data of: what it is, where the data stand, and how they are read."""
+
+    title: str
+    source: str
+    read: Callable[..., Shape]
+    data: tuple[str, ...]
+
+    @property
+    def shape(self) -> Shape:
+        """The exact shape of the printed data."""
+        return self.read(*self.data)
+
+
+NAMED_BODIES = {
+    "str": NamedBody(
+        "standard tennis racket (Wilson T-2000)",
+        "moments of Table 1",
+        shape_of_moments,
+        ("1210", "16380", "17480"),
+    ),
+    "t2000-printed": NamedBody(
+        "Wilson T-2000",
+        "a and b as the bibliography rounds them",
+        shape,
+        ("12.5372", "0.0629"),
+    ),
+    "racket-1": NamedBody(
+        "racket 1", "moments of Table 1", shape_of_moments, ("886", "16336", "18270")
+    ),
+    "racket-2": NamedBody(
+        "racket 2", "moments of Table 1", shape_of_moments, ("1319", "14445", "16175")
+    ),
+    "racket-3": NamedBody("racket 3", "a and b of Table 1", shape, ("14.88", "0.12")),
+    "book": NamedBody("Goldstein's book", "a and b of Table 1", shape, ("1.11", "0.31")),
+    "ethylene": NamedBody(
+        "ethylene molecule",
+        "rotational constants of Sec. 8",
+        shape_of_rotational_constants,
+        ("4.64", "1.001", "0.828"),
+    ),
+}
+"""The bodies ``tresym flip --body`` knows, by name."""
+
+
+def named_body(name: str) -> NamedBody:
+    """The named body ``name``.
+
+    Raises:
+        InputError: an unknown name; the nearest known one is suggested.
+    """
+    if name in NAMED_BODIES:
+        return NAMED_BODIES[name]
+    from difflib import get_close_matches
+
+    near = get_close_matches(name.lower(), NAMED_BODIES, n=1, cutoff=0.5)
+    hint = f"did you mean {near[0]}? " if near else ""
+    raise InputError(f"body: {quoted(name)} is not known; {hint}known: {', '.join(NAMED_BODIES)}")

@@ -1,0 +1,1 @@
+"""Formulas and routes against each other: errors, constants, digits."""

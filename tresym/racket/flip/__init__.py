@@ -1,0 +1,66 @@
+"""The flip defect of a freely rotating rigid body, certified to any number of digits."""
+
+from __future__ import annotations
+
+from tresym.racket.angle import Angle, as_angle
+from tresym.racket.body import Exact, shape
+from tresym.racket.flip.ladder import climb, follow
+from tresym.racket.motion.trajectory import Start
+from tresym.racket.result import Flip, Journey
+from tresym.reals.numbers.exact import InputError, as_rational
+
+__all__ = ["Flip", "Journey", "flip_angle", "flip_defect"]
+
+
+def flip_defect(
+    a: Exact, b: Exact, gamma: Exact = 0, digits: int = 50, *, rung: str | None = None
+) -> Flip:
+    """The flip defect ε of the shape (a, b) at γ, as a ball with ``digits`` certified digits.
+
+    Args:
+        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b`` and ``gamma``.
+        b: 1 − I₂/I₃, in (0, 1].
+        gamma: distance from the separatrix, from −b to a.
+        digits: 1 to 10 000.
+        rung: force one model of the ladder instead of the cheapest that will do.
+
+    Raises:
+        InputError: anything outside these ranges.
+    """
+    return climb(shape(a, b), as_rational(gamma, "gamma"), digits, rung)
+
+
+def flip_angle(
+    a: Exact,
+    b: Exact,
+    psi0: Exact | Angle,
+    rate: Exact | None = None,
+    digits: int = 50,
+    *,
+    theta0: Exact | Angle | None = None,
+    precession: Exact | Angle = "2*pi",
+    rung: str | None = None,
+) -> Journey:
+    """Δψ from any start, as a ball with ``digits`` certified digits, with ψ and θ at the end.
+
+    Args:
+        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b``.
+        b: 1 − I₂/I₃, in (0, 1].
+        psi0: ψ at the start in radians; also text such as ``"pi/2"`` or ``"-3*pi/4"``.
+        rate: dψ/dφ at the start; this or ``theta0``.
+        digits: 1 to 10 000.
+        theta0: θ at the start in radians.
+        precession: Δφ in radians; a full turn of the handle unless given.
+        rung: force a model of the ladder; only ``planar`` knows starts.
+
+    Raises:
+        InputError: anything outside these ranges, or a start no body of this shape can have.
+    """
+    if (rate is None) == (theta0 is None):
+        raise InputError("start: give psi0 with either a rate or theta0")
+    start = Start(
+        as_angle(psi0, "psi0"),
+        None if rate is None else as_rational(rate, "rate"),
+        None if theta0 is None else as_angle(theta0, "theta0"),
+    )
+    return follow(shape(a, b), start, as_angle(precession, "precession"), digits, rung)

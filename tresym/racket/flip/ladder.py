@@ -1,0 +1,160 @@
+"""Which model answers: the cheapest rung that meets the digits asked for.
+
+`asymptotic`, a closed formula with a proved bound on its error, and `separatrix`, the scalar
+equation, serve γ = 0. `carlson`, F(ε, γ) in the first quarter of the orbit and the phase of that
+quarter, serves every γ but γ*, and the ends of the range. `planar`, the planar system solved on its
+orbit, serves every γ and every start.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.racket.angle import Angle
+from tresym.racket.body import Shape
+from tresym.racket.flip import asymptotic, defect, separatrix
+from tresym.racket.motion.trajectory import Start, travel
+from tresym.racket.result import Flip, Journey, proves
+from tresym.reals.numbers.arithmetic import BITS_PER_DIGIT, ball_precision, bits
+from tresym.reals.numbers.exact import InputError, quoted
+
+MAX_DIGITS = 10_000
+
+RUNGS = ("asymptotic", "separatrix", "carlson", "planar")
+"""The rungs, cheapest first."""
+
+
+class Answer(NamedTuple):
+    """What one rung has to say: balls for ε and Δψ in radians, and why they are enough."""
+
+    defect: arb
+    turn: arb
+    why: str
+
+
+def parse_digits(text: str) -> int:
+    """The number of digits that ``text`` asks for; InputError unless it is 1 to 10 000."""
+    word = text.strip(" ")
+    if not (word.isascii() and word.isdecimal() and len(word) <= len(str(MAX_DIGITS))):
+        raise InputError(f"digits: must be an integer from 1 to {MAX_DIGITS}")
+    return checked_digits(int(word))
+
+
+def checked_digits(digits: int) -> int:
+    """``digits`` if it is between 1 and 10 000; InputError otherwise."""
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MAX_DIGITS:
+        raise InputError(f"digits: must be an integer from 1 to {MAX_DIGITS}")
+    return digits
+
+
+def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None) -> Flip:
+    """The flip of ``shape`` at ``gamma`` to ``digits`` certified digits, on ``rung`` if given.
+
+    Raises:
+        InputError: digits or γ out of range, an unknown rung, or one that cannot deliver.
+    """
+    checked_digits(digits)
+    _checked_rung(rung)
+    level = defect.checked_gamma(shape.a, shape.b, fmpq(gamma))
+    start = time.perf_counter()
+    for used in _worth_trying(shape, level, digits) if rung is None else (rung,):
+        answer, shortfall = _on_rung(used, shape, level, digits)
+        if answer is not None:
+            seconds = time.perf_counter() - start
+            return Flip(shape, level, digits, answer.defect, answer.turn, used, answer.why, seconds)
+    raise InputError(f"rung: {shortfall}")
+
+
+def follow(
+    shape: Shape, start: Start, precession: Angle, digits: int, rung: str | None = None
+) -> Journey:
+    """The change of ψ of ``shape`` from ``start`` after ``precession`` radians of φ.
+
+    Raises:
+        InputError: digits out of range, a start that does not exist, or another rung than planar.
+    """
+    checked_digits(digits)
+    _checked_rung(rung)
+    if rung not in (None, "planar"):
+        raise InputError(f"rung: {rung} knows symmetric trajectories only; a start needs planar")
+    began = time.perf_counter()
+    found = travel(shape, start, precession, digits)
+    seconds = time.perf_counter() - began
+    why = "the planar system on the orbit of the start, its phase inverted in balls"
+    return Journey(shape, found.gamma, digits, *found[1:], "planar", why, seconds)
+
+
+def _checked_rung(rung: str | None) -> None:
+    if rung is not None and rung not in RUNGS:
+        raise InputError(f"rung: {quoted(rung)} is not known; known: {', '.join(RUNGS)}")
+
+
+def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
+    """The rungs from the first that may have the digits; a float64 estimate spares the attempts."""
+    if gamma != 0:
+        return RUNGS[2:]
+    a, b = float(arb(shape.a)), float(arb(shape.b))
+    in_reach = 0 < a < math.inf and b > 0 and asymptotic.reach(a, b) > digits
+    return RUNGS if in_reach else RUNGS[1:]
+
+
+def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[Answer | None, str]:
+    """The answer of one rung, or None and why it cannot give one."""
+    if rung == "planar":
+        return _planar(shape, gamma, digits), ""
+    if rung == "carlson":
+        return _carlson(shape, gamma, digits), (
+            f"carlson does not give {digits} digits this near to a turning point or to the ends of "
+            "the range of gamma; try planar"
+        )
+    if gamma != 0:
+        return None, f"{rung} knows the separatrix, gamma = 0, only; try carlson"
+    if rung == "separatrix":
+        return _separatrix(shape, digits), ""
+    answer = _asymptotic(shape, digits)
+    if answer is not None and proves(answer.defect, digits) and proves(answer.turn, digits):
+        return answer, ""
+    return None, _shortfall(answer, digits)
+
+
+def _carlson(shape: Shape, gamma: fmpq, digits: int) -> Answer | None:
+    found = defect.quick(*shape, gamma, digits)
+    if found is None:
+        return None
+    why = "F(ε, γ) in Carlson's form, π folded into the first quarter of the orbit"
+    return Answer(*found, why)
+
+
+def _planar(shape: Shape, gamma: fmpq, digits: int) -> Answer:
+    found = defect.inverted(*shape, gamma, digits)
+    return Answer(*found, "the phase on the orbit inverted, through turning points and turns")
+
+
+def _asymptotic(shape: Shape, digits: int) -> Answer | None:
+    found = asymptotic.enclose(shape.a, shape.b, digits)
+    if found is None:
+        return None
+    why = "closed formula with a proved bound on its error"
+    with ball_precision(bits(digits, 84)):
+        return Answer(found, arb.pi() - 2 * found, why)
+
+
+def _separatrix(shape: Shape, digits: int) -> Answer:
+    found = separatrix.solve(shape.a, shape.b, digits)
+    why = "scalar equation at gamma = 0, its one root enclosed by interval Newton"
+    if found.defect.contains(0):
+        why = "the defect is positive but below every number that is told from 0 here"
+    return Answer(found.defect, found.flip, why)
+
+
+def _shortfall(answer: Answer | None, digits: int) -> str:
+    """Why the closed formula cannot answer."""
+    reached = 0
+    if answer is not None and answer.defect.is_finite():
+        worst = min(answer.defect.rel_accuracy_bits(), answer.turn.rel_accuracy_bits())
+        reached = max(0, int((worst - 4) / BITS_PER_DIGIT))
+    return f"asymptotic reaches {reached} digits for this shape, not {digits}; try separatrix"

@@ -1,0 +1,1 @@
+"""Flips of arrays of starts and shapes, in floating point."""

@@ -1,0 +1,50 @@
+"""The float64 map compiled by numba: :mod:`tresym.racket.floats.float_orbit`, start by start.
+
+The extra ``tresym[fast]`` brings numba. What it compiles is kept in numba's cache, so the price is
+paid once. The compiled function lets other threads run.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numba
+from numba.extending import overload, register_jitable
+
+from tresym.racket.floats import float_orbit
+
+
+@overload(float_orbit.largest)
+@overload(float_orbit.least)
+def _itself(x: Any) -> Any:
+    def number(x: Any) -> Any:
+        return x
+
+    return number
+
+
+@overload(float_orbit.choose)
+def _either(condition: Any, x: Any, y: Any) -> Any:
+    def number(condition: Any, x: Any, y: Any) -> Any:
+        return x if condition else y
+
+    return number
+
+
+PARTS = (
+    "orbit",
+    "entries",
+    "place",
+    "spent",
+    "of_fast_rotation",
+    "arrival",
+    "depart",
+    "travel",
+    "linear",
+    "turn",
+)
+
+for part in PARTS:
+    register_jitable(error_model="numpy")(getattr(float_orbit, part))
+
+turn_each = numba.njit(error_model="numpy", nogil=True, cache=True)(float_orbit.turn_each)

@@ -1,0 +1,186 @@
+"""The flip of very many starts at once, in float64.
+
+The closed form of :mod:`tresym.racket.floats.float_orbit`, start by start. There are no special cases: every
+start is on a rotating or an oscillating orbit, and the separatrix is taken as an orbit so near to
+it that float64 cannot tell. Starts near the unstable points have a Δψ accurate relative to itself.
+NaN is said only where no such start exists.
+
+With the extra ``tresym[fast]`` large maps run compiled, on all cores; the answers are the same up
+to the last digits. Near the unstable points errors grow by e^(√(ab) Δφ) whatever the method;
+how far a float64 start determines its answer is what :func:`flip_uncertainty` says.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tresym.racket.body import Exact
+from tresym.racket.body import shape as exact_shape
+from tresym.racket.floats import float_orbit
+from tresym.racket.floats.float_orbit import LEVELS
+
+Floats = NDArray[np.float64]
+
+CHUNK = 2048
+"""Starts per pass: what is needed of one pass stays in the cache."""
+
+LARGE = 50_000
+"""Starts from which a map is worth the second it takes to load numba."""
+
+
+class Arrivals(NamedTuple):
+    """Arrays of ends: Δψ in radians, cos θ and sin θ, and the time passed in units of I₂/M."""
+
+    turn: Floats
+    handle: Floats
+    level: Floats
+    time: Floats
+
+
+def flip_map(
+    a: Exact | float,
+    b: Exact | float,
+    psi0: ArrayLike,
+    rate: ArrayLike,
+    precession: ArrayLike = 2 * math.pi,
+) -> Floats:
+    """Δψ (radians) of each start (ψ₀, dψ/dφ) after ``precession`` radians of φ.
+
+    Args:
+        a: I₂/I₁ − 1 > 0.
+        b: 1 − I₂/I₃, in (0, 1].
+        psi0: angles in radians; broadcast against ``rate`` and ``precession``.
+        rate: dψ/dφ at the start.
+        precession: Δφ, of either sign.
+
+    Returns:
+        Float64 of the broadcast shape; NaN where no body of this shape has such a start.
+
+    Raises:
+        InputError: a or b out of range.
+    """
+    p, q = _floats(a, b)
+    starts, shape = _broadcast(psi0, rate, precession)
+    found = np.empty(starts[0].size)
+    compiled = _compiled() if found.size >= LARGE else None
+    if compiled is None:
+        for part, values in _in_chunks(float_orbit.turn, p, q, starts):
+            found[part] = values
+    else:
+        _in_threads(compiled, p, q, starts, found)
+    return found.reshape(shape)
+
+
+def arrivals(
+    a: Exact | float, b: Exact | float, psi0: ArrayLike, rate: ArrayLike, precession: ArrayLike
+) -> Arrivals:
+    """Where each start comes to; arguments as for :func:`flip_map`."""
+    return Arrivals(*_arrive(*_floats(a, b), psi0, rate, precession)[:4])
+
+
+def flip_uncertainty(
+    a: Exact | float,
+    b: Exact | float,
+    psi0: ArrayLike,
+    rate: ArrayLike,
+    precession: ArrayLike = 2 * math.pi,
+) -> Floats:
+    """The error of :func:`flip_map` at each start, in radians: an estimate that errs upwards.
+
+    64 roundings of each of a, b, ψ₀ and the rate, carried to the result by the map's own
+    derivatives, as differences; and 64 of what is added up to Δψ. The counts are from comparisons
+    with balls. Infinite above 0.01: the orbit passes so close to an unstable point, or turns so
+    often, that float64 starts do not determine the answer.
+    """
+    p, q = _floats(a, b)
+    psi, speed = np.asarray(psi0, dtype=np.float64), np.asarray(rate, dtype=np.float64)
+    found = _arrive(p, q, psi, speed, precession)
+    here, total, reach = found[0], found[4], found[5]
+    step = 2.0**-42
+    for change in np.eye(4):
+        there = _changed(p, q, psi, speed, precession, 1 - step * change)
+        if np.isnan(there).any():
+            # Next to the largest rate the start may exist on one side only.
+            other = _changed(p, q, psi, speed, precession, 1 + step * change)
+            there = np.where(np.isnan(there), other, there)
+        total = total + np.abs(there - here) / step
+    # On an oscillating orbit no answer is off by more than the range of ψ.
+    error = np.minimum(64 * np.finfo(float).eps * total, 2 * reach)
+    error = np.where(np.isnan(error) | (error > 0.01), np.inf, error)
+    return np.where(np.isnan(here), np.nan, error)
+
+
+def _changed(
+    a: float, b: float, psi: Floats, rate: Floats, precession: ArrayLike, factors: Floats
+) -> Floats:
+    changed = a * factors[0], min(b * factors[1], 1.0), psi * factors[2], rate * factors[3]
+    return flip_map(*changed, precession)
+
+
+def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
+    """The shape in float64; what is given exactly is checked exactly."""
+    from fractions import Fraction
+
+    given = [Fraction(x) if isinstance(x, float) else x for x in (a, b)]
+    shape = exact_shape(*given)
+    return int(shape.a.p) / int(shape.a.q), int(shape.b.p) / int(shape.b.q)
+
+
+def _arrive(
+    a: float, b: float, psi: ArrayLike, rate: ArrayLike, precession: ArrayLike
+) -> tuple[Floats, ...]:
+    """All six numbers of :func:`tresym.racket.floats.float_orbit.arrive`, for broadcast starts."""
+    starts, shape = _broadcast(psi, rate, precession)
+    found = np.empty((6, starts[0].size))
+    for part, values in _in_chunks(float_orbit.arrive, a, b, starts):
+        found[:, part] = values
+    return tuple(row.reshape(shape) for row in found)
+
+
+def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
+    """Flat arrays of one size, and the shape they had."""
+    same = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in given))
+    return [np.ascontiguousarray(x).ravel() for x in same], same[0].shape
+
+
+def _compiled() -> Callable[..., None] | None:
+    """The compiled map, or None without numba."""
+    try:
+        from tresym.racket.floats.compiled import turn_each
+    except ImportError:
+        return None
+    return turn_each
+
+
+def _in_chunks(
+    work: Callable[..., Any], a: float, b: float, starts: list[Floats]
+) -> Iterator[tuple[slice, Any]]:
+    """Each part of the starts, with what ``work`` makes of it."""
+    room = np.empty((5, LEVELS + 1, min(CHUNK, starts[0].size)))
+    for part in _parts(starts[0].size, CHUNK):
+        with np.errstate(all="ignore"):
+            values = work(a, b, *(x[part] for x in starts), room[:, :, : part.stop - part.start])
+        yield part, values
+
+
+def _in_threads(
+    turn_each: Callable[..., None], a: float, b: float, starts: list[Floats], found: Floats
+) -> None:
+    workers = os.cpu_count() or 1
+
+    def fill(part: slice) -> None:
+        turn_each(a, b, *(x[part] for x in starts), np.empty((5, LEVELS + 1)), found[part])
+
+    with ThreadPoolExecutor(workers) as pool:
+        list(pool.map(fill, _parts(found.size, -(-found.size // (4 * workers)))))
+
+
+def _parts(size: int, step: int) -> Iterator[slice]:
+    return (slice(i, min(i + step, size)) for i in range(0, size, step))

@@ -1,0 +1,1 @@
+"""Charts in which the margins of the bounds have no singular edge."""

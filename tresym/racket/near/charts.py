@@ -1,0 +1,501 @@
+"""The functions whose positivity the bounds on ε₀ come down to, in charts where no corner is left.
+
+Everything rests on the exact equation log(ε₀/ε*) = Q(ε₀). It makes ε* explicit in ε₀, so that what
+is said of ε₀/ε* becomes a function of ε₀, b and √(b/a), which the charts enclose; and since
+log e − Q(e) increases on (0, π/2), "ε₀ ≤ e" is one sign at an explicit candidate e. No root is
+solved in a box. Two charts cover what is needed:
+
+- (b, κ) with κ = 1/√(ab): then r = √(b/a) = bκ, and ε*² is flat at κ = 0;
+- (b, k, …) with k = √(ab): then r tanh kP = bP tanh(kP)/(kP), so that a → 0 and b → 0 are edges.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from flint import arb
+
+from tresym.racket.flip.series import exponent_values, majorant
+from tresym.reals.balls.gradient import Divided, Gradient, gradients
+from tresym.reals.numbers.arithmetic import balls
+
+sine_over = Divided(lambda s: s.sin())
+"""sin x / x."""
+sine_rest = Divided(lambda s: s.sin(), 3)
+"""(sin x − x)/x³."""
+sine_further = Divided(lambda s: s.sin(), 5)
+"""(sin x − x + x³/6)/x⁵."""
+log1p_over = Divided(lambda s: (1 + s).log())
+"""log(1 + x)/x."""
+log1p_rest = Divided(lambda s: (1 + s).log(), 2)
+"""(log(1 + x) − x)/x²."""
+expm1_over = Divided(lambda s: s.exp())
+"""(exp x − 1)/x."""
+expm1_rest = Divided(lambda s: s.exp(), 2)
+"""(exp x − 1 − x)/x²."""
+expm1_further = Divided(lambda s: s.exp(), 3)
+"""(exp x − 1 − x − x²/2)/x³."""
+arcsine_over = Divided(lambda s: s.asin())
+"""arcsin x / x."""
+arcsine_rest = Divided(lambda s: s.asin(), 3)
+"""(arcsin x − x)/x³."""
+arctangent_over = Divided(lambda s: s.atan())
+"""arctan x / x."""
+
+
+def exponent_rate(defect: Any, b: Any, r: Any, m: Any) -> Any:
+    """Q(e)/e², regular at e = 0 where it is c₁; e = ``defect``, r = √(b/a).
+
+    Q(e) = log(e/sin e) + log((cos e + ρ)/2) + √(ab)(arcsin μ − arcsin(μ cos e)),
+    ρ = √(1 + r² sin²e); the last difference is that of two angles, taken by its sine.
+    """
+    sinc, half, cosine = sine_over(defect), sine_over(defect / 2), m.cos(defect)
+    square = defect * defect
+    root = m.sqrt(1 + r * r * square * sinc * sinc)
+    mean = (r * r * sinc * sinc / (1 + root) - half * half / 2) / 2
+    short = -sine_rest(defect)
+    turn = sinc * sinc / (root + cosine)
+    return (
+        mean * log1p_over(square * mean)
+        + short * log1p_over(-square * short)
+        + b * turn * arcsine_over(r * square * turn)
+    )
+
+
+def exponent_bend(defect: Any, b: Any, r: Any, m: Any) -> Any:
+    """(Q(e)/e² − c₁)/e², regular at e = 0: every difference in ``exponent_rate`` over e²."""
+    R, square = r * r, defect * defect
+    sinc, half, cosine = sine_over(defect), sine_over(defect / 2), m.cos(defect)
+    short, root = -sine_rest(defect), m.sqrt(1 + R * square * sinc * sinc)
+    rise, fall = R * sinc * sinc / (1 + root), -short * (1 + sinc)  # of the root, of (sin e/e)²
+    mean = (rise - half * half / 2) / 2
+    turn = sinc * sinc / (root + cosine)
+    mean_bend = R * (2 * fall - rise) / (4 * (1 + root)) - sine_rest(defect / 2) * (1 + half) / 16
+    turn_bend = (2 * fall - rise + half * half / 2) / (2 * (root + cosine))
+    cube = turn * turn * turn
+    return (
+        mean_bend
+        + mean * mean * log1p_rest(square * mean)
+        - sine_further(defect)
+        - short * short * log1p_rest(-square * short)
+        + b * (turn_bend + R * square * cube * arcsine_rest(r * square * turn))
+    )
+
+
+def flat(x: Any, rate: Any) -> Any:
+    """exp(−rate/x) for x ≥ 0, with its value 0 and slope 0 at x = 0; increases with x.
+
+    The slope rate/x² · exp(−rate/x) increases up to x = rate/2, where it is 4 e^{−2}/rate.
+    """
+    if isinstance(x, Gradient):
+        at = x.value
+        top = 4 * arb(-2).exp() / rate
+        if at > 0:
+            value = (-rate / at).exp()
+            return x.chain(value, rate / at**2 * value)
+        end = at.upper()
+        highest = rate / end**2 * (-rate / end).exp() if end < rate / 2 else top
+        return x.chain(flat(at, rate), arb(0).union(highest))
+    if x > 0:
+        return (-rate / x).exp()
+    end = x.upper()
+    return arb(0).union((-rate / end).exp()) if end > 0 else arb(0)
+
+
+class Shape(NamedTuple):
+    """A shape in a chart: ε*, b and r = √(b/a), as balls or gradients."""
+
+    leading: Any
+    b: Any
+    r: Any
+
+
+def by_kappa(b: Any, kappa: Any, m: Any) -> Shape:
+    """The chart (b, κ): a = 1/(bκ²)."""
+    r = b * kappa
+    small = flat(kappa, balls.pi) * m.exp(-b * arctangent_over(r))
+    return Shape(2 / m.sqrt(1 + r * r) * small, b, r)
+
+
+def by_k(k: Any, alpha: Any, m: Any) -> Shape:
+    """The chart (k, α) with α = 1/a: b = αk², so that a → ∞ and ab → 0 are edges."""
+    r = alpha * k
+    return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), alpha * k * k, r)
+
+
+def by_root(b: Any, k: Any, m: Any) -> Shape:
+    """The chart (b, k) away from k = 0: a = k²/b."""
+    r = b / k
+    return Shape(2 / m.sqrt(1 + r * r) * m.exp(-k * (m.pi + m.atan(r))), b, r)
+
+
+class Root(NamedTuple):
+    """The exact defect ε₀ of a shape in a chart, with b and r = √(b/a)."""
+
+    defect: Any
+    b: Any
+    r: Any
+
+
+def root_by_kappa(b: Any, kappa: Any, m: Any) -> Root:
+    """ε₀ in the chart (b, κ), a ball: tan ε₀ = cos θ/sinh(P/κ), flat at κ = 0."""
+    r = b * kappa
+    small = flat(kappa, phase_by_kappa(b, kappa, m))
+    tangent = 2 / m.sqrt(1 + r * r) * small / (1 - small * small)
+    return Root(m.atan(tangent), b, r)
+
+
+def root_by_k(k: Any, alpha: Any, m: Any) -> Root:
+    """ε₀ in the chart (k, α), α = 1/a, a ball."""
+    r = alpha * k
+    b = r * k
+    return Root(m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m)), b, r)
+
+
+def first_excess(root: Root, m: Any) -> Any:
+    """(ε₀/ε* − 1)/ε*², in terms of ε₀ itself: ε₀/ε* = exp Q and ε*² = ε₀² exp(−2Q)."""
+    rate = exponent_rate(root.defect, root.b, root.r, m)
+    exponent = root.defect * root.defect * rate
+    return m.exp(2 * exponent) * rate * expm1_over(exponent)
+
+
+def second_excess(root: Root, m: Any) -> Any:
+    """(ε₀/ε* − 1 − c₁ε*²)/ε*⁴, with exp Q − 1 − c₁ε₀² exp(−2Q) expanded so that nothing cancels."""
+    first = (6 * root.b + 3 * root.r * root.r - 1) / 12
+    square, bend = root.defect * root.defect, exponent_bend(root.defect, root.b, root.r, m)
+    rate = first + square * bend
+    exponent = square * rate
+    rest = rate * rate * expm1_rest(exponent) + 2 * first * rate * expm1_over(-2 * exponent)
+    return m.exp(4 * exponent) * (bend + rest)
+
+
+def gap_over(a: Any, root_b: Any, order: int, m: Any) -> tuple[Any, Any]:
+    """(ε₀ − ε*(1 + …), ε*^{2·order+3}) with ``order`` = 0 or 1 terms, in the chart (a, √b).
+
+    A difference of two numbers: for a where ε* is not small.
+    """
+    root_a = m.sqrt(a)
+    k, b, r = root_a * root_b, root_b * root_b, root_b / root_a
+    leading = 2 / m.sqrt(1 + b / a) * m.exp(-k * (m.pi + m.atan(r)))
+    square = leading * leading
+    series = 1 + order * square * (6 * b + 3 * b / a - 1) / 12
+    defect = m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m))
+    return defect - leading * series, leading * square * (square if order else 1)
+
+
+def growth(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    """τ = ε*² e^{2q}/ρ and e^q in the chart (b, κ), ρ = 1/(1 + 9R/4).
+
+    The terms of the series are bounded by them: |c_n| ε*^{2n} ≤ e^q τⁿ/(2n + 1);
+    see :mod:`tresym.racket.flip.series`.
+    """
+    shape = by_kappa(b, kappa, m)
+    R = shape.r * shape.r
+    rho = 4 / (4 + 9 * R)
+    half = m.exp(majorant(rho, b, R, m))
+    return shape.leading * shape.leading * half * half / rho, half
+
+
+TERMS = 8
+"""Coefficients of Q that ``exponent_twist`` uses."""
+
+
+def exponent_twist(square: Any, b: Any, R: Any, m: Any) -> tuple[Any, Any]:
+    """q₂ and (Q(e)/e² − c₁ − q₂e²)/e⁴ for e² = ``square``, a ball, on ab ≥ 1/4.
+
+    |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4), term by term; what is left out after
+    ``TERMS`` is a geometric series.
+    """
+    rho = 4 / (4 + 9 * R)
+    values, ratio = exponent_values(TERMS, b, R, m), square / rho
+    total = majorant(rho, b, R, m) / rho**3 * ratio ** (TERMS - 2) / (1 - ratio) * arb(0, 1)
+    powers = arb(1)
+    for q in values[3:]:
+        total, powers = total + q * powers, powers * square
+    return values[2], total
+
+
+def third_excess(root: Root, m: Any) -> Any:
+    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶ on ab ≥ 1/4, expanded as ``second_excess``."""
+    R, square = root.r * root.r, root.defect * root.defect
+    first = (6 * root.b + 3 * R - 1) / 12
+    steady, twist = exponent_twist(square, root.b, R, m)
+    bend = steady + square * twist
+    rate = first + square * bend
+    exponent = square * rate
+    rest = twist + bend * (rate + first) / 2 + rate * rate * rate * expm1_further(exponent)
+    rest += 2 * first * (bend - 2 * rate * rate * expm1_rest(-2 * exponent))
+    second = steady + first * first * 5 / 2
+    return m.exp(6 * exponent) * (rest + 4 * second * rate * expm1_over(-4 * exponent))
+
+
+def _between_ends(x: arb, function: Callable[[arb], arb]) -> arb:
+    """A function monotone on x ≥ 0, extended evenly, over the ball ``x``: the hull of its ends."""
+    low, high = x.lower(), x.upper()
+    if low < 0:
+        low, high = arb(0), high.max(-low)
+    return function(low).union(function(high))
+
+
+def _sine_point(x: arb) -> arb:
+    return x.sinh() / x if x > 0 else arb(1)
+
+
+def _sine_slope(x: arb) -> arb:
+    """The derivative of sinh x/x at a point x ≥ 0; between x/3 and x cosh(x)/3, used when small."""
+    if x > arb("1e-5"):
+        return (x.cosh() - x.sinh() / x) / x
+    return (x / 3).union(x * x.cosh() / 3)
+
+
+def hyperbolic_sine_over(x: Any) -> Any:
+    """sinh x/x, an even function."""
+    if not isinstance(x, Gradient):
+        return _between_ends(abs(x), _sine_point)
+    slope = _between_ends(abs(x.value), _sine_slope)
+    if not x.value > 0:
+        slope = -slope if x.value < 0 else slope.union(-slope)
+    return x.chain(_between_ends(abs(x.value), _sine_point), slope)
+
+
+def hyperbolic_tangent_over(x: Any) -> Any:
+    """tanh x/x for x ≥ 0."""
+    at = x.value if isinstance(x, Gradient) else x
+    value = _between_ends(at, lambda t: t.tanh() / t if t > 0 else arb(1))
+    if not isinstance(x, Gradient):
+        return value
+    quotient = hyperbolic_sine_over(x) / gradients.cosh(x)
+    return Gradient(value, quotient.slopes)
+
+
+def _spread(b: Any, k: Any, phase: Any, m: Any) -> Any:
+    """D = cosh²kP + r² sinh²kP in the chart (b, k)."""
+    return m.cosh(k * phase) ** 2 + (b * phase * hyperbolic_sine_over(k * phase)) ** 2
+
+
+def phase_over(b: Any, k: Any, m: Any) -> Any:
+    """A ball (or gradient) that contains the phase of every shape in the chart (b, k).
+
+    The phase map π + arctan(bP tanhc kP) takes [π, 3π/2] into itself and increases with P, so its
+    iterates contain every root; the slopes are those of the implicit function.
+    """
+    b0 = b.value if isinstance(b, Gradient) else b
+    k0 = k.value if isinstance(k, Gradient) else k
+    phase = balls.pi.union(3 * balls.pi / 2)
+    while True:
+        image = _phase_image(b0, k0, phase, balls).intersection(phase)
+        if not image.rad() < phase.rad() * arb("0.9"):
+            break
+        phase = image
+    if not isinstance(b, Gradient):
+        return phase
+    partial = _phase_image(b, k, phase, m)
+    return Gradient(phase, (partial / (1 - b0 / _spread(b0, k0, phase, balls))).slopes)
+
+
+def _phase_image(b: Any, k: Any, phase: Any, m: Any) -> Any:
+    return m.pi + m.atan(b * phase * hyperbolic_tangent_over(k * phase))
+
+
+def cotangent(b: Any, k: Any, phase: Any, m: Any) -> Any:
+    """cot ε₀ = √(1 + r²) sinh kP = √(k² + b²) P sinhc kP in the chart (b, k)."""
+    square = k * k + b * b
+    length = m.sqrt(square if isinstance(b, Gradient) else square.nonnegative_part())
+    return length * phase * hyperbolic_sine_over(k * phase)
+
+
+def angle_error(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀: the difference of two arctangents is one."""
+    w, e = cotangent_, tangent_error
+    return m.atan(e * w / (w * w + 1 + e)) / (m.pi / 2 - m.atan(w))
+
+
+def tangent_error(difference: Any, phase: Any, k: Any, m: Any) -> Any:
+    """sinh kP / sinh kP₁ − 1 from P − P₁ and P, without cancellation."""
+    other = phase - difference
+    ratio = hyperbolic_sine_over(k * difference / 2) / hyperbolic_sine_over(k * other)
+    return difference / other * ratio * m.cosh(k * (phase + other) / 2)
+
+
+def sweep_difference(b: Any, k: Any, phase: Any, start: arb, m: Any) -> Any:
+    """P − P₁ for P₁ = π + arctan(r tanh(start·k)): one arctangent with the factor P − start."""
+    gap = phase - start
+    x = b * phase * hyperbolic_tangent_over(k * phase)
+    y = b * start * hyperbolic_tangent_over(k * start)
+    top = b * gap * hyperbolic_sine_over(k * gap)
+    return m.atan(top / (m.cosh(k * phase) * m.cosh(k * start) * (1 + x * y)))
+
+
+def sweep_error(b: Any, k: Any, start: arb, m: Any) -> Any:
+    """ε/ε₀ − 1 of one sweep from ``start``."""
+    phase = phase_over(b, k, m)
+    error = tangent_error(sweep_difference(b, k, phase, start, m), phase, k, m)
+    return angle_error(error, cotangent(b, k, phase, m), m)
+
+
+def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
+    """1 − ε/ε₀ of one Newton step after one sweep from ``start``.
+
+    For g(P) = P − π − arctan(r tanh kP) Taylor's theorem gives P₂ − P = g″(ξ)(P − P₁)²/(2 g′(P₁))
+    with ξ between P and P₁, g′ = 1 − b/D, D = cosh²kP + r² sinh²kP and g″ = bD′/D² > 0: the step
+    lands above P, and ε is too small. The curvature is over the hull of P and P₁ (balls only).
+    """
+    phase = phase_over(b, k, m)
+    difference = sweep_difference(b, k, phase, start, m)
+    swept = m.pi + m.atan(b * start * hyperbolic_tangent_over(k * start))
+    at = phase.union(swept)
+    bend = 2 * m.cosh(k * at) * at * hyperbolic_sine_over(k * at) * (k * k + b * b)
+    curvature = b * bend / _spread(b, k, at, m) ** 2
+    excess = curvature * difference * difference / (2 * (1 - b / _spread(b, k, swept, m)))
+    error = tangent_error(-excess, phase, k, m)
+    return -angle_error(error, cotangent(b, k, phase, m), m)
+
+
+def far_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
+    """T − T₁ of one sweep from ``start`` in the chart (b, κ), from f = e^{−2T}, g = e^{−2·start/κ}.
+
+    tanh T − tanh(start/κ) = 2(g − f)/((1 + f)(1 + g)), and r/κ = b.
+    """
+    r, f = b * kappa, flat(kappa, 2 * phase_by_kappa(b, kappa, m))
+    g = flat(kappa, 2 * start)
+    gap = 2 * (g - f) / ((1 + f) * (1 + g))
+    gap = gap / (1 + r * r * (1 - f) / (1 + f) * (1 - g) / (1 + g))
+    return b * gap * arctangent_over(r * gap)
+
+
+def far_error(difference: Any, b: Any, kappa: Any, m: Any) -> Any:
+    """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ).
+
+    It is tan ε/tan ε₀ − 1, and as the arctangent is concave ε/ε₀ − 1 is between it and 0.
+    """
+    f, growth = flat(kappa, 2 * phase_by_kappa(b, kappa, m)), m.exp(difference)
+    return m.expm1(difference) * (1 + f * growth) / (1 - f * growth * growth)
+
+
+def far_newton_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
+    """T − T₂ of one Newton step after one sweep from ``start`` in the chart (b, κ).
+
+    As ``newton_error``, with D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P/κ} at P₁ or between.
+    """
+    r, phase = b * kappa, phase_by_kappa(b, kappa, m)
+    difference = far_difference(b, kappa, start, m)
+    swept = phase - kappa * difference
+
+    def spread(small: Any) -> Any:
+        return (1 + small) ** 2 + r * r * (1 - small) ** 2
+
+    between, at = flat(kappa, 2 * phase.union(swept)), flat(kappa, 2 * swept)
+    bend = 4 * b * (1 + r * r) * between * (1 - between * between) / spread(between) ** 2
+    return -bend * difference * difference / (1 - 4 * b * at / spread(at))
+
+
+arctangent_rest = Divided(lambda s: s.atan(), 3)
+"""(arctan x − x)/x³."""
+
+
+def printed_excess(r: Any, m: Any) -> Any:
+    """(arctan r/r − 1/√(1 + r²))/r², which is log(printed/ε*)/(b r²); 1/6 at r = 0."""
+    root = m.sqrt(1 + r * r)
+    return arctangent_rest(r) + 1 / (root * (root + 1))
+
+
+def leading_square_over(b: arb, kappa: arb, m: Any) -> arb:
+    """ε*²/κ² in the chart (b, κ), κ ≤ 3: exp(−2π/κ)/κ² increases to κ = π."""
+    r = b * kappa
+
+    def flat_over(x: arb) -> arb:
+        return (-2 * balls.pi / x).exp() / x**2 if x > 0 else arb(0)
+
+    return 4 / (1 + r * r) * _between_ends(kappa, flat_over) * m.exp(-2 * b * arctangent_over(r))
+
+
+def phase_by_kappa(b: Any, kappa: Any, m: Any) -> Any:
+    """The phase P = π + arctan(r tanh P/κ) in the chart (b, κ), a ball: as ``phase_over``."""
+    phase = balls.pi.union(3 * balls.pi / 2)
+    while True:
+        small = flat(kappa, 2 * phase)
+        image = m.pi + m.atan(b * kappa * (1 - 2 * small / (1 + small)))
+        image = image.intersection(phase)
+        if not image.rad() < phase.rad() * arb("0.9"):
+            return phase
+        phase = image
+
+
+def defect_over_kappa(b: arb, kappa: arb, m: Any) -> arb:
+    """ε₀/κ = (ε*/κ) exp Q in the chart (b, κ), κ ≤ 3."""
+    e, _, r = root_by_kappa(b, kappa, m)
+    growth = m.exp(e * e * exponent_rate(e, b, r, m))
+    return growth * m.sqrt(leading_square_over(b, kappa, m).nonnegative_part())
+
+
+def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
+    """κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), a ball."""
+    e, _, r = root_by_kappa(b, kappa, m)
+    return slope_rest_at(e, b, r, kappa, phase_by_kappa(b, kappa, m), m)
+
+
+def slope_rest_at(e: Any, b: Any, r: Any, kappa: Any, phase: Any, m: Any) -> Any:
+    """As ``slope_rest``, where ε₀ = ``e`` and the phase are known.
+
+    −4bε dε/dγ = [(ε/s) c (1 + Rs²) + ε s (1 − R − 2b) T √(1 + Rs²)]/(1 − bs²) with s = sin ε₀,
+    c = cos ε₀ and κT the phase.
+    """
+    sinc, half = sine_over(e), sine_over(e / 2)
+    square = e * e * sinc * sinc
+    root = m.sqrt(1 + r * r * square)
+    cotangent_rest = (-half * half / 2 - sine_rest(e)) / sinc
+    algebraic = cotangent_rest + m.cos(e) * r * r * sinc + b * sinc * sinc
+    turning = sinc * (1 - r * r - 2 * b) * phase * root
+    return (kappa * algebraic + turning) / (1 - b * square)
+
+
+def cubic_gap(b: Any, k: Any, m: Any) -> tuple[Any, Any]:
+    """(ε₀ − ε*, q³) with q = e^{−k(π + arctan r)} in the chart (b, k), away from k = 0."""
+    shape = by_root(b, k, m)
+    decay = m.exp(-k * (m.pi + m.atan(shape.r)))
+    defect = m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m))
+    return defect - shape.leading, decay * decay * decay
+
+
+def cubic_above(shape: Shape, bound: Any, m: Any) -> Any:
+    """Positive where ε₀ < ε* + M q³ = ε*(1 + Kε*²), q = ε*/(2 cos θ), K = (M/8)(1+R)^{3/2}.
+
+    log(1 + Kε*²) − Q at that candidate, divided by (1 + R)ε*²; beyond π/2 nothing is to show.
+    """
+    R = shape.r * shape.r
+    weight = bound / 8 * m.sqrt(1 + R)
+    part = weight * (1 + R) * shape.leading * shape.leading
+    beyond = shape.leading * (1 + part) - m.pi / 2
+    if beyond > 0:
+        return beyond
+    rate = exponent_rate(shape.leading * (1 + part), shape.b, shape.r, m) / (1 + R)
+    return weight * log1p_over(part) - (1 + part) ** 2 * rate
+
+
+def cubic_below(shape: Shape, bound: Any, m: Any) -> Any:
+    """Positive where ε₀ > ε* − M q³; as ``cubic_above``, or where the candidate is negative.
+
+    log(1 − z)/(−z) increases with z, so that it is bounded below by its value at min(z, 1/2).
+    """
+    R = shape.r * shape.r
+    weight = bound / 8 * m.sqrt(1 + R)
+    part = weight * (1 + R) * shape.leading * shape.leading
+    if part > 1:
+        return part - 1
+    rate = exponent_rate(shape.leading * (1 - part), shape.b, shape.r, m) / (1 + R)
+    return (1 - part) ** 2 * rate + weight * log1p_over(-part.min(arb(1) / 2))
+
+
+def cubic_above_far(b: arb, kappa: arb, m: Any) -> arb:
+    """As ``cubic_above`` for M = 10/3 on κ ≤ 1/2, where the margin vanishes at b = 1, κ = 0.
+
+    Q(e) ≤ c₁e² (``exponent_below``) and log(1+z)/z ≥ 1 − z/2 leave K − c₁ > K²y/2 + c₁(2Ky + K²y²).
+    With K ≥ (5/12)(1 + 3R/2), R = b²κ², the left side is at least (6(1 − b) + 9R/2)/12, which is
+    at least 3κ²/8 (``corner_margin``); the rest is flat in κ. Divided by κ².
+    """
+    R = b * b * kappa * kappa
+    K = m.sqrt(1 + R) * (1 + R) * 5 / 12
+    first = (6 * b + 3 * R).abs_upper() / 12
+    over, y = leading_square_over(b, kappa, m), by_kappa(b, kappa, m).leading ** 2
+    return arb(3) / 8 - over * (K * K / 2 + first * K * (2 + K * y))

@@ -1,0 +1,1 @@
+"""Bounds and orders in balls: boxes, and expansions with certified remainders."""

@@ -1,0 +1,418 @@
+"""Inequalities on whole boxes, decided by branch and bound in ball arithmetic.
+
+A *margin* is a plain function of balls (last argument the arithmetic) that a claim makes positive
+on a box with rational sides. The search halves boxes until each one is closed: because the ball of
+the margin over it is positive, or because its mean-value form with monotone coordinates moved to
+their lower side is. What it finds is a :class:`BoxProof`, a bisection tree that can be stored,
+re-checked without any search, and found anew.
+
+Unbounded regions enter through charts (a coordinate 1/a, say), so that infinity is an edge; a
+corner is closed because the margin is positive there too. An edge where the margin tends to 0 is
+never closed: divide it out first.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.reals.balls.gradient import coordinates, gradients
+from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.numbers.exact import Interval, as_rational, fraction_text
+from tresym.reals.verdict import Verdict
+
+Margin = Callable[..., Any]
+Box = tuple[Interval, ...]
+Point = tuple[fmpq, ...]
+
+BY_BALL = "b"
+BY_SLOPES = "m"
+AXES = "xyzw"
+SMALLEST = fmpq(1, 2**40)
+"""The search ends at a box whose longest side is this part of the whole: it touches zero there."""
+
+
+FINE = 512
+"""Bits at which a formula must differ at two points: flat ones differ by little."""
+SLENDER = 2**8
+"""No box is made longer than this times its width, both as parts of the whole."""
+
+
+class CertificateError(ValueError):
+    """A stored box proof that is malformed or does not prove its bound."""
+
+
+def box(*sides: tuple[Any, Any]) -> Box:
+    """The box with these sides; ends are exact (text, integers, fractions).
+
+    Raises:
+        ValueError: a side whose ends are out of order.
+    """
+    made = tuple(Interval(as_rational(low), as_rational(high)) for low, high in sides)
+    if any(side.low > side.high for side in made):
+        raise ValueError("the ends of a side are out of order")
+    return made
+
+
+@dataclass(frozen=True)
+class Bound:
+    """The statement: ``margin(x₁, …, x_n, m) > 0`` for every point of ``box``.
+
+    Attributes:
+        margin: function of n balls and the arithmetic.
+        box: the closed box.
+        slopes: whether mean-value forms are tried too (the margin must run on gradients).
+        precision: working precision in bits.
+        sufficient: whether the margin only suffices for what is claimed. A point at which it is
+            negative then refutes nothing, and the search ends open.
+    """
+
+    margin: Margin
+    box: Box
+    slopes: bool = False
+    precision: int = 64
+    sufficient: bool = False
+
+
+@dataclass(frozen=True)
+class BoxProof:
+    """A bisection tree in prefix order, one letter a node.
+
+    ``x``, ``y``, ``z``, ``w`` halve the box along that axis; ``b`` closes it because the ball of
+    the margin over it is positive, ``m`` because the mean-value form is.
+    """
+
+    tree: str
+
+    @property
+    def leaves(self) -> int:
+        """The number of boxes closed."""
+        return self.tree.count(BY_BALL) + self.tree.count(BY_SLOPES)
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """A rational point at which the ball of the margin is negative."""
+
+    point: Point
+    value: arb
+
+
+@dataclass(frozen=True)
+class Open:
+    """Nothing is shown, for lack of budget or of a better margin; ``worst`` stayed open."""
+
+    worst: Box
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What a search or a re-check of a bound came to."""
+
+    verdict: Verdict
+    proof: BoxProof | None = None
+    counterexample: Counterexample | None = None
+
+    @property
+    def witness(self) -> dict[str, str]:
+        """The counterexample's coordinates as exact text, x1, x2, …; empty without one."""
+        if self.counterexample is None:
+            return {}
+        point = self.counterexample.point
+        return {f"x{i + 1}": fraction_text(x) for i, x in enumerate(point)}
+
+
+def decide(bound: Bound, budget: int = 20_000, stored: BoxProof | None = None) -> Decision:
+    """Decide a bound: by re-checking ``stored`` where given, else by a search of ``budget`` boxes.
+
+    Raises:
+        CertificateError: ``stored`` does not prove the bound.
+    """
+    if stored is not None:
+        recheck(bound, stored)
+        return Decision(Verdict.ENCLOSED, stored)
+    outcome = prove_positive(bound, budget)
+    if isinstance(outcome, BoxProof):
+        return Decision(Verdict.ENCLOSED, outcome)
+    if isinstance(outcome, Counterexample):
+        return Decision(Verdict.REFUTED, counterexample=outcome)
+    return Decision(Verdict.UNDECIDED)
+
+
+def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | None:
+    """Why ``function`` is none of its coordinates in balls, or None; at the working precision.
+
+    It must not be constant, and what it gives over a small box must hold what it gives at points of
+    it: a margin that compares floats, forgets radii or goes by the type of what it is given does
+    not.
+    """
+    start = tuple((low + high) / 2 for low, high in region)
+    end = tuple((side.low + 3 * side.high) / 4 for side in region)
+    near = tuple(p + (q - p) / (32 + n) for n, (p, q) in enumerate(zip(start, end, strict=True)))
+    here = tuple(Interval(p, q) for p, q in zip(start, near, strict=True))
+    values = [value_at(function, start), value_at(function, near), function(*_sides(here), balls)]
+    if not all(isinstance(v, arb) for v in values):
+        return "the formula gives no ball"
+    if start == near or not all(v.is_finite() for v in values):
+        return None
+    first, second, whole = values
+    if first.mid() == second.mid():
+        with ball_precision(FINE):
+            if value_at(function, start).mid() == value_at(function, near).mid():
+                return "the formula does not depend on its coordinates"
+    if not (whole.overlaps(first) and whole.overlaps(second)):
+        return "the formula over a box does not hold its values there"
+    if slopes:
+        rates = _slopes(function, here)
+        steps = [rate * arb(q - p) for rate, p, q in zip(rates, start, near, strict=True)]
+        if not (second - first).overlaps(sum(steps, arb(0))):
+            return "the formula's slopes are not those of its values"
+    return None
+
+
+def prove_positive(bound: Bound, budget: int = 20_000) -> BoxProof | Counterexample | Open:
+    """Search for a proof of the bound, or for a point that refutes it, in ``budget`` boxes."""
+    with ball_precision(bound.precision):
+        for point in _inner_corners(bound.box):
+            value = value_at(bound.margin, point)
+            if value < 0:
+                return _negative(bound, point, value)
+        return _search(bound, budget)
+
+
+def _negative(bound: Bound, point: Point, value: arb) -> Counterexample | Open:
+    """What a point with a negative margin shows: where the margin only suffices, nothing."""
+    if bound.sufficient:
+        return Open(tuple(Interval(x, x) for x in point))
+    return Counterexample(point, value)
+
+
+def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
+    tree: list[str] = []
+    stack = [bound.box]
+    for _ in range(budget):
+        if not stack:
+            return BoxProof("".join(tree))
+        here = stack.pop()
+        if bound.margin(*_sides(here), balls) > 0:
+            tree.append(BY_BALL)
+            continue
+        middle = tuple((low + high) / 2 for low, high in here)
+        centre = value_at(bound.margin, middle)
+        if centre < 0:
+            return _negative(bound, middle, centre)
+        axis = _longest(here, bound.box)
+        if _relative(here, bound.box, axis) < SMALLEST:
+            return Open(here)
+        if bound.slopes and centre > 0:
+            slopes = _slopes(bound.margin, here)
+            if _extreme(bound.margin, here, slopes, lowest=True) > 0:
+                tree.append(BY_SLOPES)
+                continue
+            axis = _steepest(here, bound.box, slopes, axis)
+        tree.append(AXES[axis])
+        stack.extend(reversed(halves(here, axis)))
+    return Open(stack[-1]) if stack else BoxProof("".join(tree))
+
+
+def recheck(bound: Bound, proof: BoxProof) -> None:
+    """Check a stored proof: replay the tree and close every box again, with no search.
+
+    Raises:
+        CertificateError: the tree is malformed, or a box does not close.
+    """
+    if not isinstance(proof.tree, str):
+        raise CertificateError("the tree is no text")
+    with ball_precision(bound.precision):
+        stack = [bound.box]
+        for mark in proof.tree:
+            if not stack:
+                raise CertificateError("the tree goes on after its last box")
+            here = stack.pop()
+            if mark == BY_BALL:
+                closed = bound.margin(*_sides(here), balls) > 0
+            elif mark == BY_SLOPES:
+                slopes = _slopes(bound.margin, here)
+                closed = _extreme(bound.margin, here, slopes, lowest=True) > 0
+            elif mark in AXES[: len(here)]:
+                stack.extend(reversed(halves(here, AXES.index(mark))))
+                continue
+            else:
+                raise CertificateError(f"unknown mark {mark!r} in the tree")
+            if not closed:
+                raise CertificateError(f"the box {_shown(here)} does not close")
+        if stack:
+            raise CertificateError("the tree ends before its last box")
+
+
+@dataclass(frozen=True)
+class Supremum:
+    """The supremum of a function on a box: in ``[low, high]``, ``low`` certified at ``point``."""
+
+    low: arb
+    high: arb
+    point: Point
+
+    @property
+    def ball(self) -> arb:
+        """A ball that contains the supremum."""
+        return self.low.union(self.high)
+
+
+def supremum(
+    function: Margin,
+    region: Box,
+    tolerance: str = "1/100",
+    budget: int = 5_000,
+    slopes: bool = False,
+    precision: int = 64,
+) -> Supremum | None:
+    """Enclose the supremum of ``function`` (positive somewhere on ``region``) by best-first search.
+
+    Args:
+        function: of n balls and the arithmetic.
+        region: the box.
+        tolerance: relative width at which the search stops.
+        budget: boxes looked at.
+        slopes: use mean-value forms as well.
+        precision: working precision in bits.
+
+    Returns:
+        The enclosure, or None when the budget did not suffice.
+    """
+    with ball_precision(precision):
+        best = _best([(value_at(function, p), p) for p in _inner_corners(region)])
+        queue: list[tuple[float, int, Box]] = [(float("-inf"), 0, region)]
+        wanted = 1 + arb(as_rational(tolerance))
+        closed = arb.neg_inf()
+        for count in range(1, budget):
+            if not queue:
+                break
+            here = heapq.heappop(queue)[2]
+            middle = tuple((low + high) / 2 for low, high in here)
+            best = _best([best, (value_at(function, middle), middle)])
+            upper, axis = _upper(function, here, region, slopes)
+            if upper <= best[0].lower() * wanted:
+                closed = closed.max(upper.upper())
+                continue
+            for k, half in enumerate(halves(here, axis)):
+                key = -float(upper.upper()) if upper.is_finite() else float("-inf")
+                heapq.heappush(queue, (key, 2 * count + k, half))
+        if queue or not best[0] > 0:
+            return None
+        low = best[0].lower()
+        return Supremum(low, closed.max(low), best[1])
+
+
+def _best(values: Sequence[tuple[arb, Point]]) -> tuple[arb, Point]:
+    finite = [pair for pair in values if pair[0].is_finite()]
+    return max(finite or values, key=lambda pair: float(pair[0].lower()))
+
+
+def _upper(function: Margin, here: Box, whole: Box, slopes: bool) -> tuple[arb, int]:
+    """An upper bound of the function over the box, and the axis to halve."""
+    axis = _longest(here, whole)
+    plain = function(*_sides(here), balls).upper()
+    if not slopes:
+        return plain, axis
+    found = _slopes(function, here)
+    refined = _extreme(function, here, found, lowest=False).upper()
+    best = plain if not refined.is_finite() or refined > plain else refined
+    return best, _steepest(here, whole, found, axis)
+
+
+def value_at(function: Margin, point: Point) -> arb:
+    """The ball of the function at a rational point, at the working precision."""
+    return function(*(arb(x) for x in point), balls)
+
+
+def halves(here: Box, axis: int) -> tuple[Box, Box]:
+    """The two halves of the box along ``axis``."""
+    low, high = here[axis]
+    middle = (low + high) / 2
+    before, after = here[:axis], here[axis + 1 :]
+    return (
+        (*before, Interval(low, middle), *after),
+        (*before, Interval(middle, high), *after),
+    )
+
+
+def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[Box]:
+    """The boxes a proof closes, in its order (for pictures)."""
+    stack = [region]
+    for mark in proof.tree:
+        here = stack.pop()
+        if mark in AXES:
+            stack.extend(reversed(halves(here, AXES.index(mark))))
+        else:
+            yield here
+
+
+def _sides(here: Box) -> tuple[arb, ...]:
+    return tuple(side.ball() for side in here)
+
+
+def _shown(here: Box) -> str:
+    return " x ".join(f"[{fraction_text(low)}, {fraction_text(high)}]" for low, high in here)
+
+
+def _inner_corners(region: Box) -> list[Point]:
+    """The corners, moved inward by 2⁻³² of the sides: an excluded edge yields no witness."""
+    inset = fmpq(1, 2**32)
+    ends = [(low + (high - low) * inset, high - (high - low) * inset) for low, high in region]
+    return list(product(*ends))
+
+
+def _relative(here: Box, whole: Box, axis: int) -> fmpq:
+    """The length of a side as a part of the whole one."""
+    side = whole[axis].high - whole[axis].low
+    return (here[axis].high - here[axis].low) / side if side else fmpq(0)
+
+
+def _longest(here: Box, whole: Box) -> int:
+    """The axis along which ``here`` is longest relative to ``whole``."""
+    return max(range(len(here)), key=lambda axis: _relative(here, whole, axis))
+
+
+def _slopes(function: Margin, here: Box) -> tuple[arb, ...]:
+    """Enclosures of the partial derivatives over the box."""
+    return function(*coordinates(_sides(here)), gradients).slopes
+
+
+def _steepest(here: Box, whole: Box, slopes: tuple[arb, ...], longest: int) -> int:
+    """The axis along which the function can vary most, of those not far shorter than the longest.
+
+    The longest where the slopes are unknown: they may be large along one axis however short it is.
+    """
+    if not all(s.is_finite() for s in slopes):
+        return longest
+    least = _relative(here, whole, longest) / SLENDER
+    long = [axis for axis in range(len(here)) if _relative(here, whole, axis) >= least]
+    return max(
+        long,
+        key=lambda axis: float(abs(slopes[axis]).upper() * (here[axis].high - here[axis].low)),
+    )
+
+
+def _extreme(function: Margin, here: Box, slopes: tuple[arb, ...], lowest: bool) -> arb:
+    """A ball whose lower end bounds the function below on the box (upper end above, for highest).
+
+    Coordinates in which the function is monotone move to the end that matters, which is exact; the
+    others enter by the mean value theorem about their middle, f(m) + Σ ∂ᵢf(box)·(Xᵢ − mᵢ).
+    """
+    point, spread = [], arb(0)
+    for side, slope in zip(here, slopes, strict=True):
+        if slope >= 0:
+            point.append(side.low if lowest else side.high)
+        elif slope <= 0:
+            point.append(side.high if lowest else side.low)
+        else:
+            middle = (side.low + side.high) / 2
+            point.append(middle)
+            spread += slope * (side.ball() - arb(middle))
+    return value_at(function, tuple(point)) + spread

@@ -1,0 +1,247 @@
+"""Balls with their gradient: forward differentiation of a formula over a whole box.
+
+A formula that runs in balls runs here unchanged (last argument ``gradients``) and returns its
+value together with enclosures of all partial derivatives on the box. That is what the mean-value
+form and the monotonicity test of :mod:`tresym.reals.balls.boxes` need. Where a derivative does not
+exist on the box (a square root at 0, say) its enclosure is not finite, and nothing is concluded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from flint import arb, arb_series, ctx
+
+from tresym.reals.numbers.arithmetic import balls
+
+
+class Gradient:
+    """A ball and the balls of its partial derivatives."""
+
+    __slots__ = ("slopes", "value")
+
+    def __init__(self, value: arb, slopes: tuple[arb, ...]) -> None:
+        self.value = value
+        self.slopes = slopes
+
+    def chain(self, value: arb, slope: arb) -> Gradient:
+        """The composite with a function of that ``value`` and derivative ``slope`` here."""
+        return Gradient(value, tuple(slope * s for s in self.slopes))
+
+    def __neg__(self) -> Gradient:
+        return Gradient(-self.value, tuple(-s for s in self.slopes))
+
+    def __add__(self, other: Any) -> Gradient:
+        if not isinstance(other, Gradient):
+            return Gradient(self.value + other, self.slopes)
+        pairs = zip(self.slopes, other.slopes, strict=True)
+        return Gradient(self.value + other.value, tuple(s + t for s, t in pairs))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Gradient:
+        if not isinstance(other, Gradient):
+            return Gradient(self.value - other, self.slopes)
+        pairs = zip(self.slopes, other.slopes, strict=True)
+        return Gradient(self.value - other.value, tuple(s - t for s, t in pairs))
+
+    def __rsub__(self, other: Any) -> Gradient:
+        return (-self) + other
+
+    def __mul__(self, other: Any) -> Gradient:
+        if not isinstance(other, Gradient):
+            return Gradient(self.value * other, tuple(s * other for s in self.slopes))
+        x, y = self.value, other.value
+        pairs = zip(self.slopes, other.slopes, strict=True)
+        return Gradient(x * y, tuple(s * y + x * t for s, t in pairs))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Gradient:
+        if not isinstance(other, Gradient):
+            return Gradient(self.value / other, tuple(s / other for s in self.slopes))
+        y = other.value
+        quotient = self.value / y
+        pairs = zip(self.slopes, other.slopes, strict=True)
+        return Gradient(quotient, tuple((s - quotient * t) / y for s, t in pairs))
+
+    def __rtruediv__(self, other: Any) -> Gradient:
+        quotient = other / self.value
+        return self.chain(quotient, -quotient / self.value)
+
+    def __pow__(self, power: int) -> Gradient:
+        if power == 0:
+            return Gradient(self.value**0, tuple(s * 0 for s in self.slopes))
+        return self.chain(self.value**power, power * self.value ** (power - 1))
+
+    def __abs__(self) -> Gradient:
+        x = self.value
+        sign = arb(1) if x >= 0 else arb(-1) if x <= 0 else arb(0, 1)
+        return self.chain(abs(x), sign)
+
+
+def _lifted(
+    value: Callable[[arb], arb], slope: Callable[[arb, arb], arb]
+) -> Callable[[Any, Any], Any]:
+    """A method that applies ``value`` to a ball, and with its ``slope(x, y)`` to a gradient."""
+
+    def method(_: Any, x: Any) -> Any:
+        if isinstance(x, Gradient):
+            y = value(x.value)
+            return x.chain(y, slope(x.value, y))
+        return value(x)
+
+    return method
+
+
+class Gradients:
+    """The arithmetic of :class:`Gradient`, under the array API's function names."""
+
+    @property
+    def pi(self) -> arb:
+        """π at the working precision."""
+        return arb.pi()
+
+    sqrt = _lifted(balls.sqrt, lambda x, y: 1 / (2 * y))
+    exp = _lifted(balls.exp, lambda x, y: y)
+    expm1 = _lifted(balls.expm1, lambda x, y: x.exp())
+    log = _lifted(balls.log, lambda x, y: 1 / x)
+    log1p = _lifted(balls.log1p, lambda x, y: 1 / (1 + x))
+    sin = _lifted(balls.sin, lambda x, y: x.cos())
+    cos = _lifted(balls.cos, lambda x, y: -x.sin())
+    tan = _lifted(balls.tan, lambda x, y: 1 + y * y)
+    asin = _lifted(balls.asin, lambda x, y: (1 - x * x).rsqrt())
+    acos = _lifted(balls.acos, lambda x, y: -((1 - x * x).rsqrt()))
+    atan = _lifted(balls.atan, lambda x, y: 1 / (1 + x * x))
+    sinh = _lifted(balls.sinh, lambda x, y: x.cosh())
+    cosh = _lifted(balls.cosh, lambda x, y: x.sinh())
+    tanh = _lifted(balls.tanh, lambda x, y: x.sech() ** 2)
+    asinh = _lifted(balls.asinh, lambda x, y: (1 + x * x).rsqrt())
+    acosh = _lifted(balls.acosh, lambda x, y: (x * x - 1).rsqrt())
+    atanh = _lifted(balls.atanh, lambda x, y: 1 / (1 - x * x))
+
+
+gradients = Gradients()
+
+
+def coordinates(point: tuple[arb, ...]) -> tuple[Gradient, ...]:
+    """The coordinates of a box as gradients: the i-th has slope 1 in direction i."""
+    n = len(point)
+    return tuple(
+        Gradient(x, tuple(arb(int(i == j)) for j in range(n))) for i, x in enumerate(point)
+    )
+
+
+CANCELLED = 6
+"""Beyond 2^−CANCELLED a point is not near 0: a quotient may stand for its Taylor form."""
+
+
+@dataclass(frozen=True)
+class Divided:
+    """The function (h(x) − its Taylor polynomial at 0 of degree < p) / x^p, regular at 0.
+
+    Near 0, where the quotient would lose all digits, it is the Taylor polynomial of the quotient
+    with the remainder ∂ⁿ/n! ∈ h_{n+p}(hull of 0 and x), h_j the j-th Taylor coefficient: the
+    integral form of the remainder, (1/(p−1)!) ∫₀¹ (1−t)^{p−1} h^{(p)}(tx) dt, differentiated.
+
+    Args:
+        series: h as a function of an ``arb_series``.
+        power: p ≥ 1.
+        near: where |x| is at most this the Taylor form is used, elsewhere the quotient.
+        terms: n, terms kept.
+    """
+
+    series: Callable[[arb_series], arb_series]
+    power: int = 1
+    near: float = 0.25
+    terms: int = 12
+
+    def __call__(self, x: Any) -> Any:
+        """The value at a ball, or value and slopes at a gradient."""
+        if isinstance(x, Gradient):
+            value, slope = self._jet(x.value)
+            return x.chain(value, slope)
+        middle = x.mid()
+        value = self._point(middle)
+        return value if x.is_exact() else value + self._rough(x) * (x - middle)
+
+    def _point(self, x: arb) -> arb:
+        """The value at an exact point; the quotient loses at most p times ``CANCELLED`` bits."""
+        if not abs(x) > arb(2) ** -CANCELLED:
+            return self._direct(x)[0]
+        start = _expansion(self, ctx.prec)[: self.power]
+        return (taylor_coefficients(self.series, x, 1)[0] - _horner(start, x)) / x**self.power
+
+    def _rough(self, x: arb) -> arb:
+        """The slope over a ball, by few coefficients: h_{p+1} on the hull of 0 and x."""
+        rough = taylor_coefficients(self.series, x.union(arb(0)), self.power + 2)[self.power + 1]
+        if not abs(x) > self.near / 4:
+            return rough
+        slope = self._direct(x)[1]
+        if not rough.is_finite():
+            return slope
+        return slope.intersection(rough) if slope.is_finite() else rough
+
+    def _jet(self, x: arb) -> tuple[arb, arb]:
+        """Value and slope over the ball: the value by the mean value theorem from its middle."""
+        middle = x.mid()
+        value, slope = self._direct(middle)
+        if x.is_exact():
+            return value, slope
+        slope, rough = self._direct(x)[1], self._rough(x)
+        if rough.is_finite():
+            slope = slope.intersection(rough) if slope.is_finite() else rough
+        return value + slope * (x - middle), slope
+
+    def _direct(self, x: arb) -> tuple[arb, arb]:
+        """Value and slope by the Taylor form near 0 and by the quotient elsewhere."""
+        p, n = self.power, self.terms
+        start = _expansion(self, ctx.prec)
+        if abs(x) > self.near:
+            h = taylor_coefficients(self.series, x, 2)
+            value = h[0] - _horner(start[:p], x)
+            slope = h[1] - _horner([j * c for j, c in enumerate(start[:p])][1:], x)
+            return value / x**p, (slope - p * value / x) / x**p
+        rest = taylor_coefficients(self.series, x.union(arb(0)), p + n + 1)[p + n]
+        terms = [*start[p:], rest]
+        return _horner(terms, x), _horner([j * c for j, c in enumerate(terms)][1:], x)
+
+
+@lru_cache(maxsize=256)
+def _expansion(function: Divided, precision: int) -> list[arb]:
+    """The Taylor coefficients at 0 that ``function`` needs, at the working ``precision``."""
+    return taylor_coefficients(function.series, arb(0), function.power + function.terms)
+
+
+def taylor_coefficients(
+    function: Callable[[arb_series], arb_series], x: arb, length: int
+) -> list[arb]:
+    """The Taylor coefficients h⁽ʲ⁾(ξ)/j!, j < ``length``, enclosed for all ξ in the ball ``x``.
+
+    FLINT cuts every series at a global length; it is raised here and restored. Where the function
+    is not defined on all of ``x`` the coefficients are NaN.
+
+    Raises:
+        RuntimeError: ``function`` returned a shorter series than asked for.
+    """
+    before = ctx.cap
+    ctx.cap = length
+    try:
+        series = function(arb_series([x, 1], length))
+    except (ValueError, ZeroDivisionError):  # a divisor that may vanish
+        return [arb.nan()] * length
+    finally:
+        ctx.cap = before
+    if series.prec < length:
+        raise RuntimeError(f"a series of length {series.prec} where {length} terms are needed")
+    return [series[j] for j in range(length)]
+
+
+def _horner(coefficients: list[arb], x: arb) -> arb:
+    total = arb(0)
+    for c in reversed(coefficients):
+        total = total * x + c
+    return total

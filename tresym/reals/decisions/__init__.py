@@ -1,0 +1,41 @@
+"""A user's own claims: identities, inequalities and orders, decided soundly.
+
+:func:`check` decides one claim in this process; :mod:`tresym.reals.decisions.limits` many, each within a
+limit of time.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.statement import judge
+
+__all__ = ["Answer", "check"]
+
+
+def check(
+    claim: Any, given: Any = "", path: str | None = None, limit: float | None = None
+) -> Answer:
+    """Decide a claim about real elementary expressions.
+
+    Args:
+        claim: text such as ``"diff(F, x) == f"``, ``"exp(x) >= 1 + x"`` or
+            ``"sin(x) == x + O(x**3)"``; LaTeX of the same; or a SymPy relation such as
+            ``Eq(f, g)``, whose symbols are taken as real.
+        given: conditions: text such as ``"a > 0, 0 < b <= 1"``, LaTeX, or SymPy relations.
+        path: for an order claim, such as ``"x -> 0+"``.
+        limit: seconds after which the answer is UNDECIDED; the work is then done in a process of
+            its own. Without it the claim is decided here.
+
+    Raises:
+        InputError: the claim is not read; one line says why.
+    """
+    if not (isinstance(claim, str) and isinstance(given, str)):
+        claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
+    if limit is None:
+        return judge(claim, given, path)
+    from tresym.reals.decisions.limits import Task, check_within
+
+    return check_within(Task(claim, given, path), limit)

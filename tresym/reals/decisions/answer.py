@@ -1,0 +1,135 @@
+"""What a check came to: a value of plain text and numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from html import escape
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.reals.decisions.identity import exact_text
+from tresym.reals.language.expression import Expr
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Decimal, InputError, decimal_ball, parse_number
+from tresym.reals.verdict import Verdict
+
+DIGITS = (12, 40, 220, 1250)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The verdict on one claim, with its reason.
+
+    Attributes:
+        verdict: PROVED, ENCLOSED, REFUTED or UNDECIDED.
+        why: the procedure that decided, or what stopped it and what may help.
+        statement: the claim as written.
+        given: its conditions.
+        witness: for REFUTED, names to exact numbers; or, where ``!=`` fails by a change of sign,
+            to the intervals between whose ends it does.
+        values: both sides at the witness, in balls that exclude the claim.
+        constant: for O, a ball around the supremum of the ratio on the region.
+        region: where the claim is certified, when that is less or more precise than it says.
+        seconds: computing time.
+        line: of the file it was read from.
+        read_as: the claim with its conditions and path in the grammar of expressions.
+    """
+
+    verdict: Verdict
+    why: str
+    statement: str = ""
+    given: str = ""
+    witness: Mapping[str, str] | None = None
+    values: tuple[Decimal, Decimal] | None = None
+    constant: Decimal | None = None
+    region: str | None = None
+    seconds: float = field(default=0.0, compare=False)
+    line: int | None = None
+    read_as: str = ""
+
+    def __bool__(self) -> bool:
+        """Whether the claim holds: PROVED or ENCLOSED."""
+        return self.verdict.holds
+
+    def __str__(self) -> str:
+        return "\n".join([self.verdict.value, *(f"  {name}: {text}" for name, text in self.rows())])
+
+    def rows(self) -> list[tuple[str, str]]:
+        """Everything but the verdict, as names and text.
+
+        How the claim was read is shown where it is not what was written, spaces aside.
+        """
+        written = (self.statement, f"{self.statement} given {self.given}")
+        same = any(_unspaced(text) == _unspaced(self.read_as) for text in written)
+        read_as = "" if same else self.read_as
+        rows = [("claim", self.statement), ("read as", read_as), ("given", self.given)]
+        rows.append(("why", self.why))
+        if self.witness is not None:
+            shown = ", ".join(f"{name} = {value}" for name, value in self.witness.items())
+            rows.append(("witness", shown or "the constants themselves"))
+        if self.values is not None:
+            rows.append(("left side", ball_text(self.values[0])))
+            rows.append(("right side", ball_text(self.values[1])))
+        if self.constant is not None:
+            rows.append(("constant", ball_text(self.constant)))
+        rows.append(("region", self.region or ""))
+        return [row for row in rows if row[1]]
+
+    def as_json(self) -> dict[str, Any]:
+        """A JSON value; every key is always there."""
+        value = asdict(self) | {"verdict": self.verdict.value}
+        value["witness"] = None if self.witness is None else dict(self.witness)
+        value["constant"] = None if self.constant is None else self.constant._asdict()
+        value["values"] = None if self.values is None else [ball._asdict() for ball in self.values]
+        value["seconds"] = round(self.seconds, 6)
+        return value
+
+    def _repr_html_(self) -> str:
+        """A small table for notebooks."""
+        rows = "".join(
+            f"<tr><td>{escape(name)}</td><td style='text-align:left'>{escape(text)}</td></tr>"
+            for name, text in self.rows()
+        )
+        return f"<b>{self.verdict.value}</b><table>{rows}</table>"
+
+
+def _unspaced(text: str) -> str:
+    return "".join(text.split())
+
+
+def ball_text(ball: Decimal) -> str:
+    """A ball in decimal: exact, or with its radius."""
+    return ball.mid if ball.rad == "0" else f"{ball.mid} ± {ball.rad}"
+
+
+def refuted(
+    why: str, point: Mapping[str, fmpq | Expr], left: arb | None = None, right: arb | None = None
+) -> Answer:
+    """A refutation at an exact point, with both sides there."""
+    witness = {name: exact_text(value) for name, value in point.items()}
+    values = None
+    if left is not None and right is not None:
+        values = _apart(left, right)
+    return Answer(Verdict.REFUTED, why, witness=witness, values=values)
+
+
+def _apart(left: arb, right: arb) -> tuple[Decimal, Decimal]:
+    """Both balls in decimal, with the digits it takes to see them apart where they are."""
+    with ball_precision(5000):
+        for digits in DIGITS[:1] if left.overlaps(right) else DIGITS:
+            x, y = decimal_ball(left, digits), decimal_ball(right, digits)
+            try:
+                gap = abs(parse_number(x.mid) - parse_number(y.mid))
+                if gap > parse_number(x.rad) + parse_number(y.rad):
+                    break
+            except InputError:  # an exponent beyond those that are read: few digits will do
+                break
+    return x, y
+
+
+def constant_ball(x: arb) -> Decimal:
+    """The constant of an order statement in decimal."""
+    with ball_precision(128):
+        return decimal_ball(x, 6)

@@ -1,0 +1,76 @@
+"""Equalities that hold derivatives.
+
+Derivatives are first taken as formal ones, which may be real where the functions themselves are
+not, as 1/x is that of log x. What holds of them everywhere is proved of the functions; what does
+not is looked at again, where the functions are real. Where no such point is found nothing is
+refuted, and a proof says that it is one of formal derivatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from flint import arb, fmpq
+
+from tresym.reals.decisions.derivatives import where_real
+from tresym.reals.decisions.identity import Decision, decide, no_point, sampled_values, shown
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+from tresym.reals.verdict import Verdict
+
+BITS, LOOKS = 128, 10
+REAL = "what is differentiated is real"
+NOWHERE = f"no point was found at which {REAL}"
+FORMAL = "so that this is proved of formal derivatives alone"
+
+
+def decide_equality(
+    left: Expr,
+    right: Expr,
+    given: Given,
+    differentiated: tuple[Expr, ...] = (),
+    by: Iterable[str] = (),
+) -> Decision:
+    """Whether ``left = right`` wherever both are defined, and what is differentiated too.
+
+    Args:
+        differentiated: the functions of which derivatives, by the variables ``by``, are compared.
+    """
+    found = decide(left, right, given)
+    if not differentiated:
+        return found
+    if found.witness is not None and _is_real(differentiated, by, found.witness):
+        return found
+    parts = (left, right, *differentiated)
+    names = sorted(frozenset().union(*map(symbols, parts)))
+    if found.verdict is Verdict.PROVED:
+        for point, _ in sampled_values(left, right, given, names, LOOKS, BITS):
+            if _is_real(differentiated, by, point):
+                return replace(found, why=f"{found.why}, {REAL} at {shown(point)}")
+    inside, whole = where_real(given, differentiated, by)
+    real = next(sampled_values(left, right, inside, names, 1, BITS), None)
+    if found.verdict is Verdict.PROVED:
+        where = f", {REAL} at {shown(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
+        return replace(found, why=found.why + where)
+    if real is None:
+        return Decision(Verdict.UNDECIDED, f"{no_point(parts, given)}; {NOWHERE}")
+    again = decide(left, right, whole)
+    if again.verdict is Verdict.UNDECIDED and found.witness is not None:
+        why = f"{again.why}; {found.why}, but what is differentiated is not shown to be real there"
+        return replace(again, why=why)
+    return again
+
+
+def _is_real(functions: Iterable[Expr], by: Iterable[str], point: Mapping[str, fmpq]) -> bool:
+    """Whether balls show every function to be real at ``point`` and beside it."""
+    for bits in (BITS, 8 * BITS):
+        with ball_precision(bits):
+            at = {name: arb(value) for name, value in point.items()}
+            beside = arb(0, arb(2) ** (-bits // 2))
+            near = at | {name: at[name] + beside for name in by if name in at}
+            if all(symbols(f) <= at.keys() and evaluate(f, near).is_finite() for f in functions):
+                return True
+    return False

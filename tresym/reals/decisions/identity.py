@@ -1,0 +1,282 @@
+"""PROVED, REFUTED or UNDECIDED for an identity between real expressions.
+
+What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
+are defined. More exactly: at every point that is a limit of interior points of that set, for the
+normal form is silent on isolated points of the domain. This is not the convention of complex
+principal branches: ``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common
+domain, and ``sqrt(x**2) = x`` is REFUTED.
+
+Nothing is proved vacuously: a point inside ``given`` must be found at which both sides are shown,
+in balls, to be defined.
+
+1. Balls at a few exact rational points: disjoint values refute.
+2. The exact normal form of field.py: a difference that is zero proves.
+3. Balls again, at many points and 700 bits.
+4. What the normal form leaves is tried by derivative: see locally_constant.py.
+5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
+   value put in is decided by itself: see jumps.py.
+6. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
+   sign. Its zeros are limits of other points, and functions are continuous where they are defined.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from flint import arb, fmpq
+
+from tresym.reals.language.expression import ZERO, Expr, number, symbols
+from tresym.reals.normal.constants import settled
+from tresym.reals.normal.field import ALL_THEORIES, Field
+from tresym.reals.normal.locally_constant import equal_by_derivative, vanishes_or_zero
+from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
+from tresym.reals.normal.ring import Fraction, UndefinedError
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import fraction_text
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate, undefined_parts
+from tresym.reals.signs.jumps import cases_at_jumps
+from tresym.reals.verdict import Verdict
+
+Points = Callable[[Given], Sequence[Mapping[str, fmpq]]]
+
+FIRST_BITS, FIRST_POINTS = 128, 2
+SIGN_POINTS = 6, 64
+BLAMED_POINTS, MAX_SHOWN = 40, 60
+LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
+SEARCH_POINTS = 400
+MAX_CASES = 2
+SIZES = (8, 16, 32, 64, 128)
+JUMP = "it is proved but where sign or atan2 jumps, and these points could not be told apart"
+NOWHERE = "no real point was found where both sides are defined"
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A verdict with its reason.
+
+    Attributes:
+        verdict: PROVED, REFUTED or UNDECIDED.
+        why: one sentence: the normal form and base points, or what stopped the procedure.
+        witness: the exact point of a refutation.
+        values: both sides there, as disjoint balls.
+    """
+
+    verdict: Verdict
+    why: str
+    witness: Mapping[str, fmpq] | None = None
+    values: tuple[arb, arb] | None = None
+
+
+def decide(
+    left: Expr,
+    right: Expr,
+    given: Given = Given(),  # noqa: B008 - frozen
+    theories: frozenset[str] = ALL_THEORIES,
+) -> Decision:
+    """Whether ``left = right`` at every real point of ``given`` where both are defined.
+
+    Args:
+        theories: what the proof may use beyond algebra; a function of another theory is a mere
+            name whose equal arguments give equal values. Refutation is not limited by it.
+    """
+    names = sorted(symbols(left) | symbols(right))
+    sides = (left, right)
+
+    def look(
+        count: int, bits: int, where: Given = given
+    ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
+        return sampled_values(left, right, where, names, count, bits)
+
+    defined: dict[str, fmpq] | None = None
+    for point, values in look(FIRST_POINTS, FIRST_BITS):
+        if not values[0].overlaps(values[1]):
+            return _refutation(point, values)
+        defined = point
+    if defined is None:
+        return Decision(Verdict.UNDECIDED, no_point(sides, given))
+    proof, obstacle = _prove(
+        sides, given, theories, lambda where: [point for point, _ in look(*SIGN_POINTS, where)]
+    )
+    if proof is not None:
+        unproved = _at_jumps(sides, given, theories)
+        if unproved is not None:
+            return unproved
+        where = shown(defined)
+        return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {where}")
+    for bits, count in LATER_LOOKS:
+        for point, values in look(count, bits):
+            if not values[0].overlaps(values[1]):
+                return _refutation(point, values)
+    return Decision(Verdict.UNDECIDED, obstacle)
+
+
+def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -> Decision | None:
+    """What fails, or is not shown, at points that a proof at almost all points leaves out."""
+    left, right = sides
+    if left == right:
+        return None
+    for case in cases_at_jumps(sides, given):
+        if case is None:
+            return Decision(Verdict.UNDECIDED, JUMP)
+        found = decide(case.of(left), case.of(right), case.given, theories)
+        if found.verdict is Verdict.PROVED:
+            continue
+        why = f"it is proved but {case}; there, {found.why}"
+        point = case.point(found.witness)
+        if point is not None and found.values is not None:
+            return _refutation(point, found.values)
+        return Decision(Verdict.UNDECIDED, why)
+    return None
+
+
+def sampled_values(
+    left: Expr,
+    right: Expr,
+    given: Given,
+    names: list[str],
+    count: int,
+    bits: int,
+) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
+    """Points where both sides are defined, at most ``count``, with their values."""
+    found = 0
+    for point in given.points(names, SEARCH_POINTS):
+        with ball_precision(bits):
+            at = {name: arb(value) for name, value in point.items()}
+            known: dict[Expr, arb] = {}
+            x = evaluate(left, at, known)
+            y = evaluate(right, at, known) if x.is_finite() else x
+        if y.is_finite():
+            yield point, (x, y)
+            found += 1
+        if found == count or not point:
+            return
+
+
+def _refutation(point: dict[str, fmpq], values: tuple[arb, arb]) -> Decision:
+    why = f"the two sides differ at {shown(point)}"
+    return Decision(Verdict.REFUTED, why, point, values)
+
+
+def shown(point: Mapping[str, fmpq | Expr]) -> str:
+    """The exact point in words."""
+    parts = (f"{name} = {exact_text(value)}" for name, value in point.items())
+    return ", ".join(parts) or "the constants themselves"
+
+
+def exact_text(value: fmpq | Expr) -> str:
+    """A coordinate of an exact point, as one would type it."""
+    return str(value) if isinstance(value, Expr) else fraction_text(value)
+
+
+def no_point(parts: tuple[Expr, ...], given: Given) -> str:
+    """Why nothing is proved where no point is found at which all ``parts`` are defined."""
+    names = sorted(frozenset().union(*map(symbols, parts)))
+    if not names:
+        return "one of the sides is not shown to be a real number; nothing is proved vacuously"
+    if next(given.points(names, 1), None) is None:
+        return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
+    missing: Counter[Expr] = Counter()
+    with ball_precision(FIRST_BITS):
+        for point in given.points(names, BLAMED_POINTS):
+            at = {name: arb(value) for name, value in point.items()}
+            missing.update(undefined_parts(parts, at))
+    ranked = sorted((-count, str(part)) for part, count in missing.items())
+    blamed = " and ".join([text for _, text in ranked if len(text) <= MAX_SHOWN][:2])
+    hint = "a condition that bounds the variables may help"
+    if any(part.op == "log" for part in missing):
+        hint += ", or log(abs(u)) for log(u)"
+    return f"{NOWHERE}: {blamed or 'parts of them'} would have to be real; {hint}"
+
+
+def _prove(
+    sides: tuple[Expr, Expr],
+    given: Given,
+    theories: frozenset[str],
+    points: Points,
+    depth: int = 0,
+) -> tuple[str | None, str]:
+    """A sentence on the proof, or None and a sentence on what stopped it."""
+    left, right = sides
+    if left == right:
+        return "both sides are the same expression", ""
+    try:
+        field, value = _difference(sides, given, theories, points)
+    except (TooLargeError, UndefinedError) as error:
+        return None, f"the exact normal form stopped: {error}"
+    count = len(field.generators)
+    if value.num.is_zero():
+        return f"the difference has normal form 0 ({count} generators)", ""
+    try:
+        value = settled(field, value, functions=bool(symbols(left) | symbols(right)))
+        if vanishes_or_zero(field, value.num):
+            return f"the difference has normal form 0 after its constants ({count} generators)", ""
+        proof = equal_by_derivative(left, right, given, theories, field.size)
+    except (TooLargeError, UndefinedError):
+        proof = None
+    in_doubt = _sign_in_doubt(field, value) if proof is None and depth < MAX_CASES else None
+    if in_doubt is not None:
+        cases = [given & Given(((e, ">", ZERO),)) for e in (in_doubt, -in_doubt)]
+        if all(_prove(sides, case, theories, points, depth + 1)[0] for case in cases):
+            return f"it is proved by cases, in the sign of {in_doubt}", ""
+    return proof, "" if proof else _obstacle(field, value)
+
+
+def _difference(
+    sides: tuple[Expr, Expr], given: Given, theories: frozenset[str], points: Points
+) -> tuple[Field, Fraction]:
+    """The normal form of the first side less the second."""
+    fewest = _generator_count(sides)
+    for size in (size for size in SIZES if size >= fewest):
+        field = Field(given, theories, size, lambda: points(given))
+        try:
+            x, y = field.normal(*sides)
+            return field, field.subtract(x, y)
+        except TooLargeError:
+            if len(field.generators) < size:
+                raise
+    raise TooLargeError("more generators than the largest ring has room for")
+
+
+def _generator_count(sides: tuple[Expr, ...]) -> int:
+    """About how many generators the normal forms will need: parts that are not rational."""
+    seen: set[Expr] = set()
+    stack = list(sides)
+    count = 0
+    while stack:
+        node = stack.pop()
+        if node in seen or node.op == "number":
+            continue
+        seen.add(node)
+        rational = node.op == "^" and node.args[1].op == "number" and node.args[1].args[0].q == 1
+        count += not rational and node.op not in ("+", "*")
+        stack.extend(arg for arg in node.args if isinstance(arg, Expr))
+    return min(count, SIZES[-1])
+
+
+def _sign_in_doubt(field: Field, value: Fraction) -> Expr | None:
+    """A polynomial in the symbols, not zero, on whose sign the normal form depends."""
+    for i in field.used(value.num):
+        generator = field.at(i)
+        if generator.kind == "sign":
+            terms = terms_in_symbols(field, generator.data[0])
+            if terms is not None:
+                return sum((number(c) * as_expression(m) for m, c in terms.items()), ZERO)
+    return None
+
+
+def _obstacle(field: Field, value: Fraction) -> str:
+    kinds = {field.at(i).kind for i in field.used(value.num)}
+    if "sign" in kinds:
+        signs = [field.at(i).data[0] for i in field.used(value.num) if field.at(i).kind == "sign"]
+        for factor in signs:
+            return (
+                f"the normal form of the difference depends on the sign of {field.text(factor)}; "
+                "an assumption on it may help"
+            )
+    if "opaque" in kinds:
+        return "the difference is not zero by the allowed theories alone"
+    return "the normal form of the difference is not zero, and no point was found that refutes"

@@ -1,0 +1,316 @@
+"""Inequalities: a point that refutes, a proven sign, Taylor's theorem, and then boxes.
+
+A claim ``left >= right`` speaks of every real point of ``given`` where both sides are defined, like
+an identity, and nothing is proved where no such point is found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import islice, product
+
+from flint import arb, fmpq
+
+from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.derivatives import where_real
+from tresym.reals.decisions.identity import decide, sampled_values, shown
+from tresym.reals.decisions.region import search
+from tresym.reals.language.expression import PI, Expr, number, rebuild, substitute, symbol, symbols
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.at_point import equal_at, satisfies
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import fraction_text
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.descent import low_points
+from tresym.reals.places.domain import bound, with_domain
+from tresym.reals.places.points import corners
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.concave import sign_by_concavity
+from tresym.reals.signs.cones import sign_on_cones
+from tresym.reals.signs.equivalents import equivalents
+from tresym.reals.signs.homogeneous import sign_by_homogeneity
+from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
+from tresym.reals.signs.sign import PROVING, sign
+from tresym.reals.signs.taylor import sign_by_taylor
+from tresym.reals.verdict import Verdict
+
+LOOKS = ((128, 40), (700, 10))
+HALVINGS = 40
+MAX_PAIRS = 8
+MAX_STARTS = 24
+MAX_CASES = 3
+PERIODS = (2 * PI, number(2))
+
+
+def decide_inequality(
+    left: Expr,
+    relation: str,
+    right: Expr,
+    given: Given,
+    differentiated: Iterable[Expr] = (),
+    by: Iterable[str] = (),
+) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for ``left relation right``.
+
+    Args:
+        differentiated: the functions of which derivatives, by the variables ``by``, are compared.
+    """
+    if relation in ("<", "<="):
+        mirrored = relation.replace("<", ">")
+        found = decide_inequality(right, mirrored, left, given, differentiated, by)
+        values = found.values and (found.values[1], found.values[0])
+        return replace(found, values=values)
+    inside, whole = where_real(given, differentiated, by)
+    names = sorted(symbols(left) | symbols(right) | inside.names)
+    defined, refutation = _sampled(left, relation, right, inside, names)
+    if refutation is not None:
+        return refutation
+    if defined is None:
+        return Answer(
+            Verdict.UNDECIDED,
+            "no exact point was found inside the conditions where both sides "
+            f"{'and what is differentiated ' if differentiated else ''}are defined, "
+            "and nothing is proved vacuously; a condition that bounds the variables may help",
+        )
+    if not symbols(left) | symbols(right):
+        return _constants(left, relation, right)
+    region = with_domain(whole, left, right)
+    proof = _proved(left, relation, right, region)
+    partly = proof is not None and not is_regular(given)
+    if proof is not None and not partly:
+        return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {shown(defined)}")
+    if relation == "!=":
+        return _shown_under(given, _apart(left, right, region, inside, defined))
+    starts = inside.points(names, MAX_STARTS)
+    for point in low_points(left - right, inside, starts):
+        refutation = _refuted_at(point, left, relation, right, inside)
+        if refutation is not None:
+            return refutation
+    period = _one_period(left - right, region, given)
+    found = _shown_under(given, search(left, right, relation == ">", period, inside))
+    if partly and found.verdict is Verdict.UNDECIDED:
+        return replace(found, why=ONLY_INSIDE)
+    return found
+
+
+def _shown_under(given: Given, found: Answer) -> Answer:
+    """What boxes enclose, with the conditions that were typed."""
+    if found.verdict is not Verdict.ENCLOSED or not given.comparisons:
+        return found
+    return replace(found, region=str(given))
+
+
+def _one_period(difference: Expr, region: Given, given: Given) -> Given:
+    """The region, cut down to one period where the claim has one."""
+    names = symbols(difference)
+    if len(names) != 1 or names & given.names:
+        return region
+    x = symbol(*names)
+    # Its domain must be periodic too: what is equal is so only where both are defined.
+    parts = [difference, *(condition.expression for condition in region.conditions)]
+    for period in PERIODS:
+        shift = {x.args[0]: x + period}
+        if all(decide(substitute(e, shift), e).verdict is Verdict.PROVED for e in parts):
+            return region & Given(((x, ">=", -period / 2), (x, "<=", period / 2)))
+    return region
+
+
+def _proved(left: Expr, relation: str, right: Expr, region: Given, depth: int = 0) -> str | None:
+    """A sentence that proves ``left relation right``, absolute values taken apart by cases."""
+    proof = _directly(left - right, relation, region)
+    if proof is not None:
+        return proof
+    inner = _absolute(left - right)
+    if inner is None:
+        return _by_equivalents(left, relation, right, region)
+    if depth == MAX_CASES:
+        return None
+    for side in (inner, -inner):
+        case = region & Given((bound(side, ">="),))
+        sides = _without(left, inner, side), _without(right, inner, side)
+        if _proved(sides[0], relation, sides[1], case, depth + 1) is None:
+            return None
+    return f"by cases, in the sign of {inner}"
+
+
+def _by_equivalents(left: Expr, relation: str, right: Expr, region: Given) -> str | None:
+    """The proof of an inequality that is equivalent to this one."""
+    for difference, where, words in equivalents(left, relation, right, region):
+        proof = _directly(difference, relation, where)
+        if proof is not None:
+            return words + proof
+    return None
+
+
+def _directly(difference: Expr, relation: str, region: Given) -> str | None:
+    """A proof by the signs of the parts, by cones, or by Taylor's theorem."""
+    found = sign(difference, region)
+    if found in PROVING[relation]:
+        return f"the difference {_words(found)} by the signs of its parts"
+    proof = sign_on_cones(difference, relation, region)
+    if proof is not None:
+        return proof
+    proof = sign_by_homogeneity(difference, relation, region)
+    if proof is not None:
+        return proof
+    proof = sign_by_concavity(difference, relation, region)
+    if proof is not None:
+        return proof
+    proof = sign_by_taylor(difference, relation, region)
+    return None if proof is None else f"Taylor's theorem: {proof}"
+
+
+def _absolute(e: Expr) -> Expr | None:
+    """The argument of an absolute value in ``e`` that has none within, if there is one."""
+    for arg in e.args if e.op not in ("number", "symbol", "pi") else ():
+        found = _absolute(arg)
+        if found is not None:
+            return found
+    return e.args[0] if e.op == "abs" else None
+
+
+def _without(e: Expr, inner: Expr, side: Expr) -> Expr:
+    """``e`` with ``abs(inner)`` replaced by ``side``."""
+    if e.op in ("number", "symbol", "pi"):
+        return e
+    if e.op == "abs" and e.args[0] == inner:
+        return side
+    return rebuild(e, tuple(_without(arg, inner, side) for arg in e.args))
+
+
+def _sampled(
+    left: Expr, relation: str, right: Expr, given: Given, names: list[str]
+) -> tuple[dict[str, fmpq] | None, Answer | None]:
+    """A point where both sides are defined, and a refutation where a point gives one."""
+    defined = None
+    for bits, count in LOOKS:
+        for point, (x, y) in sampled_values(left, right, given, names, count, bits):
+            defined = point
+            if relation != "!=" and x < y:
+                return defined, refuted(f"it fails at {shown(point)}", point, x, y)
+            if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
+                return defined, refuted(f"both sides are equal at {shown(point)}", point, x, y)
+    return defined, _at_corners(left, relation, right, given, names) if defined else None
+
+
+def _at_corners(
+    left: Expr, relation: str, right: Expr, given: Given, names: list[str]
+) -> Answer | None:
+    """A refutation where variables are 0, 1 or at closed ends of their ranges."""
+    for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
+        if _is_isolated(dict(point), left, right):
+            continue
+        found = _refuted_at(dict(point), left, relation, right, given)
+        if found is not None:
+            return found
+    return None
+
+
+def _is_isolated(point: dict[str, fmpq], left: Expr, right: Expr) -> bool:
+    """Whether no point is found close by where both sides are defined."""
+    with ball_precision(LOOKS[-1][0]):
+        for signs in product((1, -1), repeat=len(point)):
+            steps = (fmpq(sign, (1 << 40) + 7**k) for k, sign in enumerate(signs))
+            at = {n: arb(v + step) for (n, v), step in zip(point.items(), steps, strict=True)}
+            if all(evaluate(side, at).is_finite() for side in (left, right)):
+                return False
+    return bool(point)
+
+
+def _refuted_at(
+    point: dict[str, fmpq], left: Expr, relation: str, right: Expr, given: Given
+) -> Answer | None:
+    """A refutation where the exact point satisfies the conditions and violates the claim."""
+    for bits, _ in LOOKS:
+        with ball_precision(bits):
+            at = {name: arb(value) for name, value in point.items()}
+            if not all(satisfies(condition, point, at) for condition in given.conditions):
+                continue
+            x, y = evaluate(left, at), evaluate(right, at)
+        if not (x.is_finite() and y.is_finite()):
+            continue
+        if relation != "!=" and x < y:
+            return refuted(f"it fails at {shown(point)}", point, x, y)
+        if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
+            return refuted(f"both sides are equal at {shown(point)}", point, x, y)
+    return None
+
+
+def _constants(left: Expr, relation: str, right: Expr) -> Answer:
+    """Both sides are constants, and no ball refuted the claim."""
+    if equal_at(left, right, {}):
+        if relation == ">=":
+            return Answer(Verdict.PROVED, "the two constants are equal")
+        return refuted("the two constants are equal", {})
+    found = sign(left - right, Given())
+    if found in PROVING[relation]:
+        return Answer(Verdict.ENCLOSED, "the balls of the two constants are apart")
+    return Answer(Verdict.UNDECIDED, "the balls of the two constants overlap at 1024 bits")
+
+
+def _apart(
+    left: Expr, right: Expr, region: Given, inside: Given, defined: dict[str, fmpq]
+) -> Answer:
+    """``left != right``: refuted by a zero between two points, or by a strict inequality."""
+    names = sorted(defined)
+    signs: dict[bool, list[dict[str, fmpq]]] = {True: [], False: []}
+    for point, (x, y) in sampled_values(left, right, region, names, *LOOKS[0][::-1]):
+        if not x.overlaps(y):
+            signs[bool(x > y)].append(point)
+    for start, end in islice(product(signs[True], signs[False]), MAX_PAIRS):
+        zero = _zero_between(left - right, region, start, end)
+        if zero is not None:
+            return zero
+    above = bool(signs[True])
+    if above and signs[False]:
+        why = "the difference has both signs, so it may vanish; no zero of it was found"
+        return Answer(Verdict.UNDECIDED, why)
+    pair = (left, right) if above else (right, left)
+    found = search(*pair, True, region, inside)
+    if found.verdict is not Verdict.REFUTED:
+        return found
+    point = {name: parse(text) for name, text in (found.witness or {}).items()}
+    if equal_at(left, right, point):
+        return replace(found, why=f"both sides are equal at {shown(point)}")
+    if all(value.op == "number" for value in point.values()):
+        exact = defined | {name: value.args[0] for name, value in point.items()}
+        zero = _zero_between(left - right, region, defined, exact)
+        if zero is not None:
+            return zero
+    why = "the difference changes its sign, so it may vanish; no zero of it was found"
+    return Answer(Verdict.UNDECIDED, why)
+
+
+def _zero_between(
+    difference: Expr, region: Given, start: dict[str, fmpq], end: dict[str, fmpq]
+) -> Answer | None:
+    """A refutation of ``difference != 0``, which has two signs at two points, by halving.
+
+    The difference is continuous on the small box about the last two points, as its ball there is
+    finite, so it vanishes on the segment between them.
+    """
+    with ball_precision(LOOKS[-1][0]):
+        above = evaluate(difference, {name: arb(x) for name, x in start.items()}) > 0
+        for _ in range(HALVINGS):
+            middle = {name: (start[name] + end[name]) / 2 for name in start}
+            value = evaluate(difference, {name: arb(x) for name, x in middle.items()})
+            if not (value > 0 or value < 0):
+                return None
+            start, end = (middle, end) if (value > 0) == above else (start, middle)
+        box = {name: arb(start[name]).union(arb(end[name])) for name in start}
+        inside = all(condition.holds(box) for condition in region.conditions)
+        if not (inside and evaluate(difference, box).is_finite()):
+            return None
+    ends = {name: sorted((start[name], end[name])) for name in start}
+    witness = {
+        name: f"[{fraction_text(low)}, {fraction_text(high)}]" if low < high else fraction_text(low)
+        for name, (low, high) in ends.items()
+    }
+    why = "the difference is continuous there and changes its sign, so it vanishes between"
+    return Answer(Verdict.REFUTED, why, witness=witness)
+
+
+def _words(found: str | None) -> str:
+    words = {"+": "is positive", "-": "is negative", "0": "has normal form 0"}
+    return words.get(found or "", "is nowhere negative")

@@ -1,0 +1,87 @@
+"""Claims decided in processes of their own, each of which is stopped when its time is over."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from concurrent.futures import BrokenExecutor, Future
+from dataclasses import replace
+from itertools import tee
+from typing import Any, NamedTuple
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.reading import Statement, read_as
+from tresym.reals.decisions.statement import judge
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.processes import Processes, cores
+from tresym.reals.verdict import Verdict
+
+DEFAULT_LIMIT = 5.0
+
+
+class Task(NamedTuple):
+    """A claim to decide; ``line`` is where it stands in a file."""
+
+    claim: Any
+    given: Any = ""
+    path: str | None = None
+    line: int | None = None
+
+
+def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
+    """Decide one claim in at most ``limit`` seconds.
+
+    Raises:
+        InputError: the claim is not read.
+    """
+    for _, found in check_all([task], limit, 1):
+        if isinstance(found, InputError):
+            raise found
+        return found
+    raise RuntimeError("a task without an answer")
+
+
+def check_all(
+    tasks: Iterable[Task], limit: float = DEFAULT_LIMIT, processes: int | None = None
+) -> Iterator[tuple[Task, Answer | InputError]]:
+    """Every task with its answer, or with what is wrong with it, in the order of the tasks."""
+    tasks, asked = tee(tasks)
+    with Processes(processes or cores(), limit, deaths=1, forked=True) as pool:
+        futures = pool.in_order(_judged, (task[:3] for task in asked))
+        for task, future in zip(tasks, futures, strict=True):
+            yield task, _found(task, future, limit)
+
+
+def _found(task: Task, future: Future[Any], limit: float) -> Answer | InputError:
+    """The answer; UNDECIDED when time was over or the process died."""
+    try:
+        found: Answer | InputError = future.result()
+    except TimeoutError as error:
+        return _given_up(task, str(error), limit)
+    except BrokenExecutor:
+        return _given_up(task, "its process ended, perhaps for want of memory", limit)
+    return found if isinstance(found, InputError) else replace(found, line=task.line)
+
+
+def _given_up(task: Task, reason: str, limit: float) -> Answer:
+    given = task.claim.given if isinstance(task.claim, Statement) else task.given
+    return Answer(
+        Verdict.UNDECIDED,
+        f"{reason}; fewer variables, a smaller region or a longer --limit may help",
+        statement=" ".join(str(task.claim)[:400].split()),
+        given=str(given)[:400],
+        read_as=read_as(*task[:3]),
+        seconds=limit,
+        line=task.line,
+    )
+
+
+def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
+    """The answer, or what is wrong with the claim."""
+    try:
+        return judge(claim, given, path)
+    except InputError as error:
+        return error
+    except Exception as error:  # one claim that we fail at must not end the others
+        why = f"the procedure failed ({type(error).__name__}); please report this claim"
+        text = " ".join(str(claim)[:400].split())
+        return Answer(Verdict.UNDECIDED, why, text, read_as=read_as(claim, given, path))

@@ -1,0 +1,149 @@
+"""One statement to one answer: every comparison in it is decided by the procedure of its kind."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from tresym.reals.advocate import STOPPED
+from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.attack import attack
+from tresym.reals.decisions.equalities import decide_equality
+from tresym.reals.decisions.identity import JUMP, exact_text
+from tresym.reals.decisions.reading import ORDERS, Comparison, Statement, read
+from tresym.reals.language.expression import ZERO, Expr, symbols
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.signs.jumps import cases_at_jumps, jumps, zeros
+from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
+from tresym.reals.verdict import Verdict
+
+_LOOK_ALIKE = {
+    "e": "the number is E",
+    "Pi": "the number is pi",
+    "PI": "the number is pi",
+    "i": "and real as all are",
+    "j": "and real as all are",
+}
+_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
+
+
+def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
+    """Read a claim, unless it is read already, and decide it.
+
+    Arguments are those of :func:`tresym.reals.decisions.reading.read`.
+
+    Raises:
+        InputError: the claim is not read.
+    """
+    start = time.perf_counter()
+    statement = claim if isinstance(claim, Statement) else read(claim, given, path)
+    answers = [_bounded(comparison, statement) for comparison in statement.comparisons]
+    answer = _worst(answers)
+    if len(answers) > 1:
+        broken = statement.comparisons[answers.index(answer)]
+        which = f"{broken.left} {broken.relation} {broken.right}: "
+        answer = replace(answer, why=which + answer.why)
+    if not answer:
+        answer = replace(answer, why=answer.why + _mistaken(statement))
+    return replace(
+        answer,
+        statement=_short(statement.text),
+        given=_short(str(statement.given)),
+        read_as=statement.read_as,
+        seconds=time.perf_counter() - start,
+    )
+
+
+def _worst(answers: list[Answer]) -> Answer:
+    return min(answers, key=lambda found: _WORST.index(found.verdict))
+
+
+def _bounded(comparison: Comparison, statement: Statement) -> Answer:
+    """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
+    start = time.process_time()
+    try:
+        answer = _decide(comparison, statement)
+    except InputError as error:
+        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    if not answer:
+        return answer
+    against = attack(comparison, statement, answer, time.process_time() - start)
+    return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
+
+
+def _decide(comparison: Comparison, statement: Statement) -> Answer:
+    left, relation, right = comparison.left, comparison.relation, comparison.right
+    functions = comparison.differentiated, comparison.by
+    if relation == "==":
+        found = decide_equality(left, right, statement.given, *functions)
+        if found.witness is not None and found.values is not None:
+            return refuted(found.why, found.witness, *found.values)
+        if found.verdict.holds and not is_regular(statement.given):
+            return Answer(Verdict.UNDECIDED, ONLY_INSIDE)
+        return Answer(found.verdict, found.why)
+    if relation in ORDERS:
+        from tresym.reals.decisions.orders import decide_order
+
+        if statement.path is None:
+            raise TypeError("an order claim is read with its path")
+        return decide_order(comparison, statement.path)
+    return _decide_inequality(left, relation, right, statement.given, *functions)
+
+
+def _decide_inequality(
+    left: Expr,
+    relation: str,
+    right: Expr,
+    given: Given,
+    differentiated: tuple[Expr, ...],
+    by: frozenset[str],
+) -> Answer:
+    """The answer to an inequality; where sign and atan2 jump, it is one by itself."""
+    from tresym.reals.decisions.inequalities import decide_inequality
+
+    nodes = jumps((left, right), given)
+    apart = Given(tuple((u, "!=", ZERO) for node in nodes for u in zeros(node.args[0], given)))
+    answer = decide_inequality(left, relation, right, given & apart, differentiated, by)
+    answers = [replace(answer, region=str(given) or None) if nodes and answer.region else answer]
+    for case in cases_at_jumps((left, right), given) if nodes else ():
+        if case is None:
+            answers.append(Answer(Verdict.UNDECIDED, JUMP))
+            continue
+        real = tuple(map(case.of, differentiated))
+        found = _decide_inequality(case.of(left), relation, case.of(right), case.given, real, by)
+        at = case.point(_exact(found.witness))
+        if found.verdict is Verdict.REFUTED and at is None:
+            found = replace(found, verdict=Verdict.UNDECIDED)
+        shown = at and {name: exact_text(value) for name, value in at.items()}
+        why = f"{case}: {found.why}"
+        answers.append(replace(found, why=why, witness=shown, region=str(given) or None))
+    return _worst(answers)
+
+
+def _exact(witness: Mapping[str, str] | None) -> dict[str, Expr] | None:
+    """The witness as it was before it was written, None where that was no point."""
+    try:
+        return None if witness is None else {name: parse(v) for name, v in witness.items()}
+    except InputError:  # intervals between whose ends the sign changes
+        return None
+
+
+def _mistaken(statement: Statement) -> str:
+    """A remark on variables that may have been meant as numbers."""
+    names = frozenset().union(*(symbols(c.left) | symbols(c.right) for c in statement.comparisons))
+    remarks = [
+        f"; {name} is a variable here, {other}"
+        for name, other in _LOOK_ALIKE.items()
+        if name in names
+    ]
+    return "".join(remarks)
+
+
+def _short(text: str) -> str:
+    """``text`` on one line, the middle of a very long one left out."""
+    line = " ".join(text.split())
+    return line if len(line) <= 400 else f"{line[:200]} … {line[-100:]}"

@@ -1,0 +1,485 @@
+"""Expressions: immutable trees of numbers, symbols, sums, products, powers and functions.
+
+A tree is what was written, not what it means: constructors fold numbers and flatten sums and
+products, and nothing else, because ``0*log(x)`` is not defined where ``0`` is, and ``1/0`` is a
+tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` asks for ``x ≥ 0``
+(``cbrt`` is the real cube root of any number), ``log x`` for ``x > 0``, ``asin`` and ``acos`` for
+``|x| ≤ 1``, ``1/x`` for ``x ≠ 0``. ``sign 0`` is 0, and ``atan2(y, x)``, the angle of the point
+``(x, y)`` in (−π, π], is defined but at the origin: ``atan2(0, x)`` is π for ``x < 0``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from functools import reduce
+from typing import Any, TypeAlias
+
+from flint import fmpq
+
+from tresym.reals.numbers.exact import InputError, as_rational, fraction_text
+
+Number: TypeAlias = int | Fraction | fmpq
+
+FUNCTIONS = frozenset(
+    (
+        *("abs", "sign", "cbrt", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc"),
+        *("asin", "acos", "atan", "sinh", "cosh", "tanh", "coth", "sech", "csch"),
+        *("asinh", "acosh", "atanh"),
+    )
+)
+"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
+there is ``atan2`` alone, see :func:`angle`."""
+
+MAX_DEPTH = 120
+MAX_SIZE = 20_000
+MAX_BITS = 40_000
+MAX_POWER = 1_000
+MAX_DERIVATIVES = 10
+
+
+class Expr:
+    """One node. Build it with :func:`number`, :func:`symbol`, :func:`apply` and the operators.
+
+    Attributes:
+        op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"``, ``"atan2"`` or a
+            function's name.
+        args: the operands; an ``fmpq`` for a number, a ``str`` for a symbol.
+        size, depth: nodes counted as a tree, and its height; both are bounded.
+    """
+
+    __slots__ = ("_hash", "_symbols", "args", "depth", "op", "size")
+
+    op: str
+    args: tuple[Any, ...]
+
+    def __init__(self, op: str, args: tuple[Any, ...]) -> None:
+        """Internal: the functions of this module fold and check, this does only the bounds."""
+        size, depth = 1, 1
+        if op not in ("number", "symbol"):
+            for arg in args:
+                size += arg.size
+                depth = max(depth, arg.depth + 1)
+            if depth > MAX_DEPTH:
+                raise InputError(f"the expression is nested deeper than {MAX_DEPTH} levels")
+            if size > MAX_SIZE:
+                raise InputError(f"the expression has more than {MAX_SIZE} terms and operations")
+        self.op = op
+        self.args = args
+        self.size = size
+        self.depth = depth
+        self._hash = hash((op, args) if op != "number" else (int(args[0].p), int(args[0].q)))
+        self._symbols: frozenset[str] | None = None
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __eq__(self, other: object) -> bool:
+        if self is other:
+            return True
+        return (
+            isinstance(other, Expr)
+            and self._hash == other._hash
+            and self.op == other.op
+            and self.args == other.args
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_rebuild, (self.op, self.args if self.op != "number" else str(self.args[0])))
+
+    def __add__(self, other: Expr | Number) -> Expr:
+        return add(self, as_expr(other))
+
+    def __radd__(self, other: Number) -> Expr:
+        return add(as_expr(other), self)
+
+    def __sub__(self, other: Expr | Number) -> Expr:
+        return add(self, -as_expr(other))
+
+    def __rsub__(self, other: Number) -> Expr:
+        return add(as_expr(other), -self)
+
+    def __mul__(self, other: Expr | Number) -> Expr:
+        return multiply(self, as_expr(other))
+
+    def __rmul__(self, other: Number) -> Expr:
+        return multiply(as_expr(other), self)
+
+    def __truediv__(self, other: Expr | Number) -> Expr:
+        return multiply(self, power(as_expr(other), MINUS_ONE))
+
+    def __rtruediv__(self, other: Number) -> Expr:
+        return multiply(as_expr(other), power(self, MINUS_ONE))
+
+    def __pow__(self, other: Expr | Number) -> Expr:
+        return power(self, as_expr(other))
+
+    def __rpow__(self, other: Number) -> Expr:
+        return power(as_expr(other), self)
+
+    def __neg__(self) -> Expr:
+        return multiply(MINUS_ONE, self)
+
+    def __pos__(self) -> Expr:
+        return self
+
+    def __abs__(self) -> Expr:
+        return apply("abs", self)
+
+    def __str__(self) -> str:
+        return _text(self, 0)
+
+    def __repr__(self) -> str:
+        return f"Expr({_text(self, 0)!r})"
+
+
+def _rebuild(op: str, args: Any) -> Expr:
+    return number(fmpq(*map(int, args.split("/")))) if op == "number" else Expr(op, args)
+
+
+def as_expr(x: Expr | Number) -> Expr:
+    """``x`` itself, or the exact number ``x`` as an expression.
+
+    Raises:
+        InputError: floats and other inexact types.
+    """
+    return x if isinstance(x, Expr) else number(x)
+
+
+def number(x: Number) -> Expr:
+    """An exact rational number."""
+    value = as_rational(x)
+    if value.p.bit_length() > MAX_BITS or value.q.bit_length() > MAX_BITS:
+        raise InputError("a number in the expression is too long: at most 12 000 digits")
+    return Expr("number", (value,))
+
+
+def symbol(name: str) -> Expr:
+    """A real variable."""
+    return Expr("symbol", (name,))
+
+
+ZERO = number(0)
+ONE = number(1)
+MINUS_ONE = number(-1)
+HALF = number(Fraction(1, 2))
+PI = Expr("pi", ())
+E = Expr("exp", (ONE,))
+
+
+def add(*terms: Expr) -> Expr:
+    """The sum; nested sums are flattened and numbers folded."""
+    rest: list[Expr] = []
+    constant = fmpq(0)
+    for term in terms:
+        for part in term.args if term.op == "+" else (term,):
+            if part.op == "number":
+                constant += part.args[0]
+            else:
+                rest.append(part)
+    if constant != 0 or not rest:
+        rest.append(number(constant))
+    return rest[0] if len(rest) == 1 else Expr("+", tuple(rest))
+
+
+def multiply(*factors: Expr) -> Expr:
+    """The product; nested products are flattened and numbers folded, but zero is kept."""
+    rest: list[Expr] = []
+    constant = fmpq(1)
+    for factor in factors:
+        for part in factor.args if factor.op == "*" else (factor,):
+            if part.op == "number":
+                constant *= part.args[0]
+            else:
+                rest.append(part)
+    if constant != 1 or not rest:
+        rest.insert(0, number(constant))
+    return rest[0] if len(rest) == 1 else Expr("*", tuple(rest))
+
+
+def power(base: Expr, exponent: Expr) -> Expr:
+    """``base**exponent``. Numeric exponents are bounded: the procedure expands them.
+
+    Raises:
+        InputError: a numeric exponent beyond ±1000, or a power of a number that is too long.
+    """
+    if exponent.op == "number":
+        r = exponent.args[0]
+        if r == 1:
+            return base
+        if abs(r.p) > MAX_POWER or r.q > MAX_POWER:
+            raise InputError(
+                f"the exponent {_short(r)} is beyond the limit: numerator and denominator "
+                f"of an exponent go up to {MAX_POWER}"
+            )
+        if base.op == "number" and r.q == 1:
+            return _number_power(base.args[0], int(r.p))
+        if base.op == "^" and r.q == 1 and base.args[1].op == "number":
+            inner = base.args[1].args[0]
+            if inner.q == 1 and not (inner < 0 and r < 0):
+                return power(base.args[0], number(inner * r))
+    return Expr("^", (base, exponent))
+
+
+def _number_power(base: fmpq, n: int) -> Expr:
+    if n < 0 and base == 0:
+        return Expr("^", (ZERO, number(n)))
+    if max(base.p.bit_length(), base.q.bit_length()) * abs(n) > MAX_BITS:
+        raise InputError("a power of a number in the expression is too long: at most 12 000 digits")
+    return number(base**n)
+
+
+def _short(r: fmpq) -> str:
+    if max(r.p.bit_length(), r.q.bit_length()) > 100:
+        return f"of {r.p.bit_length()} bits"
+    return fraction_text(r)
+
+
+def apply(name: str, argument: Expr) -> Expr:
+    """The function ``name`` of :data:`FUNCTIONS` applied to ``argument``."""
+    if name not in FUNCTIONS:
+        raise InputError(f"unknown function {name}; known are sqrt, {', '.join(sorted(FUNCTIONS))}")
+    return Expr(name, (argument,))
+
+
+def sqrt(x: Expr) -> Expr:
+    """The square root."""
+    return power(x, HALF)
+
+
+def angle(y: Expr, x: Expr) -> Expr:
+    """atan2(y, x), the angle of the point (x, y) in (−π, π], off the origin."""
+    return Expr("atan2", (y, x))
+
+
+def off_the_cut(e: Expr) -> Expr:
+    """A node ``atan2(y, x)`` where (x, y) is not on the negative x-axis, by an arc tangent."""
+    y, x = e.args
+    return 2 * apply("atan", y / (sqrt(x**2 + y**2) + x))
+
+
+def extreme(side: int, values: Iterable[Expr]) -> Expr:
+    """The largest of several (``side`` 1), or the smallest (−1), by absolute values."""
+    return reduce(lambda x, y: (x + y + side * apply("abs", x - y)) / 2, values)
+
+
+class Trees:
+    """Expressions under the array API's function names: formulas run in it and become trees."""
+
+    pi = PI
+
+    @staticmethod
+    def sqrt(x: Expr | Number) -> Expr:
+        """Square root."""
+        return sqrt(as_expr(x))
+
+    def __getattr__(self, name: str) -> Any:
+        """Every function of :data:`FUNCTIONS`."""
+        if name not in FUNCTIONS:
+            raise AttributeError(name)
+        return lambda x: apply(name, as_expr(x))
+
+
+trees = Trees()
+
+
+def symbols(e: Expr) -> frozenset[str]:
+    """The names of the variables in ``e``."""
+    if e._symbols is None:
+        if e.op == "symbol":
+            e._symbols = frozenset(e.args)
+        elif e.op == "number":
+            e._symbols = frozenset()
+        else:
+            e._symbols = frozenset().union(*(symbols(arg) for arg in e.args))
+    return e._symbols
+
+
+def substitute(e: Expr, mapping: Mapping[str, Expr]) -> Expr:
+    """``e`` with every variable of ``mapping`` replaced, all at once."""
+    done: dict[Expr, Expr] = {}
+
+    def walk(node: Expr) -> Expr:
+        if node.op == "symbol":
+            return mapping.get(node.args[0], node)
+        if node.op in ("number", "pi") or symbols(node).isdisjoint(mapping):
+            return node
+        if node not in done:
+            done[node] = rebuild(node, tuple(walk(arg) for arg in node.args))
+        return done[node]
+
+    return walk(e)
+
+
+def replaced(e: Expr, known: Mapping[Expr, Expr]) -> Expr:
+    """``e`` with parts replaced, outermost first."""
+    if e in known:
+        return known[e]
+    if e.op in ("number", "symbol", "pi"):
+        return e
+    return rebuild(e, tuple(replaced(arg, known) for arg in e.args))
+
+
+def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
+    """The operation of ``node`` on other operands."""
+    if node.op == "+":
+        return add(*args)
+    if node.op == "*":
+        return multiply(*args)
+    if node.op == "^":
+        return power(*args)
+    return angle(*args) if node.op == "atan2" else apply(node.op, args[0])
+
+
+def differentiate(e: Expr, name: str) -> Expr:
+    """The formal derivative of ``e`` with respect to the variable ``name``.
+
+    Formal: ``log u`` gives ``u'/u`` and ``atanh u`` gives ``u'/(1 − u²)`` whatever the sign, so
+    the derivative's domain may exceed that of ``e``.
+    """
+    done: dict[Expr, Expr | None] = {}
+
+    def walk(node: Expr) -> Expr | None:
+        """The derivative, None for zero."""
+        if name not in symbols(node):
+            return None
+        if node not in done:
+            done[node] = _derivative(node, walk)
+        return done[node]
+
+    return walk(e) or ZERO
+
+
+def _derivative(node: Expr, walk: Any) -> Expr | None:
+    if node.op == "symbol":
+        return ONE
+    parts = [walk(arg) for arg in node.args]
+    if node.op == "+":
+        return add(*(part for part in parts if part is not None))
+    if node.op == "*":
+        return add(
+            *(
+                multiply(*node.args[:i], part, *node.args[i + 1 :])
+                for i, part in enumerate(parts)
+                if part is not None
+            )
+        )
+    if node.op == "^":
+        return _power_derivative(*node.args, *parts)
+    if node.op == "atan2":
+        y, x = node.args
+        dy, dx = (ZERO if part is None else part for part in parts)
+        return (x * dy - y * dx) / (x**2 + y**2)
+    return multiply(_slope(node.op, node.args[0], node), parts[0])
+
+
+def _power_derivative(base: Expr, exponent: Expr, db: Expr | None, de: Expr | None) -> Expr:
+    terms = []
+    if db is not None:
+        lower = power(base, exponent - 1) if exponent != number(2) else base
+        terms.append(multiply(exponent, lower, db))
+    if de is not None:
+        terms.append(multiply(power(base, exponent), apply("log", base), de))
+    return add(*terms)
+
+
+def _slope(name: str, x: Expr, value: Expr) -> Expr:
+    """The derivative of the function ``name`` at ``x``, where its value is ``value``."""
+
+    def f(other: str) -> Expr:
+        return apply(other, x)
+
+    match name:
+        case "exp":
+            return value
+        case "log":
+            return 1 / x
+        case "sin":
+            return f("cos")
+        case "cos":
+            return -f("sin")
+        case "tan":
+            return 1 + value**2
+        case "cot":
+            return -1 - value**2
+        case "sec":
+            return value * f("tan")
+        case "csc":
+            return -value * f("cot")
+        case "asin":
+            return 1 / sqrt(1 - x**2)
+        case "acos":
+            return -1 / sqrt(1 - x**2)
+        case "atan":
+            return 1 / (1 + x**2)
+        case "sinh":
+            return f("cosh")
+        case "cosh":
+            return f("sinh")
+        case "tanh" | "coth":
+            return 1 - value**2
+        case "sech":
+            return -value * f("tanh")
+        case "csch":
+            return -value * f("coth")
+        case "asinh":
+            return 1 / sqrt(x**2 + 1)
+        case "acosh":
+            return 1 / (sqrt(x - 1) * sqrt(x + 1))
+        case "atanh":
+            return 1 / (1 - x**2)
+        case "abs":
+            return x / value
+        case "cbrt":
+            return number(Fraction(1, 3)) / value**2
+        case _:  # sign, constant where it is defined
+            return multiply(ZERO, 1 / x)
+
+
+def _text(e: Expr, level: int) -> str:
+    """The grammar of parsing.py; ``level`` is the binding strength of what surrounds ``e``."""
+    if e.op == "number":
+        value = e.args[0]
+        own = 1 if value < 0 else (2 if value.q != 1 else 4)
+        return _wrap(fraction_text(value), own, level)
+    if e.op == "symbol":
+        return str(e.args[0])
+    if e.op == "pi":
+        return "pi"
+    if e.op == "+":
+        body = _text(e.args[0], 1)
+        for term in e.args[1:]:
+            part = _text(term, 1)
+            body += f" - {part[1:]}" if part.startswith("-") else f" + {part}"
+        return _wrap(body, 1, level)
+    if e.op == "*":
+        return _product_text(e, level)
+    if e.op == "^":
+        if e.args[1] == HALF:
+            return f"sqrt({_text(e.args[0], 0)})"
+        return _wrap(f"{_text(e.args[0], 4)}**{_text(e.args[1], 4)}", 3, level)
+    if e == E:
+        return "E"
+    return f"{e.op}({', '.join(_text(arg, 0) for arg in e.args)})"
+
+
+def _product_text(e: Expr, level: int) -> str:
+    top: list[str] = []
+    bottom: list[str] = []
+    sign = ""
+    for factor in e.args:
+        if factor == MINUS_ONE:
+            sign = "-"
+        elif factor.op == "^" and factor.args[1] == MINUS_ONE:
+            bottom.append(_text(factor.args[0], 3))
+        else:
+            text = _text(factor, 1 if not top and not sign and factor.op == "number" else 2)
+            if factor.op == "number" and factor.args[0].q != 1 and top:
+                text = f"({text})"
+            top.append(text)
+    body = sign + "*".join(top or ["1"]) + "".join(f"/{part}" for part in bottom)
+    return _wrap(body, 1 if body.startswith("-") else 2, level)
+
+
+def _wrap(text: str, own: int, level: int) -> str:
+    return f"({text})" if own < level else text

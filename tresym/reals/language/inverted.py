@@ -1,0 +1,83 @@
+"""Zeros of an expression in one symbol, as far as inverting its functions finds them."""
+
+from __future__ import annotations
+
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    add,
+    apply,
+    multiply,
+    number,
+    power,
+    symbols,
+)
+from tresym.reals.numbers.exact import InputError
+
+_INVERSE = {
+    "exp": "log",
+    "log": "exp",
+    "atan": "tan",
+    "asin": "sin",
+    "acos": "cos",
+    "sinh": "asinh",
+    "tanh": "atanh",
+    "asinh": "sinh",
+    "acosh": "cosh",
+    "atanh": "tanh",
+    "tan": "atan",
+    "sin": "asin",
+    "cos": "acos",
+}
+
+
+def solutions(e: Expr, name: str) -> list[Expr]:
+    """Candidates for zeros of ``e`` in the symbol ``name``, without it.
+
+    Where the symbol stands in several terms of a sum nothing is found. A candidate need be neither
+    real nor a zero; the caller proves what it uses.
+    """
+    try:
+        return _solved(e, name, ZERO)
+    except InputError:
+        return []
+
+
+def _solved(e: Expr, name: str, value: Expr) -> list[Expr]:
+    """Candidates for ``e = value``."""
+    if e.op == "symbol":
+        return [value] if e.args == (name,) else []
+    with_name = [arg for arg in e.args if name in symbols(arg)] if e.op != "number" else []
+    if len(with_name) != 1 and not (e.op == "*" and value == ZERO):
+        return []
+    if e.op == "+":
+        return _solved(with_name[0], name, value - add(*(a for a in e.args if a != with_name[0])))
+    if e.op == "*":
+        if value == ZERO:
+            return [c for arg in with_name for c in _solved(arg, name, ZERO)]
+        return _solved(
+            with_name[0], name, value / multiply(*(a for a in e.args if a != with_name[0]))
+        )
+    if e.op == "^":
+        return _solved_power(e.args[0], e.args[1], name, value)
+    if e.op in _INVERSE and not (e.op == "exp" and value == ZERO):
+        return _solved(e.args[0], name, apply(_INVERSE[e.op], value))
+    return []
+
+
+def _solved_power(base: Expr, exponent: Expr, name: str, value: Expr) -> list[Expr]:
+    if exponent.op != "number":
+        return (
+            []
+            if name in symbols(base)
+            else _solved(exponent, name, apply("log", value) / apply("log", base))
+        )
+    r = exponent.args[0]
+    if value == ZERO:
+        return _solved(base, name, ZERO) if r > 0 else []
+    root = power(value, number(1 / r))
+    return [
+        c
+        for side in ((root, -root) if r.q == 1 and r.p % 2 == 0 else (root,))
+        for c in _solved(base, name, side)
+    ]

@@ -1,0 +1,160 @@
+"""The tokens of a LaTeX formula, and what comes next in them."""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+from tresym.reals.language.latex_reach import Ahead, Piece
+from tresym.reals.language.latex_tokens import CLOSING, FUNCTIONS, GREEK, RELATIONS, STOPS, Spaced
+from tresym.reals.numbers.exact import InputError
+
+BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
+FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac")
+OPERATORS = ("/", "\\cdot", "\\times", "*")
+DIFFERENTIALS = ("d", "\\partial")
+OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
+
+
+class Cursor:
+    """The tokens of a formula, and the place in them.
+
+    Attributes:
+        author: whether ``f(x)``, ``dy/dx`` and ``\\dot x`` are symbols of the author's, and the
+            shorter of two readings is taken, as where a claim is compared with what is read. Else
+            they are refused.
+        at: the next token.
+        open_end: where the last operand without brackets ended.
+    """
+
+    def __init__(self, tokens: list[str], author: bool = False) -> None:
+        self.tokens = tokens
+        self.author = author
+        self.at = 0
+        self.differentials: list[str] = []
+        self.integrals = 0
+        self.open_end = -1
+
+    def peek(self, ahead: int = 0) -> str:
+        """The next token, or one further on; empty at the end."""
+        i = self.at + ahead
+        return self.tokens[i] if i < len(self.tokens) else ""
+
+    def take(self, expected: str = "") -> str:
+        """The next token, which must be the expected one if one is named."""
+        token = self.peek()
+        if not token:
+            raise InputError("LaTeX: the formula ends where more is expected")
+        if expected and token != expected:
+            self.refuse(f"{expected} is expected")
+        self.at += 1
+        return token
+
+    def refuse(self, why: str) -> NoReturn:
+        """Raise the complaint, with the place."""
+        near = " ".join(self.tokens[max(0, self.at - 3) : self.at + 4])
+        raise InputError(f"LaTeX: {why} at {self.peek() or 'the end'!a}, near {near!a}")
+
+    def two_readings(self, first: Piece | str, second: Piece | str) -> NoReturn:
+        """Refuse what can be read in two ways, with both written out."""
+        one, other = (_short(p.text if isinstance(p, Piece) else p) for p in (first, second))
+        near = " ".join(self.tokens[max(0, self.at - 6) : self.at + 1])
+        raise InputError(f"LaTeX: two readings remain: write {one} or {other}, near {near!a}")
+
+    def skip_stops(self) -> None:
+        """Step over commas, full stops and implication arrows."""
+        while self.peek() in STOPS:
+            self.at += 1
+
+    def continues(self) -> bool:
+        """Whether another factor of the same product follows."""
+        return self.peek() in OPERATORS or self.starts_factor()
+
+    def starts_factor(self) -> bool:
+        """Whether the next token begins another factor of the same product."""
+        token = self.peek()
+        if not token or token in RELATIONS or token in STOPS:
+            return False
+        return token not in CLOSING and not token.startswith(("\\end", "\\right"))
+
+    def at_differential(self) -> bool:
+        """Inside an integral, ``d`` before a symbol."""
+        return bool(self.integrals) and self.peek() == "d" and is_letter(self.peek(1))
+
+    def ahead(self) -> Ahead:
+        """What follows in this product."""
+        if not self.continues() or self.at_differential():
+            return Ahead("")
+        operator = self.peek() if self.peek() in OPERATORS else ""
+        i = self.at + bool(operator)
+        sign = operator and ("/" if operator == "/" else "*")
+        return Ahead(self.kind(i), sign, isinstance(self.tokens[self.at], Spaced))
+
+    def kind(self, i: int) -> str:
+        """Of the factor that begins at token ``i``."""
+        token = self.tokens[i] if i < len(self.tokens) else ""
+        if token.startswith("\\") and token[1:] in FUNCTIONS:
+            return "inverse" if FUNCTIONS[token[1:]].startswith("a") else "function"
+        if token == "\\int":
+            return "function"
+        if token in ("\\dot", "\\ddot") or self.is_derivative_at(i):
+            return "derivative"
+        if token in BRACKETS:
+            return "bracket"
+        if token in FRACTIONS:
+            return "fraction"
+        exponential = token == "e" and self.tokens[i + 1 : i + 2] == ["^"]
+        return "letter" if (is_letter(token) or token == "\\pi") and not exponential else "other"
+
+    def is_derivative_at(self, i: int) -> bool:
+        """A fraction whose halves are ``d…`` and ``d`` before a letter."""
+        if self.tokens[i : i + 1] == [] or self.tokens[i] not in FRACTIONS:
+            return False
+        above = self.tokens[i + 1 : i + 3]
+        if above[:1] == ["{"]:
+            above, i = above[1:], self.partner(i + 1)
+        else:
+            i += 1
+        below = self.tokens[i + 1 : i + 4]
+        return (
+            above[0:1] == below[1:2]
+            and above[0:1] in (["d"], ["\\partial"])
+            and below[:1] == ["{"]
+            and len(below) == 3
+            and is_letter(below[2])
+        )
+
+    def partner(self, i: int) -> int:
+        """Where the bracket that opens at token ``i`` is closed, or the end."""
+        depth = 0
+        for k in range(i, len(self.tokens)):
+            depth += (self.tokens[k] in OPENING) - (self.tokens[k] in CLOSED)
+            if depth == 0:
+                return k
+        return len(self.tokens)
+
+    def is_list(self) -> bool:
+        """Whether the bracket that opens here holds a comma of its own."""
+        depth = 0
+        for token in self.tokens[self.at : self.partner(self.at)]:
+            depth += (token in OPENING) - (token in CLOSED)
+            if depth == 1 and token == ",":
+                return True
+        return False
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 200 else f"{text[:140]} … {text[-40:]}"
+
+
+def is_number(token: str) -> bool:
+    """Whether a token is a decimal without its sign."""
+    return token[:1].isdigit() or token[:1] == "."
+
+
+def is_letter(token: str) -> bool:
+    """Whether a token begins a symbol: a Latin or Greek letter, or Δ before one."""
+    return (
+        (len(token) == 1 and token.isascii() and token.isalpha())
+        or token[1:] in GREEK
+        or (token == "\\Delta")
+    )

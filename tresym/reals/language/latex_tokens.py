@@ -1,0 +1,162 @@
+"""LaTeX mathematics as tokens: spacing, sizes and labels dropped, upright words told apart."""
+
+from __future__ import annotations
+
+import re
+
+from tresym.reals.numbers.exact import InputError
+
+MAX_CHARACTERS = 10_000
+MAX_DEPTH = 60
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_TRIGONOMETRIC = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+FUNCTIONS = {
+    **{name: name for name in (*_TRIGONOMETRIC, "cot", "sec", "csc", "coth", "exp", "log")},
+    "ln": "log",
+    **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "sec", "csc")},
+    **{f"ar{name}": f"a{name}" for name in ("sinh", "cosh", "tanh")},
+    **{f"a{name}": f"a{name}" for name in _TRIGONOMETRIC},
+    **{"sech": "sech", "csch": "csch", "sgn": "sign", "sign": "sign", "arccot": "acot"},
+}
+"""Commands and upright words that apply a function, and the function."""
+GREEK = _words(
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau "
+    "upsilon phi chi psi omega varepsilon vartheta varphi varrho varsigma "
+    "Gamma Theta Lambda Xi Sigma Upsilon Phi Psi Omega ell hbar"
+)
+RELATIONS = {
+    **dict.fromkeys(("=", ":=", "\\equiv"), "="),
+    **dict.fromkeys(("<", "\\lt"), "<"),
+    **dict.fromkeys((">", "\\gt"), ">"),
+    **dict.fromkeys(("\\le", "\\leq", "\\leqslant"), "<="),
+    **dict.fromkeys(("\\ge", "\\geq", "\\geqslant"), ">="),
+    **dict.fromkeys(("\\ne", "\\neq"), "!="),
+    **dict.fromkeys(("\\simeq", "\\approx", "\\sim"), "~"),
+    **dict.fromkeys(("\\to", "\\rightarrow"), "->"),
+    "\\ll": "<<",
+    "\\gg": ">>",
+    "\\in": "in",
+}
+"""Relations as they are written, and as they are read."""
+CALLS = _words("integral at between value diff O o")
+"""Calls in the text that are the reader's own, not the author's functions."""
+LETTERS_OF_FUNCTIONS = _words("f g h F G Gamma zeta")
+RESERVED = _words("E lambda pi") | frozenset(FUNCTIONS.values())
+_GAPS = {"\\ "} | _words("\\, \\; \\: \\quad \\qquad ~")
+_SPACES = _GAPS | _words("\\! \\displaystyle \\textstyle \\limits \\nonumber \\notag")
+_SIZES = _words("\\big \\Big \\bigl \\bigr \\Bigl \\Bigr \\bigg \\Bigg")
+ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
+STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
+CLOSING = _words("+ - ) ] \\} } & : / |")
+CONDITION = "\\conditionfor"
+"""The token for upright words that open a condition."""
+_CONDITIONS = _words("for if when")
+
+_SAME = {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
+    "\\lvert": "\\left|",
+    "\\rvert": "\\right|",
+}
+
+
+class Spaced(str):
+    """A token before which the author put a space that prints."""
+
+    __slots__ = ()
+
+
+_BRACED = re.compile(
+    rf"\{{\s*(\\(?:{'|'.join(FUNCTIONS)})\s*(?:\^\s*(?:[\da-z]|\{{[^{{}}]*\}}))?)\s*\}}"
+)
+_TOKEN = re.compile(
+    r"""(?P<space>\s+|%[^\n]*\n?)
+      | (?P<command>\\(?:begin|end)\{[a-zA-Z*]+\}|\\[a-zA-Z]+|\\.)
+      | (?P<number>\d+(?:\.\d+)?|\.\d+)
+      | (?P<other>:=|.)""",
+    re.VERBOSE | re.DOTALL,
+)
+
+
+def tokenize(source: str, words: frozenset[str] = frozenset()) -> list[str]:
+    """The tokens of a formula; ``words`` are runs of letters that are one name.
+
+    Raises:
+        InputError: too long, or nested too deeply.
+    """
+    if len(source) > MAX_CHARACTERS:
+        raise InputError(f"LaTeX: {len(source)} characters are beyond the limit {MAX_CHARACTERS}")
+    raw = _merged(
+        [m[0] for m in _TOKEN.finditer(_prepared(source)) if m.lastgroup != "space"], words
+    )
+    depth = 0
+    for token in raw:
+        depth += (token in "{([") - (token in "})]")
+        if depth > MAX_DEPTH:
+            raise InputError(f"LaTeX: nested deeper than {MAX_DEPTH} levels")
+    return raw
+
+
+def _prepared(source: str) -> str:
+    """Without labels, the optional space after a line's end, and braces around a function's name;
+    upright text as commands.
+    """
+    source = re.sub(r"\\(?:label|tag|color)\s*\{[^{}]*\}", " ", source)
+    source = re.sub(r"\\\\\s*\[[^\[\]]*\]", r"\\\\ ", source)
+    source = re.sub(r"\\mathrm\s+([dei])", r" \1 ", source)
+    source = re.sub(
+        r"(\\(?:text|textrm|mathrm|operatorname|mbox|textup))\s*\{([^{}]*)\}", _text, source
+    )
+    return _BRACED.sub(r"\1 ", source)
+
+
+def _text(match: re.Match[str]) -> str:
+    """Upright text: a function's name, the letters d, e and i, radians, or a condition's "for"."""
+    word = match[2].strip()
+    if word in FUNCTIONS:
+        return f"\\{word} "
+    if word in ("d", "e", "i"):
+        return f" {word} "
+    if word == "rad":
+        return " "
+    if word.lower() in _CONDITIONS:
+        return f" {CONDITION} "
+    return f"{match[1]} "
+
+
+def _merged(raw: list[str], words: frozenset[str]) -> list[str]:
+    """Tokens without spacing and sizes; declared words become one token."""
+    kept = _without_spaces([t for t in raw if t not in _SIZES])
+    result: list[str] = []
+    i = 0
+    while i < len(kept):
+        word = next((w for w in words if kept[i : i + len(w)] == list(w)), None)
+        if word:
+            result.append(word)
+            i += len(word)
+        elif kept[i] in ("\\left", "\\right"):
+            delimiter = kept[i + 1] if i + 1 < len(kept) else ""
+            delimiter = {"\\vert": "|", "\\lvert": "|", "\\rvert": "|"}.get(delimiter, delimiter)
+            # "\left." and "\right." are invisible partners of an evaluation bar.
+            result.append(f"{kept[i]}{delimiter}" if delimiter in (".", "|") else delimiter)
+            i += 2
+        else:
+            result.append(_SAME.get(kept[i], kept[i]))
+            i += 1
+    return result
+
+
+def _without_spaces(raw: list[str]) -> list[str]:
+    """The tokens but for spaces; one behind a space that prints is :class:`Spaced`."""
+    kept: list[str] = []
+    gap = False
+    for token in raw:
+        if token not in _SPACES:
+            kept.append(Spaced(token) if gap else token)
+            gap = False
+        elif token in _GAPS:
+            gap = True
+    return kept

@@ -1,0 +1,63 @@
+"""Signs of printed mathematics in the characters of the grammar: π, ², ≤, |x| and the like."""
+
+from __future__ import annotations
+
+import re
+
+from tresym.reals.numbers.exact import InputError
+
+_GREEK = (
+    *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa"),
+    *("lambda_", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon"),
+    *("phi", "chi", "psi", "omega"),
+)
+_SIGNS = str.maketrans(
+    {
+        **{chr(0x3B1 + k): f" {name} " for k, name in enumerate(_GREEK)},
+        **{"ϕ": " phi ", "ϵ": " epsilon ", "∞": " oo ", "√": " sqrt ", "′": "'"},
+        **{"≤": "<=", "⩽": "<=", "≥": ">=", "⩾": ">=", "≠": "!=", "→": "->", "∼": "~", "≡": "=="},
+        **dict.fromkeys("·⋅×∙∗", "*"),
+        **dict.fromkeys("−–‒", "-"),
+        **dict.fromkeys("÷∕", "/"),
+        **dict.fromkeys("\u00a0\u2009\u202f\u2062", " "),
+        **{"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "‖": "|"},
+    }
+)
+_UPPER = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_LOWER = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_BEFORE_OPENING = frozenset("+-*/^(,<>=~!&")
+
+
+def plain(text: str) -> str:
+    """``text`` in ASCII as far as its signs have one meaning, ``|x|`` as ``abs(x)``.
+
+    What is not known is left as it is, for the grammar to refuse.
+
+    Raises:
+        InputError: a bar without its partner.
+    """
+    if not text.isascii():
+        text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]+", lambda m: f"**({m[0].translate(_UPPER)})", text)
+        text = re.sub("(?<=[A-Za-zα-ω])[₀-₉]+", lambda m: "_" + m[0].translate(_LOWER), text)
+        text = re.sub("([α-ω])(?=_)", lambda m: m[0].translate(_SIGNS).strip(), text)
+        text = text.translate(_SIGNS)
+    return _without_bars(text) if "|" in text else text
+
+
+def _without_bars(text: str) -> str:
+    """A bar opens where an operand is expected, and closes elsewhere."""
+    written: list[str] = []
+    expected, depth = True, 0
+    for character in text:
+        if character == "|":
+            depth += 1 if expected else -1
+            written.append("abs(" if expected else ")")
+            if depth < 0:
+                break
+        else:
+            written.append(character)
+            if not character.isspace():
+                expected = character in _BEFORE_OPENING
+    if depth:
+        raise InputError("a bar | of an absolute value has no partner: write abs(…)")
+    return "".join(written)

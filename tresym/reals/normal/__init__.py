@@ -1,0 +1,1 @@
+"""The exact normal form: equal expressions have a difference that is 0."""

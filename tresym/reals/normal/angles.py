@@ -1,0 +1,234 @@
+"""Sines and cosines: t = tan(angle/2) for each angle of a rational basis of the angles met.
+
+Multiples of π, arc tangents and their halves leave an angle first; what may be an odd multiple of π
+on a whole region keeps its cosine and sine as generators.
+"""
+
+from __future__ import annotations
+
+from math import comb, lcm
+
+from flint import arb, fmpq, fmpz_poly
+
+from tresym.reals.normal.powers import PowerRing
+from tresym.reals.normal.ring import Fraction, Generator, Poly
+from tresym.reals.normal.sign_equations import AgainError
+from tresym.reals.numbers.factors import TooLargeError
+
+MAX_HALF_TURN = 240
+MAX_MULTIPLE = 96
+
+
+class AngleRing(PowerRing):
+    """A ring with cosines and sines of its elements: each angle a pair of both."""
+
+    _half_turn = 1
+    """M, where 2cos(π/M) is the generator of all cosines of rational multiples of π."""
+
+    def pi(self, r: fmpq) -> Fraction:
+        """r·π."""
+        return self.multiply(self.constant(r), self._fraction(self.generator("pi", None)))
+
+    def _turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of ``x``."""
+        result = (self.one, self.zero)
+        parts = self._by_signs(x)
+        if parts is not None:
+            for sign, part in parts:
+                c, s = self._turn(part)
+                result = self._rotate(result, (c, self.multiply(s, sign)))
+            return result
+        rest, half_turns = self._split_pi(x)
+        for sign, r in half_turns:
+            c, s = self.turn_of_pi(r)
+            result = self._rotate(result, (c, self.multiply(s, sign)))
+        rest, inverses = self._split_atan(rest)
+        for generator, sign, r in inverses:
+            if (2 * r).q == 1 and abs(r) < 40:
+                step = self._turn_of_atan(generator.data[0], half=r.q == 2)
+                c, s = self._turn_power(step, int((r * r.q).p))
+                result = self._rotate(result, (c, self.multiply(s, sign)))
+            else:
+                term = self.multiply(self.constant(r), self._fraction(generator))
+                rest = self.add(rest, self.multiply(term, sign))
+        if self._may_be_odd_turn(rest):
+            return self._rotate(result, self._plain_turn(rest))
+        for index, r in self._decompose("tan", rest):
+            unit = self._unit("tan", index, int(r.q))
+            angle = self._basis["tan"][index]
+            t = self.variable(self.generator("tan", (index, unit), (index, unit, angle)))
+            n = int(r.p * (unit // r.q))
+            result = self._rotate(result, self._turn_of_half_tangent(t, n))
+        return result
+
+    def _rotate(
+        self, x: tuple[Fraction, Fraction], y: tuple[Fraction, Fraction]
+    ) -> tuple[Fraction, Fraction]:
+        """The product of two complex numbers."""
+        (a, b), (c, d) = x, y
+        return (
+            self.subtract(self.multiply(a, c), self.multiply(b, d)),
+            self.add(self.multiply(a, d), self.multiply(b, c)),
+        )
+
+    def _turn_power(self, x: tuple[Fraction, Fraction], n: int) -> tuple[Fraction, Fraction]:
+        c, s = x if n >= 0 else (x[0], self.negative(x[1]))
+        result = (self.one, self.zero)
+        for _ in range(abs(n)):
+            result = self._rotate(result, (c, s))
+        return result
+
+    def _turn_of_half_tangent(self, t: Poly, n: int) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of nθ from t = tan(θ/2): (1 + it)^2n/(1 + t²)^n."""
+        m = abs(n)
+        if m > MAX_MULTIPLE:
+            raise TooLargeError("a multiple of an angle beyond 96")
+        real, imaginary = self.zero_poly, self.zero_poly
+        for k in range(2 * m + 1):
+            term = (-1) ** (k // 2) * comb(2 * m, k) * t**k
+            if k % 2:
+                imaginary = imaginary + term
+            else:
+                real = real + term
+        den = (1 + t * t) ** m
+        if n < 0:
+            imaginary = -imaginary
+        return self.make(real, den), self.make(imaginary, den)
+
+    def _turn_of_atan(self, u: Fraction, half: bool) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of atan u, or of half of it."""
+        square = self.add(self.one, self.power(u, 2))
+        self._require_positive(square)
+        c = self._root(square, fmpq(-1, 2))
+        if not half:
+            return c, self.multiply(u, c)
+        middle = self.multiply(self.constant(fmpq(1, 2)), self.add(self.one, c))
+        half_c = self._root(middle, fmpq(1, 2))
+        s = self.multiply(self.multiply(u, c), self.constant(fmpq(1, 2)))
+        return half_c, self.divide(s, half_c)
+
+    def _may_be_odd_turn(self, x: Fraction) -> bool:
+        """Whether an angle might be an odd multiple of π on a whole region.
+
+        The tangent of its half would be infinite there. What is left of an angle is a constant
+        that balls keep from such multiples, or varies.
+        """
+        used = {i for p in (x.num, x.den) for i in self.used(p)}
+        if used and self.is_constant(x):
+            return bool((self.ball(x) / arb.pi() / 2).cos_pi().contains(0))
+        involved = self.involved(x.num) | self.involved(x.den)
+        kinds = {self.at(i).kind for i in used | involved}
+        if self.are_tied(used | involved) or kinds & {"opaque", "cos", "sin", "sign"}:
+            return not self.varies(x)
+        return False
+
+    def _plain_turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of ``x`` as generators with c² + s² = 1 and no more."""
+        result = (self.one, self.zero)
+        for index, r in self._decompose("turn", x):
+            unit = self._unit("turn", index, int(r.q))
+            data = (index, unit, self._basis["turn"][index])
+            c, s = (self.generator(kind, (index, unit), data) for kind in ("cos", "sin"))
+            self.relate(s, 2, self.one_poly - self.variable(c) ** 2)
+            n = int(r.p * (unit // r.q))
+            if abs(n) > MAX_MULTIPLE:
+                raise TooLargeError("a multiple of an angle beyond 96")
+            step = self._fraction(c), self._fraction(s)
+            result = self._rotate(result, self._turn_power(step, n))
+        return result
+
+    def _split_atan(self, x: Fraction) -> tuple[Fraction, list[tuple[Generator, Fraction, fmpq]]]:
+        """Split off arc tangents with a rational coefficient, or one that is ± by signs."""
+        x, plain = self.linear_part(x, "atan")
+        pieces = [(generator, self.one, r) for generator, r in plain]
+        for monomial, value in x.num.terms() if x.den.is_constant() else ():
+            used = [self.at(i) for i, k in enumerate(monomial) if k]
+            inverses = [g for g in used if g.kind == "atan" and monomial[g.position] == 1]
+            if len(inverses) != 1 or any(g.kind != "sign" for g in used if g != inverses[0]):
+                continue
+            sign = self.context.from_dict({tuple(map(int, monomial)): 1})
+            sign = Fraction(sign // self.variable(inverses[0]), self.one_poly)
+            r = fmpq(value, x.den.leading_coefficient())
+            pieces.append((inverses[0], sign, r))
+        for generator, sign, r in pieces[len(plain) :]:
+            term = self.multiply(self.constant(r), self._fraction(generator))
+            x = self.subtract(x, self.multiply(term, sign))
+        return x, pieces
+
+    def _split_pi(self, x: Fraction) -> tuple[Fraction, list[tuple[Fraction, fmpq]]]:
+        """``x`` without its rational multiples of π and of π times signs, and those multiples."""
+        if not self.known("pi", None):
+            return x, []
+        position = self.generator("pi", None).position
+        pieces = []
+        if not x.den.is_constant():
+            r = self._share(x, position) if x.num.degrees()[position] == 1 else fmpq(0)
+            return self.subtract(x, self.pi(r)), [(self.one, r)]
+        for monomial, value in x.num.terms():
+            others = [i for i, k in enumerate(monomial) if k and i != position]
+            if monomial[position] == 1 and all(self.at(i).kind == "sign" for i in others):
+                sign = self.context.from_dict({tuple(map(int, monomial)): 1})
+                sign = Fraction(sign // self.variables[position], self.one_poly)
+                pieces.append((sign, fmpq(value, x.den.leading_coefficient())))
+        for sign, r in pieces:
+            x = self.subtract(x, self.multiply(self.pi(r), sign))
+        return x, pieces
+
+    # Rational multiples of π
+
+    def turn_of_pi(self, r: fmpq) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of rπ."""
+        if r == 0:
+            return self.one, self.zero
+        if 12 % int(r.q) == 0:
+            return self._turn_power(self._twelfth(12 // int(r.q)), int(r.p % (2 * r.q)))
+        return self._cyclotomic(r)
+
+    def _cyclotomic(self, r: fmpq) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of rπ as polynomials in z = 2cos(π/M), of known minimal polynomial."""
+        old = self._half_turn
+        m = lcm(old, 2 * int(r.q))
+        if m > MAX_HALF_TURN:
+            raise TooLargeError(f"an angle of pi/{m}")
+        self._half_turn = m
+        if m != old != 1:
+            raise AgainError
+        generator = self.generator("cosine", m, (m,))
+        z = self.variable(generator)
+        minimal = fmpz_poly.cos_minpoly(2 * m)
+        if not any(position == generator.position for position, _, _ in self.relations):
+            tail = self.zero_poly
+            for k in range(minimal.degree()):
+                tail = tail - z**k * minimal[k]
+            self.relate(generator, minimal.degree(), tail)
+        k = int((r * m).p) % (2 * m)
+        return self._chebyshev(z, k), self._chebyshev(z, m // 2 - k)
+
+    def _chebyshev(self, z: Poly, k: int) -> Fraction:
+        """The cosine of kπ/M from z = 2cos(π/M)."""
+        low, high = self.context.constant(2), z
+        for _ in range(abs(k)):
+            low, high = high, self.reduce(z * high - low)
+        return self.make(low, self.context.constant(2))
+
+    def _twelfth(self, k: int) -> tuple[Fraction, Fraction]:
+        """Cosine and sine of kπ/12 for k = 1, 2, 3, 4, 6, 12."""
+        two, three = (self._root(self.constant(n), fmpq(1, 2)) for n in (2, 3))
+        half, quarter = self.constant(fmpq(1, 2)), self.constant(fmpq(1, 4))
+        six = self.multiply(two, three)
+        match k:
+            case 1:
+                return (
+                    self.multiply(quarter, self.add(six, two)),
+                    self.multiply(quarter, self.subtract(six, two)),
+                )
+            case 2:
+                return self.multiply(half, three), half
+            case 3:
+                return self.multiply(half, two), self.multiply(half, two)
+            case 4:
+                return half, self.multiply(half, three)
+            case 6:
+                return self.zero, self.one
+            case _:
+                return self.constant(-1), self.zero

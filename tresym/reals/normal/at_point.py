@@ -1,0 +1,43 @@
+"""Whether what is claimed holds exactly at an exact point."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from flint import arb, fmpq
+
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    as_expr,
+    substitute,
+)
+from tresym.reals.normal.field import ALL_THEORIES
+from tresym.reals.normal.locally_constant import equal_constants
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Condition
+from tresym.reals.places.values import evaluate
+
+
+def equal_at(left: Expr, right: Expr, point: Mapping[str, fmpq | Expr]) -> bool:
+    """Whether both sides, defined at the exact ``point``, are exactly equal there."""
+    at = {name: as_expr(value) for name, value in point.items()}
+    try:
+        return equal_constants(substitute(left, at), substitute(right, at), ALL_THEORIES)
+    except InputError:  # a power that is too long to write
+        return False
+
+
+def satisfies(
+    condition: Condition, point: Mapping[str, fmpq | Expr], at: Mapping[str, arb]
+) -> bool:
+    """Whether the exact ``point`` satisfies the condition, equality with it shown exactly.
+
+    Args:
+        at: the point in balls.
+    """
+    balls = dict(at)
+    if condition.holds_exactly(balls):
+        return True
+    near = condition.relation == ">=" and evaluate(condition.expression, balls).contains(0)
+    return near and equal_at(condition.expression, ZERO, point)

@@ -1,0 +1,192 @@
+"""Exact decisions about constants: algebraic numbers, sums of arc tangents, sums of logarithms.
+
+The generators that are constants (roots of integers, nested or not, and 2cos(π/M)) are algebraic
+integers. An algebraic integer of degree at most d whose conjugates are at most B in size is zero or
+at least B^(1−d) in size, for its norm is an integer: a ball below that bound is a proof of zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flint import arb, fmpq, fmpz
+
+from tresym.reals.normal.field import Field
+from tresym.reals.normal.ring import Fraction, Poly
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.factors import TooLargeError
+
+MAX_BITS = 30_000
+MAX_MULTIPLE = 200
+
+
+def is_algebraic(ring: Field, position: int) -> bool:
+    """Whether a generator is a constant algebraic integer."""
+    generator = ring.at(position)
+    if generator.kind == "cosine":
+        return True
+    return generator.kind == "root" and all(
+        is_algebraic(ring, i) for i in ring.used(generator.data[0])
+    )
+
+
+def vanishes(ring: Field, p: Poly) -> bool:
+    """Whether ``p`` is zero once the dependences between its algebraic constants are used."""
+    if p.is_zero():
+        return True
+    if not any(is_algebraic(ring, i) for i in ring.used(p)):
+        return False
+    return all(algebraic_zero(ring, part) for part in coefficients(ring, p))
+
+
+def coefficients(ring: Field, p: Poly) -> Iterator[Poly]:
+    """The coefficients of ``p`` as a polynomial in its generators that are not algebraic."""
+    algebraic = [
+        is_algebraic(ring, i) if i in set(ring.used(p)) else False for i in range(ring.size)
+    ]
+    groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
+    for monomial, value in p.terms():
+        outer = tuple(0 if algebraic[i] else int(k) for i, k in enumerate(monomial))
+        inner = tuple(int(k) if algebraic[i] else 0 for i, k in enumerate(monomial))
+        groups.setdefault(outer, {})[inner] = value
+    for part in groups.values():
+        yield ring.context.from_dict(part)
+
+
+def algebraic_zero(ring: Field, p: Poly) -> bool:
+    """Whether the algebraic integer ``p`` is zero."""
+    if p.is_zero():
+        return True
+    if p.is_constant():
+        return False
+    with ball_precision(64):
+        if not ring.ball(p).contains(0):
+            return False
+        degree = 1
+        for i in _involved(ring, p):
+            degree *= next(n for position, n, _ in ring.relations if position == i)
+        size = _house(ring, p).log().upper() / arb.const_log2() * (degree - 1)
+        bits = int(size.upper().fmpq().p // size.upper().fmpq().q) + 2 if size > 0 else 2
+    if bits > MAX_BITS:
+        return False
+    with ball_precision(bits + 128):
+        value = abs(ring.ball(p))
+        return bool(value < arb(2) ** (-bits))
+
+
+def _involved(ring: Field, p: Poly) -> set[int]:
+    found: set[int] = set()
+    for i in ring.used(p):
+        found.add(i)
+        if ring.at(i).kind == "root":
+            found |= _involved(ring, ring.at(i).data[0])
+    return found
+
+
+def _house(ring: Field, p: Poly) -> arb:
+    """A bound on the size of every conjugate of ``p``, at least 1."""
+    sizes: dict[int, arb] = {}
+    for i in ring.used(p):
+        generator = ring.at(i)
+        if generator.kind == "cosine":
+            sizes[i] = arb(2)
+        else:
+            sizes[i] = _house(ring, generator.data[0]).root(generator.data[1])
+    total = arb(0)
+    for monomial, value in p.terms():
+        term = arb(abs(value))
+        for i, size in sizes.items():
+            term = term * size ** int(monomial[i])
+        total = total + term
+    return arb(1).max(total.upper())
+
+
+def settled(ring: Field, x: Fraction, functions: bool = False) -> Fraction:
+    """``x`` with the combinations of logarithms and arc tangents that are known replaced.
+
+    A sum Σ nᵢ log|fᵢ| is 0 where Π fᵢ^nᵢ = ±1. A sum Σ nᵢ atan uᵢ of constants is kπ/12, its
+    ball singles out k, where Π (1 + i·uᵢ)^nᵢ exp(−ikπ/12) has a vanishing imaginary part.
+
+    Args:
+        functions: ``x`` is not a constant: only logarithms are replaced.
+    """
+    x = _without_groups(ring, x, "log")
+    return x if functions else _without_groups(ring, x, "atan")
+
+
+def _without_groups(ring: Field, x: Fraction, kind: str) -> Fraction:
+    for _ in range(8):
+        group = _group(ring, x, kind)
+        if group is None:
+            return x
+        factor, terms = group
+        value = _log_sum(ring, terms) if kind == "log" else _atan_sum(ring, terms)
+        if value is None:
+            return x
+        for position, n in terms.items():
+            value = ring.subtract(
+                value,
+                ring.multiply(ring.constant(n), Fraction(ring.variables[position], ring.one_poly)),
+            )
+        x = ring.add(x, ring.multiply(ring.make(factor, x.den), value))
+    return x
+
+
+def _group(ring: Field, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz]] | None:
+    """A monomial of ``x`` and the generators of ``kind`` it multiplies, as integer multiples."""
+    positions = [i for i in ring.used(x.num) if ring.at(i).kind == kind]
+    groups: dict[tuple[int, ...], dict[int, fmpz]] = {}
+    for monomial, value in x.num.terms():
+        present = [i for i in positions if monomial[i]]
+        if sum(int(monomial[i]) for i in present) == 1:
+            rest = tuple(0 if i in present else int(k) for i, k in enumerate(monomial))
+            groups.setdefault(rest, {})[present[0]] = value
+    for rest, terms in groups.items():
+        content = fmpz(0)
+        for value in terms.values():
+            content = content.gcd(value)
+        reduced = {i: value // content for i, value in terms.items()}
+        if all(abs(n) <= MAX_MULTIPLE for n in reduced.values()):
+            known = _log_sum if kind == "log" else _atan_sum
+            if known(ring, reduced) is not None:
+                return ring.context.from_dict({rest: content}), reduced
+    return None
+
+
+def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
+    product = ring.one
+    try:
+        for position, n in terms.items():
+            base = Fraction(ring.at(position).data[0], ring.one_poly)
+            product = ring.multiply(product, ring.power(base, int(n)))
+    except TooLargeError:
+        return None
+    for sign in (1, -1):
+        if vanishes(ring, ring.reduce(product.num - sign * product.den)):
+            return ring.zero
+    return None
+
+
+def _atan_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
+    real, imaginary = ring.one, ring.zero
+    total = arb(0)
+    try:
+        for position, n in terms.items():
+            u = ring.at(position).data[0]
+            if not ring.is_constant(u):
+                return None
+            total = total + ring.ball(u).atan() * n
+            v = u if n > 0 else ring.negative(u)
+            for _ in range(abs(int(n))):
+                real, imaginary = (
+                    ring.subtract(real, ring.multiply(imaginary, v)),
+                    ring.add(imaginary, ring.multiply(real, v)),
+                )
+    except TooLargeError:
+        return None
+    k = (12 * total / arb.pi()).unique_fmpz()
+    if k is None:
+        return None
+    c, s = ring.turn_of_pi(fmpq(k, 12))
+    rest = ring.subtract(ring.multiply(imaginary, c), ring.multiply(real, s))
+    return ring.pi(fmpq(k, 12)) if vanishes(ring, rest.num) else None

@@ -1,0 +1,262 @@
+"""Canonical factors of polynomials in the generators, and what is known of their signs.
+
+A factor that a root makes ambiguous is replaced by its norm and its conjugate; a nested square root
+is written by simpler ones where its norm is a square. A sign of a factor is a generator σ with
+σ² = 1 unless it is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from flint import fmpq, fmpz
+
+from tresym.reals.normal.monotone import same_sign
+from tresym.reals.normal.ranges import MAX_DEPTH
+from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError, small_factor
+from tresym.reals.normal.sign_equations import SignedRing
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.conditions import Given
+
+MAX_PRIME_BITS = 160
+CONJUGATE_TERMS = 10
+MAX_FACTOR_TERMS = 1000
+
+Factors = dict[str, tuple[Poly, fmpq]]
+
+
+class FactoredRing(SignedRing):
+    """A ring with signs whose elements are known by their factors."""
+
+    def __init__(
+        self,
+        given: Given,
+        size: int = 24,
+        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
+    ):
+        """The arguments of the base class."""
+        super().__init__(given, size, points)
+        self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
+
+    def _fraction(self, generator: Generator) -> Fraction:
+        return Fraction(self.variable(generator), self.one_poly)
+
+    def factor(self, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
+        """``p`` as an integer times powers of canonical factors (exponents may be negative)."""
+        key = str(p)
+        found = self._factored.get(key)
+        if found is None:
+            found = self._factor(p)
+            self._factored[key] = found
+        return found
+
+    def _factor(self, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
+        if p.is_constant():
+            return p.leading_coefficient(), []
+        if len(p) > MAX_FACTOR_TERMS:
+            raise TooLargeError(f"the factors of a polynomial of {len(p)} terms")
+        if len(p) == 1:
+            ((monomial, value),) = p.terms()
+            return value, [(self.variables[i], int(k)) for i, k in enumerate(monomial) if k]
+        if p.total_degree() == 1:
+            content = p.content()
+            unit = content if p.leading_coefficient() > 0 else -content
+            raw = [(p // self.context.constant(unit), 1)]
+        else:
+            unit, raw = small_factor(self, p)
+        merged: dict[str, tuple[Poly, int]] = {}
+        for factor, exponent in raw:
+            if factor.leading_coefficient() < 0:
+                factor = -factor
+                unit = unit if exponent % 2 == 0 else -unit
+            scale, parts = self._canonical(factor)
+            unit *= scale**exponent
+            for part, k in parts:
+                name = str(part)
+                merged[name] = (part, merged.get(name, (part, 0))[1] + k * exponent)
+        return unit, [item for item in merged.values() if item[1]]
+
+    def _canonical(self, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
+        """An irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous."""
+        if len(f) == 1 or len(f) > CONJUGATE_TERMS or self.is_inverse(f):
+            return fmpz(1), [(f, 1)]
+        denested = self._denested(f)
+        if denested is not None:
+            return denested
+        for position, degree, _ in self.relations:
+            if degree != 2 or f.degrees()[position] != 1 or self.at(position).kind != "root":
+                continue
+            parts = self.split(f, position)
+            if len(parts) != 2:
+                continue
+            x = self.variables[position]
+            base = self.at(position).data[0]
+            if parts[0].gcd(base) == base:
+                square = self.reduce(x * x)
+                sign = square // base
+                rest = (parts[0] // base) * sign * x + parts[1]
+                unit, inner = self.factor(rest)
+                return unit, [(x, 1), *inner]
+            if parts[0].leading_coefficient() * parts[1].leading_coefficient() > 0:
+                continue
+            conjugate = parts[0] - parts[1] * x
+            norm = self.reduce(f * conjugate)
+            if norm.is_zero() or self.is_mixed(norm) or norm.gcd(conjugate) != self.one_poly:
+                continue
+            unit, inner = self.factor(norm)
+            if conjugate.leading_coefficient() < 0:
+                conjugate, unit = -conjugate, -unit
+            return unit, [*inner, (conjugate, -1)]
+        return fmpz(1), [(f, 1)]
+
+    def _settle(self, key: str) -> None:
+        super()._settle(key)
+        self._factored.clear()
+
+    def _denested(self, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]] | None:
+        """``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` where its norm ``p² − q²A²`` is ``n²``."""
+        for position, degree, _ in self.relations:
+            if (
+                degree % 2
+                or self.at(position).kind != "root"
+                or f.degrees()[position] < degree // 2
+            ):
+                continue
+            parts = self.split(f, position)
+            if set(parts) != {0, degree // 2}:
+                continue
+            p, surd = parts[0], parts[degree // 2] * self.variables[position] ** (degree // 2)
+            n = self._square_root(self.reduce(p**2 - surd**2))
+            if n is None or (p + n).is_zero() or (p - n).is_zero():
+                continue
+            half = min((p + n, p - n), key=lambda s: (s.total_degree(), len(s), str(s)))
+            if self.is_mixed(half):
+                continue
+            unit, factors = self.factor(half + surd)
+            below, others = self.factor(half)
+            number = fmpq(unit**2, 2 * abs(below))
+            primes = [(self.context.constant(prime), k) for prime, k in self._primes(number.p)]
+            primes += [(self.context.constant(prime), -k) for prime, k in self._primes(number.q)]
+            squares = [(part, 2 * k) for part, k in factors]
+            inverse = [(part, -k) for part, k in others]
+            return fmpz(1 if below > 0 else -1), [*primes, *squares, *inverse]
+        return None
+
+    def _square_root(self, p: Poly) -> Poly | None:
+        """A polynomial whose square is ``p``, or None."""
+        if p.is_zero() or len(p) > CONJUGATE_TERMS:
+            return None
+        constant = p.is_constant()
+        unit, parts = (p.leading_coefficient(), []) if constant else small_factor(self, p)
+        if unit < 0 or not unit.is_square() or any(k % 2 for _, k in parts):
+            return None
+        result = self.context.constant(unit.isqrt())
+        for part, k in parts:
+            result = result * part ** (k // 2)
+        return result
+
+    def factors(self, x: Fraction) -> tuple[int, Factors]:
+        """``x`` as a sign times powers of canonical factors, primes among them.
+
+        Raises:
+            UndefinedError: ``x`` is zero.
+        """
+        if x.num.is_zero():
+            raise UndefinedError("a logarithm or negative power of zero")
+        result: Factors = {}
+        sign = 1
+        for p, side in ((x.num, 1), (x.den, -1)):
+            unit, parts = self.factor(p)
+            sign = sign if unit > 0 else -sign
+            for prime, k in self._primes(abs(unit)):
+                parts = [*parts, (self.context.constant(prime), k)]
+            for part, k in parts:
+                key = str(part)
+                old = result.get(key, (part, fmpq(0)))[1]
+                result[key] = (part, old + side * k)
+        return sign, {key: value for key, value in result.items() if value[1] != 0}
+
+    @staticmethod
+    def _primes(n: fmpz) -> list[tuple[fmpz, int]]:
+        if n == 1:
+            return []
+        if n.bit_length() > MAX_PRIME_BITS:
+            return [(n, 1)]
+        return [(prime, int(k)) for prime, k in n.factor()]
+
+    # Signs
+
+    def _sign_function(self, x: Fraction) -> Fraction:
+        if x.num.is_zero():
+            return self.zero
+        sign, parts = self.factors(x)
+        product = self.context.constant(sign)
+        for part, k in parts.values():
+            if k.p % 2:
+                product = product * self.sigma(part)
+        return Fraction(self.reduce(product), self.one_poly)
+
+    def sigma(self, f: Poly) -> Poly:
+        """The sign of a factor; an arc tangent has the sign of its argument."""
+        used = self.used(f)
+        if len(f) == 1 and f.total_degree() == 1:
+            generator = self.at(used[0])
+            if generator.kind == "atan":
+                return self._sign_function(generator.data[0]).num
+            if generator.kind == "sign":
+                return f
+        inner = None if self.sign(f) else same_sign(self, f)
+        if inner is not None:
+            return self._sign_function(Fraction(inner, self.one_poly)).num
+        return super().sigma(f)
+
+    def _by_signs(self, x: Fraction) -> list[tuple[Fraction, Fraction]] | None:
+        """``x`` as a sum of products of signs times what has none; None if it has none itself."""
+        if any(self.at(i).kind == "sign" for i in self.used(x.den)):
+            return None
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
+        signs = [i for i in self.used(x.num) if self.at(i).kind == "sign"]
+        if not signs:
+            return None
+        for monomial, value in x.num.terms():
+            powers = [int(k) for k in monomial]
+            outer = tuple(k if i in signs else 0 for i, k in enumerate(powers))
+            inner = tuple(0 if i in signs else k for i, k in enumerate(powers))
+            groups.setdefault(outer, {})[inner] = value
+        return [
+            (
+                Fraction(self.context.from_dict({outer: 1}), self.one_poly),
+                self.make(self.context.from_dict(part), x.den),
+            )
+            for outer, part in groups.items()
+        ]
+
+    def _sign_content(self, x: Fraction) -> tuple[Fraction, Fraction] | None:
+        """A product of signs that every term of ``x`` contains, and the rest; else None."""
+        parts = self._by_signs(x)
+        return parts[0] if parts is not None and len(parts) == 1 else None
+
+    def _require_positive(self, x: Fraction, strict: bool = False) -> None:
+        """Record that ``x`` is not negative on the domain; with ``strict``, that it is positive."""
+        if x.num.is_zero():
+            return
+        sign, parts = self.factors(x)
+        self.require_sign([(part, int(k.p)) for part, k in parts.values()], sign, strict)
+
+    def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
+        """As in the base class, and of the arguments of inverse functions too."""
+        for i, (part, k) in enumerate(parts):
+            if k % 2 == 0 or (str(part) not in self.known_signs and self.sign(part)):
+                continue
+            inner = same_sign(self, part)
+            if inner is not None and not inner.is_zero():
+                outer, more = self.factors(Fraction(inner, self.one_poly))
+                powers = [(f, int(n.p)) for f, n in more.values()]
+                self.require_sign([*parts[:i], *powers, *parts[i + 1 :]], sign * outer, strict)
+                break
+        super().require_sign(parts, sign, strict)
+
+    def _prove_sign(self, p: Poly, depth: int) -> int:
+        found = super()._prove_sign(p, depth)
+        inner = same_sign(self, p) if not found and depth < MAX_DEPTH else None
+        return found if inner is None else self.product_sign(inner, depth + 1)

@@ -1,0 +1,184 @@
+"""What generators depend on, their values in balls, and how they are written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from flint import arb, fmpq, fmpz_mpoly
+
+from tresym.reals.normal.ring import Fraction, Generator, Poly, Ring
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.conditions import Given
+
+SIGN_BITS = 256
+
+
+class ValuedRing(Ring):
+    """A ring whose generators are functions of symbols, with values at their points."""
+
+    def __init__(self, size: int) -> None:
+        """Nothing is known at first."""
+        super().__init__(size)
+        self._supports: dict[int, frozenset[str]] = {}
+
+    def symbol(self, name: str) -> Generator:
+        """The generator of a variable."""
+        return self.generator("symbol", name, (name,))
+
+    def support(self, position: int) -> frozenset[str]:
+        """The symbols that a generator depends on."""
+        found = self._supports.get(position)
+        if found is None:
+            generator = self.at(position)
+            if generator.kind == "symbol":
+                found = frozenset(generator.data)
+            else:
+                found = frozenset().union(
+                    *(
+                        self.dependence(item)
+                        for item in generator.data
+                        if isinstance(item, Poly | Fraction)
+                    )
+                )
+            self._supports[position] = found
+        return found
+
+    def dependence(self, x: Poly | Fraction) -> frozenset[str]:
+        """The symbols that ``x`` depends on."""
+        if isinstance(x, Fraction):
+            return self.dependence(x.num) | self.dependence(x.den)
+        return frozenset().union(*(self.support(i) for i in self.used(x)))
+
+    def involved(self, p: Poly) -> set[int]:
+        """The generators of ``p``, those inside them, and so on; constants left out."""
+        found = {i for i in self.used(p) if self.support(i) or self.at(i).kind == "opaque"}
+        for i in tuple(found):
+            for item in self.at(i).data:
+                if isinstance(item, Fraction):
+                    found |= self.involved(item.num) | self.involved(item.den)
+                elif isinstance(item, fmpz_mpoly):
+                    found |= self.involved(item)
+        return found
+
+    def is_constant(self, x: Poly | Fraction) -> bool:
+        """Whether ``x`` depends on no symbol and on nothing opaque."""
+        polys = (x.num, x.den) if isinstance(x, Fraction) else (x,)
+        return all(
+            not self.support(i) and self.at(i).kind != "opaque" for p in polys for i in self.used(p)
+        )
+
+    def ball(
+        self,
+        x: Poly | Fraction,
+        point: Mapping[str, arb] | None = None,
+        known: dict[int, arb] | None = None,
+    ) -> arb:
+        """``x`` in balls at ``point``; NaN where a generator has no value there.
+
+        Args:
+            known: values of generators at that point, which are used and added to.
+        """
+        known = {} if known is None else known
+        if isinstance(x, Fraction):
+            return self.ball(x.num, point, known) / self.ball(x.den, point, known)
+        total = arb(0)
+        values = {}
+        for i in self.used(x):
+            if i not in known:
+                known[i] = self._generator_ball(self.at(i), point or {}, known)
+            values[i] = known[i]
+        for monomial, coefficient in x.terms():
+            term = arb(coefficient)
+            for i, value in values.items():
+                if monomial[i]:
+                    term = term * value ** int(monomial[i])
+            total = total + term
+        return total
+
+    def _generator_ball(
+        self, generator: Generator, point: Mapping[str, arb], known: dict[int, arb]
+    ) -> arb:
+        data = generator.data
+        match generator.kind:
+            case "symbol":
+                return point.get(data[0], arb.nan())
+            case "pi":
+                return arb.pi()
+            case "root":
+                return abs(self.ball(data[0], point, known)).root(data[1])
+            case "sign":
+                value = self.ball(data[0], point, known)
+                return arb(1) if value > 0 else arb(-1) if value < 0 else arb.nan()
+            case "cosine":
+                return 2 * arb.cos_pi_fmpq(fmpq(1, data[0]))
+            case "exp":
+                return (self.ball(data[2], point, known) / data[1]).exp()
+            case "tan":
+                return (self.ball(data[2], point, known) / (2 * data[1])).tan()
+            case "cos" | "sin" as name:
+                return getattr(self.ball(data[2], point, known) / data[1], name)()
+            case "log":
+                return abs(self.ball(data[0], point, known)).log()
+            case "atan":
+                return self.ball(data[0], point, known).atan()
+            case _:
+                return arb.nan()
+
+    def varies(self, x: Fraction) -> bool:
+        """Whether ``x``, of symbols and logarithms of their polynomials, is constant nowhere.
+
+        Logarithms of distinct irreducible polynomials are algebraically independent over the
+        rational functions on every region (Ostrowski), so ``x`` is constant on one region only if
+        it is the same constant on all: two values apart exclude that.
+        """
+        for i in self.involved(x.num) | self.involved(x.den):
+            generator = self.at(i)
+            if generator.kind == "log":
+                if any(self.at(j).kind != "symbol" for j in self.used(generator.data[0])):
+                    return False
+            elif generator.kind != "symbol":
+                return False
+        with ball_precision(SIGN_BITS):
+            values = [
+                self.ball(x, {name: arb(value) for name, value in point.items()})
+                for point in Given().points(self.dependence(x), 4)
+            ]
+        finite = [value for value in values if value.is_finite()]
+        return any(not value.overlaps(finite[0]) for value in finite[1:])
+
+    # In words
+
+    def text(self, x: Poly) -> str:
+        """``x`` with the generators written as what they stand for."""
+        result = str(x)
+        for i in sorted(self.used(x), key=lambda i: -i):
+            result = re.sub(rf"\bg{i}\b", self._name(self.at(i)), result)
+        return result.replace("^", "**")
+
+    def _name(self, generator: Generator) -> str:
+        data = generator.data
+        match generator.kind:
+            case "symbol" | "opaque":
+                return str(data[0])
+            case "pi":
+                return "pi"
+            case "cosine":
+                return f"(2*cos(pi/{data[0]}))"
+            case "root":
+                return f"abs({self.text(data[0])})**(1/{data[1]})"
+            case "exp":
+                return f"exp({self.fraction_text(data[2])}/{data[1]})"
+            case "tan":
+                return f"tan({self.fraction_text(data[2])}/{2 * data[1]})"
+            case "cos" | "sin" as name:
+                return f"{name}({self.fraction_text(data[2])}/{data[1]})"
+            case "atan":
+                return f"atan({self.fraction_text(data[0])})"
+            case kind:
+                return f"{kind}({self.text(data[0])})"
+
+    def fraction_text(self, x: Fraction) -> str:
+        """A fraction as :meth:`text` writes polynomials."""
+        top = self.text(x.num)
+        return top if x.den.is_one() else f"({top})/({self.text(x.den)})"

@@ -1,0 +1,395 @@
+"""Identities between inverse functions: zero derivative, and the value at a point of each region.
+
+The difference of the two sides is analytic off its singularities: zeros of denominators, radicands,
+arguments of logarithms, and so on. Where its gradient vanishes identically it is constant on each
+connected region between them. The singularities that can change sign must be polynomials in the
+symbols; cells.py gives an exact point of every region, and there the difference is decided exactly.
+
+The walls are read off the normal form, and that is a chart: where a generator jumps or is infinite,
+a singularity may vanish and no factor of its normal form shows it. So each operation that hides
+zeros adds walls of its own, or is shown to do no harm under the conditions:
+
+- t = tan(u/2) is infinite where u is an odd multiple of π, and 1 + cos u = 2/(1 + t²) is 0 there:
+  the conditions must keep u from such multiples, or the leading coefficient in t tells that there
+  is no zero. It tells nothing of a t inside another generator, as in log(3 + t²) − log(1 + t²).
+- A sign σ_f, of abs, of even roots and of atan u = ±π/2 − atan(1/u), jumps where f is 0, and the
+  cases f > 0 and f < 0 say nothing of that: the zeros of f are walls.
+- log|f|, a root of |f|, and exp, atan, cos and sin of a fraction are at home only off the zeros of
+  f and of the denominator, which cancels in the expression and not in them: these are walls.
+- A sum of squares is 0 at single points without changing its sign, and splits a line there: what is
+  no wall must be shown other than 0 at every point, which is more than its sign.
+- Conditions end where they are undefined, too: their singularities are walls like those of sides.
+
+Where only bounds of single variables are walls, the region is convex and one point is enough.
+Else a bound that is no rational number, such as x < π/2, is no such polynomial: of one variable
+the line is cut on both sides of it, so closely that no wall is between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flint import Ordering, arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
+
+from tresym.reals.language.expression import (
+    PI,
+    Expr,
+    apply,
+    differentiate,
+    number,
+    sqrt,
+    substitute,
+    symbols,
+)
+from tresym.reals.normal.constants import settled, vanishes
+from tresym.reals.normal.field import Field
+from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import simplest_between
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.cells import sample_points
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.points import Range
+from tresym.reals.places.values import evaluate
+
+MAX_POINTS = 400
+MAX_SYMBOLS = 4
+_BITS = 256
+
+
+def equal_by_derivative(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str], size: int
+) -> str | None:
+    """A sentence that names the base points, or None where this is no proof.
+
+    Raises:
+        TooLargeError, UndefinedError: a normal form or the regions outgrew their bounds.
+    """
+    names = sorted(symbols(left) | symbols(right) | given.names)
+    if not 0 < len(names) <= MAX_SYMBOLS:
+        return None
+    field = Field(given, theories, size)
+    gradient = []
+    for name in names:
+        slopes = [differentiate(side, name) for side in (left, right)]
+        gradient += slopes
+        *_, dx, dy = field.normal(left, right, *slopes)
+        if not vanishes_or_zero(field, field.subtract(dx, dy).num):
+            return None
+    if any(generator.kind == "opaque" for generator in field.generators):
+        return None
+    walls = _walls(left, right, given, field, names)
+    if walls is None:
+        return None
+    bases = []
+    for point in _candidates(walls, _loose_ends(left, right, given, field, names), given, names):
+        inside = None if point is None else _inside(left, right, given, point)
+        if inside is None or point is None:
+            return None
+        if inside:
+            if not _are_real(gradient, point) or not _equal_at(left, right, point, theories):
+                return None
+            bases.append(point)
+    if not bases:
+        return None
+    shown = "; ".join(
+        ", ".join(f"{name} = {value}" for name, value in point.items()) for point in bases[:4]
+    )
+    return f"all derivatives of the difference have normal form 0, and it is exactly 0 at {shown}"
+
+
+def _candidates(
+    walls: list[fmpz_mpoly], ends: list[Expr], given: Given, names: list[str]
+) -> Iterator[dict[str, Expr] | None]:
+    """A point of every region between the walls that has a part inside ``ends``; None: too hard."""
+    if not walls:
+        simple = {name: _middle(given.box.get(name, Range())) for name in names}
+        with ball_precision(_BITS):
+            at = {name: evaluate(value, {}) for name, value in simple.items()}
+            inside = all(condition.holds(at) for condition in given.conditions)
+        yield simple if inside else _as_numbers(next(given.points(names, 1), None))
+        return
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    gaps = []
+    for end in ends:
+        gap = _gap(end, names, walls)
+        if gap is None:
+            yield None
+            return
+        gaps.append(gap)
+    x = context.gens()[0]
+    cuts = [x * int(cut.q) - int(cut.p) for gap in gaps for cut in gap]
+    for count, values in enumerate(sample_points([*walls, *cuts], context)):
+        if count == MAX_POINTS:
+            yield None
+            return
+        if not any(low < values[0] < high for low, high in gaps):
+            yield _as_numbers(dict(zip(names, values, strict=True)))
+
+
+def _as_numbers(point: dict[str, fmpq] | None) -> dict[str, Expr] | None:
+    return None if point is None else {name: number(value) for name, value in point.items()}
+
+
+def _middle(where: Range) -> Expr:
+    """0, or a multiple of π in an interval between such."""
+    if (where.low is None or where.low < 0) and (where.high is None or where.high > 0):
+        return number(0)
+    if where.pi_low is None or where.pi_high is None:
+        return number(0)
+    return number(simplest_between(*_inner_half(where.pi_low, where.pi_high))) * PI
+
+
+def _inner_half(low: fmpq, high: fmpq) -> tuple[fmpq, fmpq]:
+    quarter = (high - low) / 4
+    return low + quarter, high - quarter
+
+
+def _loose_ends(
+    left: Expr, right: Expr, given: Given, field: Field, names: list[str]
+) -> list[Expr]:
+    """The bounds of single variables that are no walls, as expressions x − c or c − x."""
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    return [
+        condition.expression
+        for condition in given.conditions
+        if condition not in given.beyond_box
+        and any(
+            _in_symbols(field, end, names, context) is None
+            for end in _factors(field, left, right, [condition.expression])
+        )
+    ]
+
+
+def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fmpq] | None:
+    """Rational numbers on both sides of where ``end`` is 0, with no wall between; None: not so."""
+    if len(names) != 1:
+        return None
+    half = _BITS // 2
+    with ball_precision(_BITS):
+        at0, at1 = (evaluate(end, {names[0]: arb(x)}) for x in (0, 1))
+        place = at0 / (at0 - at1) * (1 << half)
+        below, above = place.lower().floor().unique_fmpz(), place.upper().ceil().unique_fmpz()
+        if below is None or above is None:
+            return None
+        low, high = fmpq(below - 1, 1 << half), fmpq(above + 1, 1 << half)
+        between = arb(low).union(arb(high))
+        for wall in walls:
+            value = sum((arb(c) * between ** int(m[0]) for m, c in wall.terms()), arb(0))
+            if value.contains(0) or not value.is_finite():
+                return None
+    return low, high
+
+
+def vanishes_or_zero(field: Field, p: Poly) -> bool:
+    """Whether ``p`` is zero, dependences between constants included."""
+    return p.is_zero() or vanishes(field, p)
+
+
+def singularities(e: Expr) -> Iterator[tuple[Expr, bool]]:
+    """Expressions off whose zeros ``e`` is analytic; True where they must be positive."""
+    seen: set[Expr] = set()
+    stack = [e]
+    while stack:
+        node = stack.pop()
+        if node in seen or node.op in ("number", "symbol", "pi"):
+            continue
+        seen.add(node)
+        stack.extend(node.args)
+        x = node.args[0]
+        if node.op == "^":
+            exponent = node.args[1]
+            if exponent.op != "number" or exponent.args[0].q != 1:
+                yield x, True
+            elif exponent.args[0] < 0:
+                yield x, False
+        elif node.op == "log":
+            yield x, True
+        elif node.op in ("abs", "sign", "cbrt", "coth", "csch"):
+            yield x, False
+        elif node.op in ("tan", "sec"):
+            yield apply("cos", x), False
+        elif node.op in ("cot", "csc"):
+            yield apply("sin", x), False
+        elif node.op in ("asin", "acos", "atanh"):
+            yield 1 - x, True
+            yield 1 + x, True
+        elif node.op == "acosh":
+            yield x - 1, True
+        elif node.op == "atan2":
+            yield sqrt(node.args[1] ** 2 + x**2) + node.args[1], False
+
+
+def _walls(
+    left: Expr, right: Expr, given: Given, field: Field, names: list[str]
+) -> list[fmpz_mpoly] | None:
+    """The sign-changing singularities as polynomials in ``names``; None if some are not.
+
+    Empty where nothing but bounds of single variables limits the region.
+    """
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    found = [e for e, _ in [*singularities(left), *singularities(right)]]
+    for condition in given.beyond_box:
+        found += [condition.expression, *(e for e, _ in singularities(condition.expression))]
+    walls = _zeros(left, right, found, field, names)
+    if walls:
+        for end in _factors(field, left, right, [c.expression for c in given.conditions]):
+            wall = _in_symbols(field, end, names, context)
+            if wall is not None:
+                walls.append(wall)
+    return walls
+
+
+def _zeros(
+    left: Expr, right: Expr, expressions: list[Expr], field: Field, names: list[str]
+) -> list[fmpz_mpoly] | None:
+    """Polynomials whose zeros contain those of ``expressions`` on the domain of both sides."""
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    walls = []
+    edges = _edges(field, field.normal(left, right, *expressions)[2:])
+    if edges is None:
+        return None
+    for part in {str(p): p for p in [*_factors(field, left, right, expressions), *edges]}.values():
+        if part.is_constant() or field.definite(part):
+            continue
+        for inner in _algebraic_walls(field, part) or [part]:
+            if inner.is_constant() or field.definite(inner):
+                continue
+            wall = _in_symbols(field, inner, names, context)
+            if wall is None:
+                return None
+            walls.append(wall)
+    return walls
+
+
+def nonzero_inside(e: Expr, given: Given) -> bool:
+    """Whether ``e`` is shown to vanish nowhere inside the box of the conditions."""
+    try:
+        field = Field(given, size=64)
+        return _zeros(e, e, [e], field, sorted(symbols(e))) == []
+    except (TooLargeError, UndefinedError):
+        return False
+
+
+def _factors(field: Field, left: Expr, right: Expr, expressions: list[Expr]) -> list[Poly]:
+    """The irreducible factors of ``expressions``, on the domain of both sides."""
+    factors: dict[str, Poly] = {}
+    for value in field.normal(left, right, *expressions)[2:]:
+        factors |= {key: part for key, (part, _) in field.factors(value)[1].items()}
+    return list(factors.values())
+
+
+def _edges(field: Field, values: list[Fraction]) -> list[Poly] | None:
+    """Polynomials off whose zeros ``values`` are as continuous as the functions they stand for.
+
+    None where one of them may vanish with a half angle at π/2, or where that is not seen.
+    """
+    found = [p for value in values for p in _at_poles(field, value)]
+    for position in set().union(*(field.involved(p) for x in values for p in (x.num, x.den))):
+        generator = field.at(position)
+        if generator.kind in ("root", "sign", "log"):
+            found.append(generator.data[0])
+        elif generator.kind in ("exp", "tan", "cos", "sin", "atan"):
+            found.append(generator.data[-1].den)
+    if any(p.is_zero() for p in found):
+        return None
+    return [part for p in found for part, _ in field.factor(p)[1]]
+
+
+def _at_poles(field: Field, value: Fraction) -> list[Poly]:
+    """What must not vanish for ``value`` not to vanish where half tangents in it are infinite.
+
+    Zero where that cannot be said.
+    """
+    used = set(field.used(value.num)) | set(field.used(value.den))
+    within = {
+        j
+        for i in used
+        for x in field.at(i).data
+        for p in ((x.num, x.den) if isinstance(x, Fraction) else (x,))
+        if isinstance(p, fmpz_mpoly)
+        for j in field.involved(p)
+    }
+    leading = [value.num]
+    for i in used | within:
+        if field.at(i).kind != "tan" or not field.support(i) or field.has_no_pole(field.at(i)):
+            continue
+        n = int(value.num.degrees()[i])
+        if i in within or value.den.degrees()[i] > n:
+            return [field.zero_poly]
+        leading += [field.split(p, i).get(n, field.zero_poly) for p in leading]
+    return leading[1:]
+
+
+def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:
+    """Polynomials without roots whose zeros contain those of ``p`` and of its roots."""
+    for position, _, rule in field.relations:
+        if p.degrees()[position] <= 0:
+            continue
+        if field.at(position).kind not in ("root", "sign"):
+            return None
+        norm = p.resultant(rule, position)
+        if norm.is_zero():
+            return None
+        walls = _algebraic_walls(field, norm)
+        inner = _algebraic_walls(field, field.at(position).data[0])
+        if walls is None or inner is None:
+            return None
+        return [*walls, *inner]
+    return [p]
+
+
+def _in_symbols(
+    field: Field, p: Poly, names: list[str], context: fmpz_mpoly_ctx
+) -> fmpz_mpoly | None:
+    used = field.used(p)
+    if any(field.at(i).kind != "symbol" for i in used):
+        return None
+    columns = {i: names.index(field.at(i).data[0]) for i in used if field.at(i).data[0] in names}
+    if len(columns) != len(used):
+        return None
+    result: dict[tuple[int, ...], int] = {}
+    for monomial, value in p.terms():
+        vector = [0] * len(names)
+        for i, column in columns.items():
+            vector[column] = int(monomial[i])
+        result[tuple(vector)] = value
+    return context.from_dict(result)
+
+
+def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bool | None:
+    """Whether ``point`` satisfies ``given`` and both sides are defined there; None if unclear."""
+    with ball_precision(_BITS):
+        at = {name: evaluate(value, {}) for name, value in point.items()}
+        needed = [
+            (condition.expression, condition.relation != "!=") for condition in given.conditions
+        ]
+        for e, positive in [*needed, *singularities(left), *singularities(right)]:
+            value = evaluate(e, at)
+            if positive and value < 0:
+                return False
+        values = [evaluate(left, at), evaluate(right, at)]
+        conditions = all(condition.holds(at) for condition in given.conditions)
+    return True if conditions and all(v.is_finite() for v in values) else None
+
+
+def _are_real(slopes: list[Expr], point: dict[str, Expr]) -> bool:
+    """Whether every slope has a value at ``point``: its normal form speaks of no other region."""
+    with ball_precision(_BITS):
+        at = {name: evaluate(value, {}) for name, value in point.items()}
+        return all(evaluate(slope, at).is_finite() for slope in slopes)
+
+
+def _equal_at(left: Expr, right: Expr, point: dict[str, Expr], theories: frozenset[str]) -> bool:
+    """Whether both sides are exactly equal at ``point``."""
+    return equal_constants(substitute(left, point), substitute(right, point), theories)
+
+
+def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
+    """Whether two expressions without symbols are exactly equal."""
+    field = Field(Given(), theories, 64)
+    try:
+        x, y = field.normal(left, right)
+        return vanishes_or_zero(field, settled(field, field.subtract(x, y)).num)
+    except (TooLargeError, UndefinedError):
+        return False

@@ -1,0 +1,268 @@
+"""Roots, exponentials and logarithms as generators.
+
+- |f|^(1/n) for each canonical factor f of a radicand; that a radicand is positive is a condition on
+  the signs of its factors.
+- log|f| for each factor f of an argument.
+- y = exp(exponent) for each exponent of a rational basis of the exponents met.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from math import lcm
+
+from flint import fmpq, fmpq_mat
+
+from tresym.reals.normal.factors import FactoredRing
+from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
+from tresym.reals.normal.sign_equations import AgainError
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.conditions import Given
+
+
+class PowerRing(FactoredRing):
+    """A ring with roots, exponentials and logarithms of its elements."""
+
+    def __init__(
+        self,
+        given: Given,
+        size: int = 24,
+        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
+    ):
+        """The arguments of the base class."""
+        super().__init__(given, size, points)
+        self._orders: dict[str, int] = {}
+        self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": [], "turn": []}
+        self._units: dict[str, list[int]] = {"exp": [], "tan": [], "turn": []}
+
+    # Roots
+
+    def _root(self, x: Fraction, r: fmpq, signed: bool = False) -> Fraction:
+        """``x**r`` for ``x ≥ 0``; with ``signed``, the odd root that keeps the sign of ``x``."""
+        if x.num.is_zero():
+            if r < 0:
+                raise UndefinedError("a negative power of zero")
+            return self.zero
+        sign, parts = self.factors(x)
+        result = self.one
+        if signed:
+            result = self.constant(sign)
+            for part in (part for part, k in parts.values() if k.p % 2):
+                result = self.multiply(result, Fraction(self.sigma(part), self.one_poly))
+        else:
+            self._require_positive(x, strict=r < 0)
+        for part, k in parts.values():
+            result = self.multiply(result, self._absolute_power(part, k * r))
+        return result
+
+    def _absolute_power(self, f: Poly, r: fmpq) -> Fraction:
+        """``|f|**r`` for a canonical factor ``f``."""
+        if r == 0:
+            return self.one
+        used = self.used(f)
+        if len(f) == 1 and len(used) == 1 and f == self.variables[used[0]]:
+            generator = self.at(used[0])
+            if generator.kind == "sign":
+                return self.one
+            if generator.kind == "root" and r.q != 1:
+                base, order = generator.data
+                return self._absolute_power(base, r / order)
+            if generator.kind == "exp" and r.q != 1:
+                index, unit = generator.data[:2]
+                return self._basis_exp([(index, r / unit)])
+        whole = r.p // r.q
+        rest = r - whole
+        result = self.power(Fraction(f, self.one_poly), int(whole))
+        if whole % 2:
+            result = self.multiply(result, Fraction(self.sigma(f), self.one_poly))
+        if rest != 0:
+            order = self._order(f, int(rest.q))
+            root = self._root_generator(f, order)
+            k = int(rest.p * (order // rest.q))
+            result = self.multiply(result, Fraction(root**k, self.one_poly))
+        return result
+
+    def _order(self, f: Poly, n: int) -> int:
+        key = str(f)
+        old = self._orders.get(key, 1)
+        new = lcm(old, n)
+        if new > 60:
+            raise TooLargeError("a root of order beyond 60")
+        self._orders[key] = new
+        if new != old != 1:
+            raise AgainError
+        return new
+
+    def _root_generator(self, f: Poly, order: int) -> Poly:
+        key = (str(f), order)
+        sign = self.sigma(f)
+        if not self.known("root", key):
+            generator = self.generator("root", key, (f, order))
+            self.relate(generator, order, f * sign)
+        return self.variable(self.generator("root", key))
+
+    # Logarithms and exponentials
+
+    def log(self, x: Fraction) -> Fraction:
+        """``log x`` on ``x > 0``, as a sum over the factors of ``x``."""
+        self._require_positive(x, strict=True)
+        _, parts = self.factors(x)
+        terms = []
+        for part, k in parts.values():
+            terms.append(self.multiply(self.constant(k), self._log_absolute(part)))
+        return self.sum(terms)
+
+    def _log_absolute(self, f: Poly) -> Fraction:
+        used = self.used(f)
+        if len(f) == 1 and len(used) == 1 and f == self.variables[used[0]]:
+            generator = self.at(used[0])
+            if generator.kind == "sign":
+                return self.zero
+            if generator.kind == "root":
+                base, order = generator.data
+                inner = self.log_of_absolute(base)
+                return self.multiply(self.constant(fmpq(1, order)), inner)
+            if generator.kind == "exp":
+                index, unit = generator.data[:2]
+                return self.multiply(self.constant(fmpq(1, unit)), self._basis["exp"][index])
+        return self._fraction(self.generator("log", str(f), (f,)))
+
+    def log_of_absolute(self, p: Poly) -> Fraction:
+        """``log|p|``."""
+        _, parts = self.factors(Fraction(p, self.one_poly))
+        return self.sum(
+            [
+                self.multiply(self.constant(k), self._log_absolute(part))
+                for part, k in parts.values()
+            ]
+        )
+
+    def exp(self, x: Fraction) -> Fraction:
+        """``exp x``; rational multiples of logarithms turn back into powers."""
+        parts = self._by_signs(x)
+        if parts is not None:
+            return self._exp_by_signs(parts)
+        result = self.one
+        rest, pieces = self.linear_part(x, "log")
+        for generator, r in pieces:
+            result = self.multiply(result, self._absolute_power(generator.data[0], r))
+        return self.multiply(result, self._basis_exp(self._decompose("exp", rest)))
+
+    def _exp_by_signs(self, parts: list[tuple[Fraction, Fraction]]) -> Fraction:
+        """The exponential of a sum of ``s·w``, each cosh w + s sinh w where s is a sign."""
+        result = self.one
+        for sign, part in parts:
+            y = self.exp(part)
+            if not sign.num.is_one():
+                z = self.invert(y)
+                odd = self.multiply(sign, self.subtract(y, z))
+                total = self.add(self.add(y, z), odd)
+                y = self.multiply(self.constant(fmpq(1, 2)), total)
+            result = self.multiply(result, y)
+        return result
+
+    def linear_part(self, x: Fraction, kind: str) -> tuple[Fraction, list[tuple[Generator, fmpq]]]:
+        """Split off the rational multiples of generators of ``kind`` that ``x`` contains."""
+        pieces = []
+        for position in self.used(x.num):
+            generator = self.at(position)
+            if generator.kind != kind:
+                continue
+            ratio = fmpq(0)
+            if x.den.is_constant():
+                alone = tuple(int(i == position) for i in range(self.size))
+                ratio = fmpq(x.num[alone], x.den.leading_coefficient())
+            elif x.num.degrees()[position] == 1:
+                ratio = self._share(x, position)
+            if ratio != 0:
+                pieces.append((generator, ratio))
+        for generator, ratio in pieces:
+            x = self.subtract(x, self.multiply(self.constant(ratio), self._fraction(generator)))
+        return x, pieces
+
+    def _share(self, x: Fraction, position: int) -> fmpq:
+        """The rational multiple of a generator in ``x``, linear in it, off its proper fraction."""
+        content = x.den.content()
+        quotient, _ = divmod(x.num.derivative(position), x.den // content)
+        return fmpq(quotient[(0,) * self.size], content)
+
+    # Rational bases of exponents, and of angles
+
+    def _basis_exp(self, terms: Iterable[tuple[int, fmpq]]) -> Fraction:
+        result = self.one
+        for index, r in terms:
+            unit = self._unit("exp", index, int(r.q))
+            exponent = self._basis["exp"][index]
+            generator = self.generator("exp", (index, unit), (index, unit, exponent))
+            y = self._fraction(generator)
+            result = self.multiply(result, self.power(y, int(r.p * (unit // r.q))))
+        return result
+
+    def _unit(self, kind: str, index: int, q: int) -> int:
+        old = self._units[kind][index]
+        if old % q:
+            self._units[kind][index] = lcm(old, q)
+            raise AgainError
+        return old
+
+    def _decompose(self, kind: str, x: Fraction) -> list[tuple[int, fmpq]]:
+        """``x`` as a rational combination of the basis of its kind, which it may extend."""
+        terms: list[tuple[int, fmpq]] = []
+        if kind == "exp":
+            for monomial, value in x.num.terms() if x.den.is_constant() else ():
+                if not any(monomial):
+                    r = fmpq(value, x.den.leading_coefficient())
+                    x = self.subtract(x, self.constant(r))
+                    terms.append((self._basis_index(kind, self.one), r))
+        if x.num.is_zero():
+            return terms
+        basis = self._basis[kind]
+        for index, element in enumerate(basis):
+            if element.den == x.den:
+                ratio = _proportion(x.num, element.num)
+                if ratio is not None:
+                    return [*terms, (index, ratio)]
+        solution = self._combination(basis, x) if basis else None
+        if solution is None:
+            return [*terms, (self._basis_index(kind, x), fmpq(1))]
+        return terms + [(index, r) for index, r in enumerate(solution) if r != 0]
+
+    def _basis_index(self, kind: str, x: Fraction) -> int:
+        basis = self._basis[kind]
+        for index, element in enumerate(basis):
+            if element.num == x.num and element.den == x.den:
+                return index
+        basis.append(x)
+        self._units[kind].append(1)
+        return len(basis) - 1
+
+    def _combination(self, basis: list[Fraction], x: Fraction) -> list[fmpq] | None:
+        """Rational coefficients with ``Σ c_i basis_i = x``, or None."""
+        common = x.den
+        for element in basis:
+            common = common * (element.den // common.gcd(element.den))
+        columns = [dict((item.num * (common // item.den)).terms()) for item in (*basis, x)]
+        rows = sorted({monomial for column in columns for monomial in column})
+        if not set(columns[-1]) <= {m for column in columns[:-1] for m in column}:
+            return None
+        matrix = fmpq_mat(
+            [[fmpq(column.get(monomial, 0)) for column in columns] for monomial in rows]
+        )
+        reduced, _ = matrix.rref()
+        n = len(basis)
+        solution = [fmpq(0)] * n
+        for i in range(len(rows)):
+            pivot = next((j for j in range(n + 1) if reduced[i, j] != 0), None)
+            if pivot == n:
+                return None
+            if pivot is not None:
+                solution[pivot] = reduced[i, n]
+        return solution
+
+
+def _proportion(p: Poly, q: Poly) -> fmpq | None:
+    """r with ``p = r·q``, or None."""
+    if p.is_zero() or q.is_zero() or len(p) != len(q):
+        return None
+    a, b = p.leading_coefficient(), q.leading_coefficient()
+    return fmpq(a, b) if p * b == q * a else None

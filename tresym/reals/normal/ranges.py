@@ -1,0 +1,424 @@
+"""Signs of polynomials in generators: proven from ranges, conjugates, discriminants and facts.
+
+A sign proven here holds on the open part of the domain, where no factor vanishes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+
+from flint import arb, fmpq, fmpz
+
+from tresym.reals.normal.generators import SIGN_BITS, ValuedRing
+from tresym.reals.normal.ring import Fraction, Generator, Poly, small_factor
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.points import Range
+
+MAX_SIGN_TERMS = 60
+MAX_DEPTH = 4
+MAX_TRIALS = 60
+_PI_LOW, _PI_HIGH = fmpq(103993, 33102), fmpq(104348, 33215)
+
+Ends = tuple[fmpq | None, fmpq | None]
+
+
+class ProvingRing(ValuedRing):
+    """A ring whose generators have ranges, and which proves signs of its polynomials by them."""
+
+    def __init__(
+        self, given: Given, size: int, points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple
+    ) -> None:
+        """Signs under ``given``; ``points`` finds some of the domain, which spare vain trials."""
+        super().__init__(size)
+        self.given = given
+        self._find_points = points
+        self._samples: list[tuple[dict[str, arb], dict[int, arb]]] | None = None
+        self.box: dict[str, Range] = dict(given.box)
+        self.known_signs: dict[str, int] = {}
+        self.positives: dict[str, Poly] = {}
+        self._signs: dict[str, int] = {}
+        self._trials = 0
+        self._everywhere = False
+        self._tried: dict[str, int] = {}  # the least depth at which no sign was proved
+
+    def sign(self, p: Poly, depth: int = 0) -> int:
+        """+1 or −1 where ``p`` is shown to have that sign on the open domain, else 0."""
+        if p.is_zero():
+            return 0
+        if p.is_constant():
+            return 1 if p.leading_coefficient() > 0 else -1
+        if p.leading_coefficient() < 0:
+            return -self.sign(-p, depth)
+        key = str(p)
+        if key in self.known_signs:
+            return self.known_signs[key]
+        if key not in self._signs:
+            if depth >= self._tried.get(key, MAX_DEPTH + 1):
+                return 0
+            self._tried[key] = depth  # also keeps what is being tried from being tried again
+            found = self._prove_sign(p, depth)
+            if depth and not found:
+                return 0
+            self._signs[key] = found
+        return self._signs[key]
+
+    def _prove_sign(self, p: Poly, depth: int) -> int:
+        self._trials = 0 if depth == 0 else self._trials + 1
+        if len(p) > MAX_SIGN_TERMS or depth > MAX_DEPTH or self._trials > MAX_TRIALS:
+            return 0
+        if self.is_constant(p):
+            return self._constant_sign(p)
+        found = self.orthant_sign(p)
+        if found or len(p) == 1 or (depth == 0 and self._changes_sign(p)):
+            return found
+        methods = (self._by_facts, self._by_discriminant, self._by_conjugate, self._by_cases)
+        for method in methods:
+            found = method(p, depth)
+            if found:
+                return found
+        return 0
+
+    def _changes_sign(self, p: Poly) -> bool:
+        """Whether ``p`` is seen with both signs at points of the domain: no proof can be found."""
+        if self._samples is None:
+            points = [{name: arb(x) for name, x in point.items()} for point in self._find_points()]
+            self._samples = [(point, {}) for point in points]
+        seen = set()
+        with ball_precision(64):
+            for point, known in self._samples:
+                value = self.ball(p, point, known)
+                seen |= {value > 0} if value > 0 or value < 0 else set()
+        return len(seen) == 2
+
+    def definite(self, p: Poly) -> int:
+        """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0.
+
+        It holds at every point: a square that may vanish is not taken as positive.
+        """
+        self._everywhere = True
+        try:
+            with self._knowing(dict(self.given.box), {}, {}):
+                return self.sign(p)
+        finally:
+            self._everywhere = False
+
+    @contextmanager
+    def _knowing(
+        self, box: dict[str, Range], signs: dict[str, int], positives: dict[str, Poly]
+    ) -> Iterator[None]:
+        """For a while, only these ranges, signs and positive polynomials are known."""
+        kept = self.box, self.known_signs, self.positives, self._signs, self._tried
+        self.box, self.known_signs, self.positives = box, signs, positives
+        self._signs, self._tried = {}, {}
+        try:
+            yield
+        finally:
+            self.box, self.known_signs, self.positives, self._signs, self._tried = kept
+
+    # Ranges
+
+    def ends(self, position: int) -> Ends:
+        """Rational ends of an open interval that contains the generator's values."""
+        generator = self.at(position)
+        match generator.kind:
+            case "symbol":
+                where = self.box.get(generator.data[0], Range())
+                return where.low, where.high
+            case "pi":
+                return _PI_LOW, _PI_HIGH
+            case "cosine":
+                return self._numeric_ends(generator) or (None, None)
+            case "root" | "exp":
+                if not self.support(position):
+                    return self._numeric_ends(generator) or (fmpq(0), None)
+                return self._positive_ends(generator)
+            case "log" | "tan" if not self.support(position):
+                return self._numeric_ends(generator) or (None, None)
+            case "tan":
+                return self._tangent_ends(generator)
+            case "sign" | "cos" | "sin":
+                return fmpq(-9, 8), fmpq(9, 8)  # an open interval that contains ±1
+            case "atan":
+                return self._atan_ends(generator)
+            case "log":
+                return self._log_ends(generator)
+            case _:
+                return None, None
+
+    def _numeric_ends(self, generator: Generator) -> tuple[fmpq, fmpq] | None:
+        with ball_precision(64):
+            return self._outward(self._generator_ball(generator, {}, {}))
+
+    @staticmethod
+    def _outward(value: arb) -> tuple[fmpq, fmpq] | None:
+        """Rational ends of an open interval that contains a ball."""
+        if not value.is_finite():
+            return None
+        low, high = fmpq(*_dyadic(value.lower())), fmpq(*_dyadic(value.upper()))
+        slack = fmpq(1, 10**9) * (1 + abs(low))
+        return low - slack, high + slack
+
+    def _positive_ends(self, generator: Generator) -> Ends:
+        """Ends of an exponential or a root, compared with 1."""
+        if generator.kind == "exp":
+            exponent = generator.data[2]
+            above = self.sign(exponent.num, MAX_DEPTH) * self.sign(exponent.den, MAX_DEPTH)
+        else:
+            above = self._above_one(generator.data[0])
+        return fmpq(1 if above > 0 else 0), fmpq(1) if above < 0 else None
+
+    def _above_one(self, p: Poly) -> int:
+        """The sign of ``|p| − 1``, 0 where that of ``p`` is not known."""
+        own = self.sign(p, MAX_DEPTH)
+        return self.sign(p * own - 1, MAX_DEPTH) if own else 0
+
+    def _log_ends(self, generator: Generator) -> Ends:
+        above = self._above_one(generator.data[0])
+        return fmpq(0) if above > 0 else None, fmpq(0) if above < 0 else None
+
+    def _tangent_ends(self, generator: Generator) -> Ends:
+        """tan(angle/2) from the range of the angle."""
+        turns = self._half_turns(generator)
+        if turns is None:
+            return None, None
+        low, high = turns
+        below = fmpq(0) if low >= 0 else fmpq(-1) if low >= fmpq(-1, 2) else None
+        above = fmpq(0) if high <= 0 else fmpq(1) if high <= fmpq(1, 2) else None
+        return below, above
+
+    def has_no_pole(self, generator: Generator) -> bool:
+        """Whether tan(angle/2) is shown to be finite on the whole box of the conditions."""
+        with self._knowing(dict(self.given.box), {}, {}):
+            return self._half_turns(generator) is not None
+
+    def _half_turns(self, generator: Generator) -> tuple[fmpq, fmpq] | None:
+        """Ends of angle/π in [−1, 1], between which it lies, less an even number; else None."""
+        _, unit, angle = generator.data
+        ends = self._over_pi(angle)
+        if ends is None:
+            return None
+        low, high = ends[0] / unit, ends[1] / unit
+        middle = (low + high + 2) / 4
+        turns = 2 * (middle.p // middle.q)
+        return (low - turns, high - turns) if turns - 1 <= low and high <= turns + 1 else None
+
+    def _over_pi(self, x: Fraction) -> tuple[fmpq, fmpq] | None:
+        """Rational ends between which x/π lies: exact ones for what is linear in symbols."""
+        boxes = {name: self.box.get(name, Range()) for name in self.dependence(x)}
+        if not boxes or any(b.low is None or b.high is None for b in boxes.values()):
+            return None
+        linear = x.den.is_constant() and x.num.total_degree() == 1
+        if not linear or any(self.at(i).kind != "symbol" for i in self.used(x.num)):
+            with ball_precision(64):
+                at = {name: arb(b.low).union(arb(b.high)) for name, b in boxes.items()}
+                return self._outward(self.ball(x, at) / arb.pi())
+        ends = [fmpq(0), fmpq(0)]
+        for monomial, value in x.num.terms():
+            slope = fmpq(value, x.den.leading_coefficient())
+            if not any(monomial):
+                pair = (_over_pi(slope, True), _over_pi(slope, False))
+            else:
+                where = boxes[self.at(next(i for i, k in enumerate(monomial) if k)).data[0]]
+                low, high = where.pi_low, where.pi_high
+                low = _over_pi(where.low, True) if low is None else low
+                high = _over_pi(where.high, False) if high is None else high
+                pair = (slope * low, slope * high) if slope > 0 else (slope * high, slope * low)
+            ends = [end + more for end, more in zip(ends, pair, strict=True)]
+        return ends[0], ends[1]
+
+    def _atan_ends(self, generator: Generator) -> Ends:
+        argument = generator.data[0]
+        sign = self.sign(argument.num, 1) * self.sign(argument.den, 1)
+        return fmpq(0 if sign > 0 else -11, 7), fmpq(0 if sign < 0 else 11, 7)
+
+    def _narrow(self, p: Poly) -> None:
+        """Use ``p > 0`` to narrow the range of a symbol in which it is linear and alone."""
+        used = self.used(p)
+        if len(used) != 1 or self.at(used[0]).kind != "symbol" or p.total_degree() != 1:
+            return
+        slope = p.derivative(used[0]).leading_coefficient()
+        name = self.at(used[0]).data[0]
+        constant = p - self.variables[used[0]] * slope
+        end = -fmpq(fmpz(0) if constant.is_zero() else constant.leading_coefficient(), slope)
+        was = self.box.get(name, Range())
+        if slope > 0 and (was.low is None or end > was.low):
+            self.box[name] = was._replace(low=end, pi_low=None)
+        if slope < 0 and (was.high is None or end < was.high):
+            self.box[name] = was._replace(high=end, pi_high=None)
+
+    # Ways to prove a sign
+
+    def _constant_sign(self, p: Poly) -> int:
+        for bits in (64, SIGN_BITS, 4 * SIGN_BITS):
+            with ball_precision(bits):
+                value = self.ball(p)
+            if value > 0:
+                return 1
+            if value < 0:
+                return -1
+        return 0
+
+    def orthant_sign(self, p: Poly) -> int:
+        """The sign of all coefficients once every generator's range is mapped to (0, ∞)."""
+        free: list[int] = []
+        in_pi = self.known("pi", None) and p.degrees()[self.generator("pi", None).position] > 0
+        for position in self.used(p):
+            low, high = self.ends(position)
+            if in_pi and self.at(position).kind == "atan":
+                p = self._in_quarter_turns(p, position)
+                low, high = (end and fmpq(1 if end > 0 else -1) for end in (low, high))
+            if low == 0 and high is None:
+                continue
+            if low is None and high is None:
+                free.append(position)
+                continue
+            p = self._mapped(p, position, low, high)
+            if not 0 < len(p) <= 4 * MAX_SIGN_TERMS:  # none: the range is a point where it is 0
+                return 0
+        signs = {value > 0 for value in p.coeffs()}
+        if len(signs) != 1:
+            return 0
+        if free and any(int(m[i]) % 2 for m in p.monoms() for i in free):
+            return 0
+        if self._everywhere and all(any(m[i] for i in free) for m in p.monoms()):
+            return 0  # zero where all that is free is
+        return 1 if signs == {True} else -1
+
+    def _in_quarter_turns(self, p: Poly, position: int) -> Poly:
+        """``p`` times a positive number, an arc tangent written as τ·π/2 and its place as τ."""
+        pi, tau = self.variable(self.generator("pi", None)), self.variables[position]
+        parts = self.split(p, position)
+        degree = max(parts)
+        result = self.zero_poly
+        for k, part in parts.items():
+            result = result + part * (pi * tau) ** k * 2 ** (degree - k)
+        return result
+
+    def _mapped(self, p: Poly, position: int, low: fmpq | None, high: fmpq | None) -> Poly:
+        """``p`` times a positive factor, the generator's range (low, high) mapped to (0, ∞)."""
+        u = self.variables[position]
+        one = self.one_poly
+        if low is not None and high is not None:
+            scale = low.q * high.q
+            top = self.context.constant((low * scale).p) + u * (high * scale).p
+            bottom = (one + u) * scale
+        elif low is not None:
+            top, bottom = self.context.constant(low.p) + u * low.q, self.context.constant(low.q)
+        else:
+            assert high is not None
+            top, bottom = self.context.constant(high.p) - u * high.q, self.context.constant(high.q)
+        parts = self.split(p, position)
+        degree = max(parts)
+        result = self.zero_poly
+        for k, part in parts.items():
+            result = result + part * top**k * bottom ** (degree - k)
+        return result
+
+    def _by_facts(self, p: Poly, depth: int) -> int:
+        """``p > 0`` as ``c·f`` plus something positive, for a known ``f > 0``."""
+        facts = [f for f in list(self.positives.values())[:8] if not self.is_inverse(f)]
+        for sign in (1, -1):
+            for fact in facts:
+                for n in range(min(6, len(fact))):
+                    value, other = sign * fact.coefficient(n), p[fact.monomial(n)]
+                    if other == 0 or (other > 0) != (value > 0):
+                        continue
+                    rest = p * (sign * abs(value)) - fact * abs(other)
+                    if rest.is_zero() or self.orthant_sign(rest) > 0:
+                        return sign
+        return 0
+
+    def _by_discriminant(self, p: Poly, depth: int) -> int:
+        """A quadratic without two real roots, in a generator or its square, has one sign."""
+        for position in self.used(p):
+            low, high = self.ends(position)
+            if low is not None and high is not None and self.at(position).kind != "symbol":
+                continue
+            degree = int(p.degrees()[position])
+            if degree not in (2, 4):
+                continue
+            parts = self.split(p, position)
+            step = degree // 2
+            if not set(parts) <= {0, step, degree}:
+                continue
+            a, c = parts[degree], parts.get(0, self.zero_poly)
+            b = parts.get(step, self.zero_poly)
+            lead = self.sign(a, depth + 1)
+            if not lead:
+                continue
+            rest = self.reduce(4 * a * c - b * b)
+            if self.product_sign(rest, depth + 1) > 0 or (rest.is_zero() and not self._everywhere):
+                return lead
+        return 0
+
+    def product_sign(self, p: Poly, depth: int = 0) -> int:
+        """The sign of ``p`` from those of its factors, where its own is not proved."""
+        found = self.sign(p, depth)
+        if found or p.is_zero() or len(p) > MAX_SIGN_TERMS:
+            return found
+        unit, parts = small_factor(self, p)
+        total = 1 if unit > 0 else -1
+        if len(parts) > 1 or any(k > 1 for _, k in parts):
+            for part, k in parts:
+                found = self.sign(part, depth) if k % 2 or self._everywhere else 1
+                total *= found if k % 2 else abs(found)
+            return total
+        return 0
+
+    def _by_conjugate(self, p: Poly, depth: int) -> int:
+        """The sign of ``u + v·A`` from those of u, v and of ``u² − v²A²``."""
+        for position, degree, _ in self.relations:
+            if degree != 2 or p.degrees()[position] != 1 or self.at(position).kind != "root":
+                continue
+            parts = self.split(p, position)
+            if len(parts) != 2:
+                continue
+            first, second = self.sign(parts[0], depth + 1), self.sign(parts[1], depth + 1)
+            if first == second != 0:
+                return first
+            x = self.variables[position]
+            norm = self.reduce(parts[0] ** 2 - parts[1] ** 2 * x**2)
+            size = self.product_sign(norm, depth + 1)
+            if size > 0 and first:
+                return first
+            if size < 0 and second:
+                return second
+        return 0
+
+    def _by_cases(self, p: Poly, depth: int) -> int:
+        """The sign of ``p`` where it is the same whichever value a sign in it has."""
+        reduced = self.reduce(p)
+        if reduced != p:  # a sign that has been settled since, or occurs squared
+            return self.sign(reduced, depth + 1)
+        for position in self.used(p):
+            generator = self.at(position)
+            if generator.kind != "sign":
+                continue
+            parts = self.split(p, position)
+            found = set()
+            for sign in (1, -1):
+                fact = generator.data[0] * sign
+                key = str(generator.data[0])
+                case = parts.get(0, self.zero_poly) + sign * parts[1]
+                signs, positives = {**self.known_signs, key: sign}, {**self.positives, key: fact}
+                with self._knowing(dict(self.box), signs, positives):
+                    self._narrow(fact)
+                    found.add(self.product_sign(self.reduce(case), depth + 1))
+                if found & {0} or len(found) > 1:
+                    return 0
+            return found.pop()
+        return 0
+
+
+def _over_pi(x: fmpq, down: bool) -> fmpq:
+    """A number that is less than ``x/π``, or greater."""
+    return x / (_PI_HIGH if (x > 0) == down else _PI_LOW)
+
+
+def _dyadic(x: arb) -> tuple[fmpz, fmpz]:
+    mantissa, exponent = x.man_exp()
+    if exponent >= 0:
+        return mantissa * fmpz(2) ** int(exponent), fmpz(1)
+    return mantissa, fmpz(2) ** int(-exponent)

@@ -1,0 +1,317 @@
+"""Fractions of integer polynomials in generators, some of which obey a monic relation.
+
+A generator is a real function of the symbols (a symbol, π, |f|^(1/n), a sign, exp, tan of a half
+angle, log|f|, atan, or an opaque value). A relation ``g**n = r`` has ``r`` in older generators
+only; newer generators come first in the lexicographic order, so one division by each relation,
+newest first, brings a polynomial to its remainder.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from math import comb
+from typing import Any, NamedTuple, TypeAlias
+
+from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
+
+from tresym.reals.numbers.factors import TooLargeError, factors_of
+
+Poly: TypeAlias = fmpz_mpoly
+
+MAX_TERMS = 4000
+MAX_DEGREE = 400
+LARGEST_DEGREE = 10**6
+"""Of sums: FLINT's time and memory grow with it, and beyond 64 bits its divisors are wrong."""
+CONJUGATE_TERMS = 600
+_INVERSE = frozenset(("log", "atan", "opaque", "cos", "sin"))
+
+
+class UndefinedError(Exception):
+    """An operation that is nowhere defined, such as division by zero."""
+
+
+class Generator(NamedTuple):
+    """What a generator stands for: ``kind`` and the ``data`` that its kind needs."""
+
+    kind: str
+    data: tuple[Any, ...]
+    position: int
+
+
+class Fraction:
+    """``numerator/denominator``, reduced and without a common factor."""
+
+    __slots__ = ("den", "num")
+
+    def __init__(self, num: Poly, den: Poly) -> None:
+        self.num = num
+        self.den = den
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Text that equal fractions share."""
+        return str(self.num), str(self.den)
+
+
+class Ring:
+    """The polynomial ring, its generators and relations, and the arithmetic of fractions."""
+
+    def __init__(self, size: int) -> None:
+        """Room for ``size`` generators; more raise :class:`TooLargeError`."""
+        self.size = size
+        self.context, self.variables = _polynomials(size)
+        self.generators: list[Generator] = []
+        self.relations: list[tuple[int, int, Poly]] = []
+        self._by_key: dict[tuple[Any, ...], Generator] = {}
+        self.one_poly = self.context.constant(1)
+        self.zero_poly = self.context.constant(0)
+        self.zero = Fraction(self.zero_poly, self.one_poly)
+        self.one = Fraction(self.one_poly, self.one_poly)
+
+    # Generators
+
+    def generator(self, kind: str, key: Any, data: tuple[Any, ...] = ()) -> Generator:
+        """The generator of ``kind`` with ``key``, made on first use."""
+        found = self._by_key.get((kind, key))
+        if found is None:
+            if len(self.generators) == self.size:
+                raise TooLargeError("more generators than the ring has room for")
+            found = Generator(kind, data, self.size - 1 - len(self.generators))
+            self.generators.append(found)
+            self._by_key[kind, key] = found
+        return found
+
+    def known(self, kind: str, key: Any) -> bool:
+        """Whether that generator exists already."""
+        return (kind, key) in self._by_key
+
+    def at(self, position: int) -> Generator:
+        """The generator at a position of the exponent vector."""
+        return self.generators[self.size - 1 - position]
+
+    def variable(self, generator: Generator) -> Poly:
+        """The generator as a polynomial."""
+        return self.variables[generator.position]
+
+    def relate(self, generator: Generator, degree: int, value: Poly) -> None:
+        """Record ``generator**degree = value``, ``value`` in older generators."""
+        rule = self.variable(generator) ** degree - value
+        kept = [item for item in self.relations if item[0] != generator.position]
+        self.relations = sorted([*kept, (generator.position, degree, rule)], key=lambda r: r[0])
+
+    def used(self, p: Poly) -> list[int]:
+        """Positions of the generators that occur in ``p``."""
+        if p.is_constant():
+            return []
+        return [i for i, degree in enumerate(p.degrees()) if degree > 0]
+
+    # Arithmetic
+
+    def constant(self, value: fmpq | int) -> Fraction:
+        """A rational number."""
+        value = fmpq(value)
+        return Fraction(self.context.constant(value.p), self.context.constant(value.q))
+
+    def reduce(self, p: Poly) -> Poly:
+        """``p`` modulo the relations."""
+        for position, _, rule in self.relations:
+            if not p.derivative(position).is_zero():
+                p = p % rule
+        if len(p) > MAX_TERMS:
+            raise TooLargeError(f"a normal form of more than {MAX_TERMS} terms")
+        return p
+
+    def make(self, num: Poly, den: Poly) -> Fraction:
+        """The fraction ``num/den`` in reduced form.
+
+        Raises:
+            UndefinedError: ``den`` is zero modulo the relations.
+        """
+        if self.relations:
+            num, den = self.reduce(num), self.reduce(den)
+            if not den.is_constant():
+                num, den = self._rational_denominator(num, den)
+        if den.is_zero():
+            raise UndefinedError("a denominator is identically zero")
+        return self._cancel(num, den)
+
+    def _cancel(self, num: Poly, den: Poly) -> Fraction:
+        if den.is_one():
+            return Fraction(num, den)
+        if num.is_zero():
+            return self.zero
+        common = num.gcd(den)
+        if not common.is_one():
+            num, den = num // common, den // common
+        if den.leading_coefficient() < 0:
+            num, den = -num, -den
+        return Fraction(num, den)
+
+    def _rational_denominator(self, num: Poly, den: Poly) -> tuple[Poly, Poly]:
+        """Clear roots and signs from the denominator by multiplying with the conjugate."""
+        degrees = den.degrees()
+        for position, degree, _ in self.relations:
+            if den.is_zero():
+                break
+            if degrees[position] <= 0:
+                continue
+            x = self.variables[position]
+            parts = self.split(den, position)
+            if len(parts) == 1:
+                (k,) = parts
+                lift = x ** (degree - k)
+                num, den = self.reduce(num * lift), self.reduce(den * lift)
+                degrees = den.degrees()
+                continue
+            if degree != 2 or len(den) * len(num) > CONJUGATE_TERMS or self.is_inverse(den):
+                continue
+            conjugate = parts[0] - parts[1] * x
+            norm = self.reduce(den * conjugate)
+            if norm.is_zero():
+                num, den = self.zero_divisor(num, den, position, parts)
+                degrees = den.degrees()
+                continue
+            if self.is_mixed(norm):
+                continue
+            common = norm.gcd(conjugate)
+            norm, conjugate = norm // common, conjugate // common
+            num, den = self.reduce(num * conjugate), norm
+            degrees = den.degrees()
+        return num, den
+
+    def zero_divisor(
+        self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
+    ) -> tuple[Poly, Poly]:
+        """The fraction where ``den`` divides zero; a ring that knows more may use that."""
+        return num, den
+
+    def is_mixed(self, p: Poly) -> bool:
+        """Whether ``p`` may vanish on a whole region; a ring that knows its generators can tell."""
+        return self.is_inverse(p)
+
+    def is_inverse(self, p: Poly) -> bool:
+        """Whether ``p`` contains a logarithm, arc tangent or value of which little is known."""
+        return any(self.at(i).kind in _INVERSE for i in self.used(p))
+
+    def split(self, p: Poly, position: int) -> dict[int, Poly]:
+        """``p`` by powers of one generator: ``{k: coefficient of g**k}``."""
+        slope = p.derivative(position)
+        if slope.derivative(position).is_zero():
+            rest = p - slope * self.variables[position]
+            return {k: part for k, part in ((0, rest), (1, slope)) if not part.is_zero()}
+        parts: dict[int, dict[tuple[int, ...], Any]] = {}
+        for monomial, value in p.terms():
+            k = int(monomial[position])
+            rest = (*monomial[:position], 0, *monomial[position + 1 :])
+            parts.setdefault(k, {})[rest] = value
+        return {k: self.context.from_dict(part) for k, part in parts.items()}
+
+    def add(self, x: Fraction, y: Fraction) -> Fraction:
+        """``x + y``."""
+        if x.den == y.den:
+            total = _bounded(x.num + y.num)
+            if x.den.is_one():
+                return Fraction(total, x.den)
+            return self._cancel(total, x.den)
+        common = x.den.gcd(y.den)
+        left, right = y.den // common, x.den // common
+        return self.make(_bounded(x.num * left + y.num * right), x.den * left)
+
+    def sum(self, terms: list[Fraction]) -> Fraction:
+        """The sum of ``terms``."""
+        total = self.zero
+        for term in terms:
+            total = self.add(total, term)
+        return total
+
+    def negative(self, x: Fraction) -> Fraction:
+        """``−x``."""
+        return Fraction(-x.num, x.den)
+
+    def subtract(self, x: Fraction, y: Fraction) -> Fraction:
+        """``x − y``."""
+        return self.add(x, Fraction(-y.num, y.den))
+
+    def multiply(self, x: Fraction, y: Fraction) -> Fraction:
+        """``x·y``."""
+        if len(x.num) * len(y.num) > 40 * MAX_TERMS:
+            raise TooLargeError(f"a normal form of more than {MAX_TERMS} terms")
+        if x.den.is_one() and y.den.is_one():
+            return Fraction(self.reduce(x.num * y.num), x.den)
+        g, h = x.num.gcd(y.den), y.num.gcd(x.den)
+        if not g.is_one() and not g.is_zero():
+            x, y = Fraction(x.num // g, x.den), Fraction(y.num, y.den // g)
+        if not h.is_one() and not h.is_zero():
+            x, y = Fraction(x.num, x.den // h), Fraction(y.num // h, y.den)
+        return self.make(x.num * y.num, x.den * y.den)
+
+    def invert(self, x: Fraction) -> Fraction:
+        """``1/x``.
+
+        Raises:
+            UndefinedError: ``x`` is zero.
+        """
+        if x.num.is_zero():
+            raise UndefinedError("a division by an expression that is identically zero")
+        return self.make(x.den, x.num)
+
+    def divide(self, x: Fraction, y: Fraction) -> Fraction:
+        """``x/y``."""
+        return self.multiply(x, self.invert(y))
+
+    def power(self, x: Fraction, n: int) -> Fraction:
+        """``x**n`` for an integer ``n``."""
+        if n < 0:
+            return self.power(self.invert(x), -n)
+        degree = max(x.num.total_degree(), x.den.total_degree(), 0)
+        if degree * n > MAX_DEGREE and len(x.num) + len(x.den) > 2:
+            raise TooLargeError(f"a power of degree beyond {MAX_DEGREE}")
+        if max(comb(n + len(p) - 1, n) for p in (x.num, x.den) if len(p)) > 10 * MAX_TERMS:
+            raise TooLargeError(f"a power of more than {10 * MAX_TERMS} terms")
+        if not self.relations:
+            return Fraction(x.num**n, x.den**n)
+        result = self.one
+        square = x
+        while n:
+            if n & 1:
+                result = self.multiply(result, square)
+            n >>= 1
+            if n:
+                square = self.multiply(square, square)
+        return result
+
+    def rational(self, x: Fraction) -> fmpq | None:
+        """The number that ``x`` is, if it is one."""
+        if not (x.num.is_constant() and x.den.is_constant()):
+            return None
+        return fmpq(_constant(x.num), _constant(x.den))
+
+
+def _bounded(p: Poly) -> Poly:
+    if len(p) > 1 and p.total_degree() > LARGEST_DEGREE:
+        raise TooLargeError(f"a sum with powers beyond {LARGEST_DEGREE}")
+    return p
+
+
+def _constant(p: Poly) -> fmpz:
+    return fmpz(0) if p.is_zero() else p.leading_coefficient()
+
+
+def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
+    """FLINT's factorisation of ``p``, made in a ring of only the variables that occur.
+
+    FLINT's time grows with the number of variables of the ring, used or not.
+    """
+    used = ring.used(p)
+    context, _ = _polynomials(len(used))
+    small = p.project_to_context(context, dict(zip(used, range(len(used)), strict=True)))
+    unit, factors = factors_of(small)
+    back = dict(enumerate(used))
+    return unit, [(f.project_to_context(ring.context, back), int(k)) for f, k in factors]
+
+
+@cache
+def _polynomials(size: int) -> tuple[fmpz_mpoly_ctx, tuple[Poly, ...]]:
+    """The ring of integer polynomials in ``size`` generators, and these."""
+    context = fmpz_mpoly_ctx.get([f"g{i}" for i in range(size)], Ordering.lex)
+    return context, context.gens()

@@ -1,0 +1,264 @@
+"""Signs as generators, and what is learnt of them.
+
+The facts are the conditions a claim was given and those its own radicands, logarithms and inverse
+functions impose: each is a product of signs, a linear equation over GF(2). A sign that is not
+proven is a generator σ with σ² = 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from flint import fmpq, fmpz
+
+from tresym.reals.normal.ranges import ProvingRing
+from tresym.reals.normal.ring import Poly
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.conditions import Given
+
+
+class AgainError(TooLargeError):
+    """A unit, an order or a sign was learnt: normalise again from the start."""
+
+
+class SignedRing(ProvingRing):
+    """A ring with what is learnt of the signs of its factors."""
+
+    def __init__(
+        self, given: Given, size: int, points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple
+    ) -> None:
+        """The arguments of the base class."""
+        super().__init__(given, size, points)
+        self.rules: dict[str, tuple[int, list[str]]] = {}
+        self.polys: dict[str, Poly] = {}
+        self._met: dict[str, int] = {}
+        self._equations: set[tuple[frozenset[str], int]] = set()
+        self._quietly = False  # whether a sign was learnt that nothing in this pass has used
+
+    def begin_pass(self) -> None:
+        """Forget the equations of the last pass and the signs that new facts may improve."""
+        self._equations = set()
+        self._tried = {}
+        self._quietly = False
+        self._signs = {key: sign for key, sign in self._signs.items() if sign}
+        self._settle_proven()
+
+    def _settle_proven(self) -> None:
+        """Settle the signs that have a generator from an earlier pass and are proven by now."""
+        for generator in self.generators:
+            if generator.kind != "sign":
+                continue
+            key = str(generator.data[0])
+            if key not in self.known_signs and key not in self.rules:
+                found = self.sign(generator.data[0])
+                if found:
+                    self._know(key, found)
+
+    def sigma(self, f: Poly) -> Poly:
+        """The sign of a canonical factor: ±1 where known, a product of other signs, or new."""
+        if f.is_constant():
+            return self.one_poly if f.leading_coefficient() > 0 else -self.one_poly
+        known = self.sign(f)
+        if known:
+            return self.context.constant(known)
+        key = self._meet(f)
+        if key in self.rules:
+            constant, others = self.rules[key]
+            product = self.context.constant(constant)
+            for other in others:
+                product = product * self.sigma(self.polys[other])
+            return self.reduce(product)
+        if not self.known("sign", key):
+            generator = self.generator("sign", key, (f,))
+            self.relate(generator, 2, self.one_poly)
+        return self.variable(self.generator("sign", key))
+
+    def _meet(self, f: Poly) -> str:
+        key = str(f)
+        if key not in self.polys:
+            self.polys[key] = f
+            self._met[key] = len(self._met)
+        return key
+
+    def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
+        """Record that the product of these powers has the given sign on the domain, or is zero.
+
+        The sign of a single part is used at once; where it stands in what has been found in this
+        pass, a new one begins.
+
+        A part that may vanish on a whole region without our knowing says nothing there of the
+        other parts, be its exponent even or its sign known: such an equation is not used, unless
+        ``strict`` tells that the product is nowhere zero.
+        """
+        keys: set[str] = set()
+        for constant, _ in ((part, k) for part, k in parts if part.is_constant() and k % 2):
+            sign *= 1 if constant.leading_coefficient() > 0 else -1
+        parts = [(part, k) for part, k in parts if not part.is_constant()]
+        for part in (part for part, k in parts if k % 2):
+            known = self.sign(part)
+            if known:
+                sign *= known
+                continue
+            keys ^= {self._meet(part)}
+        if not keys:
+            return
+        if not strict and len(parts) > 1 and any(self.is_mixed(part) for part, _ in parts):
+            return
+        if len(keys) == 1:
+            (key,) = keys
+            used = self.known("sign", key)
+            self._know(key, sign)
+            self._quietly |= not used
+            if used:
+                raise AgainError
+            return
+        self._equations.add((frozenset(keys), sign))
+
+    def zero_divisor(
+        self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]
+    ) -> tuple[Poly, Poly]:
+        """``d·(1 ± σ)`` is not zero only where σ is ±1, and there it is ``2d``."""
+        generator = self.at(position)
+        for sign in (1, -1):
+            if generator.kind == "sign" and self.reduce(parts[0] - sign * parts[1]).is_zero():
+                self.require_sign([(generator.data[0], 1)], sign)
+                return num, 2 * parts[0]
+        return num, den
+
+    # What may vanish on a whole region
+
+    def is_mixed(self, p: Poly) -> bool:
+        """Whether ``p`` may vanish on a whole region though its normal form is not zero.
+
+        So it may where its generators depend on each other without our knowing: several inverse
+        functions, roots within roots, values of unknown functions, sums with signs, arc tangents
+        of tangents, constants that may be equal.
+        """
+        kinds = [self.at(i).kind for i in self.used(p)]
+        if len(p) == 1 and set(kinds) == {"exp"}:
+            return False
+        if "cos" in kinds or "sin" in kinds:
+            return True
+        if "opaque" in kinds or "sign" in kinds:
+            return len(p) > 1
+        inner = self.involved(p)
+        nested = any(
+            self.at(j).kind in ("root", "sign", "opaque")
+            for i in inner
+            if self.at(i).kind == "root"
+            for j in self.involved(self.at(i).data[0])
+        )
+        return nested or self.are_tied(inner) or self._may_be_zero_by_constants(p)
+
+    def are_tied(self, positions: set[int]) -> bool:
+        """Whether inverse functions among these generators may depend on the others.
+
+        A single logarithm or arc tangent does so only through signs, an arc tangent of tangents,
+        or a logarithm of roots of exponentials: else tan(cx + d) or exp(cx + d) were algebraic
+        over functions over which they are not. Logarithms of distinct irreducible polynomials in
+        the symbols are independent (Ostrowski).
+        """
+        kinds = [self.at(i).kind for i in positions]
+        inverses = kinds.count("log") + kinds.count("atan")
+        if set(kinds) <= {"symbol", "log"} and all(
+            self.at(j).kind == "symbol"
+            for i in positions
+            if self.at(i).kind == "log"
+            for j in self.used(self.at(i).data[0])
+        ):
+            return False
+        return inverses > 1 or (
+            inverses == 1
+            and (
+                bool({"sign", "opaque", "cos", "sin"} & set(kinds))
+                or {"atan", "tan"} <= set(kinds)
+                or {"log", "exp", "root"} <= set(kinds)
+            )
+        )
+
+    def _may_be_zero_by_constants(self, p: Poly) -> bool:
+        """Whether no coefficient of ``p``, a number in constants, is shown to be other than 0."""
+        constants = [i for i in self.used(p) if not self.support(i) and self.at(i).kind != "opaque"]
+        if not constants:
+            return False
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
+        for monomial, value in p.terms():
+            powers = [int(k) for k in monomial]
+            outer = tuple(0 if i in constants else k for i, k in enumerate(powers))
+            inner = tuple(k if i in constants else 0 for i, k in enumerate(powers))
+            groups.setdefault(outer, {})[inner] = value
+        rational = (0,) * self.size
+        return not any(
+            set(part) == {rational} or self._constant_sign(self.context.from_dict(part))
+            for part in groups.values()
+        )
+
+    # Equations between signs
+
+    def learn(self) -> bool:
+        """Solve the sign equations of the pass; True if the pass has learnt anything."""
+        rows = self._eliminated()
+        before = len(self.known_signs), len(self.rules), tuple(self.box.items())
+        for keys, sign in rows:
+            if len(keys) == 1:
+                self._know(next(iter(keys)), sign)
+            elif len(keys) == 2:
+                first, second = sorted(keys)
+                self._compare(first, second, sign)
+        for keys, sign in rows:
+            newest = self._newest(keys)
+            if len(keys) > 1 and newest not in self.rules:
+                self.rules[newest] = (sign, sorted(keys - {newest}))
+                self._settle(newest)
+        after = len(self.known_signs), len(self.rules), tuple(self.box.items())
+        return self._quietly or before != after
+
+    def _eliminated(self) -> list[tuple[frozenset[str], int]]:
+        """The equations in reduced row echelon form over GF(2)."""
+        rows: list[tuple[frozenset[str], int]] = []
+        order = sorted(self._equations, key=lambda row: (len(row[0]), sorted(row[0])))
+        for keys, sign in order:
+            for other, value in rows:
+                if self._newest(other) in keys:
+                    keys, sign = keys ^ other, sign * value
+            if keys:
+                pivot = self._newest(keys)
+                rows = [
+                    (other ^ keys, value * sign) if pivot in other else (other, value)
+                    for other, value in rows
+                ]
+                rows.append((keys, sign))
+        return rows
+
+    def _newest(self, keys: frozenset[str]) -> str:
+        """The factor whose sign the others shall write: one without a generator, or the newest."""
+        return max(keys, key=self._age)
+
+    def _age(self, key: str) -> tuple[int, int]:
+        if self.known("sign", key):
+            return 0, -self.generator("sign", key).position
+        return 1, self._met[key]
+
+    def _settle(self, key: str) -> None:
+        """Let the generator of a sign that is now known reduce to what it is."""
+        if self.known("sign", key):
+            self.relate(self.generator("sign", key), 1, self.sigma(self.polys[key]))
+
+    def _know(self, key: str, sign: int) -> None:
+        if key in self.known_signs:
+            return
+        self.known_signs[key] = sign
+        self._settle(key)
+        p = self.polys[key]
+        self.positives[key] = p if sign > 0 else -p
+        self._narrow(self.positives[key])
+
+    def _compare(self, first: str, second: str, sign: int) -> None:
+        """Decide two factors of known product sign where their sum or difference has a sign."""
+        p, q = self.polys[first], self.polys[second]
+        if sign < 0:
+            q = -q
+        total = self.sign(self.reduce(p + q))
+        if total:
+            self._know(first, total)
+            self._know(second, total * sign)

@@ -1,0 +1,1 @@
+"""Exact numbers and balls: what everything else computes with."""

@@ -1,0 +1,136 @@
+"""One rational point in every region that polynomials cut out of space.
+
+An open cylindrical decomposition: project with leading coefficients, discriminants and resultants,
+isolate the real roots of what is left in one variable, lift. Every connected region where none of
+the polynomials vanishes contains at least one of the points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from flint import arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.factors import TooLargeError, factors_of
+
+MAX_POLYNOMIALS = 40
+MAX_DEGREE = 24
+
+
+def sample_points(
+    polynomials: list[fmpz_mpoly], context: fmpz_mpoly_ctx
+) -> Iterator[tuple[fmpq, ...]]:
+    """Points of all open cells of ``polynomials``, over the variables of ``context`` in order.
+
+    Raises:
+        TooLargeError: the projections outgrow their bounds.
+    """
+    levels = [_irreducible(polynomials)]
+    for variable in range(context.nvars() - 1, 0, -1):
+        levels.append(_projection(levels[-1], variable))
+    levels.reverse()
+    yield from _lift(levels, context, ())
+
+
+def _irreducible(polynomials: list[fmpz_mpoly]) -> list[fmpz_mpoly]:
+    found: dict[str, fmpz_mpoly] = {}
+    for p in polynomials:
+        if p.is_zero() or p.is_constant():
+            continue
+        for factor, _ in factors_of(p)[1]:
+            found[str(factor)] = factor
+    if len(found) > MAX_POLYNOMIALS or any(p.total_degree() > MAX_DEGREE for p in found.values()):
+        raise TooLargeError("too many regions to visit one by one")
+    return list(found.values())
+
+
+def _projection(polynomials: list[fmpz_mpoly], variable: int) -> list[fmpz_mpoly]:
+    result = [p for p in polynomials if p.degrees()[variable] == 0]
+    active = [p for p in polynomials if p.degrees()[variable] > 0]
+    for i, p in enumerate(active):
+        result.append(_lead(p, variable))
+        if p.degrees()[variable] > 1:
+            result.append(p.discriminant(variable))
+        result.extend(p.resultant(q, variable) for q in active[:i])
+    return _irreducible(result)
+
+
+def _lead(p: fmpz_mpoly, variable: int) -> fmpz_mpoly:
+    degree = p.degrees()[variable]
+    context = p.context()
+    return context.from_dict(
+        {(*m[:variable], 0, *m[variable + 1 :]): c for m, c in p.terms() if m[variable] == degree}
+    )
+
+
+def _lift(
+    levels: list[list[fmpz_mpoly]], context: fmpz_mpoly_ctx, point: tuple[fmpq, ...]
+) -> Iterator[tuple[fmpq, ...]]:
+    k = len(point)
+    if k == len(levels):
+        yield point
+        return
+    product = fmpz_poly([1])
+    for p in levels[k]:
+        line = _restricted(p, point)
+        if line.degree() > 0:
+            product = product * (line // line.gcd(product))
+    for value in between(product):
+        yield from _lift(levels, context, (*point, value))
+
+
+def _restricted(p: fmpz_mpoly, point: tuple[fmpq, ...]) -> fmpz_poly:
+    """``p`` on the line above ``point``, cleared of denominators."""
+    k = len(point)
+    coefficients: dict[int, fmpq] = {}
+    for monomial, value in p.terms():
+        term = fmpq(value)
+        for x, n in zip(point, monomial, strict=False):
+            term *= x ** int(n)
+        coefficients[int(monomial[k])] = coefficients.get(int(monomial[k]), fmpq(0)) + term
+    scale = fmpq(1)
+    for value in coefficients.values():
+        scale *= value.q
+    degree = max(coefficients)
+    return fmpz_poly([(coefficients.get(i, fmpq(0)) * scale).p for i in range(degree + 1)])
+
+
+def between(p: fmpz_poly) -> list[fmpq]:
+    """A simple rational in each interval between the real roots of ``p``."""
+    if p.degree() < 1:
+        return [fmpq(0)]
+    squarefree = p // p.gcd(p.derivative())
+    with ball_precision(128):
+        roots = [root.real for root, _ in squarefree.complex_roots() if root.imag.is_zero()]
+        roots.sort(key=lambda x: x.mid())
+        if not roots:
+            return [fmpq(0)]
+        ends = [(_rational(x.lower()), _rational(x.upper())) for x in roots]
+    points = [simplest(None, ends[0][0])]
+    for (_, low), (high, _) in pairwise(ends):
+        if not low < high:
+            raise TooLargeError("roots too close to be told apart")
+        points.append(simplest(low, high))
+    return [*points, simplest(ends[-1][1], None)]
+
+
+def _rational(x: arb) -> fmpq:
+    return x.fmpq()
+
+
+def simplest(low: fmpq | None, high: fmpq | None) -> fmpq:
+    """The rational of least denominator strictly between ``low`` and ``high``."""
+    if low is None or (low < 0 and high is not None and high <= 0):
+        assert high is not None
+        return -simplest(-high, None if low is None else -low)
+    if low < 0:
+        return fmpq(0)
+    whole = low.p // low.q + 1
+    if high is None or whole < high:
+        return fmpq(whole)
+    base = whole - 1
+    tail = low - base
+    inner = simplest(1 / (high - base), None if tail == 0 else 1 / tail)
+    return base + 1 / inner

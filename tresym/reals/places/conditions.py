@@ -1,0 +1,351 @@
+"""Conditions on real symbols: the box and the inequalities a claim is made under.
+
+A condition is a comparison of two expressions. Those that bound one symbol by a constant make the
+box, kept outward where the constant is irrational; all of them are checked, in balls, at every
+point handed out, so a point is a witness and not a guess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.reals.language.expression import Expr, number, symbol, symbols
+from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
+from tresym.reals.language.sympy import from_sympy
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.points import Range, _sample, corners
+from tresym.reals.places.values import evaluate
+from tresym.reals.places.windows import windows
+
+CHECK_BITS = 128
+_TRIES = 3000
+_FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
+_SYMPY_RELATIONS = {
+    "StrictGreaterThan": ">",
+    "GreaterThan": ">=",
+    "StrictLessThan": "<",
+    "LessThan": "<=",
+    "Unequality": "!=",
+}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """``expression`` compared with zero: relation is ``>``, ``>=`` or ``!=``."""
+
+    expression: Expr
+    relation: str
+
+    def holds(self, point: dict[str, arb]) -> bool:
+        """Whether balls show the condition, strictly, at ``point``."""
+        value = evaluate(self.expression, point)
+        if self.relation == "!=":
+            return bool(value > 0 or value < 0)
+        return bool(value > 0)
+
+    def holds_exactly(self, point: dict[str, arb]) -> bool:
+        """As :meth:`holds`, with equality allowed where the relation is ``>=``."""
+        if self.holds(point):
+            return True
+        value = evaluate(self.expression, point)
+        return self.relation == ">=" and bool(value >= 0)
+
+
+@dataclass(frozen=True)
+class Given:
+    """A conjunction of conditions on real symbols; ``Given()`` is no condition at all."""
+
+    comparisons: tuple[tuple[Expr, str, Expr], ...] = ()
+
+    @staticmethod
+    def parse(text: str) -> Given:
+        """Conditions such as ``"a > 0, 0 < b <= 1, I1 < I2 < I3, psi != 0"``.
+
+        Raises:
+            InputError: text outside the grammar of parsing.py.
+        """
+        return Given(tuple(parse_conditions(text)))
+
+    @staticmethod
+    def from_sympy(*relationals: Any) -> Given:
+        """SymPy relationals (``Gt``, ``Ge``, ``Lt``, ``Le``, ``Ne``, ``And`` of them).
+
+        Raises:
+            InputError: any other condition.
+        """
+        result: list[tuple[Expr, str, Expr]] = []
+        for item in relationals:
+            name = type(item).__name__
+            if name == "And":
+                result.extend(Given.from_sympy(*item.args).comparisons)
+            elif name in _SYMPY_RELATIONS:
+                if "Derivative" in {type(part).__name__ for part in _parts(item)}:
+                    raise InputError(NO_DERIVATIVE)
+                left, right = from_sympy(item.lhs), from_sympy(item.rhs)
+                result.append((left, _SYMPY_RELATIONS[name], right))
+            elif name != "BooleanTrue":
+                raise InputError(f"{item} is not a condition such as a > 0")
+        return Given(tuple(result))
+
+    def __and__(self, other: Given) -> Given:
+        return Given(self.comparisons + other.comparisons)
+
+    def __str__(self) -> str:
+        return ", ".join(f"{left} {sign} {right}" for left, sign, right in self.comparisons)
+
+    @cached_property
+    def conditions(self) -> tuple[Condition, ...]:
+        """Every comparison as an expression compared with zero."""
+        return tuple(
+            Condition(left - right, sign)
+            if sign in (">", ">=", "!=")
+            else Condition(right - left, _FLIP[sign])
+            for left, sign, right in self.comparisons
+        )
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The symbols that the conditions speak of."""
+        return frozenset().union(*(symbols(c.expression) for c in self.conditions))
+
+    @cached_property
+    def box(self) -> dict[str, Range]:
+        """The bounds of single symbols by constants."""
+        box: dict[str, Range] = {}
+        for left, sign, right in self.comparisons:
+            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
+                if side.op == "abs" and not symbols(bound) and relation in ("<", "<="):
+                    _tighten(box, side.args[0], relation, bound)
+                    _tighten(box, side.args[0], _FLIP[relation], -bound)
+                elif not symbols(bound):
+                    _tighten(box, side, relation, bound)
+        for _ in range(2):
+            for condition in (*self.conditions, *self._implied):
+                _propagate(box, condition)
+        for condition in self.conditions:
+            _within_even_powers(box, condition)
+        return box
+
+    @cached_property
+    def _implied(self) -> tuple[Condition, ...]:
+        """What ``u > |v|`` says without absolute values: ``u > v``, ``u > −v``, ``u > 0``."""
+        result = []
+        for left, sign, right in self.comparisons:
+            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
+                if side.op == "abs" and symbols(bound) and relation in ("<", "<="):
+                    inner = side.args[0]
+                    parts = (bound - inner, bound + inner, bound)
+                    result += [Condition(part, _FLIP[relation]) for part in parts]
+        return tuple(result)
+
+    @cached_property
+    def beyond_box(self) -> tuple[Condition, ...]:
+        """The conditions that are not bounds of one symbol by a constant, and what they imply."""
+        plain = {"symbol"}
+        return self._implied + tuple(
+            condition
+            for (left, _, right), condition in zip(self.comparisons, self.conditions, strict=True)
+            if condition.relation == "!="
+            or not (
+                (left.op in plain and not symbols(right))
+                or (right.op in plain and not symbols(left))
+            )
+        )
+
+    def satisfying_point(self, names: Iterable[str] = ()) -> dict[str, fmpq] | None:
+        """An exact point that satisfies every condition, checked; None where none was found.
+
+        Args:
+            names: further symbols the point shall give a value.
+        """
+        wanted = sorted(self.names | set(names))
+        for point in self.points(wanted, 1):
+            return point
+        for corner in corners(wanted, self.box):
+            with ball_precision(CHECK_BITS):
+                at = {name: arb(value) for name, value in corner.items()}
+                if all(condition.holds_exactly(at) for condition in self.conditions):
+                    return corner
+        return None
+
+    def points(self, names: Iterable[str], n: int, start: int = 0) -> Iterator[dict[str, fmpq]]:
+        """At most ``n`` exact rational points inside the conditions, always the same ones.
+
+        Both signs come early where they are allowed; small, large and boundary-near values later.
+        Every condition holds strictly at each point, shown by balls.
+        """
+        wanted = sorted(self.names | set(names))
+        ranges = [self.box.get(name, Range()) for name in wanted]
+        if any(r.low is not None and r.high is not None and r.low >= r.high for r in ranges):
+            return
+        found = 0
+        for k in range(start, start + (_TRIES if self.conditions else n)):
+            point = {
+                name: _sample(where, k, j)
+                for j, (name, where) in enumerate(zip(wanted, ranges, strict=True))
+            }
+            if self._holds(point):
+                yield point
+                found += 1
+                if found == n:
+                    return
+        if not found and self.conditions:
+            yield from islice(filter(self._holds, self._far(wanted, ranges)), n)
+
+    def _far(self, wanted: list[str], ranges: list[Range]) -> Iterator[dict[str, fmpq]]:
+        """Points to try where the conditions hold far away or on narrow sets."""
+        starts = [
+            {name: _sample(ranges[j], k, j) for j, name in enumerate(wanted)} for k in range(4)
+        ]
+        yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
+
+    def _holds(self, point: dict[str, fmpq]) -> bool:
+        if not self.conditions:
+            return True
+        with ball_precision(CHECK_BITS):
+            at = {name: arb(value) for name, value in point.items()}
+            return all(condition.holds(at) for condition in self.conditions)
+
+
+def _parts(item: Any) -> Iterator[Any]:
+    """A SymPy expression and all its parts."""
+    yield item
+    for part in item.args:
+        yield from _parts(part)
+
+
+def _tighten(box: dict[str, Range], side: Expr, relation: str, bound: Expr) -> None:
+    """Narrow the range of the symbol ``side`` by ``side relation bound``."""
+    if side.op != "symbol" or relation == "!=":
+        return
+    low, high = _enclosure(bound)
+    if low is None or high is None:
+        return
+    name, was = side.args[0], box.get(side.args[0], Range())
+    is_open = relation in ("<", ">") or low != high
+    pi = _pi_multiple(bound)
+    if relation in (">", ">="):
+        if was.low is None or low > was.low or (low == was.low and is_open):
+            box[name] = was._replace(
+                low=low, low_open=is_open, pi_low=pi if pi is not None else _over_pi(low, True)
+            )
+    elif was.high is None or high < was.high or (high == was.high and is_open):
+        box[name] = was._replace(
+            high=high, high_open=is_open, pi_high=pi if pi is not None else _over_pi(high, False)
+        )
+
+
+def _propagate(box: dict[str, Range], condition: Condition) -> None:
+    """Narrow the symbols of a linear condition by the bounds of the others: x > a > 0 is x > 0."""
+    form = _linear(condition.expression)
+    if condition.relation == "!=" or form is None:
+        return
+    for name, slope in form.items():
+        total, relation = form[""], condition.relation
+        for other, c in form.items():
+            if other in ("", name):
+                continue
+            where = box.get(other, Range())
+            end, is_open = (where.high, where.high_open) if c > 0 else (where.low, where.low_open)
+            if end is None:
+                break
+            total += c * end
+            relation = ">" if is_open else relation
+        else:
+            if name:
+                sign = relation if slope > 0 else _FLIP[relation]
+                _tighten(box, symbol(name), sign, number(-total / slope))
+
+
+def _within_even_powers(box: dict[str, Range], condition: Condition) -> None:
+    """Narrow the symbols of a sum of even powers that is bounded: x**2 + 4*y**4 < 1."""
+    form = _sum_of(condition.expression, even=True)
+    if condition.relation == "!=" or form is None or any(c > 0 for key, c in form.items() if key):
+        return
+    for key, c in form.items():
+        if key and form[""] > 0:
+            name, n = key.split("**")
+            with ball_precision(CHECK_BITS):
+                end = number(_rational(arb(-form[""] / c).root(int(n)).upper()))
+            _tighten(box, symbol(name), "<" if condition.relation == ">" else "<=", end)
+            _tighten(box, symbol(name), condition.relation, -end)
+
+
+def _linear(e: Expr) -> dict[str, fmpq] | None:
+    """The coefficients of a linear expression, the constant under the empty name, or None."""
+    return _sum_of(e, even=False)
+
+
+def _sum_of(e: Expr, even: bool) -> dict[str, fmpq] | None:
+    """The coefficients of symbols, or of their even powers, ``x**2``; None for other sums."""
+    form = {"": fmpq(0)}
+    stack = [(e, fmpq(1))]
+    while stack:
+        term, scale = stack.pop()
+        if term.op == "+":
+            stack.extend((arg, scale) for arg in term.args)
+        elif term.op == "*" and len(term.args) == 2 and term.args[0].op == "number":
+            stack.append((term.args[1], scale * term.args[0].args[0]))
+        elif term.op == "number":
+            form[""] += scale * term.args[0]
+        elif _is_even_power(term) if even else term.op == "symbol":
+            key = str(term)
+            form[key] = form.get(key, fmpq(0)) + scale
+        else:
+            return None
+    return {key: c for key, c in form.items() if c != 0 or not key}
+
+
+def _is_even_power(e: Expr) -> bool:
+    if e.op != "^" or e.args[0].op != "symbol" or e.args[1].op != "number":
+        return False
+    n = e.args[1].args[0]
+    return bool(n.q == 1 and n > 0 and n.p % 2 == 0)
+
+
+def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
+    """Rational ends that enclose the constant ``e``; equal where it is rational."""
+    if e.op == "number":
+        return e.args[0], e.args[0]
+    with ball_precision(CHECK_BITS):
+        value = evaluate(e, {})
+        if not value.is_finite():
+            return None, None
+        return _rational(value.lower()), _rational(value.upper())
+
+
+def _rational(x: arb) -> fmpq:
+    mantissa, exponent = x.mid().man_exp()
+    if exponent >= 0:
+        return fmpq(mantissa * 2 ** int(exponent))
+    return fmpq(mantissa, 2 ** int(-exponent))
+
+
+def _pi_multiple(e: Expr) -> fmpq | None:
+    """r where ``e`` is written as r·π."""
+    if e.op == "pi":
+        return fmpq(1)
+    if e.op == "number" and e.args[0] == 0:
+        return fmpq(0)
+    if e.op == "*" and [arg.op for arg in e.args] == ["number", "pi"]:
+        return e.args[0].args[0]
+    return None
+
+
+def _over_pi(x: fmpq, down: bool) -> fmpq:
+    """``x/π`` rounded down or up to a rational."""
+    with ball_precision(CHECK_BITS):
+        value = arb(x) / arb.pi()
+        return _rational(value.lower() if down else value.upper())
+
+
+def positive(*names: str) -> Given:
+    """The condition that every named symbol is positive."""
+    return Given(tuple((symbol(name), ">", number(0)) for name in names))

@@ -1,0 +1,1 @@
+"""The sign of an expression under conditions, by exact methods."""

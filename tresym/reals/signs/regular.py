@@ -1,0 +1,189 @@
+"""Whether every point of the conditions is a limit of points inside them.
+
+What is proved inside the conditions holds by continuity at such limits, and says nothing elsewhere:
+``x**2*(x - 1) >= 0`` holds at x = 0 too, which is no limit of points inside. So a proof under
+closed conditions counts only where they are shown to have no such points:
+
+- every one of them is concave (``x + y <= 1``, ``abs(x) <= y``, ``x**2 + y**2 <= 1``), so that with
+  the ranges of the variables they describe a convex set, which has points inside; or
+- they are polynomials in one variable, with simple zeros and no common ones; or
+- there is a variable in which all that depend on it rise together, strictly, and the others are
+  ranges of other variables: a step that way leads inside (``x*y >= 1`` with y > 0); or
+- one is strictly convex in a variable, and the others are ranges of other variables: a step leads
+  inside, this way or that (``b**2 >= 4*a*c``); or
+- there is but one, a polynomial of degree 2 (``x*y >= 0``).
+
+Strict conditions describe an open set, which changes nothing in any of this.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from flint import fmpq, fmpq_mat, fmpz_poly
+
+from tresym.reals.language.cancellation import scaled
+from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
+from tresym.reals.normal.polynomials import Monomial, degree, polynomial
+from tresym.reals.places.conditions import Given
+from tresym.reals.signs.jumps import cases_at_jumps
+from tresym.reals.signs.sign import sign
+
+MAX_QUADRATIC = 5
+"""Variables of a quadratic condition that is looked at."""
+
+ONLY_INSIDE = (
+    "it holds inside the conditions and at limits from there, but some with >= or <= may hold at "
+    "single points elsewhere, of which nothing is shown; strict ones would do"
+)
+"""Why a proof is not enough where :func:`is_regular` says no."""
+
+_SMOOTH = {"+", "*", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "atan"} | {
+    "sinh",
+    "cosh",
+    "tanh",
+    "sech",
+    "asinh",
+}
+"""Operations that have a derivative wherever they are defined."""
+
+
+def is_regular(given: Given) -> bool:
+    """Whether the conditions are shown to have no points but limits of those inside them."""
+    if next(cases_at_jumps(tuple(c.expression for c in given.conditions), given), None):
+        return False
+    closed = [c.expression for c in given.beyond_box if c.relation == ">="]
+    if not closed or all(map(_is_concave, closed)):
+        return True
+    everything = [c.expression for c in given.conditions if c.relation == ">="]
+    names = sorted(frozenset().union(*map(symbols, closed)))
+    if len(names) == 1:
+        return _has_simple_zeros([e for e in everything if symbols(e) == set(names)], given)
+    if any(_rise_together(everything, closed, x, way, given) for x in names for way in "+-"):
+        return True
+    return len(closed) == 1 and (
+        (len(everything) == 1 and _is_quadratic(closed[0]))
+        or any(_is_convex_in(x, everything, given) for x in names)
+    )
+
+
+def _is_concave(e: Expr) -> bool:
+    """Whether ``e`` is a concave polynomial of degree 2 at most, less absolute values of linear."""
+    plain = number(0)
+    for term in e.args if e.op == "+" else (e,):
+        factor, inner = scaled(term)
+        if inner.op != "abs":
+            plain = plain + term
+        elif factor > 0 or not _is_linear(inner.args[0]):
+            return False
+    return _is_linear(plain) or _is_concave_polynomial(plain)
+
+
+def _is_linear(e: Expr) -> bool:
+    """Whether ``e`` is linear in its symbols; its coefficients may be any constants."""
+    return _is_made_of(e, {"+", "*"}) and not any(symbols(differentiate(e, x)) for x in symbols(e))
+
+
+def _is_made_of(e: Expr, operations: set[str]) -> bool:
+    """Whether all parts of ``e`` but constants are of these operations."""
+    if not symbols(e) or e.op == "symbol":
+        return True
+    return e.op in operations and all(_is_made_of(arg, operations) for arg in e.args)
+
+
+def _is_concave_polynomial(e: Expr) -> bool:
+    terms = polynomial(e)
+    if terms is None or any(degree(m) > 2 for m in terms):
+        return False
+    used = sorted({name for m in terms if degree(m) == 2 for name, _ in m})
+    if len(used) > MAX_QUADRATIC:
+        return False
+    # −1 times the matrix of second derivatives: it must have no negative principal minor.
+    curved = fmpq_mat(len(used), len(used))
+    for monomial, value in terms.items():
+        at = [name for name, k in monomial for _ in range(k)]
+        if len(at) == 2:
+            row, column = (used.index(name) for name in at)
+            curved[row, column] -= value
+            curved[column, row] -= value
+    return all(
+        fmpq_mat([[curved[i, j] for j in kept] for i in kept]).det() >= 0
+        for size in range(1, len(used) + 1)
+        for kept in combinations(range(len(used)), size)
+    )
+
+
+def _has_simple_zeros(closed: list[Expr], given: Given) -> bool:
+    """Whether these polynomials in one variable have simple zeros, and no two a common one."""
+    seen: list[fmpz_poly] = []
+    for e in dict.fromkeys(closed):
+        terms = polynomial(e)
+        if terms is None:
+            return False
+        p = _simple_part(terms, symbol(*symbols(e)), given)
+        if p is None or any(p.gcd(other).degree() > 0 for other in seen):
+            return False
+        seen.append(p)
+    return True
+
+
+def _simple_part(terms: dict[Monomial, fmpq], x: Expr, given: Given) -> fmpz_poly | None:
+    """The factors of odd power; None if one of even power may vanish under the conditions."""
+    if not terms:
+        return fmpz_poly([1])
+    common = fmpq(1)
+    for value in terms.values():
+        common *= value.q
+    coefficients = {degree(m): (value * common).p for m, value in terms.items()}
+    _, factors = fmpz_poly([coefficients.get(k, 0) for k in range(max(coefficients) + 1)]).factor()
+    simple = fmpz_poly([1])
+    for factor, power in factors:
+        if power % 2:
+            simple *= factor
+        else:
+            e = sum((number(fmpq(c)) * x**k for k, c in enumerate(factor.coeffs())), number(0))
+            if sign(e, given) not in ("+", "-"):
+                return None
+    return simple
+
+
+def _rise_together(
+    everything: list[Expr], closed: list[Expr], x: str, way: str, given: Given
+) -> bool:
+    """Whether a small step of ``x`` leads inside all closed conditions that depend on it."""
+    if any(x not in symbols(e) for e in closed):
+        return False
+    return all(
+        _is_smooth(e, given) and sign(differentiate(e, x), given) == way
+        for e in everything
+        if x in symbols(e)
+    ) and all(_is_smooth(c.expression, given) for c in given.beyond_box)
+
+
+def _is_quadratic(e: Expr) -> bool:
+    """Whether a polynomial has degree 2 at most: if not concave, it rises along some line."""
+    terms = polynomial(e)
+    return terms is not None and all(degree(m) <= 2 for m in terms)
+
+
+def _is_convex_in(x: str, everything: list[Expr], given: Given) -> bool:
+    """Whether one closed condition depends on ``x``, and is strictly convex in it."""
+    depending = [e for e in everything if x in symbols(e)]
+    if len(depending) != 1:
+        return False
+    second = differentiate(differentiate(depending[0], x), x)
+    smooth = all(_is_smooth(c.expression, given) for c in given.beyond_box)
+    return smooth and sign(second, given) == "+"
+
+
+def _is_smooth(e: Expr, given: Given) -> bool:
+    """Whether ``e`` is shown to have a derivative wherever it is defined."""
+    if e.op in ("number", "symbol", "pi"):
+        return True
+    if e.op == "^":
+        base, exponent = e.args
+        whole = exponent.op == "number" and exponent.args[0].q == 1
+        return _is_smooth(base, given) and (
+            whole or (_is_smooth(exponent, given) and sign(base, given) == "+")
+        )
+    return e.op in _SMOOTH and all(_is_smooth(arg, given) for arg in e.args)

@@ -1,0 +1,138 @@
+"""The sign of a difference by Taylor's theorem about one point, with signs that are proved.
+
+On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. Where all terms have
+one sign, d has it. The other symbols are parameters, and c may depend on them: it is an end of the
+range, 0, 1, another symbol, or where the derivative vanishes. No floating point takes part.
+"""
+
+from __future__ import annotations
+
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    differentiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.inverted import solutions
+from tresym.reals.normal.locally_constant import singularities
+from tresym.reals.normal.written import numerator
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.points import Range
+from tresym.reals.signs.sign import sign
+
+MAX_ORDER = 5
+MAX_SIZE = 2_000
+MAX_BASES = 8
+_WEAK = ("+", ">=0", "0")
+_FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
+
+
+def sign_by_taylor(difference: Expr, relation: str, region: Given) -> str | None:
+    """A sentence that proves ``difference relation 0`` on ``region``, or None.
+
+    Args:
+        relation: ``">"``, ``">="`` or ``"!="``.
+        region: conditions that hold wherever the claim speaks.
+    """
+    for name in sorted(symbols(difference)):
+        ranges = _without_beyond(region, name)
+        inside = _opened(ranges, name)
+        where = ranges.box.get(name, Range())
+        for c in _bases(difference, name, where, inside):
+            if _within(ranges, name, c, inside) and _smooth(difference, name, c, inside):
+                proof = _expansion(difference, relation, name, c, region, inside)
+                if proof is not None:
+                    return proof
+    return None
+
+
+def _without_beyond(region: Given, name: str) -> Given:
+    """``region`` less the conditions on the variable that are no ranges: it may not be convex."""
+    beyond = [c for c in region.beyond_box if name in symbols(c.expression)]
+    pairs = zip(region.comparisons, region.conditions, strict=True)
+    return Given(tuple(comparison for comparison, c in pairs if c not in beyond))
+
+
+def _opened(region: Given, name: str) -> Given:
+    """``region`` with strict bounds on the variable, as they hold inside every segment."""
+    opened = [
+        (left, sign_.replace("=", "") if name in symbols(left) | symbols(right) else sign_, right)
+        for left, sign_, right in region.comparisons
+    ]
+    return Given(tuple(opened))
+
+
+def _bases(difference: Expr, name: str, where: Range, inside: Given) -> list[Expr]:
+    """Points about which to expand, that may or may not lie in the range."""
+    found = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
+    found += [ZERO, ONE, *map(symbol, sorted(symbols(difference) - {name}))]
+    slope = differentiate(difference, name)
+    found += solutions(slope, name) or solutions(numerator(slope, inside), name)
+    return list(dict.fromkeys(found))[:MAX_BASES]
+
+
+def _within(region: Given, name: str, c: Expr, inside: Given) -> bool:
+    """Whether ``c`` is defined and satisfies the bounds of the variable, with equality allowed."""
+    at = {name: c}
+    defined = all(
+        sign(part, inside) in (("+",) if positive else ("+", "-"))
+        for part, positive in singularities(c)
+    )
+    return defined and all(
+        sign(substitute(condition.expression, at), inside) in _WEAK
+        for condition in region.conditions
+        if name in symbols(condition.expression)
+    )
+
+
+def _smooth(e: Expr, name: str, c: Expr, inside: Given) -> bool:
+    """Whether ``e`` is analytic in the variable on every segment from ``c``, ``c`` included."""
+    at = {name: c}
+    for part, _ in singularities(e):
+        if sign(part, inside) not in ("+", "-"):
+            return False
+        if sign(substitute(part, at), inside) not in ("+", "-"):
+            return False
+    return True
+
+
+def _expansion(
+    difference: Expr, relation: str, name: str, c: Expr, region: Given, inside: Given
+) -> str | None:
+    """Raise the order until every term has the sign that is claimed."""
+    beside = sign(symbol(name) - c, region)
+    sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
+    apart = sign((symbol(name) - c) ** 2, region) == "+"
+    at = {name: c}
+    terms: list[str | None] = []
+    derivative = difference
+    for order in range(1, MAX_ORDER + 1):
+        terms.append(sign(substitute(derivative, at), inside))
+        if terms[-1] is None:
+            return None
+        derivative = differentiate(derivative, name)
+        if derivative.size > MAX_SIZE:
+            return None
+        last = sign(derivative, inside)
+        if last is None:
+            continue
+        if all(_has_sign([*terms, last], side, relation, apart) for side in sides):
+            return (
+                f"about {name} = {c} the terms below order {order} and the "
+                f"derivative of order {order} have the sign that is claimed"
+            )
+    return None
+
+
+def _has_sign(terms: list[str | None], side: int, relation: str, apart: bool) -> bool:
+    """Whether the terms, on this side of c, add up to ``relation`` zero."""
+    signs = [_FLIP[term] if side < 0 and j % 2 else term for j, term in enumerate(terms)]
+    if not all(term in _WEAK for term in signs):
+        return False
+    if relation == ">=" or signs[0] == "+":
+        return True
+    return apart and "+" in signs  # off c one positive term is enough

@@ -1,0 +1,1 @@
+"""The generated documents, built from the ledger."""

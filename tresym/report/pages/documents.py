@@ -1,0 +1,119 @@
+"""The generated documents: pure functions of the ledger, tables and figures; are any stale?
+
+Everything below docs/generated is written by `tresym docs` and never by hand; `tresym docs --check`
+compares what is there with what would be written. Nothing in them depends on time or machine, not
+by the last bit of a float either: pictures are on a grid, tables show what balls prove.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import tresym
+from tresym.ledger.verification import Report, sections, verify
+from tresym.output import write_text
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.processes import cores
+from tresym.report import charts, figures
+from tresym.report.charts import saved
+from tresym.report.figures.grid import shown
+from tresym.report.pages.corrections import corrections
+from tresym.report.pages.deciding import measured
+from tresym.report.pages.derivation import article
+from tresym.report.pages.numbers import numbers
+from tresym.report.pages.record import record
+from tresym.report.pages.tables import TABLES, table, written
+from tresym.report.words.latex import says_latex
+from tresym.report.words.place import place_text
+
+
+def documents() -> Iterator[tuple[str, str]]:
+    """Every generated document as its path below docs/generated and its text."""
+    report = verify(workers=cores())
+    yield "derivation.tex", article(report)
+    yield "ledger.md", ledger(report)
+    yield "ledger.json", _json(record(report))
+    yield "numbers.json", _json(numbers(report))
+    yield "corrections.md", corrections(report)
+    yield from drawn()
+
+
+def drawn() -> Iterator[tuple[str, str]]:
+    """The documents that float arithmetic takes part in, or may: the pictures and the tables."""
+    for name in figures.FIGURES:
+        yield f"figures/{name}.svg", figures.svg(name)
+    for name in charts.CHARTS:
+        yield f"charts/{name}.svg", charts.svg(name)
+    for name in TABLES:
+        found = table(name)
+        yield f"tables/{name}.md", written(found, "markdown")
+        yield f"tables/{name}.tex", written(found, "latex")
+    yield "tables/deciding.md", measured(saved.load("check"))
+
+
+def ledger(report: Report) -> str:
+    """Every claim with its place and verdict, in the order of the proofs."""
+    rows = {row.claim.label: row for row in report.rows}
+    counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
+    lines = ["# The ledger", "", f"{len(rows)} claims: {counts}.", ""]
+    for title, claims in sections():
+        lines += [
+            f"## {title}",
+            "",
+            "| claim | in the paper | verdict | says |",
+            "|---|---|---|---|",
+        ]
+        for claim in claims:
+            says = claim.shown or says_latex(claim.says)
+            said = says if isinstance(claim.says, str) else f"${says}$"
+            cells = (
+                f"`{claim.label}`",
+                place_text(claim),
+                rows[claim.label].finding.verdict.value,
+                said.replace("|", r"\|"),
+            )
+            lines.append(f"| {' | '.join(cells)} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, indent=1) + "\n"
+
+
+def folder() -> Path:
+    """docs/generated of the checkout.
+
+    Raises:
+        InputError: this is not a checkout.
+    """
+    root = Path(tresym.__file__).resolve().parent.parent
+    if not (root / "docs").is_dir():
+        raise InputError("docs: the documents live in a checkout's docs folder; this is none")
+    return root / "docs" / "generated"
+
+
+def build() -> list[str]:
+    """Write every document; returns the paths written."""
+    home, done = folder(), []
+    for name, text in documents():
+        path = home / name
+        os.makedirs(path.parent, exist_ok=True)
+        write_text(str(path), text)
+        done.append(f"docs/generated/{name}")
+    return done
+
+
+def stale(built: Iterable[tuple[str, str]] | None = None) -> list[str]:
+    """Those of the documents, or of the ones given, that differ from what would be written."""
+    home = folder()
+
+    def fresh(name: str, text: str) -> bool:
+        path = home / name
+        return path.is_file() and shown(path.read_text(encoding="utf-8")) == shown(text)
+
+    found = documents() if built is None else built
+    return [f"docs/generated/{name}" for name, text in found if not fresh(name, text)]

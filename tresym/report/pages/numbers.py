@@ -1,0 +1,66 @@
+"""The numbers that the prose of the site quotes, by name: computed here, never typed there."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+
+from flint import arb
+
+from tresym.ledger.verification import Report
+from tresym.racket.body import NAMED_BODIES
+from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.report.pages.corrections import is_correction
+from tresym.report.pages.tables import digits_of
+
+DIGITS = 6
+
+
+def numbers(report: Report) -> dict[str, str]:
+    """Every quoted number as text.
+
+    Returns:
+        Counts of the ledger; and for each named body ``defect_NAME`` (ε₀ in radians),
+        ``degrees_NAME`` (the same in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and
+        ``paper_error_NAME`` (of the paper's formula, in per cent); the floor of rigid bodies.
+    """
+    found = {name.lower(): str(count) for name, count in report.counts.items()}
+    placed = sum(row.claim.where is not None for row in report.rows)
+    refuted = sum(map(is_correction, report.rows))
+    found |= {
+        "claims": str(len(report.rows)),
+        "statements": str(placed),
+        "lemmas": str(len(report.rows) - placed),
+        "corrections": str(refuted),
+        "displays": str(_displays()),
+    }
+    for name in NAMED_BODIES:
+        found |= _of_body(name)
+    with ball_precision(128):
+        floor = 2 * (-arb.pi()).exp().atan()
+        found["floor"] = digits_of(floor, DIGITS)
+        found["floor_degrees"] = digits_of(180 * floor / arb.pi(), 3)
+    return found
+
+
+def _displays() -> int:
+    index = json.loads((files("tresym.proofs") / "index.json").read_text(encoding="utf-8"))
+    return len(index["displays"])
+
+
+def _of_body(name: str) -> dict[str, str]:
+    from tresym.racket.flip.separatrix import solve
+    from tresym.racket.formulas import printed
+
+    shape = NAMED_BODIES[name].shape
+    defect = solve(*shape, 50).defect
+    with ball_precision(256):
+        estimate = printed.asymptotic_defect(arb(shape.a), arb(shape.b), balls)
+        values = {
+            "defect": digits_of(defect, DIGITS),
+            "degrees": digits_of(180 * defect / arb.pi(), 3),
+            "share": digits_of(2 * defect / arb.pi(), 3),
+            "paper_error": digits_of(100 * (estimate / defect - 1), 2),
+        }
+    key = name.replace("-", "_")
+    return {f"{kind}_{key}": value for kind, value in values.items()}

@@ -1,0 +1,124 @@
+"""The ledger as plain data: what the pages of the site show of every claim, and nothing of time.
+
+`tresym docs` writes it to docs/generated/ledger.json; the site is built from that file alone.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable
+from typing import Any
+
+from tresym.ledger.claim import Claim
+from tresym.ledger.verification import Report, Row, display_lines, sections
+from tresym.reals.numbers.exact import fraction_text
+from tresym.report.words.chains import displays
+from tresym.report.words.conditions import gathered
+from tresym.report.words.latex import says_latex
+from tresym.report.words.place import place_text
+
+RECORD_VERSION = 1
+
+_EVIDENCE = {
+    "tuple": "a chain; each step is decided by an exact normal form, from the reasons it names",
+    "Together": "a chain for each part, decided step by step by exact normal forms",
+    "Definition": "a definition: its symbols are new, and each has a value",
+    "AllOf": "the conjunction of claims that are judged for themselves",
+    "Formally": "the relations that the sentence states, decided as they stand",
+    "Counterexample": "an exact point at which the conditions hold and the statement fails",
+    "UniqueRoot": "opposite signs at the ends and a derivative of one sign, each by a chain",
+    "ImplicitFunction": "an earlier equation, smooth and with a derivative that is not zero: the "
+    "implicit function theorem",
+    "Printed": "balls from the printed inputs, each known to half a unit of its last place",
+    "Boxes": "balls on boxes that cover the region",
+    "Asymptotics": "an expansion with a certified remainder",
+    "Denied": "a claim that holds and contradicts it",
+}
+
+
+def record(report: Report) -> dict[str, Any]:
+    """Everything that the site shows of the ledger.
+
+    Returns:
+        ``version``; ``counts`` by verdict; ``parts``, each a title and labels in order; and
+        ``claims``, by label, in the order of the proofs.
+    """
+    claims = [row.claim for row in report.rows]
+    known = {claim.label for claim in claims}
+    parts = [(title, [c.label for c in stated if c.label in known]) for title, stated in sections()]
+    used_by = _inverse(claims, lambda claim: claim.uses)
+    amends = _inverse(claims, lambda claim: claim.amended_by)
+    lines = display_lines()
+    return {
+        "version": RECORD_VERSION,
+        "counts": report.counts,
+        "parts": [{"title": title, "claims": labels} for title, labels in parts if labels],
+        "claims": {
+            row.claim.label: _claim(row, lines)
+            | {"used_by": used_by[row.claim.label], "amends": amends[row.claim.label]}
+            for row in report.rows
+        },
+    }
+
+
+def _inverse(
+    claims: list[Claim], named: Callable[[Claim], tuple[Claim, ...]]
+) -> dict[str, list[str]]:
+    """For each label, the labels of the claims that name it."""
+    found: dict[str, list[str]] = defaultdict(list)
+    for claim in claims:
+        for other in named(claim):
+            found[other.label].append(claim.label)
+    return found
+
+
+def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
+    claim, finding = row.claim, row.finding
+    where = claim.where
+    return {
+        "kind": claim.kind,
+        "place": place_text(claim) if where else None,
+        "line": where and (where.line or lines.get(where.display)),
+        "says": claim.says if isinstance(claim.says, str) else None,
+        "formula": _formula(claim),
+        "given": gathered(claim.given),
+        "verdict": finding.verdict.value,
+        "chains": _chains(claim),
+        "evidence": _evidence(claim),
+        "why": finding.why,
+        "value": finding.value and finding.value._asdict(),
+        "constant": finding.constant and finding.constant._asdict(),
+        "region": finding.region,
+        "parameter": finding.parameter,
+        "witness": finding.witness
+        and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
+        "note": claim.note,
+        "paper_says": claim.paper_says,
+        "uses": [used.label for used in claim.uses],
+        "amended_by": [amendment.label for amendment in claim.amended_by],
+    }
+
+
+def _formula(claim: Claim) -> str | None:
+    """The statement in LaTeX, where it is a formula."""
+    if claim.shown is not None:
+        return claim.shown
+    return None if isinstance(claim.says, str) else says_latex(claim.says)
+
+
+def _evidence(claim: Claim) -> str:
+    """What kind of evidence it is, in words."""
+    kind = type(claim.proof)
+    return _EVIDENCE.get(kind.__name__) or str(kind.__doc__).splitlines()[0].rstrip(".").lower()
+
+
+def _chains(claim: Claim) -> list[list[dict[str, Any]]]:
+    """The chains alone, line by line: a statement without one is not shown twice."""
+    return [
+        [
+            {"left": line.left, "right": line.right, "reasons": [s._asdict() for s in line.reasons]}
+            for line in display
+        ]
+        for display in displays(claim)
+        if any(line.reasons for line in display)
+    ]

@@ -1,0 +1,251 @@
+"""Tables of certified numbers: what each holds, and how it is written in three formats.
+
+A table is a value: a caption, column heads and rows of text. Every number in it comes from a ball
+that proves the digits shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from difflib import get_close_matches
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from tresym.racket.body import NAMED_BODIES, Shape
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError, as_rational, fraction_text, quoted
+from tresym.report.words.markdown import escaped
+
+FORMATS = ("text", "markdown", "latex")
+
+
+class Table(NamedTuple):
+    """A caption, the heads of the columns, and rows of text of the same length."""
+
+    caption: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+def digits_of(x: arb, digits: int) -> str:
+    """``x`` to at most ``digits`` digits, only those its ball proves to within one in the last."""
+    return str(x.str(digits, radius=False))
+
+
+def _percent(x: arb) -> str:
+    return digits_of(100 * x, 3) + " %"
+
+
+def objects() -> Table:
+    """Table 1 of the paper recomputed: 50 certified digits beside the printed cell."""
+    from tresym.racket.flip.separatrix import solve
+
+    rows = []
+    for name, body in NAMED_BODIES.items():
+        found = solve(*body.shape, 50)
+        with ball_precision(256):
+            share = 2 * found.defect / arb.pi()
+        rows.append(
+            (
+                name,
+                _short(body.shape.a),
+                _short(body.shape.b),
+                digits_of(found.defect, 50),
+                digits_of(share, 6),
+                "yes" if body.shape.realizable else "no",
+            )
+        )
+    return Table(
+        "Flip defect on the separatrix of the named bodies, from exactly the printed data: ε₀ in "
+        "radians by the exact equation, and x in Δψ = π(1 − x).",
+        ("body", "a", "b", "ε₀", "x", "rigid body"),
+        tuple(rows),
+    )
+
+
+def _shapes(widths: tuple[fmpq, ...]) -> list[tuple[str, Shape]]:
+    """The shapes of the tables: ab from 10⁻³ to 10⁴ for each b in ``widths``, and the bodies."""
+    from tresym.racket.compared.errors import PRODUCTS
+
+    grid = [
+        (f"ab = {_power(p)}, b = {fraction_text(b)}", Shape(p / b, b))
+        for b in widths
+        for p in PRODUCTS
+    ]
+    return grid + [(name, body.shape) for name, body in NAMED_BODIES.items()]
+
+
+def errors() -> Table:
+    """Relative error of each formula for ε₀, against the exact equation."""
+    from tresym.racket.compared.errors import FORMULAS, WIDTHS, errors_at
+
+    rows = []
+    for name, shape in _shapes(WIDTHS):
+        found = errors_at(*shape)
+        rows.append((name, *(_signed(found[f]) for f in FORMULAS)))
+    return Table(
+        "Relative error, formula/ε₀ − 1, of each explicit formula for the flip defect on the "
+        "separatrix; every digit certified.",
+        ("shape", *FORMULAS),
+        tuple(rows),
+    )
+
+
+def constants() -> Table:
+    """The constants of ε₀/ε* on a ≥ a₀, beside what is found at the corner a = a₀, b = 1."""
+    from tresym.racket.compared.constants import CONSTANTS, excesses
+
+    rows = []
+    for row in CONSTANTS:
+        cells = []
+        for proved, found in zip(row[1:], excesses(as_rational(row.least), fmpq(1)), strict=True):
+            with ball_precision(64):
+                over = _percent(arb(as_rational(proved)) / found - 1)
+            cells += [proved, digits_of(found, 5), over]
+        rows.append((row.least, *cells))
+    return Table(
+        "Constants of |ε₀/ε* − 1| ≤ K ε*² and |ε₀/ε* − 1 − c₁ε*²| ≤ K₂ ε*⁴ on a ≥ a₀, 0 < b ≤ 1, "
+        "proved by boxes; the ratio at a = a₀, b = 1, which no constant can be below; and how far "
+        "the constant is above it.",
+        ("a₀", "K", "at a₀", "above", "K₂", "at a₀", "above"),
+        tuple(rows),
+    )
+
+
+def slope() -> Table:
+    """dε/dγ at γ = 0 exactly and by its leading term."""
+    from tresym.racket.compared.errors import WIDTHS, slope_with_error
+
+    rows = []
+    for name, shape in _shapes(WIDTHS):
+        exact, leading, off = slope_with_error(*shape)
+        rows.append((name, digits_of(exact, 15), digits_of(leading, 15), _percent(off)))
+    return Table(
+        "Slope dε/dγ at γ = 0: the closed form, its leading term −1/(4bε₀) with the exact ε₀, and "
+        "the relative error of the latter.",
+        ("shape", "dε/dγ", "−1/(4bε₀)", "error"),
+        tuple(rows),
+    )
+
+
+def thresholds() -> Table:
+    """The γ at which the flip is off by π/6: exactly, and by the paper's linear formula."""
+    from tresym.racket.angle import parse_angle
+    from tresym.racket.compared.errors import linear_thresholds
+    from tresym.racket.flip.levels import level_of, turning_level
+
+    ends = {"-pi/12": 0, "pi/12": 1}
+    rows = []
+    for name, shape in _shapes((fmpq(1), fmpq(1, 10))):
+        turn = turning_level(*shape, 20)
+        linear = linear_thresholds(*shape)
+        cells = []
+        for text, n in ends.items():
+            try:
+                cells.append(digits_of(level_of(*shape, parse_angle(text), 20), 12))
+            except InputError:
+                cells.append("none")
+            cells.append(digits_of(linear[n], 12))
+        rows.append((name, *cells, "none" if turn is None else digits_of(turn, 12)))
+    return Table(
+        "Levels γ at which ε(γ) = ∓π/12, exactly and by the linear formula with the exact ε₀, and "
+        "the level γ* below which the trajectory turns first. None: ε(γ) is never that where it is "
+        "monotone.",
+        ("shape", "ε = −π/12", "linear", "ε = π/12", "linear", "γ*"),
+        tuple(rows),
+    )
+
+
+def routes() -> Table:
+    """ε(γ) by routes that share no formula: how many of its digits agree with the ball."""
+    from tresym.racket.compared.routes import ROUTES, compare
+
+    rows = tuple(
+        (row.body, row.gamma, digits_of(row.ball, 20), *map(str, row.digits)) for row in compare()
+    )
+    heads = tuple(f"{route.name} (of {route.digits})" for route in ROUTES[1:])
+    return Table(
+        "ε(γ) by routes that share nothing but f or the differential equations: how many "
+        "of the digits that each is meant to have agree with the ball.",
+        ("body", "γ", "ε(γ)", *heads),
+        rows,
+    )
+
+
+TABLES: dict[str, Callable[[], Table]] = {
+    "objects": objects,
+    "errors": errors,
+    "constants": constants,
+    "slope": slope,
+    "thresholds": thresholds,
+    "routes": routes,
+}
+"""The tables that `tresym table` knows."""
+
+
+def table(name: str) -> Table:
+    """The table ``name``, computed.
+
+    Raises:
+        InputError: an unknown name; the nearest known one is suggested.
+    """
+    if name not in TABLES:
+        near = get_close_matches(name, TABLES, n=1)
+        hint = f"did you mean {near[0]}? " if near else ""
+        raise InputError(f"table: {quoted(name)} is not known; {hint}known: {', '.join(TABLES)}")
+    return TABLES[name]()
+
+
+def written(found: Table, form: str) -> str:
+    """A table as text, Markdown or LaTeX."""
+    if form == "markdown":
+        return _markdown(found)
+    return _latex(found) if form == "latex" else _text(found)
+
+
+def _text(found: Table) -> str:
+    lines = [found.heads, *found.rows]
+    widths = [max(len(row[i]) for row in lines) for i in range(len(found.heads))]
+    body = ["  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)) for row in lines]
+    body.insert(1, "  ".join("─" * w for w in widths))
+    return "\n".join([found.caption, "", *(line.rstrip() for line in body), ""])
+
+
+def _markdown(found: Table) -> str:
+    lines = [found.heads, tuple("---" for _ in found.heads), *found.rows]
+    body = ["| " + " | ".join(row) + " |" for row in lines]
+    return "\n".join([*body, "", f"*{escaped(found.caption)}*", ""])
+
+
+def _latex(found: Table) -> str:
+    from tresym.report.pages.derivation import prose
+
+    head, *body = [" & ".join(map(prose, row)) + r" \\" for row in (found.heads, *found.rows)]
+    return "\n".join(
+        [
+            r"\begin{table}",
+            rf"\caption{{{prose(found.caption)}}}",
+            rf"\begin{{tabular}}{{{'l' * len(found.heads)}}}",
+            r"\hline",
+            head,
+            r"\hline",
+            *body,
+            r"\hline",
+            r"\end{tabular}",
+            r"\end{table}",
+            "",
+        ]
+    )
+
+
+def _short(x: fmpq) -> str:
+    return digits_of(arb(x), 6)
+
+
+def _signed(x: arb) -> str:
+    return ("+" if x > 0 else "") + digits_of(x, 3)
+
+
+def _power(x: fmpq) -> str:
+    return str(float(x)) if float(x) < 1 else str(int(x.p))

@@ -1,0 +1,1 @@
+"""How a claim, its conditions and its chain are written."""

@@ -1,0 +1,111 @@
+"""What a claim shows, in lines: each expression of its chain in LaTeX, with the reasons for it.
+
+The article and the pages of the site set the same lines, each in its own way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sympy import Basic, Eq, Equivalent, Tuple
+
+from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, equal
+from tresym.report.words.latex import bracketed, expression_latex, says_latex
+
+EQUIVALENT = r"\iff{}"
+"""What stands left of a line that is equivalent to the one before."""
+
+_VERBS = {"substituting": "by", "citing": "since"}
+_STRICT = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}
+
+
+class Said(NamedTuple):
+    """A reason in words: what is said, a formula it names, and the claims it names by label."""
+
+    words: str
+    formula: str = ""
+    labels: tuple[str, ...] = ()
+
+
+class Line(NamedTuple):
+    """A line of a display: LaTeX left and right of where lines are aligned, and the reasons."""
+
+    left: str
+    right: str
+    reasons: tuple[Said, ...] = ()
+
+
+Display = tuple[Line, ...]
+
+
+def displays(claim: Claim) -> tuple[Display, ...]:
+    """One display for every part of the statement, with its chain where it has one."""
+    proof, says = claim.proof, claim.says
+    if claim.shown is not None:
+        why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
+        return ((Line("", claim.shown, why),),)
+    if isinstance(proof, UniqueRoot):
+        slope = equal(
+            proof.function.diff(proof.variable, evaluate=False), proof.derivative[-1].expression
+        )
+        return (_lines(slope, proof.derivative),)
+    if isinstance(says, str):
+        return ()
+    if isinstance(proof, Together) and isinstance(says, Tuple):
+        pairs = zip(says.args, proof.chains, strict=True)
+        return tuple(_lines(part, chain) for part, chain in pairs)
+    if isinstance(proof, tuple):
+        return (_lines(says, proof),)
+    parts = says.args if isinstance(says, Tuple) else (says,)
+    return tuple((Line("", says_latex(part)),) for part in parts)
+
+
+def _lines(says: Basic, chain: Chain) -> Display:
+    """A chain in the manner of a textbook: each expression, and its reason at the right."""
+    if isinstance(says, Equivalent):
+        return tuple(_equivalence(says, chain))
+    sign = _STRICT.get(getattr(says, "rel_op", ""))
+    if sign is not None:
+        difference = expression_latex(says.gts - says.lts)
+        end = " > 0" if sign in "<>" else r" \ge 0"
+        return tuple(_equations(difference, chain, None, end))
+    goal = says.rhs if isinstance(says, Eq) else None
+    return tuple(_equations(expression_latex(says.lhs), chain, goal))
+
+
+def _equations(start: str, chain: Chain, goal: Basic | None, sign: str = "") -> Iterator[Line]:
+    for n, link in enumerate(chain):
+        expression = goal if link.expression is None else link.expression
+        shown = "" if expression is None else expression_latex(expression)
+        end = sign if n == len(chain) - 1 else ""
+        if n == 0 and shown == start:
+            yield Line(start, end.strip(), _reasons(link))
+        else:
+            yield Line(start if n == 0 else "", f"= {shown}{end}", _reasons(link))
+
+
+def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
+    first, second = says.args
+    yield Line("", says_latex(second if chain[-1].expression == first else first))
+    for link in chain:
+        assert link.expression is not None
+        yield Line(EQUIVALENT, says_latex(link.expression), _reasons(link))
+
+
+def _reasons(link: Step) -> tuple[Said, ...]:
+    said = tuple(_said(reason) for reason in link.reasons if reason.name != "algebra")
+    return said or (Said("algebra"),)
+
+
+def _said(reason: Reason) -> Said:
+    if reason.claims:
+        labels = tuple(claim.label for claim in reason.claims)
+        return Said(_VERBS.get(reason.name, f"{reason.name},"), labels=labels)
+    if reason.function is not None:
+        return Said(f"{reason.function} of both sides")
+    if reason.factor is not None:
+        return Said("times", bracketed(expression_latex(reason.factor)))
+    if reason.term is not None:
+        return Said("adding", expression_latex(reason.term))
+    return Said(reason.name)

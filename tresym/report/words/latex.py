@@ -1,0 +1,277 @@
+"""Statements in LaTeX as a mathematician writes them: the paper's symbols, order and brackets."""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+from typing import Any
+
+from sympy import (
+    Add,
+    And,
+    Basic,
+    Equivalent,
+    Expr,
+    Function,
+    Integer,
+    Integral,
+    Mul,
+    Pow,
+    Rational,
+    Symbol,
+    Tuple,
+    exp,
+)
+from sympy.core.relational import Relational
+from sympy.printing.latex import LatexPrinter
+
+from tresym.racket.notation import LATEX, theta
+
+_RELATIONS = {"==": "=", ">": ">", ">=": r"\ge", "<": "<", "<=": r"\le", "!=": r"\ne"}
+
+_FUNCTIONS = {
+    "asin": r"\arcsin",
+    "acos": r"\arccos",
+    "atan": r"\arctan",
+    "atanh": r"\operatorname{artanh}",
+    "asinh": r"\operatorname{arsinh}",
+    "acosh": r"\operatorname{arcosh}",
+    "log": r"\ln",
+    "sign": r"\operatorname{sgn}",
+}
+_PLAIN = frozenset(["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth"])
+
+_RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+[0-3]?)")
+"""Names of rates that are symbols of their own, such as dG_dlambda."""
+
+_LETTERS = {"eigenvalue": r"\lambda", "hot": r"\mathrm{hot}"}
+"""Symbols that single proofs introduce, whose names are words."""
+
+_TALL = (r"\frac", r"\begin", r"\int", r"\sum")
+
+
+def bracketed(body: str) -> str:
+    """``body`` in round brackets, grown only where something tall stands inside."""
+    if any(mark in body for mark in _TALL):
+        return rf"\left({body}\right)"
+    return f"({body})"
+
+
+class PaperPrinter(LatexPrinter):
+    """SymPy's printer with products, sums, powers and functions as the paper writes them."""
+
+    def _print_Add(self, e: Add, order: str | None = None) -> str:
+        terms = sorted(e.args, key=_term_rank)
+        text = ""
+        for term in terms:
+            negative = _is_negative(term)
+            body = self._print(-term if negative else term)
+            if (-term if negative else term).is_Add:
+                body = bracketed(body)
+            text += ("-" if negative else "+" if text else "") + body
+        return text
+
+    def _print_Mul(self, e: Mul) -> str:
+        if _is_negative(e):
+            return "-" + self._factor(-e, alone=True)
+        above, below = _fraction(e)
+        if not below:
+            return self._product(above)
+        rest = [f for f in above if not f.is_Integer]
+        if all(f.is_Integer for f in below) and any(
+            f.is_Function or f.is_Add or f.has(Integral) for f in rest
+        ):
+            head = [f for f in above if f.is_Integer]
+            share = rf"\frac{{{self._product(head)}}}{{{self._product(below)}}}"
+            return share + self._product(rest, alone=False)
+        return rf"\frac{{{self._product(above)}}}{{{self._product(below)}}}"
+
+    def _product(self, factors: list[Expr], alone: bool = True) -> str:
+        if not factors:
+            return "1"
+        alone = alone and len(factors) == 1
+        parts = [self._factor(f, alone) for f in sorted(factors, key=_factor_rank)]
+        text = parts[0]
+        for before, part in pairwise(parts):
+            text += (r"\cdot " if before[-1].isdigit() and part[0].isdigit() else "") + (
+                " " if before[-1].isalpha() and part[0].isalpha() else ""
+            )
+            text += part
+        return text
+
+    def _factor(self, e: Expr, alone: bool) -> str:
+        body = self._print(e)
+        return bracketed(body) if e.is_Add and not alone else body
+
+    def _print_Pow(self, e: Pow, **_: Any) -> str:
+        base, power = e.args
+        if power.is_Rational and power < 0:
+            return rf"\frac{{1}}{{{self._print(Pow(base, -power))}}}"
+        if power == Rational(1, 2):
+            return rf"\sqrt{{{self._print(base)}}}"
+        shown = _inline(power) if power.is_Rational else self._print(power)
+        if isinstance(base, Function) and base.func.__name__ in _PLAIN:
+            return self._applied(base, shown)
+        body = self._print(base)
+        plain = base.is_Symbol and not body.startswith(r"\frac")
+        if not (plain or (base.is_Integer and base >= 0)):
+            body = bracketed(body)
+        return f"{body}^{_script(shown)}"
+
+    def _applied(self, e: Function, power: str = "") -> str:
+        name = e.func.__name__
+        head = _FUNCTIONS.get(name, rf"\{name}") + (f"^{_script(power)}" if power else "")
+        (argument,) = e.args
+        body = self._print(argument)
+        if argument.is_Symbol:
+            return head + (body if body.startswith("\\") else f" {body}")
+        return head + bracketed(body)
+
+    def _print_Function(self, e: Function, exp: str | None = None) -> str:
+        if len(e.args) == 1 and (e.func.__name__ in _PLAIN or e.func.__name__ in _FUNCTIONS):
+            return self._applied(e)
+        name = self._hprint_Function(e.func.__name__)
+        head = name + (f"^{_script(exp)}" if exp else "")
+        return head + bracketed(", ".join(map(self._print, e.args)))
+
+    _print_log = _print_Function
+
+    def _print_Order(self, e: Basic) -> str:
+        return f"O{bracketed(self._print(e.args[0]))}"
+
+    def _print_ExpBase(self, e: exp, exp: str | None = None) -> str:
+        return f"e^{_script(self._slanted(e.args[0]))}"
+
+    def _slanted(self, e: Expr) -> str:
+        """An exponent, its fraction written with a stroke: e^{-b/2}."""
+        sign, e = ("-", -e) if _is_negative(e) else ("", e)
+        above, below = _fraction(e)
+        if len(above) == 1 and above[0].is_Add and all(map(_is_negative, above[0].args)):
+            sign, above = "" if sign else "-", [-above[0]]
+        alone = not (sign or below)
+        top = self._product(above) if alone or len(above) != 1 else self._factor(above[0], False)
+        if not below:
+            return sign + top
+        bottom = self._product(below)
+        plain = len(below) == 1 and not below[0].is_Add
+        return f"{sign}{top}/{bottom if plain else bracketed(bottom)}"
+
+    def _print_Abs(self, e: Basic, exp: str | None = None) -> str:
+        return rf"|{self._print(e.args[0])}|" + (f"^{_script(exp)}" if exp else "")
+
+    def _print_Symbol(self, e: Symbol, style: str = "plain") -> str:
+        rate = _RATE.fullmatch(e.name)
+        if e in LATEX or e.name in _LETTERS:
+            return LATEX.get(e) or _LETTERS[e.name]
+        if rate is not None:
+            sign = r"\partial " if rate[1] == "partial" else "d"
+            above, below = (self._print_Symbol(Symbol(name)) for name in rate.groups()[1:])
+            return rf"\frac{{{sign}{above}}}{{{sign}{below}}}"
+        return re.sub(r"_\{([0-3])\}", r"_\1", str(super()._print_Symbol(e, style)))
+
+    def _print_Integral(self, e: Basic) -> str:
+        ((variable, low, high),) = e.limits
+        body = self._print(e.function)
+        if e.function.is_Add:
+            body = bracketed(body)
+        ends = f"_{_script(self._print(low))}^{_script(self._print(high))}"
+        return rf"\int{ends} {body}\,d{self._print(variable)}"
+
+    def _print_Subs(self, e: Basic) -> str:
+        pairs = zip(e.variables, e.point, strict=True)
+        at = ", ".join(f"{self._print(v)}={self._print(p)}" for v, p in pairs)
+        return rf"\left.{self._print(e.expr)}\right|_{{{at}}}"
+
+    def _print_Derivative(self, e: Basic) -> str:
+        variable = self._print(e.variables[0])
+        order = len(e.variables)
+        top, bottom = (
+            ("d", f"d{variable}") if order == 1 else (f"d^{order}", f"d{variable}^{order}")
+        )
+        return rf"\frac{{{top}}}{{{bottom}}}{bracketed(self._print(e.expr))}"
+
+
+def _inline(power: Rational) -> str:
+    return str(power.p) if power.q == 1 else f"{power.p}/{power.q}"
+
+
+def _script(text: str) -> str:
+    return text if len(text) == 1 else f"{{{text}}}"
+
+
+def _is_negative(e: Expr) -> bool:
+    return bool(e.is_number and e.is_Rational and e < 0) or (
+        e.is_Mul and bool(e.args[0].is_Rational and e.args[0] < 0)
+    )
+
+
+def _fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
+    """Factors above and below the bar."""
+    above: list[Expr] = []
+    below: list[Expr] = []
+    for factor in Mul.make_args(e):
+        if factor.is_Rational:
+            above += [Integer(factor.p)] if factor.p != 1 else []
+            below += [Integer(factor.q)] if factor.q != 1 else []
+        elif factor.is_Pow and factor.exp.is_Rational and factor.exp < 0:
+            below.append(Pow(factor.base, -factor.exp))
+        else:
+            above.append(factor)
+    return above, below
+
+
+def _factor_rank(e: Expr) -> tuple[Any, ...]:
+    """Numbers, π, symbols, roots, squares of sines, sums, functions; each kind in its order."""
+    base = e.base if e.is_Pow else e
+    place = _PAPER_ORDER.get(str(base), 0)
+    if e.is_Number:
+        rank = 0
+    elif e.is_NumberSymbol:
+        rank = 1
+    elif base.is_Symbol:
+        rank = 2
+    elif e.is_Pow and e.exp == Rational(1, 2):
+        rank = 3
+    elif isinstance(base, exp):
+        rank = 7
+    elif isinstance(base, Function):
+        # sin²θ (a + b sin²ψ), but (a + b sin²ψ) cos θ and (1 + r²) sinh²T
+        rank = 4 if e.is_Pow and base.func.__name__ in ("sin", "cos") else 6
+        place = 0 if base.has(theta) else 1
+        return rank, place, base.func.__name__ != "sin", e.sort_key()
+    else:
+        rank = 5
+    return rank, place, False, e.sort_key()
+
+
+def _term_rank(e: Expr) -> tuple[Any, ...]:
+    """Positive terms first, simple ones first: a + b sin²ψ, 1 − b sin²ψ, a cos²θ − γ."""
+    size = 0 if e.is_Number else 1 if e.is_Symbol or e.is_NumberSymbol else 2
+    return _is_negative(e), size, _PAPER_ORDER.get(str(e), 0), e.sort_key()
+
+
+_PAPER_ORDER = {"M": -3, "S": -2, "S2": -2, "gamma": -1, "E": 1}
+
+
+def expression_latex(e: Basic) -> str:
+    """An expression as a mathematician would write it."""
+    return str(PaperPrinter({"mat_str": "pmatrix", "mat_delim": ""}).doprint(e))
+
+
+def says_latex(says: Basic | str) -> str:
+    """What a claim says: prose as it is, anything else in LaTeX."""
+    if isinstance(says, str):
+        return says
+    if isinstance(says, Equivalent):
+        return r" \iff ".join(says_latex(part) for part in says.args)
+    if isinstance(says, Tuple | And):
+        return r",\quad ".join(says_latex(part) for part in says.args)
+    if isinstance(says, Relational):
+        left, right = map(expression_latex, says.args)
+        return f"{left} {_RELATIONS[says.rel_op]} {right}"
+    return expression_latex(says)
+
+
+def given_latex(condition: Basic) -> str:
+    """A condition in LaTeX."""
+    return says_latex(condition)
