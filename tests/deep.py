@@ -41,9 +41,9 @@ GENERATED = "readers or api or number_that or command_lines or whole_processes o
 HUNTS = {
     "laws": Hunt(("tests/laws",), 10),
     "cheap": Hunt(("tests/laws", "-k", CHEAPEST), 100),
-    "hostile": Hunt(("tests/test_hostile.py", "-k", GENERATED), 10),
-    "classes": Hunt(("tests/test_hostile.py", "-k", f"not ({GENERATED})"), 1),
-    "kills": Hunt(("tests/test_sweep.py", "-k", "kill"), 1),
+    "hostile": Hunt(("tests/commands/test_hostile.py", "-k", GENERATED), 10),
+    "classes": Hunt(("tests/commands/test_hostile.py", "-k", f"not ({GENERATED})"), 1),
+    "kills": Hunt(("tests/sweep/test_sweep.py", "-k", "kill"), 1),
 }
 
 

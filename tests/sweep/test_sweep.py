@@ -40,7 +40,7 @@ from tresym.sweep.source import LONGEST_LINE, read_values
 from tresym.sweep.table import packed
 from tresym.sweep.workers import Here, Workers
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 DEEP = os.environ.get("HYPOTHESIS_PROFILE") == "deep"
 KILLS = 20 if DEEP else 1
 GRID = Grid.read("0.01:100:9log", "1/1000,0.31,1", "-1e-4,0,1/200")

@@ -17,7 +17,7 @@ from tresym.output import colour_wanted
 from tresym.racket.flip import flip_defect
 from tresym.reals.numbers.arithmetic import ball_precision
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def run_python(*words: str, **options: object) -> subprocess.CompletedProcess[str]:

@@ -30,8 +30,8 @@ from tresym.reals.language.latex import read_latex
 from tresym.reals.numbers.exact import InputError
 from tresym.report.audit import show_audit
 
-PENDULUM = Path(__file__).parent / "data" / "pendulum.tex"
-ROOT = Path(__file__).resolve().parent.parent
+PENDULUM = Path(__file__).resolve().parents[2] / "data" / "pendulum.tex"
+ROOT = Path(__file__).resolve().parents[3]
 INDEX = ROOT / "proofs" / "index.json"
 PAPERS = sorted(ROOT.parent.glob("shared/paper/*.txt"))
 DISPLAYS = 9

@@ -48,7 +48,7 @@ from tresym.reals.verdict import Verdict
 from tresym.report.charts import CHARTS
 
 QUICK = Pace(rounds=1, limit=20.0, patience=0.01)
-SAVED = Path(__file__).resolve().parent.parent / "docs" / "measurements"
+SAVED = Path(__file__).resolve().parents[2] / "docs" / "measurements"
 NOISE = 1.2
 """A rung counts as faster only where it takes less than 1/1.2 of the time: what one run's medians
 scatter by on a machine that others use too."""

@@ -22,7 +22,7 @@ from tresym.reals.signs.cones import sign_on_cones
 from tresym.reals.signs.homogeneous import sign_by_homogeneity
 from tresym.reals.verdict import Verdict
 
-SAVED = Path(__file__).resolve().parent.parent / "docs" / "measurements"
+SAVED = Path(__file__).resolve().parents[3] / "docs" / "measurements"
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 

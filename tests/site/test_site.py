@@ -15,7 +15,7 @@ from tresym.site import claims, commands, links
 from tresym.site.docstrings import restructured
 from tresym.site.markdown import display, inline
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SOME = (
     "eq_gamma",
     "floor_of_every_body",

@@ -63,7 +63,7 @@ def test_pages_are_the_same_twice(report: Report) -> None:
     assert corrections(report) == corrections(again)
 
 
-README = (Path(__file__).resolve().parent.parent / "README.md").read_text(encoding="utf-8")
+README = (Path(__file__).resolve().parents[3] / "README.md").read_text(encoding="utf-8")
 _ROW = re.compile(r"^\| (.+) \| (PROVED|ENCLOSED|REFUTED) \| (.+) \|$", re.MULTILINE)
 _NUMBER = re.compile(r"(?<![\w^(.])\d+(?:\.\d+)?(?![\w)])")
 FINDINGS = [row for row in _ROW.findall(README) if "`" in row[0]]
@@ -89,7 +89,7 @@ def test_the_readme_shows_findings() -> None:
 
 
 def test_links_of_the_readme_lead_somewhere() -> None:
-    root = Path(__file__).resolve().parent.parent
+    root = Path(__file__).resolve().parents[3]
     for page in ("README.md", "CONTRIBUTING.md"):
         text = (root / page).read_text(encoding="utf-8")
         for target in re.findall(r"\]\(([^)#]+)\)", text):

@@ -18,7 +18,7 @@ from tresym.reals.processes import Processes
 HANGS = 60
 """Seconds after which a process must be hanging."""
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.mark.parametrize("forked", [True, False])

@@ -23,7 +23,7 @@ from tresym.reals.numbers.exact import fraction_text
 
 playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
-PAGE = Path(__file__).resolve().parent.parent / "docs" / "explorer" / "index.html"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "explorer" / "index.html"
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 
 HARD = (

@@ -33,7 +33,7 @@ from tresym.reals.language.parsing import parse, parse_conditions
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 PAPER = str(ROOT / "tests" / "data" / "pendulum.tex")
 INPUTS = 10_000 if chunks.DEEP else 400
 PROCESSES = 100 if chunks.DEEP else 12

@@ -18,7 +18,7 @@ from tresym.report.figures.grid import shown
 
 pytest.importorskip("matplotlib")
 
-SAVED = Path(__file__).resolve().parent.parent / "docs" / "measurements"
+SAVED = Path(__file__).resolve().parents[3] / "docs" / "measurements"
 BUILT = SAVED.parent / "generated" / "charts"
 
 

@@ -32,7 +32,7 @@ from tresym.report.figures import (
 from tresym.report.figures import flip_map as flip_map_figure
 from tresym.report.figures.grid import shown
 
-SAVED = Path(__file__).resolve().parent.parent / "docs" / "generated" / "figures"
+SAVED = Path(__file__).resolve().parents[3] / "docs" / "generated" / "figures"
 STR = ("1517/121", "55/874")
 A, B = 1517 / 121, 55 / 874
 
