@@ -57,7 +57,7 @@ def main() -> int:
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, interrupts.signal)
         sys.unraisablehook = interrupts.unraisable
-    from tresym.cli import main as command
+    from tresym.commands import main as command
 
     try:
         interrupts.unwind = True

@@ -20,7 +20,6 @@ from tresym.bench import (
     precision,
     scaling,
     separatrix,
-    show,
     turn,
     workloads,
 )
@@ -37,7 +36,8 @@ from tresym.bench.run import (
     interleave,
 )
 from tresym.bench.truth import by_digits, true_digits
-from tresym.cli import main
+from tresym.commands import bench as show
+from tresym.commands import main
 from tresym.racket.body import Shape
 from tresym.racket.flip import asymptotic
 from tresym.racket.flip.ladder import RUNGS, climb
@@ -210,7 +210,7 @@ def test_the_command_stops_after_an_interrupted_workload(monkeypatch, capsys) ->
         return Measurement(name, "says", [], complete=False)
 
     monkeypatch.setattr(workloads, "measure", measure)
-    assert show.run(["turn", "defect"], False, False, None) == 130
+    assert show.run_all(["turn", "defect"], False, False, None) == 130
     assert ran == ["turn"]
     assert "interrupted" in capsys.readouterr().out
 

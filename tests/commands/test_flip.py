@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from flint import arb
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.output import colour_wanted
 from tresym.racket.flip import flip_defect
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -136,7 +136,7 @@ def test_python_dash_m_and_ascii_terminals_work() -> None:
 
 def test_flip_loads_flint_and_nothing_heavy() -> None:
     code = (
-        "import sys; from tresym.cli import main; "
+        "import sys; from tresym.commands import main; "
         "main(['flip', '--shape', '12.5372', '0.0629']); "
         "print([m for m in ('numpy', 'sympy', 'mpmath', 'scipy', 'matplotlib', 'rich', "
         "'dataclasses', 'json') if m in sys.modules])"

@@ -26,7 +26,7 @@ from flint import ctx, fmpq, fmpz
 from hangs import HANGS
 
 from tresym import InputError, flip_defect
-from tresym.cli import main
+from tresym.commands import main
 from tresym.racket.angle import parse_angle
 from tresym.racket.body import shape
 from tresym.reals.language.parsing import parse, parse_conditions
@@ -477,7 +477,7 @@ def test_ctrl_c_at_any_time_is_one_line(name: str, tmp_path: Path) -> None:
 
 SAME = """
 import contextlib, io, json, sys
-from tresym.cli import main
+from tresym.commands import main
 for words in (
     ["flip", "--body", "str", "--gamma", "1e-4", "--json"],
     ["flip", "--body", "book", "--psi0", "1/10", "--rate", "0"],
@@ -544,7 +544,7 @@ def test_too_many_digits_are_refused_at_once(
 def test_ten_thousand_digits_take_little_memory(tmp_path: Path) -> None:
     # Its own peak; that of getrusage counts the process it was forked from too.
     code = (
-        "import sys; from pathlib import Path; from tresym.cli import main; main(sys.argv[1:]);"
+        "import sys; from pathlib import Path; from tresym.commands import main; main(sys.argv[1:]);"
         "told = Path('/proc/self/status').read_text().split('VmHWM:')[1];"
         "print(told.split()[0], file=sys.stderr)"
     )

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from sympy import Basic, Eq, Gt, Integer, Integral, Symbol
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.ledger import verification
 from tresym.ledger.claim import Claim, Definition, all_of, by, equal, formally, step
 from tresym.ledger.definitions import conflict

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tresym.proofs import asymptotics, constants, exponent, monotonicity, orders, rigid_bodies
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.ledger import certificates, verification
 from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Asymptotics, Boxes, finding_anew

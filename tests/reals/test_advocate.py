@@ -13,7 +13,7 @@ import pytest
 from sympy import Derivative, Eq, Equivalent, Ge, Gt, Integral, Symbol, Tuple, cos, sin
 
 import tresym
-from tresym.cli import main
+from tresym.commands import main
 from tresym.ledger.claim import Claim, Definition, by, equal, formally, together
 from tresym.ledger.finding import StepFinding
 from tresym.ledger.reasons import substituting

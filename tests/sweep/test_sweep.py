@@ -29,7 +29,7 @@ from flint import arb, ctx, fmpq
 from hangs import HANGS
 
 from tresym import flip_defect
-from tresym.cli import main
+from tresym.commands import main
 from tresym.racket.formulas import printed
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision
 from tresym.reals.numbers.exact import InputError, parse_number
@@ -801,7 +801,7 @@ def test_workers_that_are_gone_end_the_wait(
 
 IMPATIENT = (
     "import sys; from tresym.sweep import workers; workers.PATIENCE = 1;"
-    "from tresym.cli import main; sys.exit(main())"
+    "from tresym.commands import main; sys.exit(main())"
 )
 
 

@@ -16,7 +16,7 @@ _TIME = re.compile(r"\b\d[\d.e-]*( ?)(ms|s|µs)\b")
 
 def reference() -> str:
     """Every command with its usage, arguments and exit status, in Markdown."""
-    from tresym.cli import build_parser
+    from tresym.commands import build_parser
 
     parser = build_parser()
     parts = ["# Commands", escaped(parser.description or "")]
@@ -61,7 +61,7 @@ def transcript(command: str) -> str:
     Raises:
         ValueError: the command is not of ours, or was refused.
     """
-    from tresym.cli import main
+    from tresym.commands import main
 
     name, *words = shlex.split(command)
     printed = io.StringIO()

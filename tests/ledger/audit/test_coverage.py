@@ -11,7 +11,8 @@ from flint import fmpq
 from rich.console import Console
 from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, cos, sin, sqrt
 
-from tresym.cli import main
+from tresym.commands import main
+from tresym.commands.audit import show_audit
 from tresym.ledger.audit import (
     Audit,
     Entry,
@@ -28,7 +29,6 @@ from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal
 from tresym.ledger.verification import all_claims
 from tresym.reals.language.latex import read_latex
 from tresym.reals.numbers.exact import InputError
-from tresym.report.audit import show_audit
 
 PENDULUM = Path(__file__).resolve().parents[2] / "data" / "pendulum.tex"
 ROOT = Path(__file__).resolve().parents[3]

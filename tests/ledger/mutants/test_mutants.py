@@ -6,7 +6,7 @@ import pytest
 from flint import arb, fmpq
 from sympy import Ge, Integral, Symbol, Tuple, cos, exp, sin, sqrt, tan
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.ledger.claim import (
     AllOf,
     Claim,

@@ -12,7 +12,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 import tresym
-from tresym.cli import main
+from tresym.commands import main
 from tresym.racket.angle import Angle, parse_angle
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import flip_angle, flip_defect

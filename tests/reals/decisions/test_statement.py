@@ -15,17 +15,17 @@ import sympy
 from hangs import HANGS
 from hypothesis import given
 from hypothesis import strategies as st
+from tresym.report.check import read_tasks
 
 import tresym
 from tresym.bench import check as check_pairs
-from tresym.cli import main
+from tresym.commands import main
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.limits import Task, check_all, check_within
 from tresym.reals.numbers.exact import InputError, parse_number, simplest_between
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.regular import is_regular
 from tresym.reals.verdict import Verdict
-from tresym.report.check import read_tasks
 from tresym.report.pages.deciding import measured
 
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
@@ -649,7 +649,7 @@ def test_an_answer_prints_in_a_notebook() -> None:
 @pytest.mark.parametrize("claim", ["sin(x)**2 + cos(x)**2 == 1", "exp(x) >= 1 + x"])
 def test_check_loads_flint_alone(claim: str) -> None:
     program = (
-        "import sys; from tresym.cli import main; "
+        "import sys; from tresym.commands import main; "
         f"status = main(['check', {claim!r}]); "
         "heavy = {'sympy', 'numpy', 'mpmath', 'rich', 'scipy'} & set(sys.modules); "
         "sys.exit(status or bool(heavy))"

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from sympy import Derivative, Eq, Symbol, log, sqrt
 
 import tresym
-from tresym.cli import main
+from tresym.commands import main
 from tresym.reals.decisions import reading as statement
 from tresym.reals.decisions.limits import Task, check_within
 from tresym.reals.decisions.reading import read, read_path

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.reals.numbers.exact import InputError
 from tresym.report import charts
 from tresym.report.charts import economy, saved, scaling, times, work_precision

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.racket.body import named_body
 from tresym.racket.flip import flip_angle, flip_defect
 from tresym.racket.floats.flipmap import flip_map

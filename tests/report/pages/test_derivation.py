@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.ledger.verification import Report, verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

@@ -5,7 +5,7 @@ import json
 import pytest
 from flint import arb
 
-from tresym.cli import main
+from tresym.commands import main
 from tresym.racket.body import named_body
 from tresym.racket.flip.separatrix import solve
 from tresym.reals.numbers.arithmetic import ball_precision

@@ -1,17 +1,109 @@
-"""The ledger at the terminal: rows as they are found, then the count by verdict."""
+"""``tresym verify``: the ledger at the terminal, rows as they are found, or as JSON."""
 
 from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 from rich.text import Text
 
-from tresym.ledger.mutants.report import MUTANTS, MutantReport, MutantRow, verify_mutants
-from tresym.ledger.verification import Report, Row, choose, verify
-from tresym.reals.numbers.exact import fraction_text
+from tresym.commands.parser import (
+    UNEXPECTED,
+    Commands,
+    add_output,
+    deliver,
+    worker_count,
+)
+from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
-from tresym.report.words.place import place_text
+
+if TYPE_CHECKING:
+    from tresym.ledger.mutants.report import MutantReport, MutantRow
+    from tresym.ledger.verification import Report, Row
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym verify` to the command line."""
+    parser = commands.add_parser(
+        "verify",
+        help="a verdict on every claim, or on some and all they rest on",
+        description="Judge the paper's statements: PROVED, ENCLOSED, REFUTED or UNDECIDED.",
+        epilog="Exit status 1 when a verdict is not the expected one, or when a mutant holds.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument("--graph", action="store_true", help="what rests on what, in Mermaid")
+    parser.add_argument(
+        "--mutants", action="store_true", help="judge false variants of the claims: none may hold"
+    )
+    parser.add_argument(
+        "--full", action="store_true", help="find the stored box proofs anew instead of re-checking"
+    )
+    parser.add_argument(
+        "--save-certificates", action="store_true", help="with --full, store what was found"
+    )
+    parser.add_argument("--workers", metavar="N", help="processes (default: one a core)")
+    add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    if args.save_certificates and not args.full:
+        raise InputError("--save-certificates stores what --full finds: give both")
+    if not args.full:
+        return _verify_claims(args)
+    from tresym.ledger.evidence.balls import finding_anew
+
+    if args.save_certificates:
+        from tresym.ledger.certificates import checkout_file
+
+        checkout_file()  # refused before the search, not after it
+    with finding_anew():
+        return _verify_claims(args)
+
+
+def _verify_claims(args: argparse.Namespace) -> int:
+    from tresym.ledger import verification
+
+    labels = tuple(args.labels)
+    workers = worker_count(args.workers)
+    if args.graph:
+        deliver(verification.graph(labels), args.path)
+        return 0
+    if args.mutants:
+        return _verify_mutants(labels, args)
+    if args.json or args.path is not None:
+        import json
+
+        report = verification.verify(labels, workers=workers)
+        deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
+    else:
+        from rich.console import Console
+
+        report = show_verification(labels, Console(highlight=False), workers)
+    if args.save_certificates:
+        verification.save_certificates(report)
+    return 0 if report.as_expected else UNEXPECTED
+
+
+def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
+    from tresym.ledger import verification
+
+    if args.json or args.path is not None:
+        import json
+
+        report = verification.verify_mutants(labels)
+        deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
+    else:
+        from rich.console import Console
+
+        report = show_mutants(labels, Console(highlight=False))
+    return UNEXPECTED if report.survivors or report.stopped else 0
+
 
 STYLES = {
     Verdict.PROVED: "green",
@@ -20,12 +112,17 @@ STYLES = {
     Verdict.UNDECIDED: "bold yellow",
 }
 
+
 LABEL_WIDTH = 30
+
+
 PLACE_WIDTH = 22
 
 
 def show_verification(labels: tuple[str, ...], console: Console, workers: int = 1) -> Report:
     """Verify, print each row as it is found under a progress bar, then the count by verdict."""
+    from tresym.ledger.verification import choose, verify
+
     # An unknown label is refused here, before anything is printed.
     total = len(choose(labels))
     progress = _progress("verifying", console)
@@ -45,6 +142,9 @@ def show_verification(labels: tuple[str, ...], console: Console, workers: int = 
 
 def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
     """Judge mutants, print those that hold as they are found, then the score."""
+    from tresym.ledger.mutants.report import MUTANTS, verify_mutants
+    from tresym.ledger.verification import choose
+
     total = len(choose(labels))
     progress = _progress("judging mutants", console)
     with progress:
@@ -104,6 +204,8 @@ def _headings() -> Text:
 
 
 def _row_lines(row: Row) -> list[Text]:
+    from tresym.report.words.place import place_text
+
     claim, finding = row.claim, row.finding
     verdict = Text(finding.verdict.value, style=STYLES[finding.verdict])
     time = f"{1000 * finding.seconds:.1f} ms"

@@ -1,19 +1,67 @@
-"""The audit at the terminal: one row for each display, theorem, table and figure."""
+"""``tresym audit``: the paper's LaTeX against the claims, a row for each piece."""
 
 from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from tresym.ledger.audit import Audit, Row, Transcription
-from tresym.ledger.audit import Text as Found
+from tresym.commands.parser import (
+    UNEXPECTED,
+    Commands,
+    add_output,
+    deliver,
+)
+
+if TYPE_CHECKING:
+    from tresym.ledger.audit import Audit, Row
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym audit` to the command line."""
+    parser = commands.add_parser(
+        "audit",
+        help="the displays of the paper's LaTeX against the claims",
+        description="Name the claims that answer each display, theorem, table and figure of the "
+        "paper, and compare what they say with its LaTeX.",
+        epilog="Exit status 1 unless all of the paper is covered, unaltered and rightly copied.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("paper", metavar="PAPER.tex", help="the LaTeX source of the paper")
+    add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from pathlib import Path
+
+    from tresym import proofs
+    from tresym.ledger import audit
+
+    index = audit.load_index(Path(proofs.__file__).with_name("index.json"))
+    found = audit.audit(Path(args.paper), proofs.claims(), index)
+    if args.json or args.path is not None:
+        import json
+
+        deliver(json.dumps(found.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
+    else:
+        from rich.console import Console
+
+        show_audit(found, Console(highlight=False))
+    return 0 if found.complete else UNEXPECTED
+
 
 SHOWN_CLAIMS = 3
 
 
 def show_audit(audit: Audit, console: Console) -> None:
     """Print every row, and how many of each kind are covered."""
+    from tresym.ledger.audit import Transcription
+
     table = Table(box=None, pad_edge=False, header_style="bold")
     for heading in ("piece", "label", "line"):
         table.add_column(heading, no_wrap=True)
@@ -30,6 +78,8 @@ def show_audit(audit: Audit, console: Console) -> None:
 
 
 def _cells(row: Row) -> tuple[Text | str, ...]:
+    from tresym.ledger.audit import Text as Found
+
     names = ", ".join(row.claims[:SHOWN_CLAIMS])
     more = len(row.claims) - SHOWN_CLAIMS
     names += f" and {more} more" if more > 0 else ""

@@ -1,7 +1,8 @@
-"""The answers of ``tresym check``, as text and as JSON lines, and the exit status they come to."""
+"""``tresym check``: the answers to claims of one's own, as text and as JSON lines."""
 
 from __future__ import annotations
 
+import argparse
 import io
 import json
 import os
@@ -10,16 +11,61 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from itertools import chain
+from typing import TYPE_CHECKING
 
+from tresym.commands.parser import (
+    Commands,
+    add_output,
+)
 from tresym.output import bold, colour_wanted, dim, writing
-from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.limits import Task, check_all, check_within
 from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.reals.verdict import Verdict
 
+if TYPE_CHECKING:
+    from tresym.reals.decisions.answer import Answer
+    from tresym.reals.decisions.limits import Task
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym check` to the command line."""
+    parser = commands.add_parser(
+        "check",
+        help="a claim of your own: an identity, an inequality, an order",
+        description="Decide claims such as 'diff(F, x) == f', 'exp(x) >= 1 + x' or, with a path, "
+        "'sin(x) == x + O(x**3)': PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
+        epilog="Exit status 0 when it holds, 1 when refuted, 3 when undecided, 2 when not read; "
+        "of many claims the first of 2, 1, 3 that occurs.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
+    parser.add_argument("--given", default="", metavar="CONDITIONS", help="a > 0, 0 < b <= 1")
+    parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
+    parser.add_argument(
+        "-f", dest="file", metavar="FILE", help="one claim a line; # comments; - reads input"
+    )
+    parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+    add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    if (args.claim is None) == (args.file is None):
+        raise InputError("check: give either one claim or -f FILE")
+    if args.file is None:
+        return one(args.claim, args.given, args.tends, args.limit, args.json, args.path)
+    return many(args.file, args.given, args.tends, args.limit, args.json, args.path)
+
+
 MAX_BYTES = 50_000_000
+
+
 MAX_SECONDS = 86_400
+
+
 REFUTED, BAD, UNDECIDED = 1, 2, 3
+
+
 _STATUS = {Verdict.REFUTED: REFUTED, Verdict.UNDECIDED: UNDECIDED}
 
 
@@ -27,10 +73,12 @@ def one(
     claim: str, given: str, path: str | None, limit: str, as_json: bool, target: str | None
 ) -> int:
     """Decide one claim and show the answer; returns the exit status."""
+    from tresym.reals.decisions.limits import Task, check_within
+
     answer = check_within(Task(claim.strip(), given, path), _seconds(limit))
     colour = colour_wanted() and target is None
     text = _line(answer) if as_json else answer_text(answer, colour)
-    _deliver(text, target)
+    _show_all(text, target)
     return _STATUS.get(answer.verdict, 0)
 
 
@@ -38,6 +86,8 @@ def many(
     file: str, given: str, path: str | None, limit: str, as_json: bool, target: str | None
 ) -> int:
     """Decide every claim of a file, show each answer as it comes; returns the exit status."""
+    from tresym.reals.decisions.limits import check_all
+
     tasks = read_tasks(file, given, path)
     seconds = _seconds(limit)
     counts = dict.fromkeys([*(verdict.value for verdict in Verdict), "not read"], 0)
@@ -75,6 +125,8 @@ def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     Raises:
         InputError: the file cannot be read, or holds no claim.
     """
+    from tresym.reals.decisions.limits import Task
+
     try:
         with open(sys.stdin.fileno() if file == "-" else file, "rb", closefd=file != "-") as stream:
             data = stream.read(MAX_BYTES + 1)
@@ -115,6 +167,8 @@ def _line(answer: Answer) -> str:
 
 
 def _bad_line(task: Task, error: InputError) -> str:
+    from tresym.reals.decisions.answer import Answer
+
     keys = Answer(Verdict.UNDECIDED, "").as_json()
     value = dict.fromkeys(keys) | {
         "statement": str(task.claim)[:400],
@@ -131,7 +185,7 @@ def _seconds(text: str) -> float:
     return float(value.p) / float(value.q)
 
 
-def _deliver(text: str, target: str | None) -> None:
+def _show_all(text: str, target: str | None) -> None:
     with _shown_by(target) as show:
         show(text)
 

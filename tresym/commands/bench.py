@@ -1,21 +1,56 @@
-"""`tresym bench`: workloads run one after another, shown as they go, and kept."""
+"""``tresym bench``: workloads run one after another, shown as they go, and kept."""
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
 import time
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from tresym.bench import workloads
 from tresym.bench.names import WORKLOADS
-from tresym.bench.run import Keep, Measurement, Tables, Timing
+from tresym.commands.parser import (
+    INTERRUPTED,
+    Commands,
+    add_output,
+)
 from tresym.reals.numbers.exact import InputError, quoted
 
-INTERRUPTED = 130
+if TYPE_CHECKING:
+    from tresym.bench.run import Keep, Measurement, Tables, Timing
 
 
-def run(names: Sequence[str], save: bool, as_json: bool, path: str | None) -> int:
+def add(commands: Commands) -> None:
+    """Add `tresym bench` to the command line."""
+    from tresym.bench.names import WORKLOADS
+
+    width = max(map(len, WORKLOADS))
+    parser = commands.add_parser(
+        "bench",
+        help="time workloads against their peers",
+        description="Time workloads, every contender in turn; quote only ratios within one run.",
+        epilog="\n".join(
+            ["workloads (default: all):"]
+            + [f"  {name:<{width}}  {says}" for name, says in WORKLOADS.items()]
+            + ["", "Interrupted with Ctrl-C, it shows (and with --save keeps) what it has."]
+        ),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("workloads", nargs="*", metavar="WORKLOAD", help="see below")
+    parser.add_argument("--save", action="store_true", help="keep it in docs/measurements")
+    add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    return run_all(args.workloads, args.save, args.json, args.path)
+
+
+def run_all(names: Sequence[str], save: bool, as_json: bool, path: str | None) -> int:
     """Run the workloads (all, unless named); returns the exit status.
 
     Raises:
@@ -41,11 +76,11 @@ def run(names: Sequence[str], save: bool, as_json: bool, path: str | None) -> in
         if not measurement.complete:
             break
     if as_json or path:
-        _deliver(done, as_json, path)
+        _print_all(done, as_json, path)
     return 0 if all(m.complete for m in done) else INTERRUPTED
 
 
-def _deliver(done: list[Measurement], as_json: bool, path: str | None) -> None:
+def _print_all(done: list[Measurement], as_json: bool, path: str | None) -> None:
     from tresym.output import write_text
 
     if as_json:

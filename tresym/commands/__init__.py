@@ -1,0 +1,94 @@
+"""The ``tresym`` command: one file a command, with its parser, what it runs and what it prints.
+
+Exit status: 0 as expected; 1 a verdict unexpected or undecided; 2 bad input, with one line on
+standard error; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from importlib import import_module
+
+import tresym
+from tresym.commands.parser import BAD_INPUT, INTERRUPTED, Parser, one_line
+from tresym.reals.numbers.exact import InputError
+
+COMMANDS = (
+    "verify",
+    "derive",
+    "table",
+    "docs",
+    "flip",
+    "check",
+    "audit",
+    "bench",
+    "sweep",
+    "figure",
+    "chart",
+)
+"""In the order of the help; only the file of the one that is asked for is loaded."""
+
+_OPTION = re.compile(r"-[hof]|--")
+
+
+def build_parser(chosen: str | None = None) -> Parser:
+    """The parser of the whole command line, or of the command ``chosen`` alone."""
+    parser = Parser(
+        prog="tresym",
+        description="The tennis racket effect, verified: proofs, certified numbers, figures.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=f"tresym {tresym.__version__}")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for name in (chosen,) if chosen in COMMANDS else COMMANDS:
+        import_module(f"tresym.commands.{name}").add(commands)
+    return parser
+
+
+def _keep_negative_values(words: list[str]) -> list[str]:
+    """Mark words such as -1e5, -pi/2 or -inf as values: a leading space hides them from argparse.
+
+    Every number is parsed after the spaces around it are dropped.
+    """
+    return [
+        " " + word if word.startswith("-") and word != "-" and not _OPTION.match(word) else word
+        for word in words
+    ]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command line; returns the exit status."""
+    words = sys.argv[1:] if arguments is None else arguments
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+    try:
+        args = build_parser(next(iter(words), None)).parse_args(_keep_negative_values(words))
+        status: int = args.run(args)
+        if sys.stdout is not None:
+            sys.stdout.flush()
+        return status
+    except InputError as error:
+        print(f"tresym: {one_line(str(error), 2000)}", file=sys.stderr)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        print("tresym: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader has left: nothing to say, and nothing must be said while Python shuts down.
+        _forget_output()
+        return 0
+    except OSError as error:
+        name = one_line(str(error.filename or "output"), 400)
+        print(f"tresym: {name}: {error.strerror}", file=sys.stderr)
+        if error.filename is None:
+            _forget_output()
+        return BAD_INPUT
+
+
+def _forget_output() -> None:
+    """Send what is left in the buffer nowhere: Python would complain of it at its end."""
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -1,0 +1,41 @@
+"""``tresym chart``: a chart of saved measurements."""
+
+from __future__ import annotations
+
+import argparse
+
+from tresym.commands.parser import (
+    PICTURE_PATH,
+    Commands,
+    deliver,
+    deliver_picture,
+)
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym chart` to the command line."""
+    parser = commands.add_parser(
+        "chart",
+        help="a chart of saved measurements",
+        description="Draw one chart of `tresym bench --save`; without a name, list them.",
+        epilog="Needs matplotlib: pip install 'tresym[docs]'.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("name", nargs="?", metavar="NAME", help="a chart, such as work-precision")
+    parser.add_argument(
+        "--from", dest="source", metavar="FILE", help="a saved measurement (default: the one here)"
+    )
+    parser.add_argument("-o", dest="path", metavar="PATH", help=PICTURE_PATH)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from tresym.report import charts
+
+    if args.name is None:
+        names = (f"{name:<16} {chart.title}\n" for name, chart in charts.CHARTS.items())
+        deliver("".join(names), args.path)
+    else:
+        deliver_picture(lambda kind: charts.picture(args.name, args.source, kind), args.path)
+    return 0

@@ -1,0 +1,34 @@
+"""``tresym docs``: build the generated documents, or see whether any is stale."""
+
+from __future__ import annotations
+
+import argparse
+
+from tresym.commands.parser import (
+    UNEXPECTED,
+    Commands,
+)
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym docs` to the command line."""
+    parser = commands.add_parser(
+        "docs",
+        help="build the generated documents, or check that none is stale",
+        description="Write docs/generated from the ledger and the tables.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 when stale")
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from tresym.report.pages import documents
+
+    if args.check:
+        stale = documents.stale()
+        print("\n".join(f"stale: {path}" for path in stale) or "every document is up to date")
+        return UNEXPECTED if stale else 0
+    print("\n".join(documents.build()))
+    return 0

@@ -1,0 +1,199 @@
+"""``tresym flip``: the flip of one body, certified, as one reads it in a terminal."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from flint import arb, fmpq
+
+from tresym.commands.parser import (
+    Commands,
+    add_output,
+    deliver,
+    deliver_json,
+)
+from tresym.output import bold, colour_wanted, dim
+from tresym.racket.formulas import printed
+from tresym.racket.result import Flip, Journey, proves
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
+from tresym.reals.numbers.exact import InputError, decimal_ball, fraction_text
+
+if TYPE_CHECKING:
+    from tresym.racket.body import Shape
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym flip` to the command line."""
+    parser = commands.add_parser(
+        "flip",
+        help="the flip of one body, certified",
+        description="How far one full turn of a freely rotating body is from a perfect flip.",
+        epilog="Numbers are exact: 0.0629, 1e-4 or 16380/1210; angles also pi/2 or -3*pi/4.",
+        allow_abbrev=False,
+    )
+    body = parser.add_mutually_exclusive_group(required=True)
+    body.add_argument("--body", metavar="NAME", help="a body of the paper, such as str or book")
+    body.add_argument(
+        "--inertia", nargs=3, metavar=("I1", "I2", "I3"), help="moments, smallest first"
+    )
+    body.add_argument("--shape", nargs=2, metavar=("A", "B"), help="a = I2/I1 - 1, b = 1 - I2/I3")
+    parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
+    parser.add_argument("--rung", metavar="NAME", help="force one model of the ladder")
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        "--gamma",
+        metavar="G",
+        help="distance from the separatrix, -b to a (default: 0); on a rigid body a larger one "
+        "always flips further",
+    )
+    where.add_argument("--psi0", metavar="P", help="start at this psi instead, in radians")
+    how = parser.add_mutually_exclusive_group()
+    how.add_argument("--rate", metavar="V", help="with --psi0: dpsi/dphi at the start")
+    how.add_argument("--theta0", metavar="T", help="with --psi0: theta at the start, in radians")
+    parser.add_argument(
+        "--precession", metavar="ANGLE", help="with --psi0: how far phi goes (default: 2*pi)"
+    )
+    add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from tresym.racket.flip.ladder import climb, parse_digits
+    from tresym.reals.numbers.exact import parse_number
+
+    if args.psi0 is not None:
+        return _journey(args)
+    if args.rate is not None or args.theta0 is not None or args.precession is not None:
+        raise InputError("flip: --rate, --theta0 and --precession belong to --psi0")
+    shape, title = _body(args)
+    gamma = parse_number("0" if args.gamma is None else args.gamma, "gamma")
+    answer = climb(shape, gamma, parse_digits(args.digits), args.rung)
+    if args.json:
+        deliver_json(answer.as_json(), args.path)
+    else:
+        deliver(flip_text(answer, title, colour_wanted() and args.path is None), args.path)
+    return 0
+
+
+def _journey(args: argparse.Namespace) -> int:
+    """A start of the user's own."""
+    from tresym.racket.flip import flip_angle
+    from tresym.racket.flip.ladder import parse_digits
+
+    shape, title = _body(args)
+    answer = flip_angle(
+        *shape,
+        args.psi0,
+        args.rate,
+        parse_digits(args.digits),
+        theta0=args.theta0,
+        precession="2*pi" if args.precession is None else args.precession,
+        rung=args.rung,
+    )
+    if args.json:
+        deliver_json(answer.as_json(), args.path)
+    else:
+        deliver(journey_text(answer, title, colour_wanted() and args.path is None), args.path)
+    return 0
+
+
+def _body(args: argparse.Namespace) -> tuple[Shape, str]:
+    """The shape asked for, and a title that says where it came from."""
+    from tresym.racket import body
+
+    if args.body is not None:
+        named = body.named_body(args.body)
+        return named.shape, f"{named.title}, {named.source}"
+    if args.inertia is not None:
+        return body.shape_of_moments(*args.inertia), "body with the given moments"
+    return body.shape(*args.shape), "body of the given shape"
+
+
+LONGEST_FRACTION = 24
+
+
+def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
+    """The answer in lines for people; ``title`` says which body it is of."""
+    with ball_precision(bits(answer.digits, 64)):
+        rows = [
+            ("shape", _shape(answer)),
+            ("defect   ε", _radians(answer.defect, answer.digits)),
+            ("flip    Δψ", _radians(answer.turn, answer.digits)),
+            *_approximations(answer),
+            ("rung", f"{answer.rung}: {answer.why}"),
+            ("realizable", _realizable(answer)),
+        ]
+    lines = [f"  {dim(f'{label:<12}', colour)}{text}" for label, text in rows]
+    return "\n".join([bold(title, colour), "", *lines]) + "\n"
+
+
+def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
+    """Where a start comes to, in lines for people."""
+    with ball_precision(bits(answer.digits, 64)):
+        rows = [
+            ("shape", _shape(answer)),
+            ("flip    Δψ", _radians(answer.turn, answer.digits)),
+            ("ends at  ψ", _radians(answer.psi, answer.digits)),
+            ("         θ", _radians(answer.theta, answer.digits)),
+            ("rung", f"{answer.rung}: {answer.why}"),
+            ("realizable", _realizable(answer)),
+        ]
+    lines = [f"  {dim(f'{label:<12}', colour)}{text}" for label, text in rows]
+    return "\n".join([bold(title, colour), "", *lines]) + "\n"
+
+
+def _approximations(answer: Flip) -> list[tuple[str, str]]:
+    """The defect and the flip as people say them, and what the paper's own formula would give."""
+    if not proves(answer.defect, answer.digits):
+        return []
+    defect, turn, degree = answer.defect, answer.turn, arb.pi() / 180
+    rows = [
+        ("", f"ε ≈ {_short(defect / degree)}°,   Δψ ≈ {_short(turn / degree)}°"),
+        ("", f"Δψ = π(1 {'−' if defect > 0 else '+'} {_short(abs(2 * defect / arb.pi()))})"),
+    ]
+    if answer.gamma != 0:
+        return rows
+    a, b = arb(answer.shape.a), arb(answer.shape.b)
+    estimate = printed.asymptotic_defect(a, b, balls)
+    error = 100 * (estimate / defect - 1)
+    size = f"{float(abs(error)):.3g}"
+    side = "large" if error > 0 else "small"
+    return [
+        *rows,
+        ("paper", f"its asymptotic formula gives {_short(estimate)}, {size} % too {side}"),
+    ]
+
+
+def _short(x: arb) -> str:
+    return str(x.str(6, radius=False))
+
+
+def _shape(answer: Flip | Journey) -> str:
+    parts = []
+    gamma = answer.gamma
+    named = [("a", answer.shape.a), ("b", answer.shape.b), ("γ", gamma)]
+    for name, value in named:
+        exact = fraction_text(value) if isinstance(value, fmpq) else ""
+        if exact and "/" not in exact and len(exact) <= LONGEST_FRACTION:
+            parts.append(f"{name} = {exact}")
+        elif exact and len(exact) <= LONGEST_FRACTION:
+            parts.append(f"{name} = {exact} ≈ {_short(arb(value))}")
+        else:
+            parts.append(f"{name} ≈ {_short(arb(value))}")
+    return ",   ".join(parts)
+
+
+def _radians(x: arb, digits: int) -> str:
+    """A ball with every digit shown correct to within the radius beside it."""
+    if not proves(x, digits):
+        mid, rad = decimal_ball(x, digits)
+        return f"{mid} ± {rad} rad"
+    return x.str(max(digits, 2)).strip("[]").replace("+/-", "±") + " rad"
+
+
+def _realizable(answer: Flip | Journey) -> str:
+    if answer.realizable:
+        return "yes: I₃ ≤ I₁ + I₂, so a rigid body can have this shape"
+    return "no: b > 1/(a+2), that is I₃ > I₁ + I₂; no rigid body has exactly this shape"

@@ -1,0 +1,71 @@
+"""``tresym sweep``: the flip of very many bodies, into one table."""
+
+from __future__ import annotations
+
+import argparse
+import functools
+
+from tresym.commands.parser import (
+    UNEXPECTED,
+    Commands,
+    deliver,
+    deliver_json,
+)
+from tresym.reals.numbers.exact import InputError
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym sweep` to the command line."""
+    parser = commands.add_parser(
+        "sweep",
+        help="the flip of very many bodies, into one table",
+        description="Compute the flip defect of every row of a grid or of a CSV file, and the "
+        "errors of the formulas, into an SQLite table. A sweep that was interrupted goes on where "
+        "it stopped when the same command is given again.",
+        epilog="VALUES: 0.1,1/3 or LOW:HIGH:COUNT, with log after it for equal ratios. Exit status "
+        "1 when some rows have a problem; line and reason are in the table.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("-o", dest="path", metavar="TABLE", required=True, help="the SQLite file")
+    parser.add_argument("--csv", metavar="FILE", help="columns a, b or I1, I2, I3 or body; gamma")
+    parser.add_argument("--a", metavar="VALUES", help="the grid's a = I2/I1 - 1")
+    parser.add_argument("--b", metavar="VALUES", help="the grid's b = 1 - I2/I3")
+    parser.add_argument("--gamma", metavar="VALUES", help="the grid's gamma (default: 0)")
+    digits = parser.add_mutually_exclusive_group()
+    digits.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
+    digits.add_argument("--float64", action="store_true", help="fast, not certified")
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument("--workers", metavar="N", help="processes here (default: one a core)")
+    where.add_argument("--dask", metavar="ADDRESS", help="the workers of a Dask scheduler")
+    parser.add_argument("--export", metavar="PATH", help="also write a .csv or .parquet file")
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from tresym import sweep
+    from tresym.racket.flip.ladder import parse_digits
+    from tresym.reals.processes import parse_workers
+    from tresym.sweep.run import summary_text, to_stderr
+
+    grid = (args.a, args.b, args.gamma)
+    source: sweep.Source
+    if args.csv is not None and grid == (None, None, None):
+        source = sweep.CsvFile(args.csv)
+    elif args.csv is None and args.a is not None and args.b is not None:
+        source = sweep.Grid.read(args.a, args.b, "0" if args.gamma is None else args.gamma)
+    else:
+        raise InputError("sweep: give either --csv, or --a and --b, and --gamma if wanted")
+    digits = None if args.float64 else parse_digits(args.digits)
+    workers = None
+    if args.dask is not None:
+        workers = functools.partial(sweep.cluster, args.dask)
+    elif args.workers is not None:
+        workers = functools.partial(sweep.processes, parse_workers(args.workers))
+    found = sweep.sweep(source, args.path, digits, workers, export=args.export, notice=to_stderr)
+    if args.json:
+        deliver_json(found.as_json(), None)
+    else:
+        deliver(summary_text(found), None)
+    return UNEXPECTED if found.bad else 0

@@ -1,0 +1,41 @@
+"""``tresym table``: certified tables."""
+
+from __future__ import annotations
+
+import argparse
+
+from tresym.commands.parser import (
+    Commands,
+    add_output,
+    deliver,
+)
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym table` to the command line."""
+    parser = commands.add_parser(
+        "table",
+        help="certified tables: objects, errors, constants, slope, thresholds, routes",
+        description="A table of certified numbers, for the terminal, in Markdown or in LaTeX.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("name", metavar="NAME", help="objects, errors, constants, slope, …")
+    parser.add_argument(
+        "--format", choices=("text", "markdown", "latex"), default="text", help="default: text"
+    )
+    add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from tresym.report.pages import tables
+
+    found = tables.table(args.name)
+    if args.json:
+        import json
+
+        deliver(json.dumps(found._asdict(), ensure_ascii=False, indent=1) + "\n", args.path)
+        return 0
+    deliver(tables.written(found, args.format), args.path)
+    return 0
