@@ -7,13 +7,13 @@ import pytest
 from sympy import Basic, Eq, Gt, Integer, Integral, Symbol
 
 from tresym.commands import main
-from tresym.ledger import verification
 from tresym.ledger.claim import Claim, Definition, all_of, by, equal, formally, step
 from tresym.ledger.definitions import conflict
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
+from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import integrating, substituting
-from tresym.ledger.verification import all_claims, verify
+from tresym.ledger.verification import verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -42,7 +42,7 @@ ledger = pytest.fixture(lambda monkeypatch: _ledger(monkeypatch))
 
 def _ledger(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
     def hold(*claims: Claim) -> None:
-        monkeypatch.setattr(verification, "all_claims", lambda: claims)
+        monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda: claims)
 
     return hold
 

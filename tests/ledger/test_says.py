@@ -16,8 +16,8 @@ from tresym.proofs.table_of_objects import exact_defect
 
 from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.paper import all_claims
 from tresym.ledger.second_look import value
-from tresym.ledger.verification import all_claims
 from tresym.racket.formulas import printed
 from tresym.racket.notation import S, a, b, epsilon0, lam, mu
 from tresym.reals.numbers.arithmetic import ball_precision, balls

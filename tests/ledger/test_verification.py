@@ -27,7 +27,8 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.evidence.chain import check_chain
 from tresym.ledger.meaning import definitions, put_in
-from tresym.ledger.verification import Report, all_claims, graph, verify
+from tresym.ledger.paper import all_claims
+from tresym.ledger.verification import Report, graph, verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict

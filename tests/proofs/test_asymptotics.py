@@ -96,7 +96,7 @@ def test_what_is_found_anew_is_what_is_stored(tmp_path, monkeypatch):
 
 
 def test_stored_proofs_are_written_in_a_checkout_only(tmp_path, monkeypatch):
-    monkeypatch.setattr(certificates, "files", lambda package: tmp_path / "proofs")
+    monkeypatch.setattr(certificates, "file_of", lambda name: tmp_path / "proofs" / name)
     with pytest.raises(InputError, match="checkout"):
         certificates.checkout_file()
 

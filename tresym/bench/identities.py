@@ -37,7 +37,7 @@ from tresym.ledger.claim import Chain, Claim, Together, parts_of
 from tresym.ledger.evidence.manifest import manifest_sign
 from tresym.ledger.meaning import definitions, put_in, to_expression, to_given
 from tresym.ledger.mutants.changes import mutations
-from tresym.ledger.verification import all_claims
+from tresym.ledger.paper import all_claims
 from tresym.reals.advocate import contradiction
 from tresym.reals.decisions.identity import decide
 from tresym.reals.numbers.exact import InputError

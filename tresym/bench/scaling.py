@@ -24,7 +24,8 @@ from tresym.bench.run import (
     forget,
     interleave,
 )
-from tresym.ledger.verification import all_claims, verify
+from tresym.ledger.paper import all_claims
+from tresym.ledger.verification import verify
 from tresym.racket.body import named_body
 from tresym.racket.flip.ladder import climb
 from tresym.racket.floats.flipmap import CHUNK, LARGE, flip_map

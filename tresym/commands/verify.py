@@ -79,8 +79,10 @@ def _verify_claims(args: argparse.Namespace) -> int:
     if args.json or args.path is not None:
         import json
 
+        from tresym.report.pages.rows import report_json
+
         report = verification.verify(labels, workers=workers)
-        deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
+        deliver(json.dumps(report_json(report), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
         from rich.console import Console
 
@@ -91,12 +93,12 @@ def _verify_claims(args: argparse.Namespace) -> int:
 
 
 def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
-    from tresym.ledger import verification
+    from tresym.ledger.mutants.report import verify_mutants
 
     if args.json or args.path is not None:
         import json
 
-        report = verification.verify_mutants(labels)
+        report = verify_mutants(labels)
         deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
         from rich.console import Console

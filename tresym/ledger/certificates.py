@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping
 from functools import lru_cache
-from importlib.resources import files
 from pathlib import Path
 
+from tresym.ledger.paper import file_of
 from tresym.reals.balls.boxes import BoxProof, CertificateError
 from tresym.reals.numbers.exact import InputError
 
@@ -16,7 +16,7 @@ FILE = "certificates.json"
 
 @lru_cache(maxsize=1)
 def _trees() -> dict[str, list[str]]:
-    path = files("tresym.proofs") / FILE
+    path = file_of(FILE)
     return json.loads(path.read_text("utf-8")) if path.is_file() else {}
 
 
@@ -59,7 +59,7 @@ def checkout_file() -> Path:
     Raises:
         InputError: the proofs are installed and not a checkout's.
     """
-    path = Path(str(files("tresym.proofs"))) / FILE
+    path = file_of(FILE)
     if not (path.parent.parent / "pyproject.toml").is_file():
         raise InputError("stored proofs can only be written in a checkout")
     return path

@@ -8,15 +8,14 @@ from concurrent.futures import BrokenExecutor
 from contextlib import nullcontext
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Any
 
+from tresym.ledger import paper
 from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
-from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge, judge_evidence
-from tresym.reals.numbers.exact import InputError, fraction_text, quoted
+from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes
 from tresym.reals.verdict import Verdict
 
@@ -64,25 +63,6 @@ class Report:
     def __getitem__(self, label: str) -> Row:
         return next(row for row in self.rows if row.claim.label == label)
 
-    def as_json(self) -> dict[str, Any]:
-        """The report as `tresym verify --json` prints it."""
-        lines = display_lines()
-        return {
-            "version": JSON_VERSION,
-            "counts": self.counts,
-            "prose": [row.claim.label for row in self.rows if not is_formal(row.claim)],
-            "claims": [_row_json(row, lines) for row in self.rows],
-        }
-
-
-def display_lines() -> dict[int | None, int]:
-    """The line of the paper's source on which each display begins."""
-    import json
-    from importlib.resources import files
-
-    index = json.loads((files("tresym.proofs") / "index.json").read_text(encoding="utf-8"))
-    return {display["number"]: display["line"] for display in index["displays"]}
-
 
 def verify(
     labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = None, workers: int = 1
@@ -98,7 +78,7 @@ def verify(
         InputError: a label that no claim has, claims that no ledger can hold together, or
             processes that keep dying.
     """
-    claims = all_claims()
+    claims = paper.all_claims()
     _need_coherent(claims)
     chosen, requested = _choose(claims, tuple(labels))
     found: dict[str, Finding] = {}
@@ -128,7 +108,7 @@ def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | Non
 
 def _evidence_of(labels: tuple[str, ...], anew: bool) -> list[Finding | None]:
     """In a process of its own: the evidence of the claims with these labels."""
-    known = {claim.label: claim for claim in all_claims()}
+    known = {claim.label: claim for claim in paper.all_claims()}
     with finding_anew() if anew else nullcontext():
         return [judge_evidence(known[label]) for label in labels]
 
@@ -151,17 +131,6 @@ def save_certificates(report: Report) -> int:
     }
     save(found)
     return len(found)
-
-
-def all_claims() -> tuple[Claim, ...]:
-    """Every claim of the proofs, each after all that it rests on.
-
-    Raises:
-        InputError: a claim that rests on itself.
-    """
-    from tresym.proofs import claims
-
-    return _foundations_first(claims())
 
 
 def _foundations_first(claims: Iterable[Claim]) -> tuple[Claim, ...]:
@@ -202,16 +171,9 @@ def _need_coherent(claims: tuple[Claim, ...]) -> None:
         raise InputError(f"the ledger: {why}")
 
 
-def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
-    """The parts of the proofs in the paper's order: a title and the claims stated there."""
-    from tresym.proofs import parts
-
-    return parts()
-
-
 def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
     """The claims named by ``labels`` with all that they rest on, foundations first."""
-    return _choose(all_claims(), labels)[0]
+    return _choose(paper.all_claims(), labels)[0]
 
 
 def _choose(
@@ -229,43 +191,6 @@ def _choose(
     for label in labels:
         wanted |= {known[label], *known[label].rests_on}
     return tuple(claim for claim in claims if claim in wanted), frozenset(labels)
-
-
-def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
-    from tresym.report.words.latex import given_latex, says_latex
-
-    claim, finding = row.claim, row.finding
-    where = claim.where
-    return {
-        "label": claim.label,
-        "requested": row.requested,
-        "kind": claim.kind,
-        "says": says_latex(claim.says),
-        "formal": is_formal(claim),
-        "given": [given_latex(condition) for condition in claim.given],
-        "verdict": finding.verdict.value,
-        "expect": claim.expect.value,
-        "value": finding.value and finding.value._asdict(),
-        "constant": finding.constant and finding.constant._asdict(),
-        "region": finding.region,
-        "parameter": finding.parameter,
-        "steps": [
-            {"verdict": s.verdict.value, "why": s.why, "seconds": round(s.seconds, 6)}
-            for s in finding.steps
-        ],
-        "where": where
-        and {
-            "display": where.display,
-            "line": where.line or lines.get(where.display),
-            "cell": where.cell,
-        },
-        "witness": finding.witness
-        and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
-        "amended_by": [claim.label for claim in claim.amended_by],
-        "uses": [used.label for used in claim.uses],
-        "why": finding.why,
-        "seconds": round(finding.seconds, 6),
-    }
 
 
 def graph(labels: tuple[str, ...] = ()) -> str:

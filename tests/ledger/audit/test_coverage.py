@@ -26,7 +26,7 @@ from tresym.ledger.audit import (
 )
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
 from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal, formally
-from tresym.ledger.verification import all_claims
+from tresym.ledger.paper import all_claims
 from tresym.reals.language.latex import read_latex
 from tresym.reals.numbers.exact import InputError
 

@@ -10,7 +10,6 @@ from sympy import Basic, Function, Gt, Integer, Symbol, Tuple
 from tresym.proofs.implicit_function import slope_on_steep_path, steep_path
 
 from tresym.ledger import judge as judging
-from tresym.ledger import verification
 from tresym.ledger.claim import (
     Claim,
     Counterexample,
@@ -30,9 +29,10 @@ from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.mutants.planted import planted
-from tresym.ledger.mutants.report import verify_mutants
+from tresym.ledger.mutants.report import _planted_row, verify_mutants
+from tresym.ledger.paper import all_claims
 from tresym.ledger.second_look import value
-from tresym.ledger.verification import all_claims, verify
+from tresym.ledger.verification import verify
 from tresym.racket.formulas import printed
 from tresym.racket.notation import b, epsilon0, lam, mu, u
 from tresym.reals.balls.boxes import Bound, BoxProof, box
@@ -41,6 +41,7 @@ from tresym.reals.balls.gradient import Gradient
 from tresym.reals.balls.order import Order
 from tresym.reals.numbers.arithmetic import Balls, ball_precision, balls
 from tresym.reals.verdict import Verdict
+from tresym.report.pages.rows import report_json
 
 x, y = (Symbol(name, real=True) for name in "xy")
 O, o = Function("O"), Function("o")  # noqa: E741
@@ -260,7 +261,7 @@ def test_a_printed_number_stands_in_its_sentence() -> None:
 
 
 def test_prose_is_marked_and_listed() -> None:
-    report = verify(["d26", "eq_gamma", "d52"]).as_json()
+    report = report_json(verify(["d26", "eq_gamma", "d52"]))
     formal = {row["label"]: row["formal"] for row in report["claims"]}
     assert formal["eq_gamma"]
     assert not formal["d26"]
@@ -323,7 +324,7 @@ def test_the_slope_on_the_steep_path_is_that_of_the_implicit_function() -> None:
 
 
 def believed() -> set[str]:
-    return {c.label for c in planted() if verification._planted_row(c).survivors}
+    return {c.label for c in planted() if _planted_row(c).survivors}
 
 
 def test_no_planted_falsehood_is_believed() -> None:
@@ -331,7 +332,7 @@ def test_no_planted_falsehood_is_believed() -> None:
 
 
 def test_planted_falsehoods_are_judged_with_the_mutants(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(verification, "all_claims", lambda: (TRUE,))
+    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda: (TRUE,))
     monkeypatch.setattr(judging, "unfit", lambda claim: None)
     report = verify_mutants()
     assert {m.origin.label for m in report.survivors} >= {"planted: another bound"}

@@ -24,9 +24,9 @@ from tresym.ledger.judge import judge
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.mutants.mutants import mutants, why_few
 from tresym.ledger.mutants.report import MutantReport, verify_mutants
+from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import substituting, trigonometry
 from tresym.ledger.second_look import value, violation
-from tresym.ledger.verification import all_claims
 from tresym.racket.notation import a, b
 from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
@@ -157,12 +157,12 @@ def test_a_denial_by_what_is_false_denies_nothing(monkeypatch: pytest.MonkeyPatc
     for mutant in found:
         held = {c.label: judge(c, {}) for c in mutant.beneath}
         assert judge(mutant.claim, held).verdict is Verdict.UNDECIDED
-    from tresym.ledger import verification
-
-    monkeypatch.setattr(verification, "all_claims", lambda: (ground, denied))
+    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda: (ground, denied))
     assert verify_mutants(["denied"], 2).survivors == ()
     believing = Finding(Verdict.REFUTED, "so it is said")
-    monkeypatch.setattr(verification, "_judge_mutant", lambda mutant, found: believing)
+    monkeypatch.setattr(
+        "tresym.ledger.mutants.report._judge_mutant", lambda mutant, found: believing
+    )
     assert verify_mutants(["denied"], 2).survivors
 
 
@@ -200,12 +200,11 @@ def test_moved_digits_count_only_where_no_inputs_give_them() -> None:
 
 
 def test_a_verifier_that_believes_everything_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    from tresym.ledger import verification
-
     def gullible(claim: Claim, found: object, evidence: object = None) -> Finding:
         return Finding(Verdict.PROVED, "it looks right")
 
-    monkeypatch.setattr(verification, "judge", gullible)
+    for module in ("verification", "mutants.report"):
+        monkeypatch.setattr(f"tresym.ledger.{module}.judge", gullible)
     assert len(verify_mutants(["eq_gamma"], 1).survivors) > 5
     assert main(["verify", "--mutants", "eq_gamma"]) == 1
 

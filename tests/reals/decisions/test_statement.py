@@ -15,11 +15,11 @@ import sympy
 from hangs import HANGS
 from hypothesis import given
 from hypothesis import strategies as st
-from tresym.report.check import read_tasks
 
 import tresym
 from tresym.bench import check as check_pairs
 from tresym.commands import main
+from tresym.commands.check import read_tasks
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.limits import Task, check_all, check_within
 from tresym.reals.numbers.exact import InputError, parse_number, simplest_between

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from tresym.ledger.verification import Report, all_claims, verify
+from tresym.ledger.paper import all_claims
+from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.corrections import corrections, is_correction
 from tresym.report.pages.documents import ledger

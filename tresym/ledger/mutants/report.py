@@ -7,13 +7,14 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from tresym.ledger import paper
 from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
 from tresym.ledger.mutants.planted import planted
-from tresym.ledger.verification import JSON_VERSION, all_claims, verify
+from tresym.ledger.verification import JSON_VERSION, verify
 from tresym.reals.verdict import Verdict
 
 MUTANTS = 5
@@ -116,7 +117,7 @@ def verify_mutants(
             made[claim.label] = tuple(mutants(claim, wanted, using[claim], of))
         return made[claim.label]
 
-    using = _dependents(all_claims())
+    using = _dependents(paper.all_claims())
     rows = []
     for claim in (row.claim for row in report.rows if row.requested):
         judged = [(mutant, _judge_mutant(mutant, found)) for mutant in of(claim)]

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.verification import Report, Row, sections
+from tresym.ledger.paper import sections
+from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
 from tresym.report.words.chains import EQUIVALENT, Display, Line, Said, displays

@@ -13,7 +13,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import tresym
-from tresym.ledger.verification import Report, sections, verify
+from tresym.ledger.paper import sections
+from tresym.ledger.verification import Report, verify
 from tresym.output import write_text
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import cores

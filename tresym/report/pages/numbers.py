@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import json
-from importlib.resources import files
-
 from flint import arb
 
+from tresym.ledger.paper import index
 from tresym.ledger.verification import Report
 from tresym.racket.body import NAMED_BODIES
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -32,7 +30,7 @@ def numbers(report: Report) -> dict[str, str]:
         "statements": str(placed),
         "lemmas": str(len(report.rows) - placed),
         "corrections": str(refuted),
-        "displays": str(_displays()),
+        "displays": str(len(index()["displays"])),
     }
     for name in NAMED_BODIES:
         found |= _of_body(name)
@@ -41,11 +39,6 @@ def numbers(report: Report) -> dict[str, str]:
         found["floor"] = digits_of(floor, DIGITS)
         found["floor_degrees"] = digits_of(180 * floor / arb.pi(), 3)
     return found
-
-
-def _displays() -> int:
-    index = json.loads((files("tresym.proofs") / "index.json").read_text(encoding="utf-8"))
-    return len(index["displays"])
 
 
 def _of_body(name: str) -> dict[str, str]:

@@ -10,7 +10,8 @@ from collections.abc import Callable
 from typing import Any
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.verification import Report, Row, display_lines, sections
+from tresym.ledger.paper import display_lines, sections
+from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.report.words.chains import displays
 from tresym.report.words.conditions import gathered

@@ -1,0 +1,49 @@
+"""The paper whose claims the ledger holds: a package named here and loaded when it is asked for.
+
+The judge knows no paper; the proofs import the ledger, never the other way round.
+"""
+
+from __future__ import annotations
+
+import json
+from functools import lru_cache
+from importlib import import_module
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from tresym.ledger.claim import Claim
+
+PAPER = "tresym.proofs"
+"""A package with ``claims()`` and ``parts()``, an index of the paper and stored box proofs."""
+
+
+def all_claims() -> tuple[Claim, ...]:
+    """Every claim of the proofs, each after all that it rests on."""
+    order: dict[Claim, None] = {}
+    for claim in import_module(PAPER).claims():
+        order.update(dict.fromkeys((*claim.rests_on, claim)))
+    return tuple(order)
+
+
+def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
+    """The parts of the proofs in the paper's order: a title and the claims stated there."""
+    stated: tuple[tuple[str, tuple[Claim, ...]], ...] = import_module(PAPER).parts()
+    return stated
+
+
+def file_of(name: str) -> Path:
+    """A file that lies beside the proofs."""
+    return Path(str(files(PAPER))) / name
+
+
+@lru_cache(maxsize=1)
+def index() -> dict[str, Any]:
+    """The displays, theorems, tables and figures of the paper, without its text."""
+    found: dict[str, Any] = json.loads(file_of("index.json").read_text(encoding="utf-8"))
+    return found
+
+
+def display_lines() -> dict[int | None, int]:
+    """The line of the paper's source on which each display begins."""
+    return {display["number"]: display["line"] for display in index()["displays"]}
