@@ -13,8 +13,8 @@ from typing import Any
 from flint import arb
 from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
+from tresym.proofs.printed import exact_defect, formula_defect, share_of_pi
 from tresym.proofs.separatrix import one_flip_defect
-from tresym.proofs.table_of_objects import exact_defect, formula_defect, share_of_pi
 
 from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step, together
 from tresym.ledger.reasons import evaluating

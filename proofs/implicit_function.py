@@ -33,9 +33,9 @@ from sympy import (
     sqrt,
 )
 from tresym.proofs.conditions import shape
+from tresym.proofs.printed import exact_defect
 from tresym.proofs.remainders import RACKET, in_chart
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
-from tresym.proofs.table_of_objects import exact_defect
 
 from tresym.ledger.claim import (
     Claim,

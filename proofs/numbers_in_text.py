@@ -39,9 +39,9 @@ from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import exponential_decay
 from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
+from tresym.proofs.printed import exact_defect, formula_defect, of_moments, share_of_pi
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import one_flip_defect
-from tresym.proofs.table_of_objects import exact_defect, formula_defect, of_moments, share_of_pi
 
 from tresym.ledger.claim import (
     Claim,

@@ -33,7 +33,6 @@ from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, sign_of_tilt
 from tresym.proofs.phase_portraits import separatrix_moves
 from tresym.proofs.regimes import separatrix_case
 from tresym.proofs.separatrix import stable_equation, unique_root
-from tresym.proofs.turn_integral import sine_to_the_middle
 
 from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step, together
 from tresym.ledger.evidence.balls import Asymptotics
@@ -111,6 +110,15 @@ cosine_not_negative = Claim(
     kind="bound",
     given=(*defect, psi >= epsilon, psi <= pi / 2),
     proof=(step(cos(psi)),),
+)
+
+sine_to_the_middle = Claim(
+    label="sine_to_the_middle",
+    says=sin(psi) > 0,
+    kind="bound",
+    given=(*defect, psi >= epsilon, psi <= pi / 2),
+    proof=(step(sin(psi)),),
+    note="From ε to π/2 the flip angle is away from the unstable point.",
 )
 
 turn_to_the_middle = Claim(

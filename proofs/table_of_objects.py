@@ -22,12 +22,17 @@ from flint import arb, fmpq
 from sympy import Basic, Rational, Symbol
 from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.flip_definition import eqdefect
-from tresym.proofs.printed import ROW_LINES, TABLE_1
+from tresym.proofs.printed import (
+    ROW_LINES,
+    TABLE_1,
+    exact_defect,
+    formula_defect,
+    of_moments,
+    share_of_pi,
+)
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.ledger.claim import Claim, Place, Printed, all_of, formally
-from tresym.racket.flip.separatrix import defect_over
-from tresym.racket.formulas import printed
 from tresym.racket.notation import I1, I2, I3, b
 from tresym.reals.numbers.exact import printed as printed_interval
 from tresym.reals.verdict import Verdict
@@ -37,26 +42,6 @@ Inputs = dict[str, str]
 
 MOMENTS = ("I1", "I2", "I3")
 """Names of the first three columns."""
-
-
-def exact_defect(a: arb, b: arb, m: Any) -> arb:
-    """ε₀ by the exact equation."""
-    return defect_over(a, b, m)
-
-
-def formula_defect(a: arb, b: arb, m: Any) -> arb:
-    """ε₀ by the asymptotic formula of the theorem."""
-    return printed.asymptotic_defect(a, b, m)
-
-
-def share_of_pi(defect: Callable[..., arb]) -> Callable[..., arb]:
-    """The x of Δψ = π − 2ε₀ = π(1 − x)."""
-    return lambda a, b, m: 2 * defect(a, b, m) / m.pi
-
-
-def of_moments(quantity: Callable[..., arb]) -> Callable[..., arb]:
-    """A function of the shape, as a function of the moments; each occurs once in its ratio."""
-    return lambda I1, I2, I3, m: quantity(I2 / I1 - 1, 1 - I2 / I3, m)
 
 
 def as_printed(**texts: str) -> tuple[Basic, ...]:

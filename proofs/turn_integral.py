@@ -12,6 +12,7 @@ import sympy
 from sympy import Derivative, Expr, Integer, Integral, Ne, Subs, Symbol, Tuple, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
+from tresym.proofs.on_the_separatrix import sine_to_the_middle
 
 from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Place, by, equal, step
 from tresym.ledger.reasons import (
@@ -86,15 +87,6 @@ level_line = Claim(
     given=_rotating,
     proof=(step(_turn(gamma), substituting(half_integral)), step(None, substituting(one_turn))),
     where=Place(display=49),
-)
-
-sine_to_the_middle = Claim(
-    label="sine_to_the_middle",
-    says=sin(psi) > 0,
-    kind="bound",
-    given=(*defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(sin(psi)),),
-    note="From ε to π/2 the flip angle is away from the unstable point.",
 )
 
 cosine_to_the_middle = Claim(

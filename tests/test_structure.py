@@ -1,73 +1,180 @@
-"""The house: a file imports only from its own package or from floors below it."""
+"""The house: its rooms in order, what each may import and load, and the map of it."""
+
+from __future__ import annotations
 
 import ast
+import re
+import subprocess
+import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
+from tresym.proofs import PARTS
 
 ROOT = Path(__file__).resolve().parent.parent
 
-FLOORS = {
-    "verdict": 1,
-    "exact": 1,
-    "arithmetic": 1,
-    "notation": 1,
-    "body": 1,
-    "processes": 1,
-    "identity": 2,
-    "formulas": 2,
-    "claims": 3,
-    "flip": 3,
-    "report": 4,
-    "bench": 4,
-    "audit": 4,
-    "sweep": 4,
-    "verification": 4,
-    "checking": 4,
-    "proofs": 4,
-    "cli": 5,
-    "site": 6,
-    "__main__": 6,
-    "__init__": 0,
+FLOORS = (
+    ("reals",),
+    ("racket", "output"),
+    ("ledger", "sweep"),
+    ("proofs", "report", "bench"),
+    ("commands",),
+    ("site", "__main__"),
+)
+"""The rooms from the ground up: one imports from rooms on lower floors, not from its neighbours."""
+
+INSIDE = {
+    "reals": (
+        ("numbers", "verdict"),
+        ("language", "processes"),
+        ("places", "corpus", "advocate"),
+        ("normal",),
+        ("signs", "balls"),
+        ("decisions",),
+    ),
+    "racket": (
+        ("notation", "formulas"),
+        ("body",),
+        ("angle", "result", "floats"),
+        ("motion",),
+        ("flip",),
+        ("near", "compared"),
+    ),
+    "report": (("words",), ("figures",), ("charts",), ("pages",)),
 }
+"""The same for the rooms inside a room."""
 
 FILES = sorted([*ROOT.glob("tresym/**/*.py"), *ROOT.glob("proofs/*.py")])
 
 
-def part_of(path: Path) -> str:
-    relative = path.relative_to(ROOT)
-    if relative.parts[0] == "proofs":
-        return "proofs"
-    return relative.parts[1].removesuffix(".py")
+def name_of(path: Path) -> tuple[str, ...]:
+    """The import name of a file, without the leading ``tresym``."""
+    parts = path.relative_to(ROOT).with_suffix("").parts
+    parts = parts if parts[0] == "proofs" else parts[1:]
+    return parts[:-1] if parts[-1] == "__init__" else parts
 
 
-def imported(path: Path) -> set[str]:
-    """Parts of tresym that a file imports, anywhere in it."""
-    parts = set()
+MODULES = {name_of(path) for path in FILES}
+
+
+def imported(path: Path) -> set[tuple[str, ...]]:
+    """The modules of tresym that a file imports, anywhere in it."""
+    found = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         names = []
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}: relative import"
-            names = [node.module or ""]
-            if node.module == "tresym":
-                names = [f"tresym.{alias.name}" for alias in node.names]
+            whole = [f"{node.module}.{alias.name}" for alias in node.names]
+            names = [n if tuple(n.split(".")[1:]) in MODULES else str(node.module) for n in whole]
         elif isinstance(node, ast.Import):
             names = [alias.name for alias in node.names]
-        parts |= {n.split(".")[1] for n in names if n.startswith("tresym.")}
-        parts |= {"proofs" for n in names if n.split(".")[0] == "proofs"}
-    return parts
+        assert not any(n.split(".")[0] == "proofs" for n in names), f"{path}: say tresym.proofs"
+        found |= {tuple(n.split(".")[1:]) for n in names if n.startswith("tresym.")}
+    return found
+
+
+def floor_of(room: str, floors: tuple[tuple[str, ...], ...]) -> int:
+    """How high a room lies."""
+    (floor,) = (n for n, rooms in enumerate(floors) if room in rooms)
+    return floor
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(ROOT)))
-def test_imports_stay_on_or_below_the_floor(path: Path) -> None:
-    part = part_of(path)
-    for other in imported(path):
-        if other == part or FLOORS.get(other, 0) < FLOORS[part]:
-            continue
-        beside = FLOORS.get(other) == FLOORS[part] and FLOORS[part] in (1, 4)
-        assert beside, f"{path} imports tresym.{other}"
+def test_a_file_imports_only_from_its_own_room_and_those_below(path: Path) -> None:
+    here = name_of(path)
+    for there in imported(path) if here else ():
+        if here[0] != there[0]:
+            assert floor_of(there[0], FLOORS) < floor_of(here[0], FLOORS), there
+        elif here[0] in INSIDE and len(here) > 1 and len(there) > 1 and here[1] != there[1]:
+            floors = INSIDE[here[0]]
+            assert floor_of(there[1], floors) < floor_of(here[1], floors), there
 
 
-def test_only_the_verification_and_the_command_line_import_the_proofs() -> None:
-    importers = {part_of(p) for p in FILES if "proofs" in imported(p)}
-    assert importers <= {"proofs", "verification", "cli"}
+def test_every_room_has_a_floor() -> None:
+    rooms = {name[0] for name in MODULES if name}
+    assert rooms == {room for floor in FLOORS for room in floor}
+    for outer, floors in INSIDE.items():
+        inner = {name[1] for name in MODULES if name[:1] == (outer,) and len(name) > 1}
+        assert inner == {room for floor in floors for room in floor}
+    assert len(rooms) <= 14
+    assert len(FLOORS) <= 6
+
+
+def test_the_proofs_are_read_from_top_to_bottom() -> None:
+    """No part imports from a later one."""
+    place = {("proofs", part): n for n, part in enumerate(PARTS)}
+    for path in ROOT.glob("proofs/*.py"):
+        here = name_of(path)
+        for there in imported(path):
+            if there[0] == "proofs" and len(there) > 1:
+                assert place.get(there, -1) < place.get(here, len(PARTS)), (here, there)
+
+
+def test_a_file_of_reals_loads_nothing_but_python_flint() -> None:
+    names = [".".join(("tresym", *name)) for name in MODULES if name[:1] == ("reals",)]
+    code = f"import {', '.join(sorted(names))}"
+    assert loaded(code) & {"sympy", "numpy", "mpmath", "scipy", "rich"} == set()
+    tresym = {n for n in loaded(code, "tresym.") if n.split(".")[1] != "reals"}
+    assert tresym == set()
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import tresym",
+        "from tresym.commands import main; main(['flip', '--body', 'str'])",
+        "from tresym.commands import main; main(['check', 'exp(x) >= 1 + x'])",
+    ],
+)
+def test_what_is_instant_loads_flint_alone(code: str) -> None:
+    heavy = {"sympy", "numpy", "mpmath", "scipy", "rich", "matplotlib"}
+    assert loaded(code) & (heavy | ({"flint"} if code == "import tresym" else set())) == set()
+
+
+def loaded(code: str, prefix: str = "") -> set[str]:
+    """What a new process has loaded after ``code``: top-level names, or those with the prefix."""
+    show = "import sys; sys.stderr.write(' '.join(sys.modules))"
+    done = subprocess.run(
+        [sys.executable, "-c", f"{code}\n{show}"], capture_output=True, text=True, check=True
+    )
+    names = set(done.stderr.split())
+    return (
+        {n for n in names if n.startswith(prefix)}
+        if prefix
+        else names & {n.split(".")[0] for n in names}
+    )
+
+
+MAPPED = re.compile(r"^\| `([\w./]+?)/?` \| (.+) \|$", re.MULTILINE)
+
+
+def test_the_map_shows_every_room_and_says_what_it_says_of_itself() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    shown = dict(MAPPED.findall(text.split("<!-- map -->")[1]))
+    rooms = [room for floor in FLOORS for room in floor if room != "__main__"]
+    rooms += [f"reals/{room}" for floor in INSIDE["reals"] for room in floor]
+    packages = [r for r in rooms if (ROOT / "tresym" / r).is_dir() or r == "proofs"]
+    assert sorted(shown) == sorted(packages)
+    for room, says in shown.items():
+        doc = import_module(f"tresym.{room.replace('/', '.')}").__doc__ or ""
+        assert says == doc.strip().splitlines()[0].rstrip("."), room
+
+
+def test_the_readme_names_the_rooms() -> None:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    for room in (room for floor in FLOORS for room in floor if room not in ("output", "__main__")):
+        assert f"`{room}/`" in text, room
+
+
+SOURCES = [p for p in FILES if name_of(p)[:1] in (("reals",), ("racket",), ("ledger",))]
+
+
+@pytest.mark.parametrize(
+    "path",
+    [p for p in SOURCES if p.name != "__init__.py"],
+    ids=lambda p: str(p.relative_to(ROOT / "tresym")),
+)
+def test_a_file_of_the_core_has_its_tests(path: Path) -> None:
+    inner = path.relative_to(ROOT / "tresym")
+    assert (ROOT / "tests" / inner.parent / f"test_{inner.name}").is_file()

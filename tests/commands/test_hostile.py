@@ -544,7 +544,8 @@ def test_too_many_digits_are_refused_at_once(
 def test_ten_thousand_digits_take_little_memory(tmp_path: Path) -> None:
     # Its own peak; that of getrusage counts the process it was forked from too.
     code = (
-        "import sys; from pathlib import Path; from tresym.commands import main; main(sys.argv[1:]);"
+        "import sys; from pathlib import Path; from tresym.commands import main;"
+        "main(sys.argv[1:]);"
         "told = Path('/proc/self/status').read_text().split('VmHWM:')[1];"
         "print(told.split()[0], file=sys.stderr)"
     )

@@ -12,7 +12,7 @@ import pytest
 import sympy
 from flint import arb, fmpq
 from sympy import Basic, Function, Symbol, sqrt
-from tresym.proofs.table_of_objects import exact_defect
+from tresym.proofs.printed import exact_defect
 
 from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Asymptotics, Boxes

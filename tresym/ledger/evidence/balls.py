@@ -57,7 +57,7 @@ class Boxes:
         stored: gives the stored proofs, or None where there are none; None itself where none are
             kept, because the search is short or ends at a counterexample.
         budget: boxes a search may look at, for each bound.
-        meant: for a formula, what its symbols are in the box (`tresym.ledger.evidence.meant.Meant`).
+        meant: for a formula, what its symbols are in the box (see meant.py).
     """
 
     bounds: tuple[Bound, ...]

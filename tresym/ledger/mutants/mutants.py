@@ -1,11 +1,12 @@
 """Mutants: false variants of claims, made mechanically, that no evidence may prove.
 
-What a claim says is changed (the ends of its chains follow), and each step of its chains alone;
-see `tresym.ledger.mutants.changes` and, for numbers, bounds and orders, `tresym.ledger.mutants.changed_numbers`.
-What a claim says is also put to the judge without its chain. A definition cannot be false, so what
-is changed is what others prove by it, and of a function that it defines the slope; a conjunction
-has its parts changed. What is denied at a point has its conditions changed too, and what claims
-deny has those claims changed: then nothing may be made of the denial.
+What a claim says is changed (the ends of its chains follow), and each step of its chains alone; see
+`tresym.ledger.mutants.changes` and, for numbers, bounds and orders,
+`tresym.ledger.mutants.changed_numbers`. What a claim says is also put to the judge without its
+chain. A definition cannot be false, so what is changed is what others prove by it, and of a
+function that it defines the slope; a conjunction has its parts changed. What is denied at a point
+has its conditions changed too, and what claims deny has those claims changed: then nothing may be
+made of the denial.
 
 A mutant counts only where balls show it violated: γ ≤ 2a differs from γ ≤ a and is true.
 """

@@ -1,9 +1,9 @@
 """The flip of very many starts at once, in float64.
 
-The closed form of :mod:`tresym.racket.floats.float_orbit`, start by start. There are no special cases: every
-start is on a rotating or an oscillating orbit, and the separatrix is taken as an orbit so near to
-it that float64 cannot tell. Starts near the unstable points have a Δψ accurate relative to itself.
-NaN is said only where no such start exists.
+The closed form of :mod:`tresym.racket.floats.float_orbit`, start by start. There are no special
+cases: every start is on a rotating or an oscillating orbit, and the separatrix is taken as an orbit
+so near to it that float64 cannot tell. Starts near the unstable points have a Δψ accurate relative
+to itself. NaN is said only where no such start exists.
 
 With the extra ``tresym[fast]`` large maps run compiled, on all cores; the answers are the same up
 to the last digits. Near the unstable points errors grow by e^(√(ab) Δφ) whatever the method;

@@ -1,9 +1,9 @@
 """One start's orbit in float64, elementwise: on arrays with numpy, on numbers when compiled.
 
 The time τ (dφ/dτ = 1 − b sin²ψ, from ψ = π/2) and the phase φ follow from an angle by the steps of
-:mod:`tresym.racket.motion.gauss`, in which every orbit, oscillating or rotating, has the same form: with
-t = |tan ψ|, p = A t and r ∝ cos θ take the places of x and y, and r² − p² = γ(a+b) may have either
-sign. An angle follows from a time by the steps backwards, from x = y = L/sinh Lτ:
+:mod:`tresym.racket.motion.gauss`, in which every orbit, oscillating or rotating, has the same form:
+with t = |tan ψ|, p = A t and r ∝ cos θ take the places of x and y, and r² − p² = γ(a+b) may have
+either sign. An angle follows from a time by the steps backwards, from x = y = L/sinh Lτ:
 
     z = y′z′/x′,   x, y = x′ ∓ (G² − H²)/(4x′),
 

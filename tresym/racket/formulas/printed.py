@@ -1,9 +1,9 @@
 """Every formula of the paper as it is printed, cancellation and all.
 
-The order is the paper's. Each docstring names the display: its label where the paper gives one,
-the section otherwise. These functions say what the paper says and nothing better: where a printed
-form loses digits (the tests show where) :mod:`tresym.racket.formulas.stable` has the equal that does not.
-Angles are in radians; ``S`` and ``S2`` are signs, +1 or −1; ``m`` is the arithmetic.
+The order is the paper's. Each docstring names the display: its label where the paper gives one, the
+section otherwise. These functions say what the paper says and nothing better: where a printed form
+loses digits (the tests show where) :mod:`tresym.racket.formulas.stable` has the equal that does
+not. Angles are in radians; ``S`` and ``S2`` are signs, +1 or −1; ``m`` is the arithmetic.
 """
 
 from __future__ import annotations

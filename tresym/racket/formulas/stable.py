@@ -1,9 +1,10 @@
 """The paper's quantities without cancellation: what every number in tresym is computed from.
 
-Each function is the algebraic equal of a formula in :mod:`tresym.racket.formulas.printed` (or of a step
-the paper takes from one to the next) in a form where no two nearly equal numbers are subtracted,
-so it keeps its digits in any arithmetic ``m`` (the last argument). Angles are in radians, ``a`` and
-``b`` are the paper's shape parameters, ``gamma`` its distance from the separatrix.
+Each function is the algebraic equal of a formula in :mod:`tresym.racket.formulas.printed` (or of a
+step the paper takes from one to the next) in a form where no two nearly equal numbers are
+subtracted, so it keeps its digits in any arithmetic ``m`` (the last argument). Angles are in
+radians, ``a`` and ``b`` are the paper's shape parameters, ``gamma`` its distance from the
+separatrix.
 
 On the separatrix everything follows from one number, the *phase* P = π + arcsin(√(b/(a+b)) cos ε₀),
 π ≤ P ≤ 3π/2. With k = √(ab) and r = √(b/a), so that T = kP,

@@ -1,8 +1,8 @@
 """The body's attitude in space over time, in float64: for pictures, nothing else.
 
-φ, θ, ψ are the paper's z-y-z Euler angles: R = R_z(φ) R_y(θ) R_z(ψ) takes the body axes
-(e₂, e₃, e₁) to the space axes (X, Y, Z), with Z along the angular momentum. ψ and θ come from the
-closed form of :mod:`tresym.racket.floats.flipmap`, so the momentum stays where it is to rounding, however
+φ, θ, ψ are the paper's z-y-z Euler angles: R = R_z(φ) R_y(θ) R_z(ψ) takes the body axes (e₂, e₃,
+e₁) to the space axes (X, Y, Z), with Z along the angular momentum. ψ and θ come from the closed
+form of :mod:`tresym.racket.floats.flipmap`, so the momentum stays where it is to rounding, however
 long the motion. Time is measured in units of I₂/M.
 """
 

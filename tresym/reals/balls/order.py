@@ -2,8 +2,8 @@
 
 A statement is about two functions of one variable on a path: x → 0+ by default, or x → c from a
 side, or x → ±∞; a problem with several variables names its path by composition. Both functions run
-as germs (:mod:`tresym.reals.balls.germ`), so the ratio's leading term and a remainder that holds on a
-whole interval (0, t₀] of the small parameter are certified; beyond t₀ boxes take over
+as germs (:mod:`tresym.reals.balls.germ`), so the ratio's leading term and a remainder that holds on
+a whole interval (0, t₀] of the small parameter are certified; beyond t₀ boxes take over
 (:mod:`tresym.reals.balls.boxes`). A wrong exponent is refuted with the true order; a wrong constant
 with a rational point at which it fails. Uniform statements about regions of several variables are
 bounds on boxes and belong to the enclosure.

@@ -1,7 +1,7 @@
 """The grammar of LaTeX expressions: recursive descent from tokens to text.
 
-The text is of the expression grammar of :mod:`tresym.reals.language.parsing`, with the additions that
-:mod:`tresym.reals.language.latex` lists.
+The text is of the expression grammar of :mod:`tresym.reals.language.parsing`, with the additions
+that :mod:`tresym.reals.language.latex` lists.
 """
 
 from __future__ import annotations
