@@ -33,7 +33,7 @@ from tresym.proofs.remainders import at_unit_b
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Place, all_of, by, equal, step
+from tresym.ledger.claim import Claim, Fault, Place, all_of, by, equal, step
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import algebra, differentiation, exponentials
@@ -217,6 +217,7 @@ printed_remainder = Claim(
     where=Place(display=47),
     amended_by=(printed_leading_term, printed_error),
     note="On this path the printed remainder is −t²/(3e), algebraic and not exponentially small.",
+    fault=Fault.THEOREM,
 )
 
 

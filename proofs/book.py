@@ -19,6 +19,7 @@ from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, s
 from tresym.ledger.claim import (
     Claim,
     Definition,
+    Fault,
     Place,
     all_of,
     at,
@@ -181,6 +182,7 @@ table_units = Claim(
     expect=Verdict.REFUTED,
     amended_by=(unit_of_inertia,),
     note="It is a unit of pressure; the numbers are those of the bibliography in kg mm².",
+    fault=Fault.MISPRINT,
 )
 
 

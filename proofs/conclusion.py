@@ -16,7 +16,7 @@ from tresym.proofs.numbers_in_text import number
 from tresym.proofs.printed import exact_defect, formula_defect, share_of_pi
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step, together
+from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
 from tresym.ledger.reasons import evaluating
 from tresym.racket.formulas import printed
 from tresym.racket.notation import I1, I2, I3
@@ -100,6 +100,7 @@ ethylene_flip = number(
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
     rests_on=(rotational_constants, one_flip_defect),
+    fault=Fault.MISPRINT,
 )
 
 ethylene_flip_by_formula = number(
@@ -112,6 +113,7 @@ ethylene_flip_by_formula = number(
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
     rests_on=(rotational_constants,),
+    fault=Fault.MISPRINT,
 )
 
 ethylene_plane = number(

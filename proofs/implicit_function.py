@@ -41,6 +41,7 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
+    Fault,
     Place,
     Reason,
     all_of,
@@ -138,6 +139,7 @@ reduced_equation = Claim(
     expect=Verdict.REFUTED,
     amended_by=(stable_equation, right_sides),
     note="The higher orders of the equation before are dropped, one part in a thousand here.",
+    fault=Fault.ROUNDING,
 )
 
 _in_front = 2 * sqrt(1 - mu**2)
@@ -222,6 +224,7 @@ defect_of_a_product = Claim(
     expect=Verdict.REFUTED,
     amended_by=(equation_for_u,),
     note="A comma is missing: ε₀ is that of the display before, a function of u, λ and μ.",
+    fault=Fault.MISPRINT,
 )
 
 # -- the flat function ----------------------------------------------------------------------------
@@ -253,6 +256,7 @@ flat_function = Claim(
     expect=Verdict.REFUTED,
     amended_by=(flat_from_above,),
     note="For s < 0 it is unbounded. The argument needs s ≥ 0 only.",
+    fault=Fault.REASON,
 )
 
 smooth_at_origin = Claim(
@@ -267,6 +271,7 @@ smooth_at_origin = Claim(
     expect=Verdict.REFUTED,
     amended_by=(flat_from_above,),
     note="For λ < 0 it is unbounded; on λ ≥ 0 it is smooth, and so is G.",
+    fault=Fault.REASON,
 )
 
 slopes_of_the_defect = Claim(
@@ -479,6 +484,7 @@ dmu_dlambda_zero = Claim(
     expect=Verdict.REFUTED,
     amended_by=(dmu_dlambda, G_mu_at_origin),
     note="The conclusion stands: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",
+    fault=Fault.REASON,
 )
 
 _G = printed.implicit_function(u, lam, mu, sympy)

@@ -29,7 +29,7 @@ from tresym.proofs.turn_integral import (
     slope_of_turn,
 )
 
-from tresym.ledger.claim import Claim, Place, all_of, by, equal, step
+from tresym.ledger.claim import Claim, Fault, Place, all_of, by, equal, step
 from tresym.ledger.evidence.balls import Asymptotics
 from tresym.ledger.reasons import exponentials, inverses, multiplying, roots
 from tresym.racket.notation import S, a, b, epsilon, lam
@@ -191,4 +191,5 @@ remainder_constant = Claim(
     expect=Verdict.REFUTED,
     amended_by=(tangent,),
     note="With dε/dγ itself it does.",
+    fault=Fault.THEOREM,
 )

@@ -46,6 +46,7 @@ from tresym.proofs.separatrix import one_flip_defect
 from tresym.ledger.claim import (
     Claim,
     Counterexample,
+    Fault,
     Place,
     Printed,
     all_of,
@@ -224,6 +225,7 @@ d27 = number(
     amended_by=(slope_exact_value, slope_of_formula),
     note="Read of ε(γ) itself; the number is that of −1/(4bε₀).",
     rests_on=(one_flip_defect,),
+    fault=Fault.ROUNDING,
 )
 
 # -- the levels at which the tolerance is reached -------------------------------------------------
@@ -363,6 +365,7 @@ d29 = Claim(
     expect=Verdict.REFUTED,
     amended_by=(upper_exact_value, lower_exact, lower_level_unturned, upper_linear, lower_linear),
     note="Read of ε(γ) itself, as d27 is; the numbers are those of the linear formula.",
+    fault=Fault.ROUNDING,
 )
 lower_level_exists = number(
     "lower_level_exists",

@@ -42,7 +42,7 @@ from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Place, all_of, equal
+from tresym.ledger.claim import Claim, Fault, Place, all_of, equal
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
@@ -91,6 +91,7 @@ theorem_remainder = Claim(
     where=Place(display=24),
     expect=Verdict.REFUTED,
     amended_by=(printed_leading_term, printed_error, repaired),
+    fault=Fault.THEOREM,
 )
 
 
@@ -433,6 +434,7 @@ def _printed_slope(label: str, display: int) -> Claim:
         where=Place(display=display),
         expect=Verdict.REFUTED,
         amended_by=(tangent, slope_leading_term),
+        fault=Fault.THEOREM,
         note="−1/(4bε₀) is only the leading term of dε/dγ as ab → ∞.",
     )
 
@@ -494,6 +496,7 @@ theorem = Claim(
     expect=Verdict.REFUTED,
     amended_by=(printed_leading_term, printed_error, repaired, tangent, slope_leading_term),
     note="The leading terms of ε₀ and of dε/dγ are right; neither remainder is.",
+    fault=Fault.THEOREM,
 )
 
 
@@ -528,4 +531,5 @@ remark_speed = Claim(
     expect=Verdict.REFUTED,
     amended_by=(tangent, slope_leading_term),
     note="It tends to ε₀; its speed is dε/dγ, whose leading term this is.",
+    fault=Fault.THEOREM,
 )

@@ -48,6 +48,7 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
+    Fault,
     Place,
     all_of,
     at,
@@ -157,6 +158,7 @@ extremes_by_positivity = Claim(
     expect=Verdict.REFUTED,
     amended_by=(positive_beyond,),
     note="There it vanishes; it is positive where sin²ψ > |γ|/b. The extremes are right.",
+    fault=Fault.MISPRINT,
 )
 
 flip_bounds = Claim(
@@ -507,6 +509,7 @@ reference_to_section_2 = Claim(
     expect=Verdict.REFUTED,
     amended_by=(said_in_section_3,),
     note="A wrong label in the cross reference.",
+    fault=Fault.MISPRINT,
 )
 
 _least_cosine = (gamma + b) / (a + b)

@@ -27,6 +27,7 @@ from tresym.proofs.stability import permanent_rotations, three_equilibria_and_op
 from tresym.ledger.claim import (
     Claim,
     Counterexample,
+    Fault,
     Place,
     all_of,
     at,
@@ -63,6 +64,7 @@ ordering = Claim(
     expect=Verdict.REFUTED,
     amended_by=(eq_dMi,),
     note="At I₁ = 0 the equations that follow divide by zero; they hold for 0 < I₁ < I₂ < I₃.",
+    fault=Fault.MISPRINT,
 )
 
 energy_by_gamma = Claim(

@@ -32,7 +32,7 @@ from tresym.proofs.printed import (
 )
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.claim import Claim, Place, Printed, all_of, formally
+from tresym.ledger.claim import Claim, Fault, Place, Printed, all_of, formally
 from tresym.racket.notation import I1, I2, I3, b
 from tresym.reals.numbers.exact import printed as printed_interval
 from tresym.reals.verdict import Verdict
@@ -224,16 +224,19 @@ racket_3 = (
         _order("racket-3"),
         expect=Verdict.REFUTED,
         amended_by=(racket_3_third_moment, racket_3_swapped),
+        fault=Fault.MISPRINT,
     ),
     replace(
         _cell("racket-3", "a", "14.88", _a_of_moments, {n: _third[n] for n in ("I1", "I2")}, ""),
         expect=Verdict.REFUTED,
         amended_by=(racket_3_a,),
+        fault=Fault.ROUNDING,
     ),
     replace(
         _cell("racket-3", "b", "0.12", _b_of_moments, {n: _third[n] for n in ("I2", "I3")}, ""),
         expect=Verdict.REFUTED,
         amended_by=(racket_3_third_moment, racket_3_swapped),
+        fault=Fault.MISPRINT,
     ),
     *_defects("racket-3", lambda q: q, dict(zip("ab", TABLE_1["racket-3"][3:5], strict=True))),
 )

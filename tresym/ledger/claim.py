@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from enum import Enum
 from functools import cached_property
 from typing import Any
 
@@ -228,6 +229,16 @@ Evidence = (
 )
 
 
+class Fault(Enum):
+    """What is wrong with a statement of the paper that is refuted."""
+
+    THEOREM = "the remainder of the theorem, wherever it is printed"
+    STATEMENT = "what is said does not hold for everything it is said of"
+    REASON = "the conclusion holds; the reason given for it does not"
+    ROUNDING = "near the truth, and not as near as it is printed"
+    MISPRINT = "what is meant is plain from the context"
+
+
 @dataclass(frozen=True)
 class Claim:
     """One statement: what it says, under which conditions, and the evidence for it.
@@ -245,6 +256,7 @@ class Claim:
         shown: LaTeX for reports, where the statement written out would hide what it says.
         paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
             where ``says`` is a sharper reading, which is ours.
+        fault: for a claim expected REFUTED, what is wrong with the paper there.
     """
 
     label: str
@@ -258,6 +270,7 @@ class Claim:
     note: str = ""
     shown: str | None = None
     paper_says: str = ""
+    fault: Fault = Fault.STATEMENT
 
     def __hash__(self) -> int:
         return hash(self.label)

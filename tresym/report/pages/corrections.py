@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import Claim, Fault
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
@@ -25,77 +23,40 @@ is nearly complete and that its defect decreases exponentially, stands.
 """
 
 
-class Fault(NamedTuple):
-    """A kind of correction: its title, what it means, and the labels of its claims."""
-
-    title: str
-    meaning: str
-    labels: frozenset[str]
-
-
-MISPRINTS = Fault(
-    "Misprints",
-    "What is meant is plain from the context, and what is built on it stands.",
-    frozenset(
-        {
-            "defect_of_a_product",
-            "ordered_moments",
-            "positive_only_if",
-            "reference_to_section_2",
-            "table_racket_3_order",
-            "table_racket_3_b",
-            "table_units",
-            "ethylene_flip",
-            "ethylene_flip_by_formula",
-        }
+FAULTS: tuple[tuple[Fault | None, str, str], ...] = (
+    (
+        Fault.THEOREM,
+        "The theorem",
+        "Its two leading terms are right; the remainders are not, wherever they are printed.",
+    ),
+    (
+        Fault.STATEMENT,
+        "Statements",
+        "What is said does not hold for everything it is said of.",
+    ),
+    (
+        Fault.REASON,
+        "Reasons",
+        "The conclusion holds; the reason given for it does not.",
+    ),
+    (
+        Fault.ROUNDING,
+        "Rounding, and approximations printed as equalities",
+        "The number or the formula is near the truth, and not as near as it is printed.",
+    ),
+    (
+        Fault.MISPRINT,
+        "Misprints",
+        "What is meant is plain from the context, and what is built on it stands.",
+    ),
+    (
+        None,
+        "Read more sharply than printed",
+        "The paper hedges here, or gives no number, and as it is read here it is not refuted. What "
+        "is refuted is a sharper reading, which is ours: the words do not carry it.",
     ),
 )
-ROUNDING = Fault(
-    "Rounding, and approximations printed as equalities",
-    "The number or the formula is near the truth, and not as near as it is printed.",
-    frozenset({"table_racket_3_a", "equation", "d27", "d29"}),
-)
-REASONS = Fault(
-    "Reasons",
-    "The conclusion holds; the reason given for it does not.",
-    frozenset(
-        {
-            "dmu_dlambda_zero",
-            "eps0_smooth",
-            "flat_function",
-        }
-    ),
-)
-SHARPER = Fault(
-    "Read more sharply than printed",
-    "The paper hedges here, or gives no number, and as it is read here it is not refuted. What is "
-    "refuted is a sharper reading, which is ours: the words do not carry it.",
-    frozenset(),
-)
-"""No corrections, but what `Claim.paper_says` keeps apart from them."""
-THEOREM = Fault(
-    "The theorem",
-    "Its two leading terms are right; the remainders are not, wherever they are printed.",
-    frozenset(
-        {
-            "d24",
-            "d58",
-            "eps0",
-            "eq_pavao",
-            "prop1",
-            "remainder_constant",
-            "remark1_speed",
-        }
-    ),
-)
-STATEMENTS = Fault(
-    "Statements",
-    "What is said does not hold for everything it is said of.",
-    frozenset(),
-)
-"""Every correction that is none of those before."""
-
-FAULTS = (THEOREM, STATEMENTS, REASONS, ROUNDING, MISPRINTS, SHARPER)
+"""The kinds of corrections, with title and meaning; the last are none (see `paper_says`)."""
 
 
 def corrections(report: Report) -> str:
@@ -106,18 +67,16 @@ def corrections(report: Report) -> str:
         if is_correction(row) or (row.claim.paper_says and row.finding.verdict is Verdict.REFUTED)
     ]
     parts = [PREFACE]
-    for fault in FAULTS:
+    for fault, title, meaning in FAULTS:
         rows = [row for row in refuted if fault_of(row.claim) is fault]
         if rows:
-            parts += [f"## {fault.title}", "", fault.meaning, "", *map(_entry, rows)]
+            parts += [f"## {title}", "", meaning, "", *map(_entry, rows)]
     return "\n".join(parts)
 
 
-def fault_of(claim: Claim) -> Fault:
-    """The kind of correction that a refuted claim is."""
-    if claim.paper_says:
-        return SHARPER
-    return next((fault for fault in FAULTS if claim.label in fault.labels), STATEMENTS)
+def fault_of(claim: Claim) -> Fault | None:
+    """The kind of correction that a refuted claim is; None where only a sharper reading is."""
+    return None if claim.paper_says else claim.fault
 
 
 def is_correction(row: Row) -> bool:
