@@ -127,7 +127,9 @@ def settings() -> dict[str, dict[str, str]]:
     }
 
 
-STALE = "from tresym.report import documents as d; print(*d.stale(d.drawn()), sep='\\n', end='')"
+STALE = (
+    "from tresym.report.pages import documents as d; print(*d.stale(d.drawn()), sep='\\n', end='')"
+)
 
 
 @pytest.mark.slow

@@ -39,10 +39,10 @@ SAMPLE += ("contraction", "d54", "table_str_order", "table_str_a", "table_book_f
 SAMPLE += ("sign_of_tilt", "d11", "flat_from_above", "implicit_defect")
 
 
-def check(score: MutantReport) -> None:
+def check(score: MutantReport, share: float = 0.98) -> None:
     """No mutant holds, and nearly all are refuted with a witness."""
     assert [(m.origin.label, m.place, m.change) for m in score.survivors] == []
-    assert score.counts["REFUTED"] >= 0.98 * sum(score.counts.values())
+    assert score.counts["REFUTED"] >= share * sum(score.counts.values())
 
 
 def test_no_mutant_of_a_few_claims_holds() -> None:

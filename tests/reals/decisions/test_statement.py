@@ -656,3 +656,24 @@ def test_check_loads_flint_alone(claim: str) -> None:
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("claim", "given", "never"),
+    [
+        ("(1/(x - x))**0 == 1", "", Verdict.PROVED),
+        ("(1/(x - x))**0 >= 0", "", Verdict.PROVED),
+        ("abs(x) + (1/x)**0 > 1", "", Verdict.REFUTED),
+        ("abs(x) + (x**(-2))**0 != 1", "", Verdict.REFUTED),
+        ("x > 0", "-1 <= x, x <= 3, log(x) >= 0", Verdict.REFUTED),
+        ("x > -1", "x >= -1, sqrt(x) <= 1", Verdict.REFUTED),
+    ],
+)
+def test_a_power_0_and_a_condition_speak_where_they_are_defined(
+    claim: str, given: str, never: Verdict
+) -> None:
+    assert tresym.check(claim, given).verdict is not never
+
+
+def test_a_factor_of_even_power_that_cannot_vanish_bounds_nothing() -> None:
+    assert tresym.check("x >= 1", given="(x**2 + 1)**2*(x - 3) >= 0").verdict is Verdict.PROVED

@@ -230,7 +230,7 @@ class _Search:
         value = evaluate(e, at)
         if value < 0 and relation != "!=":
             return True
-        if relation == ">=" or not value.contains(0):
+        if relation == ">=" or not (value.is_finite() and value.contains(0)):
             return False
         return equal_at(e, ZERO, {self.names[0]: point})
 

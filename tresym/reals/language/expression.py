@@ -216,7 +216,7 @@ def power(base: Expr, exponent: Expr) -> Expr:
             return _number_power(base.args[0], int(r.p))
         if base.op == "^" and r.q == 1 and base.args[1].op == "number":
             inner = base.args[1].args[0]
-            if inner.q == 1 and not (inner < 0 and r < 0):
+            if inner.q == 1 and not (inner < 0 and r <= 0):  # where the base is 0 they differ
                 return power(base.args[0], number(inner * r))
     return Expr("^", (base, exponent))
 

@@ -175,7 +175,10 @@ def _parts_of_exponential(exponent: Expr, name: str) -> list[tuple[Expr, Expr]]:
         scale, inner = scaled(term)
         if inner.op == "log":
             inside = _product(inner.args[0], name)
-            parts += [(base, collected(x * number(scale))) for base, x in inside.items()]
+            if scale.q == 1 or all(_is_positive(base, name) for base in inside):
+                parts += [(base, collected(x * number(scale))) for base, x in inside.items()]
+            else:  # the sign of a base counts: (v²)^(1/2) is no v
+                parts.append((joined(inner.args[0], name), number(scale)))
         else:
             rest.append(term)
     return [(E, add(*rest)), *parts]

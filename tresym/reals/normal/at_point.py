@@ -39,5 +39,6 @@ def satisfies(
     balls = dict(at)
     if condition.holds_exactly(balls):
         return True
-    near = condition.relation == ">=" and evaluate(condition.expression, balls).contains(0)
+    value = evaluate(condition.expression, balls)
+    near = condition.relation == ">=" and value.is_finite() and value.contains(0)
     return near and equal_at(condition.expression, ZERO, point)

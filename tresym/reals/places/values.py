@@ -113,6 +113,8 @@ def _power(base: Expr, exponent: Expr, walk: Callable[[Expr], arb]) -> arb:
 
 def _natural_power(x: arb, n: int) -> arb:
     """``x**n`` for a ball that contains 0, from its ends; FLINT's is NaN where the middle is 0."""
+    if n == 0:
+        return arb(1)
     if n % 2:
         return (x.lower() ** n).union(x.upper() ** n)
     return arb(0).union(x.abs_upper() ** n)

@@ -141,7 +141,13 @@ def _simple_part(terms: dict[Monomial, fmpq], x: Expr, given: Given) -> fmpz_pol
         if power % 2:
             simple *= factor
         else:
-            e = sum((number(fmpq(c)) * x**k for k, c in enumerate(factor.coeffs())), number(0))
+            e = sum(
+                (
+                    number(fmpq(c)) * (x**k if k else number(1))
+                    for k, c in enumerate(factor.coeffs())
+                ),
+                number(0),
+            )
             if sign(e, given) not in ("+", "-"):
                 return None
     return simple

@@ -1,0 +1,92 @@
+"""Bounds on boxes and orders as evidence, stored proofs looked at and falsehoods refused."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from tresym.ledger.evidence.balls import Asymptotics, Boxes, finding_anew, searching_anew
+from tresym.reals.balls.boxes import Bound, BoxProof, CertificateError, box
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
+
+ENCLOSED, REFUTED, UNDECIDED = Verdict.ENCLOSED, Verdict.REFUTED, Verdict.UNDECIDED
+
+
+def bound(least: str) -> Bound:
+    """x² − x + 1 above ``least`` on [0, 2], where its minimum is 3/4."""
+    return Bound(lambda x, m: x * x - x + 1 - arb(least), box((0, 2)))
+
+
+def boxes(*bounds: Bound, **more: Any) -> Boxes:
+    return Boxes(bounds, ("x",), "0 <= x <= 2", **more)
+
+
+def test_bounds_that_hold_are_closed_with_their_trees() -> None:
+    found = boxes(bound("0.7"), bound("0.5"), constant=fmpq(3, 4)).judge()
+    assert found.verdict is ENCLOSED
+    assert len(found.trees) == 2
+    assert found.region == "0 <= x <= 2"
+    assert found.constant is not None
+    assert found.constant.mid.startswith("0.75")
+
+
+def test_one_that_fails_refutes_all_at_a_point() -> None:
+    found = boxes(bound("0.7"), bound("0.8")).judge()
+    assert found.verdict is REFUTED
+    assert found.witness is not None
+    x = found.witness["x"]
+    assert x * x - x + 1 < fmpq(8, 10)
+
+
+def test_open_boxes_and_no_bounds_are_undecided() -> None:
+    assert boxes(bound("0.75"), budget=50).judge().verdict is UNDECIDED
+    assert boxes().judge().verdict is UNDECIDED
+
+
+def _tree(least: str) -> tuple[BoxProof, ...]:
+    return tuple(BoxProof(tree) for tree in boxes(bound(least)).judge().trees)
+
+
+def test_a_stored_proof_is_checked_and_not_believed() -> None:
+    good = _tree("0.7")
+    assert boxes(bound("0.7"), stored=lambda: good).judge().verdict is ENCLOSED
+    easy = _tree("-9")
+    for forged in (easy, (), good * 2):
+        with pytest.raises(CertificateError):
+            boxes(bound("0.7"), stored=lambda forged=forged: forged).decisions()
+
+
+def test_searching_anew_looks_at_no_stored_proof() -> None:
+    def stored() -> tuple[BoxProof, ...]:
+        raise AssertionError("looked at")
+
+    with finding_anew():
+        assert searching_anew()
+        assert boxes(bound("0.7"), stored=stored).judge().verdict is ENCLOSED
+    assert not searching_anew()
+
+
+def sine(x: Any, m: Any) -> Any:
+    return m.sin(x) - x
+
+
+@pytest.mark.parametrize(
+    ("kind", "gauge", "verdict"),
+    [
+        ("O", lambda x, m: x**3, ENCLOSED),
+        ("O", lambda x, m: x**4, REFUTED),
+        ("o", lambda x, m: x**2, ENCLOSED),
+        ("o", lambda x, m: x**3, REFUTED),
+        ("~", lambda x, m: -(x**3) / 6, ENCLOSED),
+        ("~", lambda x, m: x**3 / 6, REFUTED),
+    ],
+)
+def test_orders(kind: str, gauge: Callable[[Any, Any], Any], verdict: Verdict) -> None:
+    found = Asymptotics(Order(kind, sine, gauge), "x to 0").judge()
+    assert found.verdict is verdict
+    assert found.parameter == "x to 0"
+    assert (found.region is not None) is (verdict is ENCLOSED)

@@ -1,0 +1,196 @@
+"""Chains: a step is PROVED by the reasons it names and no others, falsehoods by none."""
+
+from __future__ import annotations
+
+import pytest
+from sympy import (
+    Abs,
+    Basic,
+    Derivative,
+    Eq,
+    Equivalent,
+    Ge,
+    Gt,
+    Integer,
+    Integral,
+    Lt,
+    Matrix,
+    Subs,
+    Symbol,
+    cos,
+    cosh,
+    exp,
+    log,
+    sin,
+    sinh,
+    sqrt,
+)
+
+from tresym.ledger.claim import Chain, Claim, Definition, Reason, by, equal, step
+from tresym.ledger.evidence.chain import check_chain, unmet_condition
+from tresym.ledger.meaning import definitions
+from tresym.ledger.reasons import (
+    adding,
+    algebra,
+    applying,
+    differentiation,
+    evaluating,
+    exponentials,
+    multiplying,
+    roots,
+    substituting,
+    trigonometry,
+)
+from tresym.reals.verdict import Verdict
+
+x, y, z = (Symbol(name, real=True) for name in "xyz")
+
+
+def proved(says: Basic, chain: Chain, given: tuple[Basic, ...] = ()) -> bool:
+    return all(f.verdict is Verdict.PROVED for f in check_chain(says, chain, given))
+
+
+square = Claim("square", equal(y, x**2), Definition())
+positive_x = Claim("positive_x", equal(z, sqrt(x)), Definition(), given=(x > 0,))
+
+# a statement, a reason that proves it, conditions; and a near falsehood
+STEPS: list[tuple[Basic, Reason, tuple[Basic, ...], Basic]] = [
+    (equal((x + 1) ** 2, x**2 + 2 * x + 1), algebra, (), equal((x + 1) ** 2, x**2 + 2 * x)),
+    (equal(sin(2 * x), 2 * sin(x) * cos(x)), trigonometry, (), equal(sin(2 * x), sin(x) * cos(x))),
+    (equal(sqrt(x**2 + 2 * x + 1), Abs(x + 1)), roots, (), equal(sqrt(x**2 + 2 * x + 1), x + 1)),
+    (equal(exp(x + 1), exp(x) * exp(1)), exponentials, (), equal(exp(x + 1), exp(x) + exp(1))),
+    (equal(cosh(x) ** 2 - sinh(x) ** 2, 1), exponentials, (), equal(cosh(x) ** 2, sinh(x) ** 2)),
+    (equal(Derivative(x**3, x), 3 * x**2), differentiation, (), equal(Derivative(x**3, x), x**2)),
+    (equal(Subs(x**2, x, 3), 9), evaluating, (), equal(Subs(x**2, x, 3), 6)),
+    (equal(y + 1, x**2 + 1), substituting(square), (), equal(y + 1, x**2)),
+    (equal(x / x**2, 1 / x), algebra, (x > 0,), equal(x / x**2, 1 / x**2)),
+]
+
+
+@pytest.mark.parametrize(("true", "reason", "given", "_"), STEPS, ids=[str(s[0]) for s in STEPS])
+def test_a_reason_proves_its_step(
+    true: Basic, reason: Reason, given: tuple[Basic, ...], _: Basic
+) -> None:
+    assert proved(true, by(reason), given)
+    if reason is not algebra:
+        assert not proved(true, by(algebra), given)
+
+
+@pytest.mark.parametrize(("_", "reason", "given", "false"), STEPS, ids=[str(s[3]) for s in STEPS])
+def test_a_near_falsehood_is_not_proved(
+    _: Basic, reason: Reason, given: tuple[Basic, ...], false: Basic
+) -> None:
+    assert not proved(false, by(reason, trigonometry, roots, exponentials), given)
+
+
+def test_every_link_and_the_arrival_are_checked() -> None:
+    says = equal(sin(x) ** 2 + cos(x) ** 2 + x, 1 + x)
+    assert proved(says, (step(1 + x, trigonometry),))
+    assert not proved(says, (step(2 + x, trigonometry),))
+    assert not proved(says, (step(2 + x, trigonometry), step(1 + x, algebra)))
+    assert not proved(equal(x, 2 * x), (step(x, algebra),))
+    assert not proved(says, ())
+
+
+UNDEFINED = [
+    (equal(1 + 1 / (x + 1), (x + 2) / (x + 1)), (), False),
+    (equal(1 + 1 / (x + 1), (x + 2) / (x + 1)), (x > 0,), True),
+    (equal(log(2 * x), log(2) + log(x)), (x >= 0,), False),
+    (equal(log(2 * x), log(2) + log(x)), (x > 0,), True),
+    (equal(sqrt(x**3), x * sqrt(x)), (), False),
+    (equal(sqrt(x**3), x * sqrt(x)), (x >= 0,), True),
+]
+
+
+@pytest.mark.parametrize(("says", "given", "found"), UNDEFINED, ids=str)
+def test_operations_must_be_shown_harmless(
+    says: Basic, given: tuple[Basic, ...], found: bool
+) -> None:
+    assert proved(says, by(roots, exponentials), given) is found
+
+
+def _from(before: Basic, after: Basic, reason: Reason, given: tuple[Basic, ...] = ()) -> bool:
+    """One step of equations, as part of an equivalence."""
+    return proved(Equivalent(before, after), (step(after, reason),), given)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "reason", "given", "found"),
+    [
+        (Eq(x, y), Eq(2 * x, 2 * y), multiplying(x / x * 2), (), True),
+        (Eq(x, y), Eq(x * z, y * z), multiplying(z), (z > 0,), True),
+        (Eq(x, y), Eq(x * z, y * z), multiplying(z), (), False),
+        (Eq(x, y), Eq(x + z, y + z), adding(z), (), True),
+        (Eq(x, y), Eq(x + z, y - z), adding(z), (), False),
+        (Eq(x, y), Eq(exp(x), exp(y)), applying("exp"), (), True),
+        (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0, y > 0), True),
+        (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0,), False),
+        (Eq(x, y), Eq(log(x), log(y)), applying("log"), (x > 0, y > 0), True),
+        (Eq(x, y), Eq(log(x), log(y)), applying("log"), (x >= 0, y >= 0), False),
+        (Eq(x, y), Eq(sin(x), sin(y)), applying("sin"), (), False),
+        (Eq(x, y), Eq(cosh(x), cosh(y)), applying("cosh"), (), False),
+    ],
+    ids=str,
+)
+def test_equations_are_kept_by_what_is_one_to_one(
+    before: Basic, after: Basic, reason: Reason, given: tuple[Basic, ...], found: bool
+) -> None:
+    assert _from(before, after, reason, given) is found
+
+
+@pytest.mark.parametrize(
+    ("says", "form", "given", "found"),
+    [
+        (Ge(x**2 + 1, 2 * x), (x - 1) ** 2, (), True),
+        (Gt(x**2 + 1, 2 * x), (x - 1) ** 2, (), False),
+        (Gt(x**2 + 2, 2 * x), (x - 1) ** 2 + 1, (), True),
+        (Lt(2 * x, x**2 + 2), (x - 1) ** 2 + 1, (), True),
+        (Gt(x, y), x - y, (), False),
+        (Gt(x * y, 0), x * y, (x > 0, y > 0), True),
+        (Gt(x**2, y**2), (x - y) * (x + y), (x > y, y > 0), True),
+        (Ge(x**2 + 1, 2 * x), (x + 1) ** 2, (), False),
+    ],
+    ids=str,
+)
+def test_an_inequality_ends_at_a_manifest_sign(
+    says: Basic, form: Basic, given: tuple[Basic, ...], found: bool
+) -> None:
+    assert proved(says, (step(form, algebra),), given) is found
+    assert not proved(says, by(algebra), given)
+
+
+def test_a_monotone_function_keeps_or_turns_an_inequality_on_its_interval() -> None:
+    inside = (x >= 0, y > x, y <= 1)
+    chain = (step(cos(x) - cos(y), applying("cos")),)
+    assert not proved(Gt(x, y), chain, inside)
+    assert not proved(Gt(y, x), (step(cos(y) - cos(x), applying("cos")),), inside)
+    outside = Gt(Integer(1), Integer(7), evaluate=False)  # cos 7 > cos 1, beyond pi
+    assert not proved(outside, (step(cos(7) - cos(1), applying("cos")),))
+    for name in ("square", "tan", "abs"):
+        assert not proved(Gt(y, x), (step(y - x, applying(name)),), inside)
+
+
+def test_matrices_entry_by_entry() -> None:
+    two, other = Matrix([x + x, 1]), Matrix([2 * x, 1])
+    assert proved(Eq(two, other, evaluate=False), by(algebra))
+    assert not proved(Eq(two, Matrix([3 * x, 1]), evaluate=False), by(algebra))
+    assert not proved(equal(Matrix([x]), Matrix([[x, x]])), (step(Matrix([x, x]), algebra),))
+
+
+def test_a_step_keeps_the_kind_of_statement() -> None:
+    assert not proved(equal(x, x), (step(Eq(x, y), algebra),))
+    assert not proved(Equivalent(Eq(x, y), Gt(x, y)), (step(Gt(x, y), algebra),))
+
+
+def test_what_is_put_in_brings_its_conditions() -> None:
+    rules = definitions((positive_x,))
+    assert unmet_condition((positive_x,), rules, ()) == (x > 0)
+    assert unmet_condition((positive_x,), rules, (x > 0,)) is None
+    assert unmet_condition((positive_x,), rules, (x > 1,)) is None
+    assert not proved(equal(z**2, x), by(substituting(positive_x), roots))
+    assert proved(equal(z**2, x), by(substituting(positive_x), roots), (x > 0,))
+
+
+def test_an_integral_is_not_opened_by_algebra() -> None:
+    assert not proved(equal(Integral(x, (x, 0, 1)), Integral(x, (x, 0, 2))), by(algebra))
+    assert proved(equal(Integral(x, (x, 0, 1)), Integral(y, (y, 0, 1))), by(algebra))

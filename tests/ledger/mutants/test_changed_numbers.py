@@ -1,0 +1,116 @@
+"""Changed numbers, bounds and orders: seen to be false where they are, and only there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from flint import arb, fmpq
+
+from tresym.ledger.claim import Claim, Printed
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.mutants.changed_numbers import (
+    bound_changes,
+    bound_fails,
+    bounds_fail,
+    moved_digits,
+    no_inputs_give_it,
+    order_changes,
+    order_fails,
+    printed_changes,
+)
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.order import Order
+
+
+def number(text: str, formula: Callable[..., arb], **inputs: str | fmpq) -> Claim:
+    return Claim("number", "a number", Printed(text, formula, inputs))
+
+
+def bounded(least: str) -> Claim:
+    """x² + 1 above ``least`` on [0, 2]."""
+    bound = Bound(lambda x, m: x * x + 1 - arb(least), box((0, 2)))
+    return Claim("bound", "a bound", Boxes((bound,), ("x",), "0 <= x <= 2"))
+
+
+def ordered(kind: str, power: int, **more: Any) -> Claim:
+    order = Order(kind, lambda x, m: m.sin(x) - x, lambda x, m: -(x**power) / 6, **more)
+    return Claim("order", "an order", Asymptotics(order, "x to 0"))
+
+
+def test_digits_are_moved_leading_ones_first() -> None:
+    found = list(moved_digits("1.9e-3"))
+    assert found[:4] == ["2.9e-3", "0.9e-3", "1.8e-3", "-1.9e-3"]
+    assert "1.9e-3" not in found
+    assert all(text.endswith("e-3") for text in found)
+    assert "1.2" in list(moved_digits("-1.2"))
+
+
+@pytest.mark.parametrize(
+    ("text", "x", "false"),
+    [
+        ("1.41", "2.00", False),
+        ("1.43", "2.00", True),
+        ("1.43", "2.0", False),
+        ("1.5", "2.00", True),
+        ("1.4142", fmpq(2), False),
+        ("1.4143", fmpq(2), True),
+        ("0.5", "-2.0", False),  # nowhere defined is not seen to be false
+    ],
+)
+def test_a_printed_number_that_no_inputs_give(text: str, x: str | fmpq, false: bool) -> None:
+    assert no_inputs_give_it(number(text, lambda x, m: m.sqrt(x), x=x)) is false
+
+
+def test_every_printed_text_is_changed_and_no_exact_input() -> None:
+    claim = number("3.0", lambda x, y, m: x + y, x="1.0", y=fmpq(2))
+    places = {place: list(map(make, changes)) for place, changes, make in printed_changes(claim)}
+    assert set(places) == {"printed number", "input x"}
+    assert any(no_inputs_give_it(changed) for changed in places["printed number"])
+    assert any(no_inputs_give_it(changed) for changed in places["input x"])
+    assert not no_inputs_give_it(claim)
+
+
+def test_a_bound_is_seen_to_fail_at_a_point_of_its_box() -> None:
+    assert not bounds_fail(bounded("0.9"))
+    assert bounds_fail(bounded("1.1"))
+    bound = bounded("2.5").proof.bounds[0]
+    assert bound_fails(bound, (fmpq(1),))
+    assert not bound_fails(bound, (fmpq(2),))
+
+
+def test_changed_bounds_are_negated_or_lowered() -> None:
+    ((_, changes, make),) = bound_changes(bounded("0.9"))
+    made = [(str(named), make(named)) for named in changes]
+    assert made[0][0] == "the margin negated"
+    assert all(bounds_fail(changed) for _, changed in made[:3])
+    assert all(changed.proof.stored is None for _, changed in made)
+
+
+@pytest.mark.parametrize(
+    ("kind", "power", "false"),
+    [
+        ("O", 3, False),
+        ("O", 2, False),
+        ("O", 4, True),
+        ("o", 2, False),
+        ("o", 3, True),
+        ("~", 3, False),
+        ("~", 2, True),
+        ("~", 4, True),
+    ],
+)
+def test_an_order_is_seen_to_fail(kind: str, power: int, false: bool) -> None:
+    assert order_fails(ordered(kind, power)) is false
+
+
+@pytest.mark.parametrize(("constant", "false"), [(fmpq(1), False), (fmpq(1, 2), True)])
+def test_at_most_so_many_times(constant: fmpq, false: bool) -> None:
+    assert order_fails(ordered("<=", 3, constant=constant, upto=fmpq(1))) is false
+
+
+def test_some_change_of_every_order_is_false() -> None:
+    for claim in (ordered("O", 3), ordered("o", 2), ordered("~", 3)):
+        ((_, changes, make),) = order_changes(claim)
+        assert any(order_fails(make(named)) for named in changes)

@@ -1,0 +1,59 @@
+"""The score against mutants: counts add up, and what is believed is named."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+from sympy import Symbol
+
+from tresym.ledger.claim import Claim, Definition, by, equal
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.mutants.mutants import Mutant
+from tresym.ledger.mutants.report import MutantReport, MutantRow, _dependents, _survives
+from tresym.ledger.reasons import substituting
+from tresym.reals.verdict import Verdict
+
+x, y = (Symbol(name, real=True) for name in "xy")
+A = Claim("A", equal(x, y), Definition())
+B = Claim("B", equal(x, y), by(substituting(A)))
+BELIEVED = Mutant(B, "the right side", "x = 2 y", replace(B, says=equal(x, 2 * y)))
+
+
+def row(claim: Claim, *survivors: Mutant, few: str = "", **counts: int) -> MutantRow:
+    full = {v.value: counts.get(v.value, 0) for v in Verdict}
+    return MutantRow(claim, full, survivors, sum(counts.values()), few)
+
+
+REPORT = MutantReport((row(A, REFUTED=3, UNDECIDED=1), row(B, BELIEVED, few="short", PROVED=1)))
+
+
+def test_counts_add_up() -> None:
+    assert REPORT.counts == {"PROVED": 1, "ENCLOSED": 0, "REFUTED": 3, "UNDECIDED": 1}
+    assert [r.total for r in REPORT.rows] == [4, 1]
+    assert REPORT.survivors == (BELIEVED,)
+    assert [r.claim for r in REPORT.few] == [B]
+
+
+def test_json_names_survivors_and_claims_with_few_changes() -> None:
+    value = json.loads(json.dumps(REPORT.as_json()))
+    assert value["counts"] == REPORT.counts
+    assert value["survivors"] == [{"label": "B", "place": "the right side", "change": "x = 2 y"}]
+    assert [c["label"] for c in value["claims"]] == ["A", "B"]
+    assert value["few"] == [{"label": "B", "changes": 1, "why": "short"}]
+
+
+@pytest.mark.parametrize("verdict", Verdict)
+def test_a_mutant_survives_where_it_is_believed(verdict: Verdict) -> None:
+    assert _survives(BELIEVED, verdict) is verdict.holds
+
+
+def test_what_is_false_may_deny_nothing() -> None:
+    denied = replace(BELIEVED, claim=replace(B, proof=Denied((A,), {})))
+    assert _survives(denied, Verdict.REFUTED)
+    assert not _survives(denied, Verdict.UNDECIDED)
+
+
+def test_dependents_are_those_that_name_a_claim() -> None:
+    assert _dependents((A, B)) == {A: (B,), B: ()}

@@ -1,0 +1,23 @@
+"""Findings: values with nothing in them that was not found."""
+
+from __future__ import annotations
+
+from dataclasses import FrozenInstanceError
+
+import pytest
+
+from tresym.ledger.finding import Finding, StepFinding
+from tresym.reals.verdict import Verdict
+
+
+def test_what_is_not_found_is_not_there() -> None:
+    found = Finding(Verdict.UNDECIDED, "why")
+    nothing = (found.value, found.constant, found.region, found.parameter, found.witness)
+    assert nothing == (None,) * 5
+    assert found.steps == found.trees == ()
+
+
+def test_findings_do_not_change() -> None:
+    for found in (Finding(Verdict.UNDECIDED, "why"), StepFinding(Verdict.UNDECIDED, "why")):
+        with pytest.raises(FrozenInstanceError):
+            found.verdict = Verdict.PROVED

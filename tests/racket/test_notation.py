@@ -1,0 +1,48 @@
+"""The paper's symbols: one name each, real and nothing more, and one way to write each."""
+
+from __future__ import annotations
+
+import pytest
+from sympy import Symbol, latex
+
+from tresym.racket import notation
+
+SYMBOLS = {name: x for name, x in vars(notation).items() if isinstance(x, Symbol)}
+
+
+def test_no_two_names_stand_for_one_symbol() -> None:
+    assert len(set(SYMBOLS.values())) == len(SYMBOLS)
+    assert len({x.name for x in SYMBOLS.values()}) == len(SYMBOLS)
+
+
+@pytest.mark.parametrize("x", SYMBOLS.values(), ids=str)
+def test_a_symbol_is_real_and_its_sign_is_left_to_the_claims(x: Symbol) -> None:
+    assert x.is_real is True
+    assert x == Symbol(x.name, real=True)
+    for assumed in (x.is_zero, x.is_positive, x.is_negative, x.is_integer):
+        assert assumed is None
+    assert (x**2) ** (x**0 / 2) == abs(x) != x
+
+
+def test_every_symbol_is_written_in_its_own_way() -> None:
+    assert set(notation.LATEX) <= set(SYMBOLS.values())
+    written = [latex(x, symbol_names=notation.LATEX) for x in SYMBOLS.values()]
+    assert len(set(written)) == len(written)
+    for text in written:
+        assert text.count("{") == text.count("}")
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("I1", "I_{1}"),
+        ("W3", r"\Omega_{3}"),
+        ("lam", r"\lambda"),
+        ("epsilon0", r"\epsilon_0"),
+        ("theta_min", r"\theta_{\min}"),
+        ("dpsi_dphi", r"\frac{d\psi}{d\phi}"),
+        ("dM2_dt", r"\dot M_2"),
+    ],
+)
+def test_as_the_paper_writes_them(name: str, text: str) -> None:
+    assert latex(SYMBOLS[name], symbol_names=notation.LATEX) == text

@@ -1,0 +1,160 @@
+"""Inequalities called directly: each true claim stands beside a near falsehood."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.inequalities import decide_inequality
+from tresym.reals.language.parsing import parse, parse_claim
+from tresym.reals.numbers.exact import parse_number
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+from tresym.reals.verdict import Verdict
+
+PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
+REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
+
+
+def decided(claim: str, under: str = "") -> Answer:
+    ((left, relation, right, *_),) = parse_claim(claim)
+    return decide_inequality(left, relation, right, Given.parse(under))
+
+
+# by signs; cones; homogeneity; concavity; Taylor; equivalents; cases; boxes and germs; constants
+PAIRS = [
+    ("x**2 + x + 1 > 0", "x**2 + 2*x + 1 > 0", ""),
+    ("a*b >= 1", "a*b > 1", "a >= 1, b >= 1"),
+    ("x**2 + y**2 >= 2*x*y", "x**2 + y**2 > 2*x*y", ""),
+    ("x**2 + y**2 + z**2 >= x*y + y*z + z*x", "x**2 + y**2 + z**2 >= x*y + y*z + 2*z*x", ""),
+    ("x/y + y/x >= 2", "x/y + y/x > 2", "x > 0, y > 0"),
+    ("sin(x) <= x", "sin(x) < x", "x >= 0"),
+    ("cos(x) >= 1 - x**2/2", "cos(x) >= 1 - x**2/3", ""),
+    ("exp(x) >= 1 + x", "exp(x) > 1 + x", ""),
+    ("log(x) <= x - 1", "log(x) <= x - 2", ""),
+    ("sqrt(x) <= (1 + x)/2", "sqrt(x) < (1 + x)/2", ""),
+    ("sqrt(x + 1) > sqrt(x)", "sqrt(x + 1) > 2*sqrt(x)", "x > 0"),
+    ("abs(x + y) <= abs(x) + abs(y)", "abs(x + y) <= abs(x) - abs(y)", ""),
+    ("abs(x) >= x", "abs(x) > x", ""),
+    ("abs(x) + abs(x - 1) >= 1", "abs(x) + abs(x - 1) > 1", ""),
+    ("abs(x - 1)*abs(x) <= 1/4", "abs(x - 1)*abs(x) < 1/4", "0 <= x <= 1"),
+    ("x**4 - x + 1 > 0", "x**4 - x + 47247/100000 > 0", ""),
+    ("x*log(x) >= -0.36788", "x*log(x) >= -0.36787", ""),
+    ("sin(x) + cos(x) <= 1.41422", "sin(x) + cos(x) <= 1.41421", ""),
+    ("sin(x)**3 <= 1", "sin(x)**3 < 1", ""),
+    ("x**2 + 1 != 0", "x**2 - 1 != 0", ""),
+    ("exp(x) != x", "exp(x) != x + 2", ""),
+    ("cos(x) != 2", "cos(x) != x", ""),
+    ("x**2 + y**2 <= 2", "x**2 + y**2 <= 1.99", "-1 <= x <= 1, -1 <= y <= 1"),
+    ("sin(x)*cos(y) + y < 3/2", "sin(x)*cos(y) + y < 7/5", "0 <= x <= 1, 0 <= y <= 1"),
+    ("pi < 22/7", "pi > 22/7", ""),
+    ("sqrt(2)*sqrt(3) >= sqrt(6)", "sqrt(2)*sqrt(3) != sqrt(6)", ""),
+    ("x**n >= 1", "x**n > 1", "x >= 1, n >= 0"),
+    ("sqrt(x) >= 0", "sqrt(x) > 0", ""),
+    ("1/x > 0", "1/x > 1/1000", "x > 0"),
+    ("tan(x) >= x", "tan(x) >= x + x**3/2", "0 <= x < pi/2"),
+]
+
+
+@pytest.mark.parametrize(("true", "_", "under"), PAIRS, ids=[p[0] for p in PAIRS])
+def test_true_claims_hold(true: str, _: str, under: str) -> None:
+    assert decided(true, under).verdict.holds
+
+
+@pytest.mark.parametrize(("_", "false", "under"), PAIRS, ids=[p[1] for p in PAIRS])
+def test_near_falsehoods_are_refuted(_: str, false: str, under: str) -> None:
+    assert decided(false, under).verdict is REFUTED
+
+
+POINTS = [
+    ("x**2 >= x", ""),
+    ("x**3 - x <= 0.3849", "0 <= x <= 2"),
+    ("x*y <= 1", "x > 0"),
+    ("sin(x) < x", "x >= 0"),
+    ("x**2 + y**2 > 2*x*y", ""),
+    ("x <= 0.999999", "0 <= x <= 1"),
+    ("x + y < 2", "x <= 1, y <= 1, x >= 0, y >= 0"),
+]
+
+
+@pytest.mark.parametrize(("claim", "under"), POINTS)
+def test_a_witness_satisfies_the_conditions_and_violates_the_claim(claim: str, under: str) -> None:
+    found = decided(claim, under)
+    assert found.witness is not None
+    at = {name: arb(parse_number(text)) for name, text in found.witness.items()}
+    assert all(c.holds_exactly(at) for c in Given.parse(under).conditions)
+    ((left, relation, right, *_),) = parse_claim(claim)
+    x, y = evaluate(left, at), evaluate(right, at)
+    assert {"<": x >= y, "<=": x > y, ">": x <= y, ">=": x < y}[relation]
+
+
+def test_sides_are_shown_in_the_order_they_were_written() -> None:
+    for claim in ("3 < 2", "2 > 3", "3 <= 2", "2 >= 3"):
+        values = decided(claim).values
+        left = claim[0]
+        assert values is not None
+        assert values[0].mid.startswith(left)
+
+
+OPEN = [
+    ("x >= 0", "x > 1, x < 0"),
+    ("sqrt(x) >= -1", "x < -1"),
+    ("sqrt(x) + sqrt(-1 - x) >= 0", ""),
+    ("log(x - 5) >= -100", "x < 5"),
+    ("1/0 >= 0", ""),
+    ("1/x != 0", ""),  # both signs, and no zero between
+    ("tan(x) != 10**30", "cos(x) < -2"),
+]
+
+
+@pytest.mark.parametrize(("claim", "under"), OPEN)
+def test_nothing_is_proved_where_nothing_is_shown(claim: str, under: str) -> None:
+    assert decided(claim, under).verdict is UNDECIDED
+
+
+CLOSED = [
+    # a point of closed conditions that is no limit of inner ones: x = 0
+    ("x >= 1", "x**2*(x - 1) >= 0"),
+    ("x + 1/2 > 1", "x**2*(x - 1) >= 0"),
+    ("y > 0", "y >= x**2, y*(x - 1)**2 <= 0, x <= 1"),
+    ("x > 0", "(x*(x - 1))**2 <= 0"),
+    ("x >= 1", "(x - 3/7)**2*(x - 1) >= 0"),
+    ("x*y >= 1", "(x - 3/7)**2*(x - 1) >= 0, y >= 1"),
+    ("sqrt(x) + x > 2", "x > 0, (x - 3/7)**2*(x - 2) >= 0"),
+    # a zero at an end that belongs to the conditions
+    ("1 - x > 0", "x <= 1"),
+    ("(x - 1)**2 > 0", "x >= 1"),
+    ("x**2 + y > 0", "y >= 0"),
+    # true for one sign of what stands in the bars
+    ("abs(x) <= x + 10**(-9)", ""),
+    ("abs(x - y) >= x - y + abs(x)", "x > -1"),
+    # the period of the difference is not that of its domain
+    ("sin(2*pi*x) + 0*log(x + 1/2) > -1", ""),
+    ("sin(x) + 0*sqrt(x - 6) < 1/2", ""),
+    # a change of sign over a pole is no zero, but one without a pole is
+    ("1/x + x != 2", ""),
+    ("(x**2 - 2)/(x - 5) != 0", ""),
+]
+
+
+@pytest.mark.parametrize(("claim", "under"), CLOSED)
+def test_planted_falsehoods_do_not_hold(claim: str, under: str) -> None:
+    assert not decided(claim, under)
+
+
+@pytest.mark.parametrize("claim", ["1/x != 0", "1/(x - 1/3) != 0", "tan(x)*cos(x)/sin(x) != 0"])
+def test_a_pole_between_two_signs_is_no_zero(claim: str) -> None:
+    assert decided(claim).verdict is not REFUTED
+
+
+def test_a_zero_between_two_points_is_enclosed_by_them() -> None:
+    found = decided("x**2 != 2", "x > 0")
+    assert found.witness is not None
+    low, high = (parse(text).args[0] for text in found.witness["x"].strip("[]").split(","))
+    assert low**2 < 2 < high**2
+
+
+@pytest.mark.parametrize("claim", ["x + 10**(-60) != x", "x + 10**(-60) > x", "exp(-500) != 0"])
+def test_balls_that_overlap_are_not_yet_equal(claim: str) -> None:
+    assert decided(claim).verdict is not REFUTED

@@ -1,0 +1,211 @@
+"""Trees: what was written and no more, derivatives that are derivatives, bounds that hold."""
+
+from __future__ import annotations
+
+import pickle
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tresym.reals.language.expression import (
+    FUNCTIONS,
+    MAX_BITS,
+    MAX_DEPTH,
+    MAX_POWER,
+    MAX_SIZE,
+    PI,
+    E,
+    Expr,
+    add,
+    apply,
+    as_expr,
+    differentiate,
+    extreme,
+    multiply,
+    number,
+    power,
+    rebuild,
+    sqrt,
+    substitute,
+    symbol,
+    symbols,
+    trees,
+)
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.values import evaluate
+
+x, y = symbol("x"), symbol("y")
+fractions = st.fractions(-9, 9, max_denominator=9)
+leaves = st.one_of(st.sampled_from([x, y, PI, E]), fractions.map(number))
+
+
+def _larger(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
+    return st.one_of(
+        st.lists(inner, min_size=2, max_size=3).map(lambda parts: add(*parts)),
+        st.lists(inner, min_size=2, max_size=3).map(lambda parts: multiply(*parts)),
+        st.builds(power, inner, st.integers(-3, 3).map(number)),
+        st.builds(apply, st.sampled_from(sorted(FUNCTIONS - {"sign"})), inner),
+        inner.map(sqrt),
+        inner.map(lambda e: -e),
+    )
+
+
+trees_ = st.recursive(leaves, _larger, max_leaves=8)
+
+
+@given(trees_)
+def test_text_is_read_back_as_the_same_value(e: Expr) -> None:
+    again = parse(str(e))
+    assert symbols(again) == symbols(e)
+    with ball_precision(100):
+        at = {"x": arb(fmpq(3, 7)), "y": arb(fmpq(-5, 4))}
+        one, other = evaluate(e, at), evaluate(again, at)
+        assert one.is_finite() == other.is_finite()
+        assert one.overlaps(other)
+
+
+@given(trees_)
+def test_a_pickle_is_equal_and_hashes_alike(e: Expr) -> None:
+    again = pickle.loads(pickle.dumps(e))
+    assert again == e
+    assert hash(again) == hash(e)
+
+
+@given(trees_, fractions)
+def test_substitution_and_evaluation_commute(e: Expr, value: Fraction) -> None:
+    put = substitute(e, {"x": number(value)})
+    at = {"x": arb(fmpq(value.numerator, value.denominator)), "y": arb(2)}
+    one, other = evaluate(e, at), evaluate(put, at)
+    assert "x" not in symbols(put)
+    assert not (one.is_finite() and other.is_finite()) or one.overlaps(other)
+
+
+def test_substitution_is_all_at_once() -> None:
+    assert substitute(parse("x - y + exp(x)"), {"x": y, "y": x}) == parse("y - x + exp(y)")
+
+
+PLACES = {"acosh": "17/10", "coth": "7/5", "log": "3/2"}
+
+
+@pytest.mark.parametrize("name", sorted(FUNCTIONS - {"cbrt", "sign"}))
+def test_slopes_agree_with_mpmath(name: str) -> None:
+    p, q = map(int, PLACES.get(name, "-3/5").split("/"))
+    with mp_precision(60) as m, ball_precision(200):
+        f = m.fabs if name == "abs" else getattr(m, name)
+        expected = arb(mpmath.nstr(m.diff(f, m.mpf(p) / q), 30))
+        slope = evaluate(differentiate(apply(name, x), "x"), {"x": arb(fmpq(p, q))})
+        assert abs(slope - expected) < 1e-20
+
+
+RULES = [
+    ("x**3*sin(x)", "3*x**2*sin(x) + x**3*cos(x)"),
+    ("x/y", "1/y"),
+    ("y/x", "-y/x**2"),
+    ("x**y", "y*x**(y - 1)"),
+    ("y**x", "y**x*log(y)"),
+    ("x**x", "x**x*(log(x) + 1)"),
+    ("exp(x**2*y)", "2*x*y*exp(x**2*y)"),
+    ("sqrt(1 + x**2)", "x/sqrt(1 + x**2)"),
+    ("cbrt(x)", "x**(-2/3)/3"),
+    ("log(sin(x))", "cos(x)/sin(x)"),
+    ("y*pi + 3", "0*x"),
+    ("sign(x) + 2*x", "2"),
+]
+
+
+@pytest.mark.parametrize(("text", "derivative"), RULES)
+def test_rules_of_derivatives(text: str, derivative: str) -> None:
+    found = differentiate(parse(text), "x")
+    for a, b in ((fmpq(2, 3), fmpq(5, 4)), (fmpq(9, 4), fmpq(1, 3))):
+        at = {"x": arb(a), "y": arb(b)}
+        assert abs(evaluate(found, at) - evaluate(parse(derivative), at)) < 1e-10
+
+
+@pytest.mark.parametrize(
+    ("text", "tree"),
+    [
+        ("0*log(x)", "*"),
+        ("x - x", "+"),
+        ("x/x", "*"),
+        ("1/0", "^"),
+        ("sqrt(x**2)", "^"),
+        ("sqrt(4)", "^"),
+        ("(1/x)**(-1)", "^"),
+        ("log(exp(x))", "log"),
+        ("sin(0)", "sin"),
+        ("(x**(1/2))**2", "^"),
+        ("0**(-1)", "^"),
+        ("2 + 3*4 - 1/2", "number"),
+        ("(x**2)**3", "^"),
+    ],
+)
+def test_only_numbers_are_folded(text: str, tree: str) -> None:
+    assert parse(text).op == tree
+
+
+def test_sums_and_products_are_flat() -> None:
+    assert add(add(x, number(1)), add(y, number(2))).args == (x, y, number(3))
+    assert multiply(number(2), multiply(x, number(3)), y).args == (number(6), x, y)
+    assert power(power(x, number(2)), number(3)) == power(x, number(6))
+
+
+@given(st.lists(fractions, min_size=1, max_size=5))
+def test_extremes(values: list[Fraction]) -> None:
+    for side, expected in ((1, max(values)), (-1, min(values))):
+        value = evaluate(extreme(side, map(number, values)), {})
+        assert (value * expected.denominator).contains(expected.numerator)
+
+
+@pytest.mark.parametrize("op", ["x + y", "x*y", "x**y", "sin(x)", "sqrt(x)"])
+def test_rebuilding_with_the_same_operands(op: str) -> None:
+    assert rebuild(parse(op), parse(op).args) == parse(op)
+
+
+def _deep() -> Expr:
+    e = x
+    for _ in range(MAX_DEPTH):
+        e = apply("sin", e)
+    return e
+
+
+def _large() -> Expr:
+    e = x + y
+    for _ in range(MAX_SIZE.bit_length()):
+        e = apply("sin", e) * apply("cos", e)
+    return e
+
+
+def test_what_is_too_much_is_refused() -> None:
+    for build in (
+        _deep,
+        _large,
+        lambda: number(2**MAX_BITS),
+        lambda: power(number(10**9), number(MAX_POWER * 2)),
+        lambda: power(x, number(MAX_POWER + 1)),
+        lambda: power(x, number(Fraction(1, MAX_POWER + 1))),
+        lambda: power(power(x, number(MAX_POWER)), number(2)),
+        lambda: power(number(2**60), number(MAX_POWER)),
+        lambda: apply("gamma", x),
+    ):
+        with pytest.raises(InputError):
+            build()
+
+
+@pytest.mark.parametrize("value", [0.5, 1j, "x", None])
+def test_only_exact_numbers_enter(value: Any) -> None:
+    with pytest.raises(InputError):
+        as_expr(value)
+
+
+def test_formulas_run_in_trees() -> None:
+    assert trees.sqrt(2) * trees.sin(x) + trees.pi == parse("sqrt(2)*sin(x) + pi")
+    assert not hasattr(trees, "gamma")
+    assert 1 - 2 / x**2 + abs(y) == parse("1 - 2/x**2 + abs(y)")
+    assert 2**x == parse("2**x")

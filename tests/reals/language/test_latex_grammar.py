@@ -1,0 +1,83 @@
+"""Recursive descent: each production gives text of the same value as a hand-written one."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+
+from tresym.reals.language.latex_grammar import Reader
+from tresym.reals.language.latex_tokens import tokenize
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.values import evaluate
+
+AT = {"x": arb(fmpq(3, 5)), "y": arb(fmpq(-7, 4)), "a1": arb(2)}
+
+
+@pytest.mark.parametrize(
+    ("source", "text"),
+    [
+        (r"-x^2+y", "-(x**2) + y"),
+        (r"x-(y-1)", "x - (y - 1)"),
+        (r"\frac{1}{2}x", "x/2"),
+        (r"\frac12x", "x/2"),
+        (r"x^{1/2}", "sqrt(x)"),
+        (r"x^2y", "x**2*y"),
+        (r"2^{3^2}", "512"),
+        (r"\sqrt{x}", "sqrt(x)"),
+        (r"\sqrt[3]{8}", "2"),
+        (r"\sin^2x", "sin(x)**2"),
+        (r"\sin 2xy", "sin(2*x*y)"),
+        (r"\sin(x)y", "sin(x)*y"),
+        (r"\cos x\sin y", "cos(x)*sin(y)"),
+        (r"|y|", "7/4"),
+        (r"\left|x-|y|\right|", "abs(x - abs(y))"),
+        (r"e^{2x}", "exp(2*x)"),
+        (r"\ln x", "log(x)"),
+        (r"a_1^2", "4"),
+        (r"\frac{d}{dx}(x^3)", "3*x**2"),
+        (r"\pi x", "pi*x"),
+        (r"\frac{x}{\frac{y}{2}}", "2*x/y"),
+        (r"2\cdot 10^{-3}", "1/500"),
+    ],
+)
+def test_productions(source: str, text: str) -> None:
+    reader = Reader(tokenize(source))
+    found = parse(reader.sum().text)
+    assert reader.peek() == ""
+    gap = evaluate(found - parse(text), AT)
+    assert gap.is_finite()
+    assert abs(gap) < 1e-10
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        r"x/2y",
+        r"\sin^{-1}x",
+        r"\sin(x+1)y",
+        r"\sin 2\ln x",
+        r"\sin x(1+y)",
+        r"x(2)",
+        r"f(x)",
+        r"\int x\,dx",
+        r"\dot x",
+        r"2\frac{1}{3}",
+        r"1 2",
+        r"\frac{1}{",
+        r"(x",
+        r"x^",
+        r"i",
+        r"\foo x",
+    ],
+)
+def test_what_can_be_read_in_two_ways_or_not_at_all_is_refused(source: str) -> None:
+    with pytest.raises(InputError) as caught:
+        Reader(tokenize(source)).sum()
+    assert "\n" not in str(caught.value)
+
+
+def test_a_sum_stops_where_a_relation_begins() -> None:
+    reader = Reader(tokenize(r"x+1\le y"))
+    assert parse(reader.sum().text) == parse("x + 1")
+    assert reader.peek() == r"\le"

@@ -1,0 +1,138 @@
+"""Sines and cosines: exact at multiples of π, free of the half angle's poles elsewhere."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.angles import MAX_HALF_TURN, MAX_MULTIPLE
+from tresym.reals.normal.field import Field
+from tresym.reals.normal.sign_equations import AgainError
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.conditions import Given
+
+
+def equal(left: str, right: str, under: str = "") -> bool:
+    field = Field(Given.parse(under), size=32)
+    x, y = field.normal(parse(left), parse(right))
+    return bool(field.subtract(x, y).num.is_zero())
+
+
+DENOMINATORS = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 16, 24, 30]
+
+
+@pytest.mark.parametrize("q", DENOMINATORS)
+def test_turns_of_pi(q: int) -> None:
+    field = Field(Given(), size=8)
+    for p in range(-2 * q, 2 * q + 1):
+        r = fmpq(p, q)
+        try:
+            c, s = field.turn_of_pi(r)
+        except AgainError:  # the unit grew
+            c, s = field.turn_of_pi(r)
+        assert field.ball(c).overlaps(arb.cos_pi_fmpq(r))
+        assert field.ball(s).overlaps(arb.sin_pi_fmpq(r))
+        square = field.add(field.power(c, 2), field.power(s, 2))
+        assert field.subtract(square, field.one).num.is_zero()
+
+
+@given(st.sampled_from([5, 7, 11, 12]), st.integers(-40, 40), st.integers(-40, 40))
+def test_turns_of_pi_add_up(q: int, j: int, k: int) -> None:
+    field = Field(Given(), size=8)
+    field.turn_of_pi(fmpq(1, q))
+    (a, b), (c, d), (e, f) = (field.turn_of_pi(fmpq(n, q)) for n in (j, k, j + k))
+    cosine = field.subtract(field.multiply(a, c), field.multiply(b, d))
+    sine = field.add(field.multiply(a, d), field.multiply(b, c))
+    assert field.subtract(cosine, e).num.is_zero()
+    assert field.subtract(sine, f).num.is_zero()
+
+
+def test_bounds() -> None:
+    with pytest.raises(TooLargeError):
+        Field(Given()).turn_of_pi(fmpq(1, MAX_HALF_TURN))
+    with pytest.raises(TooLargeError):
+        Field(Given()).normal(parse(f"sin(x) + cos({MAX_MULTIPLE + 1}*x)"))
+    with pytest.raises(TooLargeError):
+        Field(Given()).normal(
+            parse(f"sin(x*log(y)*atan(y)) + cos({MAX_MULTIPLE + 1}*x*log(y)*atan(y))")
+        )
+
+
+EQUAL = [
+    # equal, with a near falsehood
+    ("cos(3*x)", "4*cos(x)^3 - 3*cos(x)", "4*cos(x)^3 + 3*cos(x)"),
+    ("sin(x/2)*cos(x/3)", "(sin(5*x/6) + sin(x/6))/2", "(sin(5*x/6) - sin(x/6))/2"),
+    ("sin(x + y)", "sin(x)*cos(y) + cos(x)*sin(y)", "sin(x)*cos(y) - cos(x)*sin(y)"),
+    ("sin(x + pi)", "-sin(x)", "sin(x)"),
+    ("sin(x + pi/2)", "cos(x)", "-cos(x)"),
+    ("cos(x - 2*pi/3)", "-cos(x)/2 + sqrt(3)/2*sin(x)", "-cos(x)/2 - sqrt(3)/2*sin(x)"),
+    ("sin(x + pi/5)^2 + cos(x + pi/5)^2", "1", "cos(pi/5)"),
+    ("sin(x)*sin(pi/3 - x)*sin(pi/3 + x)", "sin(3*x)/4", "sin(3*x)/3"),
+    ("sin((x^2 + pi*x)/x)", "-sin(x)", "sin(x)"),
+    ("sin((1 + pi*x)/x)", "-sin(1/x)", "sin(1/x)"),
+    ("cos(atan(x))", "1/sqrt(1 + x^2)", "-1/sqrt(1 + x^2)"),
+    ("sin(2*atan(x))", "2*x/(1 + x^2)", "x/(1 + x^2)"),
+    ("cos(-3*atan(x))", "(1 - 3*x^2)/(1 + x^2)**(3/2)", "(1 + 3*x^2)/(1 + x^2)**(3/2)"),
+    ("tan(atan(x)/2)", "x/(1 + sqrt(1 + x^2))", "x/(1 - sqrt(1 + x^2))"),
+    ("cos(atan(x)/2)", "sqrt((1 + 1/sqrt(1 + x^2))/2)", "-sqrt((1 + 1/sqrt(1 + x^2))/2)"),
+    ("cos(y + atan(x))*sqrt(1 + x^2)", "cos(y) - x*sin(y)", "cos(y) + x*sin(y)"),
+    ("sin(sign(x)*y)", "sign(x)*sin(y)", "sin(y)"),
+    ("cos(sign(x)*y)", "cos(y)", "sign(x)*cos(y)"),
+    ("sin(pi/2*sign(x) + y)", "sign(x)*cos(y)", "cos(y)"),
+    ("cos(pi*sign(x)/3)", "1/2", "sign(x)/2"),
+    ("sin(sign(x)*atan(y))*sqrt(1 + y^2)", "sign(x)*y", "y"),
+    ("cos(exp(x) + exp(y))", "cos(exp(x))*cos(exp(y)) - sin(exp(x))*sin(exp(y))", "cos(exp(y))"),
+    ("cos(pi*x)^2 + sin(pi*x)^2", "1", "cos(pi*x)^2"),
+    ("cos(pi*x)", "1 - 2*sin(pi*x/2)^2", "-1"),
+    ("cos(pi/7)*cos(pi/9)", "(cos(16*pi/63) + cos(2*pi/63))/2", "cos(16*pi/63)"),
+    ("cos(2*atan(x)/3)", "2*cos(atan(x)/3)^2 - 1", "(1 - x^2)/(1 + x^2)"),
+    ("sin(2)*cos(3)", "(sin(5) - sin(1))/2", "(sin(5) + sin(1))/2"),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "wrong"), EQUAL)
+def test_equal(left: str, right: str, wrong: str) -> None:
+    assert equal(left, right)
+    assert not equal(left, wrong)
+
+
+ODD_TURNS = [
+    # constant odd multiples of π on a region or everywhere, by ways the ring does not see through
+    ("atan(x) + atan(1/x) + pi/2", "x > 0"),
+    ("2*(x + atan(cot(x)))", ""),
+    ("2*(atan(x) + atan((1 - x)/(1 + x))) + pi/2", "x > -1"),
+    ("4*(atan(1/2) + atan(1/3))", ""),
+    ("sqrt(2)*pi/sqrt(2)", ""),
+    ("2*asin(x) + 2*acos(x)", ""),
+    ("acos(cos(x)) + acos(cos(x + pi))", ""),
+    ("pi*(abs(x) + abs(y))/(abs(x) + abs(y))", ""),
+    ("pi*(log(x^2) - 2*log(abs(x)) + 1)", ""),
+    ("3*(atan(x) + atan(y) - atan((x + y)/(1 - x*y)))", "x > 0, y > 0, x*y > 1"),
+]
+
+
+@pytest.mark.parametrize(("angle", "under"), ODD_TURNS)
+def test_an_odd_turn_has_no_tangent_of_its_half(angle: str, under: str) -> None:
+    """At an odd multiple of π the cosine is −1: no other value is proved, nor a division by it."""
+    assert not equal(f"cos({angle})", "1", under)
+    assert not equal(f"sin({angle})", "1", under)
+    assert not equal(f"cos({angle})^2", "1/2", under)
+    assert equal(f"cos({angle})^2 + sin({angle})^2", "1", under)
+    assert not equal(f"sign(1 + cos({angle}))", "1", under)  # there it is 0
+    root = f"sqrt((1 + cos({angle}))*y)"  # real for every y
+    assert not equal(f"{root} + abs(y)", f"{root} + y", "")
+    field = Field(Given.parse(under), size=48)
+    (value,) = field.normal(parse(f"cos({angle})"))
+    at = {"x": arb(3), "y": arb(2)}
+    found = field.ball(value, at)
+    assert not found.is_finite() or found.contains(-1)
+
+
+@pytest.mark.parametrize("angle", ["2*(x + atan(cot(x)))/3", "4/3*(atan(2) + atan(3))"])
+def test_thirds_of_arc_tangents_may_be_an_odd_turn(angle: str) -> None:
+    """They stay in the angle: on a region it is π, and 1 + cos of it is 0."""
+    assert not equal(f"sign(1 + cos({angle}))", "1")
+    assert equal(f"cos({angle})^2 + sin({angle})^2", "1")

@@ -1,0 +1,166 @@
+"""Canonical factors multiply to what they are factors of, and the same one has always one form."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.factors import MAX_FACTOR_TERMS
+from tresym.reals.normal.field import Field
+from tresym.reals.normal.ring import Fraction, UndefinedError
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.conditions import Given
+
+POSITIVE = "x > 0, y > 0"
+
+
+def normal(text: str, under: str = POSITIVE) -> tuple[Field, Fraction]:
+    field = Field(Given.parse(under))
+    (value,) = field.normal(parse(text))
+    return field, value
+
+
+PARTS = [
+    "x",
+    "x - y",
+    "x^2 + 1",
+    "6",
+    "-5",
+    "1 + sqrt(x)",
+    "sqrt(x) - y",
+    "sqrt(x*y)",
+    "exp(x) - 1",
+]
+PARTS += ["log(x) + 1", "2 - sqrt(2)", "x + y + 2*sqrt(x*y)", "sqrt(2) + sqrt(3)"]
+parts = st.sampled_from(PARTS)
+
+
+@given(st.lists(st.tuples(parts, st.integers(-2, 2)), min_size=1, max_size=4))
+def test_the_product_of_the_factors(chosen: list[tuple[str, int]]) -> None:
+    text = "*".join(f"({part})**({k})" for part, k in chosen)
+    field, x = normal(text)
+    sign, factors = field.factors(x)
+    with ball_precision(200):
+        at = {"x": arb(fmpq(5, 7)), "y": arb(fmpq(13, 4))}
+        total = arb(sign)
+        for part, k in factors.values():
+            assert k.q == 1
+            total *= field.ball(part, at) ** int(k.p)
+        assert total.overlaps(field.ball(x, at))
+        assert total.rel_accuracy_bits() > 100
+
+
+SAME = [
+    # the same number, its factors found by different ways
+    ("sqrt(x) - 1", "(x - 1)/(sqrt(x) + 1)"),
+    ("y - sqrt(x)", "(y^2 - x)/(y + sqrt(x))"),
+    ("x + y - 2*sqrt(x*y)", "(sqrt(x) - sqrt(y))^2"),
+    ("sqrt(3) - sqrt(2)", "1/(sqrt(3) + sqrt(2))"),
+    ("x - sqrt(x)", "sqrt(x)*(sqrt(x) - 1)"),
+    ("12*x^2 - 12*y^2", "3*(2*x - 2*y)*(2*x + 2*y)"),
+    ("3 - 2*sqrt(2)", "(sqrt(2) - 1)^2"),
+]
+
+
+@pytest.mark.parametrize(("left", "right"), SAME)
+def test_one_form(left: str, right: str) -> None:
+    field = Field(Given.parse(POSITIVE))
+    x, y = field.normal(parse(left), parse(right))
+    assert field.factors(field.divide(x, y)) == (1, {})
+    assert field.factors(field.divide(x, field.multiply(y, field.constant(2))))[1] != {}
+    one, other = field.factors(x), field.factors(y)
+    assert one[0] == other[0]
+    assert {k: v[1] for k, v in one[1].items()} == {k: v[1] for k, v in other[1].items()}
+
+
+def test_zero_has_no_factors() -> None:
+    field, x = normal("x - x")
+    with pytest.raises(UndefinedError):
+        field.factors(x)
+
+
+def test_bounds() -> None:
+    field = Field(Given())
+    x, y = (field.variable(field.symbol(name)) for name in "xy")
+    p = sum((x**k * y ** (k * k % 97) for k in range(MAX_FACTOR_TERMS + 2)), field.one_poly)
+    with pytest.raises(TooLargeError):
+        field.factor(p)
+
+
+NESTED = [
+    # square roots within square roots, and a near falsehood
+    ("sqrt(5 + 2*sqrt(6))", "sqrt(2) + sqrt(3)", "sqrt(2) - sqrt(3)"),
+    ("sqrt(3 - 2*sqrt(2))", "sqrt(2) - 1", "1 - sqrt(2)"),
+    ("sqrt(2 - sqrt(3))", "(sqrt(6) - sqrt(2))/2", "(sqrt(6) + sqrt(2))/2"),
+    ("sqrt(x + y + 2*sqrt(x*y))", "sqrt(x) + sqrt(y)", "sqrt(x) - sqrt(y)"),
+    ("sqrt(x + y - 2*sqrt(x*y))", "abs(sqrt(x) - sqrt(y))", "sqrt(x) - sqrt(y)"),
+    ("sqrt(x + 1 - 2*sqrt(x))", "abs(sqrt(x) - 1)", "sqrt(x) - 1"),
+    ("sqrt(x + sqrt(x^2 + y^2))*sqrt(sqrt(x^2 + y^2) - x)", "y", "-y"),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "wrong"), NESTED)
+def test_nested_roots(left: str, right: str, wrong: str) -> None:
+    field = Field(Given.parse(POSITIVE))
+    x, y = field.normal(parse(left), parse(right))
+    assert field.subtract(x, y).num.is_zero()
+    x, y = field.normal(parse(left), parse(wrong))
+    assert not field.subtract(x, y).num.is_zero()
+
+
+SIGNS = [
+    # sign of what, is what, and is not what
+    ("(x - y)^3*(x + 2)^2", "sign(x - y)", "1", ""),
+    ("(x^2 + 1)/(y - x)", "sign(y - x)", "1", ""),
+    ("atan(x*y)", "sign(x)*sign(y)", "sign(x)", ""),
+    ("log(x)", "sign(x - 1)", "sign(x)", ""),
+    ("log(x/y)", "sign(x - y)", "1", POSITIVE),
+    ("pi/2*sign(y) - atan(x)/2", "sign(y)", "sign(x)", ""),
+    ("sqrt(x) - y", "sign(x - y^2)", "sign(x - y)", POSITIVE),
+    ("1 - sqrt(x)", "sign(1 - x)", "sign(x - 1)", ""),
+    ("exp(x) - 1", "sign(exp(x) - 1)", "1", ""),
+    ("-5*x", "-sign(x)", "sign(x)", ""),
+]
+
+
+@pytest.mark.parametrize(("text", "right", "wrong", "under"), SIGNS)
+def test_sign_of_a_product(text: str, right: str, wrong: str, under: str) -> None:
+    field = Field(Given.parse(under))
+    for other, expected in ((right, True), (wrong, False)):
+        x, y = field.normal(parse(f"sign({text})"), parse(other))
+        assert field.subtract(x, y).num.is_zero() is expected
+
+
+LEARNT = [
+    # a condition, and what follows from it through inverse functions, roots and products
+    ("atan(x*(y - 3)) > 0, x > 0", "y - 3", 1),
+    ("log(x/y) > 0, y > 0, x > 0", "x - y", 1),
+    ("atan(x - y)*(x - y)^2 > 0", "x - y", 1),
+    ("log(x) - log(y) < 0", "x - y", -1),
+    ("sqrt(x) > 1 + y^2", "x - 1", 1),
+    ("log(1 - x) > 0", "x", -1),
+    # and what does not
+    ("(x + abs(x))^2*y >= 0", "y", 0),
+    ("atan(x + abs(x))^2*y >= 0", "y", 0),
+    ("log(1 + x + abs(x))^2*y >= 0", "y", 0),
+    ("(pi/2 - atan(x) - atan(1/x))^2*y >= 0", "y", 0),
+    ("atan(x*(y - 3)) > 0", "y - 3", 0),
+    ("atan(x*(y - 3))^2 > 0, x > 0", "y - 3", 0),
+    ("pi/2 - 3*atan(x - y) > 0", "x - y", 0),
+    ("log(x/y)*z > 0, y > 0, x > 0", "x - y", 0),
+    # a factor that vanishes on a region: nothing follows of the other
+    ("(x + abs(x))*y >= 0", "y", 0),
+    ("atan(x + abs(x))*y >= 0", "y", 0),
+    ("(pi/2 - atan(x) - atan(1/x))*y >= 0", "y", 0),
+    ("(pi/2 - atan(x) - atan(1/x))*y > 0", "z - y", 0),
+]
+
+
+@pytest.mark.parametrize(("under", "text", "expected"), LEARNT)
+def test_what_a_condition_tells(under: str, text: str, expected: int) -> None:
+    field, x = normal(text, under)
+    assert field.sign(x.num) == expected

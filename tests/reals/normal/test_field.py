@@ -1,0 +1,185 @@
+"""Normal forms of equal expressions are equal, and have the value of the expression."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tresym.reals.language.expression import Expr, add, apply, multiply, number, symbol
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.field import ALL_THEORIES, Field
+from tresym.reals.normal.ring import UndefinedError
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+
+EQUAL = [
+    # equal, with a near falsehood
+    ("tan(x)*cot(x)", "1", "-1", ""),
+    ("sec(x)^2 - tan(x)^2", "1", "sec(x)", ""),
+    ("csc(x)^2 - cot(x)^2", "1", "csc(x)", ""),
+    ("coth(x)^2 - csch(x)^2", "1", "coth(x)", ""),
+    ("sech(x)^2 + tanh(x)^2", "1", "sech(x)", ""),
+    ("sinh(2*x)", "2*sinh(x)*cosh(x)", "2*sinh(x)^2", ""),
+    ("asin(x) + acos(x)", "pi/2", "pi/3", ""),
+    ("acos(-x)", "pi - acos(x)", "acos(x)", ""),
+    ("asinh(x)", "log(x + sqrt(x^2 + 1))", "log(x + sqrt(x^2 - 1))", ""),
+    ("acosh(x)", "log(x + sqrt(x^2 - 1))", "log(x - sqrt(x^2 - 1))", ""),
+    ("atanh(x)", "log((1 + x)/(1 - x))/2", "log((1 - x)/(1 + x))/2", ""),
+    ("acosh(1) + x", "x", "x + 1", ""),
+    ("acosh(x) + abs(x)", "acosh(x) + x", "acosh(x) - x", ""),
+    ("asin(1) + asin(-1)", "0", "pi", ""),
+    ("atan(-x)", "-atan(x)", "atan(x)", ""),
+    ("atan(1/x)", "pi/2 - atan(x)", "-pi/2 - atan(x)", "x > 0"),
+    ("atan(1/x)", "-pi/2 - atan(x)", "pi/2 - atan(x)", "x < 0"),
+    ("atan(1/x) + atan(x)", "pi/2*sign(x)", "pi/2", ""),
+    ("atan(abs(x)/x*y)", "abs(x)/x*atan(y)", "atan(y)", ""),
+    ("atan(2 - sqrt(3))", "pi/12", "-pi/12", ""),
+    ("atan(-1/sqrt(3))", "-pi/6", "pi/6", ""),
+    ("abs(x*y)", "abs(x)*abs(y)", "x*y", ""),
+    ("cbrt(-8*x^3)", "-2*x", "2*x", ""),
+    ("x**y*x**2", "x**(y + 2)", "x**(2*y)", ""),
+    ("x**(-1/2)", "1/sqrt(x)", "sqrt(x)", ""),
+    ("2**x*3**x", "6**x", "5**x", ""),
+    ("abs(x - y)", "x - y", "y - x", "x > y"),
+    ("sqrt(x*y)/sqrt(x)", "sqrt(y)", "-sqrt(y)", ""),
+    ("exp(x)*exp(y/2)/exp(x + y/3)", "exp(y/6)", "exp(y/5)", ""),
+]
+
+
+def equal(left: str, right: str, under: str, theories: frozenset[str] = ALL_THEORIES) -> bool:
+    field = Field(Given.parse(under), theories)
+    x, y = field.normal(parse(left), parse(right))
+    return bool(field.subtract(x, y).num.is_zero())
+
+
+@pytest.mark.parametrize(("left", "right", "wrong", "under"), EQUAL)
+def test_equal(left: str, right: str, wrong: str, under: str) -> None:
+    assert equal(left, right, under)
+    assert not equal(left, wrong, under)
+    assert not equal(left, f"{right} + 1/10^80", under)
+
+
+NOT_EQUAL = [
+    ("abs(x - y)", "x - y", "x != y"),  # this condition is no inequality
+    # what is inverted on the way vanishes on a region, and is no denominator of the claim
+    ("atan(x + abs(x))", "atan(2*x)", ""),
+    ("asin(1 - x - abs(x)) + x", "asin(1 - x - abs(x)) + abs(x)", ""),
+    ("asin(x + abs(x) - 1) + x", "asin(x + abs(x) - 1) + abs(x)", ""),
+    ("acosh(1 + x + abs(x)) + x", "acosh(1 + x + abs(x)) + abs(x)", ""),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "under"), NOT_EQUAL)
+def test_not_equal(left: str, right: str, under: str) -> None:
+    assert not equal(left, right, under)
+
+
+@pytest.mark.parametrize(
+    ("text", "of"),
+    [
+        ("sin(x)^2 + cos(x)^2 - 1", "trigonometry"),
+        ("sqrt(x)^2 - x", "roots"),
+        ("abs(x)^2 - x^2", "roots"),
+        ("exp(x)*exp(-x) - 1", "exponentials"),
+        ("x**y*x**(-y) - 1", "exponentials"),
+        ("cosh(x)^2 - sinh(x)^2 - 1", "exponentials"),
+        ("atan(x) + atan(-x)", "inverses"),
+        ("atanh(x) + atanh(-x)", "inverses"),
+    ],
+)
+def test_a_theory_that_is_not_allowed_is_not_used(text: str, of: str) -> None:
+    assert equal(text, "0", "")
+    assert not equal(text, "0", "", ALL_THEORIES - {of})
+    assert equal(f"({text})*(x - y)", f"({text})*x - y*({text})", "", frozenset())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1/(x - x)",
+        "log(x - x)",
+        "(x - x)**(-1/2)",
+        "1/(sqrt(x)^2 - x)",
+        "1/(1 - sin(x)^2 - cos(x)^2)",
+        "tan(pi/2)",
+        "1/(abs(x)^2 - x^2)",
+        "cot(0*x)",
+        "log(sqrt(x^2) - abs(x))",
+    ],
+)
+def test_nowhere_defined(text: str) -> None:
+    with pytest.raises(UndefinedError):
+        Field(Given()).normal(parse(text))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [" + ".join(f"a{k}" for k in range(30)), "(x + y + z)^600", "x**(1/61)", "sin(200*x) + sin(x)"],
+)
+def test_too_large(text: str) -> None:
+    with pytest.raises(TooLargeError):
+        Field(Given()).normal(parse(text))
+
+
+def test_what_is_learnt_in_one_pass_is_used_in_the_next() -> None:
+    """The radicands come last; that x is positive is used in the absolute value before them."""
+    assert equal("abs(x) + sqrt(x)", "x + sqrt(x)", "")
+    assert equal("abs(x) + sqrt(x*y) + sqrt(y)", "x + sqrt(x*y) + sqrt(y)", "")
+    assert not equal("abs(x) + sqrt(x*y)", "x + sqrt(x*y)", "")
+    assert not equal("abs(x) + log(x^2)", "x + log(x^2)", "")
+
+
+X, Y = symbol("x"), symbol("y")
+FUNCTIONS = (
+    "sin",
+    "cos",
+    "tan",
+    "exp",
+    "log",
+    "atan",
+    "asin",
+    "acos",
+    "sqrt",
+    "abs",
+    "sign",
+    "cbrt",
+)
+FUNCTIONS += ("sinh", "tanh", "asinh", "acosh", "atanh")
+
+
+def _named(name: str) -> Callable[[Expr], Expr]:
+    return lambda e: e ** number(fmpq(1, 2)) if name == "sqrt" else apply(name, e)
+
+
+leaves = st.sampled_from([X, Y, X - Y, 2 * X, number(3), number(fmpq(-1, 2)), parse("pi")])
+trees: st.SearchStrategy[Expr] = st.recursive(
+    leaves,
+    lambda inner: (
+        st.builds(add, inner, inner)
+        | st.builds(multiply, inner, inner)
+        | st.builds(lambda f, e: f(e), st.sampled_from([_named(n) for n in FUNCTIONS]), inner)
+    ),
+    max_leaves=4,
+)
+WHERE = [(fmpq(2, 7), fmpq(5, 9)), (fmpq(-9, 4), fmpq(1, 3)), (fmpq(13, 8), fmpq(-1, 5))]
+
+
+@given(trees)
+def test_the_value_is_kept(e: Expr) -> None:
+    field = Field(Given())
+    try:
+        (found,) = field.normal(e)
+    except (TooLargeError, UndefinedError):
+        return
+    with ball_precision(200):
+        for x, y in WHERE:
+            point = {"x": arb(x), "y": arb(y)}
+            value, expected = field.ball(found, point), evaluate(e, point)
+            if value.is_finite() and expected.is_finite():
+                assert value.overlaps(expected)

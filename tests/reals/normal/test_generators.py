@@ -1,0 +1,142 @@
+"""Generators have the value, the symbols and the name of the function that they stand for."""
+
+from __future__ import annotations
+
+import pytest
+from flint import arb, fmpq
+
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.field import Field
+from tresym.reals.normal.ring import Fraction
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+
+KINDS = {
+    "symbol": ("x", "x*y - x/y"),
+    "pi": ("pi", "pi*x"),
+    "root": ("sqrt(x)", "sqrt(x) + y*x**(2/3)"),
+    "nested root": ("root", "sqrt(3 + sqrt(x + y))"),
+    "sign": ("sign", "abs(x - y)"),
+    "cosine": ("cosine", "cos(pi/7)*x"),
+    "exp": ("exp", "exp(x/3) - exp(-y)"),
+    "tan": ("tan", "sin(x + y)/(2 + cos(3*x))"),
+    "log": ("log", "log(x + 1)/y"),
+    "atan": ("atan", "atan(x + y)"),
+    "plain turn": ("cos", "cos(pi*abs(x - y)/(x - y)*log(x)*log(y))"),
+}
+POINTS = [{"x": fmpq(2, 7), "y": fmpq(5, 3)}, {"x": fmpq(19, 4), "y": fmpq(1, 9)}]
+
+
+def normal(text: str, given: str = "x > 0, y > 0") -> tuple[Field, Fraction]:
+    field = Field(Given.parse(given))
+    (value,) = field.normal(parse(text))
+    return field, value
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("point", POINTS, ids=["first", "second"])
+def test_value_in_balls(kind: str, point: dict[str, fmpq]) -> None:
+    field, x = normal(KINDS[kind][1])
+    at = {name: arb(value) for name, value in point.items()}
+    value = field.ball(x, at)
+    assert value.is_finite()
+    assert value.overlaps(evaluate(parse(KINDS[kind][1]), at))
+    assert value.rel_accuracy_bits() > 30
+
+
+@pytest.mark.parametrize(
+    ("text", "point"),
+    [
+        ("x + z", {"x": fmpq(1)}),
+        ("sign(x - y)", {"x": fmpq(1), "y": fmpq(1)}),
+        ("log(x - y)", {"x": fmpq(1), "y": fmpq(1)}),
+        ("1/(x - y)", {"x": fmpq(1), "y": fmpq(1)}),
+        ("exp(x)/(x - y)", {"x": fmpq(1), "y": fmpq(1)}),
+    ],
+)
+def test_no_value_where_there_is_none(text: str, point: dict[str, fmpq]) -> None:
+    field, x = normal(text)
+    assert not field.ball(x, {name: arb(value) for name, value in point.items()}).is_finite()
+
+
+def test_no_value_of_an_unknown_function() -> None:
+    field = Field(Given(), frozenset())
+    (value,) = field.normal(parse("sin(x)"))
+    assert not field.ball(value, {"x": arb(1)}).is_finite()
+    assert not field.is_constant(value)
+    (one,) = field.normal(parse("sin(1)"))
+    assert not field.is_constant(one)  # nothing is known of it
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("log(x + sqrt(y))", "xy"),
+        ("exp(x - y)*z", "xyz"),
+        ("atan(x)/sin(y)", "xy"),
+        ("abs(x - y)", "xy"),
+        ("sqrt(2)*cos(pi/7) + log(3)", ""),
+        ("x - x + y", "y"),
+    ],
+)
+def test_dependence(text: str, names: str) -> None:
+    field, x = normal(text, "")
+    assert field.dependence(x) == frozenset(names)
+    assert field.is_constant(x) is (not names)
+
+
+def test_involved_reaches_the_innermost() -> None:
+    field, x = normal("log(1 + sqrt(exp(x) + 2))")
+    kinds = {field.at(i).kind for i in field.involved(x.num)}
+    assert kinds == {"log", "root", "exp", "symbol"}
+
+
+def test_involved_reaches_what_is_unknown() -> None:
+    field = Field(Given(), frozenset({"roots"}))
+    (x,) = field.normal(parse("sqrt(x + sin(1))"))
+    assert "opaque" in {field.at(i).kind for i in field.involved(x.num)}
+
+
+@pytest.mark.parametrize("text", ["x", "1/(x + y)", "log(x)", "log(x)/log(x + 1)", "pi*x"])
+def test_varies(text: str) -> None:
+    field, x = normal(text)
+    assert field.varies(x)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "2",
+        "log(2)/log(3)",
+        "log(x*y) - log(x) - log(y) + 1",
+        # several values, and constant on every region
+        "sign(x)",
+        "log(2 + sign(x))",
+        "log(2 + sign(x))/log(4 + sign(x - 1))",
+        "atan(x) + atan(1/x)",
+        "log(abs(x - 1)/(x - 1) + 3)",
+    ],
+)
+def test_not_shown_to_vary(text: str) -> None:
+    field, x = normal(text, "")
+    assert not field.varies(x)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x*y - x/y",
+        "pi*x",
+        "sqrt(x) + y**(1/3)",
+        "sqrt(3 + sqrt(x + y))",
+        "cos(pi/7)*x",
+        "exp(x/3) - exp(-y)",
+        "sin(x)/(2 + cos(3*x))",
+        "log(x + 1)/y",
+        "abs(x - y)*atan(x + y)",
+    ],
+)
+def test_the_name_reads_as_the_value(text: str) -> None:
+    field, x = normal(text)
+    at = {name: arb(value) for name, value in POINTS[0].items()}
+    assert evaluate(parse(field.fraction_text(x)), at).overlaps(field.ball(x, at))
