@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from types import ModuleType
 
+    from sympy import Symbol
+
     from tresym.ledger.claim import Claim
 
 PARTS = (
@@ -43,6 +45,13 @@ PARTS = (
     "bibliography",
     "promises",
 )
+
+
+def alike() -> tuple[Symbol, Symbol]:
+    """The two symbols that a careless hand would swap."""
+    from tresym.racket.notation import a, b
+
+    return a, b
 
 
 def parts() -> tuple[tuple[str, tuple[Claim, ...]], ...]:

@@ -39,7 +39,7 @@ from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import algebra, differentiation, exponentials
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import stable
-from tresym.racket.near import charts as margins
+from tresym.racket.near import charts
 from tresym.racket.notation import T, a, b, epsilon0, gamma, k, r, x
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
@@ -73,12 +73,12 @@ def _printed_at_unit_b(t: Any, m: Any) -> Any:
 
 def _printed_parts(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
     """log(printed/ε₀) = b³κ² p − κ² q in the chart (b, κ): p and q, from ε* and from Q(ε₀)."""
-    root = margins.root_by_kappa(b, kappa, m)
-    rate = margins.exponent_rate(*root, m)
+    root = charts.root_by_kappa(b, kappa, m)
+    rate = charts.exponent_rate(*root, m)
     growth = m.exp(2 * root.defect * root.defect * rate)
-    star = margins.leading_square_over(b, kappa, m)
+    star = charts.leading_square_over(b, kappa, m)
     # log(printed/ε*) = b (arctan r/r − 1/√(1 + r²)), which is b r² p.
-    return margins.printed_excess(root.r, m), star * rate * growth
+    return charts.printed_excess(root.r, m), star * rate * growth
 
 
 def _printed_error(b: Any, kappa: Any, m: Any) -> Any:
@@ -161,7 +161,7 @@ def _printed_relative(b: Any, kappa: Any, m: Any) -> Any:
     algebraic, flat = _printed_parts(b, kappa, m)
     cube = b * b * b
     scaled = algebraic - flat / cube
-    return scaled * margins.expm1_over(cube * kappa * kappa * scaled)
+    return scaled * charts.expm1_over(cube * kappa * kappa * scaled)
 
 
 printed_relative_error = boxed(
@@ -225,9 +225,9 @@ printed_remainder = Claim(
 
 
 EXCESS: tuple[Callable[..., Any], ...] = (
-    lambda b, kappa, m: margins.first_excess(margins.root_by_kappa(b, kappa, m), m),
-    lambda b, kappa, m: margins.second_excess(margins.root_by_kappa(b, kappa, m), m),
-    lambda b, kappa, m: margins.third_excess(margins.root_by_kappa(b, kappa, m), m),
+    lambda b, kappa, m: charts.first_excess(charts.root_by_kappa(b, kappa, m), m),
+    lambda b, kappa, m: charts.second_excess(charts.root_by_kappa(b, kappa, m), m),
+    lambda b, kappa, m: charts.third_excess(charts.root_by_kappa(b, kappa, m), m),
 )
 """(ε₀/ε* − Σ_{n≤N} c_n ε*^{2n})/ε*^{2N+2} for N = 0, 1, 2, in the chart (b, κ)."""
 
@@ -263,8 +263,8 @@ every_order = boxed(
     "every_order",
     "|ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
     (
-        lambda b, kappa, m: arb(fmpq(1, 4)) - margins.growth(b, kappa, m)[0],
-        lambda b, kappa, m: arb(fmpq(26, 10)) - margins.growth(b, kappa, m)[1],
+        lambda b, kappa, m: arb(fmpq(1, 4)) - charts.growth(b, kappa, m)[0],
+        lambda b, kappa, m: arb(fmpq(26, 10)) - charts.growth(b, kappa, m)[1],
     ),
     KAPPA,
     BY_KAPPA,
@@ -276,7 +276,7 @@ every_order = boxed(
 exponent_below = boxed(
     "exponent_below",
     "Q(e) < c₁e² for b/a ≤ 1 and 0 < e ≤ 1/4.",
-    (lambda b, r, e, m: -margins.exponent_bend(e, b, r, m),),
+    (lambda b, r, e, m: -charts.exponent_bend(e, b, r, m),),
     ((0, 1), (0, 1), (0, "1/4")),
     ("b", "sqrt(b/a)", "e"),
     "b/a <= 1, 0 < b <= 1, 0 < e <= 1/4",
@@ -298,7 +298,7 @@ TEN_THIRDS = fmpq(10, 3)
 
 def _gap(side: int) -> Callable[..., Any]:
     def margin(b: Any, k: Any, m: Any) -> Any:
-        gap, cube = margins.cubic_gap(b, k, m)
+        gap, cube = charts.cubic_gap(b, k, m)
         return arb(TEN_THIRDS) * cube - side * gap
 
     return margin
@@ -326,10 +326,10 @@ everywhere = Claim(
             Bound(_trivially, box((0, 1), (0, "53/1000")), sufficient=True),
             Bound(_gap(1), box(*_low), slopes=True),
             Bound(_gap(-1), box(*_low), slopes=True),
-            Bound(_cubic(margins.cubic_above, margins.by_root), box(*_middle)),
-            Bound(_cubic(margins.cubic_below, margins.by_root), box(*_middle), sufficient=True),
-            Bound(margins.cubic_above_far, box(*_far), sufficient=True),
-            Bound(_cubic(margins.cubic_below, margins.by_kappa), box(*_far), sufficient=True),
+            Bound(_cubic(charts.cubic_above, charts.by_root), box(*_middle)),
+            Bound(_cubic(charts.cubic_below, charts.by_root), box(*_middle), sufficient=True),
+            Bound(charts.cubic_above_far, box(*_far), sufficient=True),
+            Bound(_cubic(charts.cubic_below, charts.by_kappa), box(*_far), sufficient=True),
         ),
         ("x", "y"),
         EVERY,
@@ -344,9 +344,9 @@ everywhere = Claim(
 
 def _cubic_ratio(b: Any, kappa: Any, m: Any) -> Any:
     """(ε₀ − ε*)/q³ = 8 cos³θ (ε₀/ε* − 1)/ε*²."""
-    root = margins.root_by_kappa(b, kappa, m)
+    root = charts.root_by_kappa(b, kappa, m)
     square = 1 + root.r * root.r
-    return 8 / (m.sqrt(square) * square) * margins.first_excess(root, m)
+    return 8 / (m.sqrt(square) * square) * charts.first_excess(root, m)
 
 
 everywhere_too_small = boxed(
@@ -376,14 +376,14 @@ def _start(text: str) -> arb:
 
 def _sweep(start: str, constant: str, side: int) -> Callable[..., Any]:
     def margin(b: Any, k: Any, m: Any) -> Any:
-        return arb(as_rational(constant)) - side * margins.sweep_error(b, k, _start(start), m)
+        return arb(as_rational(constant)) - side * charts.sweep_error(b, k, _start(start), m)
 
     return margin
 
 
 def _newton(start: str, constant: str) -> Callable[..., Any]:
     def margin(b: Any, k: Any, m: Any) -> Any:
-        return arb(as_rational(constant)) - margins.newton_error(b, k, _start(start), m)
+        return arb(as_rational(constant)) - charts.newton_error(b, k, _start(start), m)
 
     return margin
 
@@ -452,7 +452,7 @@ FAR = ((0, 1), (0, "4/7"))
 
 def _error_of(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
     def error(b: Any, kappa: Any, m: Any) -> Any:
-        return margins.far_error(difference(b, kappa, _start(start), m), b, kappa, m)
+        return charts.far_error(difference(b, kappa, _start(start), m), b, kappa, m)
 
     return error
 
@@ -467,7 +467,7 @@ def _far_margins(difference: Callable[..., Any], constant: str) -> tuple[Callabl
 uniform_tail = boxed(
     "uniform_tail",
     "For √(ab) ≥ 7/4 the sweeps from π and from 4 err by at most 0.004 % of ε₀.",
-    _far_margins(margins.far_difference, "4e-5"),
+    _far_margins(charts.far_difference, "4e-5"),
     FAR,
     BY_KAPPA,
     "ab >= 49/16, 0 < b <= 1",
@@ -477,7 +477,7 @@ uniform_tail = boxed(
 newton_tail = boxed(
     "newton_tail",
     "For √(ab) ≥ 7/4 a Newton step after such a sweep errs by at most 0.0004 % of ε₀.",
-    _far_margins(margins.far_newton_difference, "4e-6"),
+    _far_margins(charts.far_newton_difference, "4e-6"),
     FAR,
     BY_KAPPA,
     "ab >= 49/16, 0 < b <= 1",
@@ -546,7 +546,7 @@ newton_side = Claim(
 slope_leading_term = boxed(
     "slope_leading_term",
     "|dε/dγ + 1/(4bε₀)| ≤ 3.15 √(ab) ε₀/b at γ = 0.",
-    within(margins.slope_rest, "12.6"),
+    within(charts.slope_rest, "12.6"),
     KAPPA,
     BY_KAPPA,
     QUARTER,
@@ -557,7 +557,7 @@ slope_leading_term = boxed(
 slope_constant_too_small = boxed(
     "slope_constant_too_small",
     "|dε/dγ + 1/(4bε₀)| ≤ 3.1 √(ab) ε₀/b at γ = 0.",
-    within(margins.slope_rest, "12.4"),
+    within(charts.slope_rest, "12.4"),
     KAPPA,
     BY_KAPPA,
     QUARTER,
@@ -591,8 +591,8 @@ bend_allowed = Claim(
 
 def _beyond_turning(defect: Any, m: Any) -> Any:
     """(4ε₀² − sin² 2ε₀)/(2ε₀)⁴, which is −(γ + b sin²ε)/(16bε₀⁴) at γ = −4bε₀², ε = 2ε₀."""
-    sinc = margins.sine_over(2 * defect)
-    return -margins.sine_rest(2 * defect) * (1 + sinc)
+    sinc = charts.sine_over(2 * defect)
+    return -charts.sine_rest(2 * defect) * (1 + sinc)
 
 
 bend_leaves = boxed(

@@ -25,7 +25,7 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.racket.compared.constants import CONSTANTS
 from tresym.racket.flip.separatrix import defect_over
-from tresym.racket.near import charts as margins
+from tresym.racket.near import charts
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Order
@@ -33,7 +33,7 @@ from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
 from tresym.reals.verdict import Verdict
 
-EXCESSES = (margins.first_excess, margins.second_excess)
+EXCESSES = (charts.first_excess, charts.second_excess)
 SAYS = ("|ε₀/ε* − 1| ≤ {} ε*².", "|ε₀/ε* − 1 − c₁ε*²| ≤ {} ε*⁴.")
 SIDES = ((1,), (1, -1))
 """The sides that boxes show: above ε₀, and below it."""
@@ -44,13 +44,13 @@ UNIT = box((0, 1), (0, 1))
 def _charts(order: int, a0: fmpq, constant: fmpq) -> tuple[Bound, ...]:
     """The bounds on the whole of a ≥ a₀: in (b, κ√a₀) and in (k/√a₀, a₀/a)."""
 
-    def near(b: Any, scaled: Any, m: Any) -> margins.Root:
-        return margins.root_by_kappa(b, scaled / arb(a0).sqrt(), m)
+    def near(b: Any, scaled: Any, m: Any) -> charts.Root:
+        return charts.root_by_kappa(b, scaled / arb(a0).sqrt(), m)
 
-    def far(scaled: Any, alpha: Any, m: Any) -> margins.Root:
-        return margins.root_by_k(scaled * arb(a0).sqrt(), alpha / arb(a0), m)
+    def far(scaled: Any, alpha: Any, m: Any) -> charts.Root:
+        return charts.root_by_k(scaled * arb(a0).sqrt(), alpha / arb(a0), m)
 
-    def margin(side: int, chart: Callable[..., margins.Root]) -> Callable[..., Any]:
+    def margin(side: int, chart: Callable[..., charts.Root]) -> Callable[..., Any]:
         return lambda x, y, m: arb(constant) - side * EXCESSES[order](chart(x, y, m), m)
 
     return tuple(Bound(margin(side, chart), UNIT) for side in SIDES[order] for chart in (near, far))
@@ -61,7 +61,7 @@ def _slab(order: int, a0: fmpq, a1: fmpq, constant: fmpq) -> tuple[Bound, ...]:
 
     def margin(side: int) -> Callable[..., Any]:
         def upper(a: Any, root_b: Any, m: Any) -> Any:
-            gap, power = margins.gap_over(a, root_b, order, m)
+            gap, power = charts.gap_over(a, root_b, order, m)
             return power * arb(constant) - side * gap
 
         return upper

@@ -47,7 +47,7 @@ from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
-from tresym.racket.near import charts as margins
+from tresym.racket.near import charts
 from tresym.racket.near.bending import curvature
 from tresym.racket.notation import (
     S,
@@ -100,10 +100,10 @@ theorem_remainder = Claim(
 
 def _left_side_rest(R: Any, e: Any, m: Any) -> Any:
     """(√L / (√(1+R) e/2) − 1)/e² for the left side L of the equation; L = (1+R)s²/(ρ+c)²."""
-    sinc, half = margins.sine_over(e), margins.sine_over(e / 2)
+    sinc, half = charts.sine_over(e), charts.sine_over(e / 2)
     root = m.sqrt(1 + R * e * e * sinc * sinc)
     mean = (R * sinc * sinc / (1 + root) - half * half / 2) / 2
-    return (margins.sine_rest(e) - mean) / (1 + e * e * mean)
+    return (charts.sine_rest(e) - mean) / (1 + e * e * mean)
 
 
 def _square_rest(R: Any, e: Any, m: Any) -> Any:
@@ -147,13 +147,13 @@ linear_left = boxed(
 
 def _log_ratio(b: Any, kappa: Any, m: Any) -> Any:
     """log(ε₀/ε*)/ε*² = −u/(λε*²), u = −λ log(ε₀/ε*)."""
-    root = margins.root_by_kappa(b, kappa, m)
-    rate = margins.exponent_rate(*root, m)
+    root = charts.root_by_kappa(b, kappa, m)
+    rate = charts.exponent_rate(*root, m)
     return rate * m.exp(2 * root.defect * root.defect * rate)
 
 
 def _quadratic_u(b: Any, kappa: Any, m: Any) -> Any:
-    return kappa * margins.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m)
+    return kappa * charts.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m)
 
 
 u_exponentially_small = boxed(
@@ -197,35 +197,35 @@ slope_of_u = Claim(
 
 def _per_turn_rest(b: Any, kappa: Any, m: Any) -> Any:
     """−(∂ε/∂F + √(ab) ε₀)/(√(ab) ε₀³) at γ = 0."""
-    e, _, r = margins.root_by_kappa(b, kappa, m)
-    sinc = margins.sine_over(e)
+    e, _, r = charts.root_by_kappa(b, kappa, m)
+    sinc = charts.sine_over(e)
     square = e * e * sinc * sinc
     root = m.sqrt(1 + r * r * square)
-    inside = margins.sine_rest(e) * root + r * r * sinc * sinc / (1 + root) + b * sinc * sinc
+    inside = charts.sine_rest(e) * root + r * r * sinc * sinc / (1 + root) + b * sinc * sinc
     return inside / (1 - b * square)
 
 
 def _per_turn_square(b: Any, kappa: Any, m: Any) -> Any:
-    return margins.root_by_kappa(b, kappa, m).defect * _per_turn_rest(b, kappa, m)
+    return charts.root_by_kappa(b, kappa, m).defect * _per_turn_rest(b, kappa, m)
 
 
 def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     """κ · 4b√(ab) · −(∂F/∂γ + 1/(4b√(ab) ε₀²)) at γ = 0; κT is the phase P."""
-    e, _, r = margins.root_by_kappa(b, kappa, m)
-    sinc, half = margins.sine_over(e), margins.sine_over(e / 2)
+    e, _, r = charts.root_by_kappa(b, kappa, m)
+    sinc, half = charts.sine_over(e), charts.sine_over(e / 2)
     root = m.sqrt(1 + r * r * e * e * sinc * sinc)
     # (c√(1 + Rs²)/s² − 1/e²): the differences c − 1, √ − 1 and e²/s² − 1, each over e².
     cosine, stretched = -half * half / 2, r * r * sinc * sinc / (1 + root)
-    algebraic = (m.cos(e) * stretched + cosine - margins.sine_rest(e) * (1 + sinc)) / (sinc * sinc)
-    return kappa * algebraic + (1 - r * r - 2 * b) * margins.phase_by_kappa(b, kappa, m)
+    algebraic = (m.cos(e) * stretched + cosine - charts.sine_rest(e) * (1 + sinc)) / (sinc * sinc)
+    return kappa * algebraic + (1 - r * r - 2 * b) * charts.phase_by_kappa(b, kappa, m)
 
 
 def _turn_slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
-    return margins.defect_over_kappa(b, kappa, m) * _turn_slope_rest(b, kappa, m)
+    return charts.defect_over_kappa(b, kappa, m) * _turn_slope_rest(b, kappa, m)
 
 
 def _slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
-    return margins.defect_over_kappa(b, kappa, m) * margins.slope_rest(b, kappa, m) / 4
+    return charts.defect_over_kappa(b, kappa, m) * charts.slope_rest(b, kappa, m) / 4
 
 
 def _printed_order(
@@ -333,7 +333,7 @@ d57_true_order = _true_order(
     "d57_true_order",
     "3/8 √(ab) ε₀/b < dε/dγ + 1/(4bε₀) < 3.15 √(ab) ε₀/b at γ = 0 for b ≥ 3/4: "
     "O(1) is true and not sharp.",
-    lambda b, kappa, m: -margins.slope_rest(b, kappa, m),
+    lambda b, kappa, m: -charts.slope_rest(b, kappa, m),
     "3/2",
     "12.6",
     "3/4",
@@ -502,10 +502,10 @@ theorem = Claim(
 
 def _decay(b: Any, kappa: Any, m: Any) -> Any:
     """ε₀ e^{π√(ab)} = 2 cos θ e^{−b arctan(r)/r} ε₀/ε*."""
-    root = margins.root_by_kappa(b, kappa, m)
-    exponent = root.defect * root.defect * margins.exponent_rate(*root, m)
+    root = charts.root_by_kappa(b, kappa, m)
+    exponent = root.defect * root.defect * charts.exponent_rate(*root, m)
     cosine = 1 / m.sqrt(1 + root.r * root.r)
-    return 2 * cosine * m.exp(exponent - b * margins.arctangent_over(root.r))
+    return 2 * cosine * m.exp(exponent - b * charts.arctangent_over(root.r))
 
 
 exponential_decay = boxed(

@@ -20,8 +20,7 @@ from tresym.racket.flip import defect, series, uniform
 from tresym.racket.flip.separatrix import solve
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
-from tresym.racket.near import bending
-from tresym.racket.near import charts as margins
+from tresym.racket.near import bending, charts
 from tresym.reals.balls.boxes import (
     Bound,
     BoxProof,
@@ -116,7 +115,7 @@ def balls_of(a, b):
 def test_the_exponent_rate_is_that_of_the_exact_root(a, b):
     with ball_precision(256):
         _, b_, k, r, exact = balls_of(a, b)
-        rate = margins.exponent_rate(exact, b_, r, balls)
+        rate = charts.exponent_rate(exact, b_, r, balls)
         expected = (exact / stable.leading_term(k, r, balls)).log() / exact**2
         assert abs(rate - expected) < 1e-9
 
@@ -127,9 +126,9 @@ def test_the_charts_are_the_same_shape(a, b):
         a_, b_, k, r, _ = balls_of(a, b)
         star = stable.leading_term(k, r, balls)
         for shape in (
-            margins.by_kappa(b_, 1 / k, balls),
-            margins.by_k(k, 1 / a_, balls),
-            margins.by_root(b_, k, balls),
+            charts.by_kappa(b_, 1 / k, balls),
+            charts.by_k(k, 1 / a_, balls),
+            charts.by_root(b_, k, balls),
         ):
             assert abs(shape.leading / star - 1) < 1e-9
             assert shape.b.overlaps(b_)
@@ -143,9 +142,9 @@ def test_the_errors_of_the_uniform_formulas_are_the_true_ones(a, b, start):
         a_, b_, k, _, exact = balls_of(a, b)
         begin = balls.pi if start == "pi" else arb(4)
         line = uniform.one_line if start == "pi" else uniform.balanced
-        error = margins.sweep_error(b_, k, begin, balls)
+        error = charts.sweep_error(b_, k, begin, balls)
         assert abs(error - (line(a_, b_, balls) / exact - 1)) < 1e-9
-        newton = margins.newton_error(b_, k, begin, balls)
+        newton = charts.newton_error(b_, k, begin, balls)
         true = 1 - uniform.one_step(a_, b_, balls, begin) / exact
         assert true >= 0
         assert newton.contains(true) or abs(newton - true) < 1e-12
@@ -161,7 +160,7 @@ def test_the_slope_at_the_separatrix(a, b):
             exact, a_, b_, arb(0), 1, balls
         )
         rest = (-4 * b_ * exact * slope - 1) / exact**2 / k
-        found = margins.slope_rest(b_, 1 / k, balls)
+        found = charts.slope_rest(b_, 1 / k, balls)
         assert found.overlaps(rest) or abs(found - rest) < 1e-6
         assert abs(slope + 1 / (4 * b_ * exact)) < arb("3.15") * k * exact / b_
 
@@ -224,13 +223,13 @@ def test_the_excesses_are_those_of_the_exact_root(a, b, order):
         _, b_, k, _, _ = balls_of(a, b)
         expected = excesses(a, b, 12)[order]
         ratio = constants.EXCESSES[order]
-        assert abs(ratio(margins.root_by_k(k, 1 / arb(a), balls), balls) - expected) < 1e-9
-        assert abs(ratio(margins.root_by_kappa(b_, 1 / k, balls), balls) - expected) < 1e-9
-        gap, power = margins.gap_over(arb(a), b_.sqrt(), order, balls)
+        assert abs(ratio(charts.root_by_k(k, 1 / arb(a), balls), balls) - expected) < 1e-9
+        assert abs(ratio(charts.root_by_kappa(b_, 1 / k, balls), balls) - expected) < 1e-9
+        gap, power = charts.gap_over(arb(a), b_.sqrt(), order, balls)
         assert abs(gap / power - expected) < 1e-9
     with ball_precision(64):
         wide = arb(b, fmpq(1, 1000)), 1 / arb(a * b).sqrt() * arb(1, fmpq(1, 1000))
-        assert ratio(margins.root_by_kappa(*wide, balls), balls).contains(expected)
+        assert ratio(charts.root_by_kappa(*wide, balls), balls).contains(expected)
 
 
 @pytest.mark.parametrize(("a", "b"), SIX)
@@ -242,7 +241,7 @@ def test_the_third_excess_is_that_of_the_exact_root(a, b):
         square = star * star
         c = series.coefficient_values(2, b_, r * r, balls)
         expected = (exact / star - 1 - c[1] * square - c[2] * square**2) / square**3
-        found = margins.third_excess(margins.root_by_kappa(b_, 1 / k, balls), balls)
+        found = charts.third_excess(charts.root_by_kappa(b_, 1 / k, balls), balls)
         assert found.overlaps(expected)
         assert found.rad() < 1e-2
 
@@ -373,10 +372,10 @@ def test_the_errors_far_out_are_the_true_ones(a, b, start):
         begin = balls.pi if start == "pi" else arb(4)
         line = uniform.one_line if start == "pi" else uniform.balanced
         for difference, formula in (
-            (margins.far_difference, line(a_, b_, balls)),
-            (margins.far_newton_difference, uniform.one_step(a_, b_, balls, begin)),
+            (charts.far_difference, line(a_, b_, balls)),
+            (charts.far_newton_difference, uniform.one_step(a_, b_, balls, begin)),
         ):
-            found = margins.far_error(difference(b_, 1 / k, begin, balls), b_, 1 / k, balls)
+            found = charts.far_error(difference(b_, 1 / k, begin, balls), b_, 1 / k, balls)
             true = formula.tan() / exact.tan() - 1
             assert abs(found - true) < abs(true) * 1e-4
             assert abs(formula / exact - 1) <= abs(true)
@@ -427,8 +426,8 @@ def _wrong_exponent(order, power, constant):
     """|ε₀/ε* − …| ≤ C ε*^{2·order + 2 + power} where the right power is 2·order + 2."""
 
     def margin(b, kappa, m):
-        star = margins.by_kappa(b, kappa, m).leading
-        excess = constants.EXCESSES[order](margins.root_by_kappa(b, kappa, m), m)
+        star = charts.by_kappa(b, kappa, m).leading
+        excess = constants.EXCESSES[order](charts.root_by_kappa(b, kappa, m), m)
         return arb(constant) * star**power - excess
 
     return margin

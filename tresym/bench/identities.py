@@ -33,6 +33,7 @@ from tresym.bench.run import (
     forget,
     interleave,
 )
+from tresym.ledger import paper
 from tresym.ledger.claim import Chain, Claim, Together, parts_of
 from tresym.ledger.evidence.manifest import manifest_sign
 from tresym.ledger.meaning import definitions, put_in, to_expression, to_given
@@ -143,7 +144,7 @@ def _expressions(says: Any, chain: Chain) -> list[Any]:
 
 def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]:
     """The first change of the right side that balls show to be false."""
-    for changed in islice(mutations(right), VARIANTS):
+    for changed in islice(mutations(right, paper.alike()), VARIANTS):
         if not changed.has(*OPEN) and _verdict(left, changed, given) is Verdict.REFUTED:
             yield Identity(f"{name}, made false", left, changed, given, False)
             return

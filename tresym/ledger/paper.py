@@ -12,6 +12,8 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from sympy import Symbol
+
 from tresym.ledger.claim import Claim
 
 PAPER = "tresym.proofs"
@@ -30,6 +32,12 @@ def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
     """The parts of the proofs in the paper's order: a title and the claims stated there."""
     stated: tuple[tuple[str, tuple[Claim, ...]], ...] = import_module(PAPER).parts()
     return stated
+
+
+def alike() -> tuple[Symbol, Symbol]:
+    """The two symbols of the paper that are most easily taken for each other."""
+    pair: tuple[Symbol, Symbol] = import_module(PAPER).alike()
+    return pair
 
 
 def file_of(name: str) -> Path:

@@ -1,7 +1,7 @@
 """Changes of an expression, one at a time: what a careless hand might have written instead.
 
-A sign is flipped, a coefficient changed by one, an exponent by one or by the factor 2, a and b or
-sine and cosine are swapped, a term or a factor is dropped, an inequality is turned round.
+A sign is flipped, a coefficient changed by one, an exponent by one or by the factor 2, two symbols
+or sine and cosine are swapped, a term or a factor is dropped, an inequality is turned round.
 """
 
 from __future__ import annotations
@@ -31,13 +31,16 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
-from tresym.racket.notation import a, b
-
 Path = tuple[int, ...]
 
 
-def mutations(e: Basic) -> Iterator[Basic]:
-    """``e`` with one change anywhere in it, or with a and b swapped; the first few of all kinds."""
+def mutations(e: Basic, alike: tuple[Symbol, Symbol]) -> Iterator[Basic]:
+    """``e`` with one change anywhere in it, or two symbols swapped; the first few of all kinds.
+
+    Args:
+        alike: the symbols of the paper that are most easily taken for each other.
+    """
+    a, b = alike
     edits = [((), e.xreplace({a: b, b: a})), *_edits(e, ())]
     seen = {e}
     for path, changed in _scattered(edits):

@@ -21,6 +21,7 @@ from typing import Any
 
 from sympy import Basic, Derivative, Eq, Equivalent, Integral, Subs, Tuple
 
+from tresym.ledger import paper
 from tresym.ledger.claim import (
     AllOf,
     Chain,
@@ -97,6 +98,10 @@ class _Spot:
             claims = self.claims(variant)
             if self.violated(claims[0]):
                 yield tuple(Mutant(origin, self.name, str(variant), c) for c in claims)
+
+
+def _mutations(e: Basic) -> Iterator[Basic]:
+    return mutations(e, paper.alike())
 
 
 def mutants(
@@ -207,7 +212,7 @@ def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
     def claims(changed: Variant) -> tuple[Claim, ...]:
         return (replace(claim, proof=formally(changed, using=claim.uses)),)
 
-    return _Spot(name, mutations(relation), claims, _is_violated)
+    return _Spot(name, _mutations(relation), claims, _is_violated)
 
 
 def _counterexample_spot(claim: Claim, proof: Counterexample) -> _Spot:
@@ -222,7 +227,7 @@ def _counterexample_spot(claim: Claim, proof: Counterexample) -> _Spot:
     def violated(mutated: Claim) -> bool:
         return judge(mutated, {}).verdict is Verdict.REFUTED
 
-    return _Spot("what the point violates", mutations(proof.violated), claims, violated)
+    return _Spot("what the point violates", _mutations(proof.violated), claims, violated)
 
 
 def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
@@ -236,7 +241,7 @@ def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
         return judge(mutated, {}).verdict is Verdict.REFUTED
 
     known = condition.free_symbols
-    same = (changed for changed in mutations(condition) if changed.free_symbols <= known)
+    same = (changed for changed in _mutations(condition) if changed.free_symbols <= known)
     return _Spot(f"condition {n}", same, claims, violated)
 
 
@@ -251,7 +256,7 @@ def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterat
         alone = formally(*scalars(changed), using=claim.uses)
         return follows, replace(claim, says=changed, proof=alone)
 
-    yield _Spot(prefix + "statement", mutations(says), claims, _is_violated)
+    yield _Spot(prefix + "statement", _mutations(says), claims, _is_violated)
     yield from _step_spots(claim, _start(says), chain, prefix)
 
 
@@ -280,7 +285,7 @@ def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterat
             says, proof = relate(before, changed), (Step(changed, link.reasons),)
             return (replace(claim, says=says, proof=proof),)
 
-        yield _Spot(f"{prefix}step {n}", mutations(link.expression), claims, _is_violated)
+        yield _Spot(f"{prefix}step {n}", _mutations(link.expression), claims, _is_violated)
         before = link.expression
 
 
@@ -298,7 +303,7 @@ def _root_spots(claim: Claim, proof: UniqueRoot) -> Iterator[_Spot]:
             change: Any = {name: changed}
             return (replace(claim, proof=replace(proof, **change)),)
 
-        yield _Spot(name, mutations(getattr(proof, name)), claims, violated)
+        yield _Spot(name, _mutations(getattr(proof, name)), claims, violated)
     v = proof.variable
     inside = replace(claim, given=(*claim.given, v > proof.low, v < proof.high))
     slope = proof.function.diff(v, evaluate=False)
@@ -356,9 +361,9 @@ def _other_meanings(says: Basic) -> Iterator[Basic]:
     parts = parts_of(says)
     for n, part in enumerate(parts):
         left, right = part.args
-        others = [equal(left, changed) for changed in mutations(right)]
+        others = [equal(left, changed) for changed in _mutations(right)]
         if isinstance(left, Integral):
-            others += [equal(changed, right) for changed in mutations(left)]
+            others += [equal(changed, right) for changed in _mutations(left)]
         for other in others:
             whole = (*parts[:n], other, *parts[n + 1 :])
             yield Tuple(*whole) if isinstance(says, Tuple) else other

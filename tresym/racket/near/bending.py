@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.racket.near import charts as margins
+from tresym.racket.near import charts
 from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import Interval
 
@@ -94,8 +94,8 @@ def candidate(e0: arb, lam: arb, kappa: arb, v: arb, p: arb, constant: arb, m: A
     gain, gain_rate = v * (p + constant * v), p + 2 * constant * v
     f = line + lam * gain
     e = e0 * f
-    half, cosine = margins.sine_over(e / 2), m.cos(e)
-    S = gain + kappa * f * f * f * margins.sine_rest(e)
+    half, cosine = charts.sine_over(e / 2), m.cos(e)
+    S = gain + kappa * f * f * f * charts.sine_rest(e)
     s = line + lam * S
     z = m.sqrt(root_line**2 + lam * S * (2 * line + lam * S))
     Z = S * (2 * line + lam * S) / (z + root_line)
@@ -131,12 +131,12 @@ def lower_end(c: Candidate, b: arb, R: arb, e0: arb, v: arb, turn: arb, m: Any) 
 
 def curvature(b: arb, kappa: arb, v: arb, constant: arb, m: Any) -> arb:
     """H″(v)/λ for the candidate with this C = ``constant``, in the chart (b, κ, v)."""
-    e0, _, r = margins.root_by_kappa(b, kappa, m)
+    e0, _, r = charts.root_by_kappa(b, kappa, m)
     R, square = r * r, e0 * e0
-    exponent = square * margins.exponent_rate(e0, b, r, m)
-    lam = kappa * margins.leading_square_over(b, kappa, m) * m.exp(2 * exponent)
-    phase = margins.phase_by_kappa(b, kappa, m)
-    p = -margins.slope_rest_at(e0, b, r, kappa, phase, m) / 4
+    exponent = square * charts.exponent_rate(e0, b, r, m)
+    lam = kappa * charts.leading_square_over(b, kappa, m) * m.exp(2 * exponent)
+    phase = charts.phase_by_kappa(b, kappa, m)
+    p = -charts.slope_rest_at(e0, b, r, kappa, phase, m) / 4
     c = candidate(e0, lam, kappa, v, p, constant, m)
     ends = lower_end(c, b, R, e0, v, 2 * constant * lam, m)
     q, y = m.sqrt(1 + square * v), c.sine / c.root

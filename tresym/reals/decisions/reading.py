@@ -9,7 +9,7 @@ from typing import Any
 
 from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
 from tresym.reals.language.parsing import Derivative, parse, parse_claim, tidy
-from tresym.reals.language.sympy import from_sympy
+from tresym.reals.language.sympy import atoms, from_sympy
 from tresym.reals.language.typography import plain
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -257,9 +257,7 @@ def _variables(claim: Any) -> list[Any]:
     Raises:
         InputError: a symbol that may not take every real value that its sign allows.
     """
-    from sympy import Symbol
-
-    found = sorted(claim.atoms(Symbol), key=str)
+    found = atoms(claim, "Symbol")
     for variable in found:
         if variable.is_extended_real is False or variable.is_finite is False:
             raise InputError(f"{variable.name} is not a real variable, and all variables here are")
@@ -274,10 +272,8 @@ def _variables(claim: Any) -> list[Any]:
 
 def _derivatives(claim: Any) -> tuple[Derivative, ...]:
     """The derivatives that a SymPy relation, read already, holds: one variable after the other."""
-    from sympy import Derivative as Written
-
     found: dict[Derivative, None] = {}
-    for part in sorted(claim.atoms(Written), key=str):
+    for part in atoms(claim, "Derivative"):
         function = from_sympy(part.expr)
         for variable, count in part.variable_count:
             slope = function

@@ -54,6 +54,13 @@ def from_sympy(e: Any, derivative: Callable[[Any, Any], Expr] | None = None) -> 
     return walk(sympy.sympify(e))
 
 
+def atoms(e: Any, kind: str) -> list[Any]:
+    """The parts of a SymPy expression of a class of SymPy's, in the order of their text."""
+    import sympy
+
+    return sorted(e.atoms(getattr(sympy, kind)), key=str)
+
+
 _SYMPY_NAMES = {"Abs": "abs"} | {name: name for name in FUNCTIONS - {"abs", "cbrt"}}
 _SYMPY_RECIPROCALS = {"asec": "acos", "acsc": "asin", "acot": "atan"} | {
     "asech": "acosh",

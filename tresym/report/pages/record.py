@@ -12,7 +12,7 @@ from typing import Any
 from tresym.ledger.claim import Claim
 from tresym.ledger.paper import display_lines, sections
 from tresym.ledger.verification import Report, Row
-from tresym.reals.numbers.exact import fraction_text
+from tresym.report.pages.rows import common, line_of
 from tresym.report.words.chains import displays
 from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import says_latex
@@ -74,29 +74,18 @@ def _inverse(
 
 
 def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
-    claim, finding = row.claim, row.finding
-    where = claim.where
+    claim = row.claim
     return {
-        "kind": claim.kind,
-        "place": place_text(claim) if where else None,
-        "line": where and (where.line or lines.get(where.display)),
+        **common(row),
+        "place": place_text(claim) if claim.where else None,
+        "line": line_of(row, lines),
         "says": claim.says if isinstance(claim.says, str) else None,
         "formula": _formula(claim),
         "given": gathered(claim.given),
-        "verdict": finding.verdict.value,
         "chains": _chains(claim),
         "evidence": _evidence(claim),
-        "why": finding.why,
-        "value": finding.value and finding.value._asdict(),
-        "constant": finding.constant and finding.constant._asdict(),
-        "region": finding.region,
-        "parameter": finding.parameter,
-        "witness": finding.witness
-        and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
         "note": claim.note,
         "paper_says": claim.paper_says,
-        "uses": [used.label for used in claim.uses],
-        "amended_by": [amendment.label for amendment in claim.amended_by],
     }
 
 

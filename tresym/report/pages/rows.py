@@ -22,36 +22,45 @@ def report_json(report: Report) -> dict[str, Any]:
     }
 
 
-def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
+def common(row: Row) -> dict[str, Any]:
+    """What every JSON row of a claim has."""
     claim, finding = row.claim, row.finding
-    where = claim.where
     return {
-        "label": claim.label,
-        "requested": row.requested,
         "kind": claim.kind,
-        "says": says_latex(claim.says),
-        "formal": is_formal(claim),
-        "given": [given_latex(condition) for condition in claim.given],
         "verdict": finding.verdict.value,
-        "expect": claim.expect.value,
         "value": finding.value and finding.value._asdict(),
         "constant": finding.constant and finding.constant._asdict(),
         "region": finding.region,
         "parameter": finding.parameter,
-        "steps": [
-            {"verdict": s.verdict.value, "why": s.why, "seconds": round(s.seconds, 6)}
-            for s in finding.steps
-        ],
-        "where": where
-        and {
-            "display": where.display,
-            "line": where.line or lines.get(where.display),
-            "cell": where.cell,
-        },
         "witness": finding.witness
         and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
         "amended_by": [claim.label for claim in claim.amended_by],
         "uses": [used.label for used in claim.uses],
         "why": finding.why,
+    }
+
+
+def line_of(row: Row, lines: dict[int | None, int]) -> int | None:
+    """The line of the paper's source that the claim is about."""
+    where = row.claim.where
+    return None if where is None else where.line or lines.get(where.display)
+
+
+def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
+    claim, finding, where = row.claim, row.finding, row.claim.where
+    return {
+        "label": claim.label,
+        "requested": row.requested,
+        "says": says_latex(claim.says),
+        "formal": is_formal(claim),
+        "given": [given_latex(condition) for condition in claim.given],
+        "expect": claim.expect.value,
+        "steps": [
+            {"verdict": s.verdict.value, "why": s.why, "seconds": round(s.seconds, 6)}
+            for s in finding.steps
+        ],
+        "where": where
+        and {"display": where.display, "line": line_of(row, lines), "cell": where.cell},
+        **common(row),
         "seconds": round(finding.seconds, 6),
     }
