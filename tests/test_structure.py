@@ -16,9 +16,9 @@ ROOT = Path(__file__).resolve().parent.parent
 
 FLOORS = (
     ("reals",),
-    ("racket", "output"),
-    ("ledger", "sweep"),
-    ("proofs", "report", "bench"),
+    ("racket", "output", "ledger"),
+    ("sweep", "proofs", "report"),
+    ("bench",),
     ("commands",),
     ("site", "__main__"),
 )
