@@ -16,7 +16,9 @@ from tresym.reals.numbers.exact import (
     parse_number,
 )
 
-_MULTIPLE = re.compile(r"([+-]?)(?:([^*]*)\*)?pi(?:/([^*/]*))?", re.ASCII)
+_MULTIPLE = re.compile(
+    r"\s*([+-]?)\s*(?:([^*\s+-][^*]*?)\s*\*\s*)?pi\s*(?:/\s*([^*/]*))?\s*", re.ASCII
+)
 
 # sin² of the multiples of π at which it is rational (Niven's theorem), by position in a period.
 _RATIONAL_SQUARES = {
@@ -87,7 +89,7 @@ def parse_angle(text: str, what: str = "angle") -> Angle:
     """
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
-    match = _MULTIPLE.fullmatch(text.replace(" ", "").replace("\t", ""))
+    match = _MULTIPLE.fullmatch(text)
     if match is None:
         try:
             return Angle(fmpq(0), parse_number(text, what))
