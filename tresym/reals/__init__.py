@@ -29,13 +29,15 @@ Where to start reading. The rooms, each of which imports only from those above i
 - ``places``: conditions, exact points in them, where each operation is defined, and values in
   balls.
 - ``normal``: the exact normal form: a ring with generators for roots, exponentials, angles and
-  signs, in which equal expressions have difference 0. Begin at ``identity.py``, which states the
-  promise for equalities.
+  signs, in which equal expressions have difference 0.
 - ``signs``: the sign of an expression under conditions, by several exact methods.
 - ``balls``: boxes cut in halves until balls decide, and expansions with certified remainders.
 - ``decisions``: a statement is read (``reading.py``), each comparison goes to the procedure of its
-  kind (``statement.py``), and the answer is put into words (``answer.py``).
+  kind (``statement.py``), and the answer is put into words (``answer.py``). Begin at
+  ``identity.py``, which states the promise for equalities.
 - ``corpus``: true and false claims with known answers, for tests and measurements.
 
-``verdict.py`` names the verdicts; ``processes.py`` runs work in other processes.
+``advocate.py`` shares nothing with the provers: it attacks in balls what is about to pass, at points
+that they did not choose. ``verdict.py`` names the verdicts; ``processes.py`` runs work in other
+processes.
 """
