@@ -26,7 +26,7 @@ from tresym.reals.balls.boxes import (
     BoxProof,
     CertificateError,
     box,
-    decide,
+    decide_bound,
     leaf_boxes,
     recheck,
     value_at,
@@ -79,7 +79,7 @@ def test_stored_proofs_are_those_of_the_enclosed_bounds(claim):
 def test_a_tampered_certificate_is_refused():
     proof = asymptotics.repaired.proof
     with pytest.raises(CertificateError):
-        decide(proof.bounds[0], stored=BoxProof("b"))
+        decide_bound(proof.bounds[0], stored=BoxProof("b"))
 
 
 def test_what_is_found_anew_is_what_is_stored(tmp_path, monkeypatch):
@@ -193,14 +193,16 @@ WRONG = [
 
 @pytest.mark.parametrize(("margins_", "sides"), WRONG)
 def test_constants_beyond_the_supremum_are_never_enclosed(margins_, sides):
-    verdicts = {decide(Bound(margin, box(*sides)), budget=1500).verdict for margin in margins_}
+    verdicts = {
+        decide_bound(Bound(margin, box(*sides)), budget=1500).verdict for margin in margins_
+    }
     assert verdicts != {Verdict.ENCLOSED}
 
 
 def test_a_range_too_long_is_never_enclosed():
     """The constant of ab ≥ 1/4 fails on ab ≥ 1/5."""
     parts = asymptotics.within(asymptotics.EXCESS[0], "1.451")
-    verdicts = {decide(Bound(p, box((0, 1), (0, "9/4"))), budget=1500).verdict for p in parts}
+    verdicts = {decide_bound(Bound(p, box((0, 1), (0, "9/4"))), budget=1500).verdict for p in parts}
     assert verdicts != {Verdict.ENCLOSED}
 
 
@@ -268,7 +270,7 @@ def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
     if a0 < constants.SMALL:
         proofs.append(constants._slab(order, a0, 2 * a0, short))
     for bounds in proofs:
-        assert Verdict.REFUTED in {decide(bound, budget=50).verdict for bound in bounds}
+        assert Verdict.REFUTED in {decide_bound(bound, budget=50).verdict for bound in bounds}
 
 
 @pytest.mark.parametrize("order", [0, 1])
@@ -276,7 +278,7 @@ def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
 def test_a_constant_does_not_reach_below_its_least_a(order, a0, row):
     constant = as_rational(CONSTANTS[row][1 + order])
     bounds = constants._charts(order, as_rational(a0), constant)
-    assert Verdict.REFUTED in {decide(bound, budget=50).verdict for bound in bounds}
+    assert Verdict.REFUTED in {decide_bound(bound, budget=50).verdict for bound in bounds}
 
 
 @given(
@@ -360,7 +362,7 @@ def test_the_rest_of_the_numerator_is_enclosed(b, R):
 
 @pytest.mark.parametrize("constant", ["1/2", "-1/20"])
 def test_too_small_a_curvature_shows_nothing_and_refutes_nothing(constant):
-    assert decide(orders.bending(constant), budget=300).verdict is Verdict.UNDECIDED
+    assert decide_bound(orders.bending(constant), budget=300).verdict is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize(("a", "b"), [(fmpq(4), fmpq(1)), (fmpq(1000), fmpq(1, 50))])
@@ -409,7 +411,7 @@ def test_a_bound_a_little_stronger_than_the_truth_is_never_enclosed(bound, proof
         return bound.margin(*at) - taken
 
     false = replace(bound, margin=falsified)
-    assert decide(false, budget=150).verdict is not Verdict.ENCLOSED
+    assert decide_bound(false, budget=150).verdict is not Verdict.ENCLOSED
     with pytest.raises(CertificateError):
         recheck(false, proof)
 
@@ -438,7 +440,7 @@ def _wrong_exponent(order, power, constant):
 @pytest.mark.parametrize("sides", [asymptotics.KAPPA, (("9/10", 1), (0, "1/10")), ((0, 1), (0, 0))])
 def test_a_wrong_exponent_at_the_flat_edge_is_refuted(order, power, sides):
     """At κ = 0 every power of ε* vanishes while the excess tends to c₁ or c₂."""
-    found = decide(Bound(_wrong_exponent(order, power, 1000), box(*sides)), budget=400)
+    found = decide_bound(Bound(_wrong_exponent(order, power, 1000), box(*sides)), budget=400)
     assert found.verdict is Verdict.REFUTED
 
 
@@ -447,7 +449,7 @@ def test_a_wrong_exponent_at_the_flat_edge_is_refuted(order, power, sides):
 def test_no_constant_serves_the_corner_where_a_vanishes(order, constant):
     """The chart (a, √b) up to a = 0: ε₀ tends to a positive limit at b = 1, and ε* to 0."""
     bounds = constants._slab(order, fmpq(0), fmpq(1, 10), as_rational(constant))
-    verdicts = {decide(bound, budget=600).verdict for bound in bounds}
+    verdicts = {decide_bound(bound, budget=600).verdict for bound in bounds}
     assert verdicts != {Verdict.ENCLOSED}
     assert constant == "1000000" or Verdict.REFUTED in verdicts
 
@@ -469,5 +471,5 @@ def test_no_constant_serves_the_corner_where_a_vanishes(order, constant):
 def test_a_range_beyond_the_stated_one_is_never_enclosed(claim, sides):
     proof = next(c for c in CLAIMS if c.label == claim).proof
     bounds = [replace(bound, box=box(*sides)) for bound in proof.bounds]
-    verdicts = {decide(bound, budget=300).verdict for bound in bounds}
+    verdicts = {decide_bound(bound, budget=300).verdict for bound in bounds}
     assert verdicts != {Verdict.ENCLOSED}

@@ -34,7 +34,7 @@ from tresym.racket.formulas import printed
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision
 from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.sweep import CsvFile, Grid, cluster, processes, sweep
-from tresym.sweep.rows import FORMULAS, Row, compute
+from tresym.sweep.rows import FORMULAS, SweepRow, compute
 from tresym.sweep.run import Progress, batch_size, duration
 from tresym.sweep.source import LONGEST_LINE, read_values
 from tresym.sweep.table import packed
@@ -51,10 +51,10 @@ def rows_of(path: Path | str) -> list[tuple[Any, ...]]:
         return list(connection.execute("SELECT * FROM rows ORDER BY line"))
 
 
-def float_rows_of(path: Path | str) -> list[Row]:
+def float_rows_of(path: Path | str) -> list[SweepRow]:
     """Rows in float64, whose table has no column for a radius."""
-    radius = Row._fields.index("radius")
-    return [Row(*values[:radius], None, *values[radius:]) for values in rows_of(path)]
+    radius = SweepRow._fields.index("radius")
+    return [SweepRow(*values[:radius], None, *values[radius:]) for values in rows_of(path)]
 
 
 @contextmanager
@@ -77,7 +77,7 @@ def test_rows_are_what_flip_says(expected: list[tuple[Any, ...]]) -> None:
     points = list(itertools.product(*GRID))
     assert [row[0] for row in expected] == list(range(1, 82))
     for values, (a, b, gamma) in zip(expected, points, strict=True):
-        row = Row(*values)
+        row = SweepRow(*values)
         answer = flip_defect(a, b, gamma, 40)
         assert [parse_number(str(x)) for x in (row.a, row.b, row.gamma)] == [a, b, gamma]
         assert row.realizable == answer.realizable
@@ -90,7 +90,7 @@ def test_rows_are_what_flip_says(expected: list[tuple[Any, ...]]) -> None:
 def test_errors_of_the_formulas_are_right_to_six_digits(expected: list[tuple[Any, ...]]) -> None:
     shown = 0
     for values in expected:
-        row = Row(*values)
+        row = SweepRow(*values)
         a, b, gamma = (parse_number(str(x)) for x in (row.a, row.b, row.gamma))
         with ball_precision(400):
             truth, middle = (flip_defect(a, b, g, 90).defect for g in (gamma, 0))
@@ -210,7 +210,7 @@ def test_bad_rows_stand_beside_good_ones(tmp_path: Path) -> None:
     source = tmp_path / "bodies.csv"
     source.write_bytes(CSV)
     found = sweep(CsvFile(str(source)), str(tmp_path / "t"), 15, serial)
-    rows = {values[0]: Row(*values) for values in rows_of(tmp_path / "t")}
+    rows = {values[0]: SweepRow(*values) for values in rows_of(tmp_path / "t")}
     assert sorted(rows) == [2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13]
     good = {line for line, row in rows.items() if row.problem is None}
     assert good == {2, 5, 13}
@@ -284,7 +284,9 @@ def test_what_landed_before_the_workers_died_is_kept(
     assert rows_of(tmp_path / "t") == expected
 
 
-@pytest.mark.parametrize("batch", [b"nonsense" * 1000, packed([Row(1, "x", defect=0.5)], True)])
+@pytest.mark.parametrize(
+    "batch", [b"nonsense" * 1000, packed([SweepRow(1, "x", defect=0.5)], True)]
+)
 def test_a_batch_that_is_none_does_not_land(
     tmp_path: Path, batch: bytes, expected: list[tuple[Any, ...]]
 ) -> None:
@@ -392,12 +394,12 @@ def test_exports_say_what_the_table_says(tmp_path: Path, expected: list[tuple[An
     sweep(GRID, str(tmp_path / "t"), 20, serial, export=str(tmp_path / "t.csv"))
     with open(tmp_path / "t.csv", newline="", encoding="utf-8") as file:
         header, *lines = csv.reader(file)
-    assert tuple(header) == Row._fields
+    assert tuple(header) == SweepRow._fields
     assert lines == [["" if x is None else str(x) for x in row] for row in expected]
     parquet = pytest.importorskip("pyarrow.parquet")
     sweep(GRID, str(tmp_path / "t"), 20, serial, export=str(tmp_path / "t.parquet"))
     table = parquet.read_table(tmp_path / "t.parquet")
-    assert table.column_names == list(Row._fields)
+    assert table.column_names == list(SweepRow._fields)
     assert [tuple(row.values()) for row in table.to_pylist()] == expected
     assert sorted(p.name for p in tmp_path.iterdir()) == ["t", "t.csv", "t.parquet"]
 

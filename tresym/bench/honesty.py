@@ -38,12 +38,12 @@ LIMIT = 3.0
 MOST = 60.0
 """Digits beyond which nothing is told apart."""
 
-Point = dict[str, Any]
+MeasuredPoint = dict[str, Any]
 
 
 def measure(keep: Keep = forget) -> Measurement:
     """The workload ``honesty``; nothing is timed."""
-    points: list[Point] = []
+    points: list[MeasuredPoint] = []
     complete = True
     try:
         for group in (_balls, _quadratures, _roots, _solvers, _float_map):
@@ -55,7 +55,7 @@ def measure(keep: Keep = forget) -> Measurement:
     return Measurement("honesty", says, [], tables={"points": points}, complete=complete)
 
 
-def point(method: str, where: str, claims: float, digits: float) -> Point:
+def point(method: str, where: str, claims: float, digits: float) -> MeasuredPoint:
     """One dot of the chart."""
     claimed, true = (round(max(0.0, min(MOST, x)), 2) for x in (claims, digits))
     return {"method": method, "where": where, "claims": claimed, "digits": true}
@@ -68,7 +68,7 @@ def _asked(work: Callable[[], Any]) -> Any:
     return None
 
 
-def _balls() -> Iterator[Point]:
+def _balls() -> Iterator[MeasuredPoint]:
     """Our balls: the radius against the distance of the midpoint."""
     cases = [*product(SHAPES, ["0"]), *product((STR, named_body("book").shape), GAMMAS)]
     for (shape, text), digits in product(cases, (10, 40)):
@@ -86,7 +86,7 @@ def defect_truth(shape: Shape, gamma: fmpq) -> arb:
     return defect.solve(*shape, gamma, 80).defect
 
 
-def _quadratures() -> Iterator[Point]:
+def _quadratures() -> Iterator[MeasuredPoint]:
     """``quad`` of the paper's integrand from ε = 1/10, and from the turning point for γ < 0."""
     for text in (*GAMMAS, "-1/1000", "-1/100"):
         gamma = parse_number(text)
@@ -134,7 +134,7 @@ def _scipy_quad(gamma: fmpq) -> tuple[float, float]:
     return float(value), float(error)
 
 
-def _roots() -> Iterator[Point]:
+def _roots() -> Iterator[MeasuredPoint]:
     """``findroot`` and ``brentq``: digits asked for, where they return without complaint."""
     for shape, digits in product(SHAPES, (15, 50)):
         found = _asked(partial(peers.findroot_printed, shape, fmpq(0), digits))
@@ -156,7 +156,7 @@ def _roots() -> Iterator[Point]:
             yield point("mpmath findroot over quad", text, 15, had)
 
 
-def _solvers() -> Iterator[Point]:
+def _solvers() -> Iterator[MeasuredPoint]:
     """ODE solvers: the relative tolerance, on ε(0) of bodies up to √(ab) = 4."""
     bodies = (STR, *(Shape(fmpq(2 * n * n), fmpq(1, 2)) for n in (1, 2, 3, 4)))
     methods = {
@@ -173,7 +173,7 @@ def _solvers() -> Iterator[Point]:
             yield point(name, _where(shape, "0"), digits, true_digits(found, truth))
 
 
-def _float_map() -> Iterator[Point]:
+def _float_map() -> Iterator[MeasuredPoint]:
     """Our float64 map: the error it says to expect."""
     for shape in starts.BODIES.values():
         a, b, _ = peers.floats(shape, fmpq(0))

@@ -112,7 +112,7 @@ def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
             "ε₀ of a shape",
             name,
             partial(_run, method, count),
-            judge,
+            compare,
             name.startswith(("tresym", "our")),
             WANTED,
             pieces=count,
@@ -129,7 +129,7 @@ def _run(method: Callable[[Floats, Floats], Floats], count: int) -> Floats:
         return method(*shapes(count))
 
 
-def judge(found: Floats) -> Judged:
+def compare(found: Floats) -> Judged:
     """The worst and the typical digits on the sample."""
     pairs = zip(*(x.tolist() for x in shapes(SAMPLE)), strict=True)
     digits = [true_digits(v, _truth(*s)) for v, s in zip(found.tolist(), pairs, strict=False)]

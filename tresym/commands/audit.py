@@ -17,7 +17,7 @@ from tresym.commands.parser import (
 )
 
 if TYPE_CHECKING:
-    from tresym.ledger.audit import Audit, Row
+    from tresym.ledger.audit import Audit, PieceRow
 
 
 def add(commands: Commands) -> None:
@@ -77,7 +77,7 @@ def show_audit(audit: Audit, console: Console) -> None:
     console.print(_summary(audit))
 
 
-def _cells(row: Row) -> tuple[Text | str, ...]:
+def _cells(row: PieceRow) -> tuple[Text | str, ...]:
     from tresym.ledger.audit import Text as Found
 
     names = ", ".join(row.claims[:SHOWN_CLAIMS])
@@ -89,7 +89,7 @@ def _cells(row: Row) -> tuple[Text | str, ...]:
     return _piece(row), row.label, str(row.line or "—"), names or "—", found
 
 
-def _piece(row: Row) -> str:
+def _piece(row: PieceRow) -> str:
     return f"display {row.number}" if row.number is not None else row.kind
 
 

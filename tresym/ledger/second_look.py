@@ -50,8 +50,8 @@ from tresym.reals.places.points import Range
 from tresym.reals.verdict import Verdict
 
 Conditions = tuple[Basic, ...]
-Point = Mapping[Symbol, Any]
-Program = Callable[[Point, bool], Any]
+Values = Mapping[Symbol, Any]
+Program = Callable[[Values, bool], Any]
 
 BITS, ROUGH = 128, 64
 POINTS = 40
@@ -385,7 +385,7 @@ def _side(x: arb) -> int:
     return 1 if x > 0 else -1 if x < 0 else 0
 
 
-def _holds(condition: Basic, point: Point) -> bool:
+def _holds(condition: Basic, point: Values) -> bool:
     """Whether balls show an inequality, strictly."""
     difference = value(condition.lhs - condition.rhs, point)
     if condition.rel_op == "!=":
@@ -396,7 +396,7 @@ def _holds(condition: Basic, point: Point) -> bool:
 # Balls over SymPy expressions
 
 
-def value(e: Basic, point: Point, analytic: bool = False) -> Any:
+def value(e: Basic, point: Values, analytic: bool = False) -> Any:
     """A ball that contains ``e`` at ``point``; not finite where ``e`` is not shown to be defined.
 
     Args:
@@ -441,7 +441,7 @@ def _program(e: Basic) -> Program:
 def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> Program:
     parts = [_program(argument) for argument in arguments]
 
-    def folded(point: Point, analytic: bool) -> Any:
+    def folded(point: Values, analytic: bool) -> Any:
         return reduce(combine, (part(point, analytic) for part in parts))
 
     return folded
@@ -451,7 +451,7 @@ def _substituted(e: Subs) -> Program:
     inner = _program(e.expr)
     values = [(variable, _program(p)) for variable, p in zip(e.variables, e.point, strict=True)]
 
-    def substituted(point: Point, analytic: bool) -> Any:
+    def substituted(point: Values, analytic: bool) -> Any:
         return inner({**point, **{v: at(point, analytic) for v, at in values}}, analytic)
 
     return substituted
@@ -504,7 +504,7 @@ def _function(name: str, x: Any, analytic: bool) -> Any:
     return getattr(x, name)()
 
 
-def _integral(e: Integral, point: Point) -> arb:
+def _integral(e: Integral, point: Values) -> arb:
     """A proper integral over one variable, enclosed; widely where it is hard."""
     if len(e.limits) != 1 or len(e.limits[0]) != 3:
         return arb.nan()

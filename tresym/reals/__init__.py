@@ -37,7 +37,7 @@ Where to start reading. The rooms, each of which imports only from those above i
   ``identity.py``, which states the promise for equalities.
 - ``corpus``: true and false claims with known answers, for tests and measurements.
 
-``advocate.py`` shares nothing with the provers: it attacks in balls what is about to pass, at points
-that they did not choose. ``verdict.py`` names the verdicts; ``processes.py`` runs work in other
-processes.
+``advocate.py`` shares nothing with the provers: it attacks in balls what is about to pass, at
+points that they did not choose. ``verdict.py`` names the verdicts; ``processes.py`` runs work in
+other processes.
 """

@@ -27,7 +27,7 @@ from tresym.reals.numbers.exact import fraction_text
 Comparison = tuple[Expr, str, Expr]
 Derivative = tuple[Expr, str, int, Expr]
 """A function, a variable, an order, and what is said to be that derivative."""
-Point = list[arb]
+Tried = list[arb]
 
 BITS = 128
 ENOUGH, TRIED = 4, 16
@@ -84,7 +84,7 @@ def contradiction(
     def has_time(part: int) -> bool:
         return process_time() - start < SHARE * spent / part
 
-    def look(point: Point | None) -> list[arb] | None:
+    def look(point: Tried | None) -> list[arb] | None:
         nonlocal shown, against
         found = None if point is None else value(point)
         if point is not None and found is not None:
@@ -125,7 +125,7 @@ def _room(sides: list[arb], relation: str) -> arb:
     return (sides[0] - sides[1] if relation[0] == ">" else sides[1] - sides[0]).mid()
 
 
-def _downhill(lowest: list[Any] | None, holds: Callable[[Point], bool]) -> Iterator[Point]:
+def _downhill(lowest: list[Any] | None, holds: Callable[[Tried], bool]) -> Iterator[Tried]:
     """Neighbours of the second of ``lowest``, which may move meanwhile, closer and closer."""
     part = 1
     while lowest is not None and lowest[1] and part < 1 << 40:
@@ -164,7 +164,7 @@ def exact(x: arb) -> fmpq:
     return fmpq(mantissa * 2 ** max(exponent, 0), 2 ** max(-exponent, 0))
 
 
-def _is_a_limit(value: Program, point: Point) -> bool:
+def _is_a_limit(value: Program, point: Tried) -> bool:
     """Whether all is defined close by: what is so at single points is nobody's claim."""
     return any(
         value([x + arb((_noise(k, j) % 97 - 48, -60)) * (1 + abs(x)) for j, x in enumerate(point)])
@@ -176,7 +176,7 @@ def _are_slopes(
     value: Program,
     derivatives: Sequence[Derivative],
     names: Sequence[str],
-    point: Point,
+    point: Tried,
     found: list[arb],
 ) -> bool:
     """Whether difference quotients may be values that the derivatives take near ``point``.
@@ -254,7 +254,7 @@ _BY_NAME: dict[str, Callable[..., arb]] = (
     | {"sign": _sign, "cbrt": _cbrt, "atan2": _atan2, "^": _general}
 )
 
-Program = Callable[[Point], "list[arb] | None"]
+Program = Callable[[Tried], "list[arb] | None"]
 
 
 def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
@@ -292,7 +292,7 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
 
     ends = [place(e) for e in trees]
 
-    def run(point: Point) -> list[arb] | None:
+    def run(point: Tried) -> list[arb] | None:
         values = [*point, *start[len(point) :]]
         try:
             for function, i, j, k in steps:
@@ -312,12 +312,12 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
 # Where the points lie
 
 
-def conditions(names: Sequence[str], given: Sequence[Comparison]) -> Callable[[Point], bool]:
+def conditions(names: Sequence[str], given: Sequence[Comparison]) -> Callable[[Tried], bool]:
     """Whether all of ``given`` is shown to hold at a point."""
     sides = program([e for c in given for e in (c[0], c[2])], names)
     relations = [SHOWN[relation] for _, relation, _ in given]
 
-    def holds(point: Point) -> bool:
+    def holds(point: Tried) -> bool:
         found = sides(point)
         return found is not None and all(
             relation(found[2 * n], found[2 * n + 1]) for n, relation in enumerate(relations)
@@ -327,8 +327,8 @@ def conditions(names: Sequence[str], given: Sequence[Comparison]) -> Callable[[P
 
 
 def points(
-    names: Sequence[str], given: Sequence[Comparison], holds: Callable[[Point], bool]
-) -> Iterator[Point | None]:
+    names: Sequence[str], given: Sequence[Comparison], holds: Callable[[Tried], bool]
+) -> Iterator[Tried | None]:
     """Points for all names, the more telling first; None where ``given`` is not shown to hold."""
     ranges = [_range(name, given) for name in names]
     inside = outside = None
@@ -348,7 +348,7 @@ def points(
             outside = None
 
 
-def _at_the_edge(holds: Callable[[Point], bool], inside: Point, outside: Point) -> Point:
+def _at_the_edge(holds: Callable[[Tried], bool], inside: Tried, outside: Tried) -> Tried:
     """A point just inside of the conditions, between two points."""
     for _ in range(40):
         middle = [((x + y) / 2).mid() for x, y in zip(inside, outside, strict=True)]
@@ -382,7 +382,7 @@ def _range(name: str, given: Sequence[Comparison]) -> tuple[arb | None, arb | No
 
 
 @lru_cache(maxsize=1 << 12)
-def _free(k: int, count: int) -> Point:
+def _free(k: int, count: int) -> Tried:
     """The ``k``-th point where there are no conditions."""
     return [_offset(k, j)[0] for j in range(count)]
 

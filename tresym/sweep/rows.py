@@ -35,7 +35,7 @@ _one_at_a_time = threading.Lock()
 """Precision belongs to the process, so threads of one process take turns."""
 
 
-class Row(NamedTuple):
+class SweepRow(NamedTuple):
     """One row of the table; text, numbers, and None where something does not apply.
 
     ``defect`` and ``radius`` (radians) are decimal text, the truth within ``radius`` of ``defect``;
@@ -77,7 +77,7 @@ FORMULAS: dict[str, Callable[[Any, Any, Any], Any]] = {
 }
 
 
-def compute(part: Part, digits: int | None) -> list[Row]:
+def compute(part: Part, digits: int | None) -> list[SweepRow]:
     """The rows of a part: certified to ``digits``, or in float64 where that is None."""
     with _one_at_a_time:
         entries = list(part.entries())
@@ -86,7 +86,7 @@ def compute(part: Part, digits: int | None) -> list[Row]:
         return [certified_row(entry, digits) for entry in entries]
 
 
-def certified_row(entry: Entry, digits: int) -> Row:
+def certified_row(entry: Entry, digits: int) -> SweepRow:
     """One row in balls."""
     row = _blank(entry)
     if row.problem is not None:
@@ -132,7 +132,7 @@ def _six_digits(error: float) -> float | None:
     return float(f"{error:.6g}") if math.isfinite(error) else None
 
 
-def float_rows(entries: Sequence[Entry]) -> list[Row]:
+def float_rows(entries: Sequence[Entry]) -> list[SweepRow]:
     """Rows in float64: on the separatrix all at once, elsewhere one by one."""
     rows = [_blank(entry) for entry in entries]
     level = []
@@ -175,7 +175,7 @@ def _on_separatrix(shapes: list[Shape]) -> list[dict[str, Any]]:
     return found
 
 
-def _float_row(row: Row, shape: Shape, gamma: fmpq) -> Row:
+def _float_row(row: SweepRow, shape: Shape, gamma: fmpq) -> SweepRow:
     """One row off the separatrix; where float64 alone has no answer a certified one is rounded."""
     try:
         checked_gamma(*shape, gamma)
@@ -205,12 +205,12 @@ def _asked(entry: Entry) -> tuple[Shape, fmpq]:
     return entry.shape, entry.gamma
 
 
-def _blank(entry: Entry) -> Row:
+def _blank(entry: Entry) -> SweepRow:
     """The row before its numbers."""
     if entry.shape is None or entry.gamma is None:
-        return Row(entry.line, entry.name, problem=entry.problem)
+        return SweepRow(entry.line, entry.name, problem=entry.problem)
     a, b, gamma = entry.written or map(fraction_text, (*entry.shape, entry.gamma))
-    return Row(
+    return SweepRow(
         entry.line,
         entry.name,
         a,

@@ -17,7 +17,7 @@ from typing import Any
 
 from tresym.output import writing
 from tresym.reals.numbers.exact import InputError
-from tresym.sweep.rows import Row
+from tresym.sweep.rows import SweepRow
 
 APPLICATION = 0x74726573
 """What SQLite's ``application_id`` says in a table of ours."""
@@ -27,15 +27,15 @@ FORMAT = 2
 EXPORT_ROWS = 20_000
 """Rows in memory at once while exporting."""
 
-_RADIUS = Row._fields.index("radius")
+_RADIUS = SweepRow._fields.index("radius")
 
 
 def columns(in_floats: bool) -> tuple[str, ...]:
     """The header. In float64 it says so: nothing certifies the defect, which has no radius."""
     if not in_floats:
-        return Row._fields
+        return SweepRow._fields
     names = {"defect": "defect_float64"}
-    return tuple(names.get(name, name) for name in Row._fields if name != "radius")
+    return tuple(names.get(name, name) for name in SweepRow._fields if name != "radius")
 
 
 def _schema(in_floats: bool) -> tuple[str, ...]:
@@ -51,7 +51,7 @@ def _rows_schema(in_floats: bool) -> str:
     return f"CREATE TABLE rows (line INTEGER PRIMARY KEY, {', '.join(columns(in_floats)[1:])})"
 
 
-def packed(rows: Sequence[Row], in_floats: bool) -> bytes:
+def packed(rows: Sequence[SweepRow], in_floats: bool) -> bytes:
     """A batch as the bytes of a database with nothing in it but the rows, to be landed as it is."""
     marks = ", ".join("?" * len(columns(in_floats)))
     values: Sequence[tuple[Any, ...]] = rows

@@ -28,7 +28,7 @@ def room(n: int = 1) -> Floats:
     return np.empty((5, LEVELS + 1, n))
 
 
-def on_level(gamma: float, a: float = A, b: float = B) -> fo.Orbit:
+def on_level(gamma: float, a: float = A, b: float = B) -> fo.FloatOrbit:
     given_ = [
         np.array([x]) for x in (gamma >= 0, math.sqrt(abs(gamma) * (a + b)), a - gamma, gamma + b)
     ]

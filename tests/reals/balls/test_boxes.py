@@ -10,7 +10,7 @@ from tresym.reals.balls.boxes import (
     Counterexample,
     Open,
     box,
-    decide,
+    decide_bound,
     leaf_boxes,
     prove_positive,
     recheck,
@@ -41,8 +41,8 @@ def test_a_true_bound_closes_rechecks_and_is_found_again(slopes):
     proof = prove_positive(bound)
     assert isinstance(proof, BoxProof)
     recheck(bound, proof)
-    assert decide(bound).proof == proof
-    assert decide(bound, stored=proof).verdict is Verdict.ENCLOSED
+    assert decide_bound(bound).proof == proof
+    assert decide_bound(bound, stored=proof).verdict is Verdict.ENCLOSED
     assert len(list(leaf_boxes(UNIT, proof))) == proof.leaves
 
 
@@ -73,7 +73,7 @@ def test_a_false_bound_is_refuted_with_an_exact_witness(slopes):
     assert all(0 < x < 1 for x in outcome.point)
     with ball_precision(200):
         assert value_at(saddle, outcome.point) < 0
-    assert decide(Bound(saddle, UNIT)).witness.keys() == {"x1", "x2"}
+    assert decide_bound(Bound(saddle, UNIT)).witness.keys() == {"x1", "x2"}
 
 
 def test_a_margin_that_touches_zero_is_never_enclosed():
@@ -89,7 +89,7 @@ def test_a_margin_that_touches_zero_is_never_enclosed():
 
 def test_a_margin_that_vanishes_at_a_corner_is_never_enclosed():
     bound = Bound(lambda x, y, m: x + y, UNIT)
-    assert decide(bound, budget=3000).verdict is Verdict.UNDECIDED
+    assert decide_bound(bound, budget=3000).verdict is Verdict.UNDECIDED
 
 
 def test_an_unbounded_region_by_a_chart():
@@ -105,14 +105,14 @@ def test_an_unbounded_region_by_a_chart():
     good = Bound(lambda x, m: margin(x, arb(fmpq(1, 2))), box((0, 1)))
     wrong = Bound(lambda x, m: margin(x, arb("0.79")), box((0, 1)))
     sharp = Bound(lambda x, m: margin(x, m.pi / 4), box((0, 1)))
-    assert decide(good).verdict is Verdict.ENCLOSED
-    assert decide(wrong).verdict is Verdict.REFUTED
-    assert decide(sharp, budget=2000).verdict is Verdict.UNDECIDED
+    assert decide_bound(good).verdict is Verdict.ENCLOSED
+    assert decide_bound(wrong).verdict is Verdict.REFUTED
+    assert decide_bound(sharp, budget=2000).verdict is Verdict.UNDECIDED
 
 
 def test_nan_is_never_positive():
     bound = Bound(lambda x, m: m.sqrt(x - 2), box((0, 1)))
-    assert decide(bound, budget=200).verdict is Verdict.UNDECIDED
+    assert decide_bound(bound, budget=200).verdict is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize("tree", ["", "x", "xb", "bb", "xbbb", "yb", "q", "mm"])
@@ -217,9 +217,9 @@ def test_a_short_series_is_refused():
 def test_a_margin_that_only_suffices_refutes_nothing(slopes):
     """x² ≤ 1 on [0, 1] is true, and x ≤ 1/2 would suffice: that x = 1 fails shows nothing."""
     strong = Bound(lambda x, m: arb(fmpq(1, 2)) - x, box((0, 1)), slopes)
-    assert decide(strong).verdict is Verdict.REFUTED
+    assert decide_bound(strong).verdict is Verdict.REFUTED
     sufficient = Bound(strong.margin, strong.box, slopes, sufficient=True)
-    assert decide(sufficient).verdict is Verdict.UNDECIDED
+    assert decide_bound(sufficient).verdict is Verdict.UNDECIDED
 
 
 def test_no_box_becomes_a_needle():
@@ -260,7 +260,7 @@ FALSEHOODS = {
 @pytest.mark.parametrize("name", FALSEHOODS)
 def test_planted_falsehoods_are_never_enclosed(name, slopes):
     margin, region = FALSEHOODS[name]
-    assert decide(Bound(margin, region, slopes), budget=1500).verdict is not Verdict.ENCLOSED
+    assert decide_bound(Bound(margin, region, slopes), budget=1500).verdict is not Verdict.ENCLOSED
     for mark in ("b", "m", "xbb", "xmm", "xbm", "ybb", "xyxbbybbb"):
         with pytest.raises(CertificateError):
             recheck(Bound(margin, region), BoxProof(mark))

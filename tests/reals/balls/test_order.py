@@ -9,11 +9,10 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
-from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.balls.boxes import decide as decide_bound
+from tresym.reals.balls.boxes import Bound, box, decide_bound
 from tresym.reals.balls.germ import Germs, UnresolvedError, as_ball
 from tresym.reals.balls.gradient import Divided
-from tresym.reals.balls.order import Order, decide
+from tresym.reals.balls.order import Order, judge_order
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.verdict import Verdict
 
@@ -26,7 +25,7 @@ def sine_defect(x, m):
 
 
 def verdict(kind, function, gauge, **rest):
-    return decide(Order(kind, function, gauge, **rest)).verdict
+    return judge_order(Order(kind, function, gauge, **rest)).verdict
 
 
 def power(n):
@@ -46,7 +45,7 @@ def power(n):
     ],
 )
 def test_exponents_of_sin_x_minus_x(kind, exponent, expected):
-    found = decide(Order(kind, sine_defect, power(exponent)))
+    found = judge_order(Order(kind, sine_defect, power(exponent)))
     assert found.verdict is expected
     assert found.true_order.power == 3
     assert found.true_order.coefficient.overlaps(arb(-1) / 6)
@@ -55,7 +54,7 @@ def test_exponents_of_sin_x_minus_x(kind, exponent, expected):
 
 
 def test_the_constant_is_a_ball_around_the_supremum():
-    found = decide(Order("O", sine_defect, power(3)))
+    found = judge_order(Order("O", sine_defect, power(3)))
     assert found.upto == 1
     assert found.constant.contains(arb(1) / 6)
     assert found.constant.rad() < 0.01
@@ -74,7 +73,7 @@ def test_the_constant_is_a_ball_around_the_supremum():
 )
 def test_constants_and_ranges(constant, upto, expected):
     statement = Order("<=", sine_defect, power(3), constant=constant, upto=upto)
-    found = decide(statement)
+    found = judge_order(statement)
     assert found.verdict is expected
     if expected is REFUTED:
         t = fmpq(*map(int, (found.witness["t"] + "/1").split("/")[:2]))
@@ -269,8 +268,8 @@ def stirling_step(x, m):
 def test_stirling_remainder_has_the_constant_one_twelfth():
     """0 < r(n) ≤ 1/(12n) for all n ≥ 1: the steps telescope, and r(n) → 0."""
     upper = {"kind": "<=", "function": stirling_step, "gauge": lambda x, m: x - x / (1 + x)}
-    assert decide(Order(**upper, constant=fmpq(1, 12))).verdict is ENCLOSED
-    assert decide(Order(**upper, constant=fmpq(83, 1000))).verdict is REFUTED
+    assert judge_order(Order(**upper, constant=fmpq(1, 12))).verdict is ENCLOSED
+    assert judge_order(Order(**upper, constant=fmpq(83, 1000))).verdict is REFUTED
 
     def below(x, m):
         """1/(12n+1) − 1/(12n+13), the step of the lower bound 1/(12n+1)."""
@@ -278,7 +277,7 @@ def test_stirling_remainder_has_the_constant_one_twelfth():
 
     assert verdict("<=", below, stirling_step, constant=fmpq(1)) is ENCLOSED
     assert verdict("O", stirling_step, power(3)) is REFUTED
-    found = decide(Order("O", stirling_step, power(2)))
+    found = judge_order(Order("O", stirling_step, power(2)))
     assert found.verdict is ENCLOSED
     assert found.ratio.coefficient.overlaps(arb(1) / 12)
 
@@ -364,7 +363,7 @@ def test_pendulum_period_near_its_separatrix():
     def gauge(x, m):
         return -(x * x) * m.log(x)
 
-    found = decide(Order("O", pendulum_correction, gauge, upto=fmpq(1, 4)))
+    found = judge_order(Order("O", pendulum_correction, gauge, upto=fmpq(1, 4)))
     assert found.verdict is ENCLOSED
     assert found.ratio.coefficient.contains(arb(1) / 4)
     assert found.constant.upper() < 2

@@ -94,7 +94,7 @@ def test_a_procedure_that_fails_ends_no_other(monkeypatch: pytest.MonkeyPatch) -
     def fails(*_: object) -> Answer:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(limits, "judge", fails)
+    monkeypatch.setattr(limits, "decide_claim", fails)
     found = check_within(Task("x > 0"))
     assert found.verdict is Verdict.UNDECIDED
     assert "report" in found.why

@@ -577,7 +577,7 @@ def test_a_claim_that_we_fail_at_does_not_end_the_others(monkeypatch: pytest.Mon
             raise ZeroDivisionError("within")
         return Answer(PROVED, "")
 
-    monkeypatch.setattr("tresym.reals.decisions.limits.judge", fails)
+    monkeypatch.setattr("tresym.reals.decisions.limits.decide_claim", fails)
     found = [answer for _, answer in check_all([Task("fail"), Task("1 == 1")], HANGS, processes=1)]
     assert [getattr(answer, "verdict", None) for answer in found] == [UNDECIDED, PROVED]
     assert "ZeroDivisionError" in getattr(found[0], "why", "")

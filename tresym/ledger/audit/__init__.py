@@ -3,7 +3,7 @@
 from tresym.ledger.audit.coverage import (
     Audit,
     Entry,
-    Row,
+    PieceRow,
     Text,
     Transcription,
     audit,
@@ -16,7 +16,7 @@ __all__ = [
     "Audit",
     "Entry",
     "Piece",
-    "Row",
+    "PieceRow",
     "Source",
     "Text",
     "Transcription",

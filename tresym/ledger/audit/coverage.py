@@ -60,7 +60,7 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Row:
+class PieceRow:
     """The finding on one piece; ``line`` is its line in the paper given, if it is there."""
 
     kind: str
@@ -84,7 +84,7 @@ class Audit:
     """All rows: the displays in file order, then the theorem, remark, table and figures."""
 
     paper: str
-    rows: tuple[Row, ...]
+    rows: tuple[PieceRow, ...]
 
     @property
     def complete(self) -> bool:
@@ -231,7 +231,7 @@ def _row(
     answered: dict[str, list[Claim]],
     readings: dict[str, tuple[Relations, ...] | str],
     functions: dict[str, Function],
-) -> Row:
+) -> PieceRow:
     text = _text(entry, piece)
     known = entry or piece
     assert known is not None
@@ -243,7 +243,7 @@ def _row(
         note = "its text is not the one that the claims were written against"
     elif not claims and text is Text.SAME:
         note = "no claim answers it"
-    return Row(
+    return PieceRow(
         known.kind,
         known.label,
         known.number,

@@ -14,14 +14,13 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.finding import Finding
 from tresym.reals.balls.boxes import (
     Bound,
+    BoundDecision,
     BoxProof,
     CertificateError,
-    Decision,
-    decide,
+    decide_bound,
     inconsistent,
 )
-from tresym.reals.balls.order import Judgement, Order
-from tresym.reals.balls.order import decide as decide_order
+from tresym.reals.balls.order import Judgement, Order, judge_order
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, Interval, decimal_ball, fraction_text
 from tresym.reals.verdict import Verdict
@@ -69,7 +68,7 @@ class Boxes:
     budget: int = 20_000
     meant: Any = None
 
-    def decisions(self) -> tuple[Decision, ...]:
+    def decisions(self) -> tuple[BoundDecision, ...]:
         """What each bound came to, by its stored proof where there is one.
 
         Raises:
@@ -77,11 +76,11 @@ class Boxes:
         """
         proofs = None if searching_anew() or self.stored is None else self.stored()
         if proofs is None:
-            return tuple(decide(bound, self.budget) for bound in self.bounds)
+            return tuple(decide_bound(bound, self.budget) for bound in self.bounds)
         if len(proofs) != len(self.bounds):
             raise CertificateError("stored proofs of another number of bounds")
         pairs = zip(self.bounds, proofs, strict=True)
-        return tuple(decide(bound, self.budget, proof) for bound, proof in pairs)
+        return tuple(decide_bound(bound, self.budget, proof) for bound, proof in pairs)
 
     def judge(self) -> Finding:
         """ENCLOSED when all bounds are, REFUTED at a point where one fails."""
@@ -126,7 +125,7 @@ class Asymptotics:
 
     def judge(self) -> Finding:
         """The verdict of the order machinery, with the true order for what is refuted."""
-        found = decide_order(self.statement)
+        found = judge_order(self.statement)
         why = _why(found)
         with ball_precision(64):
             constant = None if found.constant is None else decimal_ball(found.constant, 6)

@@ -17,7 +17,7 @@ from flint import arb, fmpq
 
 from tresym.ledger.claim import Claim, Printed
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.reals.balls.boxes import Bound, Box, Point, value_at
+from tresym.reals.balls.boxes import Bound, Box, BoxPoint, value_at
 from tresym.reals.balls.order import Order
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.numbers.exact import Interval, fraction_text, printed
@@ -146,12 +146,12 @@ def bounds_fail(claim: Claim) -> bool:
         return any(bound_fails(bound, p) for bound in bounds for p in _places(bound.box))
 
 
-def bound_fails(bound: Bound, point: Point) -> bool:
+def bound_fails(bound: Bound, point: BoxPoint) -> bool:
     """Whether a ball shows the bound violated at ``point``."""
     return bool(value_at(bound.margin, point) < 0)
 
 
-def _places(region: Box) -> list[Point]:
+def _places(region: Box) -> list[BoxPoint]:
     """The centre of the box, then points near its corners."""
     inward = [(s.low + (s.high - s.low) / 2**32, s.high - (s.high - s.low) / 2**32) for s in region]
     centre = tuple((low + high) / 2 for low, high in region)

@@ -205,7 +205,7 @@ CASES = (
 """Named bodies and γ: on the separatrix, next to it, above, below, at the turning point, turned."""
 
 
-class Row(NamedTuple):
+class RouteRow(NamedTuple):
     """One case: the ball, and for each further route the digits it should have and has."""
 
     body: str
@@ -214,16 +214,16 @@ class Row(NamedTuple):
     digits: tuple[int, ...]
 
 
-def compare(cases: tuple[tuple[str, str], ...] = CASES) -> list[Row]:
+def compare(cases: tuple[tuple[str, str], ...] = CASES) -> list[RouteRow]:
     """Every route on every case."""
     return [_row(body, gamma) for body, gamma in cases]
 
 
-def _row(body: str, gamma: str) -> Row:
+def _row(body: str, gamma: str) -> RouteRow:
     shape, level = named_body(body).shape, parse_number(gamma)
     truth = carlson(shape, level)
     found = (min(r.digits, agreement(r.run(shape, level), truth)) for r in ROUTES[1:])
-    return Row(body, gamma, truth, tuple(found))
+    return RouteRow(body, gamma, truth, tuple(found))
 
 
 def agreement(value: Any, truth: arb) -> int:

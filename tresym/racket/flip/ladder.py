@@ -28,7 +28,7 @@ RUNGS = ("asymptotic", "separatrix", "carlson", "planar")
 """The rungs, cheapest first."""
 
 
-class Answer(NamedTuple):
+class RungAnswer(NamedTuple):
     """What one rung has to say: balls for ε and Δψ in radians, and why they are enough."""
 
     defect: arb
@@ -102,7 +102,7 @@ def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
     return RUNGS if in_reach else RUNGS[1:]
 
 
-def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[Answer | None, str]:
+def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[RungAnswer | None, str]:
     """The answer of one rung, or None and why it cannot give one."""
     if rung == "planar":
         return _planar(shape, gamma, digits), ""
@@ -121,37 +121,37 @@ def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[Answer 
     return None, _shortfall(answer, digits)
 
 
-def _carlson(shape: Shape, gamma: fmpq, digits: int) -> Answer | None:
+def _carlson(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
     found = defect.quick(*shape, gamma, digits)
     if found is None:
         return None
     why = "F(ε, γ) in Carlson's form, π folded into the first quarter of the orbit"
-    return Answer(*found, why)
+    return RungAnswer(*found, why)
 
 
-def _planar(shape: Shape, gamma: fmpq, digits: int) -> Answer:
+def _planar(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer:
     found = defect.inverted(*shape, gamma, digits)
-    return Answer(*found, "the phase on the orbit inverted, through turning points and turns")
+    return RungAnswer(*found, "the phase on the orbit inverted, through turning points and turns")
 
 
-def _asymptotic(shape: Shape, digits: int) -> Answer | None:
+def _asymptotic(shape: Shape, digits: int) -> RungAnswer | None:
     found = asymptotic.enclose(shape.a, shape.b, digits)
     if found is None:
         return None
     why = "closed formula with a proved bound on its error"
     with ball_precision(bits(digits, 84)):
-        return Answer(found, arb.pi() - 2 * found, why)
+        return RungAnswer(found, arb.pi() - 2 * found, why)
 
 
-def _separatrix(shape: Shape, digits: int) -> Answer:
+def _separatrix(shape: Shape, digits: int) -> RungAnswer:
     found = separatrix.solve(shape.a, shape.b, digits)
     why = "scalar equation at gamma = 0, its one root enclosed by interval Newton"
     if found.defect.contains(0):
         why = "the defect is positive but below every number that is told from 0 here"
-    return Answer(found.defect, found.flip, why)
+    return RungAnswer(found.defect, found.flip, why)
 
 
-def _shortfall(answer: Answer | None, digits: int) -> str:
+def _shortfall(answer: RungAnswer | None, digits: int) -> str:
     """Why the closed formula cannot answer."""
     reached = 0
     if answer is not None and answer.defect.is_finite():

@@ -41,7 +41,7 @@ MIDPOINTS = tuple(math.sin((2 * k + 1) * math.pi / 24) ** 2 for k in range(6))
 """sin² of the points of the midpoint rule on a quarter turn."""
 
 
-class Orbit(NamedTuple):
+class FloatOrbit(NamedTuple):
     """The constants of an orbit. ``steps`` is the number of Gauss steps.
 
     ``root`` = √|γ(a+b)|, ``reach`` = A, ``first`` and ``third`` are C before and after the steps,
@@ -77,7 +77,9 @@ def choose(condition: Any, x: Any, y: Any) -> Any:
     return np.where(condition, x, y)
 
 
-def orbit(a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, work: Any) -> Orbit:
+def orbit(
+    a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, work: Any
+) -> FloatOrbit:
     """The orbit with γ of a given sign, √|γ(a+b)|, a − γ and γ + b."""
     total = a + b
     high, low = np.sqrt(a * above), np.sqrt(b * below)
@@ -103,7 +105,7 @@ def orbit(a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, 
             break
         apart = apart * (apart / (high + low)) / 2
     unit = np.sqrt((high * high + inner) / 2)
-    return Orbit(
+    return FloatOrbit(
         a,
         b,
         rotating,
@@ -118,7 +120,7 @@ def orbit(a: float, b: float, rotating: Any, root: Any, below: Any, above: Any, 
     )
 
 
-def entries(on: Orbit, x: Any, y: Any, z: Any, scale: Any) -> tuple[Any, Any, Any, Any]:
+def entries(on: FloatOrbit, x: Any, y: Any, z: Any, scale: Any) -> tuple[Any, Any, Any, Any]:
     """τ and φ at a start, from ``scale`` times its p, r ≥ 0 and z; and at the far end.
 
     Both in one loop, as a step of one need not wait for the other's.
@@ -145,7 +147,7 @@ def entries(on: Orbit, x: Any, y: Any, z: Any, scale: Any) -> tuple[Any, Any, An
     return time, time - spent(on, time, TANGENTS), far, far - spent(on, far, FAR)
 
 
-def place(on: Orbit, time: Any) -> tuple[Any, Any, Any]:
+def place(on: FloatOrbit, time: Any) -> tuple[Any, Any, Any]:
     """p, r and z at 0 ≤ τ ≤ τ of the far end, where p or r is 0; and the tangents for the phase."""
     grown = np.expm1(np.maximum(on.unit * time, 1e-100))
     x = on.unit / ((grown + grown / (1 + grown)) / 2)
@@ -166,7 +168,7 @@ def place(on: Orbit, time: Any) -> tuple[Any, Any, Any]:
     return x - drop, x + drop, z
 
 
-def spent(on: Orbit, time: Any, row: int) -> Any:
+def spent(on: FloatOrbit, time: Any, row: int) -> Any:
     """∫ b sin²ψ dτ up to τ, in [0, π/2], from the tangents of the angles that add up to it."""
     real, imaginary = 1.0 + 0.0 * time, on.work[row, on.steps]
     for n in range(on.steps - 1, -1, -1):
@@ -178,7 +180,7 @@ def spent(on: Orbit, time: Any, row: int) -> Any:
     return np.minimum(np.maximum(found, 0.0), on.b * time)
 
 
-def of_fast_rotation(on: Orbit, far_time: Any, far_phase: Any) -> tuple[Any, Any]:
+def of_fast_rotation(on: FloatOrbit, far_time: Any, far_phase: Any) -> tuple[Any, Any]:
     """τ and φ of the far end, on orbits so fast that they count many times: to a few roundings.
 
     For γ > 8b the integrands over ψ are so smooth that six points of the midpoint rule, of period
@@ -198,7 +200,7 @@ def of_fast_rotation(on: Orbit, far_time: Any, far_phase: Any) -> tuple[Any, Any
     return far_time, far_phase
 
 
-def arrival(on: Orbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[Any, Any, Any]:
+def arrival(on: FloatOrbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[Any, Any, Any]:
     """τ, p and r where φ = ``phase`` in [0, φ of the far end], by Halley's method in a bracket.
 
     φ is convex, below its chord and between τ − π/2 and τ. The last step is made in p and r, by
@@ -229,7 +231,7 @@ def arrival(on: Orbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[Any, 
     return time, p, r
 
 
-class Start(NamedTuple):
+class FloatStart(NamedTuple):
     """A start on its orbit, by symmetry with ψ increasing (rotating) and 0 ≤ ψ ≤ π.
 
     ``mirror`` is −1 where ψ was turned round, ``before`` says whether the start lies below π/2, and
@@ -251,7 +253,7 @@ class Start(NamedTuple):
     far_phase: Any
 
 
-def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[Orbit, Start]:
+def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[FloatOrbit, FloatStart]:
     """The orbit of a start (ψ, dψ/dφ), and where on it the start lies."""
     sine, cosine = np.sin(psi), np.cos(psi)
     up, long = np.abs(sine), np.abs(cosine)
@@ -276,7 +278,7 @@ def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[Orbit, S
     back = (handle < 0) & ~rotating
     time = choose(back, 2 * far_time - time, time)
     phase = choose(back, 2 * far_phase - phase, phase)
-    return on, Start(
+    return on, FloatStart(
         sine,
         cosine,
         level >= -2e-15,
@@ -307,7 +309,7 @@ class End(NamedTuple):
     phase: Any
 
 
-def travel(on: Orbit, start: Start, precession: Any) -> End:
+def travel(on: FloatOrbit, start: FloatStart, precession: Any) -> End:
     """The end after ``precession`` radians of φ."""
     end = start.phase + precession
     halves = np.rint(end / (2 * start.far_phase))
@@ -370,7 +372,7 @@ def arrive(
     )
 
 
-def linear(on: Orbit, start: Start, rate: Any, precession: Any, turned: Any) -> Any:
+def linear(on: FloatOrbit, start: FloatStart, rate: Any, precession: Any, turned: Any) -> Any:
     """``turned``, or the linear motion about an unstable point for starts that stay close to it."""
     growth = math.sqrt(on.a * on.b)
     sine, cosine = start.sine, start.cosine

@@ -28,7 +28,7 @@ from tresym.reals.verdict import Verdict
 
 Margin = Callable[..., Any]
 Box = tuple[Interval, ...]
-Point = tuple[fmpq, ...]
+BoxPoint = tuple[fmpq, ...]
 
 BY_BALL = "b"
 BY_SLOPES = "m"
@@ -99,7 +99,7 @@ class BoxProof:
 class Counterexample:
     """A rational point at which the ball of the margin is negative."""
 
-    point: Point
+    point: BoxPoint
     value: arb
 
 
@@ -111,7 +111,7 @@ class Open:
 
 
 @dataclass(frozen=True)
-class Decision:
+class BoundDecision:
     """What a search or a re-check of a bound came to."""
 
     verdict: Verdict
@@ -127,7 +127,9 @@ class Decision:
         return {f"x{i + 1}": fraction_text(x) for i, x in enumerate(point)}
 
 
-def decide(bound: Bound, budget: int = 20_000, stored: BoxProof | None = None) -> Decision:
+def decide_bound(
+    bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
+) -> BoundDecision:
     """Decide a bound: by re-checking ``stored`` where given, else by a search of ``budget`` boxes.
 
     Raises:
@@ -135,13 +137,13 @@ def decide(bound: Bound, budget: int = 20_000, stored: BoxProof | None = None) -
     """
     if stored is not None:
         recheck(bound, stored)
-        return Decision(Verdict.ENCLOSED, stored)
+        return BoundDecision(Verdict.ENCLOSED, stored)
     outcome = prove_positive(bound, budget)
     if isinstance(outcome, BoxProof):
-        return Decision(Verdict.ENCLOSED, outcome)
+        return BoundDecision(Verdict.ENCLOSED, outcome)
     if isinstance(outcome, Counterexample):
-        return Decision(Verdict.REFUTED, counterexample=outcome)
-    return Decision(Verdict.UNDECIDED)
+        return BoundDecision(Verdict.REFUTED, counterexample=outcome)
+    return BoundDecision(Verdict.UNDECIDED)
 
 
 def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | None:
@@ -185,7 +187,7 @@ def prove_positive(bound: Bound, budget: int = 20_000) -> BoxProof | Counterexam
         return _search(bound, budget)
 
 
-def _negative(bound: Bound, point: Point, value: arb) -> Counterexample | Open:
+def _negative(bound: Bound, point: BoxPoint, value: arb) -> Counterexample | Open:
     """What a point with a negative margin shows: where the margin only suffices, nothing."""
     if bound.sufficient:
         return Open(tuple(Interval(x, x) for x in point))
@@ -256,7 +258,7 @@ class Supremum:
 
     low: arb
     high: arb
-    point: Point
+    point: BoxPoint
 
     @property
     def ball(self) -> arb:
@@ -309,7 +311,7 @@ def supremum(
         return Supremum(low, closed.max(low), best[1])
 
 
-def _best(values: Sequence[tuple[arb, Point]]) -> tuple[arb, Point]:
+def _best(values: Sequence[tuple[arb, BoxPoint]]) -> tuple[arb, BoxPoint]:
     finite = [pair for pair in values if pair[0].is_finite()]
     return max(finite or values, key=lambda pair: float(pair[0].lower()))
 
@@ -326,7 +328,7 @@ def _upper(function: Margin, here: Box, whole: Box, slopes: bool) -> tuple[arb, 
     return best, _steepest(here, whole, found, axis)
 
 
-def value_at(function: Margin, point: Point) -> arb:
+def value_at(function: Margin, point: BoxPoint) -> arb:
     """The ball of the function at a rational point, at the working precision."""
     return function(*(arb(x) for x in point), balls)
 
@@ -361,7 +363,7 @@ def _shown(here: Box) -> str:
     return " x ".join(f"[{fraction_text(low)}, {fraction_text(high)}]" for low, high in here)
 
 
-def _inner_corners(region: Box) -> list[Point]:
+def _inner_corners(region: Box) -> list[BoxPoint]:
     """The corners, moved inward by 2⁻³² of the sides: an excluded edge yields no witness."""
     inset = fmpq(1, 2**32)
     ends = [(low + (high - low) * inset, high - (high - low) * inset) for low, high in region]

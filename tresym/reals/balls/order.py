@@ -157,7 +157,7 @@ class _Expansion:
         return Size(germ.leading, power, exponent, self.logarithmic)
 
 
-def decide(statement: Order, precision: int = 128) -> Judgement:
+def judge_order(statement: Order, precision: int = 128) -> Judgement:
     """Decide an order statement; UNDECIDED where the expansion or the boxes do not suffice."""
     judge = _at_most if statement.kind == "<=" else _compared
     with ball_precision(precision):

@@ -10,7 +10,7 @@ from typing import Any
 
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.reading import read
-from tresym.reals.decisions.statement import judge
+from tresym.reals.decisions.statement import decide_claim
 
 __all__ = ["Answer", "check"]
 
@@ -35,7 +35,7 @@ def check(
     if not (isinstance(claim, str) and isinstance(given, str)):
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
     if limit is None:
-        return judge(claim, given, path)
+        return decide_claim(claim, given, path)
     from tresym.reals.decisions.limits import Task, check_within
 
     return check_within(Task(claim, given, path), limit)

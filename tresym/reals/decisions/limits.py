@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.reading import Statement, read_as
-from tresym.reals.decisions.statement import judge
+from tresym.reals.decisions.statement import decide_claim
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes, cores
 from tresym.reals.verdict import Verdict
@@ -78,7 +78,7 @@ def _given_up(task: Task, reason: str, limit: float) -> Answer:
 def _judged(claim: Any, given: Any, path: str | None) -> Answer | InputError:
     """The answer, or what is wrong with the claim."""
     try:
-        return judge(claim, given, path)
+        return decide_claim(claim, given, path)
     except InputError as error:
         return error
     except Exception as error:  # one claim that we fail at must not end the others

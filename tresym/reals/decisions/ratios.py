@@ -20,7 +20,7 @@ from dataclasses import replace
 from flint import arb, fmpq
 
 from tresym.reals.balls.ends import sign_beside
-from tresym.reals.balls.order import Judgement, Order, decide
+from tresym.reals.balls.order import Judgement, Order, judge_order
 from tresym.reals.balls.run import formula
 from tresym.reals.decisions.identity import decide as decide_identity
 from tresym.reals.language.expression import (
@@ -67,7 +67,7 @@ def judged(
     """The order statement as it stands, for the parameter ``name`` up to ``upto``."""
     f, g = formula(left, name), formula(right, name)
     try:
-        return decide(Order(kind, f, g, constant=constant, upto=upto), PRECISION)
+        return judge_order(Order(kind, f, g, constant=constant, upto=upto), PRECISION)
     except (ZeroDivisionError, OverflowError, InputError):
         return _OPEN
 

@@ -31,7 +31,7 @@ _LOOK_ALIKE = {
 _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
-def judge(claim: Any, given: Any = "", path: str | None = None) -> Answer:
+def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer:
     """Read a claim, unless it is read already, and decide it.
 
     Arguments are those of :func:`tresym.reals.decisions.reading.read`.

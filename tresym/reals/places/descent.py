@@ -15,6 +15,7 @@ from tresym.reals.language.expression import Expr
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import simplest_between
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
 
 BITS = 64
@@ -23,10 +24,10 @@ MAX_EVALUATIONS = 250
 SMALLEST_STEP = fmpq(1, 2**30)
 TOLERANCES = (fmpq(1, 2**6), fmpq(1, 2**12), fmpq(1, 2**20))
 
-Point = dict[str, fmpq]
 
-
-def low_points(difference: Expr, given: Given, starts: Iterable[Point]) -> Iterator[Point]:
+def low_points(
+    difference: Expr, given: Given, starts: Iterable[ExactPoint]
+) -> Iterator[ExactPoint]:
     """Points of ``given`` at which the difference is small, simple ones first."""
     with ball_precision(BITS):
         known = [(value, k, p) for k, p in enumerate(starts) if (value := _value(difference, p))]
@@ -40,17 +41,17 @@ def low_points(difference: Expr, given: Given, starts: Iterable[Point]) -> Itera
         yield found
 
 
-def _value(difference: Expr, point: Point) -> float | None:
+def _value(difference: Expr, point: ExactPoint) -> float | None:
     value = evaluate(difference, {name: arb(x) for name, x in point.items()})
     return float(value.mid()) if value.is_finite() else None
 
 
-def _inside(given: Given, point: Point) -> bool:
+def _inside(given: Given, point: ExactPoint) -> bool:
     at = {name: arb(x) for name, x in point.items()}
     return all(condition.holds_exactly(at) for condition in given.conditions)
 
 
-def _descended(difference: Expr, given: Given, start: Point) -> Point:
+def _descended(difference: Expr, given: Given, start: ExactPoint) -> ExactPoint:
     """Where no step of the pattern leads further down."""
     here, lowest, step, left = start, _value(difference, start), fmpq(1), MAX_EVALUATIONS
     directions = list(_directions(sorted(start)))

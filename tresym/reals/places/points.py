@@ -9,9 +9,9 @@ from flint import fmpq
 
 from tresym.reals.numbers.exact import simplest_between
 
+ExactPoint = dict[str, fmpq]
+
 LONG = 10**18
-
-
 LISTED = 36
 
 

@@ -17,9 +17,8 @@ from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.factors import TooLargeError
 from tresym.reals.places.cells import between, sample_points
+from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
-
-Point = dict[str, fmpq]
 
 BITS = 128
 MAX_NAMES = 2
@@ -31,7 +30,7 @@ SMALLEST_STEP = fmpq(1, 2**60)
 BESIDE = tuple(fmpq(sign, 2**k) for k in (4, 12, 24, 48, 96) for sign in (1, -1))
 
 
-def windows(conditions: Sequence[Expr], starts: Sequence[Point]) -> Iterator[Point]:
+def windows(conditions: Sequence[Expr], starts: Sequence[ExactPoint]) -> Iterator[ExactPoint]:
     """Points that may lie inside, for the caller to check, from regions and from ``starts``.
 
     Args:
@@ -48,7 +47,9 @@ def windows(conditions: Sequence[Expr], starts: Sequence[Point]) -> Iterator[Poi
                 yield found | {name: found[name] + step}
 
 
-def _of_regions(conditions: Sequence[Expr], names: list[str], other: Point) -> Iterator[Point]:
+def _of_regions(
+    conditions: Sequence[Expr], names: list[str], other: ExactPoint
+) -> Iterator[ExactPoint]:
     """A point of every region that the polynomials in the conditions cut out."""
     context = fmpq_mpoly_ctx.get(tuple(names), Ordering.lex)
     found = dict(part for e in conditions for part in _polynomials(e, context))
@@ -114,7 +115,7 @@ def _polynomial(e: Expr, context: fmpq_mpoly_ctx) -> fmpq_mpoly | None:
     return total
 
 
-def _climbed(conditions: Sequence[Expr], start: Point) -> Point:
+def _climbed(conditions: Sequence[Expr], start: ExactPoint) -> ExactPoint:
     """Where no step of the pattern brings the conditions nearer to holding."""
     here, best, step, left = start, _score(conditions, start), fmpq(1), MAX_EVALUATIONS
     while best[0] < len(conditions) and step > SMALLEST_STEP and left > 0:
@@ -130,7 +131,7 @@ def _climbed(conditions: Sequence[Expr], start: Point) -> Point:
     return here
 
 
-def _score(conditions: Sequence[Expr], point: Point) -> tuple[int, float]:
+def _score(conditions: Sequence[Expr], point: ExactPoint) -> tuple[int, float]:
     """How many conditions hold, and by how much the others that have a value fail."""
     with ball_precision(BITS):
         at = {name: arb(value) for name, value in point.items()}

@@ -17,7 +17,7 @@ ILLUSTRATION = "book"
 """The body of the pictures on the sphere: a racket's b/a is too small to see anything."""
 
 
-class Orbit(NamedTuple):
+class DrawnOrbit(NamedTuple):
     """One closed curve: its γ and the points (M₁, M₂, M₃)/M, shape (n, 3)."""
 
     gamma: float
@@ -34,7 +34,7 @@ def shape_of(name: str) -> tuple[float, float]:
     return floats(named_body(name).shape)
 
 
-def orbit(a: float, b: float, gamma: float, side: int = 1, points: int = 241) -> Orbit:
+def orbit(a: float, b: float, gamma: float, side: int = 1, points: int = 241) -> DrawnOrbit:
     """The orbit of γ ≠ 0 with M₁ (rotating) or M₃ (oscillating) of the sign ``side``."""
     u = np.linspace(0.0, 2 * np.pi, points)
     if gamma > 0:
@@ -45,14 +45,14 @@ def orbit(a: float, b: float, gamma: float, side: int = 1, points: int = 241) ->
         first = np.sqrt((gamma + b) / (a + b)) * np.cos(u)
         third = side * np.sqrt((a * first**2 - gamma) / b)
         second = np.sqrt((gamma + b) / b) * np.sin(u)
-    return Orbit(gamma, np.stack([first, second, third], axis=-1))
+    return DrawnOrbit(gamma, np.stack([first, second, third], axis=-1))
 
 
-def separatrix(a: float, b: float, side: int = 1, points: int = 241) -> Orbit:
+def separatrix(a: float, b: float, side: int = 1, points: int = 241) -> DrawnOrbit:
     """The great circle √a M₁ = ``side`` √b M₃: four heteroclinic orbits lie on the two of them."""
     u = np.linspace(0.0, 2 * np.pi, points)
     first = side * np.sqrt(b / (a + b)) * np.sin(u)
-    return Orbit(0.0, np.stack([first, -np.cos(u), np.sqrt(a / (a + b)) * np.sin(u)], axis=-1))
+    return DrawnOrbit(0.0, np.stack([first, -np.cos(u), np.sqrt(a / (a + b)) * np.sin(u)], axis=-1))
 
 
 def flip_plane(momentum: Floats, a: float, b: float) -> tuple[Floats, Floats]:

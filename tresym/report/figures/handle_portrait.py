@@ -11,7 +11,7 @@ from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
 from tresym.report.figures.curves import (
     ILLUSTRATION,
-    Orbit,
+    DrawnOrbit,
     handle_plane,
     orbit,
     separatrix,
@@ -42,7 +42,7 @@ def data() -> Data:
     """The book's orbits."""
     a, b = shape_of(ILLUSTRATION)
 
-    def curve(on: Orbit) -> Curve:
+    def curve(on: DrawnOrbit) -> Curve:
         return Curve(on.gamma, *handle_plane(on.momentum, a, b))
 
     sides = [(g, side) for g in LEVELS for side in ((1, -1) if g > 0 else (1,))]

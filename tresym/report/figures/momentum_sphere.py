@@ -13,7 +13,7 @@ import numpy as np
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
-from tresym.report.figures.curves import ILLUSTRATION, Orbit, orbit, separatrix, shape_of
+from tresym.report.figures.curves import ILLUSTRATION, DrawnOrbit, orbit, separatrix, shape_of
 from tresym.report.figures.view import View, arc, arrow, ball, bare, curve, label, view
 
 EYE = view(38, 24)
@@ -32,9 +32,9 @@ class Data(NamedTuple):
     a: float
     b: float
     radii: Floats
-    meetings: tuple[tuple[Orbit, Orbit], ...]
-    orbits: tuple[Orbit, ...]
-    separatrices: tuple[Orbit, Orbit]
+    meetings: tuple[tuple[DrawnOrbit, DrawnOrbit], ...]
+    orbits: tuple[DrawnOrbit, ...]
+    separatrices: tuple[DrawnOrbit, DrawnOrbit]
     equilibria: Floats
     theta: float
     psi: float
@@ -102,7 +102,7 @@ def surfaces(radii: Floats, eye: View, size: int = 960, reach: float = REACH) ->
     return image.reshape(size // 2, 2, size // 2, 2, 4).mean(axis=(1, 3))
 
 
-def _surfaces(sheet: Any, radii: Floats, meeting: tuple[Orbit, Orbit]) -> None:
+def _surfaces(sheet: Any, radii: Floats, meeting: tuple[DrawnOrbit, DrawnOrbit]) -> None:
     frame = (-REACH, REACH, -REACH, REACH)
     sheet.imshow(surfaces(radii, EYE), extent=frame, interpolation="none")
     for on in meeting:

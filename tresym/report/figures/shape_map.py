@@ -26,7 +26,7 @@ BEST = 2 * math.atan(math.exp(-math.pi))
 _DASHED = {"linewidths": 1.4, "linestyles": [(0, (4, 2))]}
 
 
-class Point(NamedTuple):
+class Mark(NamedTuple):
     """A body: its name, shape, ε₀ (radians) and whether a rigid body can have that shape."""
 
     name: str
@@ -43,7 +43,7 @@ class Data(NamedTuple):
     b: Floats
     defect: Floats
     realizable: Any
-    bodies: tuple[Point, ...]
+    bodies: tuple[Mark, ...]
 
 
 def data() -> Data:
@@ -55,7 +55,7 @@ def data() -> Data:
         shape = NAMED_BODIES[name].shape
         p, q = floats(shape)
         angle = float(separatrix_defect(np.array(p), np.array(q)))
-        points.append(Point(name, p, q, angle, shape.realizable))
+        points.append(Mark(name, p, q, angle, shape.realizable))
     return Data(a, b, defect, b[:, None] * (a[None, :] + 2) <= 1, tuple(points))
 
 
@@ -127,7 +127,7 @@ def _planar(sheet: Any, a: Floats) -> None:
     sheet.text(12.5, 0.32, "no rigid body", color="white", fontsize=12, ha="center")
 
 
-def _name(sheet: Any, point: Point) -> None:
+def _name(sheet: Any, point: Mark) -> None:
     sheet.annotate(
         point.name,
         (point.a, point.b),
