@@ -550,6 +550,7 @@ def test_a_file_of_many_lines_is_not_held_as_so_many_tasks(tmp_path: Path) -> No
         tracemalloc.stop()
 
 
+@pytest.mark.slow
 def test_claims_from_standard_input() -> None:
     command = [sys.executable, "-m", "tresym", "check", "-f", "-", "--json"]
     for text, status in (("1 == 1\nx ==\n", 2), ("1 == 1", 0), ("", 2)):
@@ -646,6 +647,7 @@ def test_an_answer_prints_in_a_notebook() -> None:
     assert str(answer).startswith("PROVED")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", ["sin(x)**2 + cos(x)**2 == 1", "exp(x) >= 1 + x"])
 def test_check_loads_flint_alone(claim: str) -> None:
     program = (
