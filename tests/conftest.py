@@ -5,6 +5,7 @@ a failure is the same failure tomorrow.
 """
 
 import os
+from pathlib import Path
 
 import chunks
 import pytest
@@ -23,7 +24,17 @@ settings.register_profile(
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
 
+TESTS = Path(__file__).parent
+CORE = ("reals", "racket", "ledger")
+
+
+# First, so that what is marked here can be chosen by ``-m quick``.
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    for item in items:
+        inner = item.path.relative_to(TESTS)
+        if inner.parts[0] in CORE and item.get_closest_marker("slow") is None:
+            item.add_marker("quick")
     finished = chunks.done()
     if finished:
         config.hook.pytest_deselected(items=[item for item in items if item.nodeid in finished])

@@ -57,8 +57,9 @@ def test_foundations_come_first_and_once() -> None:
     assert upper.rests_on == (A, lower, B)
 
 
-def test_a_claim_is_its_label_and_does_not_change() -> None:
-    assert named("A", by(algebra)) == A
+def test_a_claim_is_all_that_it_says_and_does_not_change() -> None:
+    assert named("A") == A
+    assert named("A", by(algebra)) != A
     assert hash(named("A", by(algebra))) == hash(A)
     assert A != B
     assert A != "A"

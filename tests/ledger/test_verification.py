@@ -41,6 +41,7 @@ def ledger() -> Report:
     return verify()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda c: c.label)
 def test_verdict(claim: Claim, ledger: Report) -> None:
     row = ledger[claim.label]
@@ -97,6 +98,7 @@ REASONS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("claim", "part", "s", "r"), REASONS)
 def test_no_reason_is_idle(claim: Claim, part: int, s: int, r: int) -> None:
     """Without any one of its reasons a step is UNDECIDED: a step uses only what it names."""
@@ -109,6 +111,7 @@ def test_no_reason_is_idle(claim: Claim, part: int, s: int, r: int) -> None:
     )
 
 
+@pytest.mark.slow
 def test_refuted_claims_are_amended_by_claims_that_hold(ledger: Report) -> None:
     for claim in CLAIMS:
         if claim.expect is Verdict.REFUTED:
@@ -118,6 +121,7 @@ def test_refuted_claims_are_amended_by_claims_that_hold(ledger: Report) -> None:
                 assert ledger[amendment.label].finding.verdict.holds
 
 
+@pytest.mark.slow
 def test_a_claim_is_verified_with_all_it_rests_on(ledger: Report) -> None:
     report = verify(["eq_gamma"])
     labels = [row.claim.label for row in report.rows]
@@ -137,6 +141,7 @@ def test_the_graph_names_every_claim() -> None:
     assert all(f'["{claim.label}"]' in text for claim in CLAIMS)
 
 
+@pytest.mark.slow
 def test_a_claim_resting_on_a_refuted_one_is_undecided(ledger: Report) -> None:
     from tresym.ledger.claim import by
     from tresym.ledger.judge import judge, judge_evidence
@@ -229,6 +234,7 @@ SEEDED = (
 """Claims of many kinds of evidence, with all that they rest on."""
 
 
+@pytest.mark.slow
 def test_verdicts_do_not_hang_on_the_order_of_sets() -> None:
     """Bit for bit the same with any PYTHONHASHSEED and any number of processes, times apart."""
     found = [_ledger_with_seed(*how, SEEDED) for how in (("1", "1"), ("271828", "3"))]

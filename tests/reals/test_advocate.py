@@ -62,6 +62,7 @@ BEYOND_THE_WALL = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("claim", "given"), BEYOND_THE_WALL)
 def test_a_lost_wall(claim: str, given: str, monkeypatch: Patch) -> None:
     monkeypatch.setattr(locally_constant, "_walls", lambda *_: [])
@@ -113,6 +114,7 @@ def test_most_of_the_false_claims_of_the_lists_fall_to_the_advocate_alone() -> N
     assert sum(stopped(tresym.check(claim)) for claim in false) >= 0.7 * len(false)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("gullible")
 def test_every_door_leads_past_the_advocate(tmp_path: Path, capsys: Any) -> None:
     claim = "atan(tan(t)) == t"

@@ -15,6 +15,8 @@ import tresym
 from tresym.reals import processes
 from tresym.reals.processes import Processes
 
+pytestmark = pytest.mark.slow
+
 HANGS = 60
 """Seconds after which a process must be hanging."""
 

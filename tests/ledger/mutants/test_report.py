@@ -21,18 +21,33 @@ B = Claim("B", equal(x, y), by(substituting(A)))
 BELIEVED = Mutant(B, "the right side", "x = 2 y", replace(B, says=equal(x, 2 * y)))
 
 
-def row(claim: Claim, *survivors: Mutant, few: str = "", **counts: int) -> MutantRow:
+STOPPED = Mutant(A, "the left side", "2 x = y", replace(A, says=equal(2 * x, y)))
+
+
+def row(
+    claim: Claim,
+    *survivors: Mutant,
+    stopped: tuple[Mutant, ...] = (),
+    few: str = "",
+    **counts: int,
+) -> MutantRow:
     full = {v.value: counts.get(v.value, 0) for v in Verdict}
-    return MutantRow(claim, full, survivors, sum(counts.values()), few)
+    return MutantRow(claim, full, survivors, stopped, sum(counts.values()), few)
 
 
-REPORT = MutantReport((row(A, REFUTED=3, UNDECIDED=1), row(B, BELIEVED, few="short", PROVED=1)))
+REPORT = MutantReport(
+    (
+        row(A, stopped=(STOPPED,), REFUTED=3, UNDECIDED=1),
+        row(B, BELIEVED, few="short", PROVED=1),
+    )
+)
 
 
 def test_counts_add_up() -> None:
     assert REPORT.counts == {"PROVED": 1, "ENCLOSED": 0, "REFUTED": 3, "UNDECIDED": 1}
     assert [r.total for r in REPORT.rows] == [4, 1]
     assert REPORT.survivors == (BELIEVED,)
+    assert REPORT.stopped == (STOPPED,)
     assert [r.claim for r in REPORT.few] == [B]
 
 
@@ -40,6 +55,7 @@ def test_json_names_survivors_and_claims_with_few_changes() -> None:
     value = json.loads(json.dumps(REPORT.as_json()))
     assert value["counts"] == REPORT.counts
     assert value["survivors"] == [{"label": "B", "place": "the right side", "change": "x = 2 y"}]
+    assert value["stopped"] == [{"label": "A", "place": "the left side", "change": "2 x = y"}]
     assert [c["label"] for c in value["claims"]] == ["A", "B"]
     assert value["few"] == [{"label": "B", "changes": 1, "why": "short"}]
 

@@ -43,7 +43,7 @@ def ratio(x: fmpq) -> float:
 A, B = ratio(STR.a), ratio(STR.b)
 
 
-@pytest.fixture(params=["numpy", "numba"])
+@pytest.fixture(params=["numpy", pytest.param("numba", marks=pytest.mark.slow)])
 def way(request, monkeypatch):
     """Each way of evaluating the map, whatever the number of starts."""
     monkeypatch.setattr(flipmap, "LARGE", 0 if request.param == "numba" else math.inf)

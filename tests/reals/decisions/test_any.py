@@ -62,6 +62,7 @@ def test_any_comparison_is_answered(claim: str, conditions: str) -> None:
     assert len(_said(claim, given=conditions).splitlines()) == 1
 
 
+@pytest.mark.slow
 @given(ORDERS, PATHS)
 @settings(max_examples=30)
 def test_any_order_is_answered(claim: str, path: str) -> None:

@@ -409,6 +409,7 @@ def test_a_sign_is_a_number_in_expansions() -> None:
     assert tresym.check("atan((7/2-x)*(2-x)) + atan(sign(x-2)) >= -3", given="x > 0")
 
 
+@pytest.mark.slow
 def test_sympy_relations_and_assumptions() -> None:
     x = sympy.Symbol("x")
     a = sympy.Symbol("a", positive=True)
@@ -482,6 +483,7 @@ HOSTILE = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", HOSTILE, ids=range(len(HOSTILE)))
 def test_bad_input_is_one_line(claim: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", claim]) == 2
@@ -495,6 +497,7 @@ def test_bad_input_is_one_line(claim: str, capsys: pytest.CaptureFixture[str]) -
 # -- the command -----------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "status"),
     [
@@ -513,6 +516,7 @@ def test_exit_status(words: list[str], status: int) -> None:
     assert main(["check", "--limit", str(HANGS), *words]) == status
 
 
+@pytest.mark.slow
 def test_json_has_every_key(capsys: pytest.CaptureFixture[str]) -> None:
     main(["check", "--limit", str(HANGS), "sqrt(x**2) == x", "--json"])
     value = json.loads(capsys.readouterr().out)
@@ -522,6 +526,7 @@ def test_json_has_every_key(capsys: pytest.CaptureFixture[str]) -> None:
     assert Fraction(value["witness"]["x"]) < 0
 
 
+@pytest.mark.slow
 def test_a_file_of_claims(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "claims"
     file.write_text(
@@ -550,6 +555,7 @@ def test_a_file_of_many_lines_is_not_held_as_so_many_tasks(tmp_path: Path) -> No
         tracemalloc.stop()
 
 
+@pytest.mark.slow
 def test_claims_from_standard_input() -> None:
     command = [sys.executable, "-m", "tresym", "check", "-f", "-", "--json"]
     for text, status in (("1 == 1\nx ==\n", 2), ("1 == 1", 0), ("", 2)):
@@ -559,6 +565,7 @@ def test_claims_from_standard_input() -> None:
         assert "Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 def test_a_claim_that_takes_too_long_is_stopped_and_the_rest_decided() -> None:
     slow = "(sin(x*y*z) + cos(x + y))**60*(x + y + z)**50 - 1 <= 0"
     conditions = "0 <= x <= 1, 0 <= y <= 1, 0 <= z <= 1"
@@ -571,6 +578,7 @@ def test_a_claim_that_takes_too_long_is_stopped_and_the_rest_decided() -> None:
     assert "stopped after" in stopped.why
 
 
+@pytest.mark.slow
 def test_a_claim_that_we_fail_at_does_not_end_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(claim: str, *_: object) -> Answer:
         if claim == "fail":
@@ -646,6 +654,7 @@ def test_an_answer_prints_in_a_notebook() -> None:
     assert str(answer).startswith("PROVED")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", ["sin(x)**2 + cos(x)**2 == 1", "exp(x) >= 1 + x"])
 def test_check_loads_flint_alone(claim: str) -> None:
     program = (

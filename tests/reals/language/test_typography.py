@@ -215,11 +215,13 @@ def test_a_claim_of_sympy_is_said_with_its_derivatives() -> None:
     assert tresym.check(answer.read_as).verdict is answer.verdict is Verdict.PROVED
 
 
+@pytest.mark.slow
 def test_what_was_read_is_said_where_time_is_over() -> None:
     for claim in (r"\sin\frac12 x = y", read(r"\sin\frac12 x = y")):
         assert check_within(Task(claim), 1e-9).read_as == "sin(1/2*x) == y"
 
 
+@pytest.mark.slow
 def test_every_line_of_a_file_says_what_was_read(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -234,6 +236,7 @@ def test_every_line_of_a_file_says_what_was_read(
     assert "read as    sin(1/2*x) == y" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "claim", [r"\sin x/2 = 1", r"x(0) = 0\cdot x", r"e^{i\pi} = -1", r"\dot x = \frac{dx}{dt}"]
 )

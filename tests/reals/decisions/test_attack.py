@@ -1,0 +1,63 @@
+"""The advocate before a user's claim: what is false and called proved is contradicted."""
+
+from __future__ import annotations
+
+import pytest
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.attack import attack
+from tresym.reals.decisions.reading import read
+from tresym.reals.numbers.exact import Decimal
+from tresym.reals.verdict import Verdict
+
+
+def against(claim: str, constant: str | None = None, region: str | None = None) -> str | None:
+    statement = read(claim)
+    ball = None if constant is None else Decimal(constant, "1e-9")
+    answer = Answer(Verdict.PROVED, "so it is said", constant=ball, region=region)
+    (comparison,) = statement.comparisons
+    return attack(comparison, statement, answer, 0.1)
+
+
+@pytest.mark.parametrize(
+    ("true", "false"),
+    [
+        ("sqrt(x**2) == abs(x)", "sqrt(x**2) == x"),
+        ("sqrt(x**2) == x given x > 0", "sqrt(x**2) == x given x > -1"),
+        ("x**2 + 1 > 2*x - 1", "x**2 + 1 > 2*x + 1"),
+        ("x**2 + 1 != 0", "x**2 - 1 != 0"),
+        ("diff(sin(x), x) == cos(x)", "diff(sin(x), x) == -cos(x)"),
+        ("diff(log(x), x) == 1/abs(x)", "diff(log(-x), x) == 1/abs(x)"),
+        ("atan(x) + atan(1/x) == pi/2 given x > 0", "atan(x) + atan(1/x) == pi/2"),
+    ],
+)
+def test_a_claim_and_a_false_one(true: str, false: str) -> None:
+    assert against(true) is None
+    assert "its sides are" in (against(false) or "")
+
+
+@pytest.mark.parametrize(
+    ("claim", "region", "enough", "less"),
+    [
+        ("2*x + x**2 == O(x) as x -> 0+", "0 < x <= 1", "3", "2.9"),
+        ("x - 3 == O(1) as x -> 3", "0 < |x - 3| <= 1/2", "0.5", "0.4"),
+        ("x == O(1) as x -> 0-", "0 < -x <= 1", "1", "0.9"),
+        ("exp(x) == O(1) as x -> 0", "0 < |x| <= 1", "2.72", "2.71"),
+        ("x + 1 == O(x) as x -> oo", "x >= 10", "1.1", "1.09"),
+        ("x - 1 == O(x) as x -> -oo", "x <= -10", "1.1", "1.09"),
+    ],
+)
+def test_a_constant_and_one_too_small(claim: str, region: str, enough: str, less: str) -> None:
+    assert against(claim, enough, region) is None
+    assert "beyond the constant" in (against(claim, less, region) or "")
+
+
+def test_an_order_without_constant_or_region_says_nothing_of_a_point() -> None:
+    assert against("x == o(x**2) as x -> 0") is None
+    assert against("x == O(x**2) as x -> 0", constant="1") is None
+    assert against("x == O(x**2) as x -> 0", region="0 < x <= 1") is None
+
+
+def test_points_at_which_a_side_is_not_real_are_left_out() -> None:
+    assert against("sqrt(x) == O(1) as x -> 0", "1", "0 < |x| <= 1") is None
+    assert against("sqrt(x) == O(1) as x -> 0", "0.9", "0 < |x| <= 1") is not None

@@ -1,0 +1,79 @@
+"""Equalities with derivatives: judged where what is differentiated is real, and there alone."""
+
+from __future__ import annotations
+
+import pytest
+
+from tresym.reals.decisions.equalities import FORMAL, NOWHERE, decide_equality
+from tresym.reals.decisions.identity import Decision
+from tresym.reals.decisions.reading import read
+from tresym.reals.verdict import Verdict
+
+PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
+
+
+def decided(claim: str) -> Decision:
+    statement = read(claim)
+    (found,) = statement.comparisons
+    return decide_equality(found.left, found.right, statement.given, found.differentiated, found.by)
+
+
+@pytest.mark.parametrize(
+    ("true", "false"),
+    [
+        ("x**2 - 1 == (x - 1)*(x + 1)", "x**2 - 1 == (x - 1)**2"),
+        ("diff(log(x), x) == 1/x", "diff(log(x), x) == 2/x"),
+        ("diff(log(x), x) == 1/abs(x)", "diff(log(x), x) == -1/abs(x)"),
+        ("diff(log(-x), x) == -1/abs(x)", "diff(log(-x), x) == 1/abs(x)"),
+        ("diff(log(x), x) == 1/x + max(0, -x)", "diff(log(x), x) == 1/x + max(0, x)"),
+        ("x*diff(log(x), x) == 1 + abs(x) - x", "x*diff(log(x), x) == 1 + abs(x) + x"),
+        ("diff(x**(3/2), x) == 3*sqrt(x)/2", "diff(x**(3/2), x) == sqrt(x)"),
+        ("diff(sqrt(x - y), y) == -1/(2*sqrt(x - y))", "diff(sqrt(x - y), y) == 1/(2*sqrt(x - y))"),
+        ("diff(log(x)/log(x), x) == 0", "diff(log(x)/log(x), x) == 1"),
+        ("diff(log(log(x)), x) == 1/abs(x*log(x))", "diff(log(log(x)), x) == 1/(x*log(x))**2"),
+    ],
+)
+def test_a_claim_and_a_false_one(true: str, false: str) -> None:
+    assert decided(true).verdict is PROVED
+    refuted = decided(false)
+    assert refuted.verdict is REFUTED
+    assert refuted.values is not None
+    assert not refuted.values[0].overlaps(refuted.values[1])
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "diff(log(-1 - x**2), x) == 2*x/(1 + x**2)",
+        "diff(log(x), x) == 1/x given x < 0",
+        "diff(atanh(x), x) == 1/(1 - x**2) given x > 2",
+    ],
+)
+def test_a_proof_of_formal_derivatives_says_so(claim: str) -> None:
+    found = decided(claim)
+    assert found.verdict is PROVED
+    assert FORMAL in found.why
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "diff(log(-1 - x**2), x) == 2*x/(1 + x**2) + 1",
+        "diff(log(x), x) == 2/x given x < 0",
+    ],
+)
+def test_nothing_is_refuted_where_no_function_is_real(claim: str) -> None:
+    found = decided(claim)
+    assert found.verdict is Verdict.UNDECIDED
+    assert NOWHERE in found.why
+
+
+def test_a_proof_names_a_point_at_which_the_function_is_real() -> None:
+    found = decided("diff(sqrt(3 - x), x) == -1/(2*sqrt(3 - x))")
+    assert "what is differentiated is real at x = " in found.why
+
+
+def test_points_at_which_a_function_is_not_real_refute_nothing() -> None:
+    """The sides differ for x < 0 alone, or at 0 alone, where x**(3/2) has no two sides."""
+    assert decided("diff(log(x), x) == 1/x + abs(x) - x").verdict is PROVED
+    assert decided("diff(sqrt(x)**3, x)*0 == sign(x) - 1 given x > -1").verdict is not REFUTED
