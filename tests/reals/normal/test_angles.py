@@ -11,7 +11,7 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.normal.angles import MAX_HALF_TURN, MAX_MULTIPLE
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.sign_equations import AgainError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 
 

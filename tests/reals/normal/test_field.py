@@ -14,7 +14,7 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 

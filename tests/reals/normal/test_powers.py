@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, UndefinedError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 
 EQUAL = [

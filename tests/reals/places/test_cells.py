@@ -10,7 +10,7 @@ from flint import fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import MAX_DEGREE, MAX_POLYNOMIALS, sample_points, simplest
 
 CONTEXTS = {n: fmpz_mpoly_ctx.get(["x", "y", "z"][:n], "lex") for n in (1, 2, 3)}

@@ -35,7 +35,7 @@ from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate, undefined_parts
 from tresym.reals.signs.jumps import cases_at_jumps

@@ -13,7 +13,7 @@ from flint import arb, fmpq, fmpz_poly
 from tresym.reals.normal.powers import PowerRing
 from tresym.reals.normal.ring import Fraction, Generator, Poly
 from tresym.reals.normal.sign_equations import AgainError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_HALF_TURN = 240
 MAX_MULTIPLE = 96

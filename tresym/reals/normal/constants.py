@@ -14,7 +14,7 @@ from flint import arb, fmpq, fmpz
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Poly
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_BITS = 30_000
 MAX_MULTIPLE = 200

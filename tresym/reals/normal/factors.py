@@ -15,7 +15,7 @@ from tresym.reals.normal.monotone import same_sign
 from tresym.reals.normal.ranges import MAX_DEPTH
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError, small_factor
 from tresym.reals.normal.sign_equations import SignedRing
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 
 MAX_PRIME_BITS = 160

@@ -46,7 +46,7 @@ from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import simplest_between
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import sample_points
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range

@@ -10,7 +10,7 @@ from flint import fmpz
 
 from tresym.reals.normal.ring import Fraction, Poly
 from tresym.reals.normal.sign_equations import SignedRing
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_MULTIPLE = 12
 

@@ -10,7 +10,7 @@ from tresym.reals.language.expression import ONE, Expr, symbol
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.generators import ValuedRing
 from tresym.reals.normal.ring import Poly, UndefinedError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 
 Monomial = tuple[tuple[str, int], ...]

@@ -16,7 +16,7 @@ from flint import fmpq, fmpq_mat
 from tresym.reals.normal.factors import FactoredRing
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
 from tresym.reals.normal.sign_equations import AgainError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 
-from tresym.reals.numbers.factors import TooLargeError, factors_of
+from tresym.reals.numbers.factoring import TooLargeError, factors_of
 
 Poly: TypeAlias = fmpz_mpoly
 

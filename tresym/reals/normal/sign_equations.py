@@ -13,7 +13,7 @@ from flint import fmpq, fmpz
 
 from tresym.reals.normal.ranges import ProvingRing
 from tresym.reals.normal.ring import Poly
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 
 

@@ -6,7 +6,7 @@ from tresym.reals.language.expression import PI, Expr, add, apply, multiply, num
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 
 

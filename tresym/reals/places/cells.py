@@ -13,7 +13,7 @@ from itertools import pairwise
 from flint import arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.factors import TooLargeError, factors_of
+from tresym.reals.numbers.factoring import TooLargeError, factors_of
 
 MAX_POLYNOMIALS = 40
 MAX_DEGREE = 24

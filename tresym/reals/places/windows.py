@@ -15,7 +15,7 @@ from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ct
 
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import between, sample_points
 from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate

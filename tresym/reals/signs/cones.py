@@ -19,7 +19,7 @@ from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly, UndefinedError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range
 from tresym.reals.signs.sign import without_powers

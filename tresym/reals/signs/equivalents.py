@@ -23,7 +23,7 @@ from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.normal.written import written
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.cones import open_factors
 from tresym.reals.signs.sign import sign

@@ -30,7 +30,7 @@ from tresym.reals.normal.field import Field
 from tresym.reals.normal.locally_constant import nonzero_inside, singularities
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import UndefinedError
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.sign import PROVING, denominators, is_nonzero, jumps, sign
 

@@ -17,7 +17,7 @@ from tresym.reals.language.expression import ZERO, Expr, apply, replaced, symbol
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.factors import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate

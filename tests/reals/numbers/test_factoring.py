@@ -7,7 +7,7 @@ from flint import Ordering, fmpz_mpoly, fmpz_mpoly_ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.reals.numbers.factors import TooLargeError, factors_of
+from tresym.reals.numbers.factoring import TooLargeError, factors_of
 
 CONTEXT = fmpz_mpoly_ctx.get(("x", "y"), Ordering.lex)
 X, Y = CONTEXT.gens()
