@@ -10,17 +10,18 @@ from flint import arb, fmpq
 from tresym.reals.language.expression import symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
-from tresym.reals.places.windows import MAX_DEGREE, Point, windows
+from tresym.reals.places.windows import MAX_DEGREE, windows
 
 
-def found(positive: list[str]) -> list[Point]:
+def found(positive: list[str]) -> list[ExactPoint]:
     conditions = [parse(text) for text in positive]
     names = sorted(frozenset().union(*map(symbols, conditions)))
     return list(windows(conditions, [dict.fromkeys(names, fmpq(1, 3))]))
 
 
-def inside(positive: list[str], point: Point) -> bool:
+def inside(positive: list[str], point: ExactPoint) -> bool:
     with ball_precision(256):
         at = {name: arb(value) for name, value in point.items()}
         return all(bool(evaluate(parse(text), at) > 0) for text in positive)
