@@ -31,6 +31,8 @@ from tresym.racket.notation import a, b
 from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
+pytestmark = pytest.mark.slow
+
 x, y, t = (Symbol(name, real=True) for name in "xyt")
 
 

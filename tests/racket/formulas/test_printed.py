@@ -20,6 +20,8 @@ from hypothesis import strategies as st
 from tresym.racket.formulas import printed, stable
 from tresym.reals.numbers.arithmetic import Balls, ball_precision, balls, mp_precision, to_mp
 
+pytestmark = pytest.mark.slow
+
 Formula = Callable[..., Any]
 
 

@@ -17,6 +17,8 @@ from tresym.reals.places.conditions import positive
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
+pytestmark = pytest.mark.slow
+
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
