@@ -41,7 +41,7 @@ from tresym.commands import main
 from tresym.racket.body import Shape
 from tresym.racket.flip import asymptotic
 from tresym.racket.flip.ladder import RUNGS, climb
-from tresym.racket.floats.many import defects
+from tresym.racket.floats.shapes import defects
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict

@@ -8,7 +8,7 @@ import pytest
 
 from tresym.ledger.verification import Report, verify
 from tresym.report.pages.numbers import numbers
-from tresym.report.pages.record import record
+from tresym.report.pages.site_data import record
 from tresym.report.words.markdown import finding, sentence
 from tresym.report.words.wording import readable
 from tresym.site import claims, commands, links

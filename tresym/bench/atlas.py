@@ -21,7 +21,7 @@ from tresym.bench.run import Keep, Measurement, forget
 from tresym.bench.truth import true_digits
 from tresym.racket.body import named_body
 from tresym.racket.flip import separatrix
-from tresym.racket.floats.many import defects
+from tresym.racket.floats.shapes import defects
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion import quadrature
 from tresym.racket.motion.carlson import Integrals, amplitude, by_flint, turn

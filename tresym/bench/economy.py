@@ -21,7 +21,7 @@ from tresym.racket.angle import Angle
 from tresym.racket.body import NAMED_BODIES, Shape
 from tresym.racket.flip.ladder import RUNGS, climb
 from tresym.racket.floats.flipmap import flip_map
-from tresym.racket.floats.many import defects
+from tresym.racket.floats.shapes import defects
 from tresym.racket.motion.trajectory import Start, travel
 from tresym.reals.numbers.exact import parse_number
 

@@ -17,7 +17,7 @@ from flint import fmpq
 from tresym.bench.run import WRONG, Contender, Judged, Keep, Measurement, Pace, forget, interleave
 from tresym.bench.truth import true_digits
 from tresym.racket.flip import separatrix
-from tresym.racket.floats.many import Floats, defects
+from tresym.racket.floats.shapes import Floats, defects
 from tresym.racket.formulas import printed, stable
 
 SHAPES = 1_000_000

@@ -22,7 +22,7 @@ from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import defect, separatrix
 from tresym.racket.flip.ladder import RUNGS, climb
 from tresym.racket.floats.flipmap import flip_map
-from tresym.racket.floats.many import defects
+from tresym.racket.floats.shapes import defects
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DIGITS = (3, 10, 16, 30, 50, 100, 200, 500, 1000)

@@ -15,7 +15,7 @@ def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]
     """Every page as its name and its text.
 
     Args:
-        ledger: as `tresym.report.pages.record.record` makes it.
+        ledger: as `tresym.report.pages.site_data.record` makes it.
         seconds: saved cost of judging, by label; claims without one show none.
     """
     yield "index.md", index(ledger)

@@ -21,7 +21,7 @@ from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import separatrix
 from tresym.racket.flip.ladder import RUNGS, climb
 from tresym.racket.floats.flipmap import flip_map, flip_uncertainty
-from tresym.racket.floats.many import defects
+from tresym.racket.floats.shapes import defects
 from tresym.reals.numbers.exact import parse_number
 
 PAIRS = {pair.name: pair for pair in atlas.PAIRS}

@@ -26,7 +26,7 @@ from tresym.reals.numbers.exact import InputError, parse_number, simplest_betwee
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.regular import is_regular
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.deciding import measured
+from tresym.report.pages.check_tables import measured
 
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED

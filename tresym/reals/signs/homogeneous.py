@@ -27,7 +27,7 @@ class _Term(NamedTuple):
     expression: Expr
 
 
-class _Bound(NamedTuple):
+class _HomogeneousBound(NamedTuple):
     """``form`` ≤ 1 (``side`` 1) or ≥ 1 (−1), homogeneous of this degree."""
 
     form: Expr
@@ -85,7 +85,7 @@ def _written_terms(e: Expr) -> list[_Term] | None:
     return found if all(term.degree >= 0 for term in found) else None
 
 
-def _bound(condition: Condition, region: Given) -> _Bound | None:
+def _bound(condition: Condition, region: Given) -> _HomogeneousBound | None:
     """``k − L`` or ``L − k`` with L homogeneous and k > 0."""
     terms = _terms(condition.expression) if condition.relation in (">", ">=") else None
     if not terms or {t.degree for t in terms} - {0} != {max(t.degree for t in terms)}:
@@ -97,10 +97,12 @@ def _bound(condition: Condition, region: Given) -> _Bound | None:
     form = sum((t.expression for t in terms if t.degree), ZERO) * (-1 / constant)
     if side > 0 and sign(form, region) not in ("+", ">=0"):
         return None
-    return _Bound(form, max(t.degree for t in terms), side, condition.relation == ">")
+    return _HomogeneousBound(form, max(t.degree for t in terms), side, condition.relation == ">")
 
 
-def _homogeneous(terms: list[_Term], bound: _Bound, region: Given) -> tuple[Expr, bool] | None:
+def _homogeneous(
+    terms: list[_Term], bound: _HomogeneousBound, region: Given
+) -> tuple[Expr, bool] | None:
     """What is not larger and homogeneous, and whether it is smaller under a strict condition."""
     largest = max(t.degree for t in terms)
     result, lost = ZERO, False

@@ -21,11 +21,11 @@ from tresym.reals.processes import cores
 from tresym.report import charts, figures
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
+from tresym.report.pages.check_tables import measured
 from tresym.report.pages.corrections import corrections
-from tresym.report.pages.deciding import measured
 from tresym.report.pages.derivation import article
 from tresym.report.pages.numbers import numbers
-from tresym.report.pages.record import record
+from tresym.report.pages.site_data import record
 from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.words.latex import says_latex
 from tresym.report.words.place import place_text

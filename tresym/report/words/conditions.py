@@ -11,7 +11,7 @@ from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, Stri
 from tresym.report.words.latex import expression_latex, says_latex
 
 
-class _Bound(NamedTuple):
+class _Between(NamedTuple):
     """``low`` is below ``high``, strictly or not; both are letters or numbers."""
 
     low: Expr
@@ -36,7 +36,7 @@ def gathered(given: Sequence[Basic]) -> list[str]:
     return list(dict.fromkeys(shown))
 
 
-def _bound(condition: Basic) -> _Bound | None:
+def _bound(condition: Basic) -> _Between | None:
     if not isinstance(condition, GreaterThan | StrictGreaterThan | LessThan | StrictLessThan):
         return None
     low, high = condition.lts, condition.gts
@@ -47,14 +47,14 @@ def _bound(condition: Basic) -> _Bound | None:
     if not all(_is_plain(end) for end in (low, high)):
         return None
     strict = isinstance(condition, StrictGreaterThan | StrictLessThan)
-    return _Bound(low, high, "<" if strict else r"\le")
+    return _Between(low, high, "<" if strict else r"\le")
 
 
 def _is_plain(e: Expr) -> bool:
     return bool(e.is_Symbol or e.is_number or (-e).is_Symbol)
 
 
-def _follows(bound: _Bound, bounds: list[_Bound]) -> bool:
+def _follows(bound: _Between, bounds: list[_Between]) -> bool:
     """Whether a chain of two and more others leads from the one end to the other, as strictly."""
     ends = [(b.high, b.sign == "<") for b in bounds if b.low == bound.low and b != bound]
     seen = set()
@@ -68,7 +68,7 @@ def _follows(bound: _Bound, bounds: list[_Bound]) -> bool:
     return False
 
 
-def _path_through(bound: _Bound, left: list[_Bound]) -> list[_Bound]:
+def _path_through(bound: _Between, left: list[_Between]) -> list[_Between]:
     """A chain with ``bound`` in it, taken out of ``left``."""
     left.remove(bound)
     path = [bound]
@@ -81,7 +81,7 @@ def _path_through(bound: _Bound, left: list[_Bound]) -> list[_Bound]:
     return path
 
 
-def _joined(path: list[_Bound]) -> str:
+def _joined(path: list[_Between]) -> str:
     if len(path) == 1 and path[0].low == Integer(0):
         sign = ">" if path[0].sign == "<" else r"\ge"
         return f"{expression_latex(path[0].high)} {sign} 0"

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tresym.racket.flip.separatrix import solve
-from tresym.racket.floats import many
-from tresym.racket.floats.many import CHUNK, defects
+from tresym.racket.floats import shapes
+from tresym.racket.floats.shapes import CHUNK, defects
 from tresym.reals.numbers.arithmetic import ball_precision
 
 
@@ -88,19 +88,19 @@ def test_the_parts_are_as_near_as_they_say() -> None:
     phase = np.full_like(k, 4.0)
     for _ in range(2000):
         phase = np.pi + np.arctan(r * np.tanh(k * phase))
-    guess = many._guess(k, r)
+    guess = shapes._guess(k, r)
     assert np.abs(guess / phase - 1).max() < 0.03
     x = np.geomspace(1e-6, 1e6, 2000)
-    assert np.abs(many._rough_arctan(x) - np.arctan(x)).max() < 1.2e-5
-    first = guess - many._halley(guess, k, r, many._rough_arctan)[0]
-    step, tangent = many._halley(first, k, r, np.arctan)
+    assert np.abs(shapes._rough_arctan(x) - np.arctan(x)).max() < 1.2e-5
+    first = guess - shapes._halley(guess, k, r, shapes._rough_arctan)[0]
+    step, tangent = shapes._halley(first, k, r, np.arctan)
     assert np.abs(first - step - phase).max() < 1e-13
     assert (np.abs(k * step) < 1e-3).all()
     assert np.abs(tangent - np.tanh(k * first)).max() < 1e-15
 
 
 def test_a_planted_error_in_the_last_step_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = many._halley
+    whole = shapes._halley
     monkeypatch.setattr(many, "_halley", lambda *x: (whole(*x)[0] * (1 + 1e-3), whole(*x)[1]))
     wrong = float(defects(0.3, 0.9))
     assert error(0.3, 0.9, wrong) > 1e-13
