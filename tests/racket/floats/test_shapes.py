@@ -101,6 +101,6 @@ def test_the_parts_are_as_near_as_they_say() -> None:
 
 def test_a_planted_error_in_the_last_step_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = shapes._halley
-    monkeypatch.setattr(many, "_halley", lambda *x: (whole(*x)[0] * (1 + 1e-3), whole(*x)[1]))
+    monkeypatch.setattr(shapes, "_halley", lambda *x: (whole(*x)[0] * (1 + 1e-3), whole(*x)[1]))
     wrong = float(defects(0.3, 0.9))
     assert error(0.3, 0.9, wrong) > 1e-13
