@@ -29,7 +29,6 @@ from sympy import Derivative, Function, Rational, cosh, exp, pi, sinh, sqrt, tan
 from tresym.proofs.conditions import auxiliary, shape
 from tresym.proofs.exponent import logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import slope_in_T_positive
-from tresym.proofs.remainders import at_unit_b
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.ledger.certificates import certificate
@@ -40,6 +39,7 @@ from tresym.ledger.reasons import algebra, differentiation, exponentials
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import stable
 from tresym.racket.near import charts
+from tresym.racket.near.samples import at_unit_b
 from tresym.racket.notation import T, a, b, epsilon0, gamma, k, r, x
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
@@ -211,7 +211,7 @@ printed_remainder = Claim(
         ),
         "t = 1/sqrt(ab) -> 0 along b = 1, a = 1/t^2",
         RESTS_ON,
-        at_unit_b(exp(-2 * sqrt(a * b) * pi)),
+        Meant(at_unit_b(), exp(-2 * sqrt(a * b) * pi)),
     ),
     expect=Verdict.REFUTED,
     where=Place(display=47),

@@ -34,7 +34,6 @@ from sympy import (
 )
 from tresym.proofs.conditions import shape
 from tresym.proofs.printed import exact_defect
-from tresym.proofs.remainders import RACKET, in_chart
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.ledger.claim import (
@@ -54,6 +53,7 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import (
     adding,
     applying,
@@ -67,6 +67,7 @@ from tresym.ledger.reasons import (
     trigonometry,
 )
 from tresym.racket.formulas import printed
+from tresym.racket.near.samples import RACKET, in_chart
 from tresym.racket.notation import a, b, epsilon, epsilon0, lam, mu, u, x
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.order import Order
@@ -133,7 +134,7 @@ reduced_equation = Claim(
         ("a", "b"),
         "the standard racket",
         claims=(one_flip_defect,),
-        meant=in_chart(("a", "b"), epsilon0, shapes=(RACKET,)),
+        meant=Meant(in_chart(("a", "b"), shapes=(RACKET,)), epsilon0),
     ),
     where=Place(display=41),
     expect=Verdict.REFUTED,

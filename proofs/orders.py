@@ -37,18 +37,19 @@ from tresym.proofs.asymptotics import (
 )
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
-from tresym.proofs.remainders import RACKET, TURN, beside_tangent, in_bent_chart, in_chart
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import Claim, Fault, Place, all_of, equal
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.meant import Meant
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.near import charts
 from tresym.racket.near.bending import curvature
+from tresym.racket.near.samples import RACKET, TURN, beside_tangent, in_bent_chart, in_chart
 from tresym.racket.notation import (
     S,
     a,
@@ -123,7 +124,7 @@ quadratic_left = boxed(
     "b/a <= 4, epsilon0 <= 1/4",
     "1.84",
     slopes=True,
-    meant=in_chart(("R", "epsilon0"), (1 + b / a) * epsilon0**4 / 4),
+    meant=Meant(in_chart(("R", "epsilon0")), (1 + b / a) * epsilon0**4 / 4),
     given=shape,
     where=Place(display=38),
     note="The higher orders are at most 1.84 ε₀² times the term before them.",
@@ -138,7 +139,7 @@ linear_left = boxed(
     "b/a <= 4, epsilon0 <= 1/4",
     "0.92",
     slopes=True,
-    meant=in_chart(("R", "epsilon0"), epsilon0**3),
+    meant=Meant(in_chart(("R", "epsilon0")), epsilon0**3),
     given=shape,
     where=Place(display=39),
     note="The higher orders are at most 0.92 ε₀³.",
@@ -248,7 +249,7 @@ def _printed_order(
         BY_KAPPA,
         QUARTER,
         constant,
-        meant=in_chart(BY_KAPPA, gauge, {left: value}),
+        meant=Meant(in_chart(BY_KAPPA, {left: value}), gauge),
         given=(*shape, S**2 > 0),
         where=Place(display=display),
         **k,
@@ -378,7 +379,7 @@ tangent = Claim(
         as_rational("2"),
         (one_flip_defect, logarithmic_equation, slope_of_integral),
         certificate("eq_epsilon_gen"),
-        meant=in_bent_chart(sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
+        meant=Meant(in_bent_chart(), sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
     ),
     where=Place(display=22),
     expect=Verdict.ENCLOSED,
@@ -402,7 +403,7 @@ linear = Claim(
         ("gamma",),
         "the standard racket",
         claims=(one_flip_defect,),
-        meant=beside_tangent(1 / TURN, (fmpq(1, 10000),)),
+        meant=Meant(beside_tangent((fmpq(1, 10000),)), 1 / TURN),
     ),
     where=Place(display=31),
     expect=Verdict.REFUTED,
@@ -429,7 +430,7 @@ def _printed_slope(label: str, display: int) -> Claim:
             Order("O", difference, lambda t, m: t**2, upto=fmpq(1, 2000)),
             "t = gamma -> 0 from above, the standard racket",
             (tangent,),
-            beside_tangent(gamma**2),
+            Meant(beside_tangent(), gamma**2),
         ),
         where=Place(display=display),
         expect=Verdict.REFUTED,

@@ -1,4 +1,4 @@
-"""What the symbols of a formula are where its remainder is bounded: at shapes, with their exact ε₀.
+"""What the symbols of a formula are at points of a chart: at shapes, with their exact ε₀.
 
 What a margin or an order bounds is compared there with what the formula itself leaves out.
 """
@@ -11,7 +11,6 @@ from typing import Any
 from flint import arb, fmpq
 from sympy import Basic, Subs, Symbol
 
-from tresym.ledger.evidence.meant import Meant
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
@@ -19,7 +18,7 @@ from tresym.racket.notation import S, a, b, depsilon_dgamma, epsilon, epsilon0, 
 from tresym.reals.numbers.arithmetic import balls
 
 Values = dict[Basic, arb]
-Sample = tuple[tuple[arb, ...], Values]
+Samples = Callable[[], Iterator[tuple[tuple[arb, ...], Values]]]
 
 RACKET = (fmpq(1517, 121), fmpq(55, 874))
 """The standard racket."""
@@ -44,17 +43,16 @@ def at_shape(p: fmpq | arb, q: fmpq | arb) -> Values:
 
 def in_chart(
     names: tuple[str, ...],
-    gauge: Basic,
     left: Mapping[Basic, Callable[..., Any]] | None = None,
     shapes: tuple[tuple[fmpq, fmpq], ...] = SHAPES,
-) -> Meant:
+) -> Samples:
     """Shapes, in a chart of b, κ = 1/√(ab), R = b/a, a and ε₀.
 
     Args:
         left: values at γ = 0 that the formula names by a symbol, as functions of (ε₀, a, b, S, m).
     """
 
-    def samples() -> Iterator[Sample]:
+    def samples() -> Iterator[tuple[tuple[arb, ...], Values]]:
         for p, q in shapes:
             known = at_shape(p, q)
             for node, function in (left or {}).items():
@@ -68,37 +66,35 @@ def in_chart(
             }
             yield tuple(chart[name] for name in names), known
 
-    return Meant(samples, gauge)
+    return samples
 
 
-def at_unit_b(gauge: Basic) -> Meant:
+def at_unit_b() -> Samples:
     """The path b = 1, a = 1/t²."""
 
-    def samples() -> Iterator[Sample]:
+    def samples() -> Iterator[tuple[tuple[arb, ...], Values]]:
         for t in (arb(fmpq(1, 2)), arb(fmpq(1, 4))):
             yield (t,), at_shape(1 / t**2, fmpq(1))
 
-    return Meant(samples, gauge)
+    return samples
 
 
-def beside_tangent(gauge: Basic, levels: tuple[fmpq, ...] = NEAR) -> Meant:
+def beside_tangent(levels: tuple[fmpq, ...] = NEAR) -> Samples:
     """The standard racket at these levels γ."""
-    return Meant(
-        lambda: (((arb(level),), _at_level(*RACKET, arb(level))) for level in levels), gauge
-    )
+    return lambda: (((arb(level),), _at_level(*RACKET, arb(level))) for level in levels)
 
 
-def in_bent_chart(gauge: Basic) -> Meant:
+def in_bent_chart() -> Samples:
     """Levels γ = bε₀²v, in the chart (b, κ, v)."""
 
-    def samples() -> Iterator[Sample]:
+    def samples() -> Iterator[tuple[tuple[arb, ...], Values]]:
         for p, q in SHAPES[:2]:
             shape = at_shape(p, q)
             for v in (arb("0.5"), arb("-0.5")):
                 known = _at_level(p, q, shape[b] * shape[epsilon0] ** 2 * v)
                 yield (known[b], known[lam], v), known
 
-    return Meant(samples, gauge)
+    return samples
 
 
 def slope_at_separatrix(known: Values) -> arb:
