@@ -18,7 +18,7 @@ from tresym.reals.balls.order import Judgement, Size
 from tresym.reals.language.expression import PI, ZERO, E, Expr, apply, differentiate, number, sqrt
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval, simplest_between
+from tresym.reals.numbers.exact import InputError, Interval
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
@@ -49,15 +49,15 @@ def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
                 seen.add(point)
                 yield point
     for wider in (1, 2**12, 2**24):
-        gap = wider * ((worst.high - worst.low) or fmpq(1, 2**40))
-        low, high = worst.low - gap, worst.high + gap
-        found = [number(simplest_between(low, high))]
+        gap = wider * (worst.width or fmpq(1, 2**40))
+        about = Interval(worst.low - gap, worst.high + gap)
+        found = [number(about.simplest())]
         with ball_precision(PRECISION):
             for there, back in _KINDS:
-                ends = there(arb(low)).lower(), there(arb(high)).upper()
+                ends = there(arb(about.low)).lower(), there(arb(about.high)).upper()
                 if not (ends[0].is_finite() and ends[1].is_finite() and ends[0] <= ends[1]):
                     continue
-                r = simplest_between(*map(rational, ends))
+                r = Interval(ends[0].fmpq(), ends[1].fmpq()).simplest()
                 if r != 0 and max(abs(r.p), r.q) < LARGEST_DENOMINATOR:
                     found.append(back(number(r)))
         for point in found:
@@ -167,12 +167,4 @@ def enclosure(point: Expr) -> tuple[fmpq, fmpq]:
         return point.args[0], point.args[0]
     with ball_precision(2 * PRECISION):
         value = evaluate(point, {})
-        return rational(value.lower()), rational(value.upper())
-
-
-def rational(x: arb) -> fmpq:
-    """The exact value of a ball of radius zero."""
-    mantissa, exponent = x.man_exp()
-    if exponent >= 0:
-        return fmpq(mantissa * 2 ** int(exponent))
-    return fmpq(mantissa, 2 ** int(-exponent))
+        return value.lower().fmpq(), value.upper().fmpq()

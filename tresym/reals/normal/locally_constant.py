@@ -45,11 +45,10 @@ from tresym.reals.normal.constants import settled, vanishes
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import simplest_between
+from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import sample_points
 from tresym.reals.places.conditions import Given
-from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
 
 MAX_POINTS = 400
@@ -103,7 +102,7 @@ def _candidates(
 ) -> Iterator[dict[str, Expr] | None]:
     """A point of every region between the walls that has a part inside ``ends``; None: too hard."""
     if not walls:
-        simple = {name: _middle(given.box.get(name, Range())) for name in names}
+        simple = {name: _middle(given, name) for name in names}
         with ball_precision(_BITS):
             at = {name: evaluate(value, {}) for name, value in simple.items()}
             inside = all(condition.holds(at) for condition in given.conditions)
@@ -131,18 +130,12 @@ def _as_numbers(point: dict[str, fmpq] | None) -> dict[str, Expr] | None:
     return None if point is None else {name: number(value) for name, value in point.items()}
 
 
-def _middle(where: Range) -> Expr:
+def _middle(given: Given, name: str) -> Expr:
     """0, or a multiple of π in an interval between such."""
-    if (where.low is None or where.low < 0) and (where.high is None or where.high > 0):
+    turns = given.half_turns.get(name, Interval())
+    if turns.low is None or turns.high is None or turns.low < 0 < turns.high:
         return number(0)
-    if where.pi_low is None or where.pi_high is None:
-        return number(0)
-    return number(simplest_between(*_inner_half(where.pi_low, where.pi_high))) * PI
-
-
-def _inner_half(low: fmpq, high: fmpq) -> tuple[fmpq, fmpq]:
-    quarter = (high - low) / 4
-    return low + quarter, high - quarter
+    return number(near(turns.middle, turns.width / 4)) * PI
 
 
 def _loose_ends(

@@ -13,7 +13,7 @@ from flint import arb, fmpq
 
 from tresym.reals.language.expression import Expr
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import simplest_between
+from tresym.reals.numbers.exact import near
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
@@ -35,9 +35,7 @@ def low_points(
         with ball_precision(BITS):
             found = _descended(difference, given, start)
         for tolerance in TOLERANCES:
-            yield {
-                name: simplest_between(x - tolerance, x + tolerance) for name, x in found.items()
-            }
+            yield {name: near(x, tolerance) for name, x in found.items()}
         yield found
 
 
