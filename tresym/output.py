@@ -56,11 +56,11 @@ def _remove_what_the_dead_left(goal: str) -> None:
     """Remove the files aside of processes that were killed while they wrote."""
     folder, name = os.path.split(goal)
     for found in os.listdir(folder or "."):
-        parts = found.removeprefix(f"{name}.").split(".")
-        if found.startswith(f"{name}.") and len(parts) == 2 and parts[1] == "part":
-            if parts[0].isdecimal() and not _is_alive(int(parts[0])):
-                with suppress(OSError):
-                    os.remove(os.path.join(folder, found))
+        process = found.removeprefix(f"{name}.").removesuffix(".part")
+        is_ours = found == f"{name}.{process}.part" and process.isdecimal()
+        if is_ours and not _is_alive(int(process)):
+            with suppress(OSError):
+                os.remove(os.path.join(folder, found))
 
 
 def _is_alive(process: int) -> bool:

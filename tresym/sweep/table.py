@@ -138,7 +138,7 @@ def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
             connection.execute("PRAGMA journal_mode = WAL")
             connection.execute("PRAGMA synchronous = NORMAL")
         table = Table(path, connection, request["digits"] is None)
-        with _plainly(path, ()):
+        with _plainly(path, sqlite3.Error):
             yield table
     finally:
         connection.close()
@@ -182,12 +182,12 @@ def _forget_damage(connection: sqlite3.Connection, request: dict[str, Any]) -> N
 
 
 @contextmanager
-def _plainly(path: str, others: tuple[type[Exception], ...] = (ValueError,)) -> Iterator[None]:
+def _plainly(path: str, others: type[Exception] = ValueError) -> Iterator[None]:
     """SQLite's complaints as bad input, in one line."""
     try:
         yield
-    except (sqlite3.Error, *others) as error:
-        if isinstance(error, InputError):
+    except Exception as error:
+        if isinstance(error, InputError) or not isinstance(error, (sqlite3.Error, others)):
             raise
         if "locked" in str(error):
             raise InputError(f"{path}: is in use by another process") from None

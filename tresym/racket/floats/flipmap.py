@@ -161,7 +161,7 @@ def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
 def _unmasked(x: ArrayLike) -> Floats:
     """As floats, NaN where the array is masked."""
     if isinstance(x, np.ma.MaskedArray):
-        return np.asarray(x.astype(np.float64).filled(np.nan))
+        return np.asarray(np.ma.filled(x.astype(np.float64), np.nan))
     return np.asarray(x, dtype=np.float64)
 
 
