@@ -143,7 +143,7 @@ def _falling(
         label=f"{name}_turn",
         says=equal(_turn(c), pi),
         given=tuple(condition.xreplace({gamma: c}) for condition in given),
-        proof=Definition(),
+        proof=Definition(assumes="half a turn of the handle from epsilon to the middle"),
     )
     by_defect = Claim(
         label=f"{name}_falls_in_defect",

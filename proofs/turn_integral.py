@@ -76,7 +76,7 @@ one_turn = Claim(
     label="one_turn",
     says=equal(_turn(gamma), pi),
     given=(*shape, b < 1, *defect, gamma >= 0),
-    proof=Definition(),
+    proof=Definition(assumes="one turn of the handle, before the motion turns back"),
     where=Place(display=49),
     note="What one turn of the handle means, by d48, while the motion has not turned.",
 )

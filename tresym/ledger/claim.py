@@ -21,6 +21,7 @@ from flint import arb, fmpq
 from sympy import Basic, Derivative, Eq, Expr, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
+from tresym.ledger.finding import Premise, Ruling
 from tresym.reals.verdict import Verdict
 
 
@@ -110,6 +111,11 @@ class Definition:
     """
 
     assumes: str = ""
+
+    @property
+    def premise(self) -> Premise:
+        """What the claim is: a definition, or assumed."""
+        return Premise.ASSUMED if self.assumes else Premise.DEFINED
 
 
 @dataclass(frozen=True)
@@ -250,10 +256,10 @@ class Claim:
         given: SymPy relations that hold wherever the claim is made.
         proof: the evidence; its type decides how the claim is judged.
         where: the place in the paper; None for a lemma of ours.
-        expect: the verdict this claim must get.
+        expect: the verdict this claim must get; of a definition, what its evidence says.
         amended_by: for a claim expected REFUTED, the claims that are true instead.
         note: one or two sentences for the reader.
-        kind: identity, number, bound, order, limit or statement.
+        kind: identity, number, bound, order, limit or statement; of a definition, definition.
         shown: LaTeX for reports, where the statement written out would hide what it says.
         paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
             where ``says`` is a sharper reading, which is ours.
@@ -267,13 +273,18 @@ class Claim:
     kind: str = "identity"
     given: tuple[Basic, ...] = ()
     where: Place | None = None
-    expect: Verdict = Verdict.PROVED
+    expect: Ruling = Verdict.PROVED
     amended_by: tuple[Claim, ...] = ()
     note: str = ""
     shown: str | None = None
     paper_says: str = ""
     fault: Fault = Fault.STATEMENT
     quotes: tuple[Axiom, ...] = ()
+
+    def __post_init__(self) -> None:
+        if isinstance(self.proof, Definition):
+            object.__setattr__(self, "kind", "definition")
+            object.__setattr__(self, "expect", self.proof.premise)
 
     def __hash__(self) -> int:
         return hash(self.label)

@@ -39,7 +39,7 @@ from tresym.ledger.evidence.integrals import NotShownError, need_smooth, with_bo
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
-from tresym.ledger.finding import Finding, StepFinding
+from tresym.ledger.finding import Finding, Premise, StepFinding
 from tresym.ledger.meaning import (
     CircularError,
     defined,
@@ -67,6 +67,9 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
+
+_WEAKEST_FIRST = (Verdict.ENCLOSED, Verdict.PROVED, Premise.ASSUMED, Premise.DEFINED)
+"""What a conjunction of claims that hold is: what premises alone say is no more than they are."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
 
@@ -165,7 +168,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         return Finding(UNDECIDED, why)
     match claim.proof:
         case Definition():
-            return _judge_definition(claim)
+            return _judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
         case AllOf(claims):
@@ -259,7 +262,7 @@ def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
     return says.has(Derivative, Integral, Subs) and not defined
 
 
-def _judge_definition(claim: Claim) -> Finding:
+def _judge_definition(claim: Claim, proof: Definition) -> Finding:
     """A definition holds when its symbols are new, each defined once, by what has a value.
 
     An equation for an integral defines a symbol in it implicitly: a point is looked for that
@@ -283,7 +286,9 @@ def _judge_definition(claim: Claim) -> Finding:
             return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
     if implicit and not satisfiable(claim.given, parts_of(claim.says)):
         return Finding(UNDECIDED, "no point is found that satisfies the equation")
-    return Finding(PROVED, "introduces " + ", ".join(sorted(map(str, (*explicit, *implicit)))))
+    names = ", ".join(sorted(map(str, (*explicit, *implicit))))
+    why = f"introduces {names}" if not proof.assumes else f"assumed: {proof.assumes}"
+    return Finding(proof.premise, why)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
@@ -297,9 +302,9 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
             return Finding(REFUTED, why, witness=finding.witness)
         if finding.verdict is UNDECIDED:
             return Finding(UNDECIDED, f"{claim.label} is undecided")
-    enclosed = any(found[c.label].verdict is Verdict.ENCLOSED for c in claims)
-    why = "follows from " + ", ".join(c.label for c in claims)
-    return Finding(Verdict.ENCLOSED if enclosed else PROVED, why)
+    verdicts = {found[c.label].verdict for c in claims}
+    weakest = next(v for v in _WEAKEST_FIRST if v in verdicts)
+    return Finding(weakest, "follows from " + ", ".join(c.label for c in claims))
 
 
 def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:

@@ -14,7 +14,7 @@ from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes
@@ -39,7 +39,7 @@ class Row:
         return _meets(self.claim.expect, self.finding.verdict)
 
 
-def _meets(expected: Verdict, verdict: Verdict) -> bool:
+def _meets(expected: Ruling, verdict: Ruling) -> bool:
     """A stronger verdict than expected is welcome: PROVED where ENCLOSED would do."""
     return verdict is expected or (expected is Verdict.ENCLOSED and verdict is Verdict.PROVED)
 
@@ -52,9 +52,9 @@ class Report:
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many claims got each verdict; all four are always present."""
+        """How many claims got each verdict; all are always present."""
         counted = Counter(row.finding.verdict.value for row in self.rows)
-        return {v.value: counted[v.value] for v in Verdict}
+        return {v.value: counted[v.value] for v in RULINGS}
 
     @property
     def as_expected(self) -> bool:

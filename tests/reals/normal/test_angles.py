@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz_poly
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tresym.reals.language.parsing import parse
+from tresym.reals.normal import angles
 from tresym.reals.normal.angles import MAX_HALF_TURN, MAX_MULTIPLE
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.sign_equations import AgainError
@@ -136,3 +137,18 @@ def test_thirds_of_arc_tangents_may_be_an_odd_turn(angle: str) -> None:
     """They stay in the angle: on a region it is π, and 1 + cos of it is 0."""
     assert not equal(f"sign(1 + cos({angle}))", "1")
     assert equal(f"cos({angle})^2 + sin({angle})^2", "1")
+
+
+@pytest.mark.parametrize("other", [18, 7, 14, 3])
+def test_another_minimal_polynomial_is_not_believed(
+    other: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Lying(fmpz_poly):
+        @staticmethod
+        def cos_minpoly(_: int) -> fmpz_poly:
+            return fmpz_poly.cos_minpoly(other)
+
+    assert equal("cos(pi/7) - cos(2*pi/7) + cos(3*pi/7)", "1/2")
+    monkeypatch.setattr(angles, "fmpz_poly", Lying)
+    with pytest.raises(ArithmeticError):
+        Field(Given(), size=8).normal(parse("cos(pi/7)"))

@@ -13,6 +13,7 @@ from flint import arb, fmpq, fmpz_poly
 from tresym.reals.normal.powers import PowerRing
 from tresym.reals.normal.ring import Fraction, Generator, Poly
 from tresym.reals.normal.sign_equations import AgainError
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_HALF_TURN = 240
@@ -195,8 +196,8 @@ class AngleRing(PowerRing):
             raise AgainError
         generator = self.generator("cosine", m, (m,))
         z = self.variable(generator)
-        minimal = fmpz_poly.cos_minpoly(2 * m)
         if not any(position == generator.position for position, _, _ in self.relations):
+            minimal = _minimal(m)
             tail = self.zero_poly
             for k in range(minimal.degree()):
                 tail = tail - z**k * minimal[k]
@@ -232,3 +233,22 @@ class AngleRing(PowerRing):
                 return self.zero, self.one
             case _:
                 return self.constant(-1), self.zero
+
+
+def _minimal(m: int) -> fmpz_poly:
+    """FLINT's minimal polynomial of z = 2cos(π/m), which is shown to vanish there.
+
+    It divides that of sin(mθ)/sin θ in 2cos θ, and the quotient is not 0 at z.
+
+    Raises:
+        ArithmeticError: it is another polynomial.
+    """
+    found, x = fmpz_poly.cos_minpoly(2 * m), fmpz_poly([0, 1])
+    before, sines = fmpz_poly([0]), fmpz_poly([1])
+    for _ in range(m - 1):
+        before, sines = sines, x * sines - before
+    quotient, rest = divmod(sines, found)
+    with ball_precision(8 * WORKING):
+        if rest == 0 and not quotient(2 * arb.cos_pi_fmpq(fmpq(1, m))).contains(0):
+            return found
+    raise ArithmeticError("what was found is no minimal polynomial")

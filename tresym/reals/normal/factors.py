@@ -15,7 +15,7 @@ from tresym.reals.normal.monotone import same_sign
 from tresym.reals.normal.ranges import MAX_DEPTH
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError, small_factor
 from tresym.reals.normal.sign_equations import SignedRing
-from tresym.reals.numbers.factoring import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError, primes_of
 from tresym.reals.places.conditions import Given
 
 MAX_PRIME_BITS = 160
@@ -153,7 +153,7 @@ class FactoredRing(SignedRing):
         result = self.context.constant(unit.isqrt())
         for part, k in parts:
             result = result * part ** (k // 2)
-        return result
+        return result if result**2 == p else None
 
     def factors(self, x: Fraction) -> tuple[int, Factors]:
         """``x`` as a sign times powers of canonical factors, primes among them.
@@ -182,7 +182,7 @@ class FactoredRing(SignedRing):
             return []
         if n.bit_length() > MAX_PRIME_BITS:
             return [(n, 1)]
-        return [(prime, int(k)) for prime, k in n.factor()]
+        return primes_of(n)
 
     # Signs
 

@@ -240,8 +240,8 @@ class PowerRing(FactoredRing):
         """Rational coefficients with ``Σ c_i basis_i = x``, or None."""
         common = x.den
         for element in basis:
-            common = common * (element.den // common.gcd(element.den))
-        columns = [dict((item.num * (common // item.den)).terms()) for item in (*basis, x)]
+            common = common * (element.den / common.gcd(element.den))
+        columns = [dict((item.num * (common / item.den)).terms()) for item in (*basis, x)]
         rows = sorted({monomial for column in columns for monomial in column})
         if not set(columns[-1]) <= {m for column in columns[:-1] for m in column}:
             return None
@@ -257,7 +257,8 @@ class PowerRing(FactoredRing):
                 return None
             if pivot is not None:
                 solution[pivot] = reduced[i, n]
-        return solution
+        rest = matrix * fmpq_mat(n + 1, 1, [*solution, -1])
+        return solution if rest == fmpq_mat(len(rows), 1) else None
 
 
 def _proportion(p: Poly, q: Poly) -> fmpq | None:

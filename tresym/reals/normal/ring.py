@@ -142,7 +142,7 @@ class Ring:
             return self.zero
         common = num.gcd(den)
         if not common.is_one():
-            num, den = num // common, den // common
+            num, den = num / common, den / common
         if den.leading_coefficient() < 0:
             num, den = -num, -den
         return Fraction(num, den)
@@ -174,7 +174,7 @@ class Ring:
             if self.is_mixed(norm):
                 continue
             common = norm.gcd(conjugate)
-            norm, conjugate = norm // common, conjugate // common
+            norm, conjugate = norm / common, conjugate / common
             num, den = self.reduce(num * conjugate), norm
             degrees = den.degrees()
         return num, den
@@ -214,7 +214,7 @@ class Ring:
                 return Fraction(total, x.den)
             return self._cancel(total, x.den)
         common = x.den.gcd(y.den)
-        left, right = y.den // common, x.den // common
+        left, right = y.den / common, x.den / common
         return self.make(_bounded(x.num * left + y.num * right), x.den * left)
 
     def sum(self, terms: list[Fraction]) -> Fraction:
@@ -240,9 +240,9 @@ class Ring:
             return Fraction(self.reduce(x.num * y.num), x.den)
         g, h = x.num.gcd(y.den), y.num.gcd(x.den)
         if not g.is_one() and not g.is_zero():
-            x, y = Fraction(x.num // g, x.den), Fraction(y.num, y.den // g)
+            x, y = Fraction(x.num / g, x.den), Fraction(y.num, y.den / g)
         if not h.is_one() and not h.is_zero():
-            x, y = Fraction(x.num, x.den // h), Fraction(y.num // h, y.den)
+            x, y = Fraction(x.num, x.den / h), Fraction(y.num / h, y.den)
         return self.make(x.num * y.num, x.den * y.den)
 
     def invert(self, x: Fraction) -> Fraction:
@@ -307,7 +307,7 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
     small = p.project_to_context(context, dict(zip(used, range(len(used)), strict=True)))
     unit, factors = factors_of(small)
     back = dict(enumerate(used))
-    return unit, [(f.project_to_context(ring.context, back), int(k)) for f, k in factors]
+    return unit, [(f.project_to_context(ring.context, back), k) for f, k in factors]
 
 
 @cache

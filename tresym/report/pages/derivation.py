@@ -35,6 +35,8 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \definecolor{enclosed}{HTML}{1F5FA8}
 \definecolor{refuted}{HTML}{9C2A6B}
 \definecolor{undecided}{HTML}{8A6D00}
+\definecolor{defined}{HTML}{4A5A6A}
+\definecolor{assumed}{HTML}{7A4B1E}
 \newcommand{\verdict}[2]{\textcolor{#1}{\textsf{\small #2}}}
 \newcommand{\fitted}[1]{\[\adjustbox{max width=\linewidth}{$\displaystyle #1$}\]}
 """
