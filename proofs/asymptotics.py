@@ -471,7 +471,7 @@ newton_remainder = Claim(
         Integral((T - psi) * _at(_curvature, psi), (psi, x, T)),
     ),
     given=(*auxiliary, T > 0, x > 0),
-    proof=by(integrating((T - psi) * (1 - k * r / _at(_D, psi)) + _at(_phase, psi)), exponentials),
+    proof=by(integrating((T - psi) * (1 - k * r / _at(_D, psi)) + _at(_phase, psi))),
     note="What a tangent at x leaves out at the root T, which a Newton step divides by the slope "
     "at x. As T − ψ keeps its sign it is half of (T − x)² times a value that the curvature takes "
     "between x and T.",

@@ -224,7 +224,6 @@ arsinh_concave = Claim(
         step(
             Integral(_bend, (psi, 0, x)),
             integrating(asinh(_share * psi) - _share * asinh(psi)),
-            roots,
         ),
     ),
 )

@@ -86,7 +86,7 @@ planar_shape = Claim(
         equal(sqrt(_b / (_a + _b)), _u),
     ),
     given=_some,
-    proof=together(*(by(roots) for _ in range(4))),
+    proof=together(by(), by(), by(roots), by(roots)),
     note="With a = 1/u − 1: a planar body, the factor of its equation, √(ab) and μ.",
 )
 
@@ -108,7 +108,7 @@ floor_split = Claim(
         asinh(_c * sinh(pi)) - _c * asinh(sinh(pi)) + _c * _u / (1 + _u) * (pi - _turned / _u),
     ),
     given=_some,
-    proof=by(exponentials, inverses),
+    proof=by(algebra),
     note="Q(e) − log(e/ε*) at the candidate: not negative, and what the bound is about.",
 )
 
