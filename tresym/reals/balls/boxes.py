@@ -17,7 +17,7 @@ import heapq
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
@@ -88,6 +88,7 @@ class BoxProof:
     """
 
     tree: str
+    verdict: ClassVar = Verdict.ENCLOSED
 
     @property
     def leaves(self) -> int:
@@ -101,6 +102,7 @@ class Counterexample:
 
     point: BoxPoint
     value: arb
+    verdict: ClassVar = Verdict.REFUTED
 
 
 @dataclass(frozen=True)
@@ -108,42 +110,7 @@ class Open:
     """Nothing is shown, for lack of budget or of a better margin; ``worst`` stayed open."""
 
     worst: Box
-
-
-@dataclass(frozen=True)
-class BoundDecision:
-    """What a search or a re-check of a bound came to."""
-
-    verdict: Verdict
-    proof: BoxProof | None = None
-    counterexample: Counterexample | None = None
-
-    @property
-    def witness(self) -> dict[str, str]:
-        """The counterexample's coordinates as exact text, x1, x2, …; empty without one."""
-        if self.counterexample is None:
-            return {}
-        point = self.counterexample.point
-        return {f"x{i + 1}": fraction_text(x) for i, x in enumerate(point)}
-
-
-def decide_bound(
-    bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
-) -> BoundDecision:
-    """Decide a bound: by re-checking ``stored`` where given, else by a search of ``budget`` boxes.
-
-    Raises:
-        CertificateError: ``stored`` does not prove the bound.
-    """
-    if stored is not None:
-        recheck(bound, stored)
-        return BoundDecision(Verdict.ENCLOSED, stored)
-    outcome = prove_positive(bound, budget)
-    if isinstance(outcome, BoxProof):
-        return BoundDecision(Verdict.ENCLOSED, outcome)
-    if isinstance(outcome, Counterexample):
-        return BoundDecision(Verdict.REFUTED, counterexample=outcome)
-    return BoundDecision(Verdict.UNDECIDED)
+    verdict: ClassVar = Verdict.UNDECIDED
 
 
 def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | None:
@@ -177,8 +144,28 @@ def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | N
     return None
 
 
-def prove_positive(bound: Bound, budget: int = 20_000) -> BoxProof | Counterexample | Open:
-    """Search for a proof of the bound, or for a point that refutes it, in ``budget`` boxes."""
+def decide_bound(
+    bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
+) -> BoxProof | Counterexample | Open:
+    """A proof of the bound, a point that refutes it, or neither, found in ``budget`` boxes.
+
+    What is called a proof has been checked, whether it was stored or found.
+
+    Raises:
+        CertificateError: ``stored``, or what was found, does not prove the bound.
+    """
+    found = stored or _found(bound, budget)
+    if isinstance(found, BoxProof):
+        recheck(bound, found)
+    elif isinstance(found, Counterexample):
+        with ball_precision(bound.precision):
+            inside = all(s.holds(x) for s, x in zip(bound.box, found.point, strict=True))
+            if not (inside and value_at(bound.margin, found.point) < 0):
+                raise CertificateError("the bound does not fail at the point that was found")
+    return found
+
+
+def _found(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
     with ball_precision(bound.precision):
         for point in _inner_corners(bound.box):
             value = value_at(bound.margin, point)

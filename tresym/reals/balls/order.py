@@ -18,7 +18,7 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from tresym.reals.balls.boxes import Bound, Counterexample, Open, box, prove_positive, supremum
+from tresym.reals.balls.boxes import Bound, Counterexample, Open, box, decide_bound, supremum
 from tresym.reals.balls.germ import (
     Germ,
     Germs,
@@ -328,7 +328,7 @@ def _at_most(statement: Order, expansion: _Expansion) -> Judgement:
             raise UnresolvedError("the bound is not certain near the point")
         end = _end(statement)
         if expansion.reach < end:
-            outcome = prove_positive(_beyond(statement, expansion.reach, end), budget=4000)
+            outcome = decide_bound(_beyond(statement, expansion.reach, end), budget=4000)
             if isinstance(outcome, Open):
                 return Judgement(Verdict.UNDECIDED)
             if isinstance(outcome, Counterexample):

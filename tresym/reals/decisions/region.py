@@ -12,7 +12,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, prove_positive
+from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, decide_bound
 from tresym.reals.balls.contact import candidates, enclosure, sign_at_contact
 from tresym.reals.balls.ends import sign_beside
 from tresym.reals.decisions.answer import Answer, refuted
@@ -260,7 +260,7 @@ class _Search:
 
     def _prove(self, sides: Box, budget: int) -> Answer | Box:
         """ENCLOSED, REFUTED, or the box that stayed open."""
-        outcome = prove_positive(Bound(self._margin, sides, precision=PRECISION), budget)
+        outcome = decide_bound(Bound(self._margin, sides, precision=PRECISION), budget)
         if isinstance(outcome, BoxProof):
             return Answer(Verdict.ENCLOSED, self._closed(outcome.leaves))
         if isinstance(outcome, Counterexample):
