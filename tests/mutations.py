@@ -1,8 +1,9 @@
-"""Small changes to the source of a checker, each of which should let something false pass.
+"""Small changes to the source of a checker, each of which may let something false pass.
 
-A guard is deleted, a test negated, one of several conditions dropped, a bound widened, a table of
-signs changed, a loop ended after its first turn, success returned at once. A mutant is applied to
-the functions in memory; no file is touched.
+A guard is deleted, a test negated, one of several conditions dropped, a bound widened, a sign
+allowed, a loop of guards ended after its first turn, success returned at once. Where a change has
+two ways, it is made the way that lets more pass. A mutant is applied to the functions in memory; no
+file is touched.
 """
 
 from __future__ import annotations
@@ -24,7 +25,6 @@ WIDER: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Gt: ast.GtE,
     ast.GtE: ast.Gt,
 }
-FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
 class Mutant(NamedTuple):
@@ -50,16 +50,16 @@ def mutants(file: str) -> list[Mutant]:
     """All mutants of a file, in the order of its lines."""
     found = []
     for piece, top in _pieces(_tree(file)).items():
-        nodes = enumerate(ast.walk(top))
-        for n, node in nodes:
-            for kind, part, shown in _changes(node, isinstance(top, FUNCTIONS)):
+        leaning, table = _leanings(top), not isinstance(top, ast.FunctionDef)
+        for n, node in enumerate(ast.walk(top)):
+            for kind, part, shown in _signs(node, node) if table else _changes(node, leaning):
                 line = getattr(shown, "lineno", getattr(top, "lineno", 0))
                 found.append(Mutant(file, piece, n, kind, part, line, _short(shown)))
     return sorted(found, key=lambda m: (m.line, m.kind, str(m.part)))
 
 
 def _short(node: ast.AST) -> str:
-    if isinstance(node, FUNCTIONS):
+    if isinstance(node, ast.FunctionDef):
         return f"def {node.name}"
     return ast.unparse(node.test if isinstance(node, ast.If) else node).split("\n")[0][:120]
 
@@ -73,61 +73,107 @@ def _pieces(tree: ast.Module) -> dict[str, ast.AST]:
     """Functions and methods by qualified name, and the tables of signs at the top of the file."""
     found: dict[str, ast.AST] = {}
     for node in tree.body:
-        if isinstance(node, FUNCTIONS):
+        if isinstance(node, ast.FunctionDef):
             found[node.name] = node
         elif isinstance(node, ast.ClassDef):
-            methods = (m for m in node.body if isinstance(m, FUNCTIONS))
+            methods = (m for m in node.body if isinstance(m, ast.FunctionDef))
             found |= {f"{node.name}.{m.name}": m for m in methods}
         elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             found[node.targets[0].id] = node.value
     return found
 
 
-def _changes(node: ast.AST, inside: bool) -> Iterator[tuple[str, Any, ast.AST]]:
-    """What can be done to one node: kind, which part of it, and what to show."""
-    if isinstance(node, ast.Tuple | ast.List | ast.Set) and len(node.elts) < 6:
+def _changes(node: Any, leaning: dict[int, int]) -> Iterator[tuple[str, Any, ast.AST]]:
+    """What can be done to one node of a function: kind, which part of it, and what to show.
+
+    Args:
+        leaning: 1 for an expression whose truth lets something pass, -1 where it refuses.
+    """
+    way = leaning.get(id(node), 0)
+    match node:
+        case ast.If() | ast.IfExp():
+            yield "negated", None, node
+            if isinstance(node, ast.If) and not node.orelse and leaning[id(node.test)] < 0:
+                yield "guard deleted", None, node
+        case ast.BoolOp() if way == (1 if isinstance(node.op, ast.And) else -1):
+            yield from (("dropped", k, value) for k, value in enumerate(node.values))
+        case ast.comprehension():
+            tests = enumerate(node.ifs)
+            yield from (("filter dropped", k, t) for k, t in tests if leaning.get(id(t), 1) > 0)
+        case ast.match_case() if node.guard is not None:
+            yield "case guard dropped", None, node.guard
+        case ast.Compare() if way:
+            yield from _widened(node, way)
+        case ast.Call() if ast.unparse(node.func) == ("any" if way < 0 else "all") and way:
+            yield "all or any", None, node
+        case ast.For() if any(isinstance(n, ast.stmt) and _refuses(n) for n in ast.walk(node)):
+            yield "first turn only", None, node.iter
+        case ast.FunctionDef() if node.returns is not None:
+            returns = ast.unparse(node.returns)
+            if returns == "bool" or returns.endswith("| None"):
+                yield "returned at once", returns == "bool" or None, node
+
+
+def _widened(node: ast.Compare, way: int) -> Iterator[tuple[str, Any, ast.AST]]:
+    """A comparison that lets more pass: its bound included, moved by one, a sign allowed."""
+    for k, (op, value) in enumerate(zip(node.ops, node.comparators, strict=True)):
+        up = way * (1 if isinstance(op, ast.Lt | ast.LtE) else -1)
+        if isinstance(op, (ast.Lt, ast.Gt) if way > 0 else (ast.LtE, ast.GtE)):
+            yield "bound", k, node
+        if isinstance(value, ast.Constant) and type(value.value) is int and type(op) in WIDER:
+            yield "constant", (k, up), node
+        if isinstance(op, ast.In | ast.NotIn) and isinstance(value, ast.Tuple):
+            more = isinstance(op, ast.In) == (way > 0)
+            yield from ((k, p, n) for k, p, n in _signs(value, node) if (k == "sign added") == more)
+
+
+def _signs(node: ast.AST, shown: ast.AST) -> Iterator[tuple[str, Any, ast.AST]]:
+    """Signs to add to a table of signs, or to drop from it."""
+    if isinstance(node, ast.Tuple):
         values = [getattr(e, "value", None) for e in node.elts]
         if values and all(v in SIGNS for v in values):
-            yield from (("sign added", s, node) for s in SIGNS if s not in values)
-            yield from (("sign dropped", k, node) for k in range(len(values)))
-    if not inside:
-        return
-    if isinstance(node, ast.If | ast.IfExp):
-        yield "negated", None, node
-        if isinstance(node, ast.If) and not node.orelse and _refuses(node.body[-1]):
-            yield "guard deleted", None, node
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
-        yield "negated", None, node
-    if isinstance(node, ast.BoolOp):
-        yield from (("dropped", k, value) for k, value in enumerate(node.values))
-    if isinstance(node, ast.comprehension):
-        yield from (("filter dropped", k, test) for k, test in enumerate(node.ifs))
-    if isinstance(node, ast.match_case) and node.guard is not None:
-        yield "case guard dropped", None, node.guard
-    if isinstance(node, ast.Compare):
-        yield from (("bound", k, node) for k, op in enumerate(node.ops) if type(op) in WIDER)
-        for k, value in enumerate(node.comparators):
-            if isinstance(value, ast.Constant) and type(value.value) is int:
-                yield from (("constant", (k, step), node) for step in (1, -1))
-    if isinstance(node, ast.Call) and ast.unparse(node.func) in ("all", "any"):
-        yield "all or any", None, node
-    if isinstance(node, ast.For):
-        yield "first turn only", None, node.iter
-    if isinstance(node, FUNCTIONS) and node.returns is not None:
-        text = ast.unparse(node.returns)
-        if text == "bool":
-            yield from (("returned at once", value, node) for value in (True, False))
-        elif text.endswith("| None"):
-            yield "returned at once", None, node
+            yield from (("sign added", s, shown) for s in SIGNS if s not in values)
+            yield from (("sign dropped", k, shown) for k in range(len(values)))
+
+
+def _leanings(top: ast.AST) -> dict[int, int]:
+    """For each truth value in a function: 1 where it lets something pass, -1 where it refuses."""
+    found: dict[int, int] = {}
+
+    def mark(node: ast.AST, way: int) -> None:
+        found[id(node)] = way
+        match node:
+            case ast.UnaryOp(op=ast.Not()):
+                mark(node.operand, -way)
+            case ast.BoolOp():
+                for value in node.values:
+                    mark(value, way)
+            case ast.Call(args=[ast.GeneratorExp() as inner]):
+                name = ast.unparse(node.func)
+                if name in ("all", "any", "bool"):
+                    mark(inner.elt, way)
+                    for test in inner.generators[0].ifs:
+                        mark(test, way if name == "any" else -way)
+            case ast.Call(args=[inner]) if ast.unparse(node.func) == "bool":
+                mark(inner, way)
+
+    for node in ast.walk(top):
+        match node:
+            case ast.If():
+                mark(node.test, -1 if _refuses(node.body[-1]) else 1)
+            case ast.IfExp():
+                mark(node.test, -1 if ast.unparse(node.body) in ("None", "False") else 1)
+            case ast.Return(value=ast.BoolOp() | ast.Compare() | ast.Call() | ast.UnaryOp()):
+                mark(node.value, 1)
+    return found
 
 
 def _refuses(last: ast.stmt) -> bool:
-    """Whether a branch ends by refusing: an error, None, False, a sentence, UNDECIDED."""
+    """Whether a branch ends by refusing: an error, None, False, a name, a sentence, UNDECIDED."""
     if isinstance(last, ast.Return):
-        value = last.value
-        plain = value is None or isinstance(value, ast.JoinedStr)
-        words = isinstance(value, ast.Constant) and value.value is not True
-        return plain or words or "UNDECIDED" in ast.unparse(value)
+        plain = isinstance(last.value, ast.JoinedStr | ast.Name | ast.Constant | None)
+        text = "" if last.value is None else ast.unparse(last.value)
+        return (plain and text != "True") or "UNDECIDED" in text
     return isinstance(last, ast.Raise | ast.Continue | ast.Break)
 
 
@@ -139,7 +185,7 @@ def apply(mutant: Mutant) -> None:
     code = compile(ast.fix_missing_locations(tree), str(ROOT / mutant.file), "exec")
     name = mutant.file.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
     live: Any = sys.modules[name]
-    if isinstance(top, FUNCTIONS):
+    if isinstance(top, ast.FunctionDef):
         for part in mutant.piece.split("."):
             live = vars(live)[part]
             code = next(c for c in code.co_consts if isinstance(c, CodeType) and c.co_name == part)
