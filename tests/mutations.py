@@ -197,7 +197,7 @@ def apply(mutant: Mutant) -> None:
     fresh = dict(vars(live))
     assert isinstance(top, ast.expr)
     new = eval(compile(ast.fix_missing_locations(ast.Expression(top)), name, "eval"), fresh)
-    for module in [m for n, m in sys.modules.items() if n.startswith("tresym")]:
+    for module in [live, *(m for n, m in sys.modules.items() if n.startswith("tresym"))]:
         vars(module).update({k: new for k, v in vars(module).items() if v is old})
 
 

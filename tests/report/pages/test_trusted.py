@@ -15,7 +15,9 @@ def counts() -> tuple[Count, Count]:
     return trusted()
 
 
-@pytest.mark.parametrize("name", [*ROOTS, *ENCLOSING, *RECHECKED])
+@pytest.mark.parametrize(
+    "name", [*ROOTS, *ENCLOSING, *(n for names in RECHECKED.values() for n in names)]
+)
 def test_what_is_named_is_there(name: str) -> None:
     path = HOME.joinpath(*name.split("."))
     if not (path.is_dir() or path.with_suffix(".py").is_file()):
