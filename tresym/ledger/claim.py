@@ -20,6 +20,7 @@ from typing import Any
 from flint import arb, fmpq
 from sympy import Basic, Derivative, Eq, Expr, Subs, Symbol, Tuple
 
+from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import Premise, Ruling
 from tresym.reals.verdict import Verdict
 
@@ -265,6 +266,7 @@ class Claim:
         paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
             where ``says`` is a sharper reading, which is ours.
         fault: for a claim expected REFUTED, what is wrong with the paper there.
+        quotes: theorems that the evidence applies and no claim shows.
     """
 
     label: str
@@ -279,6 +281,7 @@ class Claim:
     shown: str | None = None
     paper_says: str = ""
     fault: Fault = Fault.STATEMENT
+    quotes: tuple[Axiom, ...] = ()
 
     def __post_init__(self) -> None:
         if isinstance(self.proof, Definition):
@@ -300,6 +303,12 @@ class Claim:
         for claim in self.uses:
             order.update(dict.fromkeys((*claim.rests_on, claim)))
         return tuple(order)
+
+    @cached_property
+    def axioms(self) -> tuple[Axiom, ...]:
+        """The theorems quoted by the claim or by anything that it rests on, each once."""
+        quoted = (axiom for claim in (*self.rests_on, self) for axiom in claim.quotes)
+        return tuple(dict.fromkeys(quoted))
 
 
 def expressions(claim: Claim) -> Iterator[Basic]:

@@ -234,7 +234,7 @@ def _difference(
         field = Field(given, theories, size, lambda: points(given))
         try:
             x, y = field.normal(*sides)
-            return field, field.subtract(x, y)
+            return field, x - y
         except TooLargeError:
             if len(field.generators) < size:
                 raise

@@ -72,7 +72,7 @@ def equal_by_derivative(
         slopes = [differentiate(side, name) for side in (left, right)]
         gradient += slopes
         *_, dx, dy = field.normal(left, right, *slopes)
-        if not vanishes_or_zero(field, field.subtract(dx, dy).num):
+        if not vanishes_or_zero(field, (dx - dy).num):
             return None
     if any(generator.kind == "opaque" for generator in field.generators):
         return None
@@ -382,6 +382,6 @@ def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
     field = Field(Given(), theories, 64)
     try:
         x, y = field.normal(left, right)
-        return vanishes_or_zero(field, settled(field, field.subtract(x, y)).num)
+        return vanishes_or_zero(field, settled(field, x - y).num)
     except (TooLargeError, UndefinedError):
         return False
