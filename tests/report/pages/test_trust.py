@@ -22,6 +22,7 @@ def test_the_page_says_what_was_counted() -> None:
     assert f"For PROVED {proved.total} lines" in page
     assert f"for ENCLOSED {enclosed.total} more" in page
     assert "`arb`" in page
+    assert "| integrating | fundamental theorem of calculus |" in page
     assert "Of 21 that were tried the quick tests refuse 20, which is 95.2 %" in page
     assert "- it costs time alone: `judge`: negated, `x`." in page
     assert "`multiply`" not in page

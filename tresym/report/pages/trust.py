@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
+from tresym.ledger.axioms import RULES
 from tresym.ledger.claim import Printed
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.meant import is_formal
@@ -31,6 +32,7 @@ def trust(report: Report, guards: Mapping[str, Any] | None) -> str:
         _code(proved, enclosed),
         _left_out(),
         _libraries(proved, enclosed),
+        _quoted(report),
         _called(report),
         _guards(guards) if guards else (),
     ]
@@ -93,6 +95,27 @@ def _libraries(proved: Count, enclosed: Count) -> list[str]:
 
 def _names(names: Iterable[str]) -> str:
     return ", ".join(f"`{name}`" for name in names)
+
+
+def _quoted(report: Report) -> list[str]:
+    """The theorems that are quoted and not proved, for claims and for the judge's own rules."""
+    resting = {axiom: len(claims) for axiom, claims in report.axioms.items()}
+    whole = {row.claim.label for row in report.rows if row.claim.axioms}
+    return [
+        "## Quoted theorems",
+        "",
+        f"{len(whole)} claims rest on theorems that are quoted and not proved here:",
+        "",
+        *_table(
+            ("theorem", "source", "claims"),
+            ((axiom.name, axiom.source, number) for axiom, number in resting.items()),
+            2,
+        ),
+        "",
+        "All claims rest on the textbook theorems by which the rules are sound:",
+        "",
+        *_table(("rule", "theorem", "source"), ((a.rule, a.name, a.source) for a in RULES)),
+    ]
 
 
 def _called(report: Report) -> list[str]:
