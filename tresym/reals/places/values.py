@@ -145,7 +145,12 @@ def _root(x: arb, n: int) -> arb:
     return arb(0).union(high.root(n)) if high > 0 else arb(0)
 
 
-_OWN = {"abs": abs, "atan2": _angle, "cbrt": _cube_root, "sign": _sign}
+_OWN: dict[str, Callable[..., arb]] = {
+    "abs": abs,
+    "atan2": _angle,
+    "cbrt": _cube_root,
+    "sign": _sign,
+}
 
 
 class _InBalls(Walker):
