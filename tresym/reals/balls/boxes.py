@@ -215,28 +215,38 @@ def recheck(bound: Bound, proof: BoxProof) -> None:
     Raises:
         CertificateError: the tree is malformed, or a box does not close.
     """
-    if not isinstance(proof.tree, str):
-        raise CertificateError("the tree is no text")
     with ball_precision(bound.precision):
-        stack = [bound.box]
-        for mark in proof.tree:
-            if not stack:
-                raise CertificateError("the tree goes on after its last box")
-            here = stack.pop()
+        for here, mark in leaf_boxes(bound.box, proof):
             if mark == BY_BALL:
                 closed = bound.margin(*_sides(here), balls) > 0
-            elif mark == BY_SLOPES:
+            else:
                 slopes = _slopes(bound.margin, here)
                 closed = _extreme(bound.margin, here, slopes, lowest=True) > 0
-            elif mark in AXES[: len(here)]:
-                stack.extend(reversed(halves(here, AXES.index(mark))))
-                continue
-            else:
-                raise CertificateError(f"unknown mark {mark!r} in the tree")
             if not closed:
                 raise CertificateError(f"the box {_shown(here)} does not close")
-        if stack:
-            raise CertificateError("the tree ends before its last box")
+
+
+def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[tuple[Box, str]]:
+    """The boxes a proof closes, which together are the region, and the marks that say how.
+
+    Raises:
+        CertificateError: the tree is malformed.
+    """
+    if not isinstance(proof.tree, str):
+        raise CertificateError("the tree is no text")
+    stack = [region]
+    for mark in proof.tree:
+        if not stack:
+            raise CertificateError("the tree goes on after its last box")
+        here = stack.pop()
+        if mark in (BY_BALL, BY_SLOPES):
+            yield here, mark
+        elif mark in AXES[: len(here)]:
+            stack.extend(reversed(halves(here, AXES.index(mark))))
+        else:
+            raise CertificateError(f"unknown mark {mark!r} in the tree")
+    if stack:
+        raise CertificateError("the tree ends before its last box")
 
 
 @dataclass(frozen=True)
@@ -325,17 +335,6 @@ def halves(here: Box, axis: int) -> tuple[Box, Box]:
     side, before, after = here[axis], here[:axis], here[axis + 1 :]
     lower, upper = side._replace(high=side.middle), side._replace(low=side.middle)
     return (*before, lower, *after), (*before, upper, *after)
-
-
-def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[Box]:
-    """The boxes a proof closes, in its order (for pictures)."""
-    stack = [region]
-    for mark in proof.tree:
-        here = stack.pop()
-        if mark in AXES:
-            stack.extend(reversed(halves(here, AXES.index(mark))))
-        else:
-            yield here
 
 
 def _sides(here: Box) -> tuple[arb, ...]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
 from tresym.reals.language.parsing import Derivative, parse, parse_claim, tidy
-from tresym.reals.language.sympy import atoms, from_sympy
+from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
 from tresym.reals.language.typography import plain
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -25,14 +25,6 @@ _ARROW = re.compile(r"(.+?)(?:->|\\to\b|\\rightarrow\b)(.+)", re.DOTALL)
 _SIDE = re.compile(r"\^?\s*\{?\s*([+-])\s*\}?\s*$")
 _AND = re.compile(r"\band\b|;|&&?|∧")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity|\\infty)")
-_SYMPY = {
-    "Equality": "==",
-    "Unequality": "!=",
-    "StrictGreaterThan": ">",
-    "GreaterThan": ">=",
-    "StrictLessThan": "<",
-    "LessThan": "<=",
-}
 _ASSUMPTIONS = {
     "is_extended_positive": ">",
     "is_extended_negative": "<",
@@ -221,10 +213,10 @@ def _given(given: Any) -> Given:
 def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
     """A SymPy relation, and the assumptions its symbols carry."""
     name = type(claim).__name__
-    if name not in _SYMPY:
+    if name not in RELATIONS:
         hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
         raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
-    sides = from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs)
+    sides = from_sympy(claim.lhs), RELATIONS[name], from_sympy(claim.rhs)
     comparison = Comparison(*sides, _derivatives(claim))
     conditions = []
     names: set[str] = set()
@@ -248,7 +240,7 @@ def _written(claim: Any) -> str:
         return symbol(text)
 
     left, right = (from_sympy(side, derivative) for side in (claim.lhs, claim.rhs))
-    return f"{left} {_SYMPY[type(claim).__name__]} {right}"
+    return f"{left} {RELATIONS[type(claim).__name__]} {right}"
 
 
 def _variables(claim: Any) -> list[Any]:
