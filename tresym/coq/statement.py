@@ -55,8 +55,7 @@ def term(e: Expr, level: int = SUM) -> str:
     if e.op == "pi":
         return "PI"
     if e.op == "+":
-        first, *rest = (term(arg, PRODUCT) for arg in e.args)
-        return _in_brackets(" + ".join([first, *rest]), SUM, level)
+        return _in_brackets(" + ".join(term(arg, PRODUCT) for arg in e.args), SUM, level)
     if e.op == "*":
         return _in_brackets(" * ".join(term(arg, POWER) for arg in e.args), PRODUCT, level)
     if e.op == "^":
@@ -85,7 +84,7 @@ def _power(base: Expr, exponent: Expr, level: int) -> str:
     r = exponent.args[0]
     n, q = abs(int(r.p)), int(r.q)
     if q == 1:
-        text, own = (term(base, ATOM), ATOM) if n == 1 else (f"{_bare(base)} ^ {n}", POWER)
+        text, own = (term(base, ATOM), ATOM) if n == 1 else (f"{term(base, ATOM)} ^ {n}", POWER)
     else:
         root = "sqrt" if q == 2 else f"root {q}"
         text = f"{root} {term(base, ATOM)}"
@@ -93,10 +92,6 @@ def _power(base: Expr, exponent: Expr, level: int) -> str:
     if r < 0:
         return _in_brackets(f"/ {text if own == ATOM else f'({text})'}", POWER, level)
     return _in_brackets(text, own, level)
-
-
-def _bare(base: Expr) -> str:
-    return term(base, ATOM)
 
 
 @dataclass(frozen=True)
@@ -158,17 +153,12 @@ def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
     """
     if statement.comparisons[0].relation in ORDERS:
         raise NotExportedError("orders are not exported to Coq yet")
-    names = (
-        [name] if len(statement.comparisons) == 1 else [f"{name}_{n}" for n in _count(statement)]
-    )
+    count = len(statement.comparisons)
+    names = [name] if count == 1 else [f"{name}_{n + 1}" for n in range(count)]
     return [
         theorem(comparison, statement.given.comparisons, name)
         for comparison, name in zip(statement.comparisons, names, strict=True)
     ]
-
-
-def _count(statement: Statement) -> range:
-    return range(1, len(statement.comparisons) + 1)
 
 
 def theorem(
