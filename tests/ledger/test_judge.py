@@ -41,7 +41,7 @@ from tresym.ledger.claim import (
     step,
     together,
 )
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import (
     algebra,
@@ -214,7 +214,8 @@ def test_unique_roots() -> None:
 
 
 def test_definitions_introduce_new_symbols_only() -> None:
-    assert verdict(claim(equal(x, a + b), Definition())) is Verdict.PROVED
+    assert verdict(claim(equal(x, a + b), Definition())) is Premise.DEFINED
+    assert verdict(claim(equal(x, a + b), Definition("so it is"))) is Premise.ASSUMED
     assert verdict(claim(equal(x, x + 1), Definition())) is Verdict.UNDECIDED
     assert verdict(claim("nothing", Definition())) is Verdict.UNDECIDED
 
@@ -240,6 +241,15 @@ def test_conjunctions_are_as_strong_as_their_weakest_part() -> None:
     both = Claim("both", "both", all_of(good, bad))
     assert judge(both, found).verdict is Verdict.REFUTED
     assert judge(Claim("one", "one", all_of(good)), found).verdict is Verdict.PROVED
+    new, put_in = (claim(equal(x, a), Definition(why)) for why in ("", "so it is"))
+    new, put_in = replace(new, label="new"), replace(put_in, label="put in", says=equal(t, a))
+    found |= {c.label: judge(c, {}) for c in (new, put_in)}
+    for parts, expected in (
+        ((new,), Premise.DEFINED),
+        ((new, put_in), Premise.ASSUMED),
+        ((put_in, new, good), Verdict.PROVED),
+    ):
+        assert judge(Claim("all", "all", all_of(*parts)), found).verdict is expected
 
 
 def test_counterexamples_must_satisfy_the_conditions() -> None:

@@ -1,15 +1,38 @@
-"""Findings: what judging a claim brought to light. Frozen values, like the claims."""
+"""Findings: what judging a claim brought to light. Frozen values, like the claims.
+
+What is shown gets a verdict. What is put in gets the name of that, and is counted apart.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import Enum
 from typing import Any
 
 from flint import fmpq
 
 from tresym.reals.numbers.exact import Decimal
 from tresym.reals.verdict import Verdict
+
+
+class Premise(Enum):
+    """What a claim is that shows nothing: others may use it. The value is the word printed."""
+
+    DEFINED = "DEFINED"
+    """A definition: its symbols are new, and what they stand for exists under its conditions."""
+    ASSUMED = "ASSUMED"
+    """Put in, and named: physics, or the case that is studied."""
+
+    @property
+    def holds(self) -> bool:
+        """True: one that is none, or contradicts others, is UNDECIDED."""
+        return True
+
+
+Ruling = Verdict | Premise
+RULINGS: tuple[Ruling, ...] = (*Verdict, *Premise)
+"""All that the ledger says of claims, in the order in which it is counted."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +49,7 @@ class Finding:
     """Verdict on a claim, with the evidence that a report shows.
 
     Attributes:
-        verdict: one of the four.
+        verdict: one of the four, or what kind of premise it is.
         why: one sentence.
         value: for a number, the ball in decimal.
         constant: for an order claim or a bound, the constant found, in decimal.
@@ -39,7 +62,7 @@ class Finding:
         stopped: whether it was about to pass, and the advocate contradicted it.
     """
 
-    verdict: Verdict
+    verdict: Ruling
     why: str
     value: Decimal | None = None
     constant: Decimal | None = None

@@ -153,7 +153,7 @@ def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | N
     it: a margin that compares floats, forgets radii or goes by the type of what it is given does
     not.
     """
-    start = tuple((low + high) / 2 for low, high in region)
+    start = tuple(side.middle for side in region)
     end = tuple((side.low + 3 * side.high) / 4 for side in region)
     near = tuple(p + (q - p) / (32 + n) for n, (p, q) in enumerate(zip(start, end, strict=True)))
     here = tuple(Interval(p, q) for p, q in zip(start, near, strict=True))
@@ -204,7 +204,7 @@ def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
         if bound.margin(*_sides(here), balls) > 0:
             tree.append(BY_BALL)
             continue
-        middle = tuple((low + high) / 2 for low, high in here)
+        middle = tuple(side.middle for side in here)
         centre = value_at(bound.margin, middle)
         if centre < 0:
             return _negative(bound, middle, centre)
@@ -296,7 +296,7 @@ def supremum(
             if not queue:
                 break
             here = heapq.heappop(queue)[2]
-            middle = tuple((low + high) / 2 for low, high in here)
+            middle = tuple(side.middle for side in here)
             best = _best([best, (value_at(function, middle), middle)])
             upper, axis = _upper(function, here, region, slopes)
             if upper <= best[0].lower() * wanted:
@@ -335,13 +335,9 @@ def value_at(function: Margin, point: BoxPoint) -> arb:
 
 def halves(here: Box, axis: int) -> tuple[Box, Box]:
     """The two halves of the box along ``axis``."""
-    low, high = here[axis]
-    middle = (low + high) / 2
-    before, after = here[:axis], here[axis + 1 :]
-    return (
-        (*before, Interval(low, middle), *after),
-        (*before, Interval(middle, high), *after),
-    )
+    side, before, after = here[axis], here[:axis], here[axis + 1 :]
+    lower, upper = side._replace(high=side.middle), side._replace(low=side.middle)
+    return (*before, lower, *after), (*before, upper, *after)
 
 
 def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[Box]:
@@ -360,20 +356,19 @@ def _sides(here: Box) -> tuple[arb, ...]:
 
 
 def _shown(here: Box) -> str:
-    return " x ".join(f"[{fraction_text(low)}, {fraction_text(high)}]" for low, high in here)
+    return " x ".join(f"[{fraction_text(x.low)}, {fraction_text(x.high)}]" for x in here)
 
 
 def _inner_corners(region: Box) -> list[BoxPoint]:
     """The corners, moved inward by 2⁻³² of the sides: an excluded edge yields no witness."""
     inset = fmpq(1, 2**32)
-    ends = [(low + (high - low) * inset, high - (high - low) * inset) for low, high in region]
-    return list(product(*ends))
+    return list(product(*((x.low + x.width * inset, x.high - x.width * inset) for x in region)))
 
 
 def _relative(here: Box, whole: Box, axis: int) -> fmpq:
     """The length of a side as a part of the whole one."""
-    side = whole[axis].high - whole[axis].low
-    return (here[axis].high - here[axis].low) / side if side else fmpq(0)
+    side = whole[axis].width
+    return here[axis].width / side if side else fmpq(0)
 
 
 def _longest(here: Box, whole: Box) -> int:
@@ -397,7 +392,7 @@ def _steepest(here: Box, whole: Box, slopes: tuple[arb, ...], longest: int) -> i
     long = [axis for axis in range(len(here)) if _relative(here, whole, axis) >= least]
     return max(
         long,
-        key=lambda axis: float(abs(slopes[axis]).upper() * (here[axis].high - here[axis].low)),
+        key=lambda axis: float(abs(slopes[axis]).upper() * here[axis].width),
     )
 
 
@@ -414,7 +409,6 @@ def _extreme(function: Margin, here: Box, slopes: tuple[arb, ...], lowest: bool)
         elif slope <= 0:
             point.append(side.high if lowest else side.low)
         else:
-            middle = (side.low + side.high) / 2
-            point.append(middle)
-            spread += slope * (side.ball() - arb(middle))
+            point.append(side.middle)
+            spread += slope * (side.ball() - arb(side.middle))
     return value_at(function, tuple(point)) + spread

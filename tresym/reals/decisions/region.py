@@ -22,7 +22,7 @@ from tresym.reals.language.inverted import solutions
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.written import numerator
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Interval, simplest_between
+from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.places.conditions import Condition, Given
 from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
@@ -54,8 +54,7 @@ def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) 
     if len(names) == 1:
         return search_.on_line(ranges[0])
     if len(names) <= MAX_VARIABLES and all(_bounded(r) for r in ranges):
-        sides = tuple(Interval(r.low, r.high) for r in ranges)
-        return search_.in_box(sides)
+        return search_.in_box(tuple(ranges))
     free = [n for n, r in zip(names, ranges, strict=True) if not _bounded(r)]
     return Answer(
         Verdict.UNDECIDED,
@@ -278,8 +277,7 @@ class _Search:
     def _refute(self, point: tuple[fmpq, ...]) -> Answer | None:
         """A refutation at a simple point nearby, or at the point itself."""
         for tolerance in (fmpq(1, 2**10), fmpq(1, 2**30)):
-            near = tuple(simplest_between(x - tolerance, x + tolerance) for x in point)
-            found = self._refute_at(near)
+            found = self._refute_at(tuple(near(x, tolerance) for x in point))
             if found is not None:
                 return found
         return self._refute_at(point)
