@@ -7,7 +7,7 @@ point handed out, so a point is a witness and not a guess.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
@@ -24,7 +24,6 @@ from tresym.reals.places.points import _sample, corners
 from tresym.reals.places.values import evaluate
 from tresym.reals.places.windows import windows
 
-CHECK_BITS = 128
 _TRIES = 3000
 _FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
 _SYMPY_RELATIONS = {
@@ -43,14 +42,14 @@ class Condition:
     expression: Expr
     relation: str
 
-    def holds(self, point: dict[str, arb]) -> bool:
+    def holds(self, point: Mapping[str, arb | fmpq]) -> bool:
         """Whether balls show the condition, strictly, at ``point``."""
         value = evaluate(self.expression, point)
         if self.relation == "!=":
             return bool(value > 0 or value < 0)
         return bool(value > 0)
 
-    def holds_exactly(self, point: dict[str, arb]) -> bool:
+    def holds_exactly(self, point: Mapping[str, arb | fmpq]) -> bool:
         """As :meth:`holds`, with equality allowed where the relation is ``>=``."""
         if self.holds(point):
             return True
@@ -185,9 +184,8 @@ class Given:
         for point in self.points(wanted, 1):
             return point
         for corner in corners(wanted, self.box):
-            with ball_precision(CHECK_BITS):
-                at = {name: arb(value) for name, value in corner.items()}
-                if all(condition.holds_exactly(at) for condition in self.conditions):
+            with ball_precision():
+                if all(condition.holds_exactly(corner) for condition in self.conditions):
                     return corner
         return None
 
@@ -223,11 +221,8 @@ class Given:
         yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
 
     def _holds(self, point: dict[str, fmpq]) -> bool:
-        if not self.conditions:
-            return True
-        with ball_precision(CHECK_BITS):
-            at = {name: arb(value) for name, value in point.items()}
-            return all(condition.holds(at) for condition in self.conditions)
+        with ball_precision():
+            return all(condition.holds(point) for condition in self.conditions)
 
 
 def _parts(item: Any) -> Iterator[Any]:
@@ -283,7 +278,7 @@ def _within_even_powers(box: dict[str, Interval], condition: Condition) -> None:
     for key, c in form.items():
         if key and form[""] > 0:
             name, n = key.split("**")
-            with ball_precision(CHECK_BITS):
+            with ball_precision():
                 end = number(arb(-form[""] / c).root(int(n)).upper().fmpq())
             _tighten(box, symbol(name), "<" if condition.relation == ">" else "<=", end)
             _tighten(box, symbol(name), condition.relation, -end)
@@ -325,7 +320,7 @@ def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
     """Rational ends that enclose the constant ``e``; equal where it is rational."""
     if e.op == "number":
         return e.args[0], e.args[0]
-    with ball_precision(CHECK_BITS):
+    with ball_precision():
         value = evaluate(e, {})
         if not value.is_finite():
             return None, None
