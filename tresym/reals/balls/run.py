@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from flint import arb, fmpq, fmpq_poly
@@ -10,12 +11,11 @@ from flint import arb, fmpq, fmpq_poly
 from tresym.reals.balls.germ import Germ, UnresolvedError
 from tresym.reals.balls.gradient import Gradient
 from tresym.reals.language.cancellation import scaled, without_cancellation
-from tresym.reals.language.expression import ONE, Expr, off_the_cut
+from tresym.reals.language.expression import ONE, Expr, differentiate, off_the_cut
 from tresym.reals.numbers.arithmetic import side
 from tresym.reals.places.values import Walker, evaluate
 
 _RECIPROCALS = {"sec": "cos", "csc": "sin", "sech": "cosh", "csch": "sinh", "coth": "tanh"}
-_WAVES = ("sin", "cos", "tan")
 
 
 def formula(e: Expr, name: str) -> Callable[[Any, Any], Any]:
@@ -27,83 +27,57 @@ def formula(e: Expr, name: str) -> Callable[[Any, Any], Any]:
     def run(x: Any, m: Any) -> Any:
         if isinstance(x, arb):
             return evaluate(e, {name: x})
-        walker = _InGerms if isinstance(x, Germ) else _InGradients
-        return walker(m, {name: x}).value(e)
+        if isinstance(x, Gradient):
+            at, known = {name: x.value}, dict[Expr, arb]()
+            return x.chain(evaluate(e, at, known), evaluate(slope(), at, known))
+        return _InGerms(m, {name: x}).value(e)
+
+    @cache
+    def slope() -> Expr:
+        return differentiate(e, name)
 
     return run
 
 
-class _InGradients(Walker):
-    """Values and their slopes."""
-
-    def _number(self, x: Any) -> Any:
-        return x if isinstance(x, Gradient) else arb(x)
-
-    def _computed(self, e: Expr) -> Any:
-        return self.value(off_the_cut(e)) if e.op == "atan2" else super()._computed(e)
-
-    def _power(self, base: Expr, exponent: Expr) -> Any:
-        x, m = self.value(base), self.m
-        if exponent.op != "number":
-            return m.exp(self.value(exponent) * m.log(x))
-        r = exponent.args[0]
-        if r.q == 1:
-            return x ** int(r.p) if r >= 0 else 1 / x ** int(-r.p)
-        return m.sqrt(x) ** int(r.p) if r.q == 2 and r > 0 else m.exp(m.log(x) * arb(r))
-
-    def _apply(self, name: str, *values: Any) -> Any:
-        (x,) = values
-        if name in _RECIPROCALS:
-            return 1 / self._apply(_RECIPROCALS[name], x)
-        if name == "cot":
-            return self._apply("cos", x) / self._apply("sin", x)
-        if name == "abs":
-            return abs(x)
-        if name in ("sign", "cbrt"):
-            side = self._side(x)
-            return self._number(fmpq(side)) if name == "sign" else self._cube_root(x * side) * side
-        return super()._apply(name, x)
-
-    def _side(self, x: Any) -> int:
-        found = side(self._size(x))
-        if found is None:
-            raise UnresolvedError("the sign of an argument is not certain")
-        return found
-
-    def _size(self, x: Any) -> arb:
-        return x.value if isinstance(x, Gradient) else x
-
-    def _cube_root(self, x: Any) -> Any:
-        return self.m.exp(self.m.log(x) / 3)
-
-
-class _InGerms(_InGradients):
+class _InGerms(Walker):
     """Expansions, with care for what cancels in them."""
 
     def _number(self, x: Any) -> Any:
         return self.m.germ(x)
 
     def _computed(self, e: Expr) -> Any:
+        if e.op == "atan2":
+            return self.value(off_the_cut(e))
         if e.op == "+":
             return self._sum(without_cancellation(e))
         small = self._flat_above_one(e.args[0]) if e.op == "log" else None
         return super()._computed(e) if small is None else self.m.log1p(small)
 
     def _power(self, base: Expr, exponent: Expr) -> Any:
+        x = self.value(base)
         if exponent.op != "number":
-            return super()._power(base, exponent)
-        return self._root(self.value(base), exponent.args[0])
+            return self.m.exp(self.value(exponent) * self.m.log(x))
+        return self._root(x, exponent.args[0])
 
-    def _size(self, x: Any) -> arb:
-        return x.range()
-
-    def _cube_root(self, x: Any) -> Any:
-        return self.m.power(x, fmpq(1, 3))
-
-    def _apply(self, name: str, *values: Any) -> Any:
+    def _apply(self, name: str, *values: Germ) -> Any:
+        (x,) = values
+        if name in _RECIPROCALS:
+            return 1 / self._apply(_RECIPROCALS[name], x)
+        if name == "cot":
+            return self._apply("cos", x) / self._apply("sin", x)
         if name in ("asin", "acos"):
-            return self._arc(name, *values)
-        return self._wave(name, *values) if name in _WAVES else super()._apply(name, *values)
+            return self._arc(name, x)
+        if name in ("sin", "cos", "tan"):
+            return self._wave(name, x)
+        if name == "abs":
+            return abs(x)
+        if name in ("sign", "cbrt"):
+            way = side(x.range())
+            if way is None:
+                raise UnresolvedError("the sign of an argument is not certain")
+            cbrt = name == "cbrt"
+            return self.m.power(x * way, fmpq(1, 3)) * way if cbrt else self.m.constant(way)
+        return super()._apply(name, x)
 
     def _sum(self, terms: list[Expr]) -> Any:
         """The sum of germs; an exponential less 1 is taken as one function."""
