@@ -38,7 +38,7 @@ RECORD, REACHED = ROOT / "build" / "guards.jsonl", ROOT / "build" / "guards-reac
 EQUIVALENT = ROOT / "tests" / "data" / "equivalent.json"
 SAVED = ROOT / "docs" / "measurements" / "guards.json"
 MOST, SHARE = float(os.environ.get("MOST", "inf")), int(os.environ.get("SHARE", "1"))
-"""Seconds of tests for each mutant, and how many mutants share the work: one of so many is tried."""
+"""Seconds of tests for each mutant; of so many mutants one is tried."""
 SECONDS, BYTES, JOBS = 20, 6 << 30, int(os.environ.get("JOBS", "2"))
 
 
