@@ -192,11 +192,15 @@ def equivalent() -> list[dict[str, str]]:
     return json.loads(EQUIVALENT.read_text(encoding="utf-8")) if EQUIVALENT.exists() else []
 
 
+def is_meant(reason: dict[str, str], mutant: Mutant) -> bool:
+    """Whether the reason is given for the mutant: for its piece, or for what is changed there."""
+    at = mutant._asdict()
+    return all(at[name] == value for name, value in reason.items() if name != "why")
+
+
 def summary() -> dict[str, Any]:
     """The mutants of today's files: how many by file and outcome, and the survivors."""
-    known, why = record(), {}
-    for line in equivalent():
-        why[line["file"], line["piece"], line["kind"], line["was"]] = line["why"]
+    known, reasons = record(), equivalent()
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     alive = []
     for file in files():
@@ -205,7 +209,7 @@ def summary() -> dict[str, Any]:
             if outcome == "none":
                 continue
             if outcome in ("survived", "not reached"):
-                reason = why.get((m.file, m.piece, m.kind, m.was))
+                reason = next((r["why"] for r in reasons if is_meant(r, m)), None)
                 outcome = "equivalent" if reason else outcome
                 alive.append({**m._asdict(), "outcome": outcome, "why": reason})
             counts[file][outcome] += 1

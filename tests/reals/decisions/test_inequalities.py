@@ -206,3 +206,41 @@ CASES = [
 def test_every_case_of_an_absolute_value_counts(left: str, true: str, false: str) -> None:
     assert decide_inequality(parse(left), ">=", parse(true), Given()).verdict is Verdict.PROVED
     assert not decide_inequality(parse(left), ">=", parse(false), Given())
+
+
+ISOLATED = [
+    # refuted at a single point of the domain, or not
+    ("sqrt(x**2*(x - 1))", ">", "0", "x != 1", False),
+    ("sqrt(x**2*(x - 1)*(2 - x))", ">", "-1 + abs(sign(x))", "x < 1/2", False),
+    ("sqrt(x**2*(x - 1))", "!=", "0", "x != 1", False),
+    ("sqrt((x**2 - 2)**2*(x - 3))", ">", "0", "x != 3", False),
+    ("sqrt((x**2 - 2)**2*(x - 3))", ">=", "1/2", "x >= 31/10", False),
+    ("1 - sqrt((x - 7)**2*(x - 30))", ">", "1", "0 < x < 20", False),
+    ("sqrt(x)", ">", "0", "", True),
+    ("sqrt(-x)", ">", "0", "", True),
+    ("sqrt(x) + sqrt(-y)", ">", "0", "", True),
+    ("sqrt(-x) + sqrt(-y)", ">", "0", "", True),
+]
+
+
+@pytest.mark.parametrize(("left", "relation", "right", "under", "refuted"), ISOLATED)
+def test_a_point_that_stands_alone_refutes_nothing(
+    left: str, relation: str, right: str, under: str, refuted: bool
+) -> None:
+    found = decide_inequality(parse(left), relation, parse(right), Given.parse(under))
+    assert (found.verdict is Verdict.REFUTED) == refuted
+
+
+@pytest.mark.parametrize(
+    ("left", "under"),
+    [
+        ("x - 1/3", "(x - 1/3)**2 >= 1/100"),
+        ("x", "x**2 >= 1/100"),
+        ("x**3 - 2", "(x - 1)**2 >= 1/10"),
+        ("1/x", ""),
+        ("x/(x - 1/3)**2", "(x - 1/3)**2 + x**2 > 1/3"),
+    ],
+)
+def test_a_zero_outside_the_conditions_refutes_no_inequation(left: str, under: str) -> None:
+    found = decide_inequality(parse(left), "!=", parse("0"), Given.parse(under))
+    assert found.verdict is not Verdict.REFUTED
