@@ -39,7 +39,7 @@ EQUIVALENT = ROOT / "tests" / "data" / "equivalent.json"
 SAVED = ROOT / "docs" / "measurements" / "guards.json"
 MOST, SHARE = float(os.environ.get("MOST", "inf")), int(os.environ.get("SHARE", "1"))
 """Seconds of tests for each mutant; of so many mutants one is tried."""
-SECONDS, BYTES, JOBS = 20, 6 << 30, int(os.environ.get("JOBS", "2"))
+SECONDS, BYTES, JOBS = 5, 6 << 30, int(os.environ.get("JOBS", "2"))
 
 
 def files() -> list[str]:
@@ -170,7 +170,7 @@ class Guards:
         ranked = sorted(tests, key=rank)
         so_far = accumulate(self.reached[test][0] for test in ranked)
         chosen = [self.items[t] for t, spent in zip(ranked, so_far, strict=True) if spent < MOST]
-        seconds = int(SECONDS + 5 * rooms.total())
+        seconds = int(SECONDS + 5 * min(MOST, rooms.total()))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
         signal.signal(signal.SIGXCPU, signal.SIG_DFL)
         try:
