@@ -32,6 +32,7 @@ PARTS = (
     "exponent",
     "asymptotics",
     "constants",
+    "moments",
     "orders",
     "limits",
     "rigid_bodies",

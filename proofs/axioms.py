@@ -25,13 +25,6 @@ CAUCHY = Axiom(
     r"|c_n| \le \rho^{-n} \max_{|w|=\rho} |f(w)|",
 )
 
-CHEBYSHEV = Axiom(
-    "Chebyshev's inequality for integrals",
-    "The mean of a product of a falling and a rising function is at most the product of their "
-    "means.",
-    "G. H. Hardy, J. E. Littlewood, G. Pólya, Inequalities, 2nd ed. (1952), Theorem 236",
-)
-
 PICARD = Axiom(
     "Picard–Lindelöf theorem",
     "Differential equations with continuously differentiable right sides have one solution from "
