@@ -107,10 +107,12 @@ Chain = tuple[Step, ...]
 class Definition:
     """The claim introduces symbols: each is new, defined once, by symbols known before.
 
-    ``assumes`` names what is assumed of symbols that are defined elsewhere: physics that is put in.
+    ``assumes`` names what is put in: an equation for symbols that are defined elsewhere, or for one
+    under an integral. ``claims`` are proved inequalities by which what is defined exists.
     """
 
     assumes: str = ""
+    claims: tuple[Claim, ...] = ()
 
     @property
     def premise(self) -> Premise:
@@ -309,21 +311,48 @@ class Claim:
         return tuple(dict.fromkeys(quoted))
 
 
-def _named(proof: Evidence) -> Iterator[Claim]:
-    """Every claim that a piece of evidence names."""
+def expressions(claim: Claim) -> Iterator[Basic]:
+    """Everything that the claim and its evidence write down: what is said, given, and each step."""
+    proof = claim.proof
+    if isinstance(claim.says, Basic):
+        yield claim.says
+    yield from claim.given
+    match proof:
+        case UniqueRoot():
+            yield from (proof.function, proof.low, proof.high)
+        case ImplicitFunction():
+            yield from (proof.unknown, proof.parameter, proof.at)
+        case Formally():
+            yield from proof.relations
+    for chain in _chains(proof):
+        for link in chain:
+            reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
+            written = (link.expression, *(e for three in reasons for e in three))
+            yield from (e for e in written if e is not None)
+
+
+def _chains(proof: Evidence) -> tuple[Chain, ...]:
+    """The chains that a piece of evidence consists of."""
     match proof:
         case Together(chains):
-            for chain in chains:
-                yield from _named(chain)
+            return chains
         case UniqueRoot():
-            for chain in (proof.derivative, proof.at_low, proof.at_high):
-                yield from _named(chain)
+            return proof.derivative, proof.at_low, proof.at_high
         case ImplicitFunction():
-            yield from (proof.equation, *proof.bounds)
-            yield from _named(proof.slope)
+            return (proof.slope,)
         case tuple():
-            for link in proof:
-                for reason in link.reasons:
-                    yield from reason.claims
+            return (proof,)
         case _:
-            yield from getattr(proof, "claims", ())
+            return ()
+
+
+def _named(proof: Evidence) -> Iterator[Claim]:
+    """Every claim that a piece of evidence names."""
+    if isinstance(proof, ImplicitFunction):
+        yield from (proof.equation, *proof.bounds)
+    for chain in _chains(proof):
+        for link in chain:
+            for reason in link.reasons:
+                yield from reason.claims
+    if not isinstance(proof, tuple):
+        yield from getattr(proof, "claims", ())

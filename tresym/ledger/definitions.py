@@ -1,6 +1,9 @@
-"""The table of definitions: each symbol once, by symbols that do not come back to it.
+"""The table of definitions: one for the whole paper, checked before anything rests on it.
 
-Two definitions of one symbol together prove anything, and so do two that go round in a circle.
+Each symbol is defined once, or once in each of several cases, by symbols that do not come back to
+it and by a term that exists under the conditions of its definition. Two definitions of one symbol
+together prove anything, and so do two that go round in a circle. What is defined is a constant: it
+is bound nowhere, and no symbol passes for another of its name.
 """
 
 from __future__ import annotations
@@ -8,15 +11,115 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import lru_cache
 from itertools import combinations
+from typing import NamedTuple
 
-from sympy import Basic, Integral, Symbol
-from sympy.core.relational import Relational
+from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
+from sympy.core.relational import Equality, Relational
 
-from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.claim import Claim, Definition, UniqueRoot, equal, expressions, parts_of
 from tresym.ledger.evidence.defined import Conditions
+from tresym.ledger.evidence.integrals import NotShownError, need_value
 from tresym.ledger.evidence.manifest import is_manifest
+from tresym.ledger.finding import Finding
 from tresym.ledger.meaning import DEFINING, CircularError, Rules, definitions, put_in
-from tresym.ledger.second_look import satisfiable
+from tresym.ledger.second_look import satisfiable, scalars
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
+
+UNDECIDED = Verdict.UNDECIDED
+
+
+class Entry(NamedTuple):
+    """A line of the table: what is defined, by what, and the claim that says so."""
+
+    symbol: Basic
+    """A symbol; or the integral of an equation for what stands under it."""
+    meaning: Basic
+    claim: Claim
+
+
+def table(claims: Iterable[Claim]) -> tuple[Entry, ...]:
+    """What the claims define, or assume, in order."""
+    defining = (claim for claim in claims if isinstance(claim.proof, DEFINING))
+    return tuple(Entry(*rule, c) for c in defining for rule in definitions((c,)).items())
+
+
+def implicit(claims: Iterable[Claim]) -> tuple[Eq, ...]:
+    """The equations for integrals that the claims assume, and that restrict their symbols."""
+    return tuple(equal(e.symbol, e.meaning) for e in _restrictions(table(claims)))
+
+
+def _restrictions(entries: tuple[Entry, ...]) -> list[Entry]:
+    """The equations for integrals, but for those that only give a symbol of their own its value."""
+
+    def own(entry: Entry) -> bool:
+        others = (e.symbol.free_symbols | e.meaning.free_symbols for e in entries if e != entry)
+        return entry.meaning.is_Symbol and not any(
+            entry.meaning in names for names in (entry.symbol.free_symbols, *others)
+        )
+
+    return [e for e in entries if not e.symbol.is_Symbol and not own(e)]
+
+
+def judge_definition(claim: Claim, proof: Definition) -> Finding:
+    """A definition holds when its symbols are new, each defined once, by what has a value.
+
+    An equation for an integral defines a symbol in it only where it is assumed, by name, that there
+    is one; a point is looked for that satisfies it.
+    """
+    why = _ill_defined(claim, proof)
+    if why is not None:
+        return Finding(UNDECIDED, why)
+    names = ", ".join(sorted(str(entry.symbol) for entry in table((claim,))))
+    why = f"assumed: {proof.assumes}" if proof.assumes else f"introduces {names}"
+    return Finding(proof.premise, why)
+
+
+def _ill_defined(claim: Claim, proof: Definition) -> str | None:
+    given = claim.given
+    if Given.from_sympy(*given).satisfying_point() is None:
+        return "no exact point is found that satisfies the conditions"
+    if not all(isinstance(part, Equality) for part in parts_of(claim.says)):
+        return "a definition consists of equations"
+    pairs = [entry.args for part in parts_of(claim.says) for entry in scalars(part)]
+    explicit = {left: right for left, right in pairs if isinstance(left, Symbol)}
+    integrals = [left for left, _ in pairs if isinstance(left, Integral)]
+    if not pairs or len(explicit) + len(integrals) < len(pairs):
+        return "a definition gives each of its symbols one value"
+    earlier = definitions(claim.rests_on)
+    for symbol, meaning in explicit.items():
+        if symbol in earlier or put_in(meaning, explicit).has(symbol):
+            return f"{symbol} is not a new symbol"
+        if any(symbol in condition.free_symbols for condition in given):
+            return f"{symbol} is defined under a condition on itself"
+    try:
+        for e in (*explicit.values(), *integrals):
+            need_value(e, proof.claims, given)
+    except NotShownError as error:
+        return str(error)
+    if integrals and not proof.assumes:
+        return "that an equation has a solution, and one, is shown or assumed by name"
+    if integrals and not satisfiable(given, parts_of(claim.says)):
+        return "no point is found that satisfies the equation"
+    return None
+
+
+def captured(claim: Claim) -> str | None:
+    """Why the claim does not keep its symbols apart: one is bound and defined, or is two."""
+    bound: set[Basic] = set()
+    symbols: set[Symbol] = set()
+    for e in expressions(claim):
+        symbols |= e.atoms(Symbol)
+        bound |= {v for node in e.atoms(Integral, Derivative, Subs) for v in node.variables}
+    if isinstance(claim.proof, UniqueRoot):
+        bound.add(claim.proof.variable)
+    for symbol in symbols:
+        if symbol != Symbol(symbol.name, real=True):
+            return f"{symbol} is not the real symbol of that name"
+    for entry in table((*claim.rests_on, claim)):
+        if entry.symbol in bound:
+            return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
+    return None
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
@@ -35,35 +138,43 @@ def overdetermined(claims: Iterable[Claim]) -> str | None:
 
 @lru_cache(maxsize=4096)
 def _conflict(claims: tuple[Claim, ...]) -> str | None:
-    meanings: dict[Basic, list[tuple[Basic, Claim]]] = {}
-    for claim in claims:
-        for left, right in definitions((claim,)).items():
-            meanings.setdefault(left, []).append((right, claim))
-    circle = _circle({left: [m for m, _ in found] for left, found in meanings.items()})
+    meanings: dict[Basic, list[Entry]] = {}
+    for entry in table(claims):
+        meanings.setdefault(entry.symbol, []).append(entry)
+    circle = _circle(meanings)
     if circle is not None:
         return circle
-    once = {s: found[0][0] for s, found in meanings.items() if s.is_Symbol and len(found) == 1}
-    for left, found in meanings.items():
+    once = {s: found[0].meaning for s, found in meanings.items() if s.is_Symbol and len(found) == 1}
+    for symbol, found in meanings.items():
         for one, two in combinations(found, 2):
-            if one[0] != two[0] and not _agree(left, one, two, once):
-                return f"{left} is defined by {one[1].label} and by {two[1].label}"
+            if one.meaning != two.meaning and not _agree(one, two, once):
+                return f"{symbol} is defined by {_where(one.claim)} and by {_where(two.claim)}"
     return None
 
 
-def _agree(left: Basic, one: tuple[Basic, Claim], two: tuple[Basic, Claim], rules: Rules) -> bool:
+def _where(claim: Claim) -> str:
+    """The claim and its place in the paper."""
+    place = claim.where
+    if place is None:
+        return claim.label
+    names = (("display", place.display), ("line", place.line), ("cell", place.cell))
+    return f"{claim.label} ({', '.join(f'{name} {at}' for name, at in names if at is not None)})"
+
+
+def _agree(one: Entry, two: Entry, rules: Rules) -> bool:
     """Whether two equations for a symbol are for different cases, or one is assumed by name.
 
     What is assumed must be possible as the other symbols are defined.
     """
-    (first, earlier), (second, later) = one, two
+    earlier, later = one.claim, two.claim
     if _exclude(earlier.given, later.given) or _exclude(later.given, earlier.given):
         return True
     both = (*earlier.given, *later.given)
     assumed = _assumes(earlier) or _assumes(later)
-    known = equal(left, first), equal(left, second)
+    known = equal(one.symbol, one.meaning), equal(two.symbol, two.meaning)
     try:
         both = tuple(put_in(condition, rules) for condition in both)
-        known = tuple(equal(left, put_in(e.args[1], rules)) for e in known)
+        known = tuple(equal(one.symbol, put_in(e.args[1], rules)) for e in known)
     except CircularError:
         pass  # a symbol is bound there, or the equations go on: they are taken as they stand
     return assumed and satisfiable(both, known)
@@ -78,9 +189,12 @@ def _assumes(claim: Claim) -> bool:
     return isinstance(claim.proof, Definition) and bool(claim.proof.assumes)
 
 
-def _circle(meanings: dict[Basic, list[Basic]]) -> str | None:
+def _circle(meanings: dict[Basic, list[Entry]]) -> str | None:
     """A symbol that is defined by itself, by way of others."""
-    names = {s: frozenset().union(*(m.free_symbols for m in ms)) for s, ms in meanings.items()}
+    names = {
+        s: frozenset[Basic]().union(*(entry.meaning.free_symbols for entry in found))
+        for s, found in meanings.items()
+    }
     for symbol in (left for left in meanings if isinstance(left, Symbol)):
         seen: set[Basic] = set()
         waiting = {*names[symbol]}
@@ -89,29 +203,24 @@ def _circle(meanings: dict[Basic, list[Basic]]) -> str | None:
             seen.add(name)
             waiting |= names.get(name, frozenset()) - seen
         if symbol in seen:
-            return f"{symbol} is defined by itself"
+            return f"{symbol} is defined by itself in {_where(meanings[symbol][0].claim)}"
     return None
 
 
 @lru_cache(maxsize=4096)
 def _overdetermined(claims: tuple[Claim, ...]) -> str | None:
-    rules: Rules = {}
-    implicit: dict[Basic, Claim] = {}
-    for claim in claims:
-        for left, right in definitions((claim,)).items():
-            if isinstance(left, Integral):
-                implicit[equal(left, right)] = claim
-            else:
-                rules[left] = right
+    entries = table(claims)
+    rules = {entry.symbol: entry.meaning for entry in entries if entry.symbol.is_Symbol}
     seen: frozenset[Basic] = frozenset()
-    for equation, claim in implicit.items():
-        if equation.free_symbols & seen:
-            return f"{claim.label} is a second equation for the same symbols"
-        seen |= equation.free_symbols
+    for entry in _restrictions(entries):
+        symbols = entry.symbol.free_symbols | entry.meaning.free_symbols
+        if symbols & seen:
+            return f"{entry.claim.label} is a second equation for the same symbols"
+        seen |= symbols
         try:
-            left = put_in(equation.args[0] - equation.args[1], rules)
+            left = put_in(entry.symbol - entry.meaning, rules)
         except CircularError as error:
             return str(error)
         if not left.free_symbols:
-            return f"{claim.label} leaves nothing to define"
+            return f"{entry.claim.label} leaves nothing to define"
     return None

@@ -30,7 +30,7 @@ from tresym.ledger.claim import (
     equal,
     parts_of,
 )
-from tresym.ledger.definitions import conflict, overdetermined
+from tresym.ledger.definitions import captured, conflict, implicit, judge_definition, overdetermined
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.chain import check_chain, unmet_condition
 from tresym.ledger.evidence.defined import Conditions, continuous_on, undefined
@@ -54,7 +54,6 @@ from tresym.ledger.second_look import (
     excluded,
     rootless,
     satisfiable,
-    scalars,
     violation,
 )
 from tresym.reals.advocate import STOPPED
@@ -147,7 +146,7 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
     for used in claim.uses:
         if found[used.label].of not in (None, used):
             return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
-    why = conflict((*claim.rests_on, claim))
+    why = captured(claim) or conflict((*claim.rests_on, claim))
     if why is not None:
         return Finding(UNDECIDED, why)
     if isinstance(claim.proof, AllOf):
@@ -168,7 +167,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         return Finding(UNDECIDED, why)
     match claim.proof:
         case Definition():
-            return _judge_definition(claim, claim.proof)
+            return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
         case AllOf(claims):
@@ -231,7 +230,10 @@ def _possible(claim: Claim) -> bool:
     meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in bounds))
     relations = (c for c in meant if isinstance(c, Relational))
     plain = tuple(c for c in relations if not c.has(Derivative, Integral, Subs))
-    return false not in meant and to_given(plain).satisfying_point() is not None
+    if false in meant or to_given(plain).satisfying_point() is None:
+        return False
+    equations = tuple(equal(put_in(e.lhs, rules), e.rhs) for e in implicit(claim.rests_on))
+    return not equations or satisfiable(plain, equations)
 
 
 def refute(says: Basic, claim: Claim) -> Finding | None:
@@ -260,35 +262,6 @@ def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
     behind = (claim, *claim.rests_on)
     defined = any(isinstance(c.proof, Definition | ImplicitFunction) for c in behind)
     return says.has(Derivative, Integral, Subs) and not defined
-
-
-def _judge_definition(claim: Claim, proof: Definition) -> Finding:
-    """A definition holds when its symbols are new, each defined once, by what has a value.
-
-    An equation for an integral defines a symbol in it implicitly: a point is looked for that
-    satisfies it.
-    """
-    if Given.from_sympy(*claim.given).satisfying_point() is None:
-        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    if not all(isinstance(part, Equality) for part in parts_of(claim.says)):
-        return Finding(UNDECIDED, "a definition consists of equations")
-    earlier = definitions(claim.rests_on)
-    pairs = [entry.args for part in parts_of(claim.says) for entry in scalars(part)]
-    explicit = {left: right for left, right in pairs if isinstance(left, Symbol)}
-    implicit = [left for left, _ in pairs if isinstance(left, Integral)]
-    if not pairs or len(explicit) + len(implicit) < len(pairs):
-        return Finding(UNDECIDED, "a definition gives each of its symbols one value")
-    for symbol, meaning in explicit.items():
-        if symbol in earlier or put_in(meaning, explicit).has(symbol):
-            return Finding(UNDECIDED, f"{symbol} is not a new symbol")
-        gap = undefined(meaning, claim.given)
-        if gap is not None:
-            return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
-    if implicit and not satisfiable(claim.given, parts_of(claim.says)):
-        return Finding(UNDECIDED, "no point is found that satisfies the equation")
-    names = ", ".join(sorted(map(str, (*explicit, *implicit))))
-    why = f"introduces {names}" if not proof.assumes else f"assumed: {proof.assumes}"
-    return Finding(proof.premise, why)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from sympy import Basic, Derivative, Eq, Expr, Integer, Integral, Rel, Subs, Symbol
 
 from tresym.ledger.claim import Claim, Reason, parts_of
-from tresym.ledger.evidence.defined import Conditions, continuous_on
+from tresym.ledger.evidence.defined import Conditions, continuous_on, undefined
 from tresym.ledger.evidence.manifest import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
 from tresym.ledger.meaning import defined, to_expression, to_given
 from tresym.ledger.reasons import citing
@@ -104,6 +104,43 @@ def need_smooth(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:
     if e.has(Derivative, Subs):
         raise NotShownError("a derivative is not shown to be smooth")
     _need_continuous((e.xreplace(stand_ins),), given)
+
+
+def need_value(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:
+    """That ``e`` has a value at every point of ``given``, its integrals and derivatives among it.
+
+    Raises:
+        NotShownError: that is not shown.
+    """
+    stand_ins: dict[Basic, Basic] = {}
+    for n, node in enumerate(_outermost(e)):
+        stand_ins[node] = Symbol(f"[value {n}]", real=True)
+        inner, inside = node, given
+        if isinstance(node, Subs):
+            put = dict(zip(node.variables, node.point, strict=True))
+            if any(p.free_symbols & set(put) for p in node.point):
+                raise NotShownError("a variable is bound")
+            for point in node.point:
+                need_value(point, bounds, given)
+            inside = tuple(c for c in given if not c.free_symbols & set(put))
+            inside += tuple(r for v, p in put.items() for r in (v >= p, v <= p))
+            inner = node.expr
+        if isinstance(inner, Derivative):
+            need_smooth(inner.expr, bounds, inside)
+        elif isinstance(inner, Integral):
+            need_smooth(inner, bounds, inside)
+        else:
+            need_value(inner, bounds, inside)
+    gap = undefined(e.xreplace(stand_ins), given)
+    if gap is not None:
+        raise NotShownError(f"nothing shows that {gap} allows its operation")
+
+
+def _outermost(e: Basic) -> list[Basic]:
+    """Derivatives, substitutions and integrals that no other such node contains."""
+    if isinstance(e, Derivative | Subs | Integral):
+        return [e]
+    return [node for argument in e.args for node in _outermost(argument)]
 
 
 # The rules
