@@ -25,12 +25,5 @@ CAUCHY = Axiom(
     r"|c_n| \le \rho^{-n} \max_{|w|=\rho} |f(w)|",
 )
 
-PICARD = Axiom(
-    "Picard–Lindelöf theorem",
-    "Differential equations with continuously differentiable right sides have one solution from "
-    "each start.",
-    "G. Teschl, Ordinary Differential Equations and Dynamical Systems (2012), Theorem 2.2",
-)
-
 (IMPLICIT_FUNCTION,) = (axiom for axiom in RULES if axiom.name == "implicit function theorem")
 """The same theorem as the judge's rule, where a sentence applies it to functions of its own."""
