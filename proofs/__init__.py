@@ -30,6 +30,7 @@ PARTS = (
     "turn_integral",
     "monotonicity",
     "exponent",
+    "power_series",
     "asymptotics",
     "constants",
     "moments",
