@@ -133,6 +133,7 @@ def _arrives(
     if goal is not None:
         return PROVED if last == goal else _check_step(last, Step(goal, ()), given)
     given = with_bounds(given, link.reasons)
+    strict = isinstance(says, StrictGreaterThan | StrictLessThan)
     if isinstance(last, Integral):
         bounds = tuple(c for r in link.reasons if r.name == "citing" for c in r.claims)
         try:
@@ -140,8 +141,9 @@ def _arrives(
         except NotShownError as error:
             return _undecided(str(error))
     else:
-        found = manifest_sign(last, given)
-    strict = isinstance(says, StrictGreaterThan | StrictLessThan)
+        # Without splitting sums first, as for integrals.
+        found = None if strict else manifest_sign(last, given, 0)
+        found = found if found in NON_NEGATIVE else manifest_sign(last, given)
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED
     return _undecided(f"the sign of {last} is not manifest")
