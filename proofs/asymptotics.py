@@ -31,6 +31,7 @@ from sympy import (
     Function,
     Integral,
     Rational,
+    Tuple,
     atan,
     cosh,
     exp,
@@ -52,10 +53,16 @@ from tresym.proofs.power_series import (
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Fault, Place, all_of, by, equal, step
+from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.meant import Meant
-from tresym.ledger.reasons import algebra, differentiation, exponentials, integrating
+from tresym.ledger.reasons import (
+    algebra,
+    differentiation,
+    evaluating,
+    exponentials,
+    integrating,
+)
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import stable
 from tresym.racket.near import charts
@@ -68,7 +75,34 @@ from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
 from tresym.reals.verdict import Verdict
 
-RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases)
+_flat = exp(-k / x)
+
+flat_rises = Claim(
+    label="flat_rises",
+    says=Derivative(_flat, x) > 0,
+    kind="bound",
+    given=(k > 0, x > 0),
+    proof=(step(k / x**2 * _flat, differentiation),),
+)
+
+flat_bends = Claim(
+    label="flat_bends",
+    says=Tuple(
+        equal(Derivative(k / x**2 * _flat, x), k * (k - 2 * x) / x**4 * _flat),
+        equal(at(k / x**2 * _flat, {x: k / 2}), 4 * exp(-2) / k),
+    ),
+    given=(k > 0, x > 0),
+    proof=together(by(differentiation), by(evaluating)),
+    note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
+)
+
+RESTS_ON = (
+    one_flip_defect,
+    logarithmic_equation,
+    residual_increases,
+    flat_rises,
+    flat_bends,
+)
 QUARTER = "ab >= 1/4, 0 < b <= 1"
 EVERY = "a > 0, 0 < b <= 1"
 
