@@ -253,6 +253,8 @@ class Cursor:
                 parts.append(self.take().removeprefix("\\"))
             self.take("}")
             text = "".join(parts)
+            if not text:
+                return ""
         else:
             text = self.take().removeprefix("\\")
             if is_number(text) and len(text) > 1:
