@@ -29,10 +29,18 @@ from tresym.ledger.claim import (
     UniqueRoot,
     equal,
     parts_of,
+    put_in_by,
 )
-from tresym.ledger.definitions import captured, conflict, implicit, judge_definition, overdetermined
+from tresym.ledger.definitions import (
+    captured,
+    conflict,
+    implicit,
+    judge_definition,
+    overdetermined,
+    table,
+)
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.evidence.chain import check_chain, unmet_condition
+from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.defined import Conditions, continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.evidence.integrals import NotShownError, need_smooth, with_bounds
@@ -84,7 +92,19 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
-    return replace(finding, seconds=before + time.perf_counter() - began, of=claim)
+    seconds = before + time.perf_counter() - began
+    return replace(finding, seconds=seconds, of=claim, conditions=_conditions(claim, found))
+
+
+def _conditions(claim: Claim, found: Findings) -> dict[str, tuple[Basic, ...]]:
+    """Under which conditions what is put in, or what is said together, holds."""
+    if isinstance(claim.proof, AllOf):
+        asked: dict[str, tuple[Basic, ...]] = {}
+        for part in claim.uses:
+            asked |= found[part.label].conditions if isinstance(part.proof, AllOf) else {}
+            asked |= {part.label: part.given} if part.given else {}
+        return asked
+    return {used.label: used.given for used in put_in_by(claim) if used.given}
 
 
 def judge_evidence(claim: Claim) -> Finding | None:
@@ -246,22 +266,17 @@ def refute(says: Basic, claim: Claim) -> Finding | None:
 
 
 def _known(claim: Claim) -> tuple[Basic, ...]:
-    """What the claims that are used say, and under which conditions."""
-    known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
-    for used in claim.uses:
-        relations = (p for p in parts_of(used.says) if isinstance(p, Relational))
-        known.update((p, None) for p in relations if not _is_rule_of_calculus(p, used))
-    return tuple(known)
+    """What the claims that are used say of what is defined, and under which conditions.
 
-
-def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
-    """Whether an equation of derivatives or integrals holds wherever its conditions do.
-
-    It restricts nothing where no definition stands behind it.
+    Where no definition stands behind a claim it restricts nothing: it holds wherever its conditions
+    do, and whether they do is what a user of it may have got wrong.
     """
-    behind = (claim, *claim.rests_on)
-    defined = any(isinstance(c.proof, Definition | ImplicitFunction) for c in behind)
-    return says.has(Derivative, Integral, Subs) and not defined
+    known: dict[Basic, None] = {}
+    for used in claim.uses:
+        if table((used, *used.rests_on)):
+            known.update(dict.fromkeys(used.given))
+            known.update((p, None) for p in parts_of(used.says) if isinstance(p, Relational))
+    return tuple(known)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
@@ -341,7 +356,7 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     if not _possible(claim) or any(p in defined(bound) for bound in proof.bounds):
         return Finding(UNDECIDED, "the conditions are met nowhere, or a bound is about what varies")
     outside = tuple(c for c in claim.given if p not in c.free_symbols)
-    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)))
+    unmet = unmet_condition(proof.equation, {}, (*outside, Ge(p, at), Le(p, at)))
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
     try:
@@ -384,14 +399,14 @@ def _without_chain(relation: Relational, claim: Claim) -> Finding:
     """PROVED by normal form or by a manifest sign, else UNDECIDED."""
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    rules = definitions(claim.uses)
+    try:
+        rules, _ = instantiated(claim.uses, claim.given)
+    except NotShownError as error:
+        return Finding(UNDECIDED, str(error))
     meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
     if false in meant:
         return Finding(UNDECIDED, "what is put in contradicts the conditions")
     replaced = tuple(c for c in meant if not c.has(Derivative, Integral, Subs))
-    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced))
-    if unmet is not None:
-        return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
     conditions = Given.from_sympy(*(c for c in replaced if isinstance(c, Relational)))
     if conditions.satisfying_point() is None:
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")

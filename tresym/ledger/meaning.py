@@ -77,6 +77,8 @@ def _keep_bound_variables(expression: Basic, rules: Rules) -> None:
     for node in expression.atoms(Integral, Derivative, Subs):
         bound = set(node.variables)
         for left, right in rules.items():
+            if node == left:  # it is replaced as it stands, where nothing binds its point
+                continue
             if bound & (left.free_symbols | right.free_symbols) and node.has(left):
                 raise CircularError(f"a definition reaches {left}, where a variable is bound")
 

@@ -133,6 +133,7 @@ def _arrives(
     if goal is not None:
         return PROVED if last == goal else _check_step(last, Step(goal, ()), given)
     given = with_bounds(given, link.reasons)
+    strict = isinstance(says, StrictGreaterThan | StrictLessThan)
     if isinstance(last, Integral):
         bounds = tuple(c for r in link.reasons if r.name == "citing" for c in r.claims)
         try:
@@ -140,8 +141,9 @@ def _arrives(
         except NotShownError as error:
             return _undecided(str(error))
     else:
-        found = manifest_sign(last, given)
-    strict = isinstance(says, StrictGreaterThan | StrictLessThan)
+        # Without splitting sums first, as for integrals.
+        found = None if strict else manifest_sign(last, given, 0)
+        found = found if found in NON_NEGATIVE else manifest_sign(last, given)
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED
     return _undecided(f"the sign of {last} is not manifest")
@@ -210,15 +212,10 @@ def _check_scalar(
 ) -> StepFinding:
     """The step from one number to the next, after definitions and integrals are dealt with."""
     used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
-    rules = definitions(used)
-    given = with_bounds(given, reasons)
-    replaced = (put_in(condition, rules) for condition in given)
-    relations = (c for c in replaced if isinstance(c, Relational))
-    elementary = (c for c in relations if not c.has(Integral, Derivative, Subs))
-    given = tuple(dict.fromkeys((*given, *elementary)))
-    unmet = unmet_condition(used, rules, given)
-    if unmet is not None:
-        return _undecided(f"{unmet} is not shown, but a claim that is put in needs it")
+    try:
+        rules, given = instantiated(used, with_bounds(given, reasons))
+    except NotShownError as error:
+        return _undecided(str(error))
     written = (before, after)
     before, after = meant_by = put_in(before, rules), put_in(after, rules)
     if before.has(Integral) or after.has(Integral):
@@ -246,11 +243,36 @@ def _decided(
     return decide(left, right, to_given(given), theories)
 
 
-def unmet_condition(used: tuple[Claim, ...], rules: Rules, given: Conditions) -> Basic | None:
-    """The first condition of a claim that is put in which does not follow from ``given``."""
-    for claim in used:
-        for condition in claim.given:
-            meant = put_in(condition, rules)
-            if not {condition, meant} & set(given) and not is_manifest(meant, given):
-                return condition
+def instantiated(used: tuple[Claim, ...], given: Conditions) -> tuple[Rules, Conditions]:
+    """What the claims that are put in say, and the conditions as they read with that.
+
+    All conditions of each are shown, from ``given`` and by what those before it say: none lends
+    itself, or another that waits for it, the equation by which its own condition holds.
+
+    Raises:
+        NotShownError: a condition is not shown.
+    """
+    rules: Rules = {}
+    meant, waiting = given, used
+    while waiting:
+        unmet = {claim: unmet_condition(claim, rules, meant) for claim in waiting}
+        ready = tuple(claim for claim in waiting if unmet[claim] is None)
+        if not ready:
+            first = unmet[waiting[0]]
+            raise NotShownError(f"{first} is not shown, but a claim that is used needs it")
+        rules |= definitions(ready)
+        waiting = tuple(claim for claim in waiting if unmet[claim] is not None)
+        replaced = (put_in(condition, rules) for condition in given)
+        relations = (c for c in replaced if isinstance(c, Relational))
+        elementary = (c for c in relations if not c.has(Integral, Derivative, Subs))
+        meant = tuple(dict.fromkeys((*given, *elementary)))
+    return rules, meant
+
+
+def unmet_condition(claim: Claim, rules: Rules, given: Conditions) -> Basic | None:
+    """The first condition of a claim that is used which does not follow from ``given``."""
+    for condition in claim.given:
+        meant = put_in(condition, rules)
+        if not {condition, meant} & set(given) and not is_manifest(meant, given):
+            return condition
     return None

@@ -32,7 +32,7 @@ def manifest_sign(e: Basic, conditions: tuple[Basic, ...], depth: int = DEPTH) -
         found = _in_half_turn(e, conditions) or found
     if isinstance(e, Mul):
         found = _product([manifest_sign(f, conditions, depth) for f in e.args]) or found
-    if found == "+" or depth == 0:
+    if found == "+" or depth == 0 or (found == ">=0" and isinstance(e, Mul)):
         return found
     by_parts = _split(e, conditions, depth)
     return "+" if by_parts == "+" else found or by_parts
