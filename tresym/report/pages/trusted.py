@@ -48,6 +48,12 @@ RECHECKED = {
         *("reals.places.points._sample", "reals.places.points.corners"),
         *("reals.places.windows", "reals.places.descent"),
     ),
+    "what is found is checked: factors are multiplied out, trees of boxes replayed": (
+        *("reals.normal.denested", "reals.balls.boxes._found"),
+    ),
+    "a point about which to expand counts once the function is shown to be smooth there": (
+        *("reals.balls.contact.candidates", "reals.language.inverted"),
+    ),
     "it refutes alone": (
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
