@@ -292,6 +292,15 @@ class Claim:
         return tuple(dict.fromkeys(_named(self.proof)))
 
     @cached_property
+    def written(self) -> tuple[Basic, ...]:
+        """The formulas that the claim and the chains of its proof consist of."""
+        links = (link for chain in _chains(self.proof) for link in chain)
+        says = () if isinstance(self.says, str) else (self.says,)
+        stated = self.proof.relations if isinstance(self.proof, Formally) else ()
+        steps = (link.expression for link in links if link.expression is not None)
+        return (*says, *self.given, *stated, *steps)
+
+    @cached_property
     def rests_on(self) -> tuple[Claim, ...]:
         """All that the claim rests on, directly or not, foundations first."""
         order: dict[Claim, None] = {}
@@ -300,21 +309,27 @@ class Claim:
         return tuple(order)
 
 
-def _named(proof: Evidence) -> Iterator[Claim]:
-    """Every claim that a piece of evidence names."""
+def _chains(proof: Evidence) -> tuple[Chain, ...]:
+    """The chains that a piece of evidence consists of."""
     match proof:
         case Together(chains):
-            for chain in chains:
-                yield from _named(chain)
+            return chains
         case UniqueRoot():
-            for chain in (proof.derivative, proof.at_low, proof.at_high):
-                yield from _named(chain)
+            return proof.derivative, proof.at_low, proof.at_high
         case ImplicitFunction():
-            yield from (proof.equation, *proof.bounds)
-            yield from _named(proof.slope)
+            return (proof.slope,)
         case tuple():
-            for link in proof:
-                for reason in link.reasons:
-                    yield from reason.claims
-        case _:
-            yield from getattr(proof, "claims", ())
+            return (proof,)
+    return ()
+
+
+def _named(proof: Evidence) -> Iterator[Claim]:
+    """Every claim that a piece of evidence names."""
+    if isinstance(proof, ImplicitFunction):
+        yield from (proof.equation, *proof.bounds)
+    chains = _chains(proof)
+    for link in (link for chain in chains for link in chain):
+        for reason in link.reasons:
+            yield from reason.claims
+    if not chains:
+        yield from getattr(proof, "claims", ())

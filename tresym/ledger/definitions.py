@@ -5,18 +5,27 @@ Two definitions of one symbol together prove anything, and so do two that go rou
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from functools import lru_cache
 from itertools import combinations
 
-from sympy import Basic, Integral, Symbol
-from sympy.core.relational import Relational
+from sympy import Eq
 
-from tresym.ledger.claim import Claim, Definition, equal
-from tresym.ledger.evidence.defined import Conditions
+from tresym.ledger.claim import Claim, Definition, parts_of
 from tresym.ledger.evidence.manifest import is_manifest
-from tresym.ledger.meaning import DEFINING, CircularError, Rules, definitions, put_in
-from tresym.ledger.second_look import satisfiable
+from tresym.ledger.meaning import (
+    DEFINING,
+    CircularError,
+    Conditions,
+    Rules,
+    conditions,
+    definitions,
+    put_in,
+    tree,
+)
+from tresym.ledger.second_look import satisfiable, scalars
+from tresym.reals.language.expression import Expr, symbol, symbols
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
@@ -35,83 +44,88 @@ def overdetermined(claims: Iterable[Claim]) -> str | None:
 
 @lru_cache(maxsize=4096)
 def _conflict(claims: tuple[Claim, ...]) -> str | None:
-    meanings: dict[Basic, list[tuple[Basic, Claim]]] = {}
+    meanings: dict[Expr, list[tuple[Expr, Claim]]] = {}
     for claim in claims:
         for left, right in definitions((claim,)).items():
             meanings.setdefault(left, []).append((right, claim))
     circle = _circle({left: [m for m, _ in found] for left, found in meanings.items()})
     if circle is not None:
         return circle
-    once = {s: found[0][0] for s, found in meanings.items() if s.is_Symbol and len(found) == 1}
     for left, found in meanings.items():
-        for one, two in combinations(found, 2):
-            if one[0] != two[0] and not _agree(left, one, two, once):
-                return f"{left} is defined by {one[1].label} and by {two[1].label}"
+        for (first, one), (second, two) in combinations(found, 2):
+            if first != second and not _agree(left, one, two, claims):
+                return f"{left} is defined by {one.label} and by {two.label}"
     return None
 
 
-def _agree(left: Basic, one: tuple[Basic, Claim], two: tuple[Basic, Claim], rules: Rules) -> bool:
+def _agree(left: Expr, one: Claim, two: Claim, claims: tuple[Claim, ...]) -> bool:
     """Whether two equations for a symbol are for different cases, or one is assumed by name.
 
     What is assumed must be possible as the other symbols are defined.
     """
-    (first, earlier), (second, later) = one, two
-    if _exclude(earlier.given, later.given) or _exclude(later.given, earlier.given):
+    given, others = conditions(one.given), conditions(two.given)
+    if _exclude(given, others) or _exclude(others, given):
         return True
-    both = (*earlier.given, *later.given)
-    assumed = _assumes(earlier) or _assumes(later)
-    known = equal(left, first), equal(left, second)
+    if not (_assumes(one) or _assumes(two)):
+        return False
+    equations = [e for claim in claims for e in _equations(claim)]
+    counted = Counter(e.lhs for e in equations)
+    both = (*one.given, *two.given)
+    known = [e for claim in (one, two) for e in _equations(claim) if tree(e.lhs) == left]
     try:
-        both = tuple(put_in(condition, rules) for condition in both)
-        known = tuple(equal(left, put_in(e.args[1], rules)) for e in known)
-    except CircularError:
-        pass  # a symbol is bound there, or the equations go on: they are taken as they stand
-    return assumed and satisfiable(both, known)
+        return satisfiable(both, (*(e for e in equations if counted[e.lhs] == 1), *known))
+    except CircularError:  # a symbol is bound there: the equations are taken as they stand
+        return satisfiable(both, tuple(known))
+
+
+def _equations(claim: Claim) -> tuple[Eq, ...]:
+    """The equations of a claim for symbols, as they are written."""
+    entries = (entry for part in parts_of(claim.says) for entry in scalars(part))
+    return tuple(e for e in entries if isinstance(e, Eq) and e.lhs.is_Symbol)
 
 
 def _exclude(given: Conditions, others: Conditions) -> bool:
     """Whether one of ``others`` is shown to fail wherever ``given`` holds."""
-    return any(isinstance(c, Relational) and is_manifest(c.negated, given) for c in others)
+    return any(is_manifest(condition.negated, given) for condition in others)
 
 
 def _assumes(claim: Claim) -> bool:
     return isinstance(claim.proof, Definition) and bool(claim.proof.assumes)
 
 
-def _circle(meanings: dict[Basic, list[Basic]]) -> str | None:
+def _circle(meanings: dict[Expr, list[Expr]]) -> str | None:
     """A symbol that is defined by itself, by way of others."""
-    names = {s: frozenset().union(*(m.free_symbols for m in ms)) for s, ms in meanings.items()}
-    for symbol in (left for left in meanings if isinstance(left, Symbol)):
-        seen: set[Basic] = set()
-        waiting = {*names[symbol]}
+    names = {left: frozenset().union(*map(symbols, found)) for left, found in meanings.items()}
+    for start in (left for left in meanings if left.op == "symbol"):
+        seen: set[Expr] = set()
+        waiting = {*names[start]}
         while waiting:
-            name = waiting.pop()
-            seen.add(name)
-            waiting |= names.get(name, frozenset()) - seen
-        if symbol in seen:
-            return f"{symbol} is defined by itself"
+            one = symbol(waiting.pop())
+            seen.add(one)
+            waiting |= {n for n in names.get(one, frozenset()) if symbol(n) not in seen}
+        if start in seen:
+            return f"{start} is defined by itself"
     return None
 
 
 @lru_cache(maxsize=4096)
 def _overdetermined(claims: tuple[Claim, ...]) -> str | None:
     rules: Rules = {}
-    implicit: dict[Basic, Claim] = {}
+    implicit: list[tuple[Expr, Claim]] = []
     for claim in claims:
         for left, right in definitions((claim,)).items():
-            if isinstance(left, Integral):
-                implicit[equal(left, right)] = claim
+            if left.op == "integral":
+                implicit.append((left - right, claim))
             else:
                 rules[left] = right
-    seen: frozenset[Basic] = frozenset()
-    for equation, claim in implicit.items():
-        if equation.free_symbols & seen:
+    seen: frozenset[str] = frozenset()
+    for difference, claim in implicit:
+        if symbols(difference) & seen:
             return f"{claim.label} is a second equation for the same symbols"
-        seen |= equation.free_symbols
+        seen |= symbols(difference)
         try:
-            left = put_in(equation.args[0] - equation.args[1], rules)
+            if not symbols(put_in(difference, rules)):
+                return f"{claim.label} leaves nothing to define"
         except CircularError as error:
             return str(error)
-        if not left.free_symbols:
-            return f"{claim.label} leaves nothing to define"
     return None
