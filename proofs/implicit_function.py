@@ -113,7 +113,7 @@ right_sides = Claim(
         printed.implicit_right(epsilon0, a, b, sympy),
     ),
     given=shape,
-    proof=by(substituting(d40)),
+    proof=by(substituting(d40), roots),
     where=Place(line=354),
     note="Only the right side of the equation before is rewritten.",
 )
@@ -158,7 +158,7 @@ unknown_solved = Claim(
     label="unknown_solved",
     says=equal(-lam * log(epsilon0 / _in_front) - pi - asin(mu), u),
     given=(lam > 0, *_small),
-    proof=by(substituting(unknown), exponentials),
+    proof=by(substituting(unknown), exponentials, roots),
     note="What u is for an ε₀ that is known: there is one for every ε₀ > 0.",
 )
 
@@ -189,6 +189,7 @@ equation_for_u = Claim(
         step(
             equal(exp(-(pi + asin(mu) + u) / lam), exp(-(pi + _arc) / lam)),
             multiplying(1 / _in_front),
+            roots,
         ),
         step(
             equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam),

@@ -54,7 +54,7 @@ def continuous_on(e: Expr, given: Conditions) -> Expr | None:
         return None
     for needed, relation in (*_asks(e), *_kinks(e)):
         strict = ">" if relation == ">=" else relation
-        if manifest_sign(needed, given) not in SHOWING[strict]:
+        if not _shown(needed, strict, given):
             return needed
     return next((gap for arg in e.args if (gap := continuous_on(arg, given)) is not None), None)
 

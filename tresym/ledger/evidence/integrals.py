@@ -9,6 +9,7 @@ name it was written with.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -17,7 +18,16 @@ from sympy import Basic
 from tresym.ledger.claim import Claim, Reason
 from tresym.ledger.evidence.defined import continuous_on
 from tresym.ledger.evidence.manifest import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
-from tresym.ledger.meaning import Conditions, conditions, conjuncts, defined, formula, known, tree
+from tresym.ledger.meaning import (
+    REMEMBERED,
+    Conditions,
+    conditions,
+    conjuncts,
+    defined,
+    formula,
+    known,
+    tree,
+)
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import (
     elementary,
@@ -59,13 +69,19 @@ def with_bounds(
     Args:
         put: what the variables of the claims that are cited are here.
     """
-    bounds = dict.fromkeys(given)
+    bounds = {_in_order(condition): condition for condition in given}
     for claim in (c for reason in reasons if reason.name == "citing" for c in reason.claims):
-        if all(_put(condition, put) in bounds for condition in conditions(claim.given)):
-            parts = conjuncts(formula(claim.says))
-            relations = (p for p in parts if isinstance(p, Relation) and p.sign != "==")
-            bounds.update(dict.fromkeys(_put(p, put) for p in relations))
-    return tuple(bounds)
+        if all(_in_order(_put(c, put)) in bounds for c in conditions(claim.given)):
+            for part in conjuncts(formula(claim.says)):
+                if isinstance(part, Relation) and part.sign != "==":
+                    bound = _put(part, put)
+                    bounds.setdefault(_in_order(bound), bound)
+    return tuple(bounds.values())
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _in_order(relation: Relation) -> Relation:
+    return Relation(ordered(relation.left), relation.sign, ordered(relation.right))
 
 
 def _put(relation: Relation, put: Mapping[str, Expr]) -> Relation:

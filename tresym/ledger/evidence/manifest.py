@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
+
+from flint import fmpq
 
 from tresym.ledger.meaning import REMEMBERED, Conditions, known
 from tresym.reals.decisions.identity import decide
@@ -14,6 +17,7 @@ from tresym.reals.language.expression import (
     UNWORKED,
     Expr,
     multiply,
+    number,
     power,
     rebuild,
     symbols,
@@ -50,17 +54,29 @@ def manifest_sign(e: Expr, conditions: Conditions, depth: int = DEPTH) -> str | 
 
 
 def _joined(e: Expr) -> Expr:
-    """``e`` with powers of products and of powers worked out: the same wherever it is defined."""
+    """``e`` with each product as powers of different bases: the same wherever it is defined."""
     if e.op in LEAVES or e.op in UNWORKED:
         return e
-    args = tuple(map(_joined, e.args))
-    whole = e.op == "^" and args[1].op == "number" and args[1].args[0].q == 1
-    if whole and args[0].op == "*":
-        return multiply(*(_joined(factor ** args[1]) for factor in args[0].args))
-    if whole and args[0].op == "^" and args[0].args[1].op == "number":
-        inner, exponent = args[0].args
-        return power(inner, exponent * args[1])
-    return rebuild(e, args)
+    if e.op not in ("*", "^"):
+        return rebuild(e, tuple(map(_joined, e.args)))
+    powers: dict[Expr, fmpq] = {}
+    for base, exponent in _factors(e, fmpq(1)):
+        powers[base] = powers.get(base, fmpq(0)) + exponent
+    return multiply(*(power(base, number(r)) for base, r in powers.items() if r != 0))
+
+
+def _factors(e: Expr, exponent: fmpq) -> Iterator[tuple[Expr, fmpq]]:
+    """The bases and exponents of a product to a power; only whole powers go into a product."""
+    if e.op == "*" and exponent.q == 1:
+        for factor in e.args:
+            yield from _factors(factor, exponent)
+    elif e.op == "^" and e.args[1].op == "number" and exponent.q == 1:
+        yield from _factors(e.args[0], e.args[1].args[0] * exponent)
+    else:
+        yield (
+            _joined(e) if e.op not in ("*", "^") else rebuild(e, tuple(map(_joined, e.args))),
+            exponent,
+        )
 
 
 def is_stated(e: Expr, conditions: Conditions) -> bool:
