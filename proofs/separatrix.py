@@ -232,6 +232,7 @@ integrated = Claim(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
             integrating(_primitive, root_in_interval, pole_outside, artanh_defined, first_factor),
             citing(root_at_start, artanh_at_start),
+            inverses,
             roots,
         ),
         step(-sqrt(a / b) / 2 * (-2 * pi * b), substituting(substitution)),
