@@ -83,10 +83,10 @@ _slow, _fast = 1 - b * _square, a + b * _square
 eq_robust_gen = Claim(
     label="eq_robust_gen",
     says=equal(Delta_phi, Integral(_integrand, (psi, psi0, psi_f))),
-    given=shape,
+    given=(*shape, gamma > 0),
     proof=Definition(),
     where=Place(display=18),
-    note="While the flip angle does not turn back; d19 is its integrand.",
+    note="For γ ≤ 0 it is so while the flip angle does not turn back; d19 is its integrand.",
 )
 
 full_turn = Claim(
@@ -186,7 +186,7 @@ eqdefect = Claim(
 symmetric_turn = Claim(
     label="symmetric_turn",
     says=equal(Integral(_integrand, (psi, epsilon, pi - epsilon)), 2 * pi),
-    given=shape,
+    given=(*shape, gamma > 0),
     proof=(
         step(Integral(_integrand, (psi, psi0, psi_f)), substituting(eq_psi0psif)),
         step(Delta_phi, substituting(eq_robust_gen)),

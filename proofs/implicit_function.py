@@ -32,6 +32,7 @@ from sympy import (
     sinh,
     sqrt,
 )
+from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import shape
 from tresym.proofs.printed import exact_defect
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
@@ -553,4 +554,5 @@ implicit_slope = Claim(
     where=Place(display=44),
     expect=Verdict.ENCLOSED,
     note="The implicit function theorem, on λ ≥ 0.",
+    quotes=(IMPLICIT_FUNCTION,),
 )

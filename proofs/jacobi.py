@@ -11,6 +11,7 @@ dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
 """
 
 from sympy import Expr, Symbol, Tuple, cos, cosh, sin, sqrt, tanh
+from tresym.proofs.axioms import PICARD
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
 from tresym.proofs.stability import outer_moments
@@ -192,6 +193,7 @@ jacobi_solutions = Claim(
     ),
     where=Place(line=90),
     note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
+    quotes=(PICARD,),
 )
 
 momentum_between = Claim(

@@ -35,6 +35,7 @@ from tresym.proofs.asymptotics import (
     slope_leading_term,
     within,
 )
+from tresym.proofs.axioms import CHEBYSHEV
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
 from tresym.proofs.separatrix import one_flip_defect
@@ -385,6 +386,7 @@ tangent = Claim(
     expect=Verdict.ENCLOSED,
     note="The remainder is at most 2√(ab) γ²/(b²ε₀) in size. ε is an analytic function of γ as "
     "long as γ + b sin²ε > 0.",
+    quotes=(CHEBYSHEV,),
 )
 
 

@@ -75,15 +75,6 @@ separatrix_integrand = Claim(
     proof=by(roots),
 )
 
-separatrix_condition = Claim(
-    label="d32",
-    says=equal(Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), 2 * pi),
-    given=(*shape, *defect),
-    proof=Definition(),
-    where=Place(display=32),
-    note="The condition that defines the flip defect on the separatrix.",
-)
-
 start_in_x = Claim(
     label="d34",
     says=equal(x0, printed.auxiliary_variable(epsilon, a, b, sympy)),
@@ -103,6 +94,15 @@ sine_on_path = Claim(
     given=_on_path,
     proof=(step(sin(psi)),),
     note="From ε to π − ε the flip angle stays between the unstable points.",
+)
+
+separatrix_condition = Claim(
+    label="d32",
+    says=equal(Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), 2 * pi),
+    given=(*shape, *defect),
+    proof=Definition("one turn of the handle on the separatrix", (sine_on_path,)),
+    where=Place(display=32),
+    note="The condition for the flip defect on the separatrix: one ε meets it (`one_flip_defect`).",
 )
 
 pole_on_path = Claim(

@@ -9,6 +9,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from fractions import Fraction
 from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -61,6 +62,7 @@ MAX_BYTES = 50_000_000
 
 
 MAX_SECONDS = 86_400
+LEAST_SECONDS = 0.001
 
 
 REFUTED, BAD, UNDECIDED = 1, 2, 3
@@ -182,7 +184,7 @@ def _seconds(text: str) -> float:
     value = parse_number(text, "--limit")
     if not 0 < value <= MAX_SECONDS:
         raise InputError(f"--limit: more than 0 and at most {MAX_SECONDS} seconds")
-    return float(value.p) / float(value.q)
+    return max(float(Fraction(int(value.p), int(value.q))), LEAST_SECONDS)
 
 
 def _show_all(text: str, target: str | None) -> None:

@@ -234,4 +234,7 @@ def _summary(report: Report) -> Table:
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
     table.add_row("", Text(outcome, style="green" if not unexpected else "bold red"))
+    resting = sum(bool(row.claim.axioms) for row in report.rows)
+    theorems = len(report.axioms)
+    table.add_row("", f"{resting} of them rest on {theorems} quoted theorems")
     return table

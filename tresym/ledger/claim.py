@@ -20,6 +20,7 @@ from typing import Any
 from flint import arb, fmpq
 from sympy import Basic, Derivative, Eq, Expr, Subs, Symbol, Tuple
 
+from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import Premise, Ruling
 from tresym.reals.verdict import Verdict
 
@@ -106,10 +107,12 @@ Chain = tuple[Step, ...]
 class Definition:
     """The claim introduces symbols: each is new, defined once, by symbols known before.
 
-    ``assumes`` names what is assumed of symbols that are defined elsewhere: physics that is put in.
+    ``assumes`` names what is put in: an equation for symbols that are defined elsewhere, or for one
+    under an integral. ``claims`` are proved inequalities by which what is defined exists.
     """
 
     assumes: str = ""
+    claims: tuple[Claim, ...] = ()
 
     @property
     def premise(self) -> Premise:
@@ -263,6 +266,7 @@ class Claim:
         paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
             where ``says`` is a sharper reading, which is ours.
         fault: for a claim expected REFUTED, what is wrong with the paper there.
+        quotes: theorems that the evidence applies and no claim shows.
     """
 
     label: str
@@ -277,6 +281,7 @@ class Claim:
     shown: str | None = None
     paper_says: str = ""
     fault: Fault = Fault.STATEMENT
+    quotes: tuple[Axiom, ...] = ()
 
     def __post_init__(self) -> None:
         if isinstance(self.proof, Definition):
@@ -292,21 +297,38 @@ class Claim:
         return tuple(dict.fromkeys(_named(self.proof)))
 
     @cached_property
-    def written(self) -> tuple[Basic, ...]:
-        """The formulas that the claim and the chains of its proof consist of."""
-        links = (link for chain in _chains(self.proof) for link in chain)
-        says = () if isinstance(self.says, str) else (self.says,)
-        stated = self.proof.relations if isinstance(self.proof, Formally) else ()
-        steps = (link.expression for link in links if link.expression is not None)
-        return (*says, *self.given, *stated, *steps)
-
-    @cached_property
     def rests_on(self) -> tuple[Claim, ...]:
         """All that the claim rests on, directly or not, foundations first."""
         order: dict[Claim, None] = {}
         for claim in self.uses:
             order.update(dict.fromkeys((*claim.rests_on, claim)))
         return tuple(order)
+
+    @cached_property
+    def axioms(self) -> tuple[Axiom, ...]:
+        """The theorems quoted by the claim or by anything that it rests on, each once."""
+        quoted = (axiom for claim in (*self.rests_on, self) for axiom in claim.quotes)
+        return tuple(dict.fromkeys(quoted))
+
+
+def expressions(claim: Claim) -> Iterator[Basic]:
+    """Everything that the claim and its evidence write down: what is said, given, and each step."""
+    proof = claim.proof
+    if isinstance(claim.says, Basic):
+        yield claim.says
+    yield from claim.given
+    match proof:
+        case UniqueRoot():
+            yield from (proof.function, proof.low, proof.high)
+        case ImplicitFunction():
+            yield from (proof.unknown, proof.parameter, proof.at)
+        case Formally():
+            yield from proof.relations
+    for chain in _chains(proof):
+        for link in chain:
+            reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
+            written = (link.expression, *(e for three in reasons for e in three))
+            yield from (e for e in written if e is not None)
 
 
 def _chains(proof: Evidence) -> tuple[Chain, ...]:
@@ -320,16 +342,17 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
             return (proof.slope,)
         case tuple():
             return (proof,)
-    return ()
+        case _:
+            return ()
 
 
 def _named(proof: Evidence) -> Iterator[Claim]:
     """Every claim that a piece of evidence names."""
     if isinstance(proof, ImplicitFunction):
         yield from (proof.equation, *proof.bounds)
-    chains = _chains(proof)
-    for link in (link for chain in chains for link in chain):
-        for reason in link.reasons:
-            yield from reason.claims
-    if not chains:
+    for chain in _chains(proof):
+        for link in chain:
+            for reason in link.reasons:
+                yield from reason.claims
+    if not isinstance(proof, tuple):
         yield from getattr(proof, "claims", ())

@@ -29,7 +29,14 @@ from tresym.ledger.claim import (
     UniqueRoot,
     parts_of,
 )
-from tresym.ledger.definitions import conflict, overdetermined
+from tresym.ledger.definitions import (
+    captured,
+    conflict,
+    implicit,
+    judge_definition,
+    overdetermined,
+    table,
+)
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.chain import check_chain, unmet_condition
 from tresym.ledger.evidence.defined import continuous_on, undefined
@@ -40,19 +47,15 @@ from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
 from tresym.ledger.finding import Finding, Premise, StepFinding
 from tresym.ledger.meaning import (
-    DEFINING,
     CircularError,
     Conditions,
     conditions,
-    conjuncts,
     defined,
     definitions,
     formula,
     known,
-    misread,
     put_in,
     put_into,
-    sides,
     tree,
 )
 from tresym.ledger.reasons import citing
@@ -155,7 +158,7 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
     for used in claim.uses:
         if found[used.label].of not in (None, used):
             return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
-    why = conflict((*claim.rests_on, claim))
+    why = captured(claim) or conflict((*claim.rests_on, claim))
     if why is not None:
         return Finding(UNDECIDED, why)
     if isinstance(claim.proof, AllOf):
@@ -171,12 +174,12 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
 
 
 def _judge(claim: Claim, found: Findings) -> Finding:
-    why = unfit(claim) or _misread(claim)
+    why = unfit(claim)
     if why is not None:
         return Finding(UNDECIDED, why)
     match claim.proof:
         case Definition():
-            return _judge_definition(claim, claim.proof)
+            return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
         case AllOf(claims):
@@ -197,17 +200,6 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")
-
-
-def _misread(claim: Claim) -> str | None:
-    """Why a reader would take a formula of the claim for another than it is, or None."""
-    rules = definitions(c for c in claim.rests_on if isinstance(c.proof, DEFINING))
-    for e in claim.written if rules else ():
-        for side in sides(e):
-            name = misread(side, rules)
-            if name is not None:
-                return f"{name} stands where what defines it is bound"
-    return None
 
 
 def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
@@ -243,9 +235,14 @@ def _possible(claim: Claim) -> bool:
     if not _met_somewhere(given):
         return False
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    rules = {p: q for p, q in definitions(behind).items() if p.op == "symbol"}
+    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
-    return known(bounds).satisfying_point() is not None
+    if known(bounds).satisfying_point() is None:
+        return False
+    assumed = implicit(claim.rests_on)
+    written = (entry.written for entry in explicit)
+    return not assumed or satisfiable(claim.given, (*written, *assumed))
 
 
 def _met_somewhere(given: Conditions) -> bool:
@@ -280,37 +277,6 @@ def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
     behind = (claim, *claim.rests_on)
     defined = any(isinstance(c.proof, Definition | ImplicitFunction) for c in behind)
     return says.has(Derivative, Integral, Subs) and not defined
-
-
-def _judge_definition(claim: Claim, proof: Definition) -> Finding:
-    """A definition holds when its symbols are new, each defined once, by what has a value.
-
-    An equation for an integral defines a symbol in it implicitly: a point is looked for that
-    satisfies it.
-    """
-    given = conditions(claim.given)
-    if not _met_somewhere(given):
-        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    equations = [*conjuncts(formula(claim.says))]
-    if not all(isinstance(e, Relation) and e.sign == "==" for e in equations):
-        return Finding(UNDECIDED, "a definition consists of equations")
-    earlier = definitions(claim.rests_on)
-    pairs = [(e.left, e.right) for e in equations if isinstance(e, Relation)]
-    explicit = {left: right for left, right in pairs if left.op == "symbol"}
-    implicit = [left for left, _ in pairs if left.op == "integral"]
-    if not pairs or len(explicit) + len(implicit) < len(pairs):
-        return Finding(UNDECIDED, "a definition gives each of its symbols one value")
-    for symbol, meaning in explicit.items():
-        if symbol in earlier or not symbols(symbol).isdisjoint(symbols(put_in(meaning, explicit))):
-            return Finding(UNDECIDED, f"{symbol} is not a new symbol")
-        gap = undefined(meaning, given)
-        if gap is not None:
-            return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
-    if implicit and not satisfiable(claim.given, parts_of(claim.says)):
-        return Finding(UNDECIDED, "no point is found that satisfies the equation")
-    names = ", ".join(sorted(map(str, (*explicit, *implicit))))
-    why = f"introduces {names}" if not proof.assumes else f"assumed: {proof.assumes}"
-    return Finding(proof.premise, why)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:

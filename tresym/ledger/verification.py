@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from tresym.ledger import paper
+from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
@@ -59,6 +60,15 @@ class Report:
     def as_expected(self) -> bool:
         """True when every verdict is the expected one."""
         return all(row.as_expected for row in self.rows)
+
+    @property
+    def axioms(self) -> dict[Axiom, tuple[Claim, ...]]:
+        """The theorems that are quoted, each with the claims of the report that rest on it."""
+        resting: dict[Axiom, tuple[Claim, ...]] = {}
+        for row in self.rows:
+            for axiom in row.claim.axioms:
+                resting[axiom] = (*resting.get(axiom, ()), row.claim)
+        return resting
 
     def __getitem__(self, label: str) -> Row:
         return next(row for row in self.rows if row.claim.label == label)

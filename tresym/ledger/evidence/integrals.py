@@ -16,7 +16,7 @@ from typing import NamedTuple
 from sympy import Basic
 
 from tresym.ledger.claim import Claim, Reason
-from tresym.ledger.evidence.defined import continuous_on
+from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.manifest import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
 from tresym.ledger.meaning import (
     REMEMBERED,
@@ -133,19 +133,71 @@ def sign_of_integral(node: Expr, bounds: tuple[Claim, ...], given: Conditions) -
     return "+" if length == "+" and any(positive) else ">=0"
 
 
-def need_smooth(e: Expr, bounds: tuple[Claim, ...], given: Conditions) -> None:
+def need_smooth(
+    e: Expr, bounds: tuple[Claim, ...], given: Conditions, bound: Mapping[str, Expr] = NOTHING
+) -> None:
     """That ``e`` is smooth near every point of ``given``, in all its symbols together.
+
+    Args:
+        bound: for symbols of the claims in ``bounds`` what stands for them in ``e``.
 
     Raises:
         NotShownError: that is not shown, or ``e`` hides a derivative.
     """
-    integrals = [node for node in outermost(e) if node.op == "integral"]
+    integrals = _integrals(e)
     for node in integrals:
-        inside = _inside(node, bounds, given)
+        inside = _inside(node, bounds, given, bound=bound)
         _need_continuous(node.args[1:], given)
         _need_continuous((inside.integrand,), inside.conditions)
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
     _need_continuous((replaced(e, variables),), given)
+
+
+def need_value(
+    e: Expr, bounds: tuple[Claim, ...], given: Conditions, bound: Mapping[str, Expr] = NOTHING
+) -> None:
+    """That ``e`` has a value at every point of ``given``, its integrals and derivatives among it.
+
+    Raises:
+        NotShownError: that is not shown.
+    """
+    nodes = [*dict.fromkeys(outermost(e))]
+    for node in nodes:
+        if node.op == "integral":
+            need_smooth(node, bounds, given, bound)
+            continue
+        if node.op not in ("derivative", "at"):
+            raise NotShownError(f"{node} is not shown to exist")
+        for point in node.args[1:]:
+            need_value(point, bounds, given, bound)
+        need = need_smooth if node.op == "derivative" else need_value
+        body, near, put = _near(node, given)
+        need(body, bounds, near, {**bound, **put})
+    variables = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
+    gap = undefined(replaced(e, variables), given)
+    if gap is not None:
+        raise NotShownError(f"nothing shows that {gap} allows its operation")
+
+
+def _near(
+    node: Expr, given: Conditions, avoid: Iterable[str] = ()
+) -> tuple[Expr, Conditions, Mapping[str, Expr]]:
+    """The body of a derivative or value, what holds at its point, and its variables' new names.
+
+    At a symbol that the body does not speak of, the variable is that symbol.
+    """
+    points = node.args[1:]
+    if (
+        len(points) == 1
+        and points[0].op == "symbol"
+        and not symbols(points[0]) & symbols(node.args[0])
+    ):
+        return instantiate(node.args[0], points), given, NOTHING
+    names, body = opened(node, {*_names(given), *avoid})
+    variables = tuple(map(symbol, names))
+    pairs = zip(variables, points, strict=True)
+    there = (Relation(x, sign, p) for x, p in pairs for sign in (">=", "<="))
+    return body, (*given, *there), dict(zip(node.names, variables, strict=True))
 
 
 def under_binder(one: Expr, other: Expr, given: Conditions) -> bool:
@@ -278,14 +330,10 @@ def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions)
     """
     slopes = (n for n in outermost(before, after) if n.op == "derivative")
     node = _one_of([*dict.fromkeys(n for n in slopes if n.args[0].op == "integral")])
-    point, bound, outside = node.args[1], NOTHING, given
-    if point.op == "symbol" and point.args[0] not in symbols(node.args[0]):
-        parameter, whole = str(point.args[0]), instantiate(node.args[0], (point,))
-    else:
-        (parameter,), whole = opened(node, {*_names(given), *symbols(_expression(reason))})
-        p = symbol(parameter)
-        bound = {node.names[0]: p}
-        outside = (*given, Relation(p, ">=", point), Relation(p, "<=", point))
+    point = node.args[1]
+    whole, outside, bound = _near(node, given, symbols(_expression(reason)))
+    (name,) = node.names
+    parameter = str((bound[name] if bound else point).args[0])
     put = {parameter: point}
     inside = _inside(whole, reason.claims, outside, reason, bound=bound)
     f, (low, high) = inside.integrand, whole.args[1:]

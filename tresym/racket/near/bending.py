@@ -2,7 +2,8 @@
 
 ε(γ) solves F(ε, γ) = π, and F decreases in ε: where H(v) = √(ab) (F(e(v), bε₀²v) − π) ≤ 0 the curve
 lies below the candidate e(v). For e = ε₀(1 + (pλ − 1/4)v + Cλv²), whose slope is the exact one, and
-λ = √(ab) ε₀², H has a double root at v = 0, so that the sign of H″ on an interval about 0 decides.
+λ = √(ab) ε₀², H and H′ vanish at v = 0, so that by Taylor's theorem H has the sign that H″ has on
+an interval about 0.
 To leading order ε + √(ε² + γ/b) = 2ε₀, a line in γ: H″ is of the order λ, and it is divided by λ
 here by algebra. With u = γ/b, s = sin e, z = √(u + s²) and w = s + z,
 

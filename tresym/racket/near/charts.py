@@ -367,7 +367,8 @@ def far_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
 def far_error(difference: Any, b: Any, kappa: Any, m: Any) -> Any:
     """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ).
 
-    It is tan ε/tan ε₀ − 1, and as the arctangent is concave ε/ε₀ − 1 is between it and 0.
+    It is tan ε/tan ε₀ − 1, and as the arctangent is concave (`arctangent_concave`) ε/ε₀ − 1 is
+    between it and 0.
     """
     f, growth = flat(kappa, 2 * phase_by_kappa(b, kappa, m)), m.exp(difference)
     return m.expm1(difference) * (1 + f * growth) / (1 - f * growth * growth)

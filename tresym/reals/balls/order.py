@@ -28,7 +28,7 @@ from tresym.reals.balls.germ import (
     as_ball,
     is_zero,
 )
-from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision, balls
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
 
@@ -157,7 +157,7 @@ class _Expansion:
         return Size(germ.leading, power, exponent, self.logarithmic)
 
 
-def judge_order(statement: Order, precision: int = 128) -> Judgement:
+def judge_order(statement: Order, precision: int = WORKING) -> Judgement:
     """Decide an order statement; UNDECIDED where the expansion or the boxes do not suffice."""
     judge = _at_most if statement.kind == "<=" else _compared
     with ball_precision(precision):

@@ -33,7 +33,7 @@ from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.locally_constant import equal_by_derivative, vanishes_or_zero
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import Fraction, UndefinedError
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
@@ -43,7 +43,7 @@ from tresym.reals.verdict import Verdict
 
 Points = Callable[[Given], Sequence[Mapping[str, fmpq]]]
 
-FIRST_BITS, FIRST_POINTS = 128, 2
+FIRST_POINTS = 2
 SIGN_POINTS = 6, 64
 BLAMED_POINTS, MAX_SHOWN = 40, 60
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
@@ -87,12 +87,12 @@ def decide(
     sides = (left, right)
 
     def look(
-        count: int, bits: int, where: Given = given
+        count: int, bits: int = WORKING, where: Given = given
     ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
         return sampled_values(left, right, where, names, count, bits)
 
     defined: dict[str, fmpq] | None = None
-    for point, values in look(FIRST_POINTS, FIRST_BITS):
+    for point, values in look(FIRST_POINTS):
         if not values[0].overlaps(values[1]):
             return _refutation(point, values)
         defined = point
@@ -139,7 +139,7 @@ def sampled_values(
     given: Given,
     names: list[str],
     count: int,
-    bits: int,
+    bits: int = WORKING,
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
     """Points where both sides are defined, at most ``count``, with their values."""
     found = 0
@@ -180,7 +180,7 @@ def no_point(parts: tuple[Expr, ...], given: Given) -> str:
     if next(given.points(names, 1), None) is None:
         return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
     missing: Counter[Expr] = Counter()
-    with ball_precision(FIRST_BITS):
+    with ball_precision():
         for point in given.points(names, BLAMED_POINTS):
             at = {name: arb(value) for name, value in point.items()}
             missing.update(undefined_parts(parts, at))
@@ -234,7 +234,7 @@ def _difference(
         field = Field(given, theories, size, lambda: points(given))
         try:
             x, y = field.normal(*sides)
-            return field, field.subtract(x, y)
+            return field, x - y
         except TooLargeError:
             if len(field.generators) < size:
                 raise

@@ -124,11 +124,8 @@ def _without_groups(ring: Field, x: Fraction, kind: str) -> Fraction:
         if value is None:
             return x
         for position, n in terms.items():
-            value = ring.subtract(
-                value,
-                ring.multiply(ring.constant(n), Fraction(ring.variables[position], ring.one_poly)),
-            )
-        x = ring.add(x, ring.multiply(ring.make(factor, x.den), value))
+            value = value - ring.fraction(ring.at(position)) * n
+        x = x + ring.make(factor, x.den) * value
     return x
 
 
@@ -157,8 +154,8 @@ def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
     product = ring.one
     try:
         for position, n in terms.items():
-            base = Fraction(ring.at(position).data[0], ring.one_poly)
-            product = ring.multiply(product, ring.power(base, int(n)))
+            base = ring.fraction(ring.at(position).data[0])
+            product = product * base ** int(n)
     except TooLargeError:
         return None
     for sign in (1, -1):
@@ -176,17 +173,14 @@ def _atan_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
             if not ring.is_constant(u):
                 return None
             total = total + ring.ball(u).atan() * n
-            v = u if n > 0 else ring.negative(u)
+            v = u if n > 0 else -u
             for _ in range(abs(int(n))):
-                real, imaginary = (
-                    ring.subtract(real, ring.multiply(imaginary, v)),
-                    ring.add(imaginary, ring.multiply(real, v)),
-                )
+                real, imaginary = real - imaginary * v, imaginary + real * v
     except TooLargeError:
         return None
     k = (12 * total / arb.pi()).unique_fmpz()
     if k is None:
         return None
     c, s = ring.turn_of_pi(fmpq(k, 12))
-    rest = ring.subtract(ring.multiply(imaginary, c), ring.multiply(real, s))
+    rest = imaginary * c - real * s
     return ring.pi(fmpq(k, 12)) if vanishes(ring, rest.num) else None

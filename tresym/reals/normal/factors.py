@@ -13,9 +13,9 @@ from flint import fmpq, fmpz
 
 from tresym.reals.normal.monotone import same_sign
 from tresym.reals.normal.ranges import MAX_DEPTH
-from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError, small_factor
+from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, small_factor
 from tresym.reals.normal.sign_equations import SignedRing
-from tresym.reals.numbers.factoring import TooLargeError
+from tresym.reals.numbers.factoring import TooLargeError, primes_of
 from tresym.reals.places.conditions import Given
 
 MAX_PRIME_BITS = 160
@@ -37,9 +37,6 @@ class FactoredRing(SignedRing):
         """The arguments of the base class."""
         super().__init__(given, size, points)
         self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
-
-    def _fraction(self, generator: Generator) -> Fraction:
-        return Fraction(self.variable(generator), self.one_poly)
 
     def factor(self, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
         """``p`` as an integer times powers of canonical factors (exponents may be negative)."""
@@ -153,7 +150,7 @@ class FactoredRing(SignedRing):
         result = self.context.constant(unit.isqrt())
         for part, k in parts:
             result = result * part ** (k // 2)
-        return result
+        return result if result**2 == p else None
 
     def factors(self, x: Fraction) -> tuple[int, Factors]:
         """``x`` as a sign times powers of canonical factors, primes among them.
@@ -182,7 +179,7 @@ class FactoredRing(SignedRing):
             return []
         if n.bit_length() > MAX_PRIME_BITS:
             return [(n, 1)]
-        return [(prime, int(k)) for prime, k in n.factor()]
+        return primes_of(n)
 
     # Signs
 
@@ -194,7 +191,7 @@ class FactoredRing(SignedRing):
         for part, k in parts.values():
             if k.p % 2:
                 product = product * self.sigma(part)
-        return Fraction(self.reduce(product), self.one_poly)
+        return self.fraction(self.reduce(product))
 
     def sigma(self, f: Poly) -> Poly:
         """The sign of a factor; an arc tangent has the sign of its argument."""
@@ -207,7 +204,7 @@ class FactoredRing(SignedRing):
                 return f
         inner = None if self.sign(f) else same_sign(self, f)
         if inner is not None:
-            return self._sign_function(Fraction(inner, self.one_poly)).num
+            return self._sign_function(self.fraction(inner)).num
         return super().sigma(f)
 
     def _by_signs(self, x: Fraction) -> list[tuple[Fraction, Fraction]] | None:
@@ -225,7 +222,7 @@ class FactoredRing(SignedRing):
             groups.setdefault(outer, {})[inner] = value
         return [
             (
-                Fraction(self.context.from_dict({outer: 1}), self.one_poly),
+                self.fraction(self.context.from_dict({outer: 1})),
                 self.make(self.context.from_dict(part), x.den),
             )
             for outer, part in groups.items()
@@ -250,7 +247,7 @@ class FactoredRing(SignedRing):
                 continue
             inner = same_sign(self, part)
             if inner is not None and not inner.is_zero():
-                outer, more = self.factors(Fraction(inner, self.one_poly))
+                outer, more = self.factors(self.fraction(inner))
                 powers = [(f, int(n.p)) for f, n in more.values()]
                 self.require_sign([*parts[:i], *powers, *parts[i + 1 :]], sign * outer, strict)
                 break

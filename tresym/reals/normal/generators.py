@@ -139,7 +139,7 @@ class ValuedRing(Ring):
                     return False
             elif generator.kind != "symbol":
                 return False
-        with ball_precision(SIGN_BITS):
+        with ball_precision():
             values = [
                 self.ball(x, {name: arb(value) for name, value in point.items()})
                 for point in Given().points(self.dependence(x), 4)

@@ -44,7 +44,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.normal.constants import settled, vanishes
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import sample_points
@@ -53,7 +53,6 @@ from tresym.reals.places.values import evaluate
 
 MAX_POINTS = 400
 MAX_SYMBOLS = 4
-_BITS = 256
 
 
 def equal_by_derivative(
@@ -73,7 +72,7 @@ def equal_by_derivative(
         slopes = [differentiate(side, name) for side in (left, right)]
         gradient += slopes
         *_, dx, dy = field.normal(left, right, *slopes)
-        if not vanishes_or_zero(field, field.subtract(dx, dy).num):
+        if not vanishes_or_zero(field, (dx - dy).num):
             return None
     if any(generator.kind == "opaque" for generator in field.generators):
         return None
@@ -103,7 +102,7 @@ def _candidates(
     """A point of every region between the walls that has a part inside ``ends``; None: too hard."""
     if not walls:
         simple = {name: _middle(given, name) for name in names}
-        with ball_precision(_BITS):
+        with ball_precision():
             at = {name: evaluate(value, {}) for name, value in simple.items()}
             inside = all(condition.holds(at) for condition in given.conditions)
         yield simple if inside else _as_numbers(next(given.points(names, 1), None))
@@ -158,8 +157,8 @@ def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fm
     """Rational numbers on both sides of where ``end`` is 0, with no wall between; None: not so."""
     if len(names) != 1:
         return None
-    half = _BITS // 2
-    with ball_precision(_BITS):
+    half = WORKING
+    with ball_precision(2 * WORKING):
         at0, at1 = (evaluate(end, {names[0]: arb(x)}) for x in (0, 1))
         place = at0 / (at0 - at1) * (1 << half)
         below, above = place.lower().floor().unique_fmpz(), place.upper().ceil().unique_fmpz()
@@ -352,7 +351,7 @@ def _in_symbols(
 
 def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bool | None:
     """Whether ``point`` satisfies ``given`` and both sides are defined there; None if unclear."""
-    with ball_precision(_BITS):
+    with ball_precision():
         at = {name: evaluate(value, {}) for name, value in point.items()}
         needed = [
             (condition.expression, condition.relation != "!=") for condition in given.conditions
@@ -368,7 +367,7 @@ def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bo
 
 def _are_real(slopes: list[Expr], point: dict[str, Expr]) -> bool:
     """Whether every slope has a value at ``point``: its normal form speaks of no other region."""
-    with ball_precision(_BITS):
+    with ball_precision():
         at = {name: evaluate(value, {}) for name, value in point.items()}
         return all(evaluate(slope, at).is_finite() for slope in slopes)
 
@@ -383,6 +382,6 @@ def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
     field = Field(Given(), theories, 64)
     try:
         x, y = field.normal(left, right)
-        return vanishes_or_zero(field, settled(field, field.subtract(x, y)).num)
+        return vanishes_or_zero(field, settled(field, x - y).num)
     except (TooLargeError, UndefinedError):
         return False

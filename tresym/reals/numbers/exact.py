@@ -96,7 +96,7 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
     if isinstance(x, int | fmpz):
         return fmpq(x)
     if isinstance(x, Rational):
-        return fmpq(x.numerator, x.denominator)
+        return fmpq(int(x.numerator), int(x.denominator))
     raise InputError(
         f"{what}: {type(x).__name__} is not exact; give a string, an integer or a Fraction"
     )

@@ -24,7 +24,6 @@ from tresym.reals.places.points import _sample, corners
 from tresym.reals.places.values import evaluate
 from tresym.reals.places.windows import windows
 
-CHECK_BITS = 128
 _TRIES = 3000
 _FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
 _SYMPY_RELATIONS = {
@@ -185,7 +184,7 @@ class Given:
         for point in self.points(wanted, 1):
             return point
         for corner in corners(wanted, self.box):
-            with ball_precision(CHECK_BITS):
+            with ball_precision():
                 at = {name: arb(value) for name, value in corner.items()}
                 if all(condition.holds_exactly(at) for condition in self.conditions):
                     return corner
@@ -225,7 +224,7 @@ class Given:
     def _holds(self, point: dict[str, fmpq]) -> bool:
         if not self.conditions:
             return True
-        with ball_precision(CHECK_BITS):
+        with ball_precision():
             at = {name: arb(value) for name, value in point.items()}
             return all(condition.holds(at) for condition in self.conditions)
 
@@ -283,7 +282,7 @@ def _within_even_powers(box: dict[str, Interval], condition: Condition) -> None:
     for key, c in form.items():
         if key and form[""] > 0:
             name, n = key.split("**")
-            with ball_precision(CHECK_BITS):
+            with ball_precision():
                 end = number(arb(-form[""] / c).root(int(n)).upper().fmpq())
             _tighten(box, symbol(name), "<" if condition.relation == ">" else "<=", end)
             _tighten(box, symbol(name), condition.relation, -end)
@@ -325,7 +324,7 @@ def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
     """Rational ends that enclose the constant ``e``; equal where it is rational."""
     if e.op == "number":
         return e.args[0], e.args[0]
-    with ball_precision(CHECK_BITS):
+    with ball_precision():
         value = evaluate(e, {})
         if not value.is_finite():
             return None, None

@@ -12,13 +12,12 @@ from itertools import combinations
 from flint import arb, fmpq
 
 from tresym.reals.language.expression import Expr
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import near
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
 
-BITS = 64
 MAX_STARTS = 3
 MAX_EVALUATIONS = 250
 SMALLEST_STEP = fmpq(1, 2**30)
@@ -29,10 +28,10 @@ def low_points(
     difference: Expr, given: Given, starts: Iterable[ExactPoint]
 ) -> Iterator[ExactPoint]:
     """Points of ``given`` at which the difference is small, simple ones first."""
-    with ball_precision(BITS):
+    with ball_precision(WORKING // 2):
         known = [(value, k, p) for k, p in enumerate(starts) if (value := _value(difference, p))]
     for _, _, start in sorted(known, key=lambda item: item[:2])[:MAX_STARTS]:
-        with ball_precision(BITS):
+        with ball_precision(WORKING // 2):
             found = _descended(difference, given, start)
         for tolerance in TOLERANCES:
             yield {name: near(x, tolerance) for name, x in found.items()}

@@ -79,7 +79,7 @@ def _simple(x: fmpq, low: fmpq, high: fmpq) -> fmpq:
     """A rational near ``x`` that can be read, where ends that stand for constants make x long."""
     if x.q < LONG:
         return x
-    gap = min(x - low, high - x) / 16
+    gap = max(min(x - low, high - x), fmpq(0)) / 16  # a range may be empty
     return near(x, gap)
 
 

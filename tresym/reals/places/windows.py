@@ -20,7 +20,6 @@ from tresym.reals.places.cells import between, sample_points
 from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
 
-BITS = 128
 MAX_NAMES = 2
 MAX_DEGREE = 12
 MAX_CELLS = 40
@@ -133,7 +132,7 @@ def _climbed(conditions: Sequence[Expr], start: ExactPoint) -> ExactPoint:
 
 def _score(conditions: Sequence[Expr], point: ExactPoint) -> tuple[int, float]:
     """How many conditions hold, and by how much the others that have a value fail."""
-    with ball_precision(BITS):
+    with ball_precision():
         at = {name: arb(value) for name, value in point.items()}
         values = [evaluate(e, at) for e in conditions]
         failing = [float(v.mid()) for v in values if v.is_finite() and not v > 0]

@@ -36,6 +36,7 @@ def common(row: Row) -> dict[str, Any]:
         and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
         "amended_by": [claim.label for claim in claim.amended_by],
         "uses": [used.label for used in claim.uses],
+        "axioms": [axiom.name for axiom in claim.axioms],
         "why": finding.why,
     }
 
