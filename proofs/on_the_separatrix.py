@@ -136,7 +136,6 @@ turn_to_the_middle = Claim(
             ),
             trigonometry,
             exponentials,
-            roots,
         ),
         step(
             Integral(

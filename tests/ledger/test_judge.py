@@ -199,7 +199,7 @@ def test_a_change_of_variable_needs_its_factor_and_its_limits() -> None:
 
 def root(function: object, slope: object, low: object, high: object, *given: object) -> Verdict:
     chain = (step(slope, differentiation, exponentials, trigonometry),)
-    ends = [(step(function.subs(x, end)),) for end in (low, high)]
+    ends = [(step(function.subs(x, end), exponentials),) for end in (low, high)]
     proof = UniqueRoot(x, function, Integer(low), Integer(high), chain, *ends)
     return verdict(claim("one root", proof, given))
 

@@ -39,7 +39,7 @@ from tresym.ledger.evidence.manifest import manifest_sign
 from tresym.ledger.meaning import conditions, known, tree
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.paper import all_claims
-from tresym.ledger.second_look import put_in, scalars
+from tresym.ledger.second_look import put_in, rules_of
 from tresym.reals.advocate import contradiction
 from tresym.reals.decisions.identity import decide
 from tresym.reals.numbers.exact import InputError
@@ -138,9 +138,7 @@ def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:
 def _expressions(says: Any, chain: Chain) -> list[Any]:
     """The expressions of a chain, with the definitions that it uses put in."""
     used = [claim for link in chain for reason in link.reasons for claim in reason.claims]
-    parts = (part for claim in used for part in parts_of(claim.says))
-    equations = (e for part in parts if isinstance(part, sympy.Eq) for e in scalars(part))
-    rules = {e.lhs: e.rhs for e in equations if not e.lhs.is_number}
+    rules = rules_of(used)
     links = [says.rhs if link.expression is None else link.expression for link in chain]
     return [put_in(e, rules).doit(integrals=False) for e in (says.lhs, *links)]
 

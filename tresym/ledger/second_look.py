@@ -9,7 +9,7 @@ trees and the decision procedures that a violation is to contradict, nor with th
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, reduce
 from itertools import pairwise
@@ -38,7 +38,7 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
-from tresym.ledger.claim import equal
+from tresym.ledger.claim import Claim, equal, parts_of
 from tresym.ledger.meaning import MAX_PASSES, CircularError, tree
 from tresym.reals import advocate
 from tresym.reals.decisions.identity import decide
@@ -258,6 +258,12 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
 def _identical(left: Basic, right: Basic) -> bool:
     one, other = generalised(tree(left), tree(right))
     return decide(one, other).verdict is Verdict.PROVED
+
+
+def rules_of(claims: Iterable[Claim]) -> Rules:
+    """The equations that claims say, entry by entry, as replacements of their left sides."""
+    parts = (p for claim in claims for p in parts_of(claim.says) if isinstance(p, Eq))
+    return {e.lhs: e.rhs for part in parts for e in scalars(part) if not e.lhs.is_number}
 
 
 def put_in(expression: Basic, rules: Rules) -> Basic:
