@@ -15,7 +15,9 @@ def counts() -> tuple[Count, Count]:
     return trusted()
 
 
-@pytest.mark.parametrize("name", [*ROOTS, *ENCLOSING, *RECHECKED])
+@pytest.mark.parametrize(
+    "name", [*ROOTS, *ENCLOSING, *(n for names in RECHECKED.values() for n in names)]
+)
 def test_what_is_named_is_there(name: str) -> None:
     path = HOME.joinpath(*name.split("."))
     if not (path.is_dir() or path.with_suffix(".py").is_file()):
@@ -45,5 +47,5 @@ def test_libraries_are_named(counts: tuple[Count, Count]) -> None:
 def test_the_count_stays_within_what_was_reached(counts: tuple[Count, Count]) -> None:
     proved, enclosed = counts
     print(f"PROVED {proved.total}, ENCLOSED {enclosed.total} more")
-    assert proved.total <= 6900
+    assert proved.total <= 7100
     assert enclosed.total <= 2400

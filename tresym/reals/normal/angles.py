@@ -109,12 +109,12 @@ class AngleRing(PowerRing):
         The tangent of its half would be infinite there. What is left of an angle is a constant
         that balls keep from such multiples, or varies.
         """
-        used = {i for p in (x.num, x.den) for i in self.used(p)}
+        used = set(self.used(x))
         if used and self.is_constant(x):
             return bool((self.ball(x) / arb.pi() / 2).cos_pi().contains(0))
-        involved = self.involved(x.num) | self.involved(x.den)
-        kinds = {self.at(i).kind for i in used | involved}
-        if self.are_tied(used | involved) or kinds & {"opaque", "cos", "sin", "sign"}:
+        used |= self.involved(x)
+        kinds = {self.at(i).kind for i in used}
+        if self.are_tied(used) or kinds & {"opaque", "cos", "sin", "sign"}:
             return not self.varies(x)
         return False
 

@@ -7,7 +7,7 @@ is written by simpler ones where its norm is a square. A sign of a factor is a g
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from flint import fmpq, fmpz
 
@@ -16,7 +16,6 @@ from tresym.reals.normal.ranges import MAX_DEPTH
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, small_factor
 from tresym.reals.normal.sign_equations import SignedRing
 from tresym.reals.numbers.factoring import TooLargeError, primes_of
-from tresym.reals.places.conditions import Given
 
 MAX_PRIME_BITS = 160
 CONJUGATE_TERMS = 10
@@ -28,14 +27,9 @@ Factors = dict[str, tuple[Poly, fmpq]]
 class FactoredRing(SignedRing):
     """A ring with signs whose elements are known by their factors."""
 
-    def __init__(
-        self,
-        given: Given,
-        size: int = 24,
-        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
-    ):
+    def __init__(self, *arguments: Any) -> None:
         """The arguments of the base class."""
-        super().__init__(given, size, points)
+        super().__init__(*arguments)
         self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
 
     def factor(self, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
@@ -211,21 +205,12 @@ class FactoredRing(SignedRing):
         """``x`` as a sum of products of signs times what has none; None if it has none itself."""
         if any(self.at(i).kind == "sign" for i in self.used(x.den)):
             return None
-        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
         signs = [i for i in self.used(x.num) if self.at(i).kind == "sign"]
         if not signs:
             return None
-        for monomial, value in x.num.terms():
-            powers = [int(k) for k in monomial]
-            outer = tuple(k if i in signs else 0 for i, k in enumerate(powers))
-            inner = tuple(0 if i in signs else k for i, k in enumerate(powers))
-            groups.setdefault(outer, {})[inner] = value
         return [
-            (
-                self.fraction(self.context.from_dict({outer: 1})),
-                self.make(self.context.from_dict(part), x.den),
-            )
-            for outer, part in groups.items()
+            (self.fraction(self.context.from_dict({outer: 1})), self.make(part, x.den))
+            for outer, part in self.grouped(x.num, signs).items()
         ]
 
     def _sign_content(self, x: Fraction) -> tuple[Fraction, Fraction] | None:

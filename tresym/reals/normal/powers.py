@@ -8,8 +8,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable
 from math import lcm
+from typing import Any
 
 from flint import fmpq, fmpq_mat
 
@@ -17,20 +18,14 @@ from tresym.reals.normal.factors import FactoredRing
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
 from tresym.reals.normal.sign_equations import AgainError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 
 class PowerRing(FactoredRing):
     """A ring with roots, exponentials and logarithms of its elements."""
 
-    def __init__(
-        self,
-        given: Given,
-        size: int = 24,
-        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
-    ):
+    def __init__(self, *arguments: Any) -> None:
         """The arguments of the base class."""
-        super().__init__(given, size, points)
+        super().__init__(*arguments)
         self._orders: dict[str, int] = {}
         self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": [], "turn": []}
         self._units: dict[str, list[int]] = {"exp": [], "tan": [], "turn": []}

@@ -8,6 +8,7 @@ newest first, brings a polynomial to its remainder.
 
 from __future__ import annotations
 
+from collections.abc import Container
 from functools import cache
 from math import comb
 from typing import Any, NamedTuple, TypeAlias
@@ -173,11 +174,17 @@ class Ring:
         kept = [item for item in self.relations if item[0] != generator.position]
         self.relations = sorted([*kept, (generator.position, degree, rule)], key=lambda r: r[0])
 
-    def used(self, p: Poly) -> list[int]:
-        """Positions of the generators that occur in ``p``."""
-        if p.is_constant():
+    def used(self, x: Poly | Fraction) -> list[int]:
+        """Positions of the generators that occur in ``x``."""
+        if isinstance(x, Fraction):
+            return sorted({*self.used(x.num), *self.used(x.den)})
+        if x.is_constant():
             return []
-        return [i for i, degree in enumerate(p.degrees()) if degree > 0]
+        return [i for i, degree in enumerate(x.degrees()) if degree > 0]
+
+    def inside(self, position: int) -> list[Poly]:
+        """The polynomials that a generator is a function of."""
+        return [p for item in self.at(position).data for p in polys(item)]
 
     # Arithmetic
 
@@ -280,18 +287,29 @@ class Ring:
         if slope.derivative(position).is_zero():
             rest = p - slope * self.variables[position]
             return {k: part for k, part in ((0, rest), (1, slope)) if not part.is_zero()}
-        parts: dict[int, dict[tuple[int, ...], Any]] = {}
+        return {powers[position]: part for powers, part in self.grouped(p, {position}).items()}
+
+    def grouped(self, p: Poly, positions: Container[int]) -> dict[tuple[int, ...], Poly]:
+        """``p`` by its monomials in the generators at ``positions``, and what each multiplies."""
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
         for monomial, value in p.terms():
-            k = int(monomial[position])
-            rest = (*monomial[:position], 0, *monomial[position + 1 :])
-            parts.setdefault(k, {})[rest] = value
-        return {k: self.context.from_dict(part) for k, part in parts.items()}
+            outer = tuple(int(k) if i in positions else 0 for i, k in enumerate(monomial))
+            inner = tuple(0 if i in positions else int(k) for i, k in enumerate(monomial))
+            groups.setdefault(outer, {})[inner] = value
+        return {outer: self.context.from_dict(part) for outer, part in groups.items()}
 
     def rational(self, x: Fraction) -> fmpq | None:
         """The number that ``x`` is, if it is one."""
         if not (x.num.is_constant() and x.den.is_constant()):
             return None
         return fmpq(_constant(x.num), _constant(x.den))
+
+
+def polys(x: Any) -> tuple[Poly, ...]:
+    """A polynomial, or those of a fraction; of anything else nothing."""
+    if isinstance(x, Fraction):
+        return x.num, x.den
+    return (x,) if isinstance(x, fmpz_mpoly) else ()
 
 
 def _bounded(p: Poly) -> Poly:

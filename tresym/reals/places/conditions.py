@@ -7,7 +7,7 @@ point handed out, so a point is a witness and not a guess.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
@@ -42,14 +42,14 @@ class Condition:
     expression: Expr
     relation: str
 
-    def holds(self, point: dict[str, arb]) -> bool:
+    def holds(self, point: Mapping[str, arb | fmpq]) -> bool:
         """Whether balls show the condition, strictly, at ``point``."""
         value = evaluate(self.expression, point)
         if self.relation == "!=":
             return bool(value > 0 or value < 0)
         return bool(value > 0)
 
-    def holds_exactly(self, point: dict[str, arb]) -> bool:
+    def holds_exactly(self, point: Mapping[str, arb | fmpq]) -> bool:
         """As :meth:`holds`, with equality allowed where the relation is ``>=``."""
         if self.holds(point):
             return True
@@ -185,8 +185,7 @@ class Given:
             return point
         for corner in corners(wanted, self.box):
             with ball_precision():
-                at = {name: arb(value) for name, value in corner.items()}
-                if all(condition.holds_exactly(at) for condition in self.conditions):
+                if all(condition.holds_exactly(corner) for condition in self.conditions):
                     return corner
         return None
 
@@ -222,11 +221,8 @@ class Given:
         yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
 
     def _holds(self, point: dict[str, fmpq]) -> bool:
-        if not self.conditions:
-            return True
         with ball_precision():
-            at = {name: arb(value) for name, value in point.items()}
-            return all(condition.holds(at) for condition in self.conditions)
+            return all(condition.holds(point) for condition in self.conditions)
 
 
 def _parts(item: Any) -> Iterator[Any]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import reduce
+from operator import add, mul
 
 from flint import arb, fmpq
 
@@ -16,8 +18,8 @@ class _UndefinedError(Exception):
     """The point is outside the real domain, or the ball is too wide to tell."""
 
 
-def evaluate(e: Expr, point: Mapping[str, arb], known: dict[Expr, arb] | None = None) -> arb:
-    """A ball that contains ``e`` at ``point``, at the working precision.
+def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | None = None) -> arb:
+    """A ball that contains ``e`` at ``point``, of balls or exact numbers, at working precision.
 
     NaN where ``e`` is undefined in the reals (radicand < 0, argument of ``log`` ≤ 0, argument of
     ``asin`` out of range, division by a ball that contains 0) or where the balls cannot tell.
@@ -45,7 +47,7 @@ def evaluate(e: Expr, point: Mapping[str, arb], known: dict[Expr, arb] | None = 
         return _NAN
 
 
-def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb]) -> set[Expr]:
+def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]) -> set[Expr]:
     """The innermost parts that have no real value at ``point``, or none that the balls show."""
     found: set[Expr] = set()
     known: dict[Expr, arb] = {}
@@ -64,27 +66,19 @@ def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb]) -> se
     return found
 
 
-def _value(node: Expr, point: Mapping[str, arb], walk: Callable[[Expr], arb]) -> arb:
+def _value(node: Expr, point: Mapping[str, arb | fmpq], walk: Callable[[Expr], arb]) -> arb:
     op, args = node.op, node.args
     if op == "number":
         return arb(args[0])
     if op == "symbol":
-        return point[args[0]]
+        return arb(point[args[0]])
     if op == "pi":
         return arb.pi()
     if op == "^":
         return _power(args[0], args[1], walk)
     values = [walk(arg) for arg in args]
-    if op == "+":
-        total = values[0]
-        for value in values[1:]:
-            total = total + value
-        return total
-    if op == "*":
-        total = values[0]
-        for value in values[1:]:
-            total = total * value
-        return total
+    if op in ("+", "*"):
+        return reduce(add if op == "+" else mul, values)
     return _angle(*values) if op == "atan2" else _function(op, values[0])
 
 

@@ -36,30 +36,26 @@ ENCLOSING = (
 """Rooms and files that no PROVED comes from."""
 
 RECHECKED = {
-    "reals.language.latex": "LaTeX is read, and what was read is shown in the text grammar",
-    "reals.language.latex_cursor": "the same",
-    "reals.language.latex_grammar": "the same",
-    "reals.language.latex_names": "the same",
-    "reals.language.latex_reach": "the same",
-    "reals.language.latex_tokens": "the same",
-    "reals.language.typography": "the same, for the signs of print",
-    "reals.language.hints": "it words refusals",
-    "reals.decisions.attack": "the advocate takes passes away and gives none",
-    "reals.advocate": "the same",
-    "ledger.judge._attacked": "the same, for the ledger",
-    "reals.places.points._sample": "points to try: a point counts once its conditions are shown",
-    "reals.places.points.corners": "the same",
-    "reals.places.windows": "the same",
-    "reals.places.descent": "the same",
-    "reals.decisions.inequalities._at_corners": "it refutes alone",
-    "reals.decisions.inequalities._refuted_at": "it refutes alone",
-    "reals.decisions.inequalities._zero_between": "it refutes alone",
-    "reals.decisions.identity.no_point": "it words an UNDECIDED",
-    "ledger.judge.refute": "it refutes alone",
-    "ledger.judge._judge_counterexample": "it refutes alone",
-    "ledger.second_look.rootless": "it refutes alone",
+    "what was read is shown in the text grammar": (
+        *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
+        *("reals.language.latex_names", "reals.language.latex_reach"),
+        *("reals.language.latex_tokens", "reals.language.typography"),
+    ),
+    "the advocate takes passes away and gives none": (
+        *("reals.decisions.attack", "reals.advocate", "ledger.judge._attacked"),
+    ),
+    "a point to try counts once its conditions are shown there": (
+        *("reals.places.points._sample", "reals.places.points.corners"),
+        *("reals.places.windows", "reals.places.descent"),
+    ),
+    "it refutes alone": (
+        *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
+        *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
+        *("ledger.judge._judge_counterexample", "ledger.second_look.rootless"),
+    ),
+    "it words refusals": ("reals.language.hints", "reals.decisions.identity.no_point"),
 }
-"""Rooms, files and pieces that are left out, each with the reason."""
+"""Rooms, files and pieces that are left out, by the reason."""
 
 Piece = tuple[str, str]
 
@@ -79,8 +75,9 @@ class Count(NamedTuple):
 
 def trusted() -> tuple[Count, Count]:
     """What must be right for PROVED, and what more for ENCLOSED."""
-    proving = reached({*RECHECKED, *ENCLOSING})
-    return counted(proving), counted(reached({*RECHECKED}) - proving)
+    found = {name for names in RECHECKED.values() for name in names}
+    proving = reached({*found, *ENCLOSING})
+    return counted(proving), counted(reached(found) - proving)
 
 
 def reached(without: Collection[str]) -> set[Piece]:
