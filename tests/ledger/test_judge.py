@@ -42,7 +42,7 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.finding import Finding, Premise
-from tresym.ledger.judge import judge
+from tresym.ledger.judge import judge, refute
 from tresym.ledger.reasons import (
     algebra,
     applying,
@@ -332,6 +332,31 @@ def test_an_equation_is_put_in_only_under_its_own_conditions() -> None:
     assert not judge(sentence, held).verdict.holds
 
 
+def test_the_conditions_of_what_is_used_are_in_the_finding() -> None:
+    root = Claim("root", equal(sqrt(a**2), a), by(roots), given=(a > 0, b > 0))
+    user = Claim("user", equal(sqrt(a**2), a), by(substituting(root)), given=(a > 1, b > 1))
+    said = Claim("said", "…", formally(equal(sqrt(a**2), a), using=(root,)), given=(a > 1, b > 1))
+    found: dict[str, Finding] = {}
+    for c in (root, user, said):
+        found[c.label] = judge(c, found)
+        assert found[c.label].verdict is Verdict.PROVED
+    assert found["root"].conditions == {}
+    assert found["user"].conditions == found["said"].conditions == {"root": (a > 0, b > 0)}
+    both = Claim("both", "…", all_of(user, root))
+    found["both"] = judge(both, found)
+    assert found["both"].conditions == {"user": (a > 1, b > 1), "root": (a > 0, b > 0)}
+    assert judge(Claim("all", "…", all_of(both)), found).conditions == found["both"].conditions
+
+
+def test_the_advocate_does_not_believe_what_holds_elsewhere() -> None:
+    """A claim of no definition restricts nothing: its conditions may be what was got wrong."""
+    root = Claim("root", equal(sqrt(a**2), a), by(roots), given=(a > 0,))
+    user = Claim("user", equal(sqrt(a**2), a), by(substituting(root)))
+    found = refute(user.says, user)
+    assert found is not None
+    assert found.verdict is Verdict.REFUTED
+
+
 def test_a_condition_on_a_hidden_symbol_is_not_forgotten() -> None:
     factor = Claim("factor", equal(y, x * t / sqrt(t**2)), Definition(), given=(t**2 > 0,))
     up = Claim("up", equal(y, x), by(substituting(factor), roots), given=(t > 0, t**2 > 0))
@@ -343,7 +368,8 @@ def test_a_condition_on_a_hidden_symbol_is_not_forgotten() -> None:
 
 
 def test_a_true_claim_with_a_broken_chain_is_not_refuted() -> None:
-    lemma = Claim("lemma", equal(x + y, 1), by())
+    rest = Claim("rest", equal(y, 1 - x), Definition())
+    lemma = Claim("lemma", equal(x + y, 1), by(substituting(rest)))
     held = {"lemma": Finding(Verdict.PROVED, "assumed")}
     says = equal(x**2 + x * y, x)
     assert judge(Claim("user", says, by(substituting(lemma))), held).verdict is Verdict.UNDECIDED
@@ -468,7 +494,7 @@ def test_what_holds_of_a_symbol_does_not_hold_of_a_bound_one() -> None:
         equal(Derivative(Abs(x), x), Derivative(x, x)),
     ):
         user = Claim("user", says, by(substituting(lemma), differentiation), given=(x > 0,))
-        assert judge(user, held).verdict is Verdict.UNDECIDED
+        assert not judge(user, held).verdict.holds
 
 
 def test_the_name_of_a_variable_of_integration_does_not_matter() -> None:

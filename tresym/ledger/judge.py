@@ -13,7 +13,7 @@ from dataclasses import replace
 from time import process_time
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Integral, Subs, Tuple
+from sympy import Basic, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -28,6 +28,7 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
     parts_of,
+    put_in_by,
 )
 from tresym.ledger.definitions import (
     captured,
@@ -38,7 +39,7 @@ from tresym.ledger.definitions import (
     table,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.evidence.chain import check_chain, unmet_condition
+from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
@@ -96,7 +97,19 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
-    return replace(finding, seconds=before + time.perf_counter() - began, of=claim)
+    seconds = before + time.perf_counter() - began
+    return replace(finding, seconds=seconds, of=claim, conditions=_conditions(claim, found))
+
+
+def _conditions(claim: Claim, found: Findings) -> dict[str, tuple[Basic, ...]]:
+    """Under which conditions what is put in, or what is said together, holds."""
+    if isinstance(claim.proof, AllOf):
+        asked: dict[str, tuple[Basic, ...]] = {}
+        for part in claim.uses:
+            asked |= found[part.label].conditions if isinstance(part.proof, AllOf) else {}
+            asked |= {part.label: part.given} if part.given else {}
+        return asked
+    return {used.label: used.given for used in put_in_by(claim) if used.given}
 
 
 def judge_evidence(claim: Claim) -> Finding | None:
@@ -261,22 +274,17 @@ def refute(says: Basic, claim: Claim) -> Finding | None:
 
 
 def _known(claim: Claim) -> tuple[Basic, ...]:
-    """What the claims that are used say, and under which conditions."""
-    known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
-    for used in claim.uses:
-        relations = (p for p in parts_of(used.says) if isinstance(p, Relational))
-        known.update((p, None) for p in relations if not _is_rule_of_calculus(p, used))
-    return tuple(known)
+    """What the claims that are used say of what is defined, and under which conditions.
 
-
-def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
-    """Whether an equation of derivatives or integrals holds wherever its conditions do.
-
-    It restricts nothing where no definition stands behind it.
+    Where no definition stands behind a claim it restricts nothing: it holds wherever its conditions
+    do, and whether they do is what a user of it may have got wrong.
     """
-    behind = (claim, *claim.rests_on)
-    defined = any(isinstance(c.proof, Definition | ImplicitFunction) for c in behind)
-    return says.has(Derivative, Integral, Subs) and not defined
+    known: dict[Basic, None] = {}
+    for used in claim.uses:
+        if table((used, *used.rests_on)):
+            known.update(dict.fromkeys(used.given))
+            known.update((p, None) for p in parts_of(used.says) if isinstance(p, Relational))
+    return tuple(known)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
@@ -373,7 +381,7 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
         return Finding(UNDECIDED, "the conditions are met nowhere, or a bound is about what varies")
     place = tree(proof.parameter)
     near = (*outside, Relation(place, ">=", at), Relation(place, "<=", at))
-    unmet = unmet_condition((proof.equation,), {}, near)
+    unmet = unmet_condition(proof.equation, {}, near)
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
     try:
@@ -418,14 +426,15 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
     """PROVED by normal form or by a manifest sign, else UNDECIDED."""
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    relation, given, rules = formula(written), conditions(claim.given), definitions(claim.uses)
+    relation, given = formula(written), conditions(claim.given)
     if not isinstance(relation, Relation):
         return Finding(UNDECIDED, f"{written} is not a relation between numbers")
+    try:
+        rules, _ = instantiated(claim.uses, given)
+    except NotShownError as error:
+        return Finding(UNDECIDED, str(error))
     meant = put_into(given, rules)
     plain = tuple(c for c in meant if elementary(c.left, c.right))
-    unmet = unmet_condition(claim.uses, rules, (*given, *plain))
-    if unmet is not None:
-        return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
     if not _met_somewhere(plain):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     left, right = (put_in(side, rules) for side in (relation.left, relation.right))

@@ -140,12 +140,10 @@ def put_in(e: Expr, rules: Rules) -> Expr:
     Raises:
         CircularError: the definitions go round in a circle.
     """
-    compound = any(left.op != "symbol" for left in rules)
     names = {str(left.args[0]): right for left, right in rules.items() if left.op == "symbol"}
+    whole = {ordered(p): q for p, q in rules.items()} if len(names) < len(rules) else None
     for _ in range(MAX_PASSES):
-        changed = substitute(e, names)
-        if compound:
-            changed = replaced(ordered(changed), {ordered(p): q for p, q in rules.items()})
+        changed = replaced(ordered(e), whole) if whole else substitute(e, names)
         if changed == e:
             return e
         e = changed

@@ -18,7 +18,7 @@ REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
 
 def decided(claim: str, under: str = "") -> Answer:
-    ((left, relation, right, *_),) = parse_claim(claim)
+    ((left, relation, right),) = parse_claim(claim)
     return decide_inequality(left, relation, right, Given.parse(under))
 
 
@@ -84,7 +84,7 @@ def test_a_witness_satisfies_the_conditions_and_violates_the_claim(claim: str, u
     assert found.witness is not None
     at = {name: arb(parse_number(text)) for name, text in found.witness.items()}
     assert all(c.holds_exactly(at) for c in Given.parse(under).conditions)
-    ((left, relation, right, *_),) = parse_claim(claim)
+    ((left, relation, right),) = parse_claim(claim)
     x, y = evaluate(left, at), evaluate(right, at)
     assert {"<": x >= y, "<=": x > y, ">": x <= y, ">=": x < y}[relation]
 

@@ -34,6 +34,8 @@ def test_another_token_than_expected_is_refused_at_its_place() -> None:
         (r"\sin x", "function", "", False),
         (r"\arcsin x", "inverse", "", False),
         (r"\int f", "function", "", False),
+        (r"\max(x, y)", "function", "", False),
+        (r"\lim_{x\to 0} x", "function", "", False),
         (r"\dot x", "derivative", "", False),
         (r"\frac{d}{dx} x", "derivative", "", False),
         (r"\frac{\partial f}{\partial x}", "derivative", "", False),

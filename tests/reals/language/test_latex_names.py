@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.reals.language.latex_names import Names, allowed, is_derivative
+from tresym.reals.language.expression import symbol
+from tresym.reals.language.latex_cursor import Author
+from tresym.reals.language.latex_names import Names, allowed, derived, is_derivative
+from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import tokenize
 from tresym.reals.numbers.exact import InputError
 
 
-def _at(source: str, author: bool = False) -> Names:
+def _at(source: str, author: Author | None = None) -> Names:
     return Names(tokenize(source), author)
 
 
@@ -25,6 +28,8 @@ def _at(source: str, author: bool = False) -> Names:
         (r"\Delta\psi", "Delta_psi"),
         (r"\lambda", "lambda_"),
         ("E", "E_"),
+        ("I", "I_"),
+        ("I_1", "I1"),
     ],
 )
 def test_symbols(source: str, name: str) -> None:
@@ -49,28 +54,12 @@ def test_letters_that_are_variables_pass(source: str) -> None:
 
 
 def test_derivatives_of_an_author_are_symbols_and_nobody_elses() -> None:
-    assert _at("dy/dx", author=True).inline_derivative()
+    assert _at("dy/dx", Author()).inline_derivative()
     assert not _at("y/x").inline_derivative()
-    assert _at("dy/dx", author=True).slashed_derivative().text == "dy_dx"
-    assert _at(r"\dot{\psi}").dotted().text == "dpsi_dt"
+    assert _at("dy/dx", Author()).slashed_derivative().tree == symbol("dy_dx")
+    assert _at(r"\dot{\psi}").dotted().tree == symbol("dpsi_dt")
     with pytest.raises(InputError):
         _at("dy/dx").slashed_derivative()
-
-
-@pytest.mark.parametrize(
-    ("source", "name", "applied"),
-    [
-        ("(x)", "y", True),
-        ("(x,1)", "y", True),
-        ("(x+1)", "y", False),
-        ("(x+1)", "f", True),
-        ("(2)", "y", False),
-    ],
-)
-def test_a_bracket_that_may_hold_an_argument(source: str, name: str, applied: bool) -> None:
-    names = _at(source)
-    assert names.is_application(name) is applied
-    assert names.at == 0
 
 
 def test_reserved_names_step_aside() -> None:
@@ -78,8 +67,8 @@ def test_reserved_names_step_aside() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "derived"),
-    [("dy_dx", True), ("2*dpsi_dt + 1", True), ("partialf_partialx", True), ("d_x", False)],
+    ("name", "is_one"), [("dy_dx", True), ("partialf_partialx", True), ("d_x", False), ("x", False)]
 )
-def test_what_is_a_derivative(text: str, derived: bool) -> None:
-    assert is_derivative(text) is derived
+def test_what_is_a_derivative(name: str, is_one: bool) -> None:
+    assert is_derivative(Piece(2 * symbol(name) + 1)) is is_one
+    assert is_derivative(derived("\\partial", "lambda_", "x"))

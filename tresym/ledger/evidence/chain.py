@@ -221,12 +221,10 @@ def _check_scalar(
 ) -> StepFinding:
     """The step from one number to the next, after definitions and integrals are dealt with."""
     used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
-    rules = definitions(used)
-    given = with_bounds(given, reasons)
-    given = tuple(dict.fromkeys((*given, *put_into(given, rules))))
-    unmet = unmet_condition(used, rules, given)
-    if unmet is not None:
-        return _undecided(f"{unmet} is not shown, but a claim that is put in needs it")
+    try:
+        rules, given = instantiated(used, with_bounds(given, reasons))
+    except NotShownError as error:
+        return _undecided(str(error))
     written = (before, after)
     before, after = meant_by = put_in(before, rules), put_in(after, rules)
     if any(node.op != "at" for node in outermost(before, after)):
@@ -254,11 +252,34 @@ def _decided(before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Cond
     return decide(left, right, known(given), theories)
 
 
-def unmet_condition(used: tuple[Claim, ...], rules: Rules, given: Conditions) -> Relation | None:
-    """The first condition of a claim that is put in which does not follow from ``given``."""
-    for claim in used:
-        for condition in conditions(claim.given):
-            (meant,) = put_into((condition,), rules)
-            if not {condition, meant} & {*given} and not is_manifest(meant, given):
-                return condition
+def instantiated(used: tuple[Claim, ...], given: Conditions) -> tuple[Rules, Conditions]:
+    """What the claims that are put in say, and the conditions as they read with that.
+
+    All conditions of each are shown, from ``given`` and by what those before it say: none lends
+    itself, or another that waits for it, the equation by which its own condition holds.
+
+    Raises:
+        NotShownError: a condition is not shown.
+    """
+    rules: Rules = {}
+    meant, waiting = given, used
+    while waiting:
+        unmet = {claim: unmet_condition(claim, rules, meant) for claim in waiting}
+        ready = tuple(claim for claim in waiting if unmet[claim] is None)
+        if not ready:
+            first = unmet[waiting[0]]
+            raise NotShownError(f"{first} is not shown, but a claim that is used needs it")
+        rules |= definitions(ready)
+        waiting = tuple(claim for claim in waiting if unmet[claim] is not None)
+        meant = tuple(dict.fromkeys((*given, *put_into(given, rules))))
+    return rules, meant
+
+
+def unmet_condition(claim: Claim, rules: Rules, given: Conditions) -> Relation | None:
+    """The first condition of a claim that is used which does not follow from ``given``."""
+    for condition in conditions(claim.given):
+        (meant,) = put_into((condition,), rules)
+        if not {condition, meant} & {*given} and not is_manifest(meant, given):
+            return condition
+    return None
     return None

@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import NoReturn
 
+from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_reach import Ahead, Piece
-from tresym.reals.language.latex_tokens import CLOSING, FUNCTIONS, GREEK, RELATIONS, STOPS, Spaced
+from tresym.reals.language.latex_tokens import (
+    CLOSING,
+    EXTREMES,
+    FUNCTIONS,
+    GREEK,
+    RELATIONS,
+    STOPS,
+    Spaced,
+)
 from tresym.reals.numbers.exact import InputError
 
 BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
@@ -15,18 +26,41 @@ DIFFERENTIALS = ("d", "\\partial")
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
 
 
+@dataclass(frozen=True)
+class Function:
+    """A function that an author defines: its parameters, and its value."""
+
+    parameters: tuple[str, ...]
+    body: Expr
+
+
+@dataclass(frozen=True)
+class Author:
+    """Somebody whose claims are compared with what is read, and whose symbols are any quantities.
+
+    ``f(x)``, ``dy/dx``, ``\\dot x`` and the word "hot" are symbols for him, and of two readings the
+    shorter one is taken.
+
+    Attributes:
+        functions: those that he defines, by name.
+        variable: that of a bracket with limits, where print does not tell.
+    """
+
+    functions: Mapping[str, Function] = field(default_factory=dict)
+    variable: str = ""
+
+
 class Cursor:
     """The tokens of a formula, and the place in them.
 
     Attributes:
-        author: whether ``f(x)``, ``dy/dx`` and ``\\dot x`` are symbols of the author's, and the
-            shorter of two readings is taken, as where a claim is compared with what is read. Else
-            they are refused.
+        author: whose formula it is; of nobody's a symbol is a real variable, and what can be read
+            in two ways is refused.
         at: the next token.
         open_end: where the last operand without brackets ended.
     """
 
-    def __init__(self, tokens: list[str], author: bool = False) -> None:
+    def __init__(self, tokens: list[str], author: Author | None = None) -> None:
         self.tokens = tokens
         self.author = author
         self.at = 0
@@ -56,7 +90,7 @@ class Cursor:
 
     def two_readings(self, first: Piece | str, second: Piece | str) -> NoReturn:
         """Refuse what can be read in two ways, with both written out."""
-        one, other = (_short(p.text if isinstance(p, Piece) else p) for p in (first, second))
+        one, other = (_short(str(p.tree) if isinstance(p, Piece) else p) for p in (first, second))
         near = " ".join(self.tokens[max(0, self.at - 6) : self.at + 1])
         raise InputError(f"LaTeX: two readings remain: write {one} or {other}, near {near!a}")
 
@@ -94,7 +128,7 @@ class Cursor:
         token = self.tokens[i] if i < len(self.tokens) else ""
         if token.startswith("\\") and token[1:] in FUNCTIONS:
             return "inverse" if FUNCTIONS[token[1:]].startswith("a") else "function"
-        if token == "\\int":
+        if token in ("\\int", "\\lim", *EXTREMES):
             return "function"
         if token in ("\\dot", "\\ddot") or self.is_derivative_at(i):
             return "derivative"
@@ -102,8 +136,12 @@ class Cursor:
             return "bracket"
         if token in FRACTIONS:
             return "fraction"
-        exponential = token == "e" and self.tokens[i + 1 : i + 2] == ["^"]
-        return "letter" if (is_letter(token) or token == "\\pi") and not exponential else "other"
+        letter = is_letter(token) or token == "\\pi"
+        return "letter" if letter and not self.is_exponential(i) else "other"
+
+    def is_exponential(self, i: int) -> bool:
+        """Whether ``e^…`` begins at token ``i``."""
+        return self.tokens[i : i + 2] == ["e", "^"]
 
     def is_derivative_at(self, i: int) -> bool:
         """A fraction whose halves are ``d…`` and ``d`` before a letter."""

@@ -1,28 +1,22 @@
 """Names in LaTeX: symbols with their subscripts, and what is no real variable.
 
-``dy/dx``, a dot and ``f(x)`` are symbols of an author's; anybody else is told what to write.
+``dy/dx`` and a dot are symbols of an author's; anybody else is told what to write.
 """
 
 from __future__ import annotations
 
 import re
 
+from tresym.reals.language.expression import symbol
 from tresym.reals.language.latex_cursor import Cursor, is_letter, is_number
 from tresym.reals.language.latex_reach import Piece
-from tresym.reals.language.latex_tokens import (
-    FUNCTIONS,
-    GREEK,
-    LETTERS_OF_FUNCTIONS,
-    RESERVED,
-    Spaced,
-)
+from tresym.reals.language.latex_tokens import FUNCTIONS, GREEK, RESERVED, Spaced
 
 WORDS = sorted((*FUNCTIONS, "sqrt", *(g for g in GREEK if len(g) > 3)), key=len, reverse=True)
 NO_DERIVATIVE = (
     "a derivative of a symbol is not known: write \\frac{d}{dx} (…) with what it stands for,"
 )
 INSTEAD = {
-    "\\int": "integrals are not read: write \\frac{d}{dx} (F) = f of an antiderivative F,",
     **dict.fromkeys(
         ("\\dot", "\\ddot", "'", "\\prime"),
         "the derivative of a symbol is not known: write \\frac{d}{dt} (…) with what it stands for, "
@@ -40,17 +34,6 @@ INSTEAD = {
 class Names(Cursor):
     """Reads names."""
 
-    def dotted(self) -> Piece:
-        """A time derivative, as one symbol."""
-        self.take("\\dot")
-        braced = self.peek() == "{"
-        if braced:
-            self.at += 1
-        name = self.symbol()
-        if braced:
-            self.take("}")
-        return Piece(f"d{name}_dt")
-
     def check_name(self) -> None:
         """Refuse letters that are no variable of the author's."""
         token = self.peek()
@@ -67,6 +50,16 @@ class Names(Cursor):
                 apart = "\\,".join(name)
                 self.refuse(f"letters in a row are a product: write \\{name}, or {apart},")
 
+    def dotted(self) -> Piece:
+        """A time derivative, as one symbol of an author's."""
+        self.take("\\dot")
+        braced = self.peek() == "{"
+        self.at += braced
+        name = self.symbol()
+        if braced:
+            self.take("}")
+        return Piece(symbol(f"d{name}_dt"))
+
     def inline_derivative(self) -> bool:
         """``dy/dx`` in a line."""
         start, d = self.at, self.peek()
@@ -79,13 +72,13 @@ class Names(Cursor):
         return ok
 
     def slashed_derivative(self) -> Piece:
-        """``dy/dx`` as one symbol."""
+        """``dy/dx`` as one symbol of an author's."""
         if not self.author:
             self.refuse(NO_DERIVATIVE)
-        d = "d" if self.take() == "d" else "partial"
-        above = self.symbol().rstrip("_")
+        kind = self.take()
+        above = self.symbol()
         self.at += 2
-        return Piece(f"{d}{above}_{d}{self.symbol().rstrip('_')}")
+        return derived(kind, above, self.symbol())
 
     def symbol(self) -> str:
         """A letter with its subscript as a name."""
@@ -119,25 +112,18 @@ class Names(Cursor):
             self.refuse(f"the subscript {text!a} is not read")
         return text if text[0].isdigit() else f"_{text}"
 
-    def is_application(self, name: str) -> bool:
-        """f(…), any name before a list, or before one symbol alone, as in ε(γ)."""
-        if name in LETTERS_OF_FUNCTIONS or self.is_list():
-            return True
-        start = self.at
-        self.at += 1
-        alone = is_letter(self.peek())
-        if alone:
-            self.symbol()
-            alone = self.peek() == ")"
-        self.at = start
-        return alone
-
 
 def allowed(text: str) -> str:
     """A name that the grammar of expressions does not reserve."""
     return f"{text}_" if text in RESERVED else text
 
 
-def is_derivative(text: str) -> bool:
-    """Whether a symbol is a derivative of an author's, such as ``dy_dx``."""
-    return re.search(r"\b(d|partial)[A-Za-z]\w*_(d|partial)[A-Za-z]", text) is not None
+def derived(kind: str, above: str, below: str) -> Piece:
+    """The symbol of an author's that stands for a derivative."""
+    d = kind.removeprefix("\\")
+    return Piece(symbol(f"{d}{above.rstrip('_')}_{d}{below.rstrip('_')}"))
+
+
+def is_derivative(piece: Piece) -> bool:
+    """Whether there is a symbol in it that stands for a derivative."""
+    return any(re.match(r"(d|partial)[A-Za-z]\w*_(d|partial)[A-Za-z]", x) for x in piece.names)
