@@ -39,10 +39,16 @@ from sympy import (
     sqrt,
     tanh,
 )
-from tresym.proofs.axioms import CAUCHY, LAGRANGE, ROUCHE
+from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, later, shape
 from tresym.proofs.exponent import arctangent_concave, logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import slope_in_T_positive
+from tresym.proofs.power_series import (
+    coefficient_sizes,
+    geometric_tail,
+    lagrange_step,
+    stays_inside,
+)
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.ledger.certificates import certificate
@@ -270,12 +276,17 @@ def _refuted(amended: Claim) -> dict[str, Any]:
     return {"expect": Verdict.REFUTED, "amended_by": (amended,)}
 
 
+_BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIES,)}
+"""The bounds whose margins hold what a power series of Q leaves out."""
+
 repaired = _repaired("repaired", 0, "1.451")
 repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repaired))
 second_order = _repaired("second_order", 1, "2.98")
 second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
-third_order = _repaired("third_order", 2, "7.36")
-third_order_too_small = _repaired("third_order_too_small", 2, "7.33", **_refuted(third_order))
+third_order = _repaired("third_order", 2, "7.36", **_BY_SERIES)
+third_order_too_small = _repaired(
+    "third_order_too_small", 2, "7.33", **_refuted(third_order), **_BY_SERIES
+)
 
 
 every_order = boxed(
@@ -288,9 +299,10 @@ every_order = boxed(
     KAPPA,
     BY_KAPPA,
     QUARTER,
-    note="Lagrange's series: its terms are at most 2.6 τⁿ/(2n + 1) with τ ≤ 1/4, by Cauchy's bound "
-    "of its coefficients, and by Rouché's theorem its sum is ε₀/ε*.",
-    quotes=(LAGRANGE, CAUCHY, ROUCHE),
+    also=(*coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
+    note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
+    "τ ≤ 1/4, and their sum solves the equation of ε₀.",
+    quotes=(DOUBLE_SERIES,),
 )
 
 exponent_below = boxed(

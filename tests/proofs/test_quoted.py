@@ -39,6 +39,8 @@ THE_PAPERS = re.compile(
 SHOWN: dict[str, frozenset[str]] = {
     "convex": frozenset({"newton_from_below", "newton_side"}),
     "concav": frozenset({"arctangent_concave", "arsinh_concave"}),
+    "chebyshev": frozenset({"mean_of_the_product"}),
+    "lagrange": frozenset({"lagrange_step"}),
     "lineari": frozenset({"leaves_e2", "linear_at_e2"}),
     "lyapunov": frozenset({"energy_near_e1"}),
 }

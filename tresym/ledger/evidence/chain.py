@@ -138,7 +138,7 @@ def _arrives(
         return PROVED if last == goal else _check_step(last, goal, (), given)
     if isinstance(last, Relation) or len(last) != 1 or not isinstance(says, Relation):
         return _undecided("an inequality is shown by the sign of a number")
-    given = with_bounds(given, reasons)
+    given, strict = with_bounds(given, reasons), says.sign in (">", "<")
     if last[0].op == "integral":
         bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
         try:
@@ -146,8 +146,9 @@ def _arrives(
         except NotShownError as error:
             return _undecided(str(error))
     else:
-        found = manifest_sign(last[0], given)
-    strict = says.sign in (">", "<")
+        # Without splitting sums first, as for integrals.
+        found = None if strict else manifest_sign(last[0], given, 0)
+        found = found if found in NON_NEGATIVE else manifest_sign(last[0], given)
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED
     return _undecided(f"the sign of {last[0]} is not manifest")

@@ -47,7 +47,7 @@ def manifest_sign(e: Expr, conditions: Conditions, depth: int = DEPTH) -> str | 
         found = _in_half_turn(e, conditions) or found
     if e.op == "*":
         found = _product([manifest_sign(f, conditions, depth) for f in e.args]) or found
-    if found == "+" or depth == 0:
+    if found == "+" or depth == 0 or (found == ">=0" and e.op == "*"):
         return found
     by_parts = _split(e, conditions, depth)
     return "+" if by_parts == "+" else found or by_parts
