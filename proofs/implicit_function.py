@@ -380,10 +380,6 @@ slope_by_mu = Claim(
     note="For ε₀ of slope 0 in μ; a slope would enter with the factor μ sin ε₀.",
 )
 
-G_lambda, G_mu, mu_lambda = (
-    Symbol(name, real=True)
-    for name in ("partialG_partiallambda", "partialG_partialmu", "partialmu_partiallambda")
-)
 dG_dlambda, dG_du, du_dlambda = (
     Symbol(name, real=True) for name in ("dG_dlambda", "dG_du", "du_dlambda")
 )
@@ -493,31 +489,23 @@ dmu_dlambda_zero = Claim(
 _G = printed.implicit_function(u, lam, mu, sympy)
 _along = printed.implicit_function(u, lam, _mu_of_lambda, sympy)
 
+_by_lambda, _by_mu = (Subs(Derivative(_G, of), mu, _mu_of_lambda) for of in (lam, mu))
+_inward = (b > 0, b <= 1, lam > 0)
+
 chain_rule_of_G = Claim(
     label="chain_rule_of_G",
-    says=equal(
-        Derivative(_along, lam),
-        Subs(Derivative(_G, lam), mu, _mu_of_lambda)
-        + Subs(Derivative(_G, mu), mu, _mu_of_lambda) * Derivative(_mu_of_lambda, lam),
-    ),
-    given=(b > 0, b <= 1, lam > 0),
+    says=equal(Derivative(_along, lam), _by_lambda + _by_mu * Derivative(_mu_of_lambda, lam)),
+    given=_inward,
     proof=by(differentiation, roots),
     where=Place(display=45),
     note="Along μ = μ(λ), at every λ > 0.",
 )
 
-total_slope = Claim(
-    label="total_slope",
-    says=equal(dG_dlambda, G_lambda + G_mu * mu_lambda),
-    proof=Definition(),
-    where=Place(display=45),
-    note="What dG/dλ is at the origin, by the chain rule.",
-)
-
 deduced_from_the_chain_rule = Claim(
     label="deduced_from_the_chain_rule",
-    says=equal(dG_dlambda - G_lambda, G_mu * mu_lambda),
-    proof=by(substituting(total_slope)),
+    says=equal(Derivative(_along, lam) - _by_lambda, _by_mu * Derivative(_mu_of_lambda, lam)),
+    given=_inward,
+    proof=by(substituting(chain_rule_of_G)),
     where=Place(line=379),
     note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
 )
@@ -526,7 +514,7 @@ chain_rule = Claim(
     label="d45",
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
     kind="statement",
-    proof=all_of(chain_rule_of_G, total_slope, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
+    proof=all_of(chain_rule_of_G, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
     where=Place(display=45),
     note="Both terms vanish, the second because ∂G/∂μ does.",
 )

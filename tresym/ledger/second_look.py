@@ -276,6 +276,8 @@ def put_in(expression: Basic, rules: Rules) -> Basic:
         for node in expression.atoms(Integral, Derivative, Subs):
             bound = set(node.variables)
             for left, right in rules.items():
+                if node == left:  # it is replaced as it stands, where nothing binds its point
+                    continue
                 if bound & (left.free_symbols | right.free_symbols) and node.has(left):
                     raise CircularError(f"a definition reaches {left}, where a variable is bound")
         replaced = expression.xreplace(rules)

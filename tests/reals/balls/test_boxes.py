@@ -11,6 +11,7 @@ from tresym.reals.balls.boxes import (
     Open,
     box,
     decide_bound,
+    inconsistent,
     leaf_boxes,
     prove_positive,
     recheck,
@@ -286,3 +287,54 @@ def test_the_two_forms_of_a_divided_function_agree(power, point):
             assert (
                 divided(arb(at, radius)).contains(exact) or not divided(arb(at, radius)).is_finite()
             )
+
+
+@pytest.mark.parametrize("sides", [[(1, 0)], [(0, 1), (1, 0)], [(1, 0), (0, 1)]])
+def test_a_side_whose_ends_are_out_of_order_is_no_side(sides):
+    with pytest.raises(ValueError, match="out of order"):
+        box(*sides)
+
+
+INCONSISTENT = [
+    (lambda x, y, m: 1.0, "no ball"),
+    (lambda x, y, m: x if x.rad() == 0 else 1.0, "no ball"),
+    (lambda x, y, m: arb(1), "does not depend"),
+    (lambda x, y, m: arb((x + y).mid()), "does not hold"),
+    (lambda x, y, m: x + y if x.rad() == 0 else arb(x.mid() + y.mid()), "does not hold"),
+    (lambda x, y, m: x if x.rad() == 0 else x.lower(), "does not hold"),
+    (lambda x, y, m: x if x.rad() == 0 else x.upper(), "does not hold"),
+    (lambda x, y, m: x + (x - y) ** 2 / 1000, None),
+    (lambda x, y, m: (x - 5).sqrt(), None),
+]
+"""Margins that are none, and two that are: one of them is real nowhere."""
+
+
+@pytest.mark.parametrize(("margin", "expected"), INCONSISTENT)
+def test_a_margin_is_a_function_of_its_coordinates(margin, expected):
+    with ball_precision(64):
+        why = inconsistent(margin, UNIT)
+    assert (why is None) == (expected is None)
+    assert expected is None or expected in why
+
+
+def test_slopes_that_are_not_those_of_the_values_are_seen():
+    def margin(x, y, m):
+        return x * x + y if isinstance(x, arb) else 3 * x + y
+
+    with ball_precision(64):
+        assert inconsistent(margin, UNIT) is None
+        assert "slopes" in inconsistent(margin, UNIT, slopes=True)
+
+
+def test_the_search_ends_open_at_boxes_that_no_precision_can_tell():
+    outcome = prove_positive(Bound(lambda x, m: abs(x - arb(1) / 3), box((0, 1))), budget=10_000)
+    assert isinstance(outcome, Open)
+    assert outcome.worst[0].low <= fmpq(1, 3) <= outcome.worst[0].high
+
+
+def test_a_supremum_that_is_nowhere_seen_to_be_positive_is_none():
+    assert supremum(lambda x, m: 0 * x, box((0, 1))) is None
+    assert supremum(lambda x, m: (x - 5).sqrt(), box((0, 1))) is None
+    found = supremum(lambda x, m: 1 - (x - 1) * (x - 1), box((0, 1)), slopes=True)
+    assert found is not None
+    assert found.ball.contains(1)

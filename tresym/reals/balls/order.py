@@ -298,9 +298,10 @@ def _agrees(statement: Order, expansion: _Expansion) -> bool:
         t = (-1 / own).exp() if expansion.logarithmic else own**expansion.index
         gauge = statement.at_parameter(statement.gauge, t, balls)
         value = statement.at_parameter(statement.function, t, balls)
-        if not germ.vanishes:
-            value = value / gauge
-        if not isinstance(value, arb) or (value.is_finite() and not germ.at(own).overlaps(value)):
+        if not all(isinstance(v, arb | fmpq | int) for v in (value, gauge)):
+            return False
+        value = arb(value) if germ.vanishes else arb(value) / gauge
+        if value.is_finite() and not germ.at(own).overlaps(value):
             return False
     return True
 
