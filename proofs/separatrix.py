@@ -432,6 +432,15 @@ no_root_beyond = Claim(
     note="The map stays below 3π√(ab)/2, so no root lies there or beyond.",
 )
 
+no_root_below = Claim(
+    label="no_root_below",
+    says=_map > k * pi,
+    kind="bound",
+    given=(*auxiliary, *later),
+    proof=(step(k * atan(r * tanh(T))),),
+    note="The phase T/√(ab) of the root is between π and 3π/2.",
+)
+
 contraction = Claim(
     label="contraction",
     says=equal(_map.diff(T, evaluate=False), k * r * sin(_tilt) ** 2),
@@ -469,6 +478,7 @@ one_flip_defect = Claim(
         auxiliary_angle,
         unique_root,
         no_root_beyond,
+        no_root_below,
         contraction,
         contraction_bound,
     ),
