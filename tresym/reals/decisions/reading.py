@@ -192,9 +192,10 @@ def _written(claim: Any, given: Any, path: str | None) -> _Written:
     from tresym.reals.language.latex import read_latex
 
     chains = read_latex(text.strip().strip("$"))
-    if len(chains) != 1:
+    last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
+    said = last or chains[0].condition
+    if len(chains) != (2 if last else 1):
         raise InputError("LaTeX: one claim at a time; conditions follow \\text{for} or go apart")
-    said = chains[0].condition
     if said is not None and said.ops[0].startswith("->"):
         end = _path_of(said)
     elif said is not None:
@@ -217,6 +218,8 @@ def _split(text: str) -> tuple[str, str, str]:
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
+    if relation not in (*RELATIONS.values(), *ORDERS):
+        raise InputError(f"{relation} is no claim: one is made with == != > >= < <= or ~")
     terms = right.args if right.op == "+" else (right,)
     orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
@@ -358,8 +361,10 @@ def read_path(text: str) -> Path:
 
 def _checked(statement: Statement) -> Statement:
     """The statement, if its parts belong together."""
-    order = statement.comparisons[0].relation in ORDERS
-    if not order:
+    orders = [c for c in statement.comparisons if c.relation in ORDERS]
+    if orders and len(statement.comparisons) > 1:
+        raise InputError("an order claim is one relation, and no chain")
+    if not orders:
         if statement.path is not None:
             raise InputError("a path belongs to O, o and ~ alone; use given for conditions")
         return statement

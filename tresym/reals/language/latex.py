@@ -154,22 +154,28 @@ def _split(tokens: list[str], separator: str) -> list[list[str]]:
 def _chains(tokens: list[str], author: Author | None) -> list[Relations]:
     """The chains of a formula; what follows an upright "for" is a condition on all of them."""
     tokens, *conditions = _split(tokens, CONDITION)
-    reader = _Chains(tokens, author)
-    chains: list[Relations] = []
-    reader.skip_stops()
-    while reader.peek():
-        chains.append(reader.chain())
-        reader.skip_stops()
+    condition = None
+    if not tokens and len(conditions) == 1:  # the condition comes first
+        condition, *chains = _chains(conditions[0], author)
+    else:
+        reader = _Chains(tokens, author)
+        chains = [*reader.chains()]
+        if len(conditions) == 1:
+            (condition,) = _chains(conditions[0], author)
     if not chains or len(conditions) > 1:
         raise InputError("LaTeX: a relation such as a = b is expected, there is none")
-    if conditions:
-        (condition,) = _chains(conditions[0], author)
-        chains = [replace(chain, condition=condition) for chain in chains]
-    return chains
+    return [replace(chain, condition=condition or chain.condition) for chain in chains]
 
 
 class _Chains(Reader):
     """Expressions and the relations between them."""
+
+    def chains(self) -> Iterator[Relations]:
+        """All chains, apart by commas, full stops or arrows."""
+        self.skip_stops()
+        while self.peek():
+            yield self.chain()
+            self.skip_stops()
 
     def chain(self) -> Relations:
         """One chain; an interval at its end becomes two inequalities."""
