@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tresym.reals.language import expression
@@ -226,8 +227,9 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
         rest = [term for term in terms if term is not orders[0]]
         left = left - add(*rest) if rest else left
         relation, right = orders[0].op, orders[0].args[0]
-    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side)))
-    return Comparison(worked_out(left), relation, worked_out(right), written)
+    work = cache(worked_out)
+    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
+    return Comparison(work(left), relation, work(right), written)
 
 
 def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path]:
@@ -239,8 +241,8 @@ def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path
     return _comparison(body - value, "o", ONE), _ending(name, left.args[1], side)
 
 
-def _derivatives(e: Expr) -> Iterator[Derivative]:
-    """The derivatives that are written in ``e``, inner ones first.
+def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
+    """The derivatives that are written in ``e``, inner ones first, worked out by ``work``.
 
     Raises:
         InputError: what else binds a variable and is not decided.
@@ -257,8 +259,8 @@ def _derivatives(e: Expr) -> Iterator[Derivative]:
         function, times = node, 0
         while function.op == "derivative" and function.args[1] == place:
             function, times = instantiate(function.args[0], (place,)), times + 1
-        yield from _derivatives(function)
-        yield Derivative(worked_out(function), place.args[0], times, worked_out(node))
+        yield from _derivatives(function, work)
+        yield Derivative(work(function), place.args[0], times, work(node))
 
 
 def _path(path: str | None) -> Path | None:
