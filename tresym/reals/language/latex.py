@@ -29,6 +29,7 @@ from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import (
     ARRAYS,
     CONDITION,
+    MAX_DEPTH,
     RELATIONS,
     STOPS,
     tokenize,
@@ -36,6 +37,8 @@ from tresym.reals.language.latex_tokens import (
 )
 from tresym.reals.numbers.exact import InputError
 
+NO_RELATION = "LaTeX: a relation such as a = b is expected, there is none"
+TOO_DEEP = f"LaTeX: nested deeper than {MAX_DEPTH} levels"
 _AUTHORS_WORDS = frozenset({"hot"})
 
 
@@ -72,7 +75,10 @@ def read_expression(source: str, author: Author | None = None) -> Expr:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
     """
     reader = Reader(tokenize(source), author)
-    tree = reader.sum().tree
+    try:
+        tree = reader.sum().tree
+    except RecursionError:
+        raise InputError(TOO_DEEP) from None
     reader.skip_stops()
     if reader.peek():
         reader.refuse("an operation or the end is expected")
@@ -92,10 +98,16 @@ def read_latex(source: str, author: Author | None = None) -> tuple[Relations, ..
     tokens = tokenize(source, frozenset() if author is None else _AUTHORS_WORDS)
     while tokens[-1:] == ["\\\\"]:
         tokens.pop()
-    if {"\\pm", "\\mp"} & {*tokens}:
-        both = ("; ".join(map(str, _statements(with_sign(tokens, s), author))) for s in "+-")
-        raise InputError(f"LaTeX: of two signs two claims: write {' and '.join(both)}")
-    return tuple(_statements(tokens, author))
+    try:
+        if {"\\pm", "\\mp"} & {*tokens}:
+            both = ("; ".join(map(str, _statements(with_sign(tokens, s), author))) for s in "+-")
+            raise InputError(f"LaTeX: of two signs two claims: write {' and '.join(both)}")
+        found = tuple(_statements(tokens, author))
+    except RecursionError:
+        raise InputError(TOO_DEEP) from None
+    if not found:
+        raise InputError(NO_RELATION)
+    return found
 
 
 def _statements(tokens: list[str], author: Author | None) -> list[Relations]:
@@ -163,7 +175,7 @@ def _chains(tokens: list[str], author: Author | None) -> list[Relations]:
         if len(conditions) == 1:
             (condition,) = _chains(conditions[0], author)
     if not chains or len(conditions) > 1:
-        raise InputError("LaTeX: a relation such as a = b is expected, there is none")
+        raise InputError(NO_RELATION)
     return [replace(chain, condition=condition or chain.condition) for chain in chains]
 
 
