@@ -3,24 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tresym.reals.language import expression
 from tresym.reals.language.binders import elementary, outermost, worked_out
-from tresym.reals.language.expression import (
-    ONE,
-    Expr,
-    add,
-    instantiate,
-    number,
-    opened,
-    symbol,
-    symbols,
-)
-from tresym.reals.language.expression import (
-    ORDERS as LANDAU,
-)
+from tresym.reals.language.expression import ONE, Expr, add, instantiate, opened, symbol, symbols
 from tresym.reals.language.parsing import INFINITY, Compared, condition, parse, parse_claim
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.typography import plain
@@ -45,7 +35,9 @@ _NOT_DECIDED = {
     "limit": "a limit is claimed by itself: limit(f, x, a) == L, or f == L + o(1) as x -> a",
     "at": "a value at a point is not decided here: put the point in",
     "derivative": "the value of a derivative at a point is not decided: write the derivative out",
-    **dict.fromkeys(LANDAU, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"),
+    **dict.fromkeys(
+        expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
+    ),
 }
 _ASSUMPTIONS = {
     "is_extended_positive": ">",
@@ -201,9 +193,10 @@ def _written(claim: Any, given: Any, path: str | None) -> _Written:
     from tresym.reals.language.latex import read_latex
 
     chains = read_latex(text.strip().strip("$"))
-    if len(chains) != 1:
+    last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
+    said = last or chains[0].condition
+    if len(chains) != (2 if last else 1):
         raise InputError("LaTeX: one claim at a time; conditions follow \\text{for} or go apart")
-    said = chains[0].condition
     if said is not None and said.ops[0].startswith("->"):
         end = _path_of(said)
     elif said is not None:
@@ -226,14 +219,17 @@ def _split(text: str) -> tuple[str, str, str]:
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
+    if relation not in (*RELATIONS.values(), *ORDERS):
+        raise InputError(f"{relation} is no claim: one is made with == != > >= < <= or ~")
     terms = right.args if right.op == "+" else (right,)
-    orders = [term for term in terms if term.op in LANDAU]
+    orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
         rest = [term for term in terms if term is not orders[0]]
         left = left - add(*rest) if rest else left
         relation, right = orders[0].op, orders[0].args[0]
-    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side)))
-    return Comparison(worked_out(left), relation, worked_out(right), written)
+    work = cache(worked_out)
+    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
+    return Comparison(work(left), relation, work(right), written)
 
 
 def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path]:
@@ -245,8 +241,8 @@ def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path
     return _comparison(body - value, "o", ONE), _ending(name, left.args[1], side)
 
 
-def _derivatives(e: Expr) -> Iterator[Derivative]:
-    """The derivatives that are written in ``e``, inner ones first.
+def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
+    """The derivatives that are written in ``e``, inner ones first, worked out by ``work``.
 
     Raises:
         InputError: what else binds a variable and is not decided.
@@ -257,17 +253,14 @@ def _derivatives(e: Expr) -> Iterator[Derivative]:
         place = node.args[-1]
         if node.op == "at" and elementary(*node.args) and node.args[0].loose:
             continue
-        if (
-            node.op != "derivative"
-            or place.op != "symbol"
-            or symbols(place) & symbols(node.args[0])
-        ):
+        fixed = place.op != "symbol" or bool(symbols(place) & symbols(node.args[0]))
+        if node.op != "derivative" or fixed:
             raise InputError(_NOT_DECIDED[node.op])
         function, times = node, 0
         while function.op == "derivative" and function.args[1] == place:
             function, times = instantiate(function.args[0], (place,)), times + 1
-        yield from _derivatives(function)
-        yield Derivative(worked_out(function), place.args[0], times, worked_out(node))
+        yield from _derivatives(function, work)
+        yield Derivative(work(function), place.args[0], times, work(node))
 
 
 def _path(path: str | None) -> Path | None:
@@ -328,7 +321,7 @@ def _from_sympy(claim: Any) -> tuple[Compared, Given]:
         names.add(variable.name)
         for assumption, sign in _ASSUMPTIONS.items():
             if getattr(variable, assumption):
-                conditions.append((symbol(variable.name), sign, number(0)))
+                conditions.append((symbol(variable.name), sign, expression.ZERO))
     return comparison, Given(tuple(conditions))
 
 
@@ -370,8 +363,10 @@ def read_path(text: str) -> Path:
 
 def _checked(statement: Statement) -> Statement:
     """The statement, if its parts belong together."""
-    order = statement.comparisons[0].relation in ORDERS
-    if not order:
+    orders = [c for c in statement.comparisons if c.relation in ORDERS]
+    if orders and len(statement.comparisons) > 1:
+        raise InputError("an order claim is one relation, and no chain")
+    if not orders:
         if statement.path is not None:
             raise InputError("a path belongs to O, o and ~ alone; use given for conditions")
         return statement

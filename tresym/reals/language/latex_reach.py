@@ -8,7 +8,6 @@ follows. Where books differ the reach is in doubt, and the reader writes both re
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from enum import Enum
 from typing import NamedTuple, TypeAlias
@@ -25,7 +24,7 @@ class Piece(NamedTuple):
         tree: what it is.
         strength: how strongly it binds: 0 sum, 1 signed product, 2 product, 3 power, 4 atom.
         symbol: the name, or what a power is of; a bracket behind it can hold its argument.
-        printed: the digits of a decimal, ``e-2`` of a power of ten.
+        printed: the digits of a decimal, ``1e-2`` of a power of ten.
     """
 
     tree: Expr
@@ -85,20 +84,10 @@ def after_open(so_far: Piece, ahead: Ahead) -> Reach:
     return Reach.GOES_ON
 
 
-def after_nested(_: Piece, ahead: Ahead) -> Reach:
-    """An argument that is itself a function and what it is applied to: ``\\ln\\sin x\\cos x``."""
-    return Reach.ENDS if ahead.kind in ("", "derivative") else Reach.DOUBT
-
-
 def after_bracket(inner: Piece, ahead: Ahead) -> Reach:
     """An argument in brackets: in doubt where it needs them as a factor too, ``\\sin(n+1)x``."""
     factor = ahead.kind in ("letter", "bracket", "fraction") and not ahead.operator
     return Reach.DOUBT if factor and inner.strength == 0 else Reach.ENDS
-
-
-def after_braces(_: Piece, ahead: Ahead) -> Reach:
-    """An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
-    return Reach.ENDS if ahead.kind in ("", "function", "derivative") else Reach.DOUBT
 
 
 def whole(_: Piece, __: Ahead) -> Reach:
@@ -114,9 +103,17 @@ def after_derivative(_: Piece, ahead: Ahead) -> Reach:
     return Reach.DOUBT if doubtful else Reach.GOES_ON
 
 
-def after_derivative_of_bracket(_: Piece, ahead: Ahead) -> Reach:
-    """``\\frac{d}{dx}(…)``, and what follows the bracket."""
-    return Reach.DOUBT if ahead.kind else Reach.ENDS
+def ends_before(*kinds: str) -> Rule:
+    """A rule by which these end the operand, and whatever else follows is in doubt."""
+    return lambda _, ahead: Reach.ENDS if ahead.kind in kinds else Reach.DOUBT
+
+
+after_nested = ends_before("", "derivative")
+"""An argument that is itself a function and what it is applied to: ``\\ln\\sin x\\cos x``."""
+after_braces = ends_before("", "function", "derivative")
+"""An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
+after_derivative_of_bracket = ends_before("")
+"""``\\frac{d}{dx}(…)``, and what follows the bracket."""
 
 
 def joined(factors: list[Piece | None], operators: list[str]) -> Piece:
@@ -125,8 +122,9 @@ def joined(factors: list[Piece | None], operators: list[str]) -> Piece:
     if len(kept) == 1:
         return kept[0][0]
     printed = ""
-    if len(kept) == 2 and kept[1][1] == "*" and re.fullmatch(r"e-?\d+", kept[1][0].printed):
-        printed = kept[0][0].printed + kept[1][0].printed if kept[0][0].printed else ""
+    if len(kept) == 2 and kept[1][1] == "*" and kept[1][0].printed.startswith("1e"):
+        first = kept[0][0].printed
+        printed = first + kept[1][0].printed[1:] if first and "e" not in first else ""
     tree = multiply(*(1 / f.tree if op == "/" else f.tree for f, op in kept))
     return Piece(tree, 4 if printed else 2, printed=printed)
 
