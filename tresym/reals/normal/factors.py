@@ -70,6 +70,8 @@ class FactoredRing(SignedRing):
 
     def _multiplies(self, f: Poly, unit: fmpz, parts: list[tuple[Poly, int]]) -> bool:
         """Whether these are factors of ``f`` at almost all points, none of them being 0 there."""
+        if parts == [(f, 1)]:
+            return bool(unit == 1)
         top, bottom = self.context.constant(unit), f
         for part, k in parts:
             top, bottom = (top * part**k, bottom) if k > 0 else (top, bottom * part**-k)

@@ -38,7 +38,7 @@ ENCLOSING = (
 RECHECKED = {
     "what was read is shown in the text grammar": (
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
-        *("reals.language.latex_names", "reals.language.latex_reach"),
+        "reals.language.latex_reach",
         *("reals.language.latex_tokens", "reals.language.typography"),
     ),
     "the advocate takes passes away and gives none": (
