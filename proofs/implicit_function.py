@@ -114,7 +114,7 @@ right_sides = Claim(
         printed.implicit_right(epsilon0, a, b, sympy),
     ),
     given=shape,
-    proof=by(substituting(d40)),
+    proof=by(substituting(d40), roots),
     where=Place(line=354),
     note="Only the right side of the equation before is rewritten.",
 )
@@ -147,20 +147,22 @@ reduced_equation = Claim(
 _in_front = 2 * sqrt(1 - mu**2)
 _by_u = printed.defect_of_u(u, lam, mu, sympy)
 
+_known_defect = (epsilon0 > 0, lam > 0, *_small)
+
 unknown = Claim(
-    label="u",
-    says=equal(epsilon0, _by_u),
-    given=(lam > 0, *_small),
+    label="unknown",
+    says=equal(u, -lam * log(epsilon0 / _in_front) - pi - asin(mu)),
+    given=_known_defect,
     proof=Definition(),
-    where=Place(display=42),
+    note="The paper's new unknown, for an ε₀ that is known.",
 )
 
-unknown_solved = Claim(
-    label="unknown_solved",
-    says=equal(-lam * log(epsilon0 / _in_front) - pi - asin(mu), u),
-    given=(lam > 0, *_small),
-    proof=by(substituting(unknown), exponentials),
-    note="What u is for an ε₀ that is known: there is one for every ε₀ > 0.",
+defect_by_unknown = Claim(
+    label="u",
+    says=equal(epsilon0, _by_u),
+    given=_known_defect,
+    proof=by(substituting(unknown), exponentials, roots),
+    where=Place(display=42),
 )
 
 unknown_flat = Claim(
@@ -190,6 +192,7 @@ equation_for_u = Claim(
         step(
             equal(exp(-(pi + asin(mu) + u) / lam), exp(-(pi + _arc) / lam)),
             multiplying(1 / _in_front),
+            roots,
         ),
         step(
             equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam),

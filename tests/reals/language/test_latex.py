@@ -6,7 +6,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import I, latex, nan, zoo
 
-from tresym.reals.language.expression import Expr, apply, number, power, sqrt, symbol, symbols
+from tresym.reals.language.binders import at, derivative, integral, limit, order
+from tresym.reals.language.expression import (
+    FUNCTIONS,
+    PI,
+    Expr,
+    apply,
+    number,
+    opened,
+    power,
+    sqrt,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.latex import read_expression, read_latex
 from tresym.reals.language.latex_cursor import Author
 from tresym.reals.language.parsing import as_written
@@ -81,7 +94,8 @@ REFUSED = {
     r"(a+b": "ends where more is expected",
     r"(a+b]": "is not closed",
     r"|a+b": "ends where more is expected",
-    r"a+": "ends where more is expected",
+    r"a+": "an operation or the end is expected",
+    r"a+(": "ends where more is expected",
     r"a = b": "an operation or the end is expected",
     r"\frac{}{b}": "empty numerator",
     r"x_{a+b}": "the subscript",
@@ -526,8 +540,62 @@ def test_displays_that_are_no_statement(source: str) -> None:
         read_latex(source)
 
 
-SYMBOLS = st.sampled_from(["a", "b", "psi", "theta", "x0", "epsilon", "M1"]).map(symbol)
+PLAIN_NAMES = {"a": "a", "x": "x", "psi": r"\psi", "x0": "x_0", "M12": "M_{12}"}
+WRITTEN_NAMES = {**PLAIN_NAMES, "lambda_": r"\lambda"}
+WRITTEN = {"log": r"\ln", "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan"} | {
+    name: rf"\operatorname{{{name}}}"
+    for name in ("asinh", "acosh", "atanh", "sech", "csch", "sign")
+}
+
+
+def written(e: Expr) -> str:
+    """A tree in LaTeX, with all the brackets and signs that there can be."""
+    parts = (
+        [] if e.op in ("number", "symbol") else [written(arg) for arg in e.args if not arg.loose]
+    )
+    within = [rf"\left({part}\right)" for part in parts]
+    match e.op:
+        case "number":
+            return rf"\frac{{{e.args[0].p}}}{{{e.args[0].q}}}" if e.args[0].q != 1 else str(e)
+        case "symbol":
+            return WRITTEN_NAMES.get(e.args[0]) or "{}_{{{}}}".format(*e.args[0].split("_"))
+        case "pi":
+            return r"\pi"
+        case "+":
+            return "+".join(within)
+        case "*":
+            return r"\cdot ".join(within)
+        case "^":
+            return f"{within[0]}^{{{parts[1]}}}"
+        case "exp":
+            return f"e^{{{parts[0]}}}"
+        case "abs":
+            return rf"\left|{parts[0]}\right|"
+        case "cbrt":
+            return rf"\sqrt[3]{{{parts[0]}}}"
+        case "O" | "o":
+            return e.op + within[0]
+    if not e.names:
+        return WRITTEN.get(e.op, "\\" + e.op) + within[0]
+    (name,), inside = opened(e)
+    if name not in WRITTEN_NAMES:
+        inside = substitute(inside, {name: symbol(f"u_b{e.size}")})
+    x, body, points = WRITTEN_NAMES.get(name, f"u_{{b{e.size}}}"), written(inside), parts[-2:]
+    match e.op:
+        case "integral":
+            return rf"\int_{{{points[0]}}}^{{{points[1]}}}\left({body}\right)\,d{x}"
+        case "limit":
+            side = {1: "^+", -1: "^{-}", 0: ""}[int(e.args[2].args[0].p)]
+            return rf"\lim_{{{x}\to {within[-2]}{side}}}\left({body}\right)"
+        case "derivative":
+            body = rf"\frac{{\partial}}{{\partial {x}}}\left({body}\right)"
+    return rf"\left.{body}\right|_{{{x}={parts[-1]}}}"
+
+
+SYMBOLS = st.sampled_from(sorted(WRITTEN_NAMES)).map(symbol)
 NUMBERS = st.fractions(min_value=-9, max_value=9, max_denominator=7).map(number)
+
+
 NAMES = ["sin", "cos", "tan", "exp", "log", "asin", "atan", "sinh", "cosh", "tanh", "abs", "asinh"]
 
 
@@ -544,11 +612,34 @@ def _larger(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
     )
 
 
+def _larger_with_binders(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
+    names = st.sampled_from(sorted(WRITTEN_NAMES))
+    ends = st.tuples(inner, names, inner)
+    spoken = ends.filter(lambda p: p[1] in symbols(p[0]))
+    return st.one_of(
+        _larger(inner),
+        st.tuples(st.sampled_from(sorted(FUNCTIONS - {"cbrt"})), inner).map(lambda p: apply(*p)),
+        SYMBOLS.map(lambda x: apply("cbrt", x)),
+        st.tuples(inner, SYMBOLS | NUMBERS).map(lambda p: p[0] ** p[1]),
+        ends.map(lambda p: derivative(*p)),
+        spoken.map(lambda p: at(p[0], {p[1]: p[2]})),
+        st.tuples(ends, st.sampled_from([-1, 0, 1])).map(lambda p: limit(*p[0], p[1])),
+        st.tuples(ends, inner).map(lambda p: integral(*p[0], p[1])),
+        st.tuples(st.sampled_from("Oo"), inner).map(lambda p: order(*p)),
+    )
+
+
+@given(st.recursive(SYMBOLS | NUMBERS | st.just(PI), _larger_with_binders, max_leaves=8))
+def test_a_tree_written_in_latex_is_read_back(tree: Expr) -> None:
+    assert read_expression(written(tree)) == tree
+
+
 def _apply(name: str, argument: Expr) -> Expr:
     return argument if argument.op == "number" else apply(name, argument)
 
 
-EXPRESSION_TREES = st.recursive(SYMBOLS | NUMBERS, _larger, max_leaves=12)
+PLAIN = st.sampled_from(sorted(PLAIN_NAMES)).map(symbol)
+EXPRESSION_TREES = st.recursive(PLAIN | NUMBERS, _larger, max_leaves=12)
 
 
 @given(EXPRESSION_TREES)

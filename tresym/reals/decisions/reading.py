@@ -7,20 +7,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tresym.reals.language import expression
 from tresym.reals.language.binders import elementary, outermost, worked_out
-from tresym.reals.language.expression import (
-    ONE,
-    Expr,
-    add,
-    instantiate,
-    number,
-    opened,
-    symbol,
-    symbols,
-)
-from tresym.reals.language.expression import (
-    ORDERS as LANDAU,
-)
+from tresym.reals.language.expression import ONE, Expr, add, instantiate, opened, symbol, symbols
 from tresym.reals.language.parsing import INFINITY, Compared, condition, parse, parse_claim
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.typography import plain
@@ -45,7 +34,9 @@ _NOT_DECIDED = {
     "limit": "a limit is claimed by itself: limit(f, x, a) == L, or f == L + o(1) as x -> a",
     "at": "a value at a point is not decided here: put the point in",
     "derivative": "the value of a derivative at a point is not decided: write the derivative out",
-    **dict.fromkeys(LANDAU, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"),
+    **dict.fromkeys(
+        expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
+    ),
 }
 _ASSUMPTIONS = {
     "is_extended_positive": ">",
@@ -227,7 +218,7 @@ def _split(text: str) -> tuple[str, str, str]:
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
     terms = right.args if right.op == "+" else (right,)
-    orders = [term for term in terms if term.op in LANDAU]
+    orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
         rest = [term for term in terms if term is not orders[0]]
         left = left - add(*rest) if rest else left
@@ -257,11 +248,8 @@ def _derivatives(e: Expr) -> Iterator[Derivative]:
         place = node.args[-1]
         if node.op == "at" and elementary(*node.args) and node.args[0].loose:
             continue
-        if (
-            node.op != "derivative"
-            or place.op != "symbol"
-            or symbols(place) & symbols(node.args[0])
-        ):
+        fixed = place.op != "symbol" or bool(symbols(place) & symbols(node.args[0]))
+        if node.op != "derivative" or fixed:
             raise InputError(_NOT_DECIDED[node.op])
         function, times = node, 0
         while function.op == "derivative" and function.args[1] == place:
@@ -328,7 +316,7 @@ def _from_sympy(claim: Any) -> tuple[Compared, Given]:
         names.add(variable.name)
         for assumption, sign in _ASSUMPTIONS.items():
             if getattr(variable, assumption):
-                conditions.append((symbol(variable.name), sign, number(0)))
+                conditions.append((symbol(variable.name), sign, expression.ZERO))
     return comparison, Given(tuple(conditions))
 
 

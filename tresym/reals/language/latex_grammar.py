@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from fractions import Fraction
 
 from tresym.reals.language.binders import at, derivative, integral, limit, order, outermost
 from tresym.reals.language.expression import (
@@ -18,9 +17,6 @@ from tresym.reals.language.expression import (
     add,
     apply,
     extreme,
-    multiply,
-    number,
-    power,
     sqrt,
     substitute,
     symbol,
@@ -30,20 +26,17 @@ from tresym.reals.language.latex_cursor import (
     BRACKETS,
     DIFFERENTIALS,
     FRACTIONS,
+    INSTEAD,
+    NO_DERIVATIVE,
     OPENING,
     OPERATORS,
     Author,
+    Cursor,
     Function,
-    is_letter,
-    is_number,
-)
-from tresym.reals.language.latex_names import (
-    INSTEAD,
-    NO_DERIVATIVE,
-    Names,
-    allowed,
     derived,
     is_derivative,
+    is_letter,
+    is_number,
 )
 from tresym.reals.language.latex_reach import (
     Piece,
@@ -70,7 +63,7 @@ from tresym.reals.language.parsing import INFINITY, call
 from tresym.reals.numbers.exact import InputError
 
 
-class Reader(Names):
+class Reader(Cursor):
     """Recursive descent over the tokens."""
 
     # sums and products
@@ -79,7 +72,7 @@ class Reader(Names):
         """Terms joined by + and −."""
         first = self.signed()
         terms = [first.tree]
-        while self.peek() in ("+", "-"):
+        while self.peek() in ("+", "-") and not self.sides():
             terms.append(-self.product().tree if self.take() == "-" else self.product().tree)
         return first if len(terms) == 1 else Piece(add(*terms), 0)
 
@@ -191,14 +184,14 @@ class Reader(Names):
         raised = base is None and self.peek() == "e" and self.peek(1) == "^"
         base = base or self.base()
         while True:
-            if self.peek() == "^":
+            if self.peek() == "^" and not self.sides():
                 if raised:
                     self.refuse("TeX takes one exponent: write brackets or braces,")
                 self.at += 1
                 raised = True
                 exponent = self.script()
                 ten = base.printed == "10" and f"e{exponent.printed}"
-                base = Piece(power(base.tree, exponent.tree), 3, base.symbol, ten or "")
+                base = Piece(base.tree**exponent.tree, 3, base.symbol, ten or "")
             elif self.peek() == "|" and self.peek(1) == "_":
                 self.at += 2
                 base = self.evaluated(base.tree)
@@ -257,7 +250,8 @@ class Reader(Names):
             self.take()
             return Piece(INFINITY)
         if token == "\\dot" and self.author:
-            return self.dotted()
+            self.take()
+            return derived("d", self.argument_group().symbol, "t")
         if token.lstrip("\\") in FUNCTIONS and token.startswith("\\"):
             return self.function()
         if re.fullmatch(r"\d.*|\.\d+", token):
@@ -299,7 +293,7 @@ class Reader(Names):
         if self.take() not in ("|", "\\right|"):
             self.at -= 1
             self.refuse("the bar | is not closed")
-        return Piece(apply("abs", piece.tree))
+        return Piece(abs(piece.tree))
 
     def barred(self) -> Piece:
         """``\\left. … \\right|_{x = value}``."""
@@ -322,11 +316,11 @@ class Reader(Names):
             self.refuse("a root with a negative index: write 1 over the root,")
         odd = index.printed.isdigit() and int(index.printed) % 2 == 1
         if not odd or inside.op == "number":
-            return Piece(power(inside, 1 / index.tree), 3)
+            return Piece(inside ** (1 / index.tree), 3)
         if index.printed == "3":
             return Piece(apply("cbrt", inside))
-        size = power(apply("abs", inside), number(Fraction(1, int(index.printed))))
-        return Piece(multiply(apply("sign", inside), size), 2)
+        size = abs(inside) ** (1 / index.tree)
+        return Piece(apply("sign", inside) * size, 2)
 
     def extreme(self) -> Piece:
         """``\\max(x, y)``, ``\\min\\{x, y, z\\}``."""
@@ -380,26 +374,31 @@ class Reader(Names):
 
     def derivative(self) -> Piece:
         """``\\frac{dy}{dx}``, a symbol of an author's, or ``\\frac{d}{dx}`` of what follows."""
-        self.take()
-        if self.peek() in DIFFERENTIALS:
-            self.tokens[self.at : self.at + 1] = ["{", self.peek(), "}"]
-        kind = self.peek(1)
-        times, below = self.higher_order()
-        if times:
-            return self.differentiated(kind, below, times)
-        self.at += 2
-        above = self.product() if self.peek() != "}" else None
-        self.take("}")
-        self.at += 2
-        below = self.symbol()
-        self.take("}")
-        if above is None:
-            return self.differentiated(kind, below)
-        if not (above.symbol and above.strength == 4):
-            return self.slope(above, kind, below)
+        above, below, self.at = self.halves(self.at)
+        kind, times = above[0], 1
+        if "^" in (*above[1:2], *below):
+            order = above[1:]
+            digits = "".join(order).strip("^{}")
+            if below[-len(order) :] != order or not digits.isdigit():
+                self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
+            if len(digits) > 2 or not 1 <= (times := int(digits)) <= MAX_DERIVATIVES:
+                self.refuse(f"the order of a derivative goes from 1 to {MAX_DERIVATIVES}")
+            above, below = above[:1], below[: -len(order)]
+        variable = Reader(below[1:], self.author)
+        name = variable.symbol()
+        if variable.peek():
+            variable.refuse("one variable is expected")
+        if len(above) == 1:
+            return self.differentiated(kind, name, times)
+        function = Reader(above[1:], self.author)
+        piece = function.product()
+        if function.peek():
+            function.refuse("one product is expected")
+        if not (piece.symbol and piece.strength == 4):
+            return self.slope(piece, kind, name)
         if not self.author:
             self.refuse(NO_DERIVATIVE)
-        return derived(kind, above.symbol, below)
+        return derived(kind, piece.symbol, name)
 
     def slope(self, e: Piece, kind: str, name: str, times: int = 1) -> Piece:
         """The derivative of ``e``, in which ``d/dx`` needs the variable: else it is a symbol's."""
@@ -421,24 +420,6 @@ class Reader(Names):
             lambda e: name in e.names or _has_derivative(e),
         )
 
-    def higher_order(self) -> tuple[int, str]:
-        """The order and the variable of ``{d^n}{dx^n}``, which is stepped over; else 0."""
-        for kind in DIFFERENTIALS:
-            match = re.match(
-                rf"{{ {re.escape(kind)} \^ (?P<n>{{ \d+ }}|\d+) }} {{ {re.escape(kind)} "
-                r"(?P<x>[A-Za-z]|\\[a-z]+) \^ (?P=n) } ",
-                " ".join(self.tokens[self.at : self.at + 20]) + " ",
-            )
-            if match:
-                times = match["n"].strip("{} ")
-                if len(times) > 3 or not 1 <= int(times) <= MAX_DERIVATIVES:
-                    self.refuse(f"the order of a derivative goes from 1 to {MAX_DERIVATIVES}")
-                self.at += match[0].count(" ")
-                return int(times), allowed(match["x"].lstrip("\\"))
-        if self.tokens[self.at : self.at + 3] in (["{", "d", "^"], ["{", "\\partial", "^"]):
-            self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
-        return 0, ""
-
     def limit(self) -> Piece:
         """``\\lim_{x \\to p}`` of the product that follows."""
         self.take("\\lim")
@@ -459,19 +440,9 @@ class Reader(Names):
 
     def point(self) -> tuple[Expr, int]:
         """Where a path ends, and the side it comes from: ``0``, ``0^+``, ``\\pi^{-}``, ``0+``."""
-        start, depth = self.at, 0
-        while self.peek() and not (self.peek() in ("}", *STOPS) and depth == 0):
-            depth += (self.peek() in OPENING) - (self.peek() in ("}", *BRACKETS.values()))
-            self.at += 1
-        tokens = self.tokens[start : self.at]
-        side = next((s for s in ("+", "-") if tokens[-1:] == [s] or tokens[-2:] == [s, "}"]), "")
-        if side:
-            tokens = tokens[: -3 if tokens[-1] == "}" else -1]
-            tokens = tokens[:-1] if tokens[-1:] == ["^"] else tokens
-        reader = Reader(tokens)
-        found = reader.sum().tree
-        if reader.peek():
-            reader.refuse("the end of a path is expected")
+        found = self.sum().tree
+        side = next((s for s in self.sides() if s in ("+", "-")), "")
+        self.at += len(self.sides())
         return found, {"+": 1, "-": -1}.get(side, 0)
 
     # functions
@@ -495,7 +466,7 @@ class Reader(Names):
                 return Piece(tree)
             if exponent == MINUS_ONE:
                 self.two_readings(f"{_inverse(name)}({argument.tree})", f"1/{tree}")
-            return Piece(power(tree, exponent), 3)
+            return Piece(tree**exponent, 3)
 
         return self.argument(start, applied, after_bracket if name != "exp" else whole)
 
@@ -522,8 +493,8 @@ class Reader(Names):
         if self.peek() == "^" and doubtful and not self.author:
             self.take()
             exponent = self.script().tree
-            inside = applied(Piece(power(inner.tree, exponent), 3))
-            self.two_readings(inside, Piece(power(applied(inner).tree, exponent)))
+            inside = applied(Piece(inner.tree**exponent, 3))
+            self.two_readings(inside, Piece(applied(inner).tree ** exponent))
         return self.operand(applied, inner, rule)
 
     def printed(self, start: int, applied: Callable[[Piece], Piece]) -> Piece:
@@ -584,9 +555,16 @@ class Reader(Names):
 
     def named(self) -> Piece:
         """A symbol, an inline derivative, ``e^{…}``, an order, or an author's function."""
-        token = self.peek()
-        if token in DIFFERENTIALS and self.inline_derivative():
-            return self.slashed_derivative()
+        token, start = self.peek(), self.at
+        if token in DIFFERENTIALS and is_letter(self.peek(1)):
+            self.at += 1
+            above = self.symbol()
+            if self.peek() == "/" and self.peek(1) == token and is_letter(self.peek(2)):
+                if not self.author:
+                    self.refuse(NO_DERIVATIVE)
+                self.at += 2
+                return derived(token, above, self.symbol())
+            self.at = start
         if not self.author:
             self.check_name()
         if self.is_exponential(self.at):

@@ -85,20 +85,10 @@ def after_open(so_far: Piece, ahead: Ahead) -> Reach:
     return Reach.GOES_ON
 
 
-def after_nested(_: Piece, ahead: Ahead) -> Reach:
-    """An argument that is itself a function and what it is applied to: ``\\ln\\sin x\\cos x``."""
-    return Reach.ENDS if ahead.kind in ("", "derivative") else Reach.DOUBT
-
-
 def after_bracket(inner: Piece, ahead: Ahead) -> Reach:
     """An argument in brackets: in doubt where it needs them as a factor too, ``\\sin(n+1)x``."""
     factor = ahead.kind in ("letter", "bracket", "fraction") and not ahead.operator
     return Reach.DOUBT if factor and inner.strength == 0 else Reach.ENDS
-
-
-def after_braces(_: Piece, ahead: Ahead) -> Reach:
-    """An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
-    return Reach.ENDS if ahead.kind in ("", "function", "derivative") else Reach.DOUBT
 
 
 def whole(_: Piece, __: Ahead) -> Reach:
@@ -114,9 +104,17 @@ def after_derivative(_: Piece, ahead: Ahead) -> Reach:
     return Reach.DOUBT if doubtful else Reach.GOES_ON
 
 
-def after_derivative_of_bracket(_: Piece, ahead: Ahead) -> Reach:
-    """``\\frac{d}{dx}(…)``, and what follows the bracket."""
-    return Reach.DOUBT if ahead.kind else Reach.ENDS
+def ends_before(*kinds: str) -> Rule:
+    """A rule by which these end the operand, and whatever else follows is in doubt."""
+    return lambda _, ahead: Reach.ENDS if ahead.kind in kinds else Reach.DOUBT
+
+
+after_nested = ends_before("", "derivative")
+"""An argument that is itself a function and what it is applied to: ``\\ln\\sin x\\cos x``."""
+after_braces = ends_before("", "function", "derivative")
+"""An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
+after_derivative_of_bracket = ends_before("")
+"""``\\frac{d}{dx}(…)``, and what follows the bracket."""
 
 
 def joined(factors: list[Piece | None], operators: list[str]) -> Piece:

@@ -216,7 +216,11 @@ class _Reader:
             pairs = zip(args[1::2], args[2::2], strict=True)
             return at(self._read(args[0]), {self._name(x): self._read(p) for x, p in pairs})
         if name == "limit" and len(args) in (3, 4):
-            side = self._whole(args[3], "the side of a limit is 1, -1 or 0") if args[3:] else 0
+            side = (
+                self._whole(args[3], range(-1, 2), "the side of a limit is 1, -1 or 0")
+                if args[3:]
+                else 0
+            )
             return limit(self._read(args[0]), self._name(args[1]), self._end(args[2]), side)
         return call(name, [self._read(arg) for arg in args])
 
@@ -225,9 +229,8 @@ class _Reader:
             raise InputError("diff takes an expression, a variable and perhaps an order")
         e, name, times = self._read(args[0]), self._name(args[1]), 1
         if len(args) == 3:
-            times = self._whole(args[2], "the order of diff is a positive integer")
-        if not 1 <= times <= MAX_DERIVATIVES:
-            raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
+            expected = f"the order of diff is an integer from 1 to {MAX_DERIVATIVES}"
+            times = self._whole(args[2], range(1, MAX_DERIVATIVES + 1), expected)
         for _ in range(times):
             e = derivative(e, name)
         return e
@@ -239,22 +242,16 @@ class _Reader:
             raise InputError(f"{e} is no variable")
         return str(e.args[0])
 
-    def _whole(self, node: ast.expr, expected: str) -> int:
-        match node:
-            case ast.Constant(value=int(value)) if type(value) is int:
-                return value
-            case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=1)):
-                return -1
-        raise InputError(expected)
+    def _whole(self, node: ast.expr, allowed: range, expected: str) -> int:
+        e = self._read(node)
+        if e.op != "number" or e.args[0].q != 1 or int(e.args[0].p) not in allowed:
+            raise InputError(expected)
+        return int(e.args[0].p)
 
     def _end(self, node: ast.expr) -> Expr:
         """Where a limit is taken: an expression, ``oo`` or ``-oo``."""
-        match node:
-            case ast.Name(id="oo"):
-                return INFINITY
-            case ast.UnaryOp(op=ast.USub(), operand=ast.Name(id="oo")):
-                return -INFINITY
-        return self._read(node)
+        ends = {"oo": INFINITY, "-oo": -INFINITY}
+        return ends.get(self._segment(node)) or self._read(node)
 
     def _segment(self, node: ast.expr) -> str:
         return self.source[node.col_offset : node.end_col_offset]
