@@ -32,14 +32,15 @@ ENCLOSING = (
     "reals.decisions.ratios",
     "ledger.evidence.balls",
     "ledger.evidence.printed",
+    "ledger.evidence.meant._other_meaning",
 )
 """Rooms and files that no PROVED comes from."""
 
 RECHECKED = {
     "what was read is shown in the text grammar": (
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
-        "reals.language.latex_reach",
-        *("reals.language.latex_tokens", "reals.language.typography"),
+        *("reals.language.latex_reach", "reals.language.latex_tokens"),
+        "reals.language.typography",
     ),
     "the advocate takes passes away and gives none": (
         *("reals.decisions.attack", "reals.advocate", "ledger.judge._attacked"),
@@ -51,8 +52,8 @@ RECHECKED = {
     "what is found is checked: factors are multiplied out, trees of boxes replayed": (
         *("reals.normal.denested", "reals.balls.boxes._found"),
     ),
-    "a point about which to expand counts once the function is shown to be smooth there": (
-        *("reals.balls.contact.candidates", "reals.language.inverted"),
+    "a place to try: that it lies where it must, and what holds there, is shown": (
+        *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
     ),
     "it refutes alone": (
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
