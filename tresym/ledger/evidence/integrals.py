@@ -13,7 +13,7 @@ from sympy import Basic, Derivative, Eq, Expr, Integer, Integral, Rel, Subs, Sym
 
 from tresym.ledger.claim import Claim, Reason, parts_of
 from tresym.ledger.evidence.defined import Conditions, continuous_on
-from tresym.ledger.evidence.manifest import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
+from tresym.ledger.evidence.manifest import NON_NEGATIVE, is_stated, manifest_sign
 from tresym.ledger.meaning import defined, to_expression, to_given
 from tresym.ledger.reasons import citing
 from tresym.reals.decisions.identity import decide
@@ -78,12 +78,10 @@ def sign_of_integral(integral: Basic, bounds: tuple[Claim, ...], given: Conditio
     length = manifest_sign(high - low, given)
     if length not in NON_NEGATIVE:
         return None
-    # Without splitting sums first: that is dear, and seldom needed.
-    shown = (manifest_sign(f, conditions, depth) in NON_NEGATIVE for depth in (0, DEPTH))
-    if not is_stated(f, conditions) and not any(shown):
+    if not is_stated(f, conditions) and manifest_sign(f, conditions, ">=") not in NON_NEGATIVE:
         return None
     ends = [f.xreplace({variable: end}) for end in (low, high)]
-    positive = (manifest_sign(end, given, 0) == "+" for end in ends)
+    positive = (manifest_sign(end, given) == "+" for end in ends)
     return "+" if length == "+" and any(positive) else ">=0"
 
 

@@ -26,8 +26,8 @@ from tresym.reals.language.cancellation import scaled
 from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
 from tresym.reals.normal.polynomials import Monomial, degree, polynomial
 from tresym.reals.places.conditions import Given
+from tresym.reals.signs.inside import sign_inside as sign
 from tresym.reals.signs.jumps import cases_at_jumps
-from tresym.reals.signs.sign import sign
 
 MAX_QUADRATIC = 5
 """Variables of a quadratic condition that is looked at."""
