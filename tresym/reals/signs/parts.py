@@ -237,6 +237,7 @@ class Parts:
             value = self.atoms.fraction(e)
             found = self._fraction(value, depth)
             if depth == DEPTH and found in (None, ">=0", "<=0"):
+                self._trials = 0
                 found = self._by_multiples(value) or found
         except (TooLargeError, UndefinedError):
             return None
