@@ -24,23 +24,58 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import sympy
 from flint import arb, fmpq
-from sympy import Derivative, Function, Rational, cosh, exp, pi, sinh, sqrt, tanh
-from tresym.proofs.conditions import auxiliary, shape
-from tresym.proofs.exponent import logarithmic_equation, residual_increases
+from sympy import (
+    Derivative,
+    Expr,
+    Function,
+    Integral,
+    Rational,
+    Tuple,
+    asinh,
+    atan,
+    cos,
+    cosh,
+    exp,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    tanh,
+)
+from tresym.proofs.axioms import DOUBLE_SERIES
+from tresym.proofs.conditions import auxiliary, defect, later, shape
+from tresym.proofs.exponent import arctangent_concave, logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import slope_in_T_positive
-from tresym.proofs.separatrix import one_flip_defect, stable_equation
+from tresym.proofs.power_series import (
+    coefficient_sizes,
+    geometric_tail,
+    lagrange_step,
+    stays_inside,
+)
+from tresym.proofs.separatrix import contraction_bound, one_flip_defect, stable_equation
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Fault, Place, all_of, by, equal, step
+from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.meant import Meant
-from tresym.ledger.reasons import algebra, differentiation, exponentials
+from tresym.ledger.reasons import (
+    algebra,
+    citing,
+    differentiation,
+    evaluating,
+    exponentials,
+    integrating,
+    inverses,
+    roots,
+    trigonometry,
+)
 from tresym.racket.flip.separatrix import defect_over
-from tresym.racket.formulas import stable
+from tresym.racket.formulas import printed, stable
 from tresym.racket.near import charts
 from tresym.racket.near.samples import at_unit_b
-from tresym.racket.notation import T, a, b, epsilon0, gamma, k, r, x
+from tresym.racket.notation import T, a, b, epsilon, epsilon0, gamma, k, psi, r, x
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Order
@@ -48,7 +83,34 @@ from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
 from tresym.reals.verdict import Verdict
 
-RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases)
+_flat = exp(-k / x)
+
+flat_rises = Claim(
+    label="flat_rises",
+    says=Derivative(_flat, x) > 0,
+    kind="bound",
+    given=(k > 0, x > 0),
+    proof=(step(k / x**2 * _flat, differentiation),),
+)
+
+flat_bends = Claim(
+    label="flat_bends",
+    says=Tuple(
+        equal(Derivative(k / x**2 * _flat, x), k * (k - 2 * x) / x**4 * _flat),
+        equal(at(k / x**2 * _flat, {x: k / 2}), 4 * exp(-2) / k),
+    ),
+    given=(k > 0, x > 0),
+    proof=together(by(differentiation), by(evaluating)),
+    note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
+)
+
+RESTS_ON = (
+    one_flip_defect,
+    logarithmic_equation,
+    residual_increases,
+    flat_rises,
+    flat_bends,
+)
 QUARTER = "ab >= 1/4, 0 < b <= 1"
 EVERY = "a > 0, 0 < b <= 1"
 
@@ -98,13 +160,18 @@ def boxed(
     expect: Verdict = Verdict.ENCLOSED,
     slopes: bool = False,
     meant: Meant | None = None,
+    also: tuple[Claim, ...] = (),
     **rest: Any,
 ) -> Claim:
-    """A claim that is a conjunction of bounds on one box."""
+    """A claim that is a conjunction of bounds on one box, and rests on what each such claim does.
+
+    ``also`` are the claims that its own margins rest on beside them.
+    """
     bounds = tuple(Bound(part, box(*sides), slopes) for part in parts)
     exact = None if constant is None else as_rational(constant)
     stored = certificate(label)
-    proof = Boxes(bounds, names, region, exact, RESTS_ON, stored, budget=30_000, meant=meant)
+    claims = (*RESTS_ON, *also)
+    proof = Boxes(bounds, names, region, exact, claims, stored, budget=30_000, meant=meant)
     return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
 
 
@@ -251,12 +318,17 @@ def _refuted(amended: Claim) -> dict[str, Any]:
     return {"expect": Verdict.REFUTED, "amended_by": (amended,)}
 
 
+_BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIES,)}
+"""The bounds whose margins hold what a power series of Q leaves out."""
+
 repaired = _repaired("repaired", 0, "1.451")
 repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repaired))
 second_order = _repaired("second_order", 1, "2.98")
 second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
-third_order = _repaired("third_order", 2, "7.36")
-third_order_too_small = _repaired("third_order_too_small", 2, "7.33", **_refuted(third_order))
+third_order = _repaired("third_order", 2, "7.36", **_BY_SERIES)
+third_order_too_small = _repaired(
+    "third_order_too_small", 2, "7.33", **_refuted(third_order), **_BY_SERIES
+)
 
 
 every_order = boxed(
@@ -269,8 +341,10 @@ every_order = boxed(
     KAPPA,
     BY_KAPPA,
     QUARTER,
-    note="Lagrange's series: its terms are at most 2.6 τⁿ/(2n + 1) with τ ≤ 1/4, by Cauchy's bound "
-    "of its coefficients, and by Rouché's theorem its sum is ε₀/ε*. These two theorems are quoted.",
+    also=(*coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
+    note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
+    "τ ≤ 1/4, and their sum solves the equation of ε₀.",
+    quotes=(DOUBLE_SERIES,),
 )
 
 exponent_below = boxed(
@@ -424,6 +498,66 @@ balanced_line = boxed(
     slopes=True,
 )
 
+_D = cosh(T) ** 2 + r**2 * sinh(T) ** 2
+_phase = T - k * (pi + atan(r * tanh(T)))
+"""What vanishes at T = kP, where P is the phase of the shape k = √(ab), r = √(b/a)."""
+_curvature = 2 * k * r * (1 + r**2) * sinh(T) * cosh(T) / _D**2
+_steepness = _D / ((1 - k * r) + (1 + r**2) * sinh(T) ** 2)
+"""1 over the slope of the phase equation; b = k r ≤ 1."""
+
+phase_equation_convex = Claim(
+    label="phase_equation_convex",
+    says=equal(Derivative(-k * r / _D, T), _curvature),
+    given=(*auxiliary, T > 0),
+    proof=by(differentiation),
+    note="1 − kr/D is the slope of T − k(π + arctan(r tanh T)); it increases with T.",
+)
+
+
+def _at(e: Expr, t: Expr) -> Expr:
+    return e.xreplace({T: t})
+
+
+newton_remainder = Claim(
+    label="newton_remainder",
+    says=equal(
+        _phase - _at(_phase, x) - (1 - k * r / _at(_D, x)) * (T - x),
+        Integral((T - psi) * _at(_curvature, psi), (psi, x, T)),
+    ),
+    given=(*auxiliary, T > 0, x > 0),
+    proof=by(integrating((T - psi) * (1 - k * r / _at(_D, psi)) + _at(_phase, psi))),
+    note="What a tangent at x leaves out at the root T, which a Newton step divides by the slope "
+    "at x. As T − ψ keeps its sign it is half of (T − x)² times a value that the curvature takes "
+    "between x and T.",
+)
+
+steepness = Claim(
+    label="phase_steepness",
+    says=equal(1 / _steepness, Derivative(_phase, T)),
+    given=(*auxiliary, 1 - k * r >= 0, *later),
+    proof=by(differentiation, exponentials),
+)
+
+
+def _newton_beyond(label: str, room: Expr, direction: int, ends: tuple[Expr, Expr]) -> Claim:
+    """That a Newton step from x ends beyond the root T, where ``room`` is positive."""
+    low, high = ends
+    bend = direction * (T - psi) * _at(_curvature, psi) * _at(_steepness, x)
+    slope = 1 - k * r / _at(_D, psi)
+    antiderivative = direction * ((T - psi) * slope + _at(_phase, psi)) * _at(_steepness, x)
+    return Claim(
+        label=label,
+        says=x - _at(_phase, x) * _at(_steepness, x) - (T - _phase * _at(_steepness, x)) >= 0,
+        kind="bound",
+        given=(*auxiliary, 1 - k * r >= 0, T > 0, x > 0, room > 0),
+        proof=(step(Integral(bend, (psi, low, high)), integrating(antiderivative), exponentials),),
+        note="At a root the phase equation vanishes, and what is subtracted is T.",
+    )
+
+
+newton_from_below = _newton_beyond("newton_from_below", T - x, 1, (x, T))
+newton_from_above = _newton_beyond("newton_from_above", x - T, -1, (T, x))
+
 newton_line = boxed(
     "newton_line",
     "One Newton step after the sweep from π errs by at most 0.01 % of ε₀ for √(ab) ≤ 7/4.",
@@ -432,6 +566,7 @@ newton_line = boxed(
     BY_K,
     BELOW,
     "1e-4",
+    also=(newton_remainder, newton_from_below),
     note="It errs on the side of too small an ε₀: the phase equation is convex.",
 )
 
@@ -443,6 +578,7 @@ balanced_newton = boxed(
     BY_K,
     BELOW,
     "4e-6",
+    also=(newton_remainder, newton_from_below, newton_from_above),
 )
 
 
@@ -472,6 +608,7 @@ uniform_tail = boxed(
     BY_KAPPA,
     "ab >= 49/16, 0 < b <= 1",
     "4e-5",
+    also=(arctangent_concave,),
 )
 
 newton_tail = boxed(
@@ -482,6 +619,7 @@ newton_tail = boxed(
     BY_KAPPA,
     "ab >= 49/16, 0 < b <= 1",
     "4e-6",
+    also=(arctangent_concave, newton_remainder, newton_from_below, newton_from_above),
 )
 
 uniform_formulas = Claim(
@@ -495,8 +633,6 @@ uniform_formulas = Claim(
     expect=Verdict.ENCLOSED,
 )
 
-
-_D = cosh(T) ** 2 + r**2 * sinh(T) ** 2
 
 sweep_below = Claim(
     label="sweep_below",
@@ -523,25 +659,44 @@ one_line_side = Claim(
     note="The phase P = π + arctan(r tanh kP) exceeds π, so P₁ = π + arctan(r tanh kπ) < P.",
 )
 
-phase_equation_convex = Claim(
-    label="phase_equation_convex",
-    says=equal(Derivative(-k * r / _D, T), 2 * k * r * (1 + r**2) * sinh(T) * cosh(T) / _D**2),
-    given=(*auxiliary, T > 0),
-    proof=by(differentiation),
-    note="1 − kr/D is the slope of T − k(π + arctan(r tanh T)); it increases with T.",
-)
-
 newton_side = Claim(
     label="newton_side",
     says="A Newton step on the phase gives too small an ε₀, from wherever it starts.",
     kind="statement",
-    proof=all_of(slope_in_T_positive, phase_equation_convex),
+    proof=all_of(
+        slope_in_T_positive,
+        phase_equation_convex,
+        steepness,
+        newton_from_below,
+        newton_from_above,
+    ),
     note="A tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
 )
 
 
 # -- the slope and the bend -----------------------------------------------------------------------
 
+
+_sine, _cosine = sin(epsilon), cos(epsilon)
+_root = sqrt(1 + b / a * _sine**2)
+_logarithm = asinh(sqrt(a / (a + b)) * _cosine / _sine)
+
+slope_by_phase = Claim(
+    label="slope_by_phase",
+    says=equal(
+        4
+        * b
+        * epsilon
+        * printed.defect_per_turn(epsilon, a, b, 1, sympy)
+        * printed.turn_slope(epsilon, a, b, 1, sympy),
+        epsilon
+        * (_cosine * _root**2 / _sine + _sine * (1 - b / a - 2 * b) * _logarithm * _root)
+        / (1 - b * _sine**2),
+    ),
+    given=(*shape, *defect),
+    proof=by(citing(contraction_bound), exponentials, inverses, roots, trigonometry),
+    note="−4bε dε/dγ at γ = 0 for an ε = ε₀; at the root the arsinh is T.",
+)
 
 slope_leading_term = boxed(
     "slope_leading_term",
@@ -551,6 +706,7 @@ slope_leading_term = boxed(
     BY_KAPPA,
     QUARTER,
     "3.15",
+    also=(slope_by_phase,),
     note="The remainder is of order ε₀ log(1/ε₀) at fixed b, where the paper prints O(1).",
 )
 
@@ -563,6 +719,7 @@ slope_constant_too_small = boxed(
     QUARTER,
     "3.1",
     expect=Verdict.REFUTED,
+    also=(slope_by_phase,),
     amended_by=(slope_leading_term,),
 )
 

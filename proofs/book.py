@@ -54,7 +54,7 @@ box_moments = Claim(
             for p, q in ((width, height), (length, height), (length, width))
         ),
     ),
-    proof=Definition(),
+    proof=Definition(assumes="the moments of a homogeneous box"),
     where=Place(line=291),
     note="A homogeneous box: length along e₁, width along e₂, height along e₃.",
 )

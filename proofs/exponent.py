@@ -8,6 +8,8 @@
 - `sine_of_turn`: the sine of that difference of angles, in a form that does not cancel;
 - `residual_increases`: log e − Q(e) increases with e, so that ε₀ ≤ e exactly when
   Q(e) ≤ log(e/ε*): a bound on ε₀ is one sign at an explicit candidate;
+- `exponent_gap`: Q(e) − log(e/ε*) without logarithms, for candidates e that are angles;
+- `arctangent_concave`, `arsinh_concave`: what concave functions do to a share of their argument;
 - `half_exponent`, `half_tangent`: log(tan(ε₀/2)/(ε*/2)) is a sum of two terms, positive by
   `root_above_one` and by `turn_increases`, as the turn vanishes at e = 0. Hence `leading_below`:
   ε₀ > 2 arctan(ε*/2), and by `arctangent_above` ε₀/ε* > 1 − ε*²/12, for every shape.
@@ -16,7 +18,23 @@
 from __future__ import annotations
 
 from flint import fmpq
-from sympy import Derivative, Equivalent, asin, asinh, cos, exp, log, pi, sin, sinh, sqrt, tan
+from sympy import (
+    Derivative,
+    Equivalent,
+    Integral,
+    Symbol,
+    asin,
+    asinh,
+    atan,
+    cos,
+    exp,
+    log,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+)
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.separatrix import one_flip_defect, root_under_cosine, stable_equation
 
@@ -28,12 +46,13 @@ from tresym.ledger.reasons import (
     citing,
     differentiation,
     exponentials,
+    integrating,
     inverses,
     multiplying,
     roots,
     trigonometry,
 )
-from tresym.racket.notation import a, b, epsilon
+from tresym.racket.notation import a, b, epsilon, psi, x
 from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
@@ -43,13 +62,14 @@ _root = sqrt(1 + b / a * sin(epsilon) ** 2)
 _time = sqrt(a * b) * (pi + asin(_mu * cos(epsilon)))
 _turn = asin(_mu) - asin(_mu * cos(epsilon))
 _leading = 2 * _cosine * exp(-sqrt(a * b) * (pi + asin(_mu)))
-_exponent = log(epsilon / sin(epsilon)) + log((cos(epsilon) + _root) / 2) + sqrt(a * b) * _turn
+exponent = log(epsilon / sin(epsilon)) + log((cos(epsilon) + _root) / 2) + sqrt(a * b) * _turn
+"""Q(e)."""
 
 logarithmic_equation = Claim(
     label="logarithmic_equation",
     says=Equivalent(
         equal(_cosine / sinh(_time), tan(epsilon)),
-        equal(_exponent, log(epsilon / _leading)),
+        equal(exponent, log(epsilon / _leading)),
     ),
     given=(*shape, *defect),
     proof=(
@@ -72,13 +92,24 @@ logarithmic_equation = Claim(
             trigonometry,
         ),
         step(
-            equal(_exponent, log(epsilon / _leading)),
+            equal(exponent, log(epsilon / _leading)),
             adding(log(epsilon) - log(2 * _cosine) + sqrt(a * b) * _turn),
             exponentials,
             roots,
         ),
     ),
     note="Solved for the logarithm of ε₀/ε*; what is left on the other side is Q(ε₀).",
+)
+
+exponent_gap = Claim(
+    label="exponent_gap",
+    says=equal(
+        exponent - log(epsilon / _leading), asinh(_cosine * cos(epsilon) / sin(epsilon)) - _time
+    ),
+    given=(*shape, *defect),
+    proof=by(exponentials, inverses, roots, trigonometry),
+    note="As log e − Q(e) increases, ε₀ exceeds an e at which this is positive, and is below one "
+    "at which it is negative.",
 )
 
 sine_of_turn = Claim(
@@ -91,7 +122,7 @@ sine_of_turn = Claim(
 
 residual_increases = Claim(
     label="residual_increases",
-    says=Derivative(log(epsilon) - _exponent, epsilon) > 0,
+    says=Derivative(log(epsilon) - exponent, epsilon) > 0,
     kind="bound",
     given=(*shape, *defect),
     proof=(
@@ -108,7 +139,7 @@ residual_increases = Claim(
 half_exponent = Claim(
     label="half_exponent",
     says=equal(
-        _exponent + log(2 * sin(epsilon) / (epsilon * (1 + cos(epsilon)))),
+        exponent + log(2 * sin(epsilon) / (epsilon * (1 + cos(epsilon)))),
         log((cos(epsilon) + _root) / (1 + cos(epsilon))) + sqrt(a * b) * _turn,
     ),
     given=(*shape, *defect),
@@ -160,6 +191,44 @@ arctangent_above = Claim(
         "x > 0",
     ),
     expect=Verdict.ENCLOSED,
+)
+
+_share = Symbol("c", real=True)
+_part = (x > 0, _share > 0, _share <= 1)
+
+arctangent_concave = Claim(
+    label="arctangent_concave",
+    says=atan(_share * x) - _share * atan(x) >= 0,
+    kind="bound",
+    given=_part,
+    proof=(
+        step(
+            Integral(
+                _share * (1 - _share**2) * psi**2 / ((1 + _share**2 * psi**2) * (1 + psi**2)),
+                (psi, 0, x),
+            ),
+            integrating(atan(_share * psi) - _share * atan(psi)),
+            inverses,
+        ),
+    ),
+    note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
+)
+
+_roots = sqrt(1 + _share**2 * psi**2), sqrt(1 + psi**2)
+_bend = _share * (1 - _share**2) * psi**2 / (_roots[0] * _roots[1] * (_roots[0] + _roots[1]))
+
+arsinh_concave = Claim(
+    label="arsinh_concave",
+    says=asinh(_share * x) - _share * asinh(x) >= 0,
+    kind="bound",
+    given=_part,
+    proof=(
+        step(
+            Integral(_bend, (psi, 0, x)),
+            integrating(asinh(_share * psi) - _share * asinh(psi)),
+            inverses,
+        ),
+    ),
 )
 
 leading_below = Claim(

@@ -95,16 +95,11 @@ rotating = (*shape, gamma > 0, epsilon < pi / 2, _off_pole)
 unturned = (*shape, *_angles, gamma + b * sin(epsilon) ** 2 > 0, _off_pole)
 """A motion of either kind, where ε is above the turning point that it has for γ < 0."""
 
-turn_slopes = Claim(
-    label="turn_slopes",
-    says=Tuple(
-        equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
-        equal(F_gamma, _by_depth),
-    ),
-    given=(*shape, epsilon < pi / 2),
-    proof=Definition(),
-    note="∂F/∂ε and ∂F/∂γ.",
-)
+
+def _at(level: Expr, given: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The conditions for the motion on ``level``."""
+    return tuple(condition.xreplace({gamma: level}) for condition in given)
+
 
 higher_sine = Claim(
     label="higher_sine",
@@ -116,13 +111,16 @@ higher_sine = Claim(
     ),
 )
 
-above_turning_point = Claim(
-    label="above_turning_point",
-    says=gamma + b * _square > 0,
-    kind="bound",
-    given=(*unturned, psi >= epsilon, psi <= pi / 2),
-    proof=(step(gamma + b * _square, citing(higher_sine)),),
-    note="From ε to π/2 the motion does not turn.",
+above_turning_point, above_on_levels = (
+    Claim(
+        label=label,
+        says=level + b * _square > 0,
+        kind="bound",
+        given=(*_at(level, unturned), psi >= epsilon, psi <= pi / 2),
+        proof=(step(level + b * _square, citing(higher_sine)),),
+        note="From ε to π/2 the motion does not turn.",
+    )
+    for label, level in (("above_turning_point", gamma), ("above_on_levels", c))
 )
 
 fall_is_no_rise = Claim(
@@ -136,14 +134,28 @@ fall_is_no_rise = Claim(
 
 
 def _falling(
-    name: str, given: tuple[Any, ...], rate: Symbol, bounds: tuple[Claim, ...]
+    name: str,
+    given: tuple[Any, ...],
+    rate: Symbol,
+    bounds: tuple[Claim, ...] = (),
+    on_levels: tuple[Claim, ...] = (),
 ) -> tuple[Claim, ...]:
     """F(ε, γ) = π where ``given`` holds, both slopes of F, and dε/dγ with its sign."""
     turn = Claim(
         label=f"{name}_turn",
         says=equal(_turn(c), pi),
-        given=tuple(condition.xreplace({gamma: c}) for condition in given),
-        proof=Definition(),
+        given=_at(c, given),
+        proof=Definition("half a turn of the handle from epsilon to the middle", on_levels),
+    )
+    slopes = Claim(
+        label=f"{name}_slopes",
+        says=Tuple(
+            equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
+            equal(F_gamma, _by_depth),
+        ),
+        given=given,
+        proof=Definition(claims=bounds),
+        note="∂F/∂ε and ∂F/∂γ.",
     )
     by_defect = Claim(
         label=f"{name}_falls_in_defect",
@@ -153,7 +165,7 @@ def _falling(
         proof=(
             step(
                 _f(gamma, epsilon),
-                substituting(turn_slopes),
+                substituting(slopes),
                 differentiating_integral(Integer(0), *bounds),
             ),
         ),
@@ -167,7 +179,7 @@ def _falling(
         proof=(
             step(
                 Integral(_fall, (psi, epsilon, pi / 2)),
-                substituting(turn_slopes),
+                substituting(slopes),
                 differentiating_integral(-_fall, *bounds),
                 *cited,
             ),
@@ -192,17 +204,19 @@ def _falling(
         kind="bound",
         given=given,
         proof=(
-            step(
-                F_gamma / F_epsilon, substituting(slope, turn_slopes), citing(by_defect, by_depth)
-            ),
+            step(F_gamma / F_epsilon, substituting(slope, slopes), citing(by_defect, by_depth)),
         ),
     )
-    return turn, by_defect, by_depth, slope, decrease
+    return turn, slopes, by_defect, by_depth, slope, decrease
 
 
-rotating_claims = _falling("rotating", rotating, rotating_rate, ())
+rotating_claims = _falling("rotating", rotating, rotating_rate)
 unturned_claims = _falling(
-    "unturned", unturned, unturned_rate, (above_turning_point, fall_is_no_rise)
+    "unturned",
+    unturned,
+    unturned_rate,
+    (above_turning_point, fall_is_no_rise),
+    (above_on_levels,),
 )
 
 # -- what this says of ε(γ) -----------------------------------------------------------------------
@@ -220,7 +234,9 @@ decrease_in_gamma = Claim(
         unfolded_decrease,
         turned_decrease,
     ),
-    note="For b = 1, which no body has, it is vertical where the handle passes a pole.",
+    note="At γ = 0 the second of these holds, and where the motion begins to turn, χ = π/2, the "
+    "last, on both sides, as Φ is F up to there. For b = 1, which no body has, it is vertical "
+    "where the handle passes a pole.",
 )
 
 one_level = Claim(

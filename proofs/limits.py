@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from flint import fmpq
 from sympy import Equivalent, Symbol, asin, atan, cos, exp, pi, sqrt
+from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.implicit_function import (
     G_at_origin,
@@ -93,6 +94,7 @@ implicit_solution = Claim(
     where=Place(line=368),
     expect=Verdict.ENCLOSED,
     note="Not for λ < 0, where e^{−1/s} is not flat.",
+    quotes=(IMPLICIT_FUNCTION,),
 )
 
 solution_in_that_form = Claim(
@@ -157,7 +159,7 @@ logarithm_stays = Claim(
     label="logarithm_stays",
     says=Equivalent(equal(_of_the_logarithm, 0), equal(a - b - 2 * a * b, 0)),
     given=(*shape, S > 0),
-    proof=(step(equal(a - b - 2 * a * b, 0), multiplying(4 * sqrt(a * b) ** 3 / S)),),
+    proof=(step(equal(a - b - 2 * a * b, 0), multiplying(4 * sqrt(a * b) ** 3 / S), roots),),
     note="The factor of the logarithm in ∂F/∂γ: only where a = b(1 + 2a) is there none.",
 )
 

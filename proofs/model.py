@@ -168,7 +168,7 @@ torque_free = Claim(
         r"-R^{\mathsf T}\dot R\,(M_2, M_3, M_1)^{\mathsf T}"
     ),
     says=equal(ImmutableMatrix([dM2_dt, dM3_dt, dM1_dt]), -spin * momentum),
-    proof=Definition(),
+    proof=Definition(assumes="no torque acts, so the angular momentum is fixed in space"),
     note="R M is fixed in space, so the derivative of M in the body is −RᵀṘ M.",
 )
 

@@ -9,21 +9,30 @@
 With u = 1/(a + 1) planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
 e = 2 arctan e^{−π} (tan e = 1/sinh π, cos e = tanh π) the claim ε₀ > e is
 arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)); arsinh is concave, so the left side is at least
-cπ, and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0.
+cπ (`arsinh_concave`), and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0, `floor_split`.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+from sympy import Symbol, Tuple, asin, asinh, atan, cos, exp, pi, sin, sinh, sqrt, tanh
 from tresym.proofs.conditions import ordered_moments, shape
+from tresym.proofs.exponent import arsinh_concave, exponent_gap, residual_increases
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, all_of, by, equal, step
+from tresym.ledger.claim import Claim, all_of, at, by, equal, step, together
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.reasons import algebra
+from tresym.ledger.reasons import (
+    algebra,
+    evaluating,
+    exponentials,
+    inverses,
+    roots,
+    trigonometry,
+)
 from tresym.racket.near.charts import arcsine_over
 from tresym.racket.notation import I1, I2, I3, a, b
 from tresym.reals.balls.boxes import Bound, box
@@ -63,11 +72,61 @@ product_is_approached = Claim(
 )
 
 
+_u = Symbol("u", real=True)
+_c = sqrt(1 - _u**2)
+_a, _b = 1 / _u - 1, _u / (1 + _u)
+_some = (_u > 0, _u < 1)
+
+planar_shape = Claim(
+    label="planar_shape",
+    says=Tuple(
+        equal(1 / (_a + 2), _b),
+        equal(sqrt(_a / (_a + _b)), _c),
+        equal(sqrt(_a * _b), _c / (1 + _u)),
+        equal(sqrt(_b / (_a + _b)), _u),
+    ),
+    given=_some,
+    proof=together(by(), by(), by(roots), by(roots)),
+    note="With a = 1/u − 1: a planar body, the factor of its equation, √(ab) and μ.",
+)
+
+_angle = 2 * atan(exp(-pi))
+
+floor_angle = Claim(
+    label="floor_angle",
+    says=Tuple(equal(cos(_angle) / sin(_angle), sinh(pi)), equal(cos(_angle), tanh(pi))),
+    proof=together(*(by(exponentials, inverses, trigonometry) for _ in range(2))),
+    note="The candidate for the floor.",
+)
+
+_turned = asin(_u * tanh(pi))
+
+floor_split = Claim(
+    label="floor_split",
+    says=equal(
+        asinh(_c * sinh(pi)) - _c / (1 + _u) * (pi + _turned),
+        asinh(_c * sinh(pi)) - _c * asinh(sinh(pi)) + _c * _u / (1 + _u) * (pi - _turned / _u),
+    ),
+    given=_some,
+    proof=by(algebra),
+    note="Q(e) − log(e/ε*) at the candidate: not negative, and what the bound is about.",
+)
+
+
 def _floor_margin(u: Any, m: Any) -> Any:
     """π − tanh π · arcsin(u tanh π)/(u tanh π)."""
     tangent = balls.pi.tanh()
     return balls.pi - tangent * arcsine_over(u * tangent)
 
+
+_planar = (
+    one_flip_defect,
+    realizable,
+    residual_increases,
+    exponent_gap,
+    planar_shape,
+    floor_angle,
+)
 
 rigid_body_floor = Claim(
     label="rigid_body_floor",
@@ -77,7 +136,7 @@ rigid_body_floor = Claim(
         (Bound(_floor_margin, box((0, 1)), sufficient=True),),
         ("u",),
         "b = 1/(a+2), a > 0, u = 1/(a+1)",
-        claims=(one_flip_defect, realizable),
+        claims=(*_planar, floor_split, arsinh_concave),
         stored=certificate("rigid_body_floor"),
     ),
     expect=Verdict.ENCLOSED,
@@ -85,17 +144,29 @@ rigid_body_floor = Claim(
 )
 
 
-def _excess(u: Any, m: Any) -> Any:
-    """c/(1+u) (π + arcsin(u cos e)) − arsinh(c / tan e) at e = 2 arctan e^{−π} + u."""
+_above = _angle + _u
+_excess = _c / (1 + _u) * (pi + asin(_u * cos(_above))) - asinh(_c * cos(_above) / sin(_above))
+
+excess_at_infinity = Claim(
+    label="excess_at_infinity",
+    says=equal(at(_excess, {_u: 0}), 0),
+    proof=by(evaluating, exponentials, inverses, roots, trigonometry),
+    shown=r"\left.\log(e/\epsilon_*) - Q(e)\right|_{e = 2\arctan e^{-\pi},\, u = 0} = 0",
+    note="log(e/ε*) − Q(e) at e = 2 arctan e^{−π} + u, in the limit a → ∞, where u = 1/(a+1) is 0.",
+)
+
+
+def _excess_at(u: Any, m: Any) -> Any:
+    """The same for numbers."""
     e = 2 * m.atan(m.exp(-m.pi)) + u
     c = m.sqrt(1 - u * u)
     return c / (1 + u) * (m.pi + m.asin(u * m.cos(e))) - m.asinh(c / m.tan(e))
 
 
 def _excess_slope(u: Any, m: Any) -> Any:
-    """The derivative of the excess, which itself vanishes at u = 0."""
+    """The derivative of the excess: by the mean value theorem the excess has its sign."""
     (at,) = coordinates((u,))
-    return _excess(at, gradients).slopes[0]
+    return _excess_at(at, gradients).slopes[0]
 
 
 floor_is_approached = Claim(
@@ -106,11 +177,12 @@ floor_is_approached = Claim(
         (Bound(_excess_slope, box((0, "1/8")), sufficient=True),),
         ("u",),
         "b = 1/(a+2), a >= 7, u = 1/(a+1)",
-        claims=(one_flip_defect, realizable),
+        claims=(*_planar, excess_at_infinity),
         stored=certificate("floor_is_approached"),
     ),
     expect=Verdict.ENCLOSED,
-    note="Hence the floor is the infimum, approached by planar bodies as a → ∞.",
+    note="log(e/ε*) − Q(e) at e = 2 arctan e^{−π} + u is 0 in the limit u = 0 and grows with u, so "
+    "that ε₀ < e. Hence the floor is the infimum, approached by planar bodies as a → ∞.",
 )
 
 floor_of_every_body = Claim(

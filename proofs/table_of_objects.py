@@ -48,9 +48,9 @@ def as_printed(**texts: str) -> tuple[Basic, ...]:
     """Conditions that symbols lie in the intervals their printed decimals stand for."""
     conditions: list[Basic] = []
     for name, text in texts.items():
-        low, high = printed_interval(text)
+        read = printed_interval(text)
         symbol = Symbol(name, real=True)
-        conditions += [symbol >= _rational(low), symbol <= _rational(high)]
+        conditions += [symbol >= _rational(read.low), symbol <= _rational(read.high)]
     return tuple(conditions)
 
 

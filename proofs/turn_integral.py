@@ -22,7 +22,9 @@ from tresym.ledger.reasons import (
     cutting,
     differentiating_integral,
     integrating,
+    roots,
     substituting,
+    trigonometry,
 )
 from tresym.racket.formulas import printed
 from tresym.racket.notation import F, S, a, b, epsilon, gamma, psi, theta, x
@@ -76,7 +78,7 @@ one_turn = Claim(
     label="one_turn",
     says=equal(_turn(gamma), pi),
     given=(*shape, b < 1, *defect, gamma >= 0),
-    proof=Definition(),
+    proof=Definition("one turn of the handle, before the motion turns back", (sine_to_the_middle,)),
     where=Place(display=49),
     note="What one turn of the handle means, by d48, while the motion has not turned.",
 )
@@ -110,13 +112,18 @@ logarithm_to_the_middle = Claim(
 
 slope_symbol = Claim(
     label="slope_symbol",
-    says=Tuple(
-        equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
-        equal(F_epsilon0, Derivative(_turn(Integer(0)), epsilon)),
-    ),
+    says=equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
+    given=(*shape, *defect, gamma > 0),
+    proof=Definition(claims=(sine_to_the_middle,)),
+    note="∂F/∂ε.",
+)
+
+slope_symbol_at_zero = Claim(
+    label="slope_symbol_at_zero",
+    says=equal(F_epsilon0, Derivative(_turn(Integer(0)), epsilon)),
     given=(*shape, *defect),
-    proof=Definition(),
-    note="∂F/∂ε, for any γ and at γ = 0.",
+    proof=Definition(claims=(sine_to_the_middle,)),
+    note="∂F/∂ε at γ = 0.",
 )
 
 slope_by_end = Claim(
@@ -134,7 +141,9 @@ slope_by_end_at_zero = Claim(
     label="slope_by_end_at_zero",
     says=equal(F_epsilon0, -_at_end),
     given=(*shape, b < 1, *defect),
-    proof=by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
+    proof=by(
+        substituting(slope_symbol_at_zero), differentiating_integral(Integer(0), sine_to_the_middle)
+    ),
     where=Place(display=51),
     note="At γ = 0.",
 )
@@ -148,10 +157,10 @@ _one_motion = (*shape, b < 1, *defect, S > 0)
 
 value_at_zero = Claim(
     label="value_at_zero",
-    says=equal(_value, _turn(Integer(0))),
+    says=equal(_turn(Integer(0)), _value),
     given=_one_motion,
-    proof=Definition(),
-    note="F at γ = 0; in one turn it is π.",
+    proof=Definition("the motion on the separatrix on which F is F0", (sine_to_the_middle,)),
+    note="An equation for ε; in one turn F₀ is π.",
 )
 
 value_reached = Claim(
@@ -196,7 +205,7 @@ slopes_of_the_excess = Claim(
     label="slopes_of_the_excess",
     says=Tuple(equal(excess_value, _by_value), equal(excess_epsilon, _by_end)),
     given=_one_motion,
-    proof=Definition(),
+    proof=Definition(claims=(sine_to_the_middle,)),
     note="The slopes of F − F₀ by F₀ and by ε.",
 )
 
@@ -239,7 +248,7 @@ defect_by_turn = Claim(
     given=_one_motion,
     proof=(
         step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
-        step(None, substituting(excess_by_value, excess_by_end)),
+        step(None, substituting(excess_by_value, excess_by_end), roots),
     ),
     where=Place(display=51),
 )
@@ -250,7 +259,7 @@ inverse_of_slope = Claim(
     given=_one_motion,
     proof=(
         step(-1 / _at_end, substituting(defect_by_turn)),
-        step(None, substituting(slope_by_end_at_zero)),
+        step(None, substituting(slope_by_end_at_zero), roots),
     ),
 )
 
@@ -278,7 +287,11 @@ slope_of_turn = Claim(
             Integral(_slope_of_f, (psi, epsilon, pi / 2)),
             substituting(derivative_under_the_integral),
         ),
-        step(None, integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle)),
+        step(
+            None,
+            integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle),
+            trigonometry,
+        ),
     ),
     where=Place(display=55),
 )
@@ -287,7 +300,7 @@ turn_symbol = Claim(
     label="turn_symbol",
     says=equal(F_gamma, _slope),
     given=(*shape, *defect),
-    proof=Definition(),
+    proof=Definition(claims=(sine_to_the_middle,)),
     note="∂F/∂γ at γ = 0.",
 )
 
@@ -304,6 +317,7 @@ implicit_defect = Claim(
             step(
                 -printed.integrand(epsilon, a, b, 0, S, sympy),
                 differentiating_integral(Integer(0), sine_to_the_middle),
+                roots,
             ),
         ),
         bounds=(sine_to_the_middle,),
@@ -317,7 +331,9 @@ implicit_derivative = Claim(
     says=equal(defect_gamma, -defect_F * F_gamma),
     given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
     proof=(
-        step(-F_gamma / F_epsilon0, substituting(implicit_defect, turn_symbol, slope_symbol)),
+        step(
+            -F_gamma / F_epsilon0, substituting(implicit_defect, turn_symbol, slope_symbol_at_zero)
+        ),
         step(None, substituting(inverse_of_slope)),
     ),
     where=Place(display=50),
@@ -332,6 +348,6 @@ S_drops_out = Claim(
         * printed.turn_slope_asymptotic(epsilon, a, b, 1, sympy),
     ),
     given=(*shape, b < 1, *defect, cos(theta) ** 2 > 0),
-    proof=by(substituting(sign_of_tilt)),
+    proof=by(substituting(sign_of_tilt), roots),
     where=Place(line=417),
 )

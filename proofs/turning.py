@@ -208,7 +208,7 @@ half_a_turn_before = Claim(
     label="half_a_turn_before",
     says=equal(_phase(c), pi),
     given=(*shape, c > -b, c < 0, *half_time),
-    proof=Definition(),
+    proof=Definition(assumes="half a turn of the handle, at the time chi before psi = pi/2"),
     note="Where ε is read.",
 )
 

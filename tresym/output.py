@@ -37,6 +37,7 @@ def writing(path: str) -> Iterator[str]:
         else:
             goal = os.path.realpath(path)
             aside = f"{goal}.{os.getpid()}.part"
+            _remove_what_the_dead_left(goal)
             yield aside
             os.replace(aside, goal)
     except InputError:
@@ -49,6 +50,27 @@ def writing(path: str) -> Iterator[str]:
         if aside is not None:
             with suppress(OSError):
                 os.remove(aside)
+
+
+def _remove_what_the_dead_left(goal: str) -> None:
+    """Remove the files aside of processes that were killed while they wrote."""
+    folder, name = os.path.split(goal)
+    for found in os.listdir(folder or "."):
+        process = found.removeprefix(f"{name}.").removesuffix(".part")
+        is_ours = found == f"{name}.{process}.part" and process.isdecimal()
+        if is_ours and not _is_alive(int(process)):
+            with suppress(OSError):
+                os.remove(os.path.join(folder, found))
+
+
+def _is_alive(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True
 
 
 def colour_wanted() -> bool:

@@ -22,6 +22,7 @@ from tresym.ledger.claim import (
     step,
     together,
 )
+from tresym.ledger.finding import Premise
 from tresym.ledger.reasons import algebra, citing, substituting
 from tresym.reals.verdict import Verdict
 
@@ -65,6 +66,12 @@ def test_a_claim_is_all_that_it_says_and_does_not_change() -> None:
     assert A != "A"
     with pytest.raises(FrozenInstanceError):
         A.expect = Verdict.REFUTED
+
+
+def test_a_definition_is_expected_to_be_one() -> None:
+    assert (A.kind, A.expect) == ("definition", Premise.DEFINED)
+    assert named("A", Definition("so it is")).expect is Premise.ASSUMED
+    assert named("A", by(algebra)).expect is Verdict.PROVED
 
 
 def test_equations_are_not_evaluated() -> None:

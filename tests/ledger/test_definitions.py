@@ -4,15 +4,51 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from sympy import Basic, Eq, Gt, Integer, Integral, Symbol
+from sympy import (
+    Abs,
+    Basic,
+    Derivative,
+    Dummy,
+    Eq,
+    Gt,
+    Integer,
+    Integral,
+    Rational,
+    Subs,
+    Symbol,
+    default_sort_key,
+    exp,
+    expand,
+    log,
+    sqrt,
+)
 
 from tresym.commands import main
-from tresym.ledger.claim import Claim, Definition, all_of, by, equal, formally, step
-from tresym.ledger.definitions import conflict
-from tresym.ledger.finding import Finding
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+    ImplicitFunction,
+    Place,
+    all_of,
+    by,
+    equal,
+    formally,
+    parts_of,
+    step,
+)
+from tresym.ledger.definitions import captured, conflict
+from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import all_claims
-from tresym.ledger.reasons import integrating, substituting
+from tresym.ledger.reasons import (
+    changing_variable,
+    citing,
+    differentiation,
+    evaluating,
+    integrating,
+    substituting,
+)
+from tresym.ledger.second_look import scalars
 from tresym.ledger.verification import verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -117,9 +153,12 @@ def test_four_is_not_nine_by_equations_for_integrals() -> None:
     """∫₀ˣ 2t dt = 4 makes x = 2, ∫₀ˣ 3t² dt = 27 makes it 3, and each may stand alone."""
     given = (x > 0,)
     double, treble = area(2 * t), area(3 * t**2)
-    four, cubed = new("four", equal(double, 4), *given), new("cubed", equal(treble, 27), *given)
-    nine, three = new("nine", equal(double, 9), *given), new("three", equal(x, 3))
-    assert {judged(claim) for claim in (four, cubed, nine, three)} == {Verdict.PROVED}
+    four, nine, cubed = (
+        new(f"to be {n}", equal(area, n), *given, assumes="so I say")
+        for area, n in ((double, 4), (double, 9), (treble, 27))
+    )
+    three = new("three", equal(x, 3))
+    assert {judged(claim) for claim in (four, cubed, nine)} == {Premise.ASSUMED}
     middle = Claim("middle", equal(double, 4), by(substituting(four)), given=given)
     assert judged(middle) is Verdict.PROVED
     square, cube = integrating(t**2), integrating(t**3)
@@ -148,6 +187,169 @@ def test_what_is_assumed_must_be_possible_as_the_other_symbols_are_defined() -> 
     assert conflict((two, same, three)) is not None
     to, fro = new("to", equal(x, y), assumes="this"), new("fro", equal(y, x + 1), assumes="that")
     assert conflict((to, fro)) is not None
+
+
+UNDEFINED = {
+    "a pole": equal(y, 1 / x),
+    "an integral across a pole": equal(y, Integral(1 / t, (t, -1, 1))),
+    "an integral whose end has no value": equal(y, Integral(t, (t, 0, log(x)))),
+    "an integral of what is a root of less than nothing": equal(y, Integral(sqrt(t), (t, -1, 1))),
+    "a derivative at a kink": equal(y, Derivative(Abs(x), x)),
+    "a derivative where nothing is": equal(y, Derivative(log(x), x)),
+    "a derivative of an integral up to a pole": equal(y, Derivative(area(1 / (t - 1)), x)),
+    "a value at a pole": equal(y, Subs(1 / x, x, 0)),
+    "a slope at a kink": equal(y, Subs(Derivative(Abs(x), x), x, 0)),
+    "a value at a pole of the value": equal(y, Subs(x, x, 1 / z)),
+}
+
+
+@pytest.mark.parametrize("says", UNDEFINED.values(), ids=UNDEFINED)
+def test_what_is_defined_exists(says: Basic) -> None:
+    assert judged(new("none", says)) is Verdict.UNDECIDED
+    assert judged(new("none", says, assumes="so I say")) is Verdict.UNDECIDED
+
+
+def test_what_is_defined_exists_under_its_conditions() -> None:
+    above = Claim("above", Gt(1 + t, 0, evaluate=False), (step(1 + t),), given=(t >= 0, t <= x))
+    for says, given, claims in (
+        (equal(y, 1 / x), (x > 0,), ()),
+        (equal(y, Integral(1 / (1 + t), (t, 0, x))), (x > 0,), ()),
+        (equal(y, Derivative(log(x), x)), (x > 0,), ()),
+        (equal(y, Derivative(area(1 / (1 + t)), x)), (x > 0,), (above,)),
+        (equal(y, Subs(Derivative(log(z), z), z, x)), (x > 0,), ()),
+        (equal(y, Subs(Derivative(area(exp(z * t)), z), z, 0)), (), ()),
+    ):
+        assert judged(Claim("there", says, Definition(claims=claims), given=given)).holds
+
+
+def test_a_definition_does_not_ask_for_itself() -> None:
+    """x := y for x > 5 says nothing for a y below 5: the condition is on the symbol itself."""
+    early = new("early", equal(x, y), x > 5)
+    assert judged(early) is Verdict.UNDECIDED
+    assert "on itself" in judge(early, {}).why
+    user = Claim("user", x > 5, (step(x - 5),), given=(x > 5,))
+    assert judged(user) is Verdict.PROVED
+
+
+def test_an_equation_defines_nothing_that_is_not_assumed_by_name() -> None:
+    says = equal(area(2 * t), 4)
+    assert judged(new("root", says, x > 0)) is Verdict.UNDECIDED
+    assert judged(new("root", says, x > 0, assumes="x is there")) is Premise.ASSUMED
+    assert judged(new("root", equal(area(2 * t), -1), assumes="there is none")) is Verdict.UNDECIDED
+
+
+def test_a_claim_is_not_proved_of_what_an_assumed_equation_excludes() -> None:
+    four = new("four", equal(area(2 * t), 4), x > 0, assumes="x is 2")
+    steps = (step(area(2 * t), integrating(t**2)), step(None, substituting(four)))
+    assert judged(Claim("user", equal(x**2, 4), steps, given=(x > 1,))) is Verdict.PROVED
+    assert not judged(Claim("user", equal(x**2, 4), steps, given=(x > 5,))).holds
+
+
+def _planted() -> dict[str, Claim]:
+    """What a bound on x = 1/2 would prove of every x that is bound, or that only looks like it."""
+    positive, dummy = Symbol("x", positive=True), Dummy("x", real=True)
+    below = _below_three()
+    twice = Claim("twice", Gt(4 - x, 0, evaluate=False), (step(4 - x, citing(below)),))
+
+    def across(v: Symbol, bound: Claim = below) -> Claim:
+        says = equal(Integral((3 - v) ** -2, (v, 0, 10)), -Rational(10, 21))
+        return Claim("across", says, by(integrating(1 / (3 - v), bound)))
+
+    def positive_area(v: Symbol, bound: Claim = below) -> Claim:
+        says = Gt(Integral(4 - v, (v, 0, 100)), 0, evaluate=False)
+        return Claim("area", says, (step(says.lhs, citing(bound)),))
+
+    return {
+        "under an integral": across(x),
+        "of another kind": across(positive),
+        "of no name": across(dummy),
+        "through two uses": positive_area(x, twice),
+        "of another kind through two uses": positive_area(positive, twice),
+        "at a value": Claim("at", equal(Subs(Abs(x - 3), x, 5), -2), by(citing(below), evaluating)),
+        "in a derivative": Claim(
+            "slope", equal(Derivative(Abs(x - 3), x), -1), by(citing(below), differentiation)
+        ),
+        "by a new variable": Claim(
+            "new",
+            equal(Integral(1 / (3 - y) ** 2, (y, 0, 10)), -Rational(10, 21)),
+            (
+                step(Integral(1 / (3 - x) ** 2, (x, 0, 10)), changing_variable(y, below)),
+                step(None, integrating(1 / (3 - x), below)),
+            ),
+        ),
+        "beside it": Claim("by", Gt(1 - x, 0, evaluate=False), (step(1 - x, citing(below)),)),
+    }
+
+
+def _below_three() -> Claim:
+    half = new("half", equal(x, Rational(1, 2)))
+    shown = (step(Rational(5, 2), substituting(half)),)
+    return Claim("below", Gt(3 - x, 0, evaluate=False), shown)
+
+
+@pytest.mark.parametrize("claim", _planted().values(), ids=_planted())
+def test_what_is_defined_is_bound_nowhere(claim: Claim) -> None:
+    assert judged(_below_three()) is Verdict.PROVED
+    assert not judged(claim).holds
+
+
+def test_what_is_defined_is_not_generalised() -> None:
+    """y is x², and no variable by which an implicit function of it could be differentiated."""
+    square = new("square", equal(y, x**2), x > 0)
+    level = Claim("level", equal(x**2 - y, 0), by(substituting(square)), given=(x > 0,))
+    left, slope = x**2 - y, Symbol("r", real=True)
+    at_one = left.xreplace({y: ONE})
+    says = equal(slope, -Subs(Derivative(left, y), y, 1) / Derivative(at_one, x))
+    proof = ImplicitFunction(level, x, y, ONE, (step(2 * x, differentiation),))
+    user = Claim("user", says, proof, given=(x > 0,))
+    assert judged(user) is Verdict.UNDECIDED
+    assert captured(user) == "y is defined by square, and bound here"
+
+
+def test_a_conflict_names_both_places(ledger: Callable[..., None]) -> None:
+    one = Claim("one", equal(x, 1), Definition(), where=Place(display=8))
+    two = Claim("two", equal(x, 2), Definition(), where=Place(line=30))
+    ledger(one, two)
+    with pytest.raises(
+        InputError, match=r"x is defined by one \(display 8\) and by two \(line 30\)"
+    ):
+        verify()
+
+
+WRITTEN_OUT = {"eq_Mi"}
+"""What is put in as a product of matrices, and said entry by entry."""
+
+
+def _shapes(claim: Claim) -> list[frozenset[tuple[Basic, Basic]] | None]:
+    """Each equation of a claim as left side minus right side, up to a factor; None for others."""
+    shapes: list[frozenset[tuple[Basic, Basic]] | None] = []
+    for part in (p for whole in parts_of(claim.says) for p in scalars(whole)):
+        if not isinstance(part, Eq):
+            shapes.append(None)
+            continue
+        terms = expand(part.args[0] - part.args[1]).as_coefficients_dict()
+        unit = terms[min(terms, key=default_sort_key)]
+        shapes.append(frozenset((term, factor / unit) for term, factor in terms.items()))
+    return shapes
+
+
+def _said_by_premises(claim: Claim) -> bool:
+    """Whether all that the claim says is among the definitions and assumptions it rests on."""
+    if isinstance(claim.says, str) or isinstance(claim.proof, Definition | ImplicitFunction):
+        return False
+    premises = (c for c in claim.rests_on if isinstance(c.proof, Definition | ImplicitFunction))
+    put_in = {shape for premise in premises for shape in _shapes(premise)}
+    return all(shape in put_in for shape in _shapes(claim))
+
+
+def test_no_claim_says_what_was_put_in() -> None:
+    total = new("total", equal(x, y + t * z))
+    moved = Claim("moved", equal(x - y, t * z), by(substituting(total)))
+    twice = Claim("twice", equal(2 * x, 2 * y + 2 * t * z), by(substituting(total)))
+    other = Claim("other", equal(x**2, (y + t * z) ** 2), by(substituting(total)))
+    assert [_said_by_premises(claim) for claim in (moved, twice, other)] == [True, True, False]
+    said = {claim.label for claim in all_claims() if _said_by_premises(claim)}
+    assert said == WRITTEN_OUT
 
 
 def test_what_rests_on_itself_is_refused(ledger: Callable[..., None]) -> None:

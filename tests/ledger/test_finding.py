@@ -6,7 +6,7 @@ from dataclasses import FrozenInstanceError
 
 import pytest
 
-from tresym.ledger.finding import Finding, StepFinding
+from tresym.ledger.finding import RULINGS, Finding, Premise, StepFinding
 from tresym.reals.verdict import Verdict
 
 
@@ -15,6 +15,12 @@ def test_what_is_not_found_is_not_there() -> None:
     nothing = (found.value, found.constant, found.region, found.parameter, found.witness)
     assert nothing == (None,) * 5
     assert found.steps == found.trees == ()
+
+
+def test_premises_hold_and_are_counted_apart() -> None:
+    assert all(premise.holds for premise in Premise)
+    names = [ruling.value for ruling in RULINGS]
+    assert names == ["PROVED", "ENCLOSED", "REFUTED", "UNDECIDED", "DEFINED", "ASSUMED"]
 
 
 def test_findings_do_not_change() -> None:

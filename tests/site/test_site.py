@@ -45,7 +45,7 @@ def ledger(report: Report) -> claims.Record:
 
 def test_every_claim_has_a_page(ledger: claims.Record) -> None:
     pages = dict(claims.pages(ledger, {}))
-    assert set(pages) == {"index.md", *(f"{label}.md" for label in ledger["claims"])}
+    assert set(pages) == {"index.md", claims.AXIOMS, *(f"{label}.md" for label in ledger["claims"])}
     for label, claim in ledger["claims"].items():
         page = pages[f"{label}.md"]
         assert f"# `{label}`" in page
@@ -53,6 +53,25 @@ def test_every_claim_has_a_page(ledger: claims.Record) -> None:
         for other in (*claim["uses"], *claim["used_by"], *claim["amended_by"]):
             assert f"(/claims/{other}.md)" in page, (label, other)
         assert f"(/claims/{label}.md)" in pages["index.md"]
+
+
+def test_quoted_theorems_have_a_page_and_stand_on_those_of_their_claims(
+    ledger: claims.Record,
+) -> None:
+    pages = dict(claims.pages(ledger, {}))
+    page = pages[claims.AXIOMS]
+    for name, axiom in ledger["axioms"].items():
+        assert name[:1].upper() + name[1:] in page
+        assert axiom["source"]
+        assert axiom["claims"]
+        for label in axiom["claims"]:
+            assert f"(/claims/{label}.md)" in page
+            assert sentence(axiom["source"]) in pages[f"{label}.md"]
+    assert all(axiom["rule"] and axiom["source"] for axiom in ledger["rules"].values())
+    for label, claim in ledger["claims"].items():
+        assert all(label in ledger["axioms"][name]["claims"] for name in claim["axioms"])
+    assert claims.AXIOMS in pages["index.md"]
+    assert claims.AXIOMS not in pages["eq_gamma.md"]
 
 
 def test_pages_tell_no_time_but_a_saved_one(ledger: claims.Record) -> None:

@@ -430,6 +430,64 @@ def test_parquet_without_pyarrow_is_refused_before_any_work(
     assert not (tmp_path / "t").exists()
 
 
+def test_an_export_replaces_only_an_export(tmp_path: Path) -> None:
+    (tmp_path / "in.csv").write_text("a,b\n3,1/2\n")
+    (tmp_path / "letter.csv").write_text("dear,reader\n")
+    (tmp_path / "letter.parquet").write_text("no table")
+    source, path = CsvFile(str(tmp_path / "in.csv")), str(tmp_path / "t.csv")
+    kept = {p.name: p.read_bytes() for p in tmp_path.iterdir()}
+    for name in ("in.csv", "letter.csv", "t.csv", "letter.parquet"):
+        with pytest.raises(InputError, match="another file"):
+            sweep(source, path, 5, serial, export=str(tmp_path / name))
+    assert {p.name: p.read_bytes() for p in tmp_path.iterdir()} == kept
+    for _ in range(2):
+        sweep(source, path, 5, serial, export=str(tmp_path / "out.csv"))
+    assert (tmp_path / "out.csv").read_text().startswith("line,")
+
+
+@pytest.mark.parametrize("damage", ["DELETE FROM rows WHERE line = 9", "DELETE FROM rows"])
+def test_rows_that_are_missing_are_computed_again(tmp_path: Path, damage: str) -> None:
+    path = str(tmp_path / "t")
+    sweep(GRID, path, 5, serial)
+    whole = [row[: len(row) - 1] for row in rows_of(path)]
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute(damage)
+        connection.commit()
+    assert sweep(GRID, path, 5, serial).computed > 0
+    assert [row[: len(row) - 1] for row in rows_of(path)] == whole
+
+
+def test_a_row_too_many_is_noticed(tmp_path: Path) -> None:
+    path, file = str(tmp_path / "t"), tmp_path / "in.csv"
+    file.write_text("a,b\n3,1/2\n\n4,1/2\n")
+    sweep(CsvFile(str(file)), path, 5, serial)
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute("INSERT INTO rows (line, a) VALUES (3, 'x')")
+        connection.commit()
+    assert sweep(CsvFile(str(file)), path, 5, serial).rows == 2
+
+
+def test_a_damaged_table_is_refused_in_one_line(tmp_path: Path) -> None:
+    path = tmp_path / "t"
+    sweep(GRID, str(path), 20, serial)
+    data = bytearray(path.read_bytes())
+    data[4096:] = b"\xff" * (len(data) - 4096)
+    path.write_bytes(data)
+    with pytest.raises(InputError) as caught:
+        sweep(GRID, str(path), 20, serial, export=str(tmp_path / "t.csv"))
+    assert "\n" not in str(caught.value)
+
+
+def test_what_a_killed_export_left_is_removed(tmp_path: Path) -> None:
+    gone = subprocess.Popen([sys.executable, "-c", ""])
+    gone.wait()
+    (tmp_path / f"t.csv.{gone.pid}.part").write_text("half")
+    (tmp_path / f"t.csv.{os.getppid()}.part").write_text("somebody writes")
+    sweep(Grid.read("1", "1"), str(tmp_path / "t"), 5, serial, export=str(tmp_path / "t.csv"))
+    left = sorted(p.name for p in tmp_path.glob("*.part"))
+    assert left == [f"t.csv.{os.getppid()}.part"]
+
+
 @pytest.mark.parametrize("name", ["t.xlsx", "nowhere/t.csv", "folder.csv"])
 def test_an_export_that_cannot_be_written_is_one_line(tmp_path: Path, name: str) -> None:
     (tmp_path / "folder.csv").mkdir()

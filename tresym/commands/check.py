@@ -9,6 +9,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from fractions import Fraction
 from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -43,6 +44,9 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "-f", dest="file", metavar="FILE", help="one claim a line; # comments; - reads input"
     )
+    parser.add_argument(
+        "--coq", metavar="PROOF.v", help="write statement and proof for Coq; coqc is run if there"
+    )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
     add_output(parser)
     parser.set_defaults(run=run)
@@ -53,7 +57,9 @@ def run(args: argparse.Namespace) -> int:
     if (args.claim is None) == (args.file is None):
         raise InputError("check: give either one claim or -f FILE")
     if args.file is None:
-        return one(args.claim, args.given, args.tends, args.limit, args.json, args.path)
+        return one(args.claim, args.given, args.tends, args.limit, args.json, args.path, args.coq)
+    if args.coq is not None:
+        raise InputError("check: --coq writes one claim; give it without -f")
     return many(args.file, args.given, args.tends, args.limit, args.json, args.path)
 
 
@@ -61,6 +67,7 @@ MAX_BYTES = 50_000_000
 
 
 MAX_SECONDS = 86_400
+LEAST_SECONDS = 0.001
 
 
 REFUTED, BAD, UNDECIDED = 1, 2, 3
@@ -70,16 +77,49 @@ _STATUS = {Verdict.REFUTED: REFUTED, Verdict.UNDECIDED: UNDECIDED}
 
 
 def one(
-    claim: str, given: str, path: str | None, limit: str, as_json: bool, target: str | None
+    claim: str,
+    given: str,
+    path: str | None,
+    limit: str,
+    as_json: bool,
+    target: str | None,
+    coq: str | None = None,
 ) -> int:
     """Decide one claim and show the answer; returns the exit status."""
     from tresym.reals.decisions.limits import Task, check_within
 
     answer = check_within(Task(claim.strip(), given, path), _seconds(limit))
     colour = colour_wanted() and target is None
-    text = _line(answer) if as_json else answer_text(answer, colour)
+    said = None if coq is None else _in_coq(claim.strip(), given, path, answer, coq)
+    if as_json:
+        value = answer.as_json() if said is None else answer.as_json() | {"coq": said}
+        text = json.dumps(value, ensure_ascii=False) + "\n"
+    else:
+        text = answer_text(answer, colour)
+        text += "" if said is None else f"  {dim('coq        ', colour)}{said['says']}\n"
     _show_all(text, target)
     return _STATUS.get(answer.verdict, 0)
+
+
+def _in_coq(
+    claim: str, given: str, path: str | None, answer: Answer, target: str
+) -> dict[str, object]:
+    """What came of the claim in Coq; the file is written where there is a proof."""
+    from tresym.coq.search import export
+    from tresym.coq.statement import NotExportedError, theorems
+    from tresym.output import write_text
+    from tresym.reals.decisions.reading import read
+
+    if not answer:
+        return {"accepted": None, "says": "only what is PROVED or ENCLOSED is exported to Coq"}
+    try:
+        outcome = export(theorems(read(claim, given, path)))
+    except NotExportedError as error:
+        return {"accepted": None, "says": str(error)}
+    if outcome.accepted is False:
+        return {"accepted": False, "says": f"{outcome.says}; nothing is written"}
+    write_text(target, outcome.text)
+    return {"accepted": outcome.accepted, "says": f"{target}: {outcome.says}"}
 
 
 def many(
@@ -182,7 +222,7 @@ def _seconds(text: str) -> float:
     value = parse_number(text, "--limit")
     if not 0 < value <= MAX_SECONDS:
         raise InputError(f"--limit: more than 0 and at most {MAX_SECONDS} seconds")
-    return float(value.p) / float(value.q)
+    return max(float(Fraction(int(value.p), int(value.q))), LEAST_SECONDS)
 
 
 def _show_all(text: str, target: str | None) -> None:

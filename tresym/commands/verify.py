@@ -17,6 +17,7 @@ from tresym.commands.parser import (
     deliver,
     worker_count,
 )
+from tresym.ledger.finding import RULINGS, Premise, Ruling
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
 
@@ -30,7 +31,8 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "verify",
         help="a verdict on every claim, or on some and all they rest on",
-        description="Judge the paper's statements: PROVED, ENCLOSED, REFUTED or UNDECIDED.",
+        description="Judge the paper's statements: PROVED, ENCLOSED, REFUTED or UNDECIDED; "
+        "what is put in is DEFINED or ASSUMED.",
         epilog="Exit status 1 when a verdict is not the expected one, or when a mutant holds.",
         allow_abbrev=False,
     )
@@ -107,11 +109,13 @@ def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
     return UNEXPECTED if report.survivors or report.stopped else 0
 
 
-STYLES = {
+STYLES: dict[Ruling, str] = {
     Verdict.PROVED: "green",
     Verdict.ENCLOSED: "cyan",
     Verdict.REFUTED: "magenta",
     Verdict.UNDECIDED: "bold yellow",
+    Premise.DEFINED: "blue",
+    Premise.ASSUMED: "bright_blue",
 }
 
 
@@ -189,7 +193,7 @@ def _progress(doing: str, console: Console) -> Progress:
 
 def _counts(counts: dict[str, int]) -> Table:
     table = Table(show_header=False, box=None, pad_edge=False)
-    for verdict in Verdict:
+    for verdict in RULINGS:
         table.add_row(Text(verdict.value, style=STYLES[verdict]), str(counts[verdict.value]))
     return table
 
@@ -230,4 +234,7 @@ def _summary(report: Report) -> Table:
     unexpected = sum(not row.as_expected for row in report.rows)
     outcome = "every verdict is as expected" if not unexpected else f"{unexpected} not as expected"
     table.add_row("", Text(outcome, style="green" if not unexpected else "bold red"))
+    resting = sum(bool(row.claim.axioms) for row in report.rows)
+    theorems = len(report.axioms)
+    table.add_row("", f"{resting} of them rest on {theorems} quoted theorems")
     return table

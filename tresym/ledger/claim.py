@@ -20,6 +20,8 @@ from typing import Any
 from flint import arb, fmpq
 from sympy import Basic, Derivative, Eq, Expr, Subs, Symbol, Tuple
 
+from tresym.ledger.axioms import Axiom
+from tresym.ledger.finding import Premise, Ruling
 from tresym.reals.verdict import Verdict
 
 
@@ -105,10 +107,17 @@ Chain = tuple[Step, ...]
 class Definition:
     """The claim introduces symbols: each is new, defined once, by symbols known before.
 
-    ``assumes`` names what is assumed of symbols that are defined elsewhere: physics that is put in.
+    ``assumes`` names what is put in: an equation for symbols that are defined elsewhere, or for one
+    under an integral. ``claims`` are proved inequalities by which what is defined exists.
     """
 
     assumes: str = ""
+    claims: tuple[Claim, ...] = ()
+
+    @property
+    def premise(self) -> Premise:
+        """What the claim is: a definition, or assumed."""
+        return Premise.ASSUMED if self.assumes else Premise.DEFINED
 
 
 @dataclass(frozen=True)
@@ -249,14 +258,15 @@ class Claim:
         given: SymPy relations that hold wherever the claim is made.
         proof: the evidence; its type decides how the claim is judged.
         where: the place in the paper; None for a lemma of ours.
-        expect: the verdict this claim must get.
+        expect: the verdict this claim must get; of a definition, what its evidence says.
         amended_by: for a claim expected REFUTED, the claims that are true instead.
         note: one or two sentences for the reader.
-        kind: identity, number, bound, order, limit or statement.
+        kind: identity, number, bound, order, limit or statement; of a definition, definition.
         shown: LaTeX for reports, where the statement written out would hide what it says.
         paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
             where ``says`` is a sharper reading, which is ours.
         fault: for a claim expected REFUTED, what is wrong with the paper there.
+        quotes: theorems that the evidence applies and no claim shows.
     """
 
     label: str
@@ -265,12 +275,18 @@ class Claim:
     kind: str = "identity"
     given: tuple[Basic, ...] = ()
     where: Place | None = None
-    expect: Verdict = Verdict.PROVED
+    expect: Ruling = Verdict.PROVED
     amended_by: tuple[Claim, ...] = ()
     note: str = ""
     shown: str | None = None
     paper_says: str = ""
     fault: Fault = Fault.STATEMENT
+    quotes: tuple[Axiom, ...] = ()
+
+    def __post_init__(self) -> None:
+        if isinstance(self.proof, Definition):
+            object.__setattr__(self, "kind", "definition")
+            object.__setattr__(self, "expect", self.proof.premise)
 
     def __hash__(self) -> int:
         return hash(self.label)
@@ -288,22 +304,63 @@ class Claim:
             order.update(dict.fromkeys((*claim.rests_on, claim)))
         return tuple(order)
 
+    @cached_property
+    def axioms(self) -> tuple[Axiom, ...]:
+        """The theorems quoted by the claim or by anything that it rests on, each once."""
+        quoted = (axiom for claim in (*self.rests_on, self) for axiom in claim.quotes)
+        return tuple(dict.fromkeys(quoted))
+
+
+def expressions(claim: Claim) -> Iterator[Basic]:
+    """Everything that the claim and its evidence write down: what is said, given, and each step."""
+    proof = claim.proof
+    if isinstance(claim.says, Basic):
+        yield claim.says
+    yield from claim.given
+    match proof:
+        case UniqueRoot():
+            yield from (proof.function, proof.low, proof.high)
+        case ImplicitFunction():
+            yield from (proof.unknown, proof.parameter, proof.at)
+        case Formally():
+            yield from proof.relations
+    for chain in _chains(proof):
+        for link in chain:
+            reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
+            written = (link.expression, *(e for three in reasons for e in three))
+            yield from (e for e in written if e is not None)
+
+
+def _chains(proof: Evidence) -> tuple[Chain, ...]:
+    """The chains that a piece of evidence consists of."""
+    match proof:
+        case Together(chains):
+            return chains
+        case UniqueRoot():
+            return proof.derivative, proof.at_low, proof.at_high
+        case ImplicitFunction():
+            return (proof.slope,)
+        case tuple():
+            return (proof,)
+        case _:
+            return ()
+
+
+def put_in_by(claim: Claim) -> tuple[Claim, ...]:
+    """The claims that the evidence puts in: they hold here where all their conditions do."""
+    if isinstance(claim.proof, Formally):
+        return claim.uses
+    reasons = (r for chain in _chains(claim.proof) for link in chain for r in link.reasons)
+    return tuple(dict.fromkeys(c for r in reasons if r.name == "substituting" for c in r.claims))
+
 
 def _named(proof: Evidence) -> Iterator[Claim]:
     """Every claim that a piece of evidence names."""
-    match proof:
-        case Together(chains):
-            for chain in chains:
-                yield from _named(chain)
-        case UniqueRoot():
-            for chain in (proof.derivative, proof.at_low, proof.at_high):
-                yield from _named(chain)
-        case ImplicitFunction():
-            yield from (proof.equation, *proof.bounds)
-            yield from _named(proof.slope)
-        case tuple():
-            for link in proof:
-                for reason in link.reasons:
-                    yield from reason.claims
-        case _:
-            yield from getattr(proof, "claims", ())
+    if isinstance(proof, ImplicitFunction):
+        yield from (proof.equation, *proof.bounds)
+    for chain in _chains(proof):
+        for link in chain:
+            for reason in link.reasons:
+                yield from reason.claims
+    if not isinstance(proof, tuple):
+        yield from getattr(proof, "claims", ())

@@ -1,22 +1,165 @@
-"""The table of definitions: each symbol once, by symbols that do not come back to it.
+"""The table of definitions: one for the whole paper, checked before anything rests on it.
 
-Two definitions of one symbol together prove anything, and so do two that go round in a circle.
+Each symbol is defined once, or once in each of several cases, by symbols that do not come back to
+it and by a term that exists under the conditions of its definition. Two definitions of one symbol
+together prove anything, and so do two that go round in a circle. What is defined is a constant: it
+is bound nowhere, and no symbol passes for another of its name.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from itertools import combinations
+from typing import NamedTuple
 
-from sympy import Basic, Integral, Symbol
-from sympy.core.relational import Relational
+from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
 
-from tresym.ledger.claim import Claim, Definition, equal
-from tresym.ledger.evidence.defined import Conditions
+from tresym.ledger.claim import Claim, Definition, UniqueRoot, expressions, parts_of
+from tresym.ledger.evidence.integrals import NotShownError, need_value
 from tresym.ledger.evidence.manifest import is_manifest
-from tresym.ledger.meaning import DEFINING, CircularError, Rules, definitions, put_in
-from tresym.ledger.second_look import satisfiable
+from tresym.ledger.finding import Finding
+from tresym.ledger.meaning import (
+    DEFINING,
+    CircularError,
+    Conditions,
+    Rules,
+    conditions,
+    definitions,
+    known,
+    misread,
+    put_in,
+    sides,
+    tree,
+)
+from tresym.ledger.second_look import satisfiable, scalars
+from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.formula import names
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
+
+UNDECIDED = Verdict.UNDECIDED
+
+
+class Entry(NamedTuple):
+    """A line of the table: what is defined, by what, and the claim that says so."""
+
+    symbol: Expr
+    """A symbol; or the integral of an equation for what stands under it."""
+    meaning: Expr
+    claim: Claim
+    written: Eq
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The symbols of both sides."""
+        return symbols(self.symbol) | symbols(self.meaning)
+
+
+def table(claims: Iterable[Claim]) -> tuple[Entry, ...]:
+    """What the claims define, or assume, in order."""
+    return tuple(
+        Entry(tree(e.lhs), tree(e.rhs), claim, e)
+        for claim in claims
+        if isinstance(claim.proof, DEFINING)
+        for e in _equations(claim)
+    )
+
+
+def _equations(claim: Claim) -> Iterator[Eq]:
+    """The equations of a claim, entry by entry, as they are written."""
+    parts = (part for part in parts_of(claim.says) if isinstance(part, Eq))
+    yield from (entry for part in parts for entry in scalars(part))
+
+
+def implicit(claims: Iterable[Claim]) -> tuple[Eq, ...]:
+    """The equations for integrals that the claims assume, and that restrict their symbols."""
+    return tuple(entry.written for entry in _restrictions(table(claims)))
+
+
+def _restrictions(entries: tuple[Entry, ...]) -> list[Entry]:
+    """The equations for integrals, but for those that only give a symbol of their own its value."""
+
+    def own(entry: Entry) -> bool:
+        others = (e.names for e in entries if e != entry)
+        return entry.meaning.op == "symbol" and not any(
+            symbols(entry.meaning) <= names for names in (symbols(entry.symbol), *others)
+        )
+
+    return [e for e in entries if e.symbol.op != "symbol" and not own(e)]
+
+
+def judge_definition(claim: Claim, proof: Definition) -> Finding:
+    """A definition holds when its symbols are new, each defined once, by what has a value.
+
+    An equation for an integral defines a symbol in it only where it is assumed, by name, that there
+    is one; a point is looked for that satisfies it.
+    """
+    why = _ill_defined(claim, proof)
+    if why is not None:
+        return Finding(UNDECIDED, why)
+    names = ", ".join(sorted(str(entry.symbol) for entry in table((claim,))))
+    why = f"assumed: {proof.assumes}" if proof.assumes else f"introduces {names}"
+    return Finding(proof.premise, why)
+
+
+def _ill_defined(claim: Claim, proof: Definition) -> str | None:
+    given, entries = conditions(claim.given), table((claim,))
+    if known(given).satisfying_point() is None:
+        return "no exact point is found that satisfies the conditions"
+    if not all(isinstance(part, Eq) for part in parts_of(claim.says)):
+        return "a definition consists of equations"
+    explicit = {e.symbol: e.meaning for e in entries if e.symbol.op == "symbol"}
+    integrals = [e.symbol for e in entries if e.symbol.op == "integral"]
+    if not entries or len(explicit) + len(integrals) < len(entries):
+        return "a definition gives each of its symbols one value"
+    earlier = definitions(claim.rests_on)
+    asked = frozenset().union(*map(names, given))
+    for new, meaning in explicit.items():
+        if new in earlier or symbols(new) <= symbols(put_in(meaning, explicit)):
+            return f"{new} is not a new symbol"
+        if symbols(new) <= asked:
+            return f"{new} is defined under a condition on itself"
+    try:
+        for e in (*explicit.values(), *integrals):
+            need_value(e, proof.claims, given)
+    except NotShownError as error:
+        return str(error)
+    if integrals and not proof.assumes:
+        return "that an equation has a solution, and one, is shown or assumed by name"
+    if integrals and not satisfiable(claim.given, parts_of(claim.says)):
+        return "no point is found that satisfies the equation"
+    return None
+
+
+def captured(claim: Claim) -> str | None:
+    """Why the claim does not keep its symbols apart: one is bound and defined, or is two.
+
+    Nor may a symbol stand where what it is defined by is bound: it is a number there.
+    """
+    entries, written = table((*claim.rests_on, claim)), [*expressions(claim)]
+    bound: set[str] = set()
+    for e in written:
+        for name in e.atoms(Symbol):
+            if name != Symbol(name.name, real=True):
+                return f"{name} is not the real symbol of that name"
+        binders = e.atoms(Integral, Derivative, Subs)
+        bound |= {v.name for node in binders for v in node.variables}
+    if isinstance(claim.proof, UniqueRoot):
+        bound.add(claim.proof.variable.name)
+    for entry in entries:
+        if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
+            return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
+    rules = {entry.symbol: entry.meaning for entry in entries}
+    found = next((name for e in written if bound for name in _misread(e, rules)), None)
+    return None if found is None else f"{found} stands where what it is defined by is bound"
+
+
+def _misread(e: Basic, rules: Rules) -> Iterator[str]:
+    try:
+        yield from (name for side in sides(e) if (name := misread(side, rules)) is not None)
+    except InputError:  # what is no expression of ours decides nothing
+        return
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
@@ -35,83 +178,85 @@ def overdetermined(claims: Iterable[Claim]) -> str | None:
 
 @lru_cache(maxsize=4096)
 def _conflict(claims: tuple[Claim, ...]) -> str | None:
-    meanings: dict[Basic, list[tuple[Basic, Claim]]] = {}
-    for claim in claims:
-        for left, right in definitions((claim,)).items():
-            meanings.setdefault(left, []).append((right, claim))
-    circle = _circle({left: [m for m, _ in found] for left, found in meanings.items()})
+    meanings: dict[Expr, list[Entry]] = {}
+    for entry in table(claims):
+        meanings.setdefault(entry.symbol, []).append(entry)
+    circle = _circle(meanings)
     if circle is not None:
         return circle
-    once = {s: found[0][0] for s, found in meanings.items() if s.is_Symbol and len(found) == 1}
-    for left, found in meanings.items():
+    once = tuple(f[0].written for s, f in meanings.items() if s.op == "symbol" and len(f) == 1)
+    for name, found in meanings.items():
         for one, two in combinations(found, 2):
-            if one[0] != two[0] and not _agree(left, one, two, once):
-                return f"{left} is defined by {one[1].label} and by {two[1].label}"
+            if one.meaning != two.meaning and not _agree(one, two, once):
+                return f"{name} is defined by {_where(one.claim)} and by {_where(two.claim)}"
     return None
 
 
-def _agree(left: Basic, one: tuple[Basic, Claim], two: tuple[Basic, Claim], rules: Rules) -> bool:
+def _where(claim: Claim) -> str:
+    """The claim and its place in the paper."""
+    place = claim.where
+    if place is None:
+        return claim.label
+    parts = (("display", place.display), ("line", place.line), ("cell", place.cell))
+    return f"{claim.label} ({', '.join(f'{name} {at}' for name, at in parts if at is not None)})"
+
+
+def _agree(one: Entry, two: Entry, once: tuple[Eq, ...]) -> bool:
     """Whether two equations for a symbol are for different cases, or one is assumed by name.
 
     What is assumed must be possible as the other symbols are defined.
     """
-    (first, earlier), (second, later) = one, two
-    if _exclude(earlier.given, later.given) or _exclude(later.given, earlier.given):
+    given, others = conditions(one.claim.given), conditions(two.claim.given)
+    if _exclude(given, others) or _exclude(others, given):
         return True
-    both = (*earlier.given, *later.given)
-    assumed = _assumes(earlier) or _assumes(later)
-    known = equal(left, first), equal(left, second)
+    if not (_assumes(one.claim) or _assumes(two.claim)):
+        return False
+    both, pair = (*one.claim.given, *two.claim.given), (one.written, two.written)
     try:
-        both = tuple(put_in(condition, rules) for condition in both)
-        known = tuple(equal(left, put_in(e.args[1], rules)) for e in known)
-    except CircularError:
-        pass  # a symbol is bound there, or the equations go on: they are taken as they stand
-    return assumed and satisfiable(both, known)
+        return satisfiable(both, (*once, *pair))
+    except CircularError:  # a symbol is bound there: the equations are taken as they stand
+        return satisfiable(both, pair)
 
 
 def _exclude(given: Conditions, others: Conditions) -> bool:
     """Whether one of ``others`` is shown to fail wherever ``given`` holds."""
-    return any(isinstance(c, Relational) and is_manifest(c.negated, given) for c in others)
+    return any(is_manifest(condition.negated, given) for condition in others)
 
 
 def _assumes(claim: Claim) -> bool:
     return isinstance(claim.proof, Definition) and bool(claim.proof.assumes)
 
 
-def _circle(meanings: dict[Basic, list[Basic]]) -> str | None:
+def _circle(meanings: dict[Expr, list[Entry]]) -> str | None:
     """A symbol that is defined by itself, by way of others."""
-    names = {s: frozenset().union(*(m.free_symbols for m in ms)) for s, ms in meanings.items()}
-    for symbol in (left for left in meanings if isinstance(left, Symbol)):
-        seen: set[Basic] = set()
-        waiting = {*names[symbol]}
+    names = {
+        left: frozenset[str]().union(*(symbols(entry.meaning) for entry in found))
+        for left, found in meanings.items()
+    }
+    for start in (left for left in meanings if left.op == "symbol"):
+        seen: set[Expr] = set()
+        waiting = {*names[start]}
         while waiting:
-            name = waiting.pop()
-            seen.add(name)
-            waiting |= names.get(name, frozenset()) - seen
-        if symbol in seen:
-            return f"{symbol} is defined by itself"
+            one = symbol(waiting.pop())
+            seen.add(one)
+            waiting |= {n for n in names.get(one, frozenset()) if symbol(n) not in seen}
+        if start in seen:
+            return f"{start} is defined by itself in {_where(meanings[start][0].claim)}"
     return None
 
 
 @lru_cache(maxsize=4096)
 def _overdetermined(claims: tuple[Claim, ...]) -> str | None:
-    rules: Rules = {}
-    implicit: dict[Basic, Claim] = {}
-    for claim in claims:
-        for left, right in definitions((claim,)).items():
-            if isinstance(left, Integral):
-                implicit[equal(left, right)] = claim
-            else:
-                rules[left] = right
-    seen: frozenset[Basic] = frozenset()
-    for equation, claim in implicit.items():
-        if equation.free_symbols & seen:
-            return f"{claim.label} is a second equation for the same symbols"
-        seen |= equation.free_symbols
+    entries = table(claims)
+    rules = {entry.symbol: entry.meaning for entry in entries if entry.symbol.op == "symbol"}
+    seen: frozenset[str] = frozenset()
+    for entry in _restrictions(entries):
+        if entry.names & seen:
+            return f"{entry.claim.label} is a second equation for the same symbols"
+        seen |= entry.names
         try:
-            left = put_in(equation.args[0] - equation.args[1], rules)
+            if not symbols(put_in(entry.symbol - entry.meaning, rules)):
+                return f"{entry.claim.label} leaves nothing to define"
         except CircularError as error:
             return str(error)
-        if not left.free_symbols:
-            return f"{claim.label} leaves nothing to define"
     return None

@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from tresym.ledger import paper
+from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes
@@ -38,7 +39,7 @@ class Row:
         return _meets(self.claim.expect, self.finding.verdict)
 
 
-def _meets(expected: Verdict, verdict: Verdict) -> bool:
+def _meets(expected: Ruling, verdict: Ruling) -> bool:
     """A stronger verdict than expected is welcome: PROVED where ENCLOSED would do."""
     return verdict is expected or (expected is Verdict.ENCLOSED and verdict is Verdict.PROVED)
 
@@ -51,14 +52,23 @@ class Report:
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many claims got each verdict; all four are always present."""
+        """How many claims got each verdict; all are always present."""
         counted = Counter(row.finding.verdict.value for row in self.rows)
-        return {v.value: counted[v.value] for v in Verdict}
+        return {v.value: counted[v.value] for v in RULINGS}
 
     @property
     def as_expected(self) -> bool:
         """True when every verdict is the expected one."""
         return all(row.as_expected for row in self.rows)
+
+    @property
+    def axioms(self) -> dict[Axiom, tuple[Claim, ...]]:
+        """The theorems that are quoted, each with the claims of the report that rest on it."""
+        resting: dict[Axiom, tuple[Claim, ...]] = {}
+        for row in self.rows:
+            for axiom in row.claim.axioms:
+                resting[axiom] = (*resting.get(axiom, ()), row.claim)
+        return resting
 
     def __getitem__(self, label: str) -> Row:
         return next(row for row in self.rows if row.claim.label == label)

@@ -10,6 +10,9 @@ from tresym.site.markdown import badge, chain, display, inline, link, statement
 
 Record = dict[str, Any]
 
+AXIOMS = "quoted-theorems.md"
+"""The page of the theorems that are quoted; a hyphen is in no label."""
+
 
 def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]]:
     """Every page as its name and its text.
@@ -19,9 +22,10 @@ def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]
         seconds: saved cost of judging, by label; claims without one show none.
     """
     yield "index.md", index(ledger)
+    yield AXIOMS, axioms(ledger)
     titles = {label: part["title"] for part in ledger["parts"] for label in part["claims"]}
     for label in ledger["claims"]:
-        yield f"{label}.md", page(label, ledger["claims"], titles.get(label), seconds.get(label))
+        yield f"{label}.md", page(label, ledger, titles.get(label), seconds.get(label))
 
 
 def index(ledger: Record) -> str:
@@ -30,7 +34,8 @@ def index(ledger: Record) -> str:
     counts = ", ".join(f"{n} {badge(name)}" for name, n in ledger["counts"].items() if n)
     lines = [
         "# The ledger",
-        f"{total} claims: {counts}. A claim without a place in the paper is a lemma of the proofs.",
+        f"{total} claims: {counts}. A claim without a place in the paper is a lemma of the proofs. "
+        f"{_resting(ledger)}",
     ]
     for part in ledger["parts"]:
         lines.append(f"## {part['title'][:1].upper()}{part['title'][1:]}")
@@ -40,13 +45,48 @@ def index(ledger: Record) -> str:
     return "\n\n".join(lines) + "\n"
 
 
+def _resting(ledger: Record) -> str:
+    """How many claims rest on theorems that are quoted."""
+    resting = sum(bool(claim["axioms"]) for claim in ledger["claims"].values())
+    named = f"[{len(ledger['axioms'])} theorems]({AXIOMS})"
+    return f"{resting} of them rest on {named} that are quoted and not proved."
+
+
+def axioms(ledger: Record) -> str:
+    """The theorems that are quoted, each with what rests on it, and those of the judge's rules."""
+    lines = [
+        "---\norphan: true\n---\n\n# Quoted theorems",
+        _resting(ledger) + " Each is named by the claims whose evidence applies it, and listed by "
+        "every claim above them.",
+    ]
+    for name, axiom in ledger["axioms"].items():
+        lines += [f"## {sentence(name[:1].upper() + name[1:])}", *_quoted(axiom)]
+        lines.append("Claims that rest on it: " + ", ".join(map(link, axiom["claims"])) + ".")
+    lines += [
+        "## In the rules of the judge",
+        "A step of a chain is right by these, so that any claim may rest on them.",
+    ]
+    for name, axiom in ledger["rules"].items():
+        lines += [f"### {sentence(name[:1].upper() + name[1:])}", *_quoted(axiom)]
+        lines.append(f"Applied by: {sentence(axiom['rule'])}.")
+    return "\n\n".join(lines) + "\n"
+
+
+def _quoted(axiom: Record) -> Iterator[str]:
+    yield sentence(axiom["says"])
+    if axiom["formula"]:
+        yield display(axiom["formula"])
+    yield sentence(f"{axiom['source']}.")
+
+
 def _item(label: str, claim: Record) -> str:
     place = f" [{claim['place']}]{{.place}}" if claim["place"] else ""
     return f"{link(label)} {badge(claim['verdict'])}{place}\\\n{inline(claim)}"
 
 
-def page(label: str, claims: dict[str, Record], title: str | None, seconds: float | None) -> str:
+def page(label: str, ledger: Record, title: str | None, seconds: float | None) -> str:
     """The page of one claim."""
+    claims = ledger["claims"]
     claim = claims[label]
     sections = [
         f"---\norphan: true\n---\n\n# `{label}`",
@@ -58,6 +98,7 @@ def page(label: str, claims: dict[str, Record], title: str | None, seconds: floa
         *_numbers(claim),
         *_truth(claim, claims),
         *_relations(claim, claims),
+        *_axioms(claim, ledger["axioms"]),
         *_cost(claim, seconds),
         f"```sh\ntresym verify {label}\ntresym derive {_if_refuted(claim)}{label}\n```",
     ]
@@ -84,7 +125,19 @@ def _if_refuted(claim: Record) -> str:
 
 def _conditions(claim: Record) -> Iterator[str]:
     if claim["given"]:
-        yield "Given " + ", ".join(f"${condition}$" for condition in claim["given"]) + "."
+        yield "Given " + _formulas(claim["given"]) + "."
+    asked = [
+        f"{link(label)} for {_formulas(given)}" for label, given in claim["conditions"].items()
+    ]
+    if asked:
+        start = (
+            "What it uses is shown to be used where it holds:" if claim["chains"] else "It holds as"
+        )
+        yield f"{start} {'; '.join(asked)}."
+
+
+def _formulas(conditions: list[str]) -> str:
+    return ", ".join(f"${condition}$" for condition in conditions)
 
 
 def _proof(claim: Record) -> Iterator[str]:
@@ -136,6 +189,15 @@ def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
                 f"- {link(n)} {badge(claims[n]['verdict'])} {_brief(claims[n])}" for n in claim[key]
             )
             yield "\n".join(items)
+
+
+def _axioms(claim: Record, known: dict[str, Record]) -> Iterator[str]:
+    """The theorems that it rests on, directly or not, with their sources."""
+    if claim["axioms"]:
+        yield f"## [Quoted theorems]({AXIOMS}) that it rests on"
+        yield "\n".join(
+            f"- {sentence(name)}: {sentence(known[name]['source'])}" for name in claim["axioms"]
+        )
 
 
 def _brief(claim: Record) -> str:

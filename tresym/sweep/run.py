@@ -76,7 +76,8 @@ def sweep(
     if digits is not None:
         checked_digits(digits)
     if export is not None:
-        check_export(export)
+        read = getattr(source, "path", None)
+        check_export(export, (path, read) if read else (path,))
     began = time.perf_counter()
     size = batch_size(source.total, digits)
     asked = {"digits": digits, "batch": size, **source.fingerprint()}

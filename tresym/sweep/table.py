@@ -133,10 +133,13 @@ def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
         with _plainly(path):
             connection.execute("PRAGMA locking_mode = EXCLUSIVE")
             _begin(connection, path, request)
+            _forget_damage(connection, request)
             # A killed process loses nothing that has landed; no wait for the disk at each batch.
             connection.execute("PRAGMA journal_mode = WAL")
             connection.execute("PRAGMA synchronous = NORMAL")
-        yield Table(path, connection, request["digits"] is None)
+        table = Table(path, connection, request["digits"] is None)
+        with _plainly(path, sqlite3.Error):
+            yield table
     finally:
         connection.close()
 
@@ -159,31 +162,71 @@ def _begin(connection: sqlite3.Connection, path: str, request: dict[str, Any]) -
     connection.execute("COMMIT")
 
 
+def _forget_damage(connection: sqlite3.Connection, request: dict[str, Any]) -> None:
+    """Forget the batches some of whose rows are missing, or more than were landed: they come again.
+
+    Lines count from 1 in a grid, and from 2 under the header of a file.
+    """
+    run, size, first = connection.execute, request["batch"], 2 if "csv" in request else 1
+    (landed,) = run("SELECT coalesce(sum(rows), 0) FROM batches").fetchone()
+    if run("SELECT count(*) FROM rows").fetchone() == (landed,):
+        return
+    of_batch = "line >= ? AND line < ?"
+    run("BEGIN")
+    for number, rows in run("SELECT number, rows FROM batches").fetchall():
+        lines = (first + number * size, first + (number + 1) * size)
+        if run(f"SELECT count(*) FROM rows WHERE {of_batch}", lines).fetchone() != (rows,):
+            run(f"DELETE FROM rows WHERE {of_batch}", lines)
+            run("DELETE FROM batches WHERE number = ?", (number,))
+    run("COMMIT")
+
+
 @contextmanager
-def _plainly(path: str) -> Iterator[None]:
+def _plainly(path: str, others: type[Exception] = ValueError) -> Iterator[None]:
     """SQLite's complaints as bad input, in one line."""
     try:
         yield
-    except (sqlite3.Error, ValueError) as error:
-        if isinstance(error, InputError):
+    except Exception as error:
+        if isinstance(error, InputError) or not isinstance(error, (sqlite3.Error, others)):
             raise
         if "locked" in str(error):
             raise InputError(f"{path}: is in use by another process") from None
         raise InputError(f"{path}: {error}") from None
 
 
-def check_export(path: str) -> None:
+def check_export(path: str, kept: Sequence[str] = ()) -> None:
     """See, before any work, that what ``path`` asks for can be written.
 
+    Args:
+        kept: files that it must not replace: the table, and the file that the rows are read from.
+
     Raises:
-        InputError: another ending than .csv or .parquet, no such folder, or no pyarrow.
+        InputError: another ending than .csv or .parquet, no such folder, a file that is no export
+            of ours, or no pyarrow.
     """
+    if any(os.path.realpath(path) == os.path.realpath(other) for other in kept):
+        raise InputError(f"{path}: is what the sweep works with; name another file to export to")
     if not path.endswith((".csv", ".parquet")):
         raise InputError(f"{path}: an export ends in .csv or .parquet")
     if not os.path.isdir(os.path.dirname(path) or "."):
         raise InputError(f"{path}: there is no such folder")
     if path.endswith(".parquet"):
         _pyarrow()
+    if os.path.isfile(path) and os.path.getsize(path) and not _is_export(path):
+        raise InputError(f"{path}: is no export of a sweep, and is not replaced; name another file")
+
+
+def _is_export(path: str) -> bool:
+    """Whether the file begins as an export does, or is a Parquet file with its columns."""
+    headers = [columns(in_floats) for in_floats in (False, True)]
+    if path.endswith(".parquet"):
+        try:
+            return tuple(_pyarrow().parquet.read_schema(path).names) in headers
+        except (OSError, ValueError):
+            return False
+    with open(path, "rb") as file:
+        begins = file.readline(1000).rstrip(b"\r\n")
+    return begins in [",".join(header).encode() for header in headers]
 
 
 def _pyarrow() -> Any:

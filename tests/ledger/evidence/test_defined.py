@@ -1,12 +1,22 @@
-"""Where SymPy expressions are defined: the one table, and what is bound has its own conditions."""
+"""Where expressions are defined under the conditions of a claim: what is bound has its own."""
 
 from __future__ import annotations
 
-from sympy import Derivative, Integral, Subs, Symbol, log, sqrt
+from sympy import Basic, Derivative, Integral, Subs, Symbol, log, sqrt
 
-from tresym.ledger.evidence.defined import continuous_on, undefined
+from tresym.ledger.evidence import defined
+from tresym.ledger.meaning import conditions, tree
+from tresym.reals.language.expression import Expr
 
 x, y = (Symbol(name, real=True) for name in "xy")
+
+
+def undefined(e: Basic, given: tuple[Basic, ...]) -> Expr | None:
+    return defined.undefined(tree(e), conditions(given))
+
+
+def continuous_on(e: Basic, given: tuple[Basic, ...]) -> Expr | None:
+    return defined.continuous_on(tree(e), conditions(given))
 
 
 def test_what_is_put_in_is_looked_at_in_place() -> None:
@@ -24,5 +34,5 @@ def test_what_is_bound_has_conditions_of_its_own() -> None:
 def test_smooth_is_what_hides_nothing() -> None:
     assert continuous_on(Integral(x, (x, 0, 1)), ()) is not None
     assert continuous_on(1 + Subs(x, x, 1), ()) is not None
-    assert continuous_on(Derivative(log(x), x), (x > 0,)) is None
-    assert continuous_on(Derivative(log(x), x), ()) is not None
+    assert continuous_on(Derivative(log(x), x), (x > 0,)) is not None
+    assert continuous_on(log(x), (x > 0,)) is None

@@ -35,7 +35,7 @@ from tresym.ledger.claim import (
     equal,
     step,
 )
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import (
     changing_variable,
@@ -44,6 +44,7 @@ from tresym.ledger.reasons import (
     cutting,
     differentiating_integral,
     differentiation,
+    exponentials,
     integrating,
     roots,
     substituting,
@@ -84,8 +85,8 @@ RIGHT = {
         differentiating_integral(t * exp(t * x)),
     ),
     "at a point": (
-        equal(at_zero(exp(x * t), x, 1), area(t) - 1),
-        differentiating_integral(t),
+        equal(at_zero(1 / (1 + x + t), x, 1), area(-1 / (1 + t) ** 2) - 1),
+        differentiating_integral(-1 / (1 + t) ** 2),
     ),
     "sum": (
         equal(2 * area(exp(t)) - area(t), Integral(2 * exp(y) - y, (y, 0, 1))),
@@ -246,7 +247,8 @@ def test_bounds_are_cited_inside_only_where_they_hold() -> None:
     assert judge(user, held).verdict is Verdict.REFUTED
 
 
-EQUATION = Claim("equation", equal(area(exp(x * t), 0, y), 3), Definition(), given=(x > -1, y > 0))
+THREE = Definition("an area of three")
+EQUATION = Claim("equation", equal(area(exp(x * t), 0, y), 3), THREE, given=(x > -1, y > 0))
 LEFT = area(exp(x * t), 0, y)
 SLOPE = -Subs(Derivative(LEFT, x), x, ZERO) / Derivative(LEFT.xreplace({x: ZERO}), y)
 
@@ -257,7 +259,7 @@ def implicit(says: Basic, given: tuple[Basic, ...] = (y > 0,), **changes: object
         "unknown": y,
         "parameter": x,
         "at": ZERO,
-        "slope": (step(ONE, differentiating_integral(ZERO)),),
+        "slope": (step(ONE, differentiating_integral(ZERO), exponentials),),
     }
     proof = ImplicitFunction(**{**evidence, **changes})
     used = {c.label: judge(c, {}) for c in (proof.equation,)}
@@ -293,7 +295,7 @@ def test_the_implicit_function_theorem_needs_its_conditions() -> None:
 
 
 def test_an_equation_without_solutions_defines_no_function() -> None:
-    none = Claim("equation", equal(LEFT, -1), Definition(), given=(x > -1, y > 0))
+    none = Claim("equation", equal(LEFT, -1), THREE, given=(x > -1, y > 0))
     held = {"equation": Finding(Verdict.PROVED, "assumed")}
     proof = ImplicitFunction(none, y, x, ZERO, (step(ONE, differentiating_integral(ZERO)),))
     user = Claim("slope", equal(r, SLOPE), proof, given=(y > 0,))
@@ -334,9 +336,9 @@ def test_what_holds_of_one_integral_holds_of_no_other() -> None:
         (step(None, integrating(Abs(x) * t**2 / 2), roots),),
         given=(x > 0,),
     )
-    level = Claim("level", equal(area(exp(x * t)), 3), Definition(), given=(x > 0,))
+    level = Claim("level", equal(area(exp(x * t)), 3), THREE, given=(x > 0,))
     held = {c.label: judge(c, {}) for c in (lemma, level)}
-    assert {finding.verdict for finding in held.values()} == {Verdict.PROVED}
+    assert [f.verdict for f in held.values()] == [Verdict.PROVED, Premise.ASSUMED]
     for says, used in (
         (equal(Subs(area(Abs(x) * t), x, -1), Rational(-1, 2)), lemma),
         (equal(Derivative(area(exp(x * t)), x), 0), level),

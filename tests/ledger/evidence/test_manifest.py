@@ -3,9 +3,16 @@
 import pytest
 from sympy import Abs, Basic, Expr, Symbol, sign, sqrt
 
-from tresym.ledger.evidence.manifest import manifest_sign
+from tresym.ledger.evidence import manifest
+from tresym.ledger.meaning import conditions, tree
 
 b, t, x, y = (Symbol(name, real=True) for name in "btxy")
+
+
+def manifest_sign(e: Expr, given: tuple[Basic, ...]) -> str | None:
+    return manifest.manifest_sign(tree(e), conditions(given))
+
+
 PINNED = (b > 0, y > -b, x >= y, x <= y)
 """x is y, and above −b."""
 
@@ -34,3 +41,19 @@ def test_no_positive_sign_is_read_off_where_there_is_none(
     e: Expr, given: tuple[Basic, ...]
 ) -> None:
     assert manifest_sign(e, given) != "+"
+
+
+@pytest.mark.parametrize(
+    ("e", "given"),
+    [
+        (x - 1, (x**2 * (x - 1) >= 0,)),
+        (x - y, (x**2 * (x - y) >= 0,)),
+        (sqrt(x**2) - x, (x >= y, x <= y, y**2 * x >= 0)),
+        (x, (x >= y, x <= y)),
+    ],
+)
+def test_what_holds_inside_does_not_hold_at_single_points(
+    e: Expr, given: tuple[Basic, ...]
+) -> None:
+    """x = 0 and y = 1; or there is nothing inside."""
+    assert manifest_sign(e, given) not in ("+", ">=0", "0")

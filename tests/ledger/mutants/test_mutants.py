@@ -19,7 +19,7 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.evidence.balls import Asymptotics
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.mutants.mutants import mutants, why_few
@@ -61,7 +61,7 @@ def test_no_mutant_holds(part: int) -> None:
     Of changed definitions by an integral not all are shown violated; they are UNDECIDED.
     """
     labels = [claim.label for claim in all_claims()][part * 6 :: 24]
-    check(verify_mutants(labels, wanted=1), 0.96)
+    check(verify_mutants(labels, wanted=1), 0.95)
 
 
 @pytest.mark.parametrize("label", ["eq_gamma", "range_of_gamma", "d54", "table_str_a"])
@@ -114,7 +114,7 @@ def test_a_definition_is_changed_where_others_prove_something_by_it() -> None:
     for mutant in found:
         assert mutant.place == "in square"
         assert judge(mutant.claim, held).verdict is Verdict.UNDECIDED  # it names another "new"
-        changed = {"new": Finding(Verdict.PROVED, "changed")}
+        changed = {"new": Finding(Premise.DEFINED, "changed")}
         assert judge(mutant.claim, changed).verdict is Verdict.REFUTED
 
 
@@ -125,7 +125,7 @@ def test_an_equation_is_changed_where_it_defines_a_function_with_a_slope(label: 
     assert score.survivors == score.few == ()
     (row,) = score.rows
     assert row.changes == 5
-    assert row.counts == {"PROVED": 0, "ENCLOSED": 0, "REFUTED": 5, "UNDECIDED": 5}
+    assert {name: n for name, n in row.counts.items() if n} == {"REFUTED": 5, "UNDECIDED": 5}
 
 
 def test_a_conjunction_has_its_parts_changed() -> None:

@@ -10,6 +10,7 @@ from sympy import Symbol
 
 from tresym.ledger.claim import Claim, Definition, by, equal
 from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.finding import RULINGS
 from tresym.ledger.mutants.mutants import Mutant
 from tresym.ledger.mutants.report import MutantReport, MutantRow, _dependents, _survives
 from tresym.ledger.reasons import substituting
@@ -31,7 +32,7 @@ def row(
     few: str = "",
     **counts: int,
 ) -> MutantRow:
-    full = {v.value: counts.get(v.value, 0) for v in Verdict}
+    full = {v.value: counts.get(v.value, 0) for v in RULINGS}
     return MutantRow(claim, full, survivors, stopped, sum(counts.values()), few)
 
 
@@ -44,7 +45,9 @@ REPORT = MutantReport(
 
 
 def test_counts_add_up() -> None:
-    assert REPORT.counts == {"PROVED": 1, "ENCLOSED": 0, "REFUTED": 3, "UNDECIDED": 1}
+    assert REPORT.counts == dict.fromkeys(
+        ("PROVED", "ENCLOSED", "REFUTED", "UNDECIDED", "DEFINED", "ASSUMED"), 0
+    ) | {"PROVED": 1, "REFUTED": 3, "UNDECIDED": 1}
     assert [r.total for r in REPORT.rows] == [4, 1]
     assert REPORT.survivors == (BELIEVED,)
     assert REPORT.stopped == (STOPPED,)
@@ -60,7 +63,7 @@ def test_json_names_survivors_and_claims_with_few_changes() -> None:
     assert value["few"] == [{"label": "B", "changes": 1, "why": "short"}]
 
 
-@pytest.mark.parametrize("verdict", Verdict)
+@pytest.mark.parametrize("verdict", RULINGS)
 def test_a_mutant_survives_where_it_is_believed(verdict: Verdict) -> None:
     assert _survives(BELIEVED, verdict) is verdict.holds
 

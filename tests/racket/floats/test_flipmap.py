@@ -234,5 +234,16 @@ def test_the_precession_may_be_any_and_many():
 def test_shapes_out_of_range_are_refused(a, b):
     with pytest.raises(InputError):
         flip_map(a, b, 0.1, 0.1)
-    with pytest.raises((InputError, ValueError)):
-        flip_map(math.nan, 0.5, 0.1, 0.1)
+    for wrong in (math.nan, math.inf, "nan", "1e101", "1e-101", 1e200):
+        with pytest.raises(InputError):
+            flip_map(wrong, 0.5, 0.1, 0.1)
+    with pytest.raises(InputError, match="flip_angle takes"):
+        flip_map(1.0, "1e-9999", 0.1, 0.1)
+
+
+def test_what_is_masked_is_no_start():
+    psi = np.ma.masked_array([0.1, 0.2], [False, True])
+    found = flip_map(A, B, psi, [1.0, 1.0])
+    assert found[0] == flip_map(A, B, 0.1, 1.0)
+    assert np.isnan(found[1])
+    assert np.isnan(flip_map(A, B, 0.1, np.ma.masked_array([1], [True]))).all()

@@ -168,6 +168,17 @@ def test_a_wrong_slope_costs_time_and_never_the_truth(
         assert found.overlaps(truth)
 
 
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+@pytest.mark.parametrize("phi", ["1e3", "-1e20", "1e300"])
+def test_on_the_separatrix_a_far_phase_is_found(shape: tuple[fmpq, fmpq], phi: str) -> None:
+    """It takes ever longer, and comes no further than the unstable point."""
+    with ball_precision(1200):
+        on = made(shape, "0")
+        place = time_of(on, arb(phi))
+        assert (place.time - on.speed * arb(phi)).overlaps(arb(0, 1))
+        assert abs(abs(angle_at(on, place)) - arb.pi() / 2) < 1e-12
+
+
 def test_a_wide_phase_is_held_as_a_whole() -> None:
     with ball_precision(120):
         on = made(SHAPES[0], "-0.3")

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from tresym.reals.decisions import limits
+from tresym.reals.decisions import check, limits
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.limits import Task, check_all, check_within
 from tresym.reals.decisions.reading import read
@@ -98,3 +98,9 @@ def test_a_procedure_that_fails_ends_no_other(monkeypatch: pytest.MonkeyPatch) -
     found = check_within(Task("x > 0"))
     assert found.verdict is Verdict.UNDECIDED
     assert "report" in found.why
+
+
+@pytest.mark.parametrize("limit", [0, -1, float("inf"), float("nan"), "5", 10**6])
+def test_a_limit_is_a_number_of_seconds(limit: Any) -> None:
+    with pytest.raises(InputError, match="seconds"):
+        check("x == x", limit=limit)

@@ -22,7 +22,7 @@ from tresym.commands import main
 from tresym.commands.check import read_tasks
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.limits import Task, check_all, check_within
-from tresym.reals.numbers.exact import InputError, parse_number, simplest_between
+from tresym.reals.numbers.exact import InputError, Interval, parse_number
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.regular import is_regular
 from tresym.reals.verdict import Verdict
@@ -386,7 +386,7 @@ def test_random_identities(a: int, b: int, c: int, unit: str, shape: str) -> Non
 @given(st.fractions(-5, 5, max_denominator=400), st.fractions(0, 1, max_denominator=400))
 def test_the_simplest_rational(low: Fraction, width: Fraction) -> None:
     pair = [parse_number(str(x)) for x in (low, low + width)]
-    found = simplest_between(*pair)
+    found = Interval(*pair).simplest()
     assert pair[0] <= found <= pair[1]
     for q in range(1, int(found.q)):
         assert (pair[0] * q).ceil() > (pair[1] * q).floor()

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz_poly
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tresym.reals.language.parsing import parse
+from tresym.reals.normal import angles
 from tresym.reals.normal.angles import MAX_HALF_TURN, MAX_MULTIPLE
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.sign_equations import AgainError
@@ -18,7 +19,7 @@ from tresym.reals.places.conditions import Given
 def equal(left: str, right: str, under: str = "") -> bool:
     field = Field(Given.parse(under), size=32)
     x, y = field.normal(parse(left), parse(right))
-    return bool(field.subtract(x, y).num.is_zero())
+    return bool((x - y).num.is_zero())
 
 
 DENOMINATORS = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 16, 24, 30]
@@ -35,8 +36,8 @@ def test_turns_of_pi(q: int) -> None:
             c, s = field.turn_of_pi(r)
         assert field.ball(c).overlaps(arb.cos_pi_fmpq(r))
         assert field.ball(s).overlaps(arb.sin_pi_fmpq(r))
-        square = field.add(field.power(c, 2), field.power(s, 2))
-        assert field.subtract(square, field.one).num.is_zero()
+        square = c**2 + s**2
+        assert (square - 1).num.is_zero()
 
 
 @given(st.sampled_from([5, 7, 11, 12]), st.integers(-40, 40), st.integers(-40, 40))
@@ -44,10 +45,10 @@ def test_turns_of_pi_add_up(q: int, j: int, k: int) -> None:
     field = Field(Given(), size=8)
     field.turn_of_pi(fmpq(1, q))
     (a, b), (c, d), (e, f) = (field.turn_of_pi(fmpq(n, q)) for n in (j, k, j + k))
-    cosine = field.subtract(field.multiply(a, c), field.multiply(b, d))
-    sine = field.add(field.multiply(a, d), field.multiply(b, c))
-    assert field.subtract(cosine, e).num.is_zero()
-    assert field.subtract(sine, f).num.is_zero()
+    cosine = a * c - b * d
+    sine = a * d + b * c
+    assert (cosine - e).num.is_zero()
+    assert (sine - f).num.is_zero()
 
 
 def test_bounds() -> None:
@@ -136,3 +137,53 @@ def test_thirds_of_arc_tangents_may_be_an_odd_turn(angle: str) -> None:
     """They stay in the angle: on a region it is π, and 1 + cos of it is 0."""
     assert not equal(f"sign(1 + cos({angle}))", "1")
     assert equal(f"cos({angle})^2 + sin({angle})^2", "1")
+
+
+@pytest.mark.parametrize("other", [18, 7, 14, 3])
+def test_another_minimal_polynomial_is_not_believed(
+    other: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Lying(fmpz_poly):
+        @staticmethod
+        def cos_minpoly(_: int) -> fmpz_poly:
+            return fmpz_poly.cos_minpoly(other)
+
+    assert equal("cos(pi/7) - cos(2*pi/7) + cos(3*pi/7)", "1/2")
+    monkeypatch.setattr(angles, "fmpz_poly", Lying)
+    with pytest.raises(ArithmeticError):
+        Field(Given(), size=8).normal(parse("cos(pi/7)"))
+
+
+NO_SIGNS = [
+    # what would hold if the other factors of an angle were signs
+    ("sin(atan(x)**2)", "atan(x)*x/sqrt(1 + x**2)"),
+    ("sin(y*atan(x))", "y*x/sqrt(1 + x**2)"),
+    ("cos(y*atan(x))", "1/sqrt(1 + x**2)"),
+    ("cos(atan(x)*atan(y))", "1/sqrt(1 + x**2)"),
+    ("sin(pi**2)", "0"),
+    ("cos(pi**2)", "-1"),
+    ("sin(pi*x)", "0"),
+    ("cos(pi*x)", "-1"),
+    ("cos(sign(x)*pi*y)", "-1"),
+    ("cos(sign(x)*pi/2 + pi/3)", "cos(sign(x)*pi/2)"),
+    ("cos(sign(x)*atan(y) + sign(y)*atan(x))", "cos(atan(y))"),
+    ("cos(x/y + pi/3)", "cos(x/y)"),
+]
+
+
+@pytest.mark.parametrize(("left", "right"), NO_SIGNS)
+def test_only_signs_come_out_of_an_angle(left: str, right: str) -> None:
+    assert not equal(left, right)
+
+
+SIGNS = [
+    ("cos(sign(x)*pi/2 + pi/3)", "-sign(x)*sqrt(3)/2"),
+    ("sin(sign(x)*pi/2 + sign(y)*pi)", "-sign(x)"),
+    ("sin(sign(x)*atan(y))", "sign(x)*y/sqrt(1 + y**2)"),
+    ("cos(sign(x)*atan(y) + atan(x))", "(1 - abs(x)*y)/(sqrt(1 + x**2)*sqrt(1 + y**2))"),
+]
+
+
+@pytest.mark.parametrize(("left", "right"), SIGNS)
+def test_signs_do_where_they_are_not_0(left: str, right: str) -> None:
+    assert equal(left, right)

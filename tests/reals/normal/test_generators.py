@@ -120,23 +120,3 @@ def test_varies(text: str) -> None:
 def test_not_shown_to_vary(text: str) -> None:
     field, x = normal(text, "")
     assert not field.varies(x)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "x*y - x/y",
-        "pi*x",
-        "sqrt(x) + y**(1/3)",
-        "sqrt(3 + sqrt(x + y))",
-        "cos(pi/7)*x",
-        "exp(x/3) - exp(-y)",
-        "sin(x)/(2 + cos(3*x))",
-        "log(x + 1)/y",
-        "abs(x - y)*atan(x + y)",
-    ],
-)
-def test_the_name_reads_as_the_value(text: str) -> None:
-    field, x = normal(text)
-    at = {name: arb(value) for name, value in POINTS[0].items()}
-    assert evaluate(parse(field.fraction_text(x)), at).overlaps(field.ball(x, at))

@@ -11,6 +11,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import (
     MAX_CHARACTERS,
     InputError,
+    Interval,
     as_rational,
     decimal_ball,
     fraction_text,
@@ -110,7 +111,7 @@ def test_fractions_survive_text(value: Fraction) -> None:
 )
 def test_a_printed_number_is_half_a_unit_wide_on_both_sides(text: str, low: str, high: str) -> None:
     interval = printed(text)
-    assert interval == (parse_number(low), parse_number(high))
+    assert interval == Interval(parse_number(low), parse_number(high))
     assert interval.ball().contains(arb(interval.low))
     assert interval.ball().contains(arb(interval.high))
 
@@ -145,3 +146,26 @@ def test_a_decimal_ball_is_as_narrow_as_its_digits_allow() -> None:
         mid, rad = decimal_ball(arb(2).sqrt(), 50)
     assert parse_number(rad) <= parse_number("1e-52")
     assert mid.startswith("1.41421356237309504880168872420969807856967187537694")
+
+
+ENDS = st.one_of(st.none(), st.fractions(-9, 9, max_denominator=30))
+
+
+@given(ENDS, ENDS, st.booleans(), st.booleans())
+def test_the_simplest_of_an_interval(low, high, low_open, high_open):
+    ends = [None if x is None else fmpq(x.numerator, x.denominator) for x in (low, high)]
+    if None not in (low, high) and (low > high or (low == high and (low_open or high_open))):
+        return
+    where = Interval(*ends, low_open, high_open)
+    x = where.simplest()
+    assert where.holds(x)
+    around = [fmpq(k, q) for q in range(1, int(x.q)) for k in ((x * q).floor(), (x * q).ceil())]
+    assert not any(map(where.holds, around))
+
+
+def test_an_interval_holds_its_closed_ends_alone():
+    where = Interval(fmpq(1), fmpq(2), low_open=True)
+    assert [where.holds(fmpq(x)) for x in (0, 1, 2, 3)] == [False, False, True, False]
+    assert Interval().holds(fmpq(-(10**9)))
+    assert where.middle == fmpq(3, 2)
+    assert where.width == 1

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
-from flint import Ordering, fmpz_mpoly, fmpz_mpoly_ctx
+from flint import Ordering, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tresym.reals.numbers.factoring import TooLargeError, factors_of
+from tresym.reals.numbers.factoring import TooLargeError, factors_of, primes_of
 
 CONTEXT = fmpz_mpoly_ctx.get(("x", "y"), Ordering.lex)
 X, Y = CONTEXT.gens()
@@ -43,3 +45,44 @@ def test_coefficients_that_cannot_be_sorted_raise_the_one_error(size: int) -> No
     with pytest.raises(TooLargeError, match="too large"):
         factors_of((size * X + Y) * (X + size * Y))
     assert product(size * X**2 - size * Y**2) == size * X**2 - size * Y**2
+
+
+class Lying:
+    """A number or polynomial that is not the product of what it says are its factors."""
+
+    def __init__(self, truth: Any, found: Any) -> None:
+        self.truth, self.found = truth, found
+
+    def __eq__(self, other: object) -> bool:
+        return bool(self.truth == other)
+
+    def factor(self) -> Any:
+        return self.found
+
+    def context(self) -> Any:
+        return CONTEXT
+
+
+P = 6 * (X - Y) ** 2 * (X + 1)
+
+
+@pytest.mark.parametrize(
+    "found",
+    [
+        (fmpz(6), [(X - Y, 2)]),
+        (fmpz(6), [(X - Y, 1), (X + 1, 1)]),
+        (fmpz(-6), [(X - Y, 2), (X + 1, 1)]),
+        (fmpz(6), [(X - Y, 2), (X + 1, 1), (X, 1)]),
+    ],
+)
+def test_what_is_no_factorisation_is_not_believed(found: Any) -> None:
+    assert factors_of(Lying(P, P.factor()))[0] == 6
+    with pytest.raises(ArithmeticError):
+        factors_of(Lying(P, found))
+
+
+@pytest.mark.parametrize("found", [[(2, 2)], [(2, 1), (3, 1)], [(2, 2), (3, 1), (5, 1)]])
+def test_what_are_no_prime_factors_is_not_believed(found: Any) -> None:
+    assert primes_of(fmpz(12)) == [(2, 2), (3, 1)]
+    with pytest.raises(ArithmeticError):
+        primes_of(Lying(fmpz(12), found))

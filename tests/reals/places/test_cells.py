@@ -10,8 +10,9 @@ from flint import fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.cells import MAX_DEGREE, MAX_POLYNOMIALS, sample_points, simplest
+from tresym.reals.places.cells import MAX_DEGREE, MAX_POLYNOMIALS, sample_points
 
 CONTEXTS = {n: fmpz_mpoly_ctx.get(["x", "y", "z"][:n], "lex") for n in (1, 2, 3)}
 
@@ -119,11 +120,12 @@ def test_simplest_lies_between_and_none_is_simpler(one: Fraction, other: Fractio
     low, high = sorted((one, other))
     if low == high:
         return
-    found = simplest(fmpq(low.numerator, low.denominator), fmpq(high.numerator, high.denominator))
+    ends = fmpq(low.numerator, low.denominator), fmpq(high.numerator, high.denominator)
+    found = Interval(*ends, True, True).simplest()
     value = Fraction(int(found.p), int(found.q))
     assert low < value < high
     for q in range(1, value.denominator):
         k = low.numerator * q // low.denominator + 1
         assert not Fraction(k, q) < high
-    assert simplest(None, -found) < -found
-    assert simplest(found, None) > found
+    assert Interval(None, -found, high_open=True).simplest() < -found
+    assert Interval(found, None, low_open=True).simplest() > found

@@ -32,13 +32,13 @@ UNLIKE = [
 @pytest.mark.parametrize(("left", "right"), EQUAL)
 def test_equal_fractions(left: str, right: str) -> None:
     atoms = Atoms()
-    assert atoms.fraction(parse(left)).key == atoms.fraction(parse(right)).key
+    assert atoms.of(parse(left)).key == atoms.of(parse(right)).key
 
 
 @pytest.mark.parametrize(("left", "right"), UNLIKE)
 def test_nothing_is_known_of_atoms(left: str, right: str) -> None:
     atoms = Atoms()
-    assert atoms.fraction(parse(left)).key != atoms.fraction(parse(right)).key
+    assert atoms.of(parse(left)).key != atoms.of(parse(right)).key
 
 
 @pytest.mark.parametrize(
@@ -52,13 +52,13 @@ def test_nothing_is_known_of_atoms(left: str, right: str) -> None:
 )
 def test_squares_are_put_in(text: str, forms: set[str]) -> None:
     atoms = Atoms()
-    p = atoms.fraction(parse(text)).num
+    p = atoms.of(parse(text)).num
     found = atoms.rewritten(p, lambda den: True)
-    assert {str(q) for q in found} == {str(atoms.fraction(parse(form)).num) for form in forms}
+    assert {str(q) for q in found} == {str(atoms.of(parse(form)).num) for form in forms}
 
 
 def test_a_radicand_over_what_may_be_negative_stays() -> None:
     """(x/y)·y² may have another sign than sqrt(x/y)²."""
     atoms = Atoms()
-    p = atoms.fraction(parse("sqrt(x/y)**2 - x")).num
+    p = atoms.of(parse("sqrt(x/y)**2 - x")).num
     assert atoms.rewritten(p, lambda den: den.is_one()) == [p]

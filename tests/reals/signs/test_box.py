@@ -5,12 +5,13 @@ from __future__ import annotations
 import pytest
 from flint import Ordering, fmpq, fmpz_mpoly_ctx
 
-from tresym.reals.signs.box import REALS, Span, coefficient_sign, sign_on_box
+from tresym.reals.numbers.exact import Interval
+from tresym.reals.signs.box import REALS, coefficient_sign, sign_on_box
 
 X, Y = fmpz_mpoly_ctx.get(["x", "y"], Ordering.lex).gens()
-UNIT = Span(fmpq(0), fmpq(1), False, False)
-INSIDE = Span(fmpq(0), fmpq(1))
-ABOVE = Span(fmpq(0), None, False)
+UNIT = Interval(fmpq(0), fmpq(1))
+INSIDE = Interval(fmpq(0), fmpq(1), True, True)
+ABOVE = Interval(fmpq(0))
 
 
 @pytest.mark.parametrize(
@@ -27,11 +28,11 @@ ABOVE = Span(fmpq(0), None, False)
         (X**2 - 2 * X * Y + Y**2 + 1, [REALS, REALS], "+"),
         (X**2 - 2 * X * Y + Y**2 - 1, [REALS, REALS], None),
         (-(X**2) + X * Y - Y**2, [REALS, REALS], "<=0"),
-        (X - 1, [Span(fmpq(1), fmpq(1), False, False), REALS], "0"),
+        (X - 1, [Interval(fmpq(1), fmpq(1)), REALS], "0"),
         (X - X, [REALS, REALS], "0"),
     ],
 )
-def test_signs(p: object, spans: list[Span], found: str | None) -> None:
+def test_signs(p: object, spans: list[Interval], found: str | None) -> None:
     assert sign_on_box(p, spans) == found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from contextlib import suppress
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -39,6 +40,27 @@ def test_the_saved_chart_is_what_is_drawn(name: str) -> None:
     assert "<script" not in text
     assert "dc:date" not in text
     assert shown((BUILT / f"{name}.svg").read_text(encoding="utf-8")) == shown(text)
+
+
+@pytest.mark.parametrize("name", ["work-precision", "economy", "scaling"])
+@pytest.mark.parametrize("inner", [None, [], {}, "[bold", 1e999, {"x": [None]}])
+def test_a_measurement_of_another_shape_is_one_line(
+    name: str, inner: object, tmp_path: Path
+) -> None:
+    known = data(charts.CHARTS[name].workload)
+    path = tmp_path / "measured.json"
+    for key in known.keys() - {"workload"}:
+        path.write_text(json.dumps({**known, key: inner}), encoding="utf-8")
+        with suppress(InputError):
+            charts.picture(name, str(path))
+
+
+def test_what_is_no_file_of_a_measurement_is_one_line(tmp_path: Path) -> None:
+    path = tmp_path / "deep.json"
+    path.write_text("[" * 200_000)
+    for source in (str(path), "/dev/zero"):
+        with pytest.raises(InputError, match=r"deeply|too large"):
+            charts.picture("work-precision", source)
 
 
 def test_a_chart_is_the_same_twice_and_from_a_copy_of_its_file(tmp_path: Path) -> None:

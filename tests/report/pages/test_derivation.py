@@ -26,6 +26,19 @@ def test_every_claim_is_in_the_article(report: Report) -> None:
         assert rf"\label{{claim:{row.claim.label}}}" in text
 
 
+def test_quoted_theorems_are_in_the_bibliography(report: Report) -> None:
+    text = article(report)
+    entries = text[text.index(r"\begin{thebibliography}") :].split(r"\bibitem")[1:]
+    assert len(entries) == len(report.axioms) > 0
+    for (axiom, resting), entry in zip(report.axioms.items(), entries, strict=True):
+        assert prose(axiom.name) in entry
+        assert prose(axiom.source) in entry
+        assert all(rf"\hyperref[claim:{claim.label}]" in entry for claim in resting)
+    cited = text.count(r"\cite{axiom:")
+    assert cited == sum(len(row.claim.axioms) for row in report.rows)
+    assert "bibliography" not in article(verify(["eq_gamma"]))
+
+
 def test_nothing_unprintable_is_left(report: Report) -> None:
     for row in report.rows:
         for sentence in (row.claim.note, row.claim.says, row.claim.paper_says):

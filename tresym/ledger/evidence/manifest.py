@@ -1,41 +1,35 @@
-"""Signs under SymPy conditions: the one prover of signs, asked in SymPy's language."""
+"""The one prover of signs, asked under the conditions of a claim.
+
+A number that is not worked out, such as an integral, is a variable of which nothing is known.
+"""
 
 from __future__ import annotations
 
-from sympy import Basic, true
-from sympy.core.relational import Relational
-
-from tresym.ledger.meaning import to_expression, to_given
+from tresym.ledger.meaning import Conditions, known
+from tresym.reals.language.binders import generalised, ordered
+from tresym.reals.language.expression import Expr
+from tresym.reals.language.formula import Relation
+from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import sign
 
-NON_NEGATIVE = ("+", "0", ">=0")
-PROVING = {
-    ">": ("+",),
-    ">=": NON_NEGATIVE,
-    "<": ("-",),
-    "<=": ("-", "0", "<=0"),
-    "!=": ("+", "-", "!="),
-}
+NON_NEGATIVE = PROVING[">="]
 
 
-def manifest_sign(e: Basic, conditions: tuple[Basic, ...], wanted: str | None = None) -> str | None:
-    """The proven sign of ``e`` under ``conditions``, or None."""
-    return sign(to_expression(e), to_given(conditions), wanted)
+def manifest_sign(e: Expr, given: Conditions, wanted: str | None = None) -> str | None:
+    """The proven sign of ``e`` under the conditions, or None; as :func:`sign`."""
+    (e,) = generalised(e)
+    return sign(e, known(given), wanted)
 
 
-def is_stated(e: Basic, conditions: tuple[Basic, ...]) -> bool:
+def is_stated(e: Expr, given: Conditions) -> bool:
     """Whether a condition says as it stands that ``e`` is not negative."""
-    return any(c.rel_op != "!=" and c.gts - c.lts == e for c in conditions)
+    up = (c.upward for c in given if c.sign != "!=")
+    return any(ordered(c.left - c.right) == ordered(e) for c in up)
 
 
-def is_manifest(relation: Basic, conditions: tuple[Basic, ...]) -> bool:
-    """Whether the proven sign of the difference of the two sides shows the inequality.
-
-    SymPy has evaluated a relation of constants to true or false.
-    """
-    if not isinstance(relation, Relational):
-        return relation is true
-    wanted = relation.rel_op
-    if wanted not in PROVING:
+def is_manifest(relation: Relation, given: Conditions) -> bool:
+    """Whether the proven sign of the difference of the two sides shows the inequality."""
+    if relation.sign == "==":
         return False
-    return manifest_sign(relation.lhs - relation.rhs, conditions, wanted) in PROVING[wanted]
+    up = relation.upward
+    return manifest_sign(up.left - up.right, given, up.sign) in PROVING[up.sign]

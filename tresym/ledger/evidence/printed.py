@@ -14,7 +14,7 @@ from flint import arb, fmpq
 
 from tresym.ledger.claim import Printed
 from tresym.ledger.finding import Finding
-from tresym.reals.balls.boxes import inconsistent
+from tresym.reals.balls.boxes import halves, inconsistent
 from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
 from tresym.reals.numbers.exact import Interval, decimal_ball, printed
 from tresym.reals.verdict import Verdict
@@ -131,10 +131,7 @@ def _excluded(number: Printed, box: Box, target: Interval) -> bool:
         widest = max(range(len(cell)), key=lambda n: cell[n].high - cell[n].low, default=None)
         if widest is None or cell[widest].low == cell[widest].high or seen > CELLS:
             return False
-        low, high = cell[widest]
-        middle = (low + high) / 2
-        for half in (Interval(low, middle), Interval(middle, high)):
-            pending.append((*cell[:widest], half, *cell[widest + 1 :]))
+        pending.extend(halves(cell, widest))
     return True
 
 

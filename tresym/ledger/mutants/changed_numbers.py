@@ -85,7 +85,7 @@ def moved_digits(text: str) -> Iterator[str]:
 def no_inputs_give_it(claim: Claim) -> bool:
     """Whether balls over pieces of the box of inputs all miss the printed interval."""
     number = cast(Printed, claim.proof)
-    low, high = printed(number.text)
+    low, high = printed(number.text)[:2]
     half = (high - low) / 2 * number.half_units
     target = Interval((low + high) / 2 - half, (low + high) / 2 + half)
     inputs = tuple(number.inputs.values())
@@ -111,7 +111,7 @@ def _values(
 
 
 def _pieces(side: Interval, pieces: int) -> list[arb]:
-    width = (side.high - side.low) / pieces
+    width = side.width / pieces
     ends = [(side.low + n * width, side.low + (n + 1) * width) for n in range(pieces)]
     return [Interval(*pair).ball() for pair in ends]
 
@@ -153,8 +153,8 @@ def bound_fails(bound: Bound, point: BoxPoint) -> bool:
 
 def _places(region: Box) -> list[BoxPoint]:
     """The centre of the box, then points near its corners."""
-    inward = [(s.low + (s.high - s.low) / 2**32, s.high - (s.high - s.low) / 2**32) for s in region]
-    centre = tuple((low + high) / 2 for low, high in region)
+    inward = [(s.low + s.width / 2**32, s.high - s.width / 2**32) for s in region]
+    centre = tuple(side.middle for side in region)
     return list(dict.fromkeys((centre, *product(*inward))))
 
 

@@ -66,7 +66,8 @@ def _of_definitions() -> Iterator[Claim]:
     steps: Chain = (step(t, substituting(one)), step(None, substituting(two)))
     yield Claim("planted: defined twice", equal(1, 2), steps)
     area = Integral(2 * u, (u, 0, t))
-    four = Claim("planted: an area of 4", equal(area, 4), Definition(), given=(t > 0,))
+    put_in = Definition("so it is")
+    four = Claim("planted: an area of 4", equal(area, 4), put_in, given=(t > 0,))
     three = Claim("planted: t is 3", equal(t, 3), Definition())
     steps = (
         step(area, substituting(four)),

@@ -10,7 +10,7 @@ from typing import Any
 from tresym.ledger import paper
 from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import RULINGS, Finding, Premise, Ruling
 from tresym.ledger.judge import judge
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
 from tresym.ledger.mutants.planted import planted
@@ -27,7 +27,7 @@ class MutantRow:
 
     claim: Claim
     counts: dict[str, int]
-    """How many got each verdict; all four are always present."""
+    """How many got each verdict; all are always present."""
     survivors: tuple[Mutant, ...]
     """Mutants that were PROVED or ENCLOSED, or denied something: there must be none."""
     stopped: tuple[Mutant, ...]
@@ -52,7 +52,7 @@ class MutantReport:
     @property
     def counts(self) -> dict[str, int]:
         """How many mutants got each verdict."""
-        return {v.value: sum(row.counts[v.value] for row in self.rows) for v in Verdict}
+        return {v.value: sum(row.counts[v.value] for row in self.rows) for v in RULINGS}
 
     @property
     def survivors(self) -> tuple[Mutant, ...]:
@@ -122,7 +122,7 @@ def verify_mutants(
     for claim in (row.claim for row in report.rows if row.requested):
         judged = [(mutant, _judge_mutant(mutant, found)) for mutant in of(claim)]
         counted = Counter(finding.verdict for _, finding in judged)
-        counts = {v.value: counted[v] for v in Verdict}
+        counts = {v.value: counted[v] for v in RULINGS}
         survivors = tuple(mutant for mutant, f in judged if _survives(mutant, f.verdict))
         stopped = tuple(mutant for mutant, finding in judged if finding.stopped)
         changes = len({(mutant.place, mutant.change) for mutant, _ in judged})
@@ -146,17 +146,17 @@ def _planted_row(claim: Claim) -> MutantRow:
         found[used.label] = judge(used, found)
     mutant = Mutant(claim, "the judge", "a guard is missing", claim)
     verdict = found[claim.label].verdict
-    counts = {v.value: int(v is verdict) for v in Verdict}
+    counts = {v.value: int(v is verdict) for v in RULINGS}
     survivors = (mutant,) if _believed(claim, verdict) else ()
     stopped = (mutant,) if found[claim.label].stopped else ()
     return MutantRow(claim, counts, survivors, stopped, 1)
 
 
-def _believed(claim: Claim, verdict: Verdict) -> bool:
+def _believed(claim: Claim, verdict: Ruling) -> bool:
     return verdict.holds or (isinstance(claim.proof, Counterexample) and verdict is Verdict.REFUTED)
 
 
-def _survives(mutant: Mutant, verdict: Verdict) -> bool:
+def _survives(mutant: Mutant, verdict: Ruling) -> bool:
     """Whether a false variant is believed: it holds, or what is false still denies something."""
     denies = isinstance(mutant.claim.proof, Denied)
     return verdict.holds or (denies and verdict is Verdict.REFUTED)
@@ -173,7 +173,7 @@ def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
     changed = dict(found)
     for used in mutant.claim.uses:
         if found[used.label].of not in (None, used):
-            changed[used.label] = Finding(Verdict.PROVED, "a definition that was changed", of=used)
+            changed[used.label] = Finding(Premise.DEFINED, "that was changed", of=used)
     for claim in mutant.beneath:
         changed[claim.label] = judge(claim, changed)
     finding = judge(mutant.claim, changed)

@@ -25,11 +25,15 @@ from tresym.racket.body import Exact
 from tresym.racket.body import shape as exact_shape
 from tresym.racket.floats import float_orbit
 from tresym.racket.floats.float_orbit import LEVELS
+from tresym.reals.numbers.exact import InputError
 
 Floats = NDArray[np.float64]
 
 CHUNK = 2048
 """Starts per pass: what is needed of one pass stays in the cache."""
+
+WIDEST = 10**100
+"""Shapes between this and its inverse: squares of what the map works with are floats still."""
 
 LARGE = 50_000
 """Starts from which a map is worth the second it takes to load numba."""
@@ -61,10 +65,11 @@ def flip_map(
         precession: Δφ, of either sign.
 
     Returns:
-        Float64 of the broadcast shape; NaN where no body of this shape has such a start.
+        Float64 of the broadcast shape; NaN where no body of this shape has such a start, and where
+        an array is masked.
 
     Raises:
-        InputError: a or b out of range.
+        InputError: a or b out of range, or beyond 1e±100.
     """
     p, q = _floats(a, b)
     starts, shape = _broadcast(psi0, rate, precession)
@@ -100,7 +105,7 @@ def flip_uncertainty(
     often, that float64 starts do not determine the answer.
     """
     p, q = _floats(a, b)
-    psi, speed = np.asarray(psi0, dtype=np.float64), np.asarray(rate, dtype=np.float64)
+    psi, speed = _unmasked(psi0), _unmasked(rate)
     found = _arrive(p, q, psi, speed, precession)
     here, total, reach = found[0], found[4], found[5]
     step = 2.0**-42
@@ -128,8 +133,11 @@ def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
     """The shape in float64; what is given exactly is checked exactly."""
     from fractions import Fraction
 
-    given = [Fraction(x) if isinstance(x, float) else x for x in (a, b)]
-    shape = exact_shape(*given)
+    if not all(math.isfinite(x) for x in (a, b) if isinstance(x, float)):
+        raise InputError("flip map: a and b must be finite")
+    shape = exact_shape(*(Fraction(x) if isinstance(x, float) else x for x in (a, b)))
+    if not (shape.a < WIDEST and shape.a * WIDEST > 1 and shape.b * WIDEST > 1):
+        raise InputError("flip map: beyond 1e±100 float64 fails; flip_angle takes such a shape")
     return int(shape.a.p) / int(shape.a.q), int(shape.b.p) / int(shape.b.q)
 
 
@@ -146,8 +154,15 @@ def _arrive(
 
 def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
     """Flat arrays of one size, and the shape they had."""
-    same = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in given))
+    same = np.broadcast_arrays(*(_unmasked(x) for x in given))
     return [np.ascontiguousarray(x).ravel() for x in same], same[0].shape
+
+
+def _unmasked(x: ArrayLike) -> Floats:
+    """As floats, NaN where the array is masked."""
+    if isinstance(x, np.ma.MaskedArray):
+        return np.asarray(np.ma.filled(x.astype(np.float64), np.nan))
+    return np.asarray(x, dtype=np.float64)
 
 
 def _compiled() -> Callable[..., None] | None:

@@ -194,6 +194,8 @@ def _approximate(on: Orbit, phi: arb) -> arb:
 def _bracket(on: Orbit, phi: arb) -> tuple[arb, arb]:
     """Two times with the wanted one between them: (1−b)/ω ≤ dφ/du ≤ 1/ω, and |u| ≤ K.
 
+    On the separatrix K is infinite, but sin²ψ ≤ sech² u there, so that |u| ≤ |φ|ω + b.
+
     Raises:
         ArithmeticError: the phase is no number.
     """
@@ -203,9 +205,7 @@ def _bracket(on: Orbit, phi: arb) -> tuple[arb, arb]:
     near = (abs(phi) * on.speed).mid()
     far = on.quarter_time.mid()
     if on.level.regime == 0:
-        far = near
-        while not phase_at(on, far) > abs(phi):
-            far = 2 * far + 1
+        far = near + 1
     elif near > far:
         near = arb(0)
     return (near, far) if sign > 0 else (-far, -near)

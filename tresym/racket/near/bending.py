@@ -2,7 +2,8 @@
 
 ε(γ) solves F(ε, γ) = π, and F decreases in ε: where H(v) = √(ab) (F(e(v), bε₀²v) − π) ≤ 0 the curve
 lies below the candidate e(v). For e = ε₀(1 + (pλ − 1/4)v + Cλv²), whose slope is the exact one, and
-λ = √(ab) ε₀², H has a double root at v = 0, so that the sign of H″ on an interval about 0 decides.
+λ = √(ab) ε₀², H and H′ vanish at v = 0, so that by Taylor's theorem H has the sign that H″ has on
+an interval about 0.
 To leading order ε + √(ε² + γ/b) = 2ε₀, a line in γ: H″ is of the order λ, and it is divided by λ
 here by algebra. With u = γ/b, s = sin e, z = √(u + s²) and w = s + z,
 
@@ -48,8 +49,8 @@ def fourth_moment(kappa: arb, v: arb, e: arb, q: arb, y: arb, w: arb, far: arb, 
     """κ ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2 is between 0 and this.
 
     For u > 0 the integrand is at most 1/sin ψ. For u ≤ 0 it decreases in σ = sin ψ while dψ/dσ
-    increases, so that by Chebyshev's inequality for integrals the integral is at most that over σ,
-    which is elementary, times (π/2 − e)/(1 − sin e).
+    increases, so that the integral is at most that over σ, which is elementary, times
+    (π/2 − e)/(1 − sin e): `mean_of_the_product` in the file of proofs on moments.
 
     Args:
         kappa, v, e: the chart's κ and v, and the candidate.

@@ -17,7 +17,7 @@ import heapq
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
@@ -88,6 +88,7 @@ class BoxProof:
     """
 
     tree: str
+    verdict: ClassVar = Verdict.ENCLOSED
 
     @property
     def leaves(self) -> int:
@@ -101,6 +102,7 @@ class Counterexample:
 
     point: BoxPoint
     value: arb
+    verdict: ClassVar = Verdict.REFUTED
 
 
 @dataclass(frozen=True)
@@ -108,42 +110,7 @@ class Open:
     """Nothing is shown, for lack of budget or of a better margin; ``worst`` stayed open."""
 
     worst: Box
-
-
-@dataclass(frozen=True)
-class BoundDecision:
-    """What a search or a re-check of a bound came to."""
-
-    verdict: Verdict
-    proof: BoxProof | None = None
-    counterexample: Counterexample | None = None
-
-    @property
-    def witness(self) -> dict[str, str]:
-        """The counterexample's coordinates as exact text, x1, x2, …; empty without one."""
-        if self.counterexample is None:
-            return {}
-        point = self.counterexample.point
-        return {f"x{i + 1}": fraction_text(x) for i, x in enumerate(point)}
-
-
-def decide_bound(
-    bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
-) -> BoundDecision:
-    """Decide a bound: by re-checking ``stored`` where given, else by a search of ``budget`` boxes.
-
-    Raises:
-        CertificateError: ``stored`` does not prove the bound.
-    """
-    if stored is not None:
-        recheck(bound, stored)
-        return BoundDecision(Verdict.ENCLOSED, stored)
-    outcome = prove_positive(bound, budget)
-    if isinstance(outcome, BoxProof):
-        return BoundDecision(Verdict.ENCLOSED, outcome)
-    if isinstance(outcome, Counterexample):
-        return BoundDecision(Verdict.REFUTED, counterexample=outcome)
-    return BoundDecision(Verdict.UNDECIDED)
+    verdict: ClassVar = Verdict.UNDECIDED
 
 
 def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | None:
@@ -153,7 +120,7 @@ def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | N
     it: a margin that compares floats, forgets radii or goes by the type of what it is given does
     not.
     """
-    start = tuple((low + high) / 2 for low, high in region)
+    start = tuple(side.middle for side in region)
     end = tuple((side.low + 3 * side.high) / 4 for side in region)
     near = tuple(p + (q - p) / (32 + n) for n, (p, q) in enumerate(zip(start, end, strict=True)))
     here = tuple(Interval(p, q) for p, q in zip(start, near, strict=True))
@@ -177,8 +144,28 @@ def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | N
     return None
 
 
-def prove_positive(bound: Bound, budget: int = 20_000) -> BoxProof | Counterexample | Open:
-    """Search for a proof of the bound, or for a point that refutes it, in ``budget`` boxes."""
+def decide_bound(
+    bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
+) -> BoxProof | Counterexample | Open:
+    """A proof of the bound, a point that refutes it, or neither, found in ``budget`` boxes.
+
+    What is called a proof has been checked, whether it was stored or found.
+
+    Raises:
+        CertificateError: ``stored``, or what was found, does not prove the bound.
+    """
+    found = stored or _found(bound, budget)
+    if isinstance(found, BoxProof):
+        recheck(bound, found)
+    elif isinstance(found, Counterexample):
+        with ball_precision(bound.precision):
+            inside = all(s.holds(x) for s, x in zip(bound.box, found.point, strict=True))
+            if not (inside and value_at(bound.margin, found.point) < 0):
+                raise CertificateError("the bound does not fail at the point that was found")
+    return found
+
+
+def _found(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
     with ball_precision(bound.precision):
         for point in _inner_corners(bound.box):
             value = value_at(bound.margin, point)
@@ -204,7 +191,7 @@ def _search(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
         if bound.margin(*_sides(here), balls) > 0:
             tree.append(BY_BALL)
             continue
-        middle = tuple((low + high) / 2 for low, high in here)
+        middle = tuple(side.middle for side in here)
         centre = value_at(bound.margin, middle)
         if centre < 0:
             return _negative(bound, middle, centre)
@@ -228,28 +215,38 @@ def recheck(bound: Bound, proof: BoxProof) -> None:
     Raises:
         CertificateError: the tree is malformed, or a box does not close.
     """
-    if not isinstance(proof.tree, str):
-        raise CertificateError("the tree is no text")
     with ball_precision(bound.precision):
-        stack = [bound.box]
-        for mark in proof.tree:
-            if not stack:
-                raise CertificateError("the tree goes on after its last box")
-            here = stack.pop()
+        for here, mark in leaf_boxes(bound.box, proof):
             if mark == BY_BALL:
                 closed = bound.margin(*_sides(here), balls) > 0
-            elif mark == BY_SLOPES:
+            else:
                 slopes = _slopes(bound.margin, here)
                 closed = _extreme(bound.margin, here, slopes, lowest=True) > 0
-            elif mark in AXES[: len(here)]:
-                stack.extend(reversed(halves(here, AXES.index(mark))))
-                continue
-            else:
-                raise CertificateError(f"unknown mark {mark!r} in the tree")
             if not closed:
                 raise CertificateError(f"the box {_shown(here)} does not close")
-        if stack:
-            raise CertificateError("the tree ends before its last box")
+
+
+def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[tuple[Box, str]]:
+    """The boxes a proof closes, which together are the region, and the marks that say how.
+
+    Raises:
+        CertificateError: the tree is malformed.
+    """
+    if not isinstance(proof.tree, str):
+        raise CertificateError("the tree is no text")
+    stack = [region]
+    for mark in proof.tree:
+        if not stack:
+            raise CertificateError("the tree goes on after its last box")
+        here = stack.pop()
+        if mark in (BY_BALL, BY_SLOPES):
+            yield here, mark
+        elif mark in AXES[: len(here)]:
+            stack.extend(reversed(halves(here, AXES.index(mark))))
+        else:
+            raise CertificateError(f"unknown mark {mark!r} in the tree")
+    if stack:
+        raise CertificateError("the tree ends before its last box")
 
 
 @dataclass(frozen=True)
@@ -296,7 +293,7 @@ def supremum(
             if not queue:
                 break
             here = heapq.heappop(queue)[2]
-            middle = tuple((low + high) / 2 for low, high in here)
+            middle = tuple(side.middle for side in here)
             best = _best([best, (value_at(function, middle), middle)])
             upper, axis = _upper(function, here, region, slopes)
             if upper <= best[0].lower() * wanted:
@@ -335,24 +332,9 @@ def value_at(function: Margin, point: BoxPoint) -> arb:
 
 def halves(here: Box, axis: int) -> tuple[Box, Box]:
     """The two halves of the box along ``axis``."""
-    low, high = here[axis]
-    middle = (low + high) / 2
-    before, after = here[:axis], here[axis + 1 :]
-    return (
-        (*before, Interval(low, middle), *after),
-        (*before, Interval(middle, high), *after),
-    )
-
-
-def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[Box]:
-    """The boxes a proof closes, in its order (for pictures)."""
-    stack = [region]
-    for mark in proof.tree:
-        here = stack.pop()
-        if mark in AXES:
-            stack.extend(reversed(halves(here, AXES.index(mark))))
-        else:
-            yield here
+    side, before, after = here[axis], here[:axis], here[axis + 1 :]
+    lower, upper = side._replace(high=side.middle), side._replace(low=side.middle)
+    return (*before, lower, *after), (*before, upper, *after)
 
 
 def _sides(here: Box) -> tuple[arb, ...]:
@@ -360,20 +342,19 @@ def _sides(here: Box) -> tuple[arb, ...]:
 
 
 def _shown(here: Box) -> str:
-    return " x ".join(f"[{fraction_text(low)}, {fraction_text(high)}]" for low, high in here)
+    return " x ".join(f"[{fraction_text(x.low)}, {fraction_text(x.high)}]" for x in here)
 
 
 def _inner_corners(region: Box) -> list[BoxPoint]:
     """The corners, moved inward by 2⁻³² of the sides: an excluded edge yields no witness."""
     inset = fmpq(1, 2**32)
-    ends = [(low + (high - low) * inset, high - (high - low) * inset) for low, high in region]
-    return list(product(*ends))
+    return list(product(*((x.low + x.width * inset, x.high - x.width * inset) for x in region)))
 
 
 def _relative(here: Box, whole: Box, axis: int) -> fmpq:
     """The length of a side as a part of the whole one."""
-    side = whole[axis].high - whole[axis].low
-    return (here[axis].high - here[axis].low) / side if side else fmpq(0)
+    side = whole[axis].width
+    return here[axis].width / side if side else fmpq(0)
 
 
 def _longest(here: Box, whole: Box) -> int:
@@ -397,7 +378,7 @@ def _steepest(here: Box, whole: Box, slopes: tuple[arb, ...], longest: int) -> i
     long = [axis for axis in range(len(here)) if _relative(here, whole, axis) >= least]
     return max(
         long,
-        key=lambda axis: float(abs(slopes[axis]).upper() * (here[axis].high - here[axis].low)),
+        key=lambda axis: float(abs(slopes[axis]).upper() * here[axis].width),
     )
 
 
@@ -414,7 +395,6 @@ def _extreme(function: Margin, here: Box, slopes: tuple[arb, ...], lowest: bool)
         elif slope <= 0:
             point.append(side.high if lowest else side.low)
         else:
-            middle = (side.low + side.high) / 2
-            point.append(middle)
-            spread += slope * (side.ball() - arb(middle))
+            point.append(side.middle)
+            spread += slope * (side.ball() - arb(side.middle))
     return value_at(function, tuple(point)) + spread

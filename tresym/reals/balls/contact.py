@@ -17,12 +17,11 @@ from flint import arb, fmpq
 from tresym.reals.balls.order import Judgement, Size
 from tresym.reals.language.expression import PI, ZERO, E, Expr, apply, differentiate, number, sqrt
 from tresym.reals.normal.at_point import equal_at
-from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval, simplest_between
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
+from tresym.reals.numbers.exact import InputError, Interval
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
-PRECISION = 128
 LARGEST_DENOMINATOR = 1_000
 MAX_ORDER = 8
 MAX_SIZE = 3_000
@@ -44,20 +43,20 @@ def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
     """Exact points that ``worst`` suggests, the simplest of each kind, and those that are known."""
     seen: set[Expr] = set()
     for point in known:
-        with ball_precision(PRECISION):
+        with ball_precision():
             if evaluate(point, {}).overlaps(worst.ball()):
                 seen.add(point)
                 yield point
     for wider in (1, 2**12, 2**24):
-        gap = wider * ((worst.high - worst.low) or fmpq(1, 2**40))
-        low, high = worst.low - gap, worst.high + gap
-        found = [number(simplest_between(low, high))]
-        with ball_precision(PRECISION):
+        gap = wider * (worst.width or fmpq(1, 2**40))
+        about = Interval(worst.low - gap, worst.high + gap)
+        found = [number(about.simplest())]
+        with ball_precision():
             for there, back in _KINDS:
-                ends = there(arb(low)).lower(), there(arb(high)).upper()
+                ends = there(arb(about.low)).lower(), there(arb(about.high)).upper()
                 if not (ends[0].is_finite() and ends[1].is_finite() and ends[0] <= ends[1]):
                     continue
-                r = simplest_between(*map(rational, ends))
+                r = Interval(ends[0].fmpq(), ends[1].fmpq()).simplest()
                 if r != 0 and max(abs(r.p), r.q) < LARGEST_DENOMINATOR:
                     found.append(back(number(r)))
         for point in found:
@@ -91,7 +90,7 @@ def sign_at_contact(e: Expr, name: str, point: Expr, side: int) -> tuple[int, fm
 
 def _reach(first: _Leading, name: str, point: Expr, side: int) -> tuple[int, fmpq] | None:
     """How far the last of the derivatives keeps its sign, all of them being finite there."""
-    with ball_precision(PRECISION):
+    with ball_precision():
         at = evaluate(point, {})
         for reach in REACHES:
             hull = {name: at.union(at + side * arb(reach))}
@@ -109,7 +108,7 @@ def decide_smooth(
     f, g = _leading(left, name, point), _leading(right, name, point)
     if f is None or g is None:
         return Judgement(Verdict.UNDECIDED)
-    with ball_precision(PRECISION):
+    with ball_precision():
         at = evaluate(point, {})
         top = evaluate(f.last, {name: at}) * side**f.order / factorial(f.order)
         bottom = evaluate(g.last, {name: at}) * side**g.order / factorial(g.order)
@@ -142,7 +141,7 @@ def decide_smooth(
 
 def _leading(e: Expr, name: str, point: Expr) -> _Leading | None:
     derivatives = [e]
-    with ball_precision(PRECISION):
+    with ball_precision():
         at = evaluate(point, {})
         for order in range(MAX_ORDER + 1):
             value = evaluate(derivatives[-1], {name: at})
@@ -165,14 +164,6 @@ def enclosure(point: Expr) -> tuple[fmpq, fmpq]:
     """Rationals on both sides of the constant, equal to it where it is rational."""
     if point.op == "number":
         return point.args[0], point.args[0]
-    with ball_precision(2 * PRECISION):
+    with ball_precision(2 * WORKING):
         value = evaluate(point, {})
-        return rational(value.lower()), rational(value.upper())
-
-
-def rational(x: arb) -> fmpq:
-    """The exact value of a ball of radius zero."""
-    mantissa, exponent = x.man_exp()
-    if exponent >= 0:
-        return fmpq(mantissa * 2 ** int(exponent))
-    return fmpq(mantissa, 2 ** int(-exponent))
+        return value.lower().fmpq(), value.upper().fmpq()

@@ -12,7 +12,6 @@ from tresym.reals.balls.run import formula
 from tresym.reals.language.expression import Expr, substitute, symbol
 from tresym.reals.numbers.arithmetic import ball_precision
 
-PRECISION = 128
 ORDER = 10
 HALVINGS = 14
 _PARAMETER = "_t"
@@ -32,7 +31,7 @@ def sign_beside(e: Expr, name: str, point: Expr | None, side: int) -> tuple[int,
     t = symbol(_PARAMETER)
     along = side / t if point is None else point + side * t
     run = formula(substitute(e, {name: along}), _PARAMETER)
-    with ball_precision(PRECISION):
+    with ball_precision():
         for parameter, field, reach in _fields():
             try:
                 found = _sign(field.germ(run(parameter, field)))

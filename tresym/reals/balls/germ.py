@@ -15,13 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import partialmethod, reduce
 from itertools import zip_longest
 from typing import Any, TypeAlias
 
 from flint import arb, arb_series, ctx, fmpq, fmpq_poly, fmpq_series, fmpz
 
-from tresym.reals.balls.gradient import taylor_coefficients
+from tresym.reals.balls.gradient import horner, taylor_coefficients
 from tresym.reals.numbers.exact import as_rational
 
 Exact = fmpq_poly
@@ -57,10 +57,8 @@ def as_ball(c: Coefficient) -> arb:
     """The number as a ball at the working precision."""
     if isinstance(c, arb):
         return c
-    total, pi = arb(0), arb.pi()
-    for j in range(c.degree(), -1, -1):
-        total = total * pi + arb(c[j])
-    return total
+    exact = c.coeffs()
+    return arb(exact[0]) if len(exact) == 1 else horner(exact, arb.pi())
 
 
 def is_zero(c: Coefficient) -> bool:
@@ -75,8 +73,6 @@ def _plus(c: Coefficient, d: Coefficient) -> Coefficient:
 
 
 def _times(c: Coefficient, d: Coefficient) -> Coefficient:
-    if is_zero(c) or is_zero(d):
-        return ZERO
     if isinstance(c, arb) or isinstance(d, arb):
         return as_ball(c) * as_ball(d)
     return c * d
@@ -120,16 +116,11 @@ class Germ:
 
     def range(self) -> arb:
         """A ball that contains f/(x^v exp …) on all of (0, x₀]."""
-        total, x = self.rest, self.field.whole
-        for c in reversed(self.terms):
-            total = total * x + as_ball(c)
-        return total
+        return horner([as_ball(c) for c in self.terms], self.field.whole, self.rest)
 
     def at(self, x: arb) -> arb:
         """A ball that contains f at a point of (0, x₀]."""
-        total = self.rest
-        for c in reversed(self.terms):
-            total = total * x + as_ball(c)
+        total = horner([as_ball(c) for c in self.terms], x, self.rest)
         for power, p in enumerate(self.exponent):
             total *= (as_ball(p) / x**power).exp()
         return total * x**self.power
@@ -233,8 +224,7 @@ class Germs:
         while first < len(terms) and is_zero(terms[first]):
             first += 1
         kept = terms[first : first + self.order]
-        for c in reversed(terms[first + self.order :]):
-            rest = rest * self.whole + as_ball(c)
+        rest = self._polynomial(terms[first + self.order :], rest)
         if rest.is_zero():
             while kept and is_zero(kept[-1]):
                 kept.pop()
@@ -251,10 +241,8 @@ class Germs:
 
     def _cut(self, f: Germ, length: int) -> tuple[list[Coefficient], arb]:
         """``length`` terms of f and the remainder behind them (f is exact, or has as many)."""
-        rest = f.rest
-        for c in reversed(f.terms[length:]):
-            rest = rest * self.whole + as_ball(c)
         kept = list(f.terms[:length])
+        rest = self._polynomial(f.terms[length:], f.rest)
         return kept + [ZERO] * (length - len(kept)), rest
 
     def _monomial(self, power: int) -> arb:
@@ -308,19 +296,17 @@ class Germs:
         n = min(self._length(f), self._length(g))
         (p, rest_f), (q, rest_g) = self._cut(f, n), self._cut(g, n)
         product: list[Coefficient] = [ZERO] * max(2 * n - 1, 0)
+        factors = [(j, d) for j, d in enumerate(q) if not is_zero(d)]
         for i, c in enumerate(p):
-            for j, d in enumerate(q):
+            for j, d in () if is_zero(c) else factors:
                 product[i + j] = _plus(product[i + j], _times(c, d))
         rest = rest_f * self._polynomial(q) + rest_g * f.range()
         rest += self._polynomial(product[n:])
         return self._made(f.power + g.power, _sum(f.exponent, g.exponent), product[:n], rest)
 
-    def _polynomial(self, terms: Sequence[Coefficient]) -> arb:
-        """The range of the polynomial on (0, x₀]."""
-        total = arb(0)
-        for c in reversed(terms):
-            total = total * self.whole + as_ball(c)
-        return total
+    def _polynomial(self, terms: Sequence[Coefficient], rest: arb = arb(0)) -> arb:  # noqa: B008
+        """The range of the polynomial on (0, x₀], with ``rest`` behind its last term."""
+        return horner([as_ball(c) for c in terms], self.whole, rest)
 
     def _same_exponent(self, f: Germ, g: Germ) -> tuple[Germ, Germ]:
         """f and g over the exponent of the larger one; the smaller becomes a bounded remainder."""
@@ -516,26 +502,14 @@ class Germs:
         """exp(f) − 1."""
         return self.exp(f) - 1 if self._large(f) else self._apply("expm1", f)
 
-    def sin(self, f: Germ) -> Germ:
-        """Sine."""
-        return self._wave("sin", f)
-
-    def cos(self, f: Germ) -> Germ:
-        """Cosine."""
-        return self._wave("cos", f)
-
     def _wave(self, name: str, f: Germ) -> Germ:
         if f.vanishes or f.growth() <= 0:
             return self._apply(name, f)
         return self.bounded(arb(0, 1))
 
-    def tan(self, f: Germ) -> Germ:
-        """Tangent."""
-        return self._apply("tan", f)
-
-    def asin(self, f: Germ) -> Germ:
-        """Inverse sine."""
-        return self._apply("asin", f)
+    sin, cos = partialmethod(_wave, "sin"), partialmethod(_wave, "cos")
+    tan, asin = partialmethod(_apply, "tan"), partialmethod(_apply, "asin")
+    atanh = partialmethod(_apply, "atanh")
 
     def acos(self, f: Germ) -> Germ:
         """Inverse cosine."""
@@ -572,10 +546,6 @@ class Germs:
     def acosh(self, f: Germ) -> Germ:
         """Inverse hyperbolic cosine."""
         return self.log(f + self.sqrt(f * f - 1))
-
-    def atanh(self, f: Germ) -> Germ:
-        """Inverse hyperbolic tangent."""
-        return self._apply("atanh", f)
 
 
 Series = Callable[[arb_series], arb_series]

@@ -8,7 +8,7 @@ exist on the box (a square root at 0, say) its enclosure is not finite, and noth
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -173,7 +173,7 @@ class Divided:
         if not abs(x) > arb(2) ** -CANCELLED:
             return self._direct(x)[0]
         start = _expansion(self, ctx.prec)[: self.power]
-        return (taylor_coefficients(self.series, x, 1)[0] - _horner(start, x)) / x**self.power
+        return (taylor_coefficients(self.series, x, 1)[0] - horner(start, x)) / x**self.power
 
     def _rough(self, x: arb) -> arb:
         """The slope over a ball, by few coefficients: h_{p+1} on the hull of 0 and x."""
@@ -202,12 +202,12 @@ class Divided:
         start = _expansion(self, ctx.prec)
         if abs(x) > self.near:
             h = taylor_coefficients(self.series, x, 2)
-            value = h[0] - _horner(start[:p], x)
-            slope = h[1] - _horner([j * c for j, c in enumerate(start[:p])][1:], x)
+            value = h[0] - horner(start[:p], x)
+            slope = h[1] - horner([j * c for j, c in enumerate(start[:p])][1:], x)
             return value / x**p, (slope - p * value / x) / x**p
         rest = taylor_coefficients(self.series, x.union(arb(0)), p + n + 1)[p + n]
         terms = [*start[p:], rest]
-        return _horner(terms, x), _horner([j * c for j, c in enumerate(terms)][1:], x)
+        return horner(terms, x), horner([j * c for j, c in enumerate(terms)][1:], x)
 
 
 @lru_cache(maxsize=256)
@@ -240,8 +240,8 @@ def taylor_coefficients(
     return [series[j] for j in range(length)]
 
 
-def _horner(coefficients: list[arb], x: arb) -> arb:
-    total = arb(0)
+def horner(coefficients: Sequence[arb], x: arb, total: arb = arb(0)) -> arb:  # noqa: B008
+    """The polynomial with these coefficients and then ``total`` at ``x``."""
     for c in reversed(coefficients):
         total = total * x + c
     return total

@@ -11,6 +11,9 @@ from typing import Any
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.reading import read
 from tresym.reals.decisions.statement import decide_claim
+from tresym.reals.numbers.exact import InputError
+
+MAX_SECONDS = 100_000
 
 __all__ = ["Answer", "check"]
 
@@ -30,8 +33,10 @@ def check(
             its own. Without it the claim is decided here.
 
     Raises:
-        InputError: the claim is not read; one line says why.
+        InputError: the claim is not read, or the limit is no number of seconds; one line says why.
     """
+    if limit is not None and not (isinstance(limit, int | float) and 0 < limit < MAX_SECONDS):
+        raise InputError(f"limit: a number of seconds above 0 and below {MAX_SECONDS}")
     if not (isinstance(claim, str) and isinstance(given, str)):
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
     if limit is None:

@@ -11,17 +11,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.identity import Decision, decide, no_point, sampled_values, shown
 from tresym.reals.language.expression import Expr, symbols
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.arithmetic import decided
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
-BITS, LOOKS = 128, 10
+LOOKS = 10
 REAL = "what is differentiated is real"
 NOWHERE = f"no point was found at which {REAL}"
 FORMAL = "so that this is proved of formal derivatives alone"
@@ -47,11 +47,11 @@ def decide_equality(
     parts = (left, right, *differentiated)
     names = sorted(frozenset().union(*map(symbols, parts)))
     if found.verdict is Verdict.PROVED:
-        for point, _ in sampled_values(left, right, given, names, LOOKS, BITS):
+        for point, _ in sampled_values(left, right, given, names, LOOKS):
             if _is_real(differentiated, by, point):
                 return replace(found, why=f"{found.why}, {REAL} at {shown(point)}")
     inside, whole = where_real(given, differentiated, by)
-    real = next(sampled_values(left, right, inside, names, 1, BITS), None)
+    real = next(sampled_values(left, right, inside, names, 1), None)
     if found.verdict is Verdict.PROVED:
         where = f", {REAL} at {shown(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
         return replace(found, why=found.why + where)
@@ -66,11 +66,12 @@ def decide_equality(
 
 def _is_real(functions: Iterable[Expr], by: Iterable[str], point: Mapping[str, fmpq]) -> bool:
     """Whether balls show every function to be real at ``point`` and beside it."""
-    for bits in (BITS, 8 * BITS):
-        with ball_precision(bits):
-            at = {name: arb(value) for name, value in point.items()}
-            beside = arb(0, arb(2) ** (-bits // 2))
-            near = at | {name: at[name] + beside for name in by if name in at}
-            if all(symbols(f) <= at.keys() and evaluate(f, near).is_finite() for f in functions):
-                return True
-    return False
+
+    def shown_real() -> bool | None:
+        near = {name: arb(value) for name, value in point.items()}
+        beside = arb(0, arb(2) ** (-ctx.prec // 2))
+        near |= {name: near[name] + beside for name in by if name in near}
+        real = (symbols(f) <= near.keys() and evaluate(f, near).is_finite() for f in functions)
+        return all(real) or None
+
+    return decided(shown_real) is True

@@ -28,12 +28,13 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from tresym.reals.language.expression import ZERO, Expr, number, symbols
-from tresym.reals.normal.constants import settled
+from tresym.reals.normal.constants import settled, vanishes
 from tresym.reals.normal.field import ALL_THEORIES, Field
-from tresym.reals.normal.locally_constant import equal_by_derivative, vanishes_or_zero
+from tresym.reals.normal.locally_constant import equal_by_derivative
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import Fraction, UndefinedError
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.normal.written import written
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
@@ -43,7 +44,7 @@ from tresym.reals.verdict import Verdict
 
 Points = Callable[[Given], Sequence[Mapping[str, fmpq]]]
 
-FIRST_BITS, FIRST_POINTS = 128, 2
+FIRST_POINTS = 2
 SIGN_POINTS = 6, 64
 BLAMED_POINTS, MAX_SHOWN = 40, 60
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
@@ -87,12 +88,12 @@ def decide(
     sides = (left, right)
 
     def look(
-        count: int, bits: int, where: Given = given
+        count: int, bits: int = WORKING, where: Given = given
     ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
         return sampled_values(left, right, where, names, count, bits)
 
     defined: dict[str, fmpq] | None = None
-    for point, values in look(FIRST_POINTS, FIRST_BITS):
+    for point, values in look(FIRST_POINTS):
         if not values[0].overlaps(values[1]):
             return _refutation(point, values)
         defined = point
@@ -139,16 +140,15 @@ def sampled_values(
     given: Given,
     names: list[str],
     count: int,
-    bits: int,
+    bits: int = WORKING,
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
     """Points where both sides are defined, at most ``count``, with their values."""
     found = 0
     for point in given.points(names, SEARCH_POINTS):
         with ball_precision(bits):
-            at = {name: arb(value) for name, value in point.items()}
             known: dict[Expr, arb] = {}
-            x = evaluate(left, at, known)
-            y = evaluate(right, at, known) if x.is_finite() else x
+            x = evaluate(left, point, known)
+            y = evaluate(right, point, known) if x.is_finite() else x
         if y.is_finite():
             yield point, (x, y)
             found += 1
@@ -180,10 +180,9 @@ def no_point(parts: tuple[Expr, ...], given: Given) -> str:
     if next(given.points(names, 1), None) is None:
         return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
     missing: Counter[Expr] = Counter()
-    with ball_precision(FIRST_BITS):
+    with ball_precision():
         for point in given.points(names, BLAMED_POINTS):
-            at = {name: arb(value) for name, value in point.items()}
-            missing.update(undefined_parts(parts, at))
+            missing.update(undefined_parts(parts, point))
     ranked = sorted((-count, str(part)) for part, count in missing.items())
     blamed = " and ".join([text for _, text in ranked if len(text) <= MAX_SHOWN][:2])
     hint = "a condition that bounds the variables may help"
@@ -212,7 +211,7 @@ def _prove(
         return f"the difference has normal form 0 ({count} generators)", ""
     try:
         value = settled(field, value, functions=bool(symbols(left) | symbols(right)))
-        if vanishes_or_zero(field, value.num):
+        if vanishes(field, value.num):
             return f"the difference has normal form 0 after its constants ({count} generators)", ""
         proof = equal_by_derivative(left, right, given, theories, field.size)
     except (TooLargeError, UndefinedError):
@@ -234,7 +233,7 @@ def _difference(
         field = Field(given, theories, size, lambda: points(given))
         try:
             x, y = field.normal(*sides)
-            return field, field.subtract(x, y)
+            return field, x - y
         except TooLargeError:
             if len(field.generators) < size:
                 raise
@@ -270,11 +269,11 @@ def _sign_in_doubt(field: Field, value: Fraction) -> Expr | None:
 
 def _obstacle(field: Field, value: Fraction) -> str:
     kinds = {field.at(i).kind for i in field.used(value.num)}
-    if "sign" in kinds:
-        signs = [field.at(i).data[0] for i in field.used(value.num) if field.at(i).kind == "sign"]
-        for factor in signs:
+    for generator in map(field.at, field.used(value.num)):
+        if generator.kind == "sign":
+            factor = written(field, generator.data[0]) or "a part"
             return (
-                f"the normal form of the difference depends on the sign of {field.text(factor)}; "
+                f"the normal form of the difference depends on the sign of {factor}; "
                 "an assumption on it may help"
             )
     if "opaque" in kinds:

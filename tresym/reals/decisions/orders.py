@@ -20,7 +20,6 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
-PRECISION = 128
 LONGEST = fmpq(1)
 LARGEST = arb((1, 10**8))
 SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3))
@@ -96,7 +95,7 @@ def _sign_along(e: Expr, path: Path, side: int) -> tuple[int, fmpq] | None:
     reach = judged_by_ratio("o", ONE, along, _PARAMETER).upto
     if reach is None:
         return None
-    with ball_precision(PRECISION):
+    with ball_precision():
         value = evaluate(along, {_PARAMETER: arb(reach / 3)})
     return (1 if value > 0 else -1, reach / 3) if value > 0 or value < 0 else None
 
@@ -117,7 +116,7 @@ def _shown_at(
             found.append((t, values))
             if judgement.true_order is not None or claim.relation == "~":
                 break
-    with ball_precision(PRECISION):
+    with ball_precision():
         return max(found, key=lambda item: _ratio(*item[1]), default=None)
 
 
@@ -128,7 +127,7 @@ def _ratio(left: arb, right: arb) -> arb:
 def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb] | None:
     """Both sides at a point of the path; None where they are not shown to be real."""
     mapping = {path.name: _along(path, side)}
-    with ball_precision(PRECISION):
+    with ball_precision():
         at = {_PARAMETER: arb(t)}
         left, right = (evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right))
         return (left, right) if left.is_finite() and right.is_finite() else None
@@ -167,7 +166,7 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
     if claim.relation == "O":
         if any(judgement.constant is None for judgement in found):
             return Answer(Verdict.UNDECIDED, "the range of the expansions does not settle it")
-        with ball_precision(PRECISION):
+        with ball_precision():
             constant = arb(0)
             for judgement in found:
                 constant = constant.max(judgement.constant)

@@ -44,7 +44,6 @@ from tresym.reals.places.conditions import positive
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
-PRECISION = 128
 SCALES = (fmpq(2), fmpq(1, 2), fmpq(3))
 MAX_LEVELS = 3
 SHORTEST = fmpq(1, 1000)
@@ -67,7 +66,7 @@ def judged(
     """The order statement as it stands, for the parameter ``name`` up to ``upto``."""
     f, g = formula(left, name), formula(right, name)
     try:
-        return judge_order(Order(kind, f, g, constant=constant, upto=upto), PRECISION)
+        return judge_order(Order(kind, f, g, constant=constant, upto=upto))
     except (ZeroDivisionError, OverflowError, InputError):
         return _OPEN
 
@@ -218,7 +217,7 @@ def _by_logarithm(kind: str, ratio: Expr, name: str, level: int) -> Judgement:
     if bounded.constant is not None and bounded.upto is not None and kind != "~":
         if kind == "o":
             return _refuted(bounded.upto)
-        with ball_precision(PRECISION):
+        with ball_precision():
             constant = arb(0).union(bounded.constant.exp().upper())
         return Judgement(Verdict.ENCLOSED, constant=constant, upto=bounded.upto)
     terms = size.args if size.op == "+" else ()
@@ -348,7 +347,7 @@ def _by_oscillation(kind: str, ratio: Expr, name: str, _: int) -> Judgement:
         if found.upto is not None:
             for k in range(1, SAMPLES):
                 at = found.upto * fmpq(k, SAMPLES)
-                with ball_precision(PRECISION):
+                with ball_precision():
                     if abs(evaluate(wave, {name: arb(at)})) > arb("0.5"):
                         return _refuted(at)
     return _OPEN

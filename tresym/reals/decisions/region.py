@@ -7,12 +7,14 @@ neighbourhood of an end or of a point of contact on which the germ of the differ
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, prove_positive
+from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, decide_bound
 from tresym.reals.balls.contact import candidates, enclosure, sign_at_contact
 from tresym.reals.balls.ends import sign_beside
 from tresym.reals.decisions.answer import Answer, refuted
@@ -22,7 +24,7 @@ from tresym.reals.language.inverted import solutions
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.written import numerator
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Interval, simplest_between
+from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.places.conditions import Condition, Given
 from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
@@ -34,9 +36,19 @@ BUDGETS = {1: 3_000, 2: 12_000}
 LARGEST_BUDGET = 20_000
 MAX_CONTACTS = 8
 MAX_VARIABLES = 4
-LARGEST_DENOMINATOR = 1_000
 FAR = (2, 16, 1024)
 _ONE, _NAN = arb(1), arb.nan()
+
+
+def is_isolated(at: Mapping[str, arb], sides: tuple[Expr, Expr]) -> bool:
+    """Whether no point is found close by where both sides are defined: no claim speaks of it."""
+    with ball_precision(2 * PRECISION):
+        for signs in product((1, -1), repeat=len(at)):
+            steps = (arb(fmpq(sign, (1 << 40) + 7**k)) for k, sign in enumerate(signs))
+            near = {name: at[name] + step for name, step in zip(at, steps, strict=True)}
+            if all(evaluate(side, near).is_finite() for side in sides):
+                return False
+    return bool(at)
 
 
 def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) -> Answer:
@@ -54,8 +66,7 @@ def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) 
     if len(names) == 1:
         return search_.on_line(ranges[0])
     if len(names) <= MAX_VARIABLES and all(_bounded(r) for r in ranges):
-        sides = tuple(Interval(r.low, r.high) for r in ranges)
-        return search_.in_box(sides)
+        return search_.in_box(tuple(ranges))
     free = [n for n, r in zip(names, ranges, strict=True) if not _bounded(r)]
     return Answer(
         Verdict.UNDECIDED,
@@ -219,6 +230,8 @@ class _Search:
         if not self.strict:
             return True
         with ball_precision(2 * PRECISION):
+            if is_isolated(at, (self.left, self.right)):
+                return True
             if all(satisfies(c, {name: point}, at) for c in self.spoken_of):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
                 return refuted(f"both sides are equal at {name} = {point}", {name: point}, *values)
@@ -261,7 +274,7 @@ class _Search:
 
     def _prove(self, sides: Box, budget: int) -> Answer | Box:
         """ENCLOSED, REFUTED, or the box that stayed open."""
-        outcome = prove_positive(Bound(self._margin, sides, precision=PRECISION), budget)
+        outcome = decide_bound(Bound(self._margin, sides, precision=PRECISION), budget)
         if isinstance(outcome, BoxProof):
             return Answer(Verdict.ENCLOSED, self._closed(outcome.leaves))
         if isinstance(outcome, Counterexample):
@@ -278,8 +291,7 @@ class _Search:
     def _refute(self, point: tuple[fmpq, ...]) -> Answer | None:
         """A refutation at a simple point nearby, or at the point itself."""
         for tolerance in (fmpq(1, 2**10), fmpq(1, 2**30)):
-            near = tuple(simplest_between(x - tolerance, x + tolerance) for x in point)
-            found = self._refute_at(near)
+            found = self._refute_at(tuple(near(x, tolerance) for x in point))
             if found is not None:
                 return found
         return self._refute_at(point)
@@ -292,7 +304,7 @@ class _Search:
                 if not all(condition.holds_exactly(at) for condition in self.spoken_of):
                     continue
                 x, y = evaluate(self.left, at), evaluate(self.right, at)
-                if x < y:
+                if x < y and not is_isolated(at, (self.left, self.right)):
                     return refuted(f"it fails at {shown(exact)}", exact, x, y)
         return None
 

@@ -6,13 +6,19 @@ tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` as
 (``cbrt`` is the real cube root of any number), ``log x`` for ``x > 0``, ``asin`` and ``acos`` for
 ``|x| ≤ 1``, ``1/x`` for ``x ≠ 0``. ``sign 0`` is 0, and ``atan2(y, x)``, the angle of the point
 ``(x, y)`` in (−π, π], is defined but at the origin: ``atan2(0, x)`` is π for ``x < 0``.
+
+Integrals, derivatives, values at a point and limits are nodes that bind a variable; binders.py
+makes them. The variable has no name in the tree, only a number, and the name that it was written
+with is kept for showing: trees are equal up to the names of bound variables, and what is put in
+for a symbol cannot be captured.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Container, Iterable, Mapping
 from fractions import Fraction
 from functools import reduce
+from itertools import count
 from typing import Any, TypeAlias
 
 from flint import fmpq
@@ -31,6 +37,13 @@ FUNCTIONS = frozenset(
 """The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
 there is ``atan2`` alone, see :func:`angle`."""
 
+LEAVES = frozenset(("number", "symbol", "pi", "bound"))
+BINDERS = frozenset(("integral", "derivative", "at", "limit"))
+"""Operations that bind: the first operand is the body, under as many variables as have names."""
+ORDERS = frozenset(("O", "o"))
+"""Landau's terms, of a gauge; like a binder, such a node is no number that could be computed."""
+UNWORKED = BINDERS | ORDERS
+
 MAX_DEPTH = 120
 MAX_SIZE = 20_000
 MAX_BITS = 40_000
@@ -42,30 +55,42 @@ class Expr:
     """One node. Build it with :func:`number`, :func:`symbol`, :func:`apply` and the operators.
 
     Attributes:
-        op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"``, ``"atan2"`` or a
-            function's name.
-        args: the operands; an ``fmpq`` for a number, a ``str`` for a symbol.
+        op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"``, ``"atan2"``, a
+            function's name, one of :data:`UNWORKED`, or ``"bound"``.
+        args: the operands; an ``fmpq`` for a number, a ``str`` for a symbol, and for a bound
+            variable how many variables that are bound stand between it and its binder.
+        names: what the variables that this node binds are called where it is shown. They take no
+            part in equality.
+        loose: how many variables must be bound around this node; 0 for all but parts of a body.
         size, depth: nodes counted as a tree, and its height; both are bounded.
     """
 
-    __slots__ = ("_hash", "_symbols", "args", "depth", "op", "size")
+    __slots__ = ("_hash", "_symbols", "args", "depth", "loose", "names", "op", "size")
 
     op: str
     args: tuple[Any, ...]
 
-    def __init__(self, op: str, args: tuple[Any, ...]) -> None:
+    def __init__(self, op: str, args: tuple[Any, ...], names: tuple[str, ...] = ()) -> None:
         """Internal: the functions of this module fold and check, this does only the bounds."""
-        size, depth = 1, 1
-        if op not in ("number", "symbol"):
+        size, depth, loose = 1, 1, 0
+        if op == "bound":
+            loose = args[0] + 1
+        elif op not in ("number", "symbol"):
+            around = len(names)
             for arg in args:
                 size += arg.size
                 depth = max(depth, arg.depth + 1)
+                if arg.loose:
+                    loose = max(loose, arg.loose - around)
+                around = 0  # only the first operand is under the variables
             if depth > MAX_DEPTH:
                 raise InputError(f"the expression is nested deeper than {MAX_DEPTH} levels")
             if size > MAX_SIZE:
                 raise InputError(f"the expression has more than {MAX_SIZE} terms and operations")
         self.op = op
         self.args = args
+        self.names = names
+        self.loose = loose
         self.size = size
         self.depth = depth
         self._hash = hash((op, args) if op != "number" else (int(args[0].p), int(args[0].q)))
@@ -85,7 +110,8 @@ class Expr:
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_rebuild, (self.op, self.args if self.op != "number" else str(self.args[0])))
+        args = self.args if self.op != "number" else str(self.args[0])
+        return (_rebuild, (self.op, args, self.names))
 
     def __add__(self, other: Expr | Number) -> Expr:
         return add(self, as_expr(other))
@@ -133,8 +159,8 @@ class Expr:
         return f"Expr({_text(self, 0)!r})"
 
 
-def _rebuild(op: str, args: Any) -> Expr:
-    return number(fmpq(*map(int, args.split("/")))) if op == "number" else Expr(op, args)
+def _rebuild(op: str, args: Any, names: tuple[str, ...]) -> Expr:
+    return number(fmpq(*map(int, args.split("/")))) if op == "number" else Expr(op, args, names)
 
 
 def as_expr(x: Expr | Number) -> Expr:
@@ -284,11 +310,11 @@ trees = Trees()
 
 
 def symbols(e: Expr) -> frozenset[str]:
-    """The names of the variables in ``e``."""
+    """The names of the free variables in ``e``."""
     if e._symbols is None:
         if e.op == "symbol":
             e._symbols = frozenset(e.args)
-        elif e.op == "number":
+        elif e.op in LEAVES:
             e._symbols = frozenset()
         else:
             e._symbols = frozenset().union(*(symbols(arg) for arg in e.args))
@@ -296,13 +322,14 @@ def symbols(e: Expr) -> frozenset[str]:
 
 
 def substitute(e: Expr, mapping: Mapping[str, Expr]) -> Expr:
-    """``e`` with every variable of ``mapping`` replaced, all at once."""
+    """``e`` with every free variable of ``mapping`` replaced, all at once."""
+    _need_closed(mapping.values())
     done: dict[Expr, Expr] = {}
 
     def walk(node: Expr) -> Expr:
         if node.op == "symbol":
             return mapping.get(node.args[0], node)
-        if node.op in ("number", "pi") or symbols(node).isdisjoint(mapping):
+        if node.op in LEAVES or symbols(node).isdisjoint(mapping):
             return node
         if node not in done:
             done[node] = rebuild(node, tuple(walk(arg) for arg in node.args))
@@ -312,16 +339,27 @@ def substitute(e: Expr, mapping: Mapping[str, Expr]) -> Expr:
 
 
 def replaced(e: Expr, known: Mapping[Expr, Expr]) -> Expr:
-    """``e`` with parts replaced, outermost first."""
-    if e in known:
-        return known[e]
-    if e.op in ("number", "symbol", "pi"):
-        return e
-    return rebuild(e, tuple(replaced(arg, known) for arg in e.args))
+    """``e`` with parts replaced, outermost first; none of them has a variable that is bound."""
+    _need_closed(known.keys())
+    _need_closed(known.values())
+
+    def walk(node: Expr) -> Expr:
+        if node in known:
+            return known[node]
+        return node if node.op in LEAVES else rebuild(node, tuple(map(walk, node.args)))
+
+    return walk(e)
+
+
+def _need_closed(trees: Iterable[Expr]) -> None:
+    if any(tree.loose for tree in trees):
+        raise ValueError("a variable that is bound cannot leave its binder")
 
 
 def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
     """The operation of ``node`` on other operands."""
+    if node.op in UNWORKED:
+        return Expr(node.op, args, node.names)
     if node.op == "+":
         return add(*args)
     if node.op == "*":
@@ -335,7 +373,11 @@ def differentiate(e: Expr, name: str) -> Expr:
     """The formal derivative of ``e`` with respect to the variable ``name``.
 
     Formal: ``log u`` gives ``u'/u`` and ``atanh u`` gives ``u'/(1 − u²)`` whatever the sign, so
-    the derivative's domain may exceed that of ``e``.
+    the derivative's domain may exceed that of ``e``. The derivative of an integral, a derivative
+    or a limit is a node of its own, for nothing here says that it exists.
+
+    Raises:
+        InputError: an order, which is no function.
     """
     done: dict[Expr, Expr | None] = {}
 
@@ -344,7 +386,8 @@ def differentiate(e: Expr, name: str) -> Expr:
         if name not in symbols(node):
             return None
         if node not in done:
-            done[node] = _derivative(node, walk)
+            hidden = node.op in UNWORKED
+            done[node] = _kept_derivative(node, name) if hidden else _derivative(node, walk)
         return done[node]
 
     return walk(e) or ZERO
@@ -371,6 +414,61 @@ def _derivative(node: Expr, walk: Any) -> Expr | None:
         dy, dx = (ZERO if part is None else part for part in parts)
         return (x * dy - y * dx) / (x**2 + y**2)
     return multiply(_slope(node.op, node.args[0], node), parts[0])
+
+
+def _kept_derivative(node: Expr, name: str) -> Expr:
+    if node.op in ORDERS:
+        raise InputError(f"{node} is an order and has no derivative")
+    return Expr("derivative", (bind(node, (name,)), symbol(name)), (name,))
+
+
+def bind(e: Expr, names: tuple[str, ...]) -> Expr:
+    """``e`` as the body of a binder of the variables ``names``."""
+    places = {name: n for n, name in enumerate(names)}
+
+    def walk(node: Expr, depth: int) -> Expr:
+        if node.op == "symbol" and node.args[0] in places:
+            return Expr("bound", (places[node.args[0]] + depth,))
+        if node.op in LEAVES or symbols(node).isdisjoint(places):
+            return node
+        return rebuild(node, _operands(node, depth, walk))
+
+    return walk(e, 0)
+
+
+def instantiate(body: Expr, values: tuple[Expr, ...]) -> Expr:
+    """The body of a binder at these values of its variables."""
+    _need_closed(values)
+
+    def walk(node: Expr, depth: int) -> Expr:
+        if node.loose <= depth:
+            return node
+        if node.op == "bound":
+            return values[node.args[0] - depth]
+        return rebuild(node, _operands(node, depth, walk))
+
+    return walk(body, 0)
+
+
+def _operands(node: Expr, depth: int, walk: Callable[[Expr, int], Expr]) -> tuple[Expr, ...]:
+    """The operands walked over; the first is under the variables that the node binds."""
+    inside = depth + len(node.names)
+    return tuple(walk(arg, depth if n else inside) for n, arg in enumerate(node.args))
+
+
+def opened(node: Expr, avoid: Iterable[str] = ()) -> tuple[tuple[str, ...], Expr]:
+    """The variables that ``node`` binds, by names that are free nowhere in it, and its body."""
+    taken = {*symbols(node), *avoid}
+    names: list[str] = []
+    for name in node.names:
+        names.append(fresh(name, taken))
+        taken.add(names[-1])
+    return tuple(names), instantiate(node.args[0], tuple(map(symbol, names)))
+
+
+def fresh(name: str, taken: Container[str]) -> str:
+    """``name``, or the first of ``name_1``, ``name_2``, … that is not taken."""
+    return next(found for n in count() if (found := f"{name}_{n}" if n else name) not in taken)
 
 
 def _power_derivative(base: Expr, exponent: Expr, db: Expr | None, de: Expr | None) -> Expr:
@@ -447,8 +545,12 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "pi":
         return "pi"
     if e.op == "+":
-        body = _text(e.args[0], 1)
-        for term in e.args[1:]:
+        terms = e.args
+        last = terms[-1]
+        if last.op == "number" and last.args[0] > 0 and _text(terms[0], 1).startswith("-"):
+            terms = (last, *terms[:-1])  # 1 - x for -x + 1, which is the same tree
+        body = _text(terms[0], 1)
+        for term in terms[1:]:
             part = _text(term, 1)
             body += f" - {part[1:]}" if part.startswith("-") else f" + {part}"
         return _wrap(body, 1, level)
@@ -457,28 +559,61 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "^":
         if e.args[1] == HALF:
             return f"sqrt({_text(e.args[0], 0)})"
+        if _is_reciprocal(e):
+            return _wrap(f"1/{_text(e.args[0], 3)}", 2, level)
         return _wrap(f"{_text(e.args[0], 4)}**{_text(e.args[1], 4)}", 3, level)
     if e == E:
         return "E"
+    if e.op == "bound":
+        return f"[{e.args[0]}]"
+    if e.op in BINDERS:
+        return _binder_text(e)
     return f"{e.op}({', '.join(_text(arg, 0) for arg in e.args)})"
 
 
+def _binder_text(e: Expr) -> str:
+    """A binder, its variables under names that capture nothing."""
+    if e.loose:  # part of a body, shown by itself in messages of errors alone
+        return f"{e.op}({', '.join(_text(arg, 0) for arg in e.args)})"
+    times, body = 0, e
+    while body.op == "derivative" and _is_derived_there(body) and body.args[1] == e.args[1]:
+        times, body = times + 1, instantiate(body.args[0], (e.args[1],))
+    if times:
+        return f"diff({body}, {e.args[1]}{f', {times}' if times > 1 else ''})"
+    names, body = opened(e)
+    if e.op == "derivative":
+        return f"at(diff({body}, {names[0]}), {names[0]}, {e.args[1]})"
+    if e.op == "at":
+        pairs = (f"{name}, {value}" for name, value in zip(names, e.args[1:], strict=True))
+        return f"at({body}, {', '.join(pairs)})"
+    rest = e.args[1:-1] if e.op == "limit" and e.args[-1] == ZERO else e.args[1:]
+    return f"{e.op}({', '.join(map(str, (body, names[0], *rest)))})"
+
+
+def _is_derived_there(e: Expr) -> bool:
+    """Whether a derivative is one at the variable itself."""
+    return e.args[1].op == "symbol" and symbols(e.args[0]).isdisjoint(symbols(e.args[1]))
+
+
 def _product_text(e: Expr, level: int) -> str:
-    top: list[str] = []
-    bottom: list[str] = []
-    sign = ""
-    for factor in e.args:
-        if factor == MINUS_ONE:
-            sign = "-"
-        elif factor.op == "^" and factor.args[1] == MINUS_ONE:
-            bottom.append(_text(factor.args[0], 3))
+    """Factors in their order; a fraction in front goes below where nothing else is there."""
+    sign, body, below, factors = "", "", "", e.args
+    if factors[0].op == "number":
+        value, factors = abs(factors[0].args[0]), factors[1:]
+        sign = "-" if e.args[0].args[0] < 0 else ""
+        if value.q != 1 and not any(_is_reciprocal(factor) for factor in factors):
+            value, below = fmpq(value.p), f"/{value.q}"
+        body = fraction_text(value) if value != 1 else ""
+    for factor in factors:
+        if _is_reciprocal(factor):
+            body = f"{body or 1}/{_text(factor.args[0], 3)}"
         else:
-            text = _text(factor, 1 if not top and not sign and factor.op == "number" else 2)
-            if factor.op == "number" and factor.args[0].q != 1 and top:
-                text = f"({text})"
-            top.append(text)
-    body = sign + "*".join(top or ["1"]) + "".join(f"/{part}" for part in bottom)
-    return _wrap(body, 1 if body.startswith("-") else 2, level)
+            body += f"{'*' if body else ''}{_text(factor, 2)}"
+    return _wrap(sign + body + below, 1 if sign else 2, level)
+
+
+def _is_reciprocal(e: Expr) -> bool:
+    return e.op == "^" and e.args[1] == MINUS_ONE
 
 
 def _wrap(text: str, own: int, level: int) -> str:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from flint import fmpq, fmpz
 
+from tresym.reals.language.binders import at, derivative, integral, limit, order
 from tresym.reals.language.expression import (
     FUNCTIONS,
     MAX_DERIVATIVES,
+    ORDERS,
     PI,
+    UNWORKED,
+    ZERO,
     E,
     Expr,
     add,
@@ -20,33 +24,85 @@ from tresym.reals.language.expression import (
     extreme,
     multiply,
     number,
+    opened,
     power,
     symbol,
 )
+from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
 from tresym.reals.numbers.exact import InputError
 
 
-def from_sympy(e: Any, derivative: Callable[[Any, Any], Expr] | None = None) -> Expr:
+def from_sympy(e: Any, as_derivative: Callable[[Any, Any], Expr] | None = None) -> Expr:
     """A SymPy expression of real symbols as a tree.
 
     Args:
         e: the expression.
-        derivative: what to make of a derivative and the function that reads its parts; without it
-            derivatives are carried out.
+        as_derivative: what to make of a derivative and the function that reads its parts; without
+            it derivatives are carried out.
 
     Raises:
         InputError: floats, complex numbers, and functions outside :data:`FUNCTIONS`.
     """
+    return _read(e, {"Derivative": as_derivative or _from_sympy_derivative})
+
+
+def unworked(e: Any) -> Expr:
+    """As :func:`from_sympy`, with integrals, derivatives, values, limits and orders as nodes.
+
+    Raises:
+        InputError: as there; integrals without ends, and values of what does not speak of the
+            point, such as a symbol that stands for a function.
+    """
+    return _read(e, _UNWORKED)
+
+
+def formula(e: Any) -> Formula:
+    """A SymPy relation, a tuple or conjunction of them, or an equivalence of two.
+
+    An equation of matrices is the conjunction of its entries. What SymPy has evaluated to true is
+    the empty conjunction, and to false a relation that holds nowhere.
+
+    Raises:
+        InputError: anything else.
+    """
+    kind = type(e).__name__
+    if kind in ("Tuple", "And"):
+        return Conjunction(tuple(map(formula, e.args)))
+    if kind == "Equivalent" and len(e.args) == 2:
+        return Equivalence(*map(formula, e.args))
+    if kind == "BooleanTrue":
+        return Conjunction(())
+    if kind == "BooleanFalse":
+        return Relation(ZERO, "!=", ZERO)
+    if kind not in RELATIONS:
+        raise InputError(f"{e} is no relation such as a > 0")
+    if hasattr(e.lhs, "shape") and getattr(e.rhs, "shape", None) == e.lhs.shape:
+        sides = zip(map(unworked, e.lhs), map(unworked, e.rhs), strict=True)
+        return Conjunction(tuple(Relation(p, RELATIONS[kind], q) for p, q in sides))
+    return Relation(unworked(e.lhs), RELATIONS[kind], unworked(e.rhs))
+
+
+RELATIONS = {
+    "Equality": "==",
+    "Unequality": "!=",
+    "StrictGreaterThan": ">",
+    "GreaterThan": ">=",
+    "StrictLessThan": "<",
+    "LessThan": "<=",
+}
+"""SymPy's names of relations."""
+
+
+def _read(e: Any, special: Mapping[str, Callable[[Any, Any], Expr]]) -> Expr:
+    """A SymPy expression as a tree, parts of the classes ``special`` by functions of their own."""
     import sympy
 
     done: dict[Any, Expr] = {}
 
     def walk(node: Any) -> Expr:
         if node not in done:
-            if isinstance(node, sympy.Derivative) and not node.has(sympy.Integral):
-                done[node] = (derivative or _from_sympy_derivative)(node, walk)
-            else:
-                done[node] = _from_sympy_node(sympy, node, walk)
+            known = special.get(type(node).__name__)
+            done[node] = known(node, walk) if known else _from_sympy_node(sympy, node, walk)
         return done[node]
 
     if isinstance(e, str):
@@ -107,12 +163,58 @@ def _from_sympy_derivative(node: Any, walk: Any) -> Expr:
         InputError: derivatives beyond the tenth, or with respect to something else than a symbol.
     """
     result = walk(node.expr)
-    for variable, order in node.variable_count:
-        if not (variable.is_Symbol and order.is_Integer and 0 < order <= MAX_DERIVATIVES):
-            raise InputError(f"a derivative is of order 1 to {MAX_DERIVATIVES}, by a symbol")
-        for _ in range(int(order)):
-            result = differentiate(result, variable.name)
+    for name in _variables(node):
+        result = differentiate(result, name)
     return result
+
+
+def _variables(node: Any) -> Iterator[str]:
+    """The variables that a SymPy derivative is by, one after the other."""
+    for variable, times in node.variable_count:
+        if not (variable.is_Symbol and times.is_Integer and 0 < times <= MAX_DERIVATIVES):
+            raise InputError(f"a derivative is of order 1 to {MAX_DERIVATIVES}, by a symbol")
+        yield from (variable.name for _ in range(int(times)))
+
+
+def _derivative_as_written(node: Any, walk: Any) -> Expr:
+    result = walk(node.expr)
+    for name in _variables(node):
+        result = derivative(result, name)
+    return result
+
+
+def _integral_as_written(node: Any, walk: Any) -> Expr:
+    result = walk(node.function)
+    for variable, *ends in node.limits:
+        if len(ends) != 2:
+            raise InputError(f"{node} is no number: an integral has two ends")
+        result = integral(result, variable.name, *map(walk, ends))
+    return result
+
+
+def _value_as_written(node: Any, walk: Any) -> Expr:
+    if not node.expr.has(*node.variables):
+        raise InputError(f"{node.expr} does not say how it depends on {node.variables[0]}")
+    pairs = zip(node.variables, node.point, strict=True)
+    return at(walk(node.expr), {variable.name: walk(point) for variable, point in pairs})
+
+
+def _limit_as_written(node: Any, walk: Any) -> Expr:
+    inner, variable, point, side = node.args
+    return limit(walk(inner), variable.name, walk(point), {"+": 1, "-": -1}.get(str(side), 0))
+
+
+def _order_as_written(node: Any, walk: Any) -> Expr:
+    return order(type(node).__name__, *map(walk, node.args))
+
+
+_UNWORKED: dict[str, Callable[[Any, Any], Expr]] = {
+    "Derivative": _derivative_as_written,
+    "Integral": _integral_as_written,
+    "Subs": _value_as_written,
+    "Limit": _limit_as_written,
+    **dict.fromkeys(ORDERS, _order_as_written),
+}
 
 
 def to_sympy(e: Expr) -> Any:
@@ -136,6 +238,8 @@ def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
         return sympy.Symbol(node.args[0], real=True)
     if node.op == "pi":
         return sympy.pi
+    if node.op in UNWORKED:
+        return _unworked_to_sympy(sympy, node, walk)
     args = [walk(arg) for arg in node.args]
     if node.op == "+":
         return sympy.Add(*args)
@@ -146,3 +250,19 @@ def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
     if node.op == "cbrt":
         return sympy.sign(args[0]) * sympy.Abs(args[0]) ** sympy.Rational(1, 3)
     return getattr(sympy, "Abs" if node.op == "abs" else node.op)(*args)
+
+
+def _unworked_to_sympy(sympy: Any, node: Expr, walk: Any) -> Any:
+    if node.op in ORDERS:
+        return sympy.Function(node.op)(walk(node.args[0]))
+    names, body = opened(node)
+    inner, points = walk(body), [walk(arg) for arg in node.args[1:]]
+    variables = [sympy.Symbol(name, real=True) for name in names]
+    if node.op == "integral":
+        return sympy.Integral(inner, (variables[0], *points))
+    if node.op == "limit":
+        side = {1: "+", -1: "-", 0: "+-"}[int(node.args[2].args[0].p)]
+        return sympy.Limit(inner, variables[0], points[0], side)
+    if node.op == "at":
+        return sympy.Subs(inner, variables, points)
+    return sympy.Subs(sympy.Derivative(inner, variables[0], evaluate=False), variables, points)

@@ -13,6 +13,7 @@ from flint import arb, fmpq, fmpz_poly
 from tresym.reals.normal.powers import PowerRing
 from tresym.reals.normal.ring import Fraction, Generator, Poly
 from tresym.reals.normal.sign_equations import AgainError
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_HALF_TURN = 240
@@ -27,7 +28,7 @@ class AngleRing(PowerRing):
 
     def pi(self, r: fmpq) -> Fraction:
         """r·π."""
-        return self.multiply(self.constant(r), self._fraction(self.generator("pi", None)))
+        return self.fraction(self.generator("pi", None)) * r
 
     def _turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
         """Cosine and sine of ``x``."""
@@ -36,21 +37,20 @@ class AngleRing(PowerRing):
         if parts is not None:
             for sign, part in parts:
                 c, s = self._turn(part)
-                result = self._rotate(result, (c, self.multiply(s, sign)))
+                result = self._rotate(result, (c, s * sign))
             return result
         rest, half_turns = self._split_pi(x)
         for sign, r in half_turns:
             c, s = self.turn_of_pi(r)
-            result = self._rotate(result, (c, self.multiply(s, sign)))
+            result = self._rotate(result, (c, s * sign))
         rest, inverses = self._split_atan(rest)
         for generator, sign, r in inverses:
             if (2 * r).q == 1 and abs(r) < 40:
                 step = self._turn_of_atan(generator.data[0], half=r.q == 2)
                 c, s = self._turn_power(step, int((r * r.q).p))
-                result = self._rotate(result, (c, self.multiply(s, sign)))
+                result = self._rotate(result, (c, s * sign))
             else:
-                term = self.multiply(self.constant(r), self._fraction(generator))
-                rest = self.add(rest, self.multiply(term, sign))
+                rest = rest + self.fraction(generator) * r * sign
         if self._may_be_odd_turn(rest):
             return self._rotate(result, self._plain_turn(rest))
         for index, r in self._decompose("tan", rest):
@@ -66,13 +66,10 @@ class AngleRing(PowerRing):
     ) -> tuple[Fraction, Fraction]:
         """The product of two complex numbers."""
         (a, b), (c, d) = x, y
-        return (
-            self.subtract(self.multiply(a, c), self.multiply(b, d)),
-            self.add(self.multiply(a, d), self.multiply(b, c)),
-        )
+        return a * c - b * d, a * d + b * c
 
     def _turn_power(self, x: tuple[Fraction, Fraction], n: int) -> tuple[Fraction, Fraction]:
-        c, s = x if n >= 0 else (x[0], self.negative(x[1]))
+        c, s = x if n >= 0 else (x[0], -x[1])
         result = (self.one, self.zero)
         for _ in range(abs(n)):
             result = self._rotate(result, (c, s))
@@ -97,15 +94,14 @@ class AngleRing(PowerRing):
 
     def _turn_of_atan(self, u: Fraction, half: bool) -> tuple[Fraction, Fraction]:
         """Cosine and sine of atan u, or of half of it."""
-        square = self.add(self.one, self.power(u, 2))
+        square = 1 + u**2
         self._require_positive(square)
         c = self._root(square, fmpq(-1, 2))
         if not half:
-            return c, self.multiply(u, c)
-        middle = self.multiply(self.constant(fmpq(1, 2)), self.add(self.one, c))
+            return c, u * c
+        middle = (1 + c) / 2
         half_c = self._root(middle, fmpq(1, 2))
-        s = self.multiply(self.multiply(u, c), self.constant(fmpq(1, 2)))
-        return half_c, self.divide(s, half_c)
+        return half_c, u * c / 2 / half_c
 
     def _may_be_odd_turn(self, x: Fraction) -> bool:
         """Whether an angle might be an odd multiple of π on a whole region.
@@ -113,12 +109,12 @@ class AngleRing(PowerRing):
         The tangent of its half would be infinite there. What is left of an angle is a constant
         that balls keep from such multiples, or varies.
         """
-        used = {i for p in (x.num, x.den) for i in self.used(p)}
+        used = set(self.used(x))
         if used and self.is_constant(x):
             return bool((self.ball(x) / arb.pi() / 2).cos_pi().contains(0))
-        involved = self.involved(x.num) | self.involved(x.den)
-        kinds = {self.at(i).kind for i in used | involved}
-        if self.are_tied(used | involved) or kinds & {"opaque", "cos", "sin", "sign"}:
+        used |= self.involved(x)
+        kinds = {self.at(i).kind for i in used}
+        if self.are_tied(used) or kinds & {"opaque", "cos", "sin", "sign"}:
             return not self.varies(x)
         return False
 
@@ -133,7 +129,7 @@ class AngleRing(PowerRing):
             n = int(r.p * (unit // r.q))
             if abs(n) > MAX_MULTIPLE:
                 raise TooLargeError("a multiple of an angle beyond 96")
-            step = self._fraction(c), self._fraction(s)
+            step = self.fraction(c), self.fraction(s)
             result = self._rotate(result, self._turn_power(step, n))
         return result
 
@@ -147,12 +143,11 @@ class AngleRing(PowerRing):
             if len(inverses) != 1 or any(g.kind != "sign" for g in used if g != inverses[0]):
                 continue
             sign = self.context.from_dict({tuple(map(int, monomial)): 1})
-            sign = Fraction(sign // self.variable(inverses[0]), self.one_poly)
+            sign = self.fraction(sign // self.variable(inverses[0]))
             r = fmpq(value, x.den.leading_coefficient())
             pieces.append((inverses[0], sign, r))
         for generator, sign, r in pieces[len(plain) :]:
-            term = self.multiply(self.constant(r), self._fraction(generator))
-            x = self.subtract(x, self.multiply(term, sign))
+            x = x - self.fraction(generator) * r * sign
         return x, pieces
 
     def _split_pi(self, x: Fraction) -> tuple[Fraction, list[tuple[Fraction, fmpq]]]:
@@ -163,15 +158,15 @@ class AngleRing(PowerRing):
         pieces = []
         if not x.den.is_constant():
             r = self._share(x, position) if x.num.degrees()[position] == 1 else fmpq(0)
-            return self.subtract(x, self.pi(r)), [(self.one, r)]
+            return x - self.pi(r), [(self.one, r)]
         for monomial, value in x.num.terms():
             others = [i for i, k in enumerate(monomial) if k and i != position]
             if monomial[position] == 1 and all(self.at(i).kind == "sign" for i in others):
                 sign = self.context.from_dict({tuple(map(int, monomial)): 1})
-                sign = Fraction(sign // self.variables[position], self.one_poly)
+                sign = self.fraction(sign // self.variables[position])
                 pieces.append((sign, fmpq(value, x.den.leading_coefficient())))
         for sign, r in pieces:
-            x = self.subtract(x, self.multiply(self.pi(r), sign))
+            x = x - self.pi(r) * sign
         return x, pieces
 
     # Rational multiples of π
@@ -195,8 +190,8 @@ class AngleRing(PowerRing):
             raise AgainError
         generator = self.generator("cosine", m, (m,))
         z = self.variable(generator)
-        minimal = fmpz_poly.cos_minpoly(2 * m)
         if not any(position == generator.position for position, _, _ in self.relations):
+            minimal = _minimal(m)
             tail = self.zero_poly
             for k in range(minimal.degree()):
                 tail = tail - z**k * minimal[k]
@@ -213,22 +208,36 @@ class AngleRing(PowerRing):
 
     def _twelfth(self, k: int) -> tuple[Fraction, Fraction]:
         """Cosine and sine of kπ/12 for k = 1, 2, 3, 4, 6, 12."""
-        two, three = (self._root(self.constant(n), fmpq(1, 2)) for n in (2, 3))
-        half, quarter = self.constant(fmpq(1, 2)), self.constant(fmpq(1, 4))
-        six = self.multiply(two, three)
+        two, three = (self._root(self.fraction(n), fmpq(1, 2)) for n in (2, 3))
         match k:
             case 1:
-                return (
-                    self.multiply(quarter, self.add(six, two)),
-                    self.multiply(quarter, self.subtract(six, two)),
-                )
+                return two * (three + 1) / 4, two * (three - 1) / 4
             case 2:
-                return self.multiply(half, three), half
+                return three / 2, self.fraction(fmpq(1, 2))
             case 3:
-                return self.multiply(half, two), self.multiply(half, two)
+                return two / 2, two / 2
             case 4:
-                return half, self.multiply(half, three)
+                return self.fraction(fmpq(1, 2)), three / 2
             case 6:
                 return self.zero, self.one
             case _:
-                return self.constant(-1), self.zero
+                return self.fraction(-1), self.zero
+
+
+def _minimal(m: int) -> fmpz_poly:
+    """FLINT's minimal polynomial of z = 2cos(π/m), which is shown to vanish there.
+
+    It divides that of sin(mθ)/sin θ in 2cos θ, and the quotient is not 0 at z.
+
+    Raises:
+        ArithmeticError: it is another polynomial.
+    """
+    found, x = fmpz_poly.cos_minpoly(2 * m), fmpz_poly([0, 1])
+    before, sines = fmpz_poly([0]), fmpz_poly([1])
+    for _ in range(m - 1):
+        before, sines = sines, x * sines - before
+    quotient, rest = divmod(sines, found)
+    with ball_precision(8 * WORKING):
+        if rest == 0 and not quotient(2 * arb.cos_pi_fmpq(fmpq(1, m))).contains(0):
+            return found
+    raise ArithmeticError("what was found is no minimal polynomial")

@@ -7,7 +7,7 @@ at least B^(1−d) in size, for its norm is an integer: a ball below that bound 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 
 from flint import arb, fmpq, fmpz
 
@@ -32,25 +32,12 @@ def is_algebraic(ring: Field, position: int) -> bool:
 
 def vanishes(ring: Field, p: Poly) -> bool:
     """Whether ``p`` is zero once the dependences between its algebraic constants are used."""
-    if p.is_zero():
-        return True
-    if not any(is_algebraic(ring, i) for i in ring.used(p)):
-        return False
     return all(algebraic_zero(ring, part) for part in coefficients(ring, p))
 
 
-def coefficients(ring: Field, p: Poly) -> Iterator[Poly]:
+def coefficients(ring: Field, p: Poly) -> Iterable[Poly]:
     """The coefficients of ``p`` as a polynomial in its generators that are not algebraic."""
-    algebraic = [
-        is_algebraic(ring, i) if i in set(ring.used(p)) else False for i in range(ring.size)
-    ]
-    groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
-    for monomial, value in p.terms():
-        outer = tuple(0 if algebraic[i] else int(k) for i, k in enumerate(monomial))
-        inner = tuple(int(k) if algebraic[i] else 0 for i, k in enumerate(monomial))
-        groups.setdefault(outer, {})[inner] = value
-    for part in groups.values():
-        yield ring.context.from_dict(part)
+    return ring.grouped(p, [i for i in ring.used(p) if not is_algebraic(ring, i)]).values()
 
 
 def algebraic_zero(ring: Field, p: Poly) -> bool:
@@ -119,21 +106,16 @@ def _without_groups(ring: Field, x: Fraction, kind: str) -> Fraction:
         group = _group(ring, x, kind)
         if group is None:
             return x
-        factor, terms = group
-        value = _log_sum(ring, terms) if kind == "log" else _atan_sum(ring, terms)
-        if value is None:
-            return x
+        factor, terms, value = group
         for position, n in terms.items():
-            value = ring.subtract(
-                value,
-                ring.multiply(ring.constant(n), Fraction(ring.variables[position], ring.one_poly)),
-            )
-        x = ring.add(x, ring.multiply(ring.make(factor, x.den), value))
+            value = value - ring.fraction(ring.at(position)) * n
+        x = x + ring.make(factor, x.den) * value
     return x
 
 
-def _group(ring: Field, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz]] | None:
-    """A monomial of ``x`` and the generators of ``kind`` it multiplies, as integer multiples."""
+def _group(ring: Field, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz], Fraction] | None:
+    """A monomial of ``x``, the generators of ``kind`` it multiplies, how often, and their sum."""
+    known = _log_sum if kind == "log" else _atan_sum
     positions = [i for i in ring.used(x.num) if ring.at(i).kind == kind]
     groups: dict[tuple[int, ...], dict[int, fmpz]] = {}
     for monomial, value in x.num.terms():
@@ -146,10 +128,10 @@ def _group(ring: Field, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz]] 
         for value in terms.values():
             content = content.gcd(value)
         reduced = {i: value // content for i, value in terms.items()}
-        if all(abs(n) <= MAX_MULTIPLE for n in reduced.values()):
-            known = _log_sum if kind == "log" else _atan_sum
-            if known(ring, reduced) is not None:
-                return ring.context.from_dict({rest: content}), reduced
+        small = all(abs(n) <= MAX_MULTIPLE for n in reduced.values())
+        value = known(ring, reduced) if small else None
+        if value is not None:
+            return ring.context.from_dict({rest: content}), reduced, value
     return None
 
 
@@ -157,8 +139,8 @@ def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
     product = ring.one
     try:
         for position, n in terms.items():
-            base = Fraction(ring.at(position).data[0], ring.one_poly)
-            product = ring.multiply(product, ring.power(base, int(n)))
+            base = ring.fraction(ring.at(position).data[0])
+            product = product * base ** int(n)
     except TooLargeError:
         return None
     for sign in (1, -1):
@@ -176,17 +158,14 @@ def _atan_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:
             if not ring.is_constant(u):
                 return None
             total = total + ring.ball(u).atan() * n
-            v = u if n > 0 else ring.negative(u)
+            v = u if n > 0 else -u
             for _ in range(abs(int(n))):
-                real, imaginary = (
-                    ring.subtract(real, ring.multiply(imaginary, v)),
-                    ring.add(imaginary, ring.multiply(real, v)),
-                )
+                real, imaginary = real - imaginary * v, imaginary + real * v
     except TooLargeError:
         return None
     k = (12 * total / arb.pi()).unique_fmpz()
     if k is None:
         return None
     c, s = ring.turn_of_pi(fmpq(k, 12))
-    rest = ring.subtract(ring.multiply(imaginary, c), ring.multiply(real, s))
+    rest = imaginary * c - real * s
     return ring.pi(fmpq(k, 12)) if vanishes(ring, rest.num) else None

@@ -7,16 +7,15 @@ is written by simpler ones where its norm is a square. A sign of a factor is a g
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from flint import fmpq, fmpz
 
 from tresym.reals.normal.monotone import same_sign
 from tresym.reals.normal.ranges import MAX_DEPTH
-from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError, small_factor
+from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, small_factor
 from tresym.reals.normal.sign_equations import SignedRing
-from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
+from tresym.reals.numbers.factoring import TooLargeError, primes_of
 
 MAX_PRIME_BITS = 160
 CONJUGATE_TERMS = 10
@@ -28,18 +27,10 @@ Factors = dict[str, tuple[Poly, fmpq]]
 class FactoredRing(SignedRing):
     """A ring with signs whose elements are known by their factors."""
 
-    def __init__(
-        self,
-        given: Given,
-        size: int = 24,
-        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
-    ):
+    def __init__(self, *arguments: Any) -> None:
         """The arguments of the base class."""
-        super().__init__(given, size, points)
+        super().__init__(*arguments)
         self._factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
-
-    def _fraction(self, generator: Generator) -> Fraction:
-        return Fraction(self.variable(generator), self.one_poly)
 
     def factor(self, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
         """``p`` as an integer times powers of canonical factors (exponents may be negative)."""
@@ -153,7 +144,7 @@ class FactoredRing(SignedRing):
         result = self.context.constant(unit.isqrt())
         for part, k in parts:
             result = result * part ** (k // 2)
-        return result
+        return result if result**2 == p else None
 
     def factors(self, x: Fraction) -> tuple[int, Factors]:
         """``x`` as a sign times powers of canonical factors, primes among them.
@@ -182,7 +173,7 @@ class FactoredRing(SignedRing):
             return []
         if n.bit_length() > MAX_PRIME_BITS:
             return [(n, 1)]
-        return [(prime, int(k)) for prime, k in n.factor()]
+        return primes_of(n)
 
     # Signs
 
@@ -194,7 +185,7 @@ class FactoredRing(SignedRing):
         for part, k in parts.values():
             if k.p % 2:
                 product = product * self.sigma(part)
-        return Fraction(self.reduce(product), self.one_poly)
+        return self.fraction(self.reduce(product))
 
     def sigma(self, f: Poly) -> Poly:
         """The sign of a factor; an arc tangent has the sign of its argument."""
@@ -207,28 +198,19 @@ class FactoredRing(SignedRing):
                 return f
         inner = None if self.sign(f) else same_sign(self, f)
         if inner is not None:
-            return self._sign_function(Fraction(inner, self.one_poly)).num
+            return self._sign_function(self.fraction(inner)).num
         return super().sigma(f)
 
     def _by_signs(self, x: Fraction) -> list[tuple[Fraction, Fraction]] | None:
         """``x`` as a sum of products of signs times what has none; None if it has none itself."""
         if any(self.at(i).kind == "sign" for i in self.used(x.den)):
             return None
-        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
         signs = [i for i in self.used(x.num) if self.at(i).kind == "sign"]
         if not signs:
             return None
-        for monomial, value in x.num.terms():
-            powers = [int(k) for k in monomial]
-            outer = tuple(k if i in signs else 0 for i, k in enumerate(powers))
-            inner = tuple(0 if i in signs else k for i, k in enumerate(powers))
-            groups.setdefault(outer, {})[inner] = value
         return [
-            (
-                Fraction(self.context.from_dict({outer: 1}), self.one_poly),
-                self.make(self.context.from_dict(part), x.den),
-            )
-            for outer, part in groups.items()
+            (self.fraction(self.context.from_dict({outer: 1})), self.make(part, x.den))
+            for outer, part in self.grouped(x.num, signs).items()
         ]
 
     def _sign_content(self, x: Fraction) -> tuple[Fraction, Fraction] | None:
@@ -250,7 +232,7 @@ class FactoredRing(SignedRing):
                 continue
             inner = same_sign(self, part)
             if inner is not None and not inner.is_zero():
-                outer, more = self.factors(Fraction(inner, self.one_poly))
+                outer, more = self.factors(self.fraction(inner))
                 powers = [(f, int(n.p)) for f, n in more.values()]
                 self.require_sign([*parts[:i], *powers, *parts[i + 1 :]], sign * outer, strict)
                 break

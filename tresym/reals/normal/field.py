@@ -17,6 +17,7 @@ continuous, so a difference that reduces to zero is zero there, but where sign a
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from math import prod
 
 from flint import arb, fmpq
 
@@ -97,7 +98,7 @@ class Field(AngleRing):
 
     def _are_equal(self, values: list[Fraction]) -> bool:
         """Whether ``values`` are two equal ones, which nothing that is learnt can change."""
-        return len(values) == 2 and self.subtract(*values).num.is_zero()
+        return len(values) == 2 and (values[0] - values[1]).num.is_zero()
 
     def _walk(self, node: Expr) -> Fraction:
         value = self._memo.get(node)
@@ -109,21 +110,18 @@ class Field(AngleRing):
     def _node(self, node: Expr) -> Fraction:
         op, args = node.op, node.args
         if op == "number":
-            return self.constant(args[0])
+            return self.fraction(args[0])
         if op == "symbol":
-            return self._fraction(self.symbol(args[0]))
+            return self.fraction(self.symbol(args[0]))
         if op == "pi":
-            return self._fraction(self.generator("pi", None))
+            return self.fraction(self.generator("pi", None))
         if op == "^":
             return self._power(*args)
         values = [self._walk(arg) for arg in args]
         if op == "+":
-            return self.sum(values)
+            return sum(values, self.zero)
         if op == "*":
-            total = values[0]
-            for value in values[1:]:
-                total = self.multiply(total, value)
-            return total
+            return prod(values[1:], start=values[0])
         if not _THEORY[op] <= self.theories:
             return self._opaque(op, *values)
         return self._angle(*values) if op == "atan2" else self._function(op, values[0])
@@ -142,19 +140,16 @@ class Field(AngleRing):
         if name in simple:
             return simple[name](x)
         if name == "abs":
-            return self.multiply(x, self._sign_function(x))
+            return x * self._sign_function(x)
         if name == "cbrt":
             return self._root(x, fmpq(1, 3), signed=True)
         if name == "acos":
-            return self.subtract(self.pi(fmpq(1, 2)), self._asin(x))
+            return self.pi(fmpq(1, 2)) - self._asin(x)
         if name in ("sin", "cos", "tan", "cot", "sec", "csc"):
             return self._quotient(name, *self._turn(x))
         y = self.exp(x)
-        z = self.invert(y)
-        half = self.constant(fmpq(1, 2))
-        cosh = self.multiply(half, self.add(y, z))
-        sinh = self.multiply(half, self.subtract(y, z))
-        return self._quotient(_CIRCULAR[name], cosh, sinh)
+        z = 1 / y
+        return self._quotient(_CIRCULAR[name], (y + z) / 2, (y - z) / 2)
 
     def _quotient(self, name: str, c: Fraction, s: Fraction) -> Fraction:
         """sin, cos, tan, … from cosine and sine (circular or hyperbolic)."""
@@ -164,49 +159,46 @@ class Field(AngleRing):
             case "cos":
                 return c
             case "tan":
-                return self.divide(s, c)
+                return s / c
             case "cot":
-                return self.divide(c, s)
+                return c / s
             case "sec":
-                return self.invert(c)
+                return 1 / c
             case _:
-                return self.invert(s)
+                return 1 / s
 
     def _power(self, base: Expr, exponent: Expr) -> Fraction:
         x = self._walk(base)
         r = self.rational(self._walk(exponent))
         if r is not None and r.q == 1:
-            return self.power(x, int(r.p))
+            return x ** int(r.p)
         if r is not None:
             if "roots" not in self.theories:
-                return self._opaque("^", x, self.constant(r))
+                return self._opaque("^", x, self.fraction(r))
             return self._root(x, r)
         if "exponentials" not in self.theories:
             return self._opaque("^", x, self._walk(exponent))
-        return self.exp(self.multiply(self._walk(exponent), self.log(x)))
+        return self.exp(self._walk(exponent) * self.log(x))
 
     def _opaque(self, name: str, *args: Fraction) -> Fraction:
         """A generator of which nothing is known but its arguments."""
         key = (name, *(arg.key for arg in args))
-        return self._fraction(self.generator("opaque", key, (name, *args)))
+        return self.fraction(self.generator("opaque", key, (name, *args)))
 
     # Inverse functions
 
     def _angle(self, y: Fraction, x: Fraction) -> Fraction:
         """``atan2(y, x)``: that y is 0, or not, must be so on the whole domain."""
         if y.num.is_zero():
-            half_turns = self.subtract(self.one, self._sign_function(self.invert(x)))
-            return self.multiply(self.pi(fmpq(1, 2)), half_turns)
+            return self.pi(fmpq(1, 2)) * (1 - self._sign_function(1 / x))
         if self.is_mixed(y.num):
             return self._opaque("atan2", y, x)
         if self.product_sign(x.num) * self.product_sign(x.den) > 0:
-            return self.atan(self.divide(y, x))
+            return self.atan(y / x)
         side = self.product_sign(y.num) * self.product_sign(y.den)
         if side:
-            return self.subtract(self.pi(fmpq(side, 2)), self.atan(self.divide(x, y)))
-        square = self.add(self.power(x, 2), self.power(y, 2))
-        below = self.add(self._root(square, fmpq(1, 2)), x)
-        return self.multiply(self.constant(2), self.atan(self.divide(y, below)))
+            return self.pi(fmpq(side, 2)) - self.atan(x / y)
+        return self.atan(y / (self._root(x**2 + y**2, fmpq(1, 2)) + x)) * 2
 
     def atan(self, u: Fraction) -> Fraction:
         """``atan u``, odd in u, with atan(1/u) = ±π/2 − atan u used to choose between the two."""
@@ -216,17 +208,16 @@ class Field(AngleRing):
         if special is not None:
             return special
         if u.num.leading_coefficient() < 0:
-            return self.negative(self.atan(self.negative(u)))
+            return -self.atan(-u)
         signed = self._sign_content(u)
         if signed is not None:
-            return self.multiply(signed[0], self.atan(signed[1]))
+            return signed[0] * self.atan(signed[1])
         if not self.is_mixed(u.num):
-            inverse = self.invert(u)
+            inverse = 1 / u
             if self._rank(inverse) < self._rank(u):
                 sign = self._sign_function(u)
-                quarter = self.multiply(sign, self.pi(fmpq(1, 2)))
-                return self.subtract(quarter, self.atan(inverse))
-        return self._fraction(self.generator("atan", u.key, (u,)))
+                return sign * self.pi(fmpq(1, 2)) - self.atan(inverse)
+        return self.fraction(self.generator("atan", u.key, (u,)))
 
     def _rank(self, u: Fraction) -> tuple[bool, int, int, str]:
         """Least for the one of u and 1/u that is to be kept: where it can, it has no poles."""
@@ -241,37 +232,35 @@ class Field(AngleRing):
         if k is None or abs(k) >= 6:
             return None
         c, s = self.turn_of_pi(fmpq(k, 12))
-        if not self.subtract(u, self.divide(s, c)).num.is_zero():
+        if not (u - s / c).num.is_zero():
             return None
         return self.pi(fmpq(k, 12))
 
     def _asin(self, u: Fraction) -> Fraction:
-        below, above = self.subtract(self.one, u), self.add(self.one, u)
+        below, above = 1 - u, 1 + u
         if below.num.is_zero() or above.num.is_zero():
             return self.pi(fmpq(1 if below.num.is_zero() else -1, 2))
         self._require_positive(below)
         self._require_positive(above)
-        c = self._root(self.multiply(below, above), fmpq(1, 2))
+        c = self._root(below * above, fmpq(1, 2))
         if self.is_mixed(below.num) or self.is_mixed(above.num):
             # c may be 0 on a region; 1 + c is not
-            half = self.atan(self.divide(u, self.add(self.one, c)))
-            return self.multiply(self.constant(2), half)
-        return self.atan(self.divide(u, c))
+            return self.atan(u / (1 + c)) * 2
+        return self.atan(u / c)
 
     def _asinh(self, u: Fraction) -> Fraction:
-        square = self.add(self.one, self.power(u, 2))
+        square = 1 + u**2
         self._require_positive(square)
-        return self.log(self.add(u, self._root(square, fmpq(1, 2))))
+        return self.log(u + self._root(square, fmpq(1, 2)))
 
     def _acosh(self, u: Fraction) -> Fraction:
-        below, above = self.subtract(u, self.one), self.add(u, self.one)
+        below, above = u - 1, u + 1
         if below.num.is_zero():
             return self.zero
         self._require_positive(below)
         self._require_positive(above)
-        return self.log(self.add(u, self._root(self.multiply(below, above), fmpq(1, 2))))
+        return self.log(u + self._root(below * above, fmpq(1, 2)))
 
     def _atanh(self, u: Fraction) -> Fraction:
-        below, above = self.subtract(self.one, u), self.add(self.one, u)
-        difference = self.subtract(self.log(above), self.log(below))
-        return self.multiply(self.constant(fmpq(1, 2)), difference)
+        below, above = 1 - u, 1 + u
+        return (self.log(above) - self.log(below)) / 2

@@ -1,11 +1,10 @@
-"""What generators depend on, their values in balls, and how they are written."""
+"""What generators depend on, and their values in balls."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
-from flint import arb, fmpq, fmpz_mpoly
+from flint import arb, fmpq
 
 from tresym.reals.normal.ring import Fraction, Generator, Poly, Ring
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -34,39 +33,22 @@ class ValuedRing(Ring):
             if generator.kind == "symbol":
                 found = frozenset(generator.data)
             else:
-                found = frozenset().union(
-                    *(
-                        self.dependence(item)
-                        for item in generator.data
-                        if isinstance(item, Poly | Fraction)
-                    )
-                )
+                found = frozenset().union(*map(self.dependence, self.inside(position)))
             self._supports[position] = found
         return found
 
     def dependence(self, x: Poly | Fraction) -> frozenset[str]:
         """The symbols that ``x`` depends on."""
-        if isinstance(x, Fraction):
-            return self.dependence(x.num) | self.dependence(x.den)
         return frozenset().union(*(self.support(i) for i in self.used(x)))
 
-    def involved(self, p: Poly) -> set[int]:
-        """The generators of ``p``, those inside them, and so on; constants left out."""
-        found = {i for i in self.used(p) if self.support(i) or self.at(i).kind == "opaque"}
-        for i in tuple(found):
-            for item in self.at(i).data:
-                if isinstance(item, Fraction):
-                    found |= self.involved(item.num) | self.involved(item.den)
-                elif isinstance(item, fmpz_mpoly):
-                    found |= self.involved(item)
-        return found
+    def involved(self, x: Poly | Fraction) -> set[int]:
+        """The generators of ``x``, those inside them, and so on; constants left out."""
+        found = {i for i in self.used(x) if self.support(i) or self.at(i).kind == "opaque"}
+        return found.union(*(self.involved(p) for i in found for p in self.inside(i)))
 
     def is_constant(self, x: Poly | Fraction) -> bool:
         """Whether ``x`` depends on no symbol and on nothing opaque."""
-        polys = (x.num, x.den) if isinstance(x, Fraction) else (x,)
-        return all(
-            not self.support(i) and self.at(i).kind != "opaque" for p in polys for i in self.used(p)
-        )
+        return all(not self.support(i) and self.at(i).kind != "opaque" for i in self.used(x))
 
     def ball(
         self,
@@ -132,53 +114,17 @@ class ValuedRing(Ring):
         rational functions on every region (Ostrowski), so ``x`` is constant on one region only if
         it is the same constant on all: two values apart exclude that.
         """
-        for i in self.involved(x.num) | self.involved(x.den):
+        for i in self.involved(x):
             generator = self.at(i)
             if generator.kind == "log":
                 if any(self.at(j).kind != "symbol" for j in self.used(generator.data[0])):
                     return False
             elif generator.kind != "symbol":
                 return False
-        with ball_precision(SIGN_BITS):
+        with ball_precision():
             values = [
                 self.ball(x, {name: arb(value) for name, value in point.items()})
                 for point in Given().points(self.dependence(x), 4)
             ]
         finite = [value for value in values if value.is_finite()]
         return any(not value.overlaps(finite[0]) for value in finite[1:])
-
-    # In words
-
-    def text(self, x: Poly) -> str:
-        """``x`` with the generators written as what they stand for."""
-        result = str(x)
-        for i in sorted(self.used(x), key=lambda i: -i):
-            result = re.sub(rf"\bg{i}\b", self._name(self.at(i)), result)
-        return result.replace("^", "**")
-
-    def _name(self, generator: Generator) -> str:
-        data = generator.data
-        match generator.kind:
-            case "symbol" | "opaque":
-                return str(data[0])
-            case "pi":
-                return "pi"
-            case "cosine":
-                return f"(2*cos(pi/{data[0]}))"
-            case "root":
-                return f"abs({self.text(data[0])})**(1/{data[1]})"
-            case "exp":
-                return f"exp({self.fraction_text(data[2])}/{data[1]})"
-            case "tan":
-                return f"tan({self.fraction_text(data[2])}/{2 * data[1]})"
-            case "cos" | "sin" as name:
-                return f"{name}({self.fraction_text(data[2])}/{data[1]})"
-            case "atan":
-                return f"atan({self.fraction_text(data[0])})"
-            case kind:
-                return f"{kind}({self.text(data[0])})"
-
-    def fraction_text(self, x: Fraction) -> str:
-        """A fraction as :meth:`text` writes polynomials."""
-        top = self.text(x.num)
-        return top if x.den.is_one() else f"({top})/({self.text(x.den)})"

@@ -41,19 +41,18 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.normal.constants import settled, vanishes
 from tresym.reals.normal.field import Field
+from tresym.reals.normal.polynomials import terms_in_symbols
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
-from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import simplest_between
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
+from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import sample_points
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import singularities
-from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
 
 MAX_POINTS = 400
 MAX_SYMBOLS = 4
-_BITS = 256
 
 
 def equal_by_derivative(
@@ -73,7 +72,7 @@ def equal_by_derivative(
         slopes = [differentiate(side, name) for side in (left, right)]
         gradient += slopes
         *_, dx, dy = field.normal(left, right, *slopes)
-        if not vanishes_or_zero(field, field.subtract(dx, dy).num):
+        if not vanishes(field, (dx - dy).num):
             return None
     if any(generator.kind == "opaque" for generator in field.generators):
         return None
@@ -102,13 +101,12 @@ def _candidates(
 ) -> Iterator[dict[str, Expr] | None]:
     """A point of every region between the walls that has a part inside ``ends``; None: too hard."""
     if not walls:
-        simple = {name: _middle(given.box.get(name, Range())) for name in names}
-        with ball_precision(_BITS):
+        simple = {name: _middle(given, name) for name in names}
+        with ball_precision():
             at = {name: evaluate(value, {}) for name, value in simple.items()}
             inside = all(condition.holds(at) for condition in given.conditions)
         yield simple if inside else _as_numbers(next(given.points(names, 1), None))
         return
-    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
     gaps = []
     for end in ends:
         gap = _gap(end, names, walls)
@@ -116,6 +114,7 @@ def _candidates(
             yield None
             return
         gaps.append(gap)
+    context = walls[0].context()
     x = context.gens()[0]
     cuts = [x * int(cut.q) - int(cut.p) for gap in gaps for cut in gap]
     for count, values in enumerate(sample_points([*walls, *cuts], context)):
@@ -130,31 +129,24 @@ def _as_numbers(point: dict[str, fmpq] | None) -> dict[str, Expr] | None:
     return None if point is None else {name: number(value) for name, value in point.items()}
 
 
-def _middle(where: Range) -> Expr:
+def _middle(given: Given, name: str) -> Expr:
     """0, or a multiple of π in an interval between such."""
-    if (where.low is None or where.low < 0) and (where.high is None or where.high > 0):
+    turns = given.half_turns.get(name, Interval())
+    if turns.low is None or turns.high is None or turns.low < 0 < turns.high:
         return number(0)
-    if where.pi_low is None or where.pi_high is None:
-        return number(0)
-    return number(simplest_between(*_inner_half(where.pi_low, where.pi_high))) * PI
-
-
-def _inner_half(low: fmpq, high: fmpq) -> tuple[fmpq, fmpq]:
-    quarter = (high - low) / 4
-    return low + quarter, high - quarter
+    return number(near(turns.middle, turns.width / 4)) * PI
 
 
 def _loose_ends(
     left: Expr, right: Expr, given: Given, field: Field, names: list[str]
 ) -> list[Expr]:
     """The bounds of single variables that are no walls, as expressions x − c or c − x."""
-    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
     return [
         condition.expression
         for condition in given.conditions
         if condition not in given.beyond_box
         and any(
-            _in_symbols(field, end, names, context) is None
+            _in_symbols(field, end, names) is None
             for end in _factors(field, left, right, [condition.expression])
         )
     ]
@@ -164,8 +156,8 @@ def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fm
     """Rational numbers on both sides of where ``end`` is 0, with no wall between; None: not so."""
     if len(names) != 1:
         return None
-    half = _BITS // 2
-    with ball_precision(_BITS):
+    half = WORKING
+    with ball_precision(2 * WORKING):
         at0, at1 = (evaluate(end, {names[0]: arb(x)}) for x in (0, 1))
         place = at0 / (at0 - at1) * (1 << half)
         below, above = place.lower().floor().unique_fmpz(), place.upper().ceil().unique_fmpz()
@@ -180,11 +172,6 @@ def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fm
     return low, high
 
 
-def vanishes_or_zero(field: Field, p: Poly) -> bool:
-    """Whether ``p`` is zero, dependences between constants included."""
-    return p.is_zero() or vanishes(field, p)
-
-
 def _walls(
     left: Expr, right: Expr, given: Given, field: Field, names: list[str]
 ) -> list[fmpz_mpoly] | None:
@@ -192,14 +179,13 @@ def _walls(
 
     Empty where nothing but bounds of single variables limits the region.
     """
-    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
     found = [e for e, _ in [*singularities(left), *singularities(right)]]
     for condition in given.beyond_box:
         found += [condition.expression, *(e for e, _ in singularities(condition.expression))]
     walls = _zeros(left, right, found, field, names)
     if walls:
         for end in _factors(field, left, right, [c.expression for c in given.conditions]):
-            wall = _in_symbols(field, end, names, context)
+            wall = _in_symbols(field, end, names)
             if wall is not None:
                 walls.append(wall)
     return walls
@@ -209,7 +195,6 @@ def _zeros(
     left: Expr, right: Expr, expressions: list[Expr], field: Field, names: list[str]
 ) -> list[fmpz_mpoly] | None:
     """Polynomials whose zeros contain those of ``expressions`` on the domain of both sides."""
-    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
     walls = []
     edges = _edges(field, field.normal(left, right, *expressions)[2:])
     if edges is None:
@@ -220,7 +205,7 @@ def _zeros(
         for inner in _algebraic_walls(field, part) or [part]:
             if inner.is_constant() or field.definite(inner):
                 continue
-            wall = _in_symbols(field, inner, names, context)
+            wall = _in_symbols(field, inner, names)
             if wall is None:
                 return None
             walls.append(wall)
@@ -250,7 +235,7 @@ def _edges(field: Field, values: list[Fraction]) -> list[Poly] | None:
     None where one of them may vanish with a half angle at π/2, or where that is not seen.
     """
     found = [p for value in values for p in _at_poles(field, value)]
-    for position in set().union(*(field.involved(p) for x in values for p in (x.num, x.den))):
+    for position in set().union(*map(field.involved, values)):
         generator = field.at(position)
         if generator.kind in ("root", "sign", "log"):
             found.append(generator.data[0])
@@ -266,17 +251,10 @@ def _at_poles(field: Field, value: Fraction) -> list[Poly]:
 
     Zero where that cannot be said.
     """
-    used = set(field.used(value.num)) | set(field.used(value.den))
-    within = {
-        j
-        for i in used
-        for x in field.at(i).data
-        for p in ((x.num, x.den) if isinstance(x, Fraction) else (x,))
-        if isinstance(p, fmpz_mpoly)
-        for j in field.involved(p)
-    }
+    used = field.used(value)
+    within = {j for i in used for p in field.inside(i) for j in field.involved(p)}
     leading = [value.num]
-    for i in used | within:
+    for i in within.union(used):
         if field.at(i).kind != "tan" or not field.support(i) or field.has_no_pole(field.at(i)):
             continue
         n = int(value.num.degrees()[i])
@@ -304,27 +282,20 @@ def _algebraic_walls(field: Field, p: Poly) -> list[Poly] | None:
     return [p]
 
 
-def _in_symbols(
-    field: Field, p: Poly, names: list[str], context: fmpz_mpoly_ctx
-) -> fmpz_mpoly | None:
-    used = field.used(p)
-    if any(field.at(i).kind != "symbol" for i in used):
+def _in_symbols(field: Field, p: Poly, names: list[str]) -> fmpz_mpoly | None:
+    """``p`` as a polynomial in ``names`` alone."""
+    terms = terms_in_symbols(field, p)
+    if terms is None or not {name for powers in terms for name, _ in powers} <= set(names):
         return None
-    columns = {i: names.index(field.at(i).data[0]) for i in used if field.at(i).data[0] in names}
-    if len(columns) != len(used):
-        return None
-    result: dict[tuple[int, ...], int] = {}
-    for monomial, value in p.terms():
-        vector = [0] * len(names)
-        for i, column in columns.items():
-            vector[column] = int(monomial[i])
-        result[tuple(vector)] = value
-    return context.from_dict(result)
+    context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(len(names))], Ordering.lex)
+    return context.from_dict(
+        {tuple(dict(powers).get(name, 0) for name in names): c.p for powers, c in terms.items()}
+    )
 
 
 def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bool | None:
     """Whether ``point`` satisfies ``given`` and both sides are defined there; None if unclear."""
-    with ball_precision(_BITS):
+    with ball_precision():
         at = {name: evaluate(value, {}) for name, value in point.items()}
         needed = [
             (condition.expression, condition.relation != "!=") for condition in given.conditions
@@ -340,7 +311,7 @@ def _inside(left: Expr, right: Expr, given: Given, point: dict[str, Expr]) -> bo
 
 def _are_real(slopes: list[Expr], point: dict[str, Expr]) -> bool:
     """Whether every slope has a value at ``point``: its normal form speaks of no other region."""
-    with ball_precision(_BITS):
+    with ball_precision():
         at = {name: evaluate(value, {}) for name, value in point.items()}
         return all(evaluate(slope, at).is_finite() for slope in slopes)
 
@@ -355,6 +326,6 @@ def equal_constants(left: Expr, right: Expr, theories: frozenset[str]) -> bool:
     field = Field(Given(), theories, 64)
     try:
         x, y = field.normal(left, right)
-        return vanishes_or_zero(field, settled(field, field.subtract(x, y)).num)
+        return vanishes(field, settled(field, x - y).num)
     except (TooLargeError, UndefinedError):
         return False

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from flint import fmpz
 
-from tresym.reals.normal.ring import Fraction, Poly
+from tresym.reals.normal.ring import Poly
 from tresym.reals.normal.sign_equations import SignedRing
 from tresym.reals.numbers.factoring import TooLargeError
 
@@ -40,8 +40,7 @@ def _of_logarithms(ring: SignedRing, p: Poly) -> Poly | None:
         if not sign:
             return None
         try:
-            factor = ring.power(Fraction(sign * inner, ring.one_poly), int(value // content))
-            product = ring.multiply(product, factor)
+            product = product * ring.fraction(sign * inner) ** int(value // content)
         except TooLargeError:
             return None
     known = ring.product_sign(product.den, 1)

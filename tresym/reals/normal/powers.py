@@ -8,8 +8,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable
 from math import lcm
+from typing import Any
 
 from flint import fmpq, fmpq_mat
 
@@ -17,20 +18,14 @@ from tresym.reals.normal.factors import FactoredRing
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
 from tresym.reals.normal.sign_equations import AgainError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 
 class PowerRing(FactoredRing):
     """A ring with roots, exponentials and logarithms of its elements."""
 
-    def __init__(
-        self,
-        given: Given,
-        size: int = 24,
-        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
-    ):
+    def __init__(self, *arguments: Any) -> None:
         """The arguments of the base class."""
-        super().__init__(given, size, points)
+        super().__init__(*arguments)
         self._orders: dict[str, int] = {}
         self._basis: dict[str, list[Fraction]] = {"exp": [], "tan": [], "turn": []}
         self._units: dict[str, list[int]] = {"exp": [], "tan": [], "turn": []}
@@ -46,13 +41,13 @@ class PowerRing(FactoredRing):
         sign, parts = self.factors(x)
         result = self.one
         if signed:
-            result = self.constant(sign)
+            result = self.fraction(sign)
             for part in (part for part, k in parts.values() if k.p % 2):
-                result = self.multiply(result, Fraction(self.sigma(part), self.one_poly))
+                result = result * self.fraction(self.sigma(part))
         else:
             self._require_positive(x, strict=r < 0)
         for part, k in parts.values():
-            result = self.multiply(result, self._absolute_power(part, k * r))
+            result = result * self._absolute_power(part, k * r)
         return result
 
     def _absolute_power(self, f: Poly, r: fmpq) -> Fraction:
@@ -72,14 +67,14 @@ class PowerRing(FactoredRing):
                 return self._basis_exp([(index, r / unit)])
         whole = r.p // r.q
         rest = r - whole
-        result = self.power(Fraction(f, self.one_poly), int(whole))
+        result = self.fraction(f) ** int(whole)
         if whole % 2:
-            result = self.multiply(result, Fraction(self.sigma(f), self.one_poly))
+            result = result * self.fraction(self.sigma(f))
         if rest != 0:
             order = self._order(f, int(rest.q))
             root = self._root_generator(f, order)
             k = int(rest.p * (order // rest.q))
-            result = self.multiply(result, Fraction(root**k, self.one_poly))
+            result = result * self.fraction(root**k)
         return result
 
     def _order(self, f: Poly, n: int) -> int:
@@ -107,10 +102,7 @@ class PowerRing(FactoredRing):
         """``log x`` on ``x > 0``, as a sum over the factors of ``x``."""
         self._require_positive(x, strict=True)
         _, parts = self.factors(x)
-        terms = []
-        for part, k in parts.values():
-            terms.append(self.multiply(self.constant(k), self._log_absolute(part)))
-        return self.sum(terms)
+        return sum((self._log_absolute(part) * k for part, k in parts.values()), self.zero)
 
     def _log_absolute(self, f: Poly) -> Fraction:
         used = self.used(f)
@@ -120,22 +112,16 @@ class PowerRing(FactoredRing):
                 return self.zero
             if generator.kind == "root":
                 base, order = generator.data
-                inner = self.log_of_absolute(base)
-                return self.multiply(self.constant(fmpq(1, order)), inner)
+                return self.log_of_absolute(base) / order
             if generator.kind == "exp":
                 index, unit = generator.data[:2]
-                return self.multiply(self.constant(fmpq(1, unit)), self._basis["exp"][index])
-        return self._fraction(self.generator("log", str(f), (f,)))
+                return self._basis["exp"][index] / unit
+        return self.fraction(self.generator("log", str(f), (f,)))
 
     def log_of_absolute(self, p: Poly) -> Fraction:
         """``log|p|``."""
-        _, parts = self.factors(Fraction(p, self.one_poly))
-        return self.sum(
-            [
-                self.multiply(self.constant(k), self._log_absolute(part))
-                for part, k in parts.values()
-            ]
-        )
+        _, parts = self.factors(self.fraction(p))
+        return sum((self._log_absolute(part) * k for part, k in parts.values()), self.zero)
 
     def exp(self, x: Fraction) -> Fraction:
         """``exp x``; rational multiples of logarithms turn back into powers."""
@@ -145,8 +131,8 @@ class PowerRing(FactoredRing):
         result = self.one
         rest, pieces = self.linear_part(x, "log")
         for generator, r in pieces:
-            result = self.multiply(result, self._absolute_power(generator.data[0], r))
-        return self.multiply(result, self._basis_exp(self._decompose("exp", rest)))
+            result = result * self._absolute_power(generator.data[0], r)
+        return result * self._basis_exp(self._decompose("exp", rest))
 
     def _exp_by_signs(self, parts: list[tuple[Fraction, Fraction]]) -> Fraction:
         """The exponential of a sum of ``s·w``, each cosh w + s sinh w where s is a sign."""
@@ -154,11 +140,9 @@ class PowerRing(FactoredRing):
         for sign, part in parts:
             y = self.exp(part)
             if not sign.num.is_one():
-                z = self.invert(y)
-                odd = self.multiply(sign, self.subtract(y, z))
-                total = self.add(self.add(y, z), odd)
-                y = self.multiply(self.constant(fmpq(1, 2)), total)
-            result = self.multiply(result, y)
+                z = 1 / y
+                y = (y + z + sign * (y - z)) / 2
+            result = result * y
         return result
 
     def linear_part(self, x: Fraction, kind: str) -> tuple[Fraction, list[tuple[Generator, fmpq]]]:
@@ -177,7 +161,7 @@ class PowerRing(FactoredRing):
             if ratio != 0:
                 pieces.append((generator, ratio))
         for generator, ratio in pieces:
-            x = self.subtract(x, self.multiply(self.constant(ratio), self._fraction(generator)))
+            x = x - self.fraction(generator) * ratio
         return x, pieces
 
     def _share(self, x: Fraction, position: int) -> fmpq:
@@ -194,8 +178,7 @@ class PowerRing(FactoredRing):
             unit = self._unit("exp", index, int(r.q))
             exponent = self._basis["exp"][index]
             generator = self.generator("exp", (index, unit), (index, unit, exponent))
-            y = self._fraction(generator)
-            result = self.multiply(result, self.power(y, int(r.p * (unit // r.q))))
+            result = result * self.fraction(generator) ** int(r.p * (unit // r.q))
         return result
 
     def _unit(self, kind: str, index: int, q: int) -> int:
@@ -212,7 +195,7 @@ class PowerRing(FactoredRing):
             for monomial, value in x.num.terms() if x.den.is_constant() else ():
                 if not any(monomial):
                     r = fmpq(value, x.den.leading_coefficient())
-                    x = self.subtract(x, self.constant(r))
+                    x = x - r
                     terms.append((self._basis_index(kind, self.one), r))
         if x.num.is_zero():
             return terms
@@ -240,8 +223,8 @@ class PowerRing(FactoredRing):
         """Rational coefficients with ``Σ c_i basis_i = x``, or None."""
         common = x.den
         for element in basis:
-            common = common * (element.den // common.gcd(element.den))
-        columns = [dict((item.num * (common // item.den)).terms()) for item in (*basis, x)]
+            common = common * (element.den / common.gcd(element.den))
+        columns = [dict((item.num * (common / item.den)).terms()) for item in (*basis, x)]
         rows = sorted({monomial for column in columns for monomial in column})
         if not set(columns[-1]) <= {m for column in columns[:-1] for m in column}:
             return None
@@ -257,7 +240,8 @@ class PowerRing(FactoredRing):
                 return None
             if pivot is not None:
                 solution[pivot] = reduced[i, n]
-        return solution
+        rest = matrix * fmpq_mat(n + 1, 1, [*solution, -1])
+        return solution if rest == fmpq_mat(len(rows), 1) else None
 
 
 def _proportion(p: Poly, q: Poly) -> fmpq | None:

@@ -156,7 +156,7 @@ class ProvingRing(ValuedRing):
         """Rational ends of an open interval that contains a ball."""
         if not value.is_finite():
             return None
-        low, high = fmpq(*_dyadic(value.lower())), fmpq(*_dyadic(value.upper()))
+        low, high = value.lower().fmpq(), value.upper().fmpq()
         slack = fmpq(1, 10**9) * (1 + abs(low))
         return low - slack, high + slack
 
@@ -220,10 +220,12 @@ class ProvingRing(ValuedRing):
             if not any(monomial):
                 pair = (_over_pi(slope, True), _over_pi(slope, False))
             else:
-                where = boxes[self.at(next(i for i, k in enumerate(monomial) if k)).data[0]]
-                low, high = where.pi_low, where.pi_high
-                low = _over_pi(where.low, True) if low is None else low
-                high = _over_pi(where.high, False) if high is None else high
+                name = self.at(next(i for i, k in enumerate(monomial) if k)).data[0]
+                where = boxes[name]
+                turns = self.given.half_turns.get(name, Range())
+                low, high = _over_pi(where.low, True), _over_pi(where.high, False)
+                low = low if turns.low is None else max(low, turns.low)
+                high = high if turns.high is None else min(high, turns.high)
                 pair = (slope * low, slope * high) if slope > 0 else (slope * high, slope * low)
             ends = [end + more for end, more in zip(ends, pair, strict=True)]
         return ends[0], ends[1]
@@ -244,9 +246,9 @@ class ProvingRing(ValuedRing):
         end = -fmpq(fmpz(0) if constant.is_zero() else constant.leading_coefficient(), slope)
         was = self.box.get(name, Range())
         if slope > 0 and (was.low is None or end > was.low):
-            self.box[name] = was._replace(low=end, pi_low=None)
+            self.box[name] = was._replace(low=end)
         if slope < 0 and (was.high is None or end < was.high):
-            self.box[name] = was._replace(high=end, pi_high=None)
+            self.box[name] = was._replace(high=end)
 
     # Ways to prove a sign
 
@@ -415,10 +417,3 @@ class ProvingRing(ValuedRing):
 def _over_pi(x: fmpq, down: bool) -> fmpq:
     """A number that is less than ``x/π``, or greater."""
     return x / (_PI_HIGH if (x > 0) == down else _PI_LOW)
-
-
-def _dyadic(x: arb) -> tuple[fmpz, fmpz]:
-    mantissa, exponent = x.man_exp()
-    if exponent >= 0:
-        return mantissa * fmpz(2) ** int(exponent), fmpz(1)
-    return mantissa, fmpz(2) ** int(-exponent)

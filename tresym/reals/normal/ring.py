@@ -8,6 +8,7 @@ newest first, brings a polynomial to its remainder.
 
 from __future__ import annotations
 
+from collections.abc import Container
 from functools import cache
 from math import comb
 from typing import Any, NamedTuple, TypeAlias
@@ -39,11 +40,12 @@ class Generator(NamedTuple):
 
 
 class Fraction:
-    """``numerator/denominator``, reduced and without a common factor."""
+    """``num/den`` over a ring, reduced and without a common factor; it adds, multiplies, …"""
 
-    __slots__ = ("den", "num")
+    __slots__ = ("den", "num", "ring")
 
-    def __init__(self, num: Poly, den: Poly) -> None:
+    def __init__(self, ring: Ring, num: Poly, den: Poly) -> None:
+        self.ring = ring
         self.num = num
         self.den = den
 
@@ -51,6 +53,79 @@ class Fraction:
     def key(self) -> tuple[str, str]:
         """Text that equal fractions share."""
         return str(self.num), str(self.den)
+
+    def __neg__(self) -> Fraction:
+        return Fraction(self.ring, -self.num, self.den)
+
+    def __add__(self, other: Fraction | fmpq | int) -> Fraction:
+        x, y, ring = self, self.ring.fraction(other), self.ring
+        if x.den == y.den:
+            total = _bounded(x.num + y.num)
+            return Fraction(ring, total, x.den) if x.den.is_one() else ring.cancel(total, x.den)
+        common = x.den.gcd(y.den)
+        left, right = y.den / common, x.den / common
+        return ring.make(_bounded(x.num * left + y.num * right), x.den * left)
+
+    def __sub__(self, other: Fraction | fmpq | int) -> Fraction:
+        return self + -self.ring.fraction(other)
+
+    def __mul__(self, other: Fraction | fmpq | int) -> Fraction:
+        x, y, ring = self, self.ring.fraction(other), self.ring
+        if len(x.num) * len(y.num) > 40 * MAX_TERMS:
+            raise TooLargeError(f"a normal form of more than {MAX_TERMS} terms")
+        top, bottom = (x.num, x.den), (y.num, y.den)
+        if x.den.is_one() and y.den.is_one():
+            return Fraction(ring, ring.reduce(x.num * y.num), x.den)
+        g, h = x.num.gcd(y.den), y.num.gcd(x.den)
+        if not g.is_one() and not g.is_zero():
+            top, bottom = (x.num / g, x.den), (y.num, y.den / g)
+        if not h.is_one() and not h.is_zero():
+            top, bottom = (top[0], x.den / h), (y.num / h, bottom[1])
+        return ring.make(top[0] * bottom[0], top[1] * bottom[1])
+
+    def __truediv__(self, other: Fraction | fmpq | int) -> Fraction:
+        return self * self.ring.fraction(other).inverse()
+
+    def __radd__(self, other: fmpq | int) -> Fraction:
+        return self + other
+
+    def __rsub__(self, other: fmpq | int) -> Fraction:
+        return -self + other
+
+    def __rmul__(self, other: fmpq | int) -> Fraction:
+        return self * other
+
+    def __rtruediv__(self, other: fmpq | int) -> Fraction:
+        return self.inverse() * other
+
+    def inverse(self) -> Fraction:
+        """``1/x``.
+
+        Raises:
+            UndefinedError: ``x`` is zero.
+        """
+        if self.num.is_zero():
+            raise UndefinedError("a division by an expression that is identically zero")
+        return self.ring.make(self.den, self.num)
+
+    def __pow__(self, n: int) -> Fraction:
+        x, ring = self, self.ring
+        if n < 0:
+            return self.inverse() ** -n
+        degree = max(x.num.total_degree(), x.den.total_degree(), 0)
+        if degree * n > MAX_DEGREE and len(x.num) + len(x.den) > 2:
+            raise TooLargeError(f"a power of degree beyond {MAX_DEGREE}")
+        if max(comb(n + len(p) - 1, n) for p in (x.num, x.den) if len(p)) > 10 * MAX_TERMS:
+            raise TooLargeError(f"a power of more than {10 * MAX_TERMS} terms")
+        if not ring.relations:
+            return Fraction(ring, x.num**n, x.den**n)
+        result = ring.one
+        while n:
+            if n & 1:
+                result = result * x
+            n >>= 1
+            x = x * x if n else x
+        return result
 
 
 class Ring:
@@ -65,8 +140,8 @@ class Ring:
         self._by_key: dict[tuple[Any, ...], Generator] = {}
         self.one_poly = self.context.constant(1)
         self.zero_poly = self.context.constant(0)
-        self.zero = Fraction(self.zero_poly, self.one_poly)
-        self.one = Fraction(self.one_poly, self.one_poly)
+        self.zero = self.fraction(self.zero_poly)
+        self.one = self.fraction(self.one_poly)
 
     # Generators
 
@@ -99,18 +174,30 @@ class Ring:
         kept = [item for item in self.relations if item[0] != generator.position]
         self.relations = sorted([*kept, (generator.position, degree, rule)], key=lambda r: r[0])
 
-    def used(self, p: Poly) -> list[int]:
-        """Positions of the generators that occur in ``p``."""
-        if p.is_constant():
+    def used(self, x: Poly | Fraction) -> list[int]:
+        """Positions of the generators that occur in ``x``."""
+        if isinstance(x, Fraction):
+            return sorted({*self.used(x.num), *self.used(x.den)})
+        if x.is_constant():
             return []
-        return [i for i, degree in enumerate(p.degrees()) if degree > 0]
+        return [i for i, degree in enumerate(x.degrees()) if degree > 0]
+
+    def inside(self, position: int) -> list[Poly]:
+        """The polynomials that a generator is a function of."""
+        return [p for item in self.at(position).data for p in polys(item)]
 
     # Arithmetic
 
-    def constant(self, value: fmpq | int) -> Fraction:
-        """A rational number."""
-        value = fmpq(value)
-        return Fraction(self.context.constant(value.p), self.context.constant(value.q))
+    def fraction(self, x: Fraction | Generator | Poly | fmpq | int) -> Fraction:
+        """``x`` itself, or a generator, a polynomial or a rational number as a fraction."""
+        if isinstance(x, Fraction):
+            return x
+        if isinstance(x, Generator):
+            x = self.variable(x)
+        if isinstance(x, fmpz_mpoly):
+            return Fraction(self, x, self.one_poly)
+        value = fmpq(x)
+        return Fraction(self, self.context.constant(value.p), self.context.constant(value.q))
 
     def reduce(self, p: Poly) -> Poly:
         """``p`` modulo the relations."""
@@ -133,19 +220,20 @@ class Ring:
                 num, den = self._rational_denominator(num, den)
         if den.is_zero():
             raise UndefinedError("a denominator is identically zero")
-        return self._cancel(num, den)
+        return self.cancel(num, den)
 
-    def _cancel(self, num: Poly, den: Poly) -> Fraction:
+    def cancel(self, num: Poly, den: Poly) -> Fraction:
+        """The fraction of reduced polynomials, ``den`` not zero, without a common factor."""
         if den.is_one():
-            return Fraction(num, den)
+            return Fraction(self, num, den)
         if num.is_zero():
             return self.zero
         common = num.gcd(den)
         if not common.is_one():
-            num, den = num // common, den // common
+            num, den = num / common, den / common
         if den.leading_coefficient() < 0:
             num, den = -num, -den
-        return Fraction(num, den)
+        return Fraction(self, num, den)
 
     def _rational_denominator(self, num: Poly, den: Poly) -> tuple[Poly, Poly]:
         """Clear roots and signs from the denominator by multiplying with the conjugate."""
@@ -174,7 +262,7 @@ class Ring:
             if self.is_mixed(norm):
                 continue
             common = norm.gcd(conjugate)
-            norm, conjugate = norm // common, conjugate // common
+            norm, conjugate = norm / common, conjugate / common
             num, den = self.reduce(num * conjugate), norm
             degrees = den.degrees()
         return num, den
@@ -199,92 +287,29 @@ class Ring:
         if slope.derivative(position).is_zero():
             rest = p - slope * self.variables[position]
             return {k: part for k, part in ((0, rest), (1, slope)) if not part.is_zero()}
-        parts: dict[int, dict[tuple[int, ...], Any]] = {}
+        return {powers[position]: part for powers, part in self.grouped(p, {position}).items()}
+
+    def grouped(self, p: Poly, positions: Container[int]) -> dict[tuple[int, ...], Poly]:
+        """``p`` by its monomials in the generators at ``positions``, and what each multiplies."""
+        groups: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
         for monomial, value in p.terms():
-            k = int(monomial[position])
-            rest = (*monomial[:position], 0, *monomial[position + 1 :])
-            parts.setdefault(k, {})[rest] = value
-        return {k: self.context.from_dict(part) for k, part in parts.items()}
-
-    def add(self, x: Fraction, y: Fraction) -> Fraction:
-        """``x + y``."""
-        if x.den == y.den:
-            total = _bounded(x.num + y.num)
-            if x.den.is_one():
-                return Fraction(total, x.den)
-            return self._cancel(total, x.den)
-        common = x.den.gcd(y.den)
-        left, right = y.den // common, x.den // common
-        return self.make(_bounded(x.num * left + y.num * right), x.den * left)
-
-    def sum(self, terms: list[Fraction]) -> Fraction:
-        """The sum of ``terms``."""
-        total = self.zero
-        for term in terms:
-            total = self.add(total, term)
-        return total
-
-    def negative(self, x: Fraction) -> Fraction:
-        """``−x``."""
-        return Fraction(-x.num, x.den)
-
-    def subtract(self, x: Fraction, y: Fraction) -> Fraction:
-        """``x − y``."""
-        return self.add(x, Fraction(-y.num, y.den))
-
-    def multiply(self, x: Fraction, y: Fraction) -> Fraction:
-        """``x·y``."""
-        if len(x.num) * len(y.num) > 40 * MAX_TERMS:
-            raise TooLargeError(f"a normal form of more than {MAX_TERMS} terms")
-        if x.den.is_one() and y.den.is_one():
-            return Fraction(self.reduce(x.num * y.num), x.den)
-        g, h = x.num.gcd(y.den), y.num.gcd(x.den)
-        if not g.is_one() and not g.is_zero():
-            x, y = Fraction(x.num // g, x.den), Fraction(y.num, y.den // g)
-        if not h.is_one() and not h.is_zero():
-            x, y = Fraction(x.num, x.den // h), Fraction(y.num // h, y.den)
-        return self.make(x.num * y.num, x.den * y.den)
-
-    def invert(self, x: Fraction) -> Fraction:
-        """``1/x``.
-
-        Raises:
-            UndefinedError: ``x`` is zero.
-        """
-        if x.num.is_zero():
-            raise UndefinedError("a division by an expression that is identically zero")
-        return self.make(x.den, x.num)
-
-    def divide(self, x: Fraction, y: Fraction) -> Fraction:
-        """``x/y``."""
-        return self.multiply(x, self.invert(y))
-
-    def power(self, x: Fraction, n: int) -> Fraction:
-        """``x**n`` for an integer ``n``."""
-        if n < 0:
-            return self.power(self.invert(x), -n)
-        degree = max(x.num.total_degree(), x.den.total_degree(), 0)
-        if degree * n > MAX_DEGREE and len(x.num) + len(x.den) > 2:
-            raise TooLargeError(f"a power of degree beyond {MAX_DEGREE}")
-        if max(comb(n + len(p) - 1, n) for p in (x.num, x.den) if len(p)) > 10 * MAX_TERMS:
-            raise TooLargeError(f"a power of more than {10 * MAX_TERMS} terms")
-        if not self.relations:
-            return Fraction(x.num**n, x.den**n)
-        result = self.one
-        square = x
-        while n:
-            if n & 1:
-                result = self.multiply(result, square)
-            n >>= 1
-            if n:
-                square = self.multiply(square, square)
-        return result
+            outer = tuple(int(k) if i in positions else 0 for i, k in enumerate(monomial))
+            inner = tuple(0 if i in positions else int(k) for i, k in enumerate(monomial))
+            groups.setdefault(outer, {})[inner] = value
+        return {outer: self.context.from_dict(part) for outer, part in groups.items()}
 
     def rational(self, x: Fraction) -> fmpq | None:
         """The number that ``x`` is, if it is one."""
         if not (x.num.is_constant() and x.den.is_constant()):
             return None
         return fmpq(_constant(x.num), _constant(x.den))
+
+
+def polys(x: Any) -> tuple[Poly, ...]:
+    """A polynomial, or those of a fraction; of anything else nothing."""
+    if isinstance(x, Fraction):
+        return x.num, x.den
+    return (x,) if isinstance(x, fmpz_mpoly) else ()
 
 
 def _bounded(p: Poly) -> Poly:
@@ -305,7 +330,7 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
     used = ring.used(p)
     unit, factors = factors_of(project(p, used))
     back = dict(enumerate(used))
-    return unit, [(f.project_to_context(ring.context, back), int(k)) for f, k in factors]
+    return unit, [(f.project_to_context(ring.context, back), k) for f, k in factors]
 
 
 def project(p: Poly, used: list[int]) -> Poly:

@@ -7,14 +7,11 @@ proven is a generator σ with σ² = 1.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-
-from flint import fmpq, fmpz
+from typing import Any
 
 from tresym.reals.normal.ranges import ProvingRing
 from tresym.reals.normal.ring import Poly
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.conditions import Given
 
 
 class AgainError(TooLargeError):
@@ -24,11 +21,9 @@ class AgainError(TooLargeError):
 class SignedRing(ProvingRing):
     """A ring with what is learnt of the signs of its factors."""
 
-    def __init__(
-        self, given: Given, size: int, points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple
-    ) -> None:
+    def __init__(self, *arguments: Any) -> None:
         """The arguments of the base class."""
-        super().__init__(given, size, points)
+        super().__init__(*arguments)
         self.rules: dict[str, tuple[int, list[str]]] = {}
         self.polys: dict[str, Poly] = {}
         self._met: dict[str, int] = {}
@@ -181,17 +176,8 @@ class SignedRing(ProvingRing):
         constants = [i for i in self.used(p) if not self.support(i) and self.at(i).kind != "opaque"]
         if not constants:
             return False
-        groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpz]] = {}
-        for monomial, value in p.terms():
-            powers = [int(k) for k in monomial]
-            outer = tuple(0 if i in constants else k for i, k in enumerate(powers))
-            inner = tuple(k if i in constants else 0 for i, k in enumerate(powers))
-            groups.setdefault(outer, {})[inner] = value
-        rational = (0,) * self.size
-        return not any(
-            set(part) == {rational} or self._constant_sign(self.context.from_dict(part))
-            for part in groups.values()
-        )
+        parts = self.grouped(p, {*self.used(p)} - {*constants}).values()
+        return not any(part.is_constant() or self._constant_sign(part) for part in parts)
 
     # Equations between signs
 

@@ -9,14 +9,20 @@ the two context managers here, which restore what they found, on errors too.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from operator import methodcaller
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from flint import arb, ctx, fmpq
 
 if TYPE_CHECKING:
     import mpmath
+
+Found = TypeVar("Found")
+
+WORKING = 128
+"""Bits at which balls are taken where nothing else is said."""
 
 
 class Balls:
@@ -26,65 +32,12 @@ class Balls:
     of ``x`` and makes a ball of whatever lies in memory when that is no ``arb``.
     """
 
-    @property
-    def pi(self) -> arb:
-        """π at the working precision."""
-        return arb.pi()
-
-    @staticmethod
-    def sqrt(x: arb) -> arb:
-        """Square root."""
-        return x.sqrt()
-
-    @staticmethod
-    def exp(x: arb) -> arb:
-        """Exponential."""
-        return x.exp()
-
-    @staticmethod
-    def expm1(x: arb) -> arb:
-        """``exp(x) − 1`` without cancellation."""
-        return x.expm1()
-
-    @staticmethod
-    def log(x: arb) -> arb:
-        """Natural logarithm."""
-        return x.log()
-
-    @staticmethod
-    def log1p(x: arb) -> arb:
-        """``log(1 + x)`` without cancellation."""
-        return x.log1p()
-
-    @staticmethod
-    def sin(x: arb) -> arb:
-        """Sine."""
-        return x.sin()
-
-    @staticmethod
-    def cos(x: arb) -> arb:
-        """Cosine."""
-        return x.cos()
-
-    @staticmethod
-    def tan(x: arb) -> arb:
-        """Tangent."""
-        return x.tan()
-
-    @staticmethod
-    def asin(x: arb) -> arb:
-        """Inverse sine."""
-        return x.asin()
-
-    @staticmethod
-    def acos(x: arb) -> arb:
-        """Inverse cosine."""
-        return x.acos()
-
-    @staticmethod
-    def atan(x: arb) -> arb:
-        """Inverse tangent."""
-        return x.atan()
+    pi = property(lambda self: arb.pi(), doc="π at the working precision.")
+    sqrt, exp, expm1, log, log1p = map(methodcaller, ("sqrt", "exp", "expm1", "log", "log1p"))
+    sin, cos, tan = map(methodcaller, ("sin", "cos", "tan"))
+    asin, acos, atan = map(methodcaller, ("asin", "acos", "atan"))
+    sinh, cosh, tanh = map(methodcaller, ("sinh", "cosh", "tanh"))
+    asinh, acosh, atanh = map(methodcaller, ("asinh", "acosh", "atanh"))
 
     @staticmethod
     def atan2(y: arb, x: arb) -> arb:
@@ -92,36 +45,6 @@ class Balls:
         if not isinstance(y, arb):
             raise TypeError("atan2: needs balls")
         return arb.atan2(y, x)
-
-    @staticmethod
-    def sinh(x: arb) -> arb:
-        """Hyperbolic sine."""
-        return x.sinh()
-
-    @staticmethod
-    def cosh(x: arb) -> arb:
-        """Hyperbolic cosine."""
-        return x.cosh()
-
-    @staticmethod
-    def tanh(x: arb) -> arb:
-        """Hyperbolic tangent."""
-        return x.tanh()
-
-    @staticmethod
-    def asinh(x: arb) -> arb:
-        """Inverse hyperbolic sine."""
-        return x.asinh()
-
-    @staticmethod
-    def acosh(x: arb) -> arb:
-        """Inverse hyperbolic cosine."""
-        return x.acosh()
-
-    @staticmethod
-    def atanh(x: arb) -> arb:
-        """Inverse hyperbolic tangent."""
-        return x.atanh()
 
 
 balls = Balls()
@@ -140,7 +63,7 @@ class ball_precision:  # noqa: N801 - used like a function; a class because it i
 
     __slots__ = ("before", "precision")
 
-    def __init__(self, precision: int) -> None:
+    def __init__(self, precision: int = WORKING) -> None:
         """Remember the precision to work at."""
         self.precision = precision
 
@@ -153,6 +76,23 @@ class ball_precision:  # noqa: N801 - used like a function; a class because it i
     def __exit__(self, *_: object) -> None:
         """Restore what was found."""
         ctx.prec = self.before
+
+
+def decided(
+    attempt: Callable[[], Found | None], precisions: tuple[int, ...] = (WORKING, 8 * WORKING)
+) -> Found | None:
+    """What ``attempt`` says, at higher and higher precision until it is not None."""
+    for precision in precisions:
+        with ball_precision(precision):
+            found = attempt()
+        if found is not None:
+            return found
+    return None
+
+
+def side(x: arb) -> int | None:
+    """±1 where the ball has that sign, else None."""
+    return 1 if x > 0 else -1 if x < 0 else None
 
 
 @contextmanager

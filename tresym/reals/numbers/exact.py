@@ -96,21 +96,59 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
     if isinstance(x, int | fmpz):
         return fmpq(x)
     if isinstance(x, Rational):
-        return fmpq(x.numerator, x.denominator)
+        return fmpq(int(x.numerator), int(x.denominator))
     raise InputError(
         f"{what}: {type(x).__name__} is not exact; give a string, an integer or a Fraction"
     )
 
 
 class Interval(NamedTuple):
-    """A closed interval with rational ends."""
+    """An interval with rational ends; None is an infinite end, whatever is said of it."""
 
-    low: fmpq
-    high: fmpq
+    low: fmpq = None
+    high: fmpq = None
+    low_open: bool = False
+    high_open: bool = False
+
+    @property
+    def middle(self) -> fmpq:
+        """Half way between two finite ends."""
+        return (self.low + self.high) / 2
+
+    @property
+    def width(self) -> fmpq:
+        """The distance of two finite ends."""
+        return self.high - self.low
 
     def ball(self) -> arb:
-        """The smallest ball at the working precision that contains the interval."""
+        """The smallest ball at the working precision that contains a bounded interval."""
         return arb(self.low).union(arb(self.high))
+
+    def holds(self, x: fmpq) -> bool:
+        """Whether ``x`` lies in the interval."""
+        return (self.low is None or x > self.low or (x == self.low and not self.low_open)) and (
+            self.high is None or x < self.high or (x == self.high and not self.high_open)
+        )
+
+    def simplest(self) -> fmpq:
+        """The rational of least denominator in an interval that is not empty (Stern and Brocot)."""
+        low, high, low_open, high_open = self
+        if self.holds(fmpq(0)):
+            return fmpq(0)
+        if low is None or low < 0:
+            above = Interval(-high, None if low is None else -low, high_open, low_open)
+            return -above.simplest()
+        whole = fmpq(low.floor() + 1 if low_open else low.ceil())
+        if self.holds(whole):
+            return whole
+        base = whole - 1
+        far = None if low == base else 1 / (low - base)
+        return base + 1 / Interval(1 / (high - base), far, high_open, low_open).simplest()
+
+
+def near(x: fmpq, tolerance: fmpq) -> fmpq:
+    """The rational of least denominator within ``tolerance`` of ``x``."""
+    return Interval(x - tolerance, x + tolerance).simplest()
 
 
 def printed(text: str) -> Interval:
@@ -168,17 +206,3 @@ def _radius(rad: int, exponent: int) -> str:
 def fraction_text(x: fmpq) -> str:
     """An exact rational as ``p`` or ``p/q``."""
     return str(x.p) if x.q == 1 else f"{x.p}/{x.q}"
-
-
-def simplest_between(low: fmpq, high: fmpq) -> fmpq:
-    """The rational of smallest denominator in ``[low, high]`` (Stern and Brocot)."""
-    if low <= 0 <= high:
-        return fmpq(0)
-    if high < 0:
-        return -simplest_between(-high, -low)
-    whole = low.floor()
-    if whole == low:
-        return fmpq(whole)
-    if whole + 1 <= high:
-        return fmpq(whole + 1)
-    return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole))

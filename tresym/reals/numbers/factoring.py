@@ -1,6 +1,11 @@
-"""Factors of integer polynomials, and the one error for what outgrows its bounds."""
+"""Factors of integers and integer polynomials, multiplied out; and the error of normal forms.
+
+What FLINT finds is not believed: a unit and factors that do not give the product are an error.
+"""
 
 from __future__ import annotations
+
+from math import prod
 
 from flint import fmpz, fmpz_mpoly
 
@@ -15,8 +20,24 @@ def factors_of(p: fmpz_mpoly) -> tuple[fmpz, list[tuple[fmpz_mpoly, int]]]:
     Raises:
         TooLargeError: python-flint cannot sort factors whose coefficients differ by more than a
             machine integer.
+        ArithmeticError: these are not its factors.
     """
     try:
-        return p.factor()
+        unit, found = p.factor()
     except OverflowError:
         raise TooLargeError("coefficients too large for the factors to be sorted") from None
+    if prod((factor ** int(k) for factor, k in found), start=p.context().constant(unit)) != p:
+        raise ArithmeticError("what was found are no factors")
+    return unit, [(factor, int(k)) for factor, k in found]
+
+
+def primes_of(n: fmpz) -> list[tuple[fmpz, int]]:
+    """FLINT's prime factors of ``n`` > 0.
+
+    Raises:
+        ArithmeticError: these are not its factors.
+    """
+    found = [(prime, int(k)) for prime, k in n.factor()]
+    if prod((prime**k for prime, k in found), start=fmpz(1)) != n:
+        raise ArithmeticError("what was found are no factors")
+    return found

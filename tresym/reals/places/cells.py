@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from flint import arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+from flint import fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError, factors_of
 
 MAX_POLYNOMIALS = 40
@@ -107,30 +108,8 @@ def between(p: fmpz_poly) -> list[fmpq]:
         roots.sort(key=lambda x: x.mid())
         if not roots:
             return [fmpq(0)]
-        ends = [(_rational(x.lower()), _rational(x.upper())) for x in roots]
-    points = [simplest(None, ends[0][0])]
-    for (_, low), (high, _) in pairwise(ends):
-        if not low < high:
-            raise TooLargeError("roots too close to be told apart")
-        points.append(simplest(low, high))
-    return [*points, simplest(ends[-1][1], None)]
-
-
-def _rational(x: arb) -> fmpq:
-    return x.fmpq()
-
-
-def simplest(low: fmpq | None, high: fmpq | None) -> fmpq:
-    """The rational of least denominator strictly between ``low`` and ``high``."""
-    if low is None or (low < 0 and high is not None and high <= 0):
-        assert high is not None
-        return -simplest(-high, None if low is None else -low)
-    if low < 0:
-        return fmpq(0)
-    whole = low.p // low.q + 1
-    if high is None or whole < high:
-        return fmpq(whole)
-    base = whole - 1
-    tail = low - base
-    inner = simplest(1 / (high - base), None if tail == 0 else 1 / tail)
-    return base + 1 / inner
+        ends = [(None, None), *((x.lower().fmpq(), x.upper().fmpq()) for x in roots), (None, None)]
+    gaps = [Interval(low, high, True, True) for (_, low), (high, _) in pairwise(ends)]
+    if any(not gap.low < gap.high for gap in gaps[1:-1]):
+        raise TooLargeError("roots too close to be told apart")
+    return [gap.simplest() for gap in gaps]

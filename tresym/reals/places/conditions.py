@@ -7,7 +7,7 @@ point handed out, so a point is a witness and not a guess.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
@@ -15,25 +15,17 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.language.expression import Expr, number, symbol, symbols
+from tresym.reals.language.expression import PI, Expr, number, symbol, symbols
+from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
-from tresym.reals.language.sympy import from_sympy
+from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.points import Range, _sample, corners
+from tresym.reals.numbers.exact import InputError, Interval
+from tresym.reals.places.points import _sample, corners
 from tresym.reals.places.values import evaluate
 from tresym.reals.places.windows import windows
 
-CHECK_BITS = 128
 _TRIES = 3000
-_FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
-_SYMPY_RELATIONS = {
-    "StrictGreaterThan": ">",
-    "GreaterThan": ">=",
-    "StrictLessThan": "<",
-    "LessThan": "<=",
-    "Unequality": "!=",
-}
 
 
 @dataclass(frozen=True)
@@ -43,14 +35,14 @@ class Condition:
     expression: Expr
     relation: str
 
-    def holds(self, point: dict[str, arb]) -> bool:
+    def holds(self, point: Mapping[str, arb | fmpq]) -> bool:
         """Whether balls show the condition, strictly, at ``point``."""
         value = evaluate(self.expression, point)
         if self.relation == "!=":
             return bool(value > 0 or value < 0)
         return bool(value > 0)
 
-    def holds_exactly(self, point: dict[str, arb]) -> bool:
+    def holds_exactly(self, point: Mapping[str, arb | fmpq]) -> bool:
         """As :meth:`holds`, with equality allowed where the relation is ``>=``."""
         if self.holds(point):
             return True
@@ -85,11 +77,11 @@ class Given:
             name = type(item).__name__
             if name == "And":
                 result.extend(Given.from_sympy(*item.args).comparisons)
-            elif name in _SYMPY_RELATIONS:
-                if "Derivative" in {type(part).__name__ for part in _parts(item)}:
+            elif RELATIONS.get(name, "==") != "==":
+                if atoms(item, "Derivative"):
                     raise InputError(NO_DERIVATIVE)
                 left, right = from_sympy(item.lhs), from_sympy(item.rhs)
-                result.append((left, _SYMPY_RELATIONS[name], right))
+                result.append((left, RELATIONS[name], right))
             elif name != "BooleanTrue":
                 raise InputError(f"{item} is not a condition such as a > 0")
         return Given(tuple(result))
@@ -106,7 +98,7 @@ class Given:
         return tuple(
             Condition(left - right, sign)
             if sign in (">", ">=", "!=")
-            else Condition(right - left, _FLIP[sign])
+            else Condition(right - left, MIRRORED[sign])
             for left, sign, right in self.comparisons
         )
 
@@ -116,33 +108,49 @@ class Given:
         return frozenset().union(*(symbols(c.expression) for c in self.conditions))
 
     @cached_property
-    def box(self) -> dict[str, Range]:
+    def box(self) -> dict[str, Interval]:
         """The bounds of single symbols by constants."""
-        box: dict[str, Range] = {}
-        for left, sign, right in self.comparisons:
-            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
-                if side.op == "abs" and not symbols(bound) and relation in ("<", "<="):
-                    _tighten(box, side.args[0], relation, bound)
-                    _tighten(box, side.args[0], _FLIP[relation], -bound)
-                elif not symbols(bound):
-                    _tighten(box, side, relation, bound)
-        for _ in range(2):
-            for condition in (*self.conditions, *self._implied):
-                _propagate(box, condition)
+        box: dict[str, Interval] = {}
+        for bound in self._bounds():
+            _tighten(box, *bound)
+        for condition in 2 * (*self.conditions, *self._implied):
+            _propagate(box, condition)
         for condition in self.conditions:
             _within_even_powers(box, condition)
         return box
+
+    @cached_property
+    def half_turns(self) -> dict[str, Interval]:
+        """The same in multiples of π, exactly where a bound is written so."""
+        found: dict[str, Interval] = {}
+        for side, relation, bound in self._bounds():
+            r = _pi_multiple(bound)
+            _tighten(found, side, relation, bound / PI if r is None else number(r))
+        for condition in 2 * (*self.conditions, *self._implied):
+            _propagate(found, condition, homogeneous=True)
+        return found
+
+    def _bounds(self) -> Iterator[tuple[Expr, str, Expr]]:
+        """Each expression that is compared with a constant, on the left."""
+        for left, sign, right in self.comparisons:
+            for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
+                if symbols(bound):
+                    continue
+                if side.op == "abs" and relation in ("<", "<="):
+                    yield side.args[0], MIRRORED[relation], -bound
+                    side = side.args[0]
+                yield side, relation, bound
 
     @cached_property
     def _implied(self) -> tuple[Condition, ...]:
         """What ``u > |v|`` says without absolute values: ``u > v``, ``u > −v``, ``u > 0``."""
         result = []
         for left, sign, right in self.comparisons:
-            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
+            for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
                 if side.op == "abs" and symbols(bound) and relation in ("<", "<="):
                     inner = side.args[0]
                     parts = (bound - inner, bound + inner, bound)
-                    result += [Condition(part, _FLIP[relation]) for part in parts]
+                    result += [Condition(part, MIRRORED[relation]) for part in parts]
         return tuple(result)
 
     @cached_property
@@ -169,9 +177,8 @@ class Given:
         for point in self.points(wanted, 1):
             return point
         for corner in corners(wanted, self.box):
-            with ball_precision(CHECK_BITS):
-                at = {name: arb(value) for name, value in corner.items()}
-                if all(condition.holds_exactly(at) for condition in self.conditions):
+            with ball_precision():
+                if all(condition.holds_exactly(corner) for condition in self.conditions):
                     return corner
         return None
 
@@ -182,7 +189,7 @@ class Given:
         Every condition holds strictly at each point, shown by balls.
         """
         wanted = sorted(self.names | set(names))
-        ranges = [self.box.get(name, Range()) for name in wanted]
+        ranges = [self.box.get(name, Interval()) for name in wanted]
         if any(r.low is not None and r.high is not None and r.low >= r.high for r in ranges):
             return
         found = 0
@@ -199,7 +206,7 @@ class Given:
         if not found and self.conditions:
             yield from islice(filter(self._holds, self._far(wanted, ranges)), n)
 
-    def _far(self, wanted: list[str], ranges: list[Range]) -> Iterator[dict[str, fmpq]]:
+    def _far(self, wanted: list[str], ranges: list[Interval]) -> Iterator[dict[str, fmpq]]:
         """Points to try where the conditions hold far away or on narrow sets."""
         starts = [
             {name: _sample(ranges[j], k, j) for j, name in enumerate(wanted)} for k in range(4)
@@ -207,52 +214,37 @@ class Given:
         yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
 
     def _holds(self, point: dict[str, fmpq]) -> bool:
-        if not self.conditions:
-            return True
-        with ball_precision(CHECK_BITS):
-            at = {name: arb(value) for name, value in point.items()}
-            return all(condition.holds(at) for condition in self.conditions)
+        with ball_precision():
+            return all(condition.holds(point) for condition in self.conditions)
 
 
-def _parts(item: Any) -> Iterator[Any]:
-    """A SymPy expression and all its parts."""
-    yield item
-    for part in item.args:
-        yield from _parts(part)
-
-
-def _tighten(box: dict[str, Range], side: Expr, relation: str, bound: Expr) -> None:
+def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -> None:
     """Narrow the range of the symbol ``side`` by ``side relation bound``."""
     if side.op != "symbol" or relation == "!=":
         return
     low, high = _enclosure(bound)
     if low is None or high is None:
         return
-    name, was = side.args[0], box.get(side.args[0], Range())
+    name, was = side.args[0], box.get(side.args[0], Interval())
     is_open = relation in ("<", ">") or low != high
-    pi = _pi_multiple(bound)
     if relation in (">", ">="):
         if was.low is None or low > was.low or (low == was.low and is_open):
-            box[name] = was._replace(
-                low=low, low_open=is_open, pi_low=pi if pi is not None else _over_pi(low, True)
-            )
+            box[name] = was._replace(low=low, low_open=is_open)
     elif was.high is None or high < was.high or (high == was.high and is_open):
-        box[name] = was._replace(
-            high=high, high_open=is_open, pi_high=pi if pi is not None else _over_pi(high, False)
-        )
+        box[name] = was._replace(high=high, high_open=is_open)
 
 
-def _propagate(box: dict[str, Range], condition: Condition) -> None:
+def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool = False) -> None:
     """Narrow the symbols of a linear condition by the bounds of the others: x > a > 0 is x > 0."""
     form = _linear(condition.expression)
-    if condition.relation == "!=" or form is None:
+    if condition.relation == "!=" or form is None or (homogeneous and form[""] != 0):
         return
     for name, slope in form.items():
         total, relation = form[""], condition.relation
         for other, c in form.items():
             if other in ("", name):
                 continue
-            where = box.get(other, Range())
+            where = box.get(other, Interval())
             end, is_open = (where.high, where.high_open) if c > 0 else (where.low, where.low_open)
             if end is None:
                 break
@@ -260,11 +252,11 @@ def _propagate(box: dict[str, Range], condition: Condition) -> None:
             relation = ">" if is_open else relation
         else:
             if name:
-                sign = relation if slope > 0 else _FLIP[relation]
+                sign = relation if slope > 0 else MIRRORED[relation]
                 _tighten(box, symbol(name), sign, number(-total / slope))
 
 
-def _within_even_powers(box: dict[str, Range], condition: Condition) -> None:
+def _within_even_powers(box: dict[str, Interval], condition: Condition) -> None:
     """Narrow the symbols of a sum of even powers that is bounded: x**2 + 4*y**4 < 1."""
     form = _sum_of(condition.expression, even=True)
     if condition.relation == "!=" or form is None or any(c > 0 for key, c in form.items() if key):
@@ -272,8 +264,8 @@ def _within_even_powers(box: dict[str, Range], condition: Condition) -> None:
     for key, c in form.items():
         if key and form[""] > 0:
             name, n = key.split("**")
-            with ball_precision(CHECK_BITS):
-                end = number(_rational(arb(-form[""] / c).root(int(n)).upper()))
+            with ball_precision():
+                end = number(arb(-form[""] / c).root(int(n)).upper().fmpq())
             _tighten(box, symbol(name), "<" if condition.relation == ">" else "<=", end)
             _tighten(box, symbol(name), condition.relation, -end)
 
@@ -314,18 +306,11 @@ def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
     """Rational ends that enclose the constant ``e``; equal where it is rational."""
     if e.op == "number":
         return e.args[0], e.args[0]
-    with ball_precision(CHECK_BITS):
+    with ball_precision():
         value = evaluate(e, {})
         if not value.is_finite():
             return None, None
-        return _rational(value.lower()), _rational(value.upper())
-
-
-def _rational(x: arb) -> fmpq:
-    mantissa, exponent = x.mid().man_exp()
-    if exponent >= 0:
-        return fmpq(mantissa * 2 ** int(exponent))
-    return fmpq(mantissa, 2 ** int(-exponent))
+        return value.lower().fmpq(), value.upper().fmpq()
 
 
 def _pi_multiple(e: Expr) -> fmpq | None:
@@ -337,13 +322,6 @@ def _pi_multiple(e: Expr) -> fmpq | None:
     if e.op == "*" and [arg.op for arg in e.args] == ["number", "pi"]:
         return e.args[0].args[0]
     return None
-
-
-def _over_pi(x: fmpq, down: bool) -> fmpq:
-    """``x/π`` rounded down or up to a rational."""
-    with ball_precision(CHECK_BITS):
-        value = arb(x) / arb.pi()
-        return _rational(value.lower() if down else value.upper())
 
 
 def positive(*names: str) -> Given:

@@ -9,18 +9,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import combinations
 
-from flint import arb, fmpq
+from flint import fmpq
 
 from tresym.reals.language.expression import Expr
-from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import simplest_between
+from tresym.reals.numbers.arithmetic import WORKING, ball_precision
+from tresym.reals.numbers.exact import near
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
+from tresym.reals.places.windows import climbed
 
-BITS = 64
 MAX_STARTS = 3
-MAX_EVALUATIONS = 250
 SMALLEST_STEP = fmpq(1, 2**30)
 TOLERANCES = (fmpq(1, 2**6), fmpq(1, 2**12), fmpq(1, 2**20))
 
@@ -29,42 +28,19 @@ def low_points(
     difference: Expr, given: Given, starts: Iterable[ExactPoint]
 ) -> Iterator[ExactPoint]:
     """Points of ``given`` at which the difference is small, simple ones first."""
-    with ball_precision(BITS):
-        known = [(value, k, p) for k, p in enumerate(starts) if (value := _value(difference, p))]
+
+    def depth(point: ExactPoint) -> float | None:
+        with ball_precision(WORKING // 2):
+            value = evaluate(difference, point)
+            inside = all(condition.holds_exactly(point) for condition in given.conditions)
+            return -float(value.mid()) if inside and value.is_finite() else None
+
+    known = [(-size, k, p) for k, p in enumerate(starts) if (size := depth(p)) is not None]
     for _, _, start in sorted(known, key=lambda item: item[:2])[:MAX_STARTS]:
-        with ball_precision(BITS):
-            found = _descended(difference, given, start)
+        found = climbed(depth, start, list(_directions(sorted(start))), SMALLEST_STEP)
         for tolerance in TOLERANCES:
-            yield {
-                name: simplest_between(x - tolerance, x + tolerance) for name, x in found.items()
-            }
+            yield {name: near(x, tolerance) for name, x in found.items()}
         yield found
-
-
-def _value(difference: Expr, point: ExactPoint) -> float | None:
-    value = evaluate(difference, {name: arb(x) for name, x in point.items()})
-    return float(value.mid()) if value.is_finite() else None
-
-
-def _inside(given: Given, point: ExactPoint) -> bool:
-    at = {name: arb(x) for name, x in point.items()}
-    return all(condition.holds_exactly(at) for condition in given.conditions)
-
-
-def _descended(difference: Expr, given: Given, start: ExactPoint) -> ExactPoint:
-    """Where no step of the pattern leads further down."""
-    here, lowest, step, left = start, _value(difference, start), fmpq(1), MAX_EVALUATIONS
-    directions = list(_directions(sorted(start)))
-    while step > SMALLEST_STEP and left > 0 and lowest is not None:
-        better = False
-        for direction in directions:
-            there = {name: x + step * direction.get(name, 0) for name, x in here.items()}
-            left -= 1
-            value = _value(difference, there) if _inside(given, there) else None
-            if value is not None and value < lowest:
-                here, lowest, better = there, value, True
-        step = step * 2 if better else step / 4
-    return here
 
 
 def _directions(names: list[str]) -> Iterator[dict[str, int]]:

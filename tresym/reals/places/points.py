@@ -3,31 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from flint import fmpq
 
-from tresym.reals.numbers.exact import simplest_between
+from tresym.reals.numbers.exact import Interval, near
 
 ExactPoint = dict[str, fmpq]
+Range = Interval
 
 LONG = 10**18
 LISTED = 36
-
-
-class Range(NamedTuple):
-    """An interval of one symbol; None is an infinite end.
-
-    ``low`` and ``high`` are rational and enclose the truth; ``pi_low`` and ``pi_high`` enclose it
-    in multiples of π, exactly where the condition was written in π.
-    """
-
-    low: fmpq | None = None
-    high: fmpq | None = None
-    low_open: bool = True
-    high_open: bool = True
-    pi_low: fmpq | None = None
-    pi_high: fmpq | None = None
 
 
 _UNIT = [
@@ -55,7 +40,7 @@ def _hash(k: int, j: int) -> int:
     return h ^ (h >> 16)
 
 
-def _sample(where: Range, k: int, j: int) -> fmpq:
+def _sample(where: Interval, k: int, j: int) -> fmpq:
     """The ``k``-th value of the ``j``-th symbol, inside its range."""
     h = _hash(k, j)
     pool = 5 if k < 6 else 9 if k < 20 else 16
@@ -94,15 +79,15 @@ def _simple(x: fmpq, low: fmpq, high: fmpq) -> fmpq:
     """A rational near ``x`` that can be read, where ends that stand for constants make x long."""
     if x.q < LONG:
         return x
-    gap = min(x - low, high - x) / 16
-    return simplest_between(x - gap, x + gap)
+    gap = max(min(x - low, high - x), fmpq(0)) / 16  # a range may be empty
+    return near(x, gap)
 
 
-def corners(names: list[str], box: dict[str, Range]) -> Iterator[dict[str, fmpq]]:
+def corners(names: list[str], box: dict[str, Interval]) -> Iterator[dict[str, fmpq]]:
     """Points with some symbols at closed ends of their ranges."""
     choices = []
     for name in names:
-        where = box.get(name, Range())
+        where = box.get(name, Interval())
         ends = []
         if where.low is not None and not where.low_open:
             ends.append(where.low)

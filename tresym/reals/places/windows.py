@@ -7,11 +7,13 @@ counts more than any that almost does.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import islice
 from math import prod
+from typing import Any
 
-from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly
 
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -20,7 +22,6 @@ from tresym.reals.places.cells import between, sample_points
 from tresym.reals.places.points import ExactPoint
 from tresym.reals.places.values import evaluate
 
-BITS = 128
 MAX_NAMES = 2
 MAX_DEGREE = 12
 MAX_CELLS = 40
@@ -39,8 +40,10 @@ def windows(conditions: Sequence[Expr], starts: Sequence[ExactPoint]) -> Iterato
     names = sorted(starts[0])
     centres = list(islice(_of_regions(conditions, names, starts[0]), MAX_CELLS))
     yield from centres
+    axes = [{name: way} for name in names for way in (1, -1)]
+    score, enough = partial(_score, conditions), (len(conditions), 0)
     for centre in [*centres, *starts][:MAX_CLIMBS]:
-        found = _climbed(conditions, centre)
+        found = climbed(score, centre, axes, SMALLEST_STEP, enough)
         yield found
         for name in names:
             for step in BESIDE:
@@ -115,26 +118,30 @@ def _polynomial(e: Expr, context: fmpq_mpoly_ctx) -> fmpq_mpoly | None:
     return total
 
 
-def _climbed(conditions: Sequence[Expr], start: ExactPoint) -> ExactPoint:
-    """Where no step of the pattern brings the conditions nearer to holding."""
-    here, best, step, left = start, _score(conditions, start), fmpq(1), MAX_EVALUATIONS
-    while best[0] < len(conditions) and step > SMALLEST_STEP and left > 0:
+def climbed(
+    score: Callable[[ExactPoint], Any],
+    start: ExactPoint,
+    directions: Sequence[Mapping[str, int]],
+    smallest: fmpq,
+    enough: Any = None,
+) -> ExactPoint:
+    """Where no step in any direction leads to a greater score, or where that is ``enough``."""
+    here, best, step, left = start, score(start), fmpq(1), MAX_EVALUATIONS
+    while best is not None and best != enough and step > smallest and left > 0:
         better = False
-        for name in start:
-            for way in (step, -step):
-                there = here | {name: here[name] + way}
-                score = _score(conditions, there)
-                left -= 1
-                if score > best:
-                    here, best, better = there, score, True
+        for direction in directions:
+            there = {name: x + step * direction.get(name, 0) for name, x in here.items()}
+            found = score(there)
+            left -= 1
+            if found is not None and found > best:
+                here, best, better = there, found, True
         step = step * 2 if better else step / 4
     return here
 
 
 def _score(conditions: Sequence[Expr], point: ExactPoint) -> tuple[int, float]:
     """How many conditions hold, and by how much the others that have a value fail."""
-    with ball_precision(BITS):
-        at = {name: arb(value) for name, value in point.items()}
-        values = [evaluate(e, at) for e in conditions]
+    with ball_precision():
+        values = [evaluate(e, point) for e in conditions]
         failing = [float(v.mid()) for v in values if v.is_finite() and not v > 0]
         return sum(bool(v > 0) for v in values), sum(failing)

@@ -6,11 +6,12 @@ What is equal here is equal at every single point, where the exact normal form s
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import prod
 
 from flint import fmpq
 
 from tresym.reals.language.expression import Expr, apply, number, power
-from tresym.reals.normal.ring import Fraction, Generator, Poly, Ring
+from tresym.reals.normal.ring import Fraction, Poly, Ring
 
 SIZE = 24
 _EVEN = frozenset(("abs", "cos", "cosh", "sech"))
@@ -37,7 +38,7 @@ class Atoms(Ring):
         found: Expr = self.at(position).data[0]
         return found
 
-    def fraction(self, e: Expr) -> Fraction:
+    def of(self, e: Expr) -> Fraction:
         """``e``, with the same value wherever it is defined.
 
         Raises:
@@ -46,54 +47,46 @@ class Atoms(Ring):
         """
         found = self._memo.get(e)
         if found is None:
-            found = self._memo[e] = self._fraction(e)
+            found = self._memo[e] = self._of(e)
         return found
 
-    def _fraction(self, e: Expr) -> Fraction:
+    def _of(self, e: Expr) -> Fraction:
         op, args = e.op, e.args
         if op == "number":
-            return self.constant(args[0])
+            return self.fraction(args[0])
         if op == "+":
-            return self.sum([self.fraction(arg) for arg in args])
+            return sum(map(self.of, args), self.zero)
         if op == "*":
-            total = self.one
-            for arg in args:
-                total = self.multiply(total, self.fraction(arg))
-            return total
+            return prod(map(self.of, args), start=self.one)
         if op == "^" and args[1].op == "number":
             return self._power(args[0], args[1].args[0])
         if op in _CIRCULAR:
-            above, below = (
-                self.fraction(apply(f, *args)) if f else self.one for f in _CIRCULAR[op]
-            )
-            return self.divide(above, below)
+            above, below = (self.of(apply(f, *args)) if f else self.one for f in _CIRCULAR[op])
+            return above / below
         if op in _EVEN or op in _ODD or op == "exp":
             return self._function(op, args[0])
-        return self._value(self.generator(op, tuple(map(self._key, args)), (e,)))
+        return self.fraction(self.generator(op, tuple(map(self._key, args)), (e,)))
 
     def _key(self, e: Expr | str) -> tuple[str, str] | str:
-        return e if isinstance(e, str) else self.fraction(e).key
+        return e if isinstance(e, str) else self.of(e).key
 
     def _power(self, base: Expr, exponent: fmpq) -> Fraction:
-        x, q = self.fraction(base), int(exponent.q)
+        x, q = self.of(base), int(exponent.q)
         if q > 1:
             root = power(base, number(fmpq(1, q)))
-            x = self._value(self.generator("root", (x.key, q), (root, x, q)))
-        return self.power(x, int(exponent.p))
+            x = self.fraction(self.generator("root", (x.key, q), (root, x, q)))
+        return x ** int(exponent.p)
 
     def _function(self, name: str, argument: Expr) -> Fraction:
         """An even or odd function, or an exponential, of the argument or of its opposite."""
-        u = self.fraction(argument)
+        u = self.of(argument)
         if u.num.is_zero() or u.num.leading_coefficient() > 0:
-            return self._value(self.generator(name, u.key, (apply(name, argument),)))
+            return self.fraction(self.generator(name, u.key, (apply(name, argument),)))
         node = apply(name, -argument)
-        value = self._value(self.generator(name, self.negative(u).key, (node,)))
+        value = self.fraction(self.generator(name, (-u).key, (node,)))
         if name == "exp":
-            return self.invert(value)
-        return value if name in _EVEN else self.negative(value)
-
-    def _value(self, generator: Generator) -> Fraction:
-        return Fraction(self.variable(generator), self.one_poly)
+            return value.inverse()
+        return value if name in _EVEN else -value
 
     def rewritten(self, p: Poly, is_positive: Callable[[Poly], bool]) -> list[Poly]:
         """``p``, and what has its sign by squares of sines and cosines and by powers of roots."""
@@ -106,8 +99,8 @@ class Atoms(Ring):
             q = p
             for i in self.used(p):
                 if self.at(i).kind == name and p.degrees()[i] > 1:
-                    other_one = self.fraction(apply(other, *self.expression(i).args)).num
-                    square = Fraction(1 - other_one**2, self.one_poly)
+                    other_one = self.of(apply(other, *self.expression(i).args)).num
+                    square = self.fraction(1 - other_one**2)
                     q = self._lowered(q, i, 2, square)
             found[str(q)] = q
         return list(found.values())

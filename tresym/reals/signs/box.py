@@ -3,31 +3,20 @@
 from __future__ import annotations
 
 from itertools import product
-from typing import NamedTuple
-
-from flint import fmpq
 
 from tresym.reals.normal.moebius import on_orthant
 from tresym.reals.normal.ring import Poly
+from tresym.reals.numbers.exact import Interval
 
 MAX_QUADRATIC = 40
 MAX_MAPPED = 400
 """Terms of what is looked at as a quadratic, and of what a map may make."""
 
 
-class Span(NamedTuple):
-    """An interval of values; None is an infinite end, which counts as open."""
-
-    low: fmpq | None
-    high: fmpq | None
-    low_open: bool = True
-    high_open: bool = True
+REALS = Interval()
 
 
-REALS = Span(None, None)
-
-
-def sign_on_box(p: Poly, spans: list[Span], start: int = 0) -> str | None:
+def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
     """The sign of ``p`` for values in ``spans``: by coefficients, or as a quadratic in one."""
     if p.is_zero():
         return "0"
@@ -40,7 +29,7 @@ def sign_on_box(p: Poly, spans: list[Span], start: int = 0) -> str | None:
     return found
 
 
-def coefficient_sign(p: Poly, spans: list[Span]) -> str | None:
+def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:
     """The sign of all coefficients once every span is mapped to [0, ∞]."""
     degrees = p.degrees()
     used = [i for i, degree in enumerate(degrees) if degree > 0]
@@ -76,7 +65,7 @@ def coefficient_sign(p: Poly, spans: list[Span]) -> str | None:
     return up
 
 
-def _quadratic_sign(p: Poly, i: int, spans: list[Span]) -> str | None:
+def _quadratic_sign(p: Poly, i: int, spans: list[Interval]) -> str | None:
     """``a·u² + b·u + c`` with ``4ac ≥ b²`` has the sign of a and c."""
     context = p.context()
     parts: dict[int, dict[tuple[int, ...], int]] = {}

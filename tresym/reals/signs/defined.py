@@ -1,14 +1,17 @@
 """Whether an expression is defined, or smooth, at every point of the conditions.
 
 A proof divides only where the denominator is shown non-zero and takes roots and logarithms only
-where their arguments are shown to allow it, everywhere under the conditions given.
+where their arguments are shown to allow it, everywhere under the conditions given. What is not
+worked out, such as an integral, has conditions of its own, and is not shown to be smooth; a value
+at a point is looked at in place.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from tresym.reals.language.expression import Expr
+from tresym.reals.language.binders import elementary, generalised, worked_out
+from tresym.reals.language.expression import LEAVES, UNWORKED, Expr, opened
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import analytic_of, needs_of
 from tresym.reals.signs.inside import PROVING
@@ -34,8 +37,13 @@ def continuous_on(e: Expr, given: Given, dear: bool = False) -> Expr | None:
 
 
 def _missing(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
-    if e.op in ("number", "symbol", "pi"):
+    if e.op in LEAVES:
         return None
+    if e.op in UNWORKED:
+        if table is analytic_of:
+            return e
+        plain = e.op == "at" and elementary(opened(e)[1], *e.args[1:])
+        return _missing(worked_out(e), given, table, dear) if plain else None
     parts = table(e)
     missing = [part for part, relation in parts if not _holds(part, relation, given, dear)]
     if missing and len(parts) == 2:  # 1 − x and 1 + x: not both are negative
@@ -46,4 +54,5 @@ def _missing(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
 
 
 def _holds(e: Expr, relation: str, given: Given, dear: bool) -> bool:
+    (e,) = generalised(e)
     return sign(e, given, relation, dear) in PROVING[relation]

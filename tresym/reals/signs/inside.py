@@ -13,6 +13,7 @@ from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import bound
 from tresym.reals.signs.parts import Parts
 
 PROVING = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-", "!=")}
@@ -37,6 +38,17 @@ def sign_inside(e: Expr, given: Given) -> str | None:
     if found in (">=0", "<=0") and parts.nonzero(e):
         return "+" if found == ">=0" else "-"
     return found
+
+
+def strict_by_conditions(e: Expr, given: Given) -> bool:
+    """Whether ``e`` is a strict condition and what is not negative inside, by the normal form."""
+    return any(
+        c.relation == ">"
+        and symbols(c.expression) <= symbols(e)
+        and bound(c.expression, ">")[0].op != "symbol"
+        and _open_sign(e - c.expression, given) in (">=0", "0")
+        for c in given.conditions
+    )
 
 
 def is_nonzero(e: Expr, given: Given) -> bool:

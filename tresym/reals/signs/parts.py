@@ -16,13 +16,13 @@ from flint import arb, fmpq
 from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, project, small_factor
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
-from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.atoms import Atoms
-from tresym.reals.signs.box import REALS, Span, coefficient_sign, sign_on_box
+from tresym.reals.signs.box import REALS, coefficient_sign, sign_on_box
 
 MAX_ATOMS = 8
 MAX_TERMS = 200
@@ -41,16 +41,16 @@ _ODD_INCREASING = frozenset(("sinh", "tanh", "asinh", "atanh", "atan", "asin", "
 _ODD = _ODD_INCREASING | {"coth", "csch"}
 _POSITIVE = frozenset(("exp", "cosh", "sech"))
 _RANGES = {
-    "sin": Span(fmpq(-1), fmpq(1), False, False),
-    "cos": Span(fmpq(-1), fmpq(1), False, False),
-    "tanh": Span(fmpq(-1), fmpq(1)),
-    "sech": Span(fmpq(0), fmpq(1), True, False),
-    "cosh": Span(fmpq(1), None, False),
-    "atan": Span(fmpq(-11, 7), fmpq(11, 7)),
-    "asin": Span(fmpq(-11, 7), fmpq(11, 7)),
-    "acos": Span(fmpq(0), fmpq(22, 7), False),
-    "acosh": Span(fmpq(0), None, False),
-    "atan2": Span(fmpq(-22, 7), fmpq(22, 7)),
+    "sin": Interval(fmpq(-1), fmpq(1)),
+    "cos": Interval(fmpq(-1), fmpq(1)),
+    "tanh": Interval(fmpq(-1), fmpq(1), True, True),
+    "sech": Interval(fmpq(0), fmpq(1), True),
+    "cosh": Interval(fmpq(1)),
+    "atan": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
+    "asin": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
+    "acos": Interval(fmpq(0), fmpq(22, 7), False, True),
+    "acosh": Interval(fmpq(0)),
+    "atan2": Interval(fmpq(-22, 7), fmpq(22, 7), True, True),
 }
 
 
@@ -98,13 +98,13 @@ class Parts:
         """Whether every factor of ``e`` is one that a condition keeps from zero."""
         strict = [c.expression for c in self.given.conditions if c.relation in (">", "!=")]
         try:
-            value = self.atoms.fraction(e).num
+            value = self.atoms.of(e).num
             if value.is_zero():
                 return False
             parts = small_factor(self.atoms, value)[1]
             allowed: set[str] = set()
             for other in strict:
-                p = self.atoms.fraction(other).num
+                p = self.atoms.of(other).num
                 allowed |= {str(part) for part, _ in small_factor(self.atoms, p)[1]}
         except (TooLargeError, UndefinedError):
             return False
@@ -199,16 +199,10 @@ class Parts:
 
     # -- ranges of atoms ------------------------------------------------------------------------
 
-    def span(self, e: Expr) -> Span:
+    def span(self, e: Expr) -> Interval:
         """A range that contains the values of an atom."""
         if e.op == "symbol":
-            where = self.given.box.get(e.args[0], Range())
-            return Span(
-                where.low,
-                where.high,
-                where.low_open or where.low is None,
-                where.high_open or where.high is None,
-            )
+            return self.given.box.get(e.args[0], REALS)
         if not symbols(e):
             return _constant_span(e)
         if e.op == "abs":
@@ -217,7 +211,7 @@ class Parts:
             return REALS
         return _within(_RANGES.get(e.op, REALS), self._span_by_sign(e))
 
-    def _span_by_sign(self, e: Expr) -> Span:
+    def _span_by_sign(self, e: Expr) -> Interval:
         """Above or below 0; and 1, for an exponential or a root."""
         found, above_one = self.sign(e), None
         if e.op == "exp":
@@ -234,7 +228,7 @@ class Parts:
         self._trials = self._trials if depth < DEPTH else 0
         self._depth = max(0, depth - 1)  # of what is asked on the way, of ranges of atoms
         try:
-            value = self.atoms.fraction(e)
+            value = self.atoms.of(e)
             found = self._fraction(value, depth)
             if depth == DEPTH and found in (None, ">=0", "<=0"):
                 self._trials = 0
@@ -258,12 +252,12 @@ class Parts:
     def _less_a_condition(self, value: Fraction, depth: int) -> str | None:
         """The sign of a condition and a rest that has the same."""
         best = None
-        used = {*self.atoms.used(value.num), *self.atoms.used(value.den)}
+        used = {*self.atoms.used(value)}
         for fact, strict in self.known:
             if used.isdisjoint(self.atoms.used(fact.num)):
                 continue
-            for up, side in (("+", value), ("-", self.atoms.negative(value))):
-                left = self.atoms.subtract(side, fact)
+            for up, side in (("+", value), ("-", -value)):
+                left = side - fact
                 if left.den.is_one() and len(left.num) >= len(side.num) + len(fact.num):
                     continue  # no term is gone
                 if self._trials >= MAX_TRIALS:
@@ -292,7 +286,7 @@ class Parts:
         return p.is_one() or self._on_box(p) == "+"
 
     def _on_box(
-        self, p: Poly, method: Callable[[Poly, list[Span]], str | None] = sign_on_box
+        self, p: Poly, method: Callable[[Poly, list[Interval]], str | None] = sign_on_box
     ) -> str | None:
         used = self.atoms.used(p)
         if p.is_zero():
@@ -335,7 +329,7 @@ class Parts:
                     continue
                 with suppress(TooLargeError, UndefinedError):
                     if len(self._known) < MAX_FACTS:
-                        self._known.append((self.atoms.fraction(e), relation == ">"))
+                        self._known.append((self.atoms.of(e), relation == ">"))
         return self._known
 
     @property
@@ -419,7 +413,7 @@ def _constant_sign(e: Expr) -> str | None:
     return "0" if value.is_zero() else None
 
 
-def _constant_span(e: Expr) -> Span:
+def _constant_span(e: Expr) -> Interval:
     """Rational ends of the ball of a constant."""
     with ball_precision(_BITS):
         value = evaluate(e, {})
@@ -430,10 +424,10 @@ def _constant_span(e: Expr) -> Span:
         ends = low.floor().unique_fmpz(), high.ceil().unique_fmpz()
     if ends[0] is None or ends[1] is None:
         return REALS
-    return Span(fmpq(ends[0] - 1, 2**64), fmpq(ends[1] + 1, 2**64))
+    return Interval(fmpq(ends[0] - 1, 2**64), fmpq(ends[1] + 1, 2**64), True, True)
 
 
-def _span_sign(span: Span) -> str | None:
+def _span_sign(span: Interval) -> str | None:
     if span.low is not None and span.low >= 0:
         return "+" if span.low > 0 or span.low_open else ">=0"
     if span.high is not None and span.high <= 0:
@@ -441,14 +435,14 @@ def _span_sign(span: Span) -> str | None:
     return None
 
 
-def _beside(end: fmpq, found: str | None) -> Span:
+def _beside(end: fmpq, found: str | None) -> Interval:
     """The values above or below a number from which their distance has a sign."""
     if found in ("+", ">=0"):
-        return Span(end, None, found == "+")
-    return Span(None, end, True, found == "-") if found in ("-", "<=0") else REALS
+        return Interval(end, None, found == "+")
+    return Interval(None, end, False, found == "-") if found in ("-", "<=0") else REALS
 
 
-def _within(one: Span, other: Span) -> Span:
+def _within(one: Interval, other: Interval) -> Interval:
     """The values in both."""
     low, low_open = one.low, one.low_open
     if low is None or (other.low is not None and other.low >= low):
@@ -456,23 +450,23 @@ def _within(one: Span, other: Span) -> Span:
     high, high_open = one.high, one.high_open
     if high is None or (other.high is not None and other.high <= high):
         high, high_open = other.high, other.high_open or (other.high == high and high_open)
-    return Span(low, high, low_open, high_open)
+    return Interval(low, high, low_open, high_open)
 
 
-def _absolute(span: Span, nonzero: bool) -> Span:
+def _absolute(span: Interval, nonzero: bool) -> Interval:
     """The range of the absolute value of what has a range."""
     if span.low is not None and span.low >= 0:
         return span
     if span.high is not None and span.high <= 0:
         low = None if span.low is None else -span.low
-        return Span(-span.high, low, span.high_open, span.low_open)
+        return Interval(-span.high, low, span.high_open, span.low_open)
     if span.low is None or span.high is None:
-        return Span(fmpq(0), None, nonzero)
+        return Interval(fmpq(0), None, nonzero)
     top = max(-span.low, span.high)
     is_open = all(
         o for end, o in ((-span.low, span.low_open), (span.high, span.high_open)) if end == top
     )
-    return Span(fmpq(0), top, nonzero, is_open)
+    return Interval(fmpq(0), top, nonzero, is_open)
 
 
 def _times(x: str, y: str) -> str:

@@ -18,9 +18,15 @@ from tresym.reals.signs.concave import sign_by_concavity
 from tresym.reals.signs.cones import sign_on_cones
 from tresym.reals.signs.equivalents import by_equivalents
 from tresym.reals.signs.homogeneous import sign_by_homogeneity
-from tresym.reals.signs.inside import PROVING, REMEMBERED, by_signs_of_parts, sign_inside
+from tresym.reals.signs.inside import (
+    PROVING,
+    REMEMBERED,
+    by_signs_of_parts,
+    sign_inside,
+    strict_by_conditions,
+)
 from tresym.reals.signs.parts import FLIP, Parts
-from tresym.reals.signs.regular import is_regular
+from tresym.reals.signs.regular import has_inside, is_regular
 from tresym.reals.signs.taylor import sign_by_taylor
 
 Method = Callable[[Expr, str, Given], str | None]
@@ -78,9 +84,12 @@ def sign(e: Expr, given: Given, wanted: str | None = None, dear: bool = True) ->
         return found
     if wanted == "!=" and parts.nonzero(e):
         return "!="
-    if not is_regular(given):
+    if not (is_regular(given) and has_inside(given)):
         return found
     found = sign_inside(e, given) or found
+    if found in (">=0", "<=0") and wanted in (">", "!="):
+        up, side = ("+", e) if found == ">=0" else ("-", -e)
+        found = up if strict_by_conditions(side, given) else found
     if wanted is None or not dear or found in (*enough, "+", "-", "0"):
         return found
     for up, side in (("+", e), ("-", -e))[: 1 + (wanted == "!=")]:

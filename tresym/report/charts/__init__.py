@@ -10,7 +10,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any, NamedTuple
 
-from tresym.reals.numbers.exact import InputError, quoted
+from tresym.reals.numbers.exact import InputError, quoted, shortened
 
 
 class Chart(NamedTuple):
@@ -74,7 +74,13 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
     module = import_module(f"{__name__}.{chart.module}")
     part = () if chart.part is None else (chart.part,)
     with style.looks():
-        figure, caption = _drawn(chart, module, data, part)
+        try:
+            figure, caption = _drawn(chart, module, data, part)
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+            if source is None or isinstance(error, InputError):
+                raise
+            name = shortened(source)
+            raise InputError(f"{name}: is not as tresym bench --save writes it") from None
         if kind != "svg":
             return style.bitmap_or_page(figure, chart.title, kind)
         text = style.svg_text(figure, escape(chart.title))

@@ -27,9 +27,15 @@ def load(workload: str, source: str | None = None) -> dict[str, Any]:
     """
     path = home() / f"{workload}.json" if source is None else Path(source)
     try:
-        if path.stat().st_size > MOST_BYTES:
+        with path.open("rb") as file:  # a device says nothing of its size
+            read = file.read(MOST_BYTES + 1)
+        if len(read) > MOST_BYTES:
             raise InputError(f"{path.name}: too large for a measurement")
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(read)
+    except RecursionError:
+        raise InputError(f"{path.name}: is nested too deeply for a measurement") from None
+    except InputError:
+        raise
     except OSError as error:
         hint = "" if source else f"; measure it: tresym bench {workload} --save"
         raise InputError(f"{path.name}: cannot be read ({error.strerror}){hint}") from None

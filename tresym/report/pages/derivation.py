@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from tresym.ledger.claim import Claim
+from tresym.ledger.axioms import Axiom
+from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import sections
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
@@ -19,6 +20,7 @@ from tresym.report.words.wording import readable
 
 WIDEST = 62
 """Letters of a formula with its reason that fit a line of the article."""
+QUOTED = "Theorems that are quoted"
 
 PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
@@ -33,6 +35,8 @@ PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \definecolor{enclosed}{HTML}{1F5FA8}
 \definecolor{refuted}{HTML}{9C2A6B}
 \definecolor{undecided}{HTML}{8A6D00}
+\definecolor{defined}{HTML}{4A5A6A}
+\definecolor{assumed}{HTML}{7A4B1E}
 \newcommand{\verdict}[2]{\textcolor{#1}{\textsf{\small #2}}}
 \newcommand{\fitted}[1]{\[\adjustbox{max width=\linewidth}{$\displaystyle #1$}\]}
 """
@@ -97,7 +101,26 @@ def article(report: Report) -> str:
         entries = [_entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
         if entries:
             pages += [rf"\section*{{{prose(title[:1].upper() + title[1:])}}}" + "\n", *entries]
-    return "\n".join([*pages, r"\end{document}", ""])
+    return "\n".join([*pages, *_quoted(report), r"\end{document}", ""])
+
+
+def _quoted(report: Report) -> Iterator[str]:
+    """The theorems that are quoted, each with the claims that rest on it, as a bibliography."""
+    if not report.axioms:
+        return
+    known = [row.claim.label for row in report.rows]
+    yield rf"\section*{{{QUOTED}}}" + "\n"
+    yield r"\begin{thebibliography}{99}"
+    for axiom, resting in report.axioms.items():
+        names = ", ".join(_reference(claim, known) for claim in resting)
+        yield rf"\bibitem{{{_key(axiom)}}} \emph{{{prose(axiom.name)}}}. {prose(axiom.says)}"
+        yield rf"\fitted{{{axiom.formula}}}" if axiom.formula else ""
+        yield rf"{prose(axiom.source)}. {{\raggedright Claims that rest on it: {names}.\par}}"
+    yield r"\end{thebibliography}"
+
+
+def _key(axiom: Axiom) -> str:
+    return "axiom:" + "".join(c for c in axiom.name if c.isascii() and c.isalpha())
 
 
 def fragment(row: Row) -> str:
@@ -151,9 +174,18 @@ def _entry(row: Row, known: Collection[str]) -> str:
     if claim.given:
         conditions = r"$, $".join(gathered(claim.given))
         lines.append(rf"\textsf{{\small Given}} ${conditions}$.\par")
+    if isinstance(claim.proof, AllOf) and finding.conditions:
+        parts = (
+            rf"\texttt{{{_lettered(label)}}} for ${'$, $'.join(gathered(given))}$"
+            for label, given in finding.conditions.items()
+        )
+        lines.append(rf"\textsf{{\small It holds as}} {'; '.join(parts)}.\par")
     lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
+    if claim.axioms:
+        cited = ", ".join(rf"{prose(a.name)}~\cite{{{_key(a)}}}" for a in claim.axioms)
+        lines.append(rf"\textsf{{\small Quoted:}} {cited}.\par")
     lines += _outcome(row, known)
     return "\n".join(lines) + "\n"
 

@@ -9,6 +9,7 @@ from collections import defaultdict
 from collections.abc import Callable
 from typing import Any
 
+from tresym.ledger.axioms import RULES, Axiom
 from tresym.ledger.claim import Claim
 from tresym.ledger.paper import display_lines, sections
 from tresym.ledger.verification import Report, Row
@@ -41,8 +42,10 @@ def record(report: Report) -> dict[str, Any]:
     """Everything that the site shows of the ledger.
 
     Returns:
-        ``version``; ``counts`` by verdict; ``parts``, each a title and labels in order; and
-        ``claims``, by label, in the order of the proofs.
+        ``version``; ``counts`` by verdict; ``parts``, each a title and labels in order;
+        ``axioms``, by name, each with its source and the labels of the claims that rest on it;
+        ``rules``, the theorems of the judge's rules; and ``claims``, by label, in the order of the
+        proofs.
     """
     claims = [row.claim for row in report.rows]
     known = {claim.label for claim in claims}
@@ -54,12 +57,21 @@ def record(report: Report) -> dict[str, Any]:
         "version": RECORD_VERSION,
         "counts": report.counts,
         "parts": [{"title": title, "claims": labels} for title, labels in parts if labels],
+        "axioms": {
+            axiom.name: _axiom(axiom) | {"claims": [claim.label for claim in resting]}
+            for axiom, resting in report.axioms.items()
+        },
+        "rules": {axiom.name: _axiom(axiom) | {"rule": axiom.rule} for axiom in RULES},
         "claims": {
             row.claim.label: _claim(row, lines)
             | {"used_by": used_by[row.claim.label], "amends": amends[row.claim.label]}
             for row in report.rows
         },
     }
+
+
+def _axiom(axiom: Axiom) -> dict[str, Any]:
+    return {"says": axiom.says, "formula": axiom.formula, "source": axiom.source}
 
 
 def _inverse(

@@ -1,0 +1,303 @@
+"""The printed statements, read back by a reader that shares nothing with the printer."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from random import Random
+
+import pytest
+from flint import arb
+
+from tresym.coq.statement import NotExportedError, Theorem, theorem, theorems, variable
+from tresym.reals.corpus.lists import known, pairs
+from tresym.reals.corpus.rewriting import changed, true_identity
+from tresym.reals.decisions.reading import Comparison, read
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+
+BITS, POINTS = 200, 4
+TOKEN = re.compile(r"\d+|[A-Za-z_]\w*|<>|<=|>=|->|=>|[-+*/^()=<>:,.]")
+COMMENT = re.compile(r"\(\*.*?\*\)")
+
+ONE: dict[str, Callable[[arb], arb]] = {
+    "sqrt": lambda x: x.sqrt(),
+    "Rabs": lambda x: abs(x),
+    "sign": lambda x: x.sgn(),
+    "ln": lambda x: x.log(),
+    "arcsinh": lambda x: x.asinh(),
+    **{
+        name: (lambda x, name=name: getattr(x, name)())  # type: ignore[misc]
+        for name in ("exp", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan")
+    },
+    **{
+        name: (lambda x, name=name: getattr(x, name)())  # type: ignore[misc]
+        for name in ("sinh", "cosh", "tanh", "coth", "sech", "csch", "acosh", "atanh")
+    },
+}
+
+
+def odd_root(n: int, x: arb) -> arb:
+    return -((-x).root(n)) if x < 0 else x.root(n)
+
+
+TWO: dict[str, Callable[[arb, arb], arb]] = {
+    "Rpower": lambda x, y: (y * x.log()).exp(),
+    "atan2": lambda y, x: arb.atan2(y, x),
+    "root": lambda n, x: odd_root(int(n.unique_fmpz()), x),
+}
+
+
+class Reader:
+    """Coq's grammar of terms, as far as statements use it: a term is its value."""
+
+    def __init__(self, text: str, at: dict[str, arb]) -> None:
+        self.tokens = TOKEN.findall(text)
+        self.place = 0
+        self.at = at
+
+    def peek(self) -> str:
+        return self.tokens[self.place] if self.place < len(self.tokens) else ""
+
+    def take(self, token: str = "") -> str:
+        found = self.peek()
+        assert found
+        assert not token or found == token
+        self.place += 1
+        return found
+
+    def sum(self) -> arb:
+        value = self.product()
+        while self.peek() in ("+", "-"):
+            value = value + self.product() if self.take() == "+" else value - self.product()
+        return value
+
+    def product(self) -> arb:
+        value = self.factor()
+        while self.peek() in ("*", "/"):
+            value = value * self.factor() if self.take() == "*" else value / self.factor()
+        return value
+
+    def factor(self) -> arb:
+        if self.peek() == "/":
+            self.take()
+            return 1 / self.factor()
+        if self.peek() == "-":
+            self.take()
+            return -self.factor()
+        base = self.application()
+        if self.peek() == "^":
+            self.take()
+            return base ** int(self.take())
+        return base
+
+    def application(self) -> arb:
+        name = self.peek()
+        if name in ONE:
+            self.take()
+            return ONE[name](self.atom())
+        if name in TWO:
+            self.take()
+            first = self.atom()
+            return TWO[name](first, self.atom())
+        return self.atom()
+
+    def atom(self) -> arb:
+        token = self.take()
+        if token == "(":
+            value = self.sum()
+            self.take(")")
+            return value
+        if token == "PI":
+            return arb.pi()
+        return arb(int(token)) if token.isdigit() else self.at[token]
+
+
+def relation(text: str, at: dict[str, arb]) -> tuple[arb, str, arb]:
+    reader = Reader(text, at)
+    left, sign, right = reader.sum(), reader.take(), reader.sum()
+    assert not reader.peek()
+    return left, sign, right
+
+
+def holds(x: arb, sign: str, y: arb) -> bool:
+    """Whether balls show it, equality allowed where it may be."""
+    return bool(
+        {"<>": x != y, "<": x < y, "<=": x <= y, ">": x > y, ">=": x >= y, "=": x.overlaps(y)}[sign]
+    )
+
+
+def parts(t: Theorem) -> tuple[list[str], str]:
+    """Premises and conclusion of the printed theorem."""
+    text = COMMENT.sub("", t.text)
+    head, _, body = text.partition(":\n")
+    assert head.split() == ["Theorem", t.name]
+    assert body.endswith(".")
+    if body.lstrip().startswith("forall"):
+        names, _, body = body.partition(" : R,")
+        assert names.split()[1:] == [variable(name) for name in t.variables]
+    *premises, says = body[:-1].split("->")
+    return [p.strip() for p in premises], says.strip()
+
+
+DERIVATIVE = re.compile(r"is_derive \(fun (\w+) : R => (.*)\) (\w+) (\S+|\(.*\))", re.DOTALL)
+
+
+def agree(t: Theorem) -> int:
+    """At how many points both sides are defined; there the text has the value of the claim."""
+    premises, says = parts(t)
+    sides = [t.left, t.right]
+    count = 0
+    for point in Given(t.given).points(t.variables, 40):
+        with ball_precision(BITS):
+            at = {name: arb(x) for name, x in point.items()}
+            values = [evaluate(e, at) for e in sides]
+            needed = [evaluate(e, at) for e, _ in t.defined]
+            if not all(v.is_finite() and v.rad() < 1e-20 for v in (*values, *needed)):
+                continue
+            if not all(
+                v > 0 if sign != "!=" else v != 0
+                for v, (_, sign) in zip(needed, t.defined, strict=True)
+            ):
+                continue
+            there = {variable(name): value for name, value in at.items()}
+            assert all(holds(*relation(premise, there)) for premise in premises), premises
+            if t.by is None:
+                left, _, right = relation(says, there)
+            else:
+                match = DERIVATIVE.fullmatch(says)
+                assert match is not None, says
+                assert match[1] == match[3] == variable(t.by)
+                left, right = (Reader(match[k], there).sum() for k in (2, 4))
+            assert left.overlaps(values[0]), says
+            assert right.overlaps(values[1]), says
+            count += 1
+        if count == POINTS:
+            break
+    return count
+
+
+def exported(claims: list[str]) -> Iterator[Theorem]:
+    for claim in claims:
+        try:
+            yield from theorems(read(claim))
+        except NotExportedError:
+            continue
+
+
+CLAIMS = [*(k.claim for k in known("inequalities")), *(p.claim for p in pairs())]
+
+
+def test_printed_statements_have_the_values_of_the_claims() -> None:
+    found = [agree(t) for t in exported(CLAIMS[::3])]
+    assert len(found) > 300
+    assert sum(count > 0 for count in found) > 0.9 * len(found)
+
+
+def test_random_trees_are_printed_as_they_are() -> None:
+    random = Random(4)
+    found = [
+        agree(theorem(Comparison(x, "==", y)))
+        for x, y in (true_identity(random) for _ in range(60))
+    ]
+    assert sum(count > 0 for count in found) > 40
+
+
+def test_a_premise_fails_where_a_part_is_not_defined() -> None:
+    for text, point in [
+        ("sqrt(x) == x", -1),
+        ("log(x) == x", 0),
+        ("1/x == x", 0),
+        ("asin(x) == x", 2),
+        ("acosh(x) == x", 0),
+        ("atanh(x) == x", 1),
+        ("x**(-1/2) == x", 0),
+        ("x**x == x", 0),
+        ("cot(x) == x", 0),
+        ("coth(x) == x", 0),
+        ("x**(1/3) == x", -1),
+        ("diff(x**(3/2), x) == 3*sqrt(x)/2", 0),
+        ("diff(abs(x), x) == sign(x)", 0),
+        ("diff(cbrt(x), x) == 1/(3*cbrt(x)**2)", 0),
+    ]:
+        (t,) = theorems(read(text))
+        premises, _ = parts(t)
+        at = {"x": arb(point)}
+        values = [relation(premise, at) for premise in premises]
+        assert any(
+            not x.is_finite() or not y.is_finite() or not holds(x, s, y) for x, s, y in values
+        ), text
+
+
+def test_a_mutant_is_another_statement() -> None:
+    random = Random(5)
+    seen = 0
+    for t in exported(CLAIMS[::2]):
+        try:
+            right = changed(t.right, random)
+            other = theorem(Comparison(t.left, t.relation, right), t.given)
+        except InputError:
+            continue
+        same = theorem(Comparison(t.left, t.relation, t.right), t.given)
+        if right != t.right:
+            assert other.text != same.text
+            seen += 1
+    assert seen > 300
+
+
+@pytest.mark.parametrize(
+    "names", [("sin", "x"), ("R", "v_R"), ("forall", "e"), ("I1", "x1"), ("v_x", "x")]
+)
+def test_names_of_variables_are_apart_and_no_words_of_coq(names: tuple[str, str]) -> None:
+    first, second = map(variable, names)
+    assert first != second
+    assert first in names or first.startswith("v_")
+    assert variable("fun") == "v_fun"
+
+
+def test_a_chain_is_one_theorem_a_link() -> None:
+    assert [t.name for t in theorems(read("0 < x < 1 given x > 0"))] == ["claim_1", "claim_2"]
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "sin(x) == O(x) as x -> 0",
+        "diff(x**2, x) > x",
+        "diff(x**2, x, 2) == 2",
+        "diff(x, x) + diff(x**2, x) == 1 + 2*x",
+    ],
+)
+def test_what_has_no_statement_yet_is_said(claim: str) -> None:
+    with pytest.raises(NotExportedError, match="yet"):
+        theorems(read(claim))
+
+
+def test_the_printer_is_short_and_imports_no_prover() -> None:
+    import tresym.coq.statement as module
+
+    text = Path(module.__file__).read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 200
+    assert not re.search(
+        r"import.*\b(normal|signs|balls|advocate|equations|inequalities|search)\b", text
+    )
+
+
+def test_brackets_follow_coq() -> None:
+    def text(source: str) -> str:
+        (t,) = theorems(read(f"{source} == 0"))
+        return t.says
+
+    assert text("a/(b*c)") == "a * / (b * c) = 0"
+    assert text("-x**2") == "(-1) * x ^ 2 = 0"
+    assert text("(-2)*x") == "(-2) * x = 0"
+    assert text("(x**2)**(1/2)") == "sqrt (x ^ 2) = 0"
+    assert text("x**(-3/2)") == "/ ((sqrt x) ^ 3) = 0"
+    assert text("sin(-1/2 + x)") == "sin (x + (-1) / 2) = 0"
+    assert isinstance(parse("x"), Expr)
+    assert symbols(parse("x")) == {"x"}

@@ -1,0 +1,32 @@
+"""The page on trust says what was counted, and what the tests of the tests found."""
+
+from tresym.ledger.verification import verify
+from tresym.report.pages.trust import trust
+from tresym.report.pages.trusted import trusted
+
+GUARDS = {
+    "files": {
+        "tresym/reals/normal/ring.py": {"killed": 18, "stopped": 1, "survived": 1},
+        "tresym/ledger/judge.py": {"killed": 1, "equivalent": 1, "not tried": 3},
+    },
+    "alive": [
+        {"piece": "judge", "kind": "negated", "was": "x", "why": "it costs time alone"},
+        {"piece": "multiply", "kind": "dropped", "was": "y", "why": None},
+    ],
+}
+
+
+def test_the_page_says_what_was_counted() -> None:
+    page = trust(verify(["eq_gamma"]), GUARDS)
+    proved, enclosed = trusted()
+    assert f"For PROVED {proved.total} lines" in page
+    assert f"for ENCLOSED {enclosed.total} more" in page
+    assert "`arb`" in page
+    assert "| integrating | fundamental theorem of calculus |" in page
+    assert "Of 21 that were tried the quick tests refuse 20, which is 95.2 %" in page
+    assert "- it costs time alone: `judge`: negated, `x`." in page
+    assert "`multiply`" not in page
+
+
+def test_the_page_does_without_what_was_never_measured() -> None:
+    assert "mutants" not in trust(verify(["eq_gamma"]), None)

@@ -1,0 +1,51 @@
+"""What has to be trusted: the count reaches what decides, and leaves out only what it names."""
+
+from pathlib import Path
+
+import pytest
+
+import tresym
+from tresym.report.pages.trusted import ENCLOSING, RECHECKED, ROOTS, Count, counted, trusted
+
+HOME = Path(tresym.__file__).parent
+
+
+@pytest.fixture(scope="module")
+def counts() -> tuple[Count, Count]:
+    return trusted()
+
+
+@pytest.mark.parametrize(
+    "name", [*ROOTS, *ENCLOSING, *(n for names in RECHECKED.values() for n in names)]
+)
+def test_what_is_named_is_there(name: str) -> None:
+    path = HOME.joinpath(*name.split("."))
+    if not (path.is_dir() or path.with_suffix(".py").is_file()):
+        file, _, piece = name.rpartition(".")
+        assert counted({(file, piece)}).total > 0
+
+
+def test_the_normal_form_is_trusted_and_the_advocate_is_not(counts: tuple[Count, Count]) -> None:
+    proved, enclosed = counts
+    assert {"reals.normal.ring", "reals.signs.sign", "ledger.judge"} <= {*proved.lines}
+    assert {"reals.balls.boxes", "reals.balls.order"} <= {*enclosed.lines}
+    assert not {"reals.advocate", "reals.language.latex"} & {*proved.lines, *enclosed.lines}
+    assert not any(name.startswith("reals.balls.") for name in proved.lines)
+
+
+def test_lines_are_of_code_alone() -> None:
+    found = counted({("reals.verdict", "Verdict")})
+    assert found.lines == {"reals.verdict": 8}
+
+
+def test_libraries_are_named(counts: tuple[Count, Count]) -> None:
+    proved, _ = counts
+    assert {"arb", "fmpz_mpoly", ".factor"} <= {*proved.flint}
+    assert "Integral" in proved.sympy
+
+
+def test_the_count_stays_within_what_was_reached(counts: tuple[Count, Count]) -> None:
+    proved, enclosed = counts
+    print(f"PROVED {proved.total}, ENCLOSED {enclosed.total} more")
+    assert proved.total <= 7100
+    assert enclosed.total <= 2400

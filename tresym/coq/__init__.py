@@ -1,0 +1,1 @@
+"""Coq as a second kernel: statements printed for it, and proofs that it checks"""

@@ -1,0 +1,174 @@
+"""What must be right for a pass, as tables in Markdown for the page on trust."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from tresym.ledger.axioms import RULES
+from tresym.ledger.claim import Printed
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.verification import Report
+from tresym.report.pages.trusted import RECHECKED, Count, trusted
+
+CALLED = {
+    Boxes: "bounds on boxes: the margin, and its slopes",
+    Asymptotics: "orders: the two sides, along a path",
+    Printed: "printed numbers: the formula",
+}
+"""Evidence that holds functions in place of formulas."""
+
+
+def trust(report: Report, guards: Mapping[str, Any] | None) -> str:
+    """The tables of the page.
+
+    Args:
+        guards: what ``python tests/guards.py save`` wrote, None where it was never run.
+    """
+    proved, enclosed = trusted()
+    parts = [
+        _code(proved, enclosed),
+        _left_out(),
+        _libraries(proved, enclosed),
+        _quoted(report),
+        _called(report),
+        _guards(guards) if guards else (),
+    ]
+    return "\n".join(line for part in parts for line in (*part, ""))
+
+
+def _table(heads: Sequence[str], rows: Iterable[Sequence[object]], right: int = 99) -> list[str]:
+    """A table; columns from ``right`` on hold numbers."""
+    rule = ["--:" if k >= right else "---" for k in range(len(heads))]
+    return [f"| {' | '.join(map(str, row))} |" for row in (heads, rule, *rows)]
+
+
+def _code(proved: Count, enclosed: Count) -> list[str]:
+    rooms = sorted({_room(file) for count in (proved, enclosed) for file in count.lines})
+    sums = [Counter[str](), Counter[str]()]
+    for total, count in zip(sums, (proved, enclosed), strict=True):
+        for file, lines in count.lines.items():
+            total[_room(file)] += lines
+    rows = [(f"`{room}`", *(total[room] for total in sums)) for room in rooms]
+    whole = ("all", proved.total, enclosed.total)
+    return [
+        "## Code",
+        "",
+        f"For PROVED {proved.total} lines in {len(proved.lines)} files must be right, for ENCLOSED "
+        f"{enclosed.total} more. Comments, docstrings and blank lines are not counted.",
+        "",
+        *_table(("room", "PROVED", "ENCLOSED, more"), (*rows, whole), 1),
+    ]
+
+
+def _room(file: str) -> str:
+    return file.rpartition(".")[0].replace(".", "/") or file
+
+
+def _left_out() -> list[str]:
+    """What is reached and not counted, one row for each reason."""
+    return [
+        "## What only finds",
+        "",
+        "The deciding functions call this too, and it is not counted: it gives no pass by itself.",
+        "",
+        *_table(("what", "why"), ((_names(names), why) for why, names in RECHECKED.items())),
+    ]
+
+
+def _libraries(proved: Count, enclosed: Count) -> list[str]:
+    more = sorted({*enclosed.flint} - {*proved.flint})
+    return [
+        "## Libraries",
+        "",
+        f"Of python-flint, for PROVED: {_names(proved.flint)}.",
+        "",
+        f"For ENCLOSED also: {_names(more)}.",
+        "",
+        f"Of SymPy, which holds the claims of the ledger and decides none: {_names(proved.sympy)}.",
+        "",
+        "Python itself, and the processor.",
+    ]
+
+
+def _names(names: Iterable[str]) -> str:
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def _quoted(report: Report) -> list[str]:
+    """The theorems that are quoted and not proved, for claims and for the judge's own rules."""
+    resting = {axiom: len(claims) for axiom, claims in report.axioms.items()}
+    whole = {row.claim.label for row in report.rows if row.claim.axioms}
+    return [
+        "## Quoted theorems",
+        "",
+        f"{len(whole)} claims rest on theorems that are quoted and not proved here:",
+        "",
+        *_table(
+            ("theorem", "source", "claims"),
+            ((axiom.name, axiom.source, number) for axiom, number in resting.items()),
+            2,
+        ),
+        "",
+        "All claims rest on the textbook theorems by which the rules are sound:",
+        "",
+        *_table(("rule", "theorem", "source"), ((a.rule, a.name, a.source) for a in RULES)),
+    ]
+
+
+def _called(report: Report) -> list[str]:
+    kinds = Counter(type(row.claim.proof) for row in report.rows)
+    rows = [(f"`{kind.__name__}`", what, kinds[kind]) for kind, what in CALLED.items()]
+    prose = sum(not is_formal(row.claim) for row in report.rows)
+    return [
+        "## Functions and sentences",
+        "",
+        f"Of {len(report.rows)} claims these hold a function of Python where a formula should "
+        "stand. That it computes what the claim says is compared at points, or for the reader.",
+        "",
+        *_table(("evidence", "functions", "claims"), rows, 2),
+        "",
+        f"{prose} claims are sentences, or formulas with an order: that the evidence is about what "
+        "they say is for the reader.",
+    ]
+
+
+def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
+    """How many mutants of the checkers the tests refuse, by room, and which they do not."""
+    rooms: dict[str, Counter[str]] = {}
+    for file, counts in guards["files"].items():
+        room = file.rpartition("/")[0].removeprefix("tresym/")
+        rooms.setdefault(room, Counter()).update(counts)
+    whole = sum(rooms.values(), Counter[str]())
+    died, tried = _died(whole), whole.total() - whole["not tried"] - whole["equivalent"]
+    yield "## Tests of the tests"
+    yield ""
+    yield (
+        f"The checkers are changed in {whole.total()} places, mostly the way that lets more pass: "
+        "a guard is deleted, a test negated, a condition dropped, a bound widened. Of "
+        f"{tried} that were tried the quick tests refuse {died}, which is "
+        f"{100 * died / max(tried, 1):.1f} %; {whole['equivalent']} more change nothing that could "
+        "be seen."
+    )
+    yield ""
+    rows = [
+        (f"`{room}`", c.total(), _died(c), c["survived"] + c["not reached"], c["equivalent"])
+        for room, c in sorted(rooms.items())
+    ]
+    yield from _table(("room", "mutants", "refused", "survive", "equivalent"), rows, 1)
+    reasons: dict[str, list[str]] = {}
+    for mutant in guards["alive"]:
+        if mutant["why"]:
+            where = f"`{mutant['piece']}`: {mutant['kind']}, `{mutant['was']}`"
+            reasons.setdefault(mutant["why"], []).append(where)
+    if reasons:
+        yield ""
+        yield "Equivalent ones, with the reason:"
+        yield ""
+        yield from (f"- {why}: {'; '.join(places)}." for why, places in reasons.items())
+
+
+def _died(counts: Counter[str]) -> int:
+    return counts["killed"] + counts["stopped"]

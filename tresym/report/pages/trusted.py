@@ -1,0 +1,224 @@
+"""What must be right for a pass: the code that the deciding functions reach, counted.
+
+A piece is a function, class or constant at the top of a file. It is reached when a piece that is
+reached names it; what only finds, and is rechecked, is left out by name and with the reason.
+``python -m tresym.report.pages.trusted`` shows the count.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Collection, Iterator
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import flint
+
+import tresym
+
+ROOTS = (
+    "reals.decisions.statement.decide_claim",
+    "ledger.judge.judge",
+    "ledger.judge.judge_evidence",
+)
+"""Where verdicts are given: on a user's claim, and on a claim of the ledger."""
+
+ENCLOSING = (
+    "reals.balls",
+    "reals.decisions.region",
+    "reals.decisions.orders",
+    "reals.decisions.ratios",
+    "ledger.evidence.balls",
+    "ledger.evidence.printed",
+)
+"""Rooms and files that no PROVED comes from."""
+
+RECHECKED = {
+    "what was read is shown in the text grammar": (
+        *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
+        *("reals.language.latex_names", "reals.language.latex_reach"),
+        *("reals.language.latex_tokens", "reals.language.typography"),
+    ),
+    "the advocate takes passes away and gives none": (
+        *("reals.decisions.attack", "reals.advocate", "ledger.judge._attacked"),
+    ),
+    "a point to try counts once its conditions are shown there": (
+        *("reals.places.points._sample", "reals.places.points.corners"),
+        *("reals.places.windows", "reals.places.descent"),
+    ),
+    "it refutes alone": (
+        *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
+        *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
+        *("ledger.judge._judge_counterexample", "ledger.second_look.rootless"),
+    ),
+    "it words refusals": ("reals.language.hints", "reals.decisions.identity.no_point"),
+}
+"""Rooms, files and pieces that are left out, by the reason."""
+
+Piece = tuple[str, str]
+
+
+class Count(NamedTuple):
+    """Lines of code by file, and the names of the library that are called."""
+
+    lines: dict[str, int]
+    flint: tuple[str, ...]
+    sympy: tuple[str, ...]
+
+    @property
+    def total(self) -> int:
+        """Lines of code in all files."""
+        return sum(self.lines.values())
+
+
+def trusted() -> tuple[Count, Count]:
+    """What must be right for PROVED, and what more for ENCLOSED."""
+    found = {name for names in RECHECKED.values() for name in names}
+    proving = reached({*found, *ENCLOSING})
+    return counted(proving), counted(reached(found) - proving)
+
+
+def reached(without: Collection[str]) -> set[Piece]:
+    """All pieces that the deciding functions reach past none of those ``without``."""
+    found: set[Piece] = set()
+    stack: list[Piece] = [(file, name) for file, _, name in (r.rpartition(".") for r in ROOTS)]
+    while stack:
+        piece = stack.pop()
+        if piece in found or any(_within(".".join(piece), room) for room in without):
+            continue
+        found.add(piece)
+        stack += _named_in(*piece)
+    return found
+
+
+def counted(pieces: Collection[Piece]) -> Count:
+    """Lines of code without comments, docstrings and blank lines, and what of libraries is used."""
+    lines: dict[str, set[int]] = {}
+    flint_names: set[str] = set()
+    sympy_names: set[str] = set()
+    for file, name in pieces:
+        source = _file(file)
+        node = source.pieces[name]
+        first = min(n.lineno for n in (node, *getattr(node, "decorator_list", ())))
+        whole = set(range(first, (node.end_lineno or first) + 1))
+        lines.setdefault(file, set()).update(whole & source.code)
+        flint_names |= _flint_names(node, source)
+        sympy_names |= {n for n in _names(node) if source.imported.get(n, "").startswith("sympy.")}
+    per_file = {file: len(found) for file, found in sorted(lines.items())}
+    return Count(per_file, tuple(sorted(flint_names)), tuple(sorted(sympy_names)))
+
+
+class _File(NamedTuple):
+    pieces: dict[str, ast.stmt]
+    imported: dict[str, str]
+    """What each imported name is, in full."""
+    code: set[int]
+
+
+@cache
+def _file(name: str) -> _File:
+    """A file of tresym by its import name, without the leading ``tresym``."""
+    path = _home().joinpath(*name.split("."))
+    path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+    text = path.read_text(encoding="utf-8")
+    tree = ast.parse(text)
+    pieces: dict[str, ast.stmt] = {}
+    for node in tree.body:
+        pieces |= dict.fromkeys(_given_by(node), node)
+    imported: dict[str, str] = {}
+    for inner in ast.walk(tree):
+        if isinstance(inner, ast.ImportFrom):
+            imported |= {a.asname or a.name: f"{inner.module}.{a.name}" for a in inner.names}
+    strings = (n.value for n in ast.walk(tree) if isinstance(n, ast.Expr))
+    notes = {
+        line
+        for n in strings
+        if isinstance(n, ast.Constant) and isinstance(n.value, str)
+        for line in range(n.lineno, (n.end_lineno or n.lineno) + 1)
+    }
+    rows = enumerate(map(str.strip, text.splitlines()), 1)
+    code = {n for n, row in rows if row and not row.startswith("#")} - notes
+    return _File(pieces, imported, code)
+
+
+def _given_by(node: ast.stmt) -> Iterator[str]:
+    if isinstance(node, ast.FunctionDef | ast.ClassDef):
+        yield node.name
+    elif isinstance(node, ast.Assign | ast.AnnAssign):
+        targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+        yield from (n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name))
+
+
+def _named_in(file: str, name: str) -> Iterator[Piece]:
+    """The pieces that a piece names."""
+    source = _file(file)
+    for used in _names(source.pieces[name]):
+        found = _piece(file, used)
+        if found is not None:
+            yield found
+
+
+def _piece(file: str, name: str) -> Piece | None:
+    """The piece that a name, or ``module.name``, stands for in a file; None where it is none."""
+    first, _, rest = name.partition(".")
+    source = _file(file)
+    if first in source.pieces:
+        return file, first
+    whole = source.imported.get(first, "")
+    if not whole.startswith("tresym."):
+        return None
+    there, _, last = whole.removeprefix("tresym.").rpartition(".")
+    if _is_file(f"{there}.{last}"):
+        return _piece(f"{there}.{last}", rest) if rest else None
+    return _piece(there, last)
+
+
+def _names(node: ast.AST) -> Iterator[str]:
+    """Every name in ``node``, and ``name.attribute``."""
+    for inner in ast.walk(node):
+        if isinstance(inner, ast.Name):
+            yield inner.id
+        elif isinstance(inner, ast.Attribute) and isinstance(inner.value, ast.Name):
+            yield f"{inner.value.id}.{inner.attr}"
+
+
+def _flint_names(node: ast.stmt, source: _File) -> set[str]:
+    """Types of python-flint that are named, and functions of them called under their names."""
+    types = {n for n in _names(node) if source.imported.get(n, "").startswith("flint.")}
+    methods = {n.attr for n in ast.walk(node) if isinstance(n, ast.Attribute)}
+    return types | {f".{name}" for name in methods & _flint_methods()}
+
+
+@cache
+def _flint_methods() -> frozenset[str]:
+    """Public functions of python-flint's types, but those that have a name of Python's own."""
+    types = [t for t in vars(flint).values() if isinstance(t, type)]
+    own = {name for t in (str, dict, list, set, tuple, int, Counter) for name in dir(t)}
+    return frozenset(n for t in types for n in dir(t) if not n.startswith("_")) - own
+
+
+def _within(name: str, room: str) -> bool:
+    return name == room or name.startswith(f"{room}.")
+
+
+def _is_file(name: str) -> bool:
+    path = _home().joinpath(*name.split("."))
+    return path.with_suffix(".py").is_file() or (path / "__init__.py").is_file()
+
+
+def _home() -> Path:
+    return Path(tresym.__file__).resolve().parent
+
+
+def main() -> None:
+    """Show the count, file by file."""
+    for verdict, count in zip(("PROVED", "ENCLOSED, more"), trusted(), strict=True):
+        print(f"{count.total:5} {verdict}")
+        for file, lines in sorted(count.lines.items(), key=lambda item: -item[1]):
+            print(f"{lines:5}   {file}")
+
+
+if __name__ == "__main__":
+    main()
