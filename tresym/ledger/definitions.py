@@ -90,8 +90,6 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
     for symbol, meaning in explicit.items():
         if symbol in earlier or put_in(meaning, explicit).has(symbol):
             return f"{symbol} is not a new symbol"
-        if any(symbol in condition.free_symbols for condition in given):
-            return f"{symbol} is defined under a condition on itself"
     try:
         for e in (*explicit.values(), *integrals):
             need_value(e, proof.claims, given)
@@ -105,21 +103,36 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
 
 
 def captured(claim: Claim) -> str | None:
-    """Why the claim does not keep its symbols apart: one is bound and defined, or is two."""
-    bound: set[Basic] = set()
-    symbols: set[Symbol] = set()
+    """Why the claim does not keep its symbols apart, or None where it does.
+
+    One is bound, and is defined or what another that stands there is defined by; or one is two.
+    """
+    entries = {e.symbol: e for e in table((*claim.rests_on, claim)) if e.symbol.is_Symbol}
+    hidden = _hidden(entries.values())
     for e in expressions(claim):
-        symbols |= e.atoms(Symbol)
-        bound |= {v for node in e.atoms(Integral, Derivative, Subs) for v in node.variables}
-    if isinstance(claim.proof, UniqueRoot):
-        bound.add(claim.proof.variable)
-    for symbol in symbols:
-        if symbol != Symbol(symbol.name, real=True):
-            return f"{symbol} is not the real symbol of that name"
-    for entry in table((*claim.rests_on, claim)):
-        if entry.symbol in bound:
-            return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
+        for symbol in e.atoms(Symbol):
+            if symbol != Symbol(symbol.name, real=True):
+                return f"{symbol} is not the real symbol of that name"
+        for node in e.atoms(Integral, Derivative, Subs):
+            for symbol in node.atoms(Symbol):
+                if symbol in entries and symbol in node.variables:
+                    return f"{symbol} is defined by {entries[symbol].claim.label}, and bound here"
+                for variable in hidden.get(symbol, frozenset()).intersection(node.variables):
+                    return f"{symbol} is defined by way of {variable}, which is bound here"
+    if isinstance(claim.proof, UniqueRoot) and claim.proof.variable in entries:
+        return f"{claim.proof.variable} is defined, and bound here"
     return None
+
+
+def _hidden(entries: Iterable[Entry]) -> dict[Basic, frozenset[Basic]]:
+    """All that stands behind each symbol, by way of others too."""
+    names: dict[Basic, frozenset[Basic]] = {}
+    for entry in entries:
+        of = entry.meaning.free_symbols.union(*(c.free_symbols for c in entry.claim.given))
+        names[entry.symbol] = names.get(entry.symbol, frozenset()) | of
+    for _ in names:
+        names = {s: of.union(*(names.get(n, frozenset()) for n in of)) for s, of in names.items()}
+    return names
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
@@ -191,19 +204,10 @@ def _assumes(claim: Claim) -> bool:
 
 def _circle(meanings: dict[Basic, list[Entry]]) -> str | None:
     """A symbol that is defined by itself, by way of others."""
-    names = {
-        s: frozenset[Basic]().union(*(entry.meaning.free_symbols for entry in found))
-        for s, found in meanings.items()
-    }
-    for symbol in (left for left in meanings if isinstance(left, Symbol)):
-        seen: set[Basic] = set()
-        waiting = {*names[symbol]}
-        while waiting:
-            name = waiting.pop()
-            seen.add(name)
-            waiting |= names.get(name, frozenset()) - seen
-        if symbol in seen:
-            return f"{symbol} is defined by itself in {_where(meanings[symbol][0].claim)}"
+    behind = _hidden(entry for found in meanings.values() for entry in found)
+    for symbol, found in meanings.items():
+        if symbol.is_Symbol and symbol in behind[symbol]:
+            return f"{symbol} is defined by itself in {_where(found[0].claim)}"
     return None
 
 
