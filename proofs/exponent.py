@@ -208,6 +208,7 @@ arctangent_concave = Claim(
                 (psi, 0, x),
             ),
             integrating(atan(_share * psi) - _share * atan(psi)),
+            inverses,
         ),
     ),
     note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
@@ -225,6 +226,7 @@ arsinh_concave = Claim(
         step(
             Integral(_bend, (psi, 0, x)),
             integrating(asinh(_share * psi) - _share * asinh(psi)),
+            inverses,
         ),
     ),
 )

@@ -114,7 +114,7 @@ right_sides = Claim(
         printed.implicit_right(epsilon0, a, b, sympy),
     ),
     given=shape,
-    proof=by(substituting(d40)),
+    proof=by(substituting(d40), roots),
     where=Place(line=354),
     note="Only the right side of the equation before is rewritten.",
 )
@@ -192,6 +192,7 @@ equation_for_u = Claim(
         step(
             equal(exp(-(pi + asin(mu) + u) / lam), exp(-(pi + _arc) / lam)),
             multiplying(1 / _in_front),
+            roots,
         ),
         step(
             equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam),

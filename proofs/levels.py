@@ -234,7 +234,9 @@ decrease_in_gamma = Claim(
         unfolded_decrease,
         turned_decrease,
     ),
-    note="For b = 1, which no body has, it is vertical where the handle passes a pole.",
+    note="At γ = 0 the second of these holds, and where the motion begins to turn, χ = π/2, the "
+    "last, on both sides, as Φ is F up to there. For b = 1, which no body has, it is vertical "
+    "where the handle passes a pole.",
 )
 
 one_level = Claim(

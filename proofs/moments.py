@@ -10,7 +10,13 @@ y is cos ψ, and c is cos e: dψ = −dy/√(1 − y²), and z = (1 − √(1 �
 from sympy import Expr, Integer, Integral, Symbol, asin, log, sqrt
 
 from tresym.ledger.claim import Claim, by, equal, parts_of, step
-from tresym.ledger.reasons import citing, collecting, integrating, roots
+from tresym.ledger.reasons import (
+    citing,
+    collecting,
+    integrating,
+    inverses,
+    roots,
+)
 from tresym.racket.notation import u, x, x0
 
 y, c, z = (Symbol(name, real=True) for name in ("y", "c", "z"))
@@ -25,7 +31,7 @@ mean_below_the_first = Claim(
     says=c * asin(c) - (1 - sqrt(1 - c**2)) >= 0,
     kind="bound",
     given=(c > 0, c < 1),
-    proof=(step(Integral(asin(y), _ends), integrating(y * asin(y) + sqrt(1 - y**2))),),
+    proof=(step(Integral(asin(y), _ends), integrating(y * asin(y) + sqrt(1 - y**2)), roots),),
     note="The mean of cos ψ from e to π/2 is at most cos e.",
 )
 
@@ -99,6 +105,8 @@ mean_of_the_product = Claim(
         step(
             _weighted - Integral(_at_mean * (y - z) * _cosecant, _ends),
             integrating(_at_mean * (-sqrt(1 - y**2) - z * asin(y)), *_rooms),
+            inverses,
+            roots,
         ),
         step(
             Integral(sum(parts_of(claim.says)[0].args[0] for claim in moment_falls), _ends),

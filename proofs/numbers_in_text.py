@@ -639,7 +639,7 @@ separatrix_curve = Claim(
         b * sin(psi) ** 2 * (a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2) ** 2,
     ),
     given=(*shape_of_a_body, cos(theta) ** 2 > 0),
-    proof=by(substituting(sign_of_tilt)),
+    proof=by(substituting(sign_of_tilt), roots),
     where=Place(line=288),
     note="The dotted line of the contour plot.",
 )

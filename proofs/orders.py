@@ -32,6 +32,7 @@ from tresym.proofs.asymptotics import (
     printed_leading_term,
     printed_remainder,
     repaired,
+    slope_by_phase,
     slope_leading_term,
     within,
 )
@@ -378,7 +379,7 @@ tangent = Claim(
         ("b", "kappa", "v"),
         "ab >= 1/4, 0 < b <= 1, |gamma| <= b epsilon0^2",
         as_rational("2"),
-        (one_flip_defect, logarithmic_equation, slope_of_integral, *fourth_moment),
+        (one_flip_defect, logarithmic_equation, slope_of_integral, slope_by_phase, *fourth_moment),
         certificate("eq_epsilon_gen"),
         meant=Meant(in_bent_chart(), sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
     ),

@@ -3,9 +3,16 @@
 import pytest
 from sympy import Abs, Basic, Expr, Symbol, sign, sqrt
 
-from tresym.ledger.evidence.manifest import manifest_sign
+from tresym.ledger.evidence import manifest
+from tresym.ledger.meaning import conditions, tree
 
 b, t, x, y = (Symbol(name, real=True) for name in "btxy")
+
+
+def manifest_sign(e: Expr, given: tuple[Basic, ...]) -> str | None:
+    return manifest.manifest_sign(tree(e), conditions(given))
+
+
 PINNED = (b > 0, y > -b, x >= y, x <= y)
 """x is y, and above −b."""
 

@@ -50,7 +50,7 @@ def test_exponents_of_sin_x_minus_x(kind, exponent, expected):
     assert found.true_order.power == 3
     assert found.true_order.coefficient.overlaps(arb(-1) / 6)
     if expected is REFUTED:
-        assert found.witness
+        assert found.points["t"] > 0
 
 
 def test_the_constant_is_a_ball_around_the_supremum():
@@ -76,7 +76,7 @@ def test_constants_and_ranges(constant, upto, expected):
     found = judge_order(statement)
     assert found.verdict is expected
     if expected is REFUTED:
-        t = fmpq(*map(int, (found.witness["t"] + "/1").split("/")[:2]))
+        t = found.points["t"]
         with ball_precision(300):
             assert abs(sine_defect(arb(t), balls)) > arb(constant) * arb(t) ** 3
 

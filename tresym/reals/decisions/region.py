@@ -14,7 +14,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, prove_positive
+from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, decide_bound
 from tresym.reals.balls.contact import candidates, enclosure, sign_at_contact
 from tresym.reals.balls.ends import sign_beside
 from tresym.reals.decisions.answer import Answer, refuted
@@ -36,7 +36,6 @@ BUDGETS = {1: 3_000, 2: 12_000}
 LARGEST_BUDGET = 20_000
 MAX_CONTACTS = 8
 MAX_VARIABLES = 4
-LARGEST_DENOMINATOR = 1_000
 FAR = (2, 16, 1024)
 _ONE, _NAN = arb(1), arb.nan()
 
@@ -275,7 +274,7 @@ class _Search:
 
     def _prove(self, sides: Box, budget: int) -> Answer | Box:
         """ENCLOSED, REFUTED, or the box that stayed open."""
-        outcome = prove_positive(Bound(self._margin, sides, precision=PRECISION), budget)
+        outcome = decide_bound(Bound(self._margin, sides, precision=PRECISION), budget)
         if isinstance(outcome, BoxProof):
             return Answer(Verdict.ENCLOSED, self._closed(outcome.leaves))
         if isinstance(outcome, Counterexample):
