@@ -21,9 +21,9 @@ from tresym.ledger.evidence.manifest import is_manifest
 from tresym.ledger.finding import Finding
 from tresym.ledger.meaning import (
     DEFINING,
+    Behind,
     CircularError,
     Conditions,
-    Rules,
     conditions,
     definitions,
     known,
@@ -33,7 +33,7 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.second_look import satisfiable, scalars
-from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -114,12 +114,9 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
     if not entries or len(explicit) + len(integrals) < len(entries):
         return "a definition gives each of its symbols one value"
     earlier = definitions(claim.rests_on)
-    asked = frozenset().union(*map(names, given))
     for new, meaning in explicit.items():
         if new in earlier or symbols(new) <= symbols(put_in(meaning, explicit)):
             return f"{new} is not a new symbol"
-        if symbols(new) <= asked:
-            return f"{new} is defined under a condition on itself"
     try:
         for e in (*explicit.values(), *integrals):
             need_value(e, proof.claims, given)
@@ -150,16 +147,29 @@ def captured(claim: Claim) -> str | None:
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
-    rules = {entry.symbol: entry.meaning for entry in entries}
-    found = next((name for e in written if bound for name in _misread(e, rules)), None)
+    behind = _behind(entries)
+    found = next((name for e in written if bound for name in _misread(e, behind)), None)
     return None if found is None else f"{found} stands where what it is defined by is bound"
 
 
-def _misread(e: Basic, rules: Rules) -> Iterator[str]:
+def _misread(e: Basic, behind: Behind) -> Iterator[str]:
     try:
-        yield from (name for side in sides(e) if (name := misread(side, rules)) is not None)
+        yield from (name for side in sides(e) if (name := misread(side, behind)) is not None)
     except InputError:  # what is no expression of ours decides nothing
         return
+
+
+def _behind(entries: Iterable[Entry]) -> Behind:
+    """What each symbol is defined by, or under a condition on, directly or by way of others."""
+    found: dict[str, frozenset[str]] = {}
+    for entry in entries:
+        if entry.symbol.op == "symbol":
+            asked = frozenset().union(*map(names, conditions(entry.claim.given)))
+            (name,) = symbols(entry.symbol)
+            found[name] = found.get(name, frozenset()) | symbols(entry.meaning) | asked
+    for _ in found:
+        found = {n: of.union(*(found.get(k, frozenset()) for k in of)) for n, of in found.items()}
+    return found
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
@@ -229,19 +239,10 @@ def _assumes(claim: Claim) -> bool:
 
 def _circle(meanings: dict[Expr, list[Entry]]) -> str | None:
     """A symbol that is defined by itself, by way of others."""
-    names = {
-        left: frozenset[str]().union(*(symbols(entry.meaning) for entry in found))
-        for left, found in meanings.items()
-    }
-    for start in (left for left in meanings if left.op == "symbol"):
-        seen: set[Expr] = set()
-        waiting = {*names[start]}
-        while waiting:
-            one = symbol(waiting.pop())
-            seen.add(one)
-            waiting |= {n for n in names.get(one, frozenset()) if symbol(n) not in seen}
-        if start in seen:
-            return f"{start} is defined by itself in {_where(meanings[start][0].claim)}"
+    behind = _behind(entry for found in meanings.values() for entry in found)
+    for left, found in meanings.items():
+        if left.op == "symbol" and symbols(left) <= behind[str(left.args[0])]:
+            return f"{left} is defined by itself in {_where(found[0].claim)}"
     return None
 
 
