@@ -1,4 +1,7 @@
-"""The fourth moment of a motion near the separatrix: how large it can be, shown by integrals.
+"""Near the separatrix: how the integral F is split, and how large its fourth moment is.
+
+√(ab) F is a logarithm and an integral with sin²ψ in its numerator (`split_integrand`,
+`split_logarithm`), of which another part is elementary (`split_rest`).
 
 The second derivative of F along a candidate holds ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2 with
 u = γ/b. For u > 0 its integrand is at most 1/sin ψ (`moment_below_cosecant`). For u ≤ 0 it falls
@@ -7,17 +10,19 @@ that with the weight cos ψ (`mean_of_the_product`), which is elementary (`momen
 y is cos ψ, and c is cos e: dψ = −dy/√(1 − y²), and z = (1 − √(1 − c²))/arcsin c.
 """
 
-from sympy import Expr, Integer, Integral, Symbol, asin, log, sqrt
+from sympy import Expr, Integer, Integral, Rational, Symbol, asin, log, sqrt
+from tresym.proofs.conditions import shape
 
 from tresym.ledger.claim import Claim, by, equal, parts_of, step
 from tresym.ledger.reasons import (
     citing,
     collecting,
+    exponentials,
     integrating,
     inverses,
     roots,
 )
-from tresym.racket.notation import u, x, x0
+from tresym.racket.notation import a, b, u, x, x0
 
 y, c, z = (Symbol(name, real=True) for name in ("y", "c", "z"))
 """cos ψ, cos e, and a number between 0 and cos e: the mean of cos ψ."""
@@ -141,7 +146,51 @@ moment_below_cosecant = Claim(
     ),
 )
 
+_sine_root, _cosine = sqrt(1 + b / a * x**2), sqrt(1 - x**2)
+_bounded = 1 / (1 + _cosine) - b / _sine_root - b / a / (_sine_root * (1 + _sine_root))
+"""j(ψ), with x for sin ψ."""
+_at_zero = Rational(1, 2) - b - b / a / 2
+_inside = (x > 0, x < 1)
+
+split_integrand = Claim(
+    label="split_integrand",
+    says=equal((1 - b * x**2) / _sine_root, _cosine + x**2 * _bounded),
+    given=(*shape, *_inside),
+    proof=by(roots),
+)
+
+_gap = (1 - b / a + b / a * x**2) / (1 + _sine_root * _cosine)
+
+split_rest = Claim(
+    label="split_rest",
+    says=equal(
+        _bounded - _at_zero * _cosine,
+        x**2
+        * (
+            (2 + _cosine) / (2 * (1 + _cosine) ** 2)
+            - b * _gap / _sine_root
+            - b
+            / a
+            * (_gap + 1 / (1 + _cosine) - b / a * _cosine)
+            / (2 * _sine_root * (1 + _sine_root))
+        ),
+    ),
+    given=(*shape, *_inside),
+    proof=by(roots),
+    note="What is left of it after its value at ψ = 0 times cos ψ has sin²ψ as a factor.",
+)
+
+split_logarithm = Claim(
+    label="split_logarithm",
+    says=equal(Integral(1 / _sum, (x, x0, 1)), log((1 + sqrt(1 + u)) / (x0 + sqrt(u + x0**2)))),
+    given=(x0 > 0, x0 < 1, u + x0**2 > 0),
+    proof=by(integrating(log(x + _sum)), exponentials),
+)
+
 fourth_moment = (
+    split_integrand,
+    split_rest,
+    split_logarithm,
     mean_below_the_first,
     mean_is_positive,
     moment_by_powers,
@@ -149,4 +198,4 @@ fourth_moment = (
     moment_over_sine,
     moment_below_cosecant,
 )
-"""What the bounds on the moment rest on."""
+"""What the enclosure of the second derivative rests on."""

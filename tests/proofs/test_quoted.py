@@ -111,6 +111,10 @@ def test_a_theorem_that_is_not_listed_is_found(note: str) -> None:
     assert unnamed(note, claim.axioms, behind(claim))
 
 
+def test_no_identity_no_number_and_no_order_rests_on_a_quoted_theorem() -> None:
+    assert {claim.kind for claim in CLAIMS.values() if claim.axioms} <= {"bound", "statement"}
+
+
 def test_what_is_shown_is_shown_by_claims_of_the_ledger() -> None:
     assert frozenset().union(*SHOWN.values()) <= CLAIMS.keys()
     assert SAY_THAT_IT_APPLIES.keys() <= CLAIMS.keys()

@@ -592,6 +592,44 @@ def written(e: Expr) -> str:
     return rf"\left.{body}\right|_{{{x}={parts[-1]}}}"
 
 
+@pytest.mark.parametrize(
+    "source",
+    [
+        r"\sqrt" * 1600 + "x",
+        r"\sin" * 2000 + "x",
+        "|" * 5000,
+        r"\left|" * 1500,
+        r"\left." * 1500,
+        r"\frac" * 1900,
+        r"\frac{d}{dx}" * 800 + "x",
+        r"\lim_{x\to0}" * 700 + "x",
+        r"\int_0^1" * 1000 + "x",
+        r"\pm" * 3000 + "x",
+        "{" * 10**5,
+        "}" * 10**4,
+        "\\",
+        "\\" * 4999,
+        r"\begin{array}" + "&" * 9000 + r"\end{array}",
+        r"\text{" * 900,
+        r"\text{for}" * 900,
+        r"\forall" * 900,
+        r"\sqrt[" + "9" * 5000 + "]{x}",
+        "9" * 9000 + "^{" + "9" * 900 + "}",
+        "10^{" + "9" * 5000 + "}",
+        r"\left",
+        r"\frac{a}",
+        r"\lim_{x",
+    ],
+    ids=range(24),
+)
+def test_hostile_latex_is_one_line(source: str) -> None:
+    for read in (read_expression, read_latex):
+        with pytest.raises(InputError) as caught:
+            read(source)
+        assert "\n" not in str(caught.value)
+        assert len(str(caught.value)) < 400
+
+
 SYMBOLS = st.sampled_from(sorted(WRITTEN_NAMES)).map(symbol)
 NUMBERS = st.fractions(min_value=-9, max_value=9, max_denominator=7).map(number)
 

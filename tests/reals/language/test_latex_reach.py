@@ -79,11 +79,11 @@ def test_products_bind_as_they_stand(
 
 
 def test_a_printed_power_of_ten_keeps_its_digits() -> None:
-    tenth = Piece(parse("10**(-2)"), 3, printed="e-2")
+    tenth = Piece(parse("10**(-2)"), 3, printed="1e-2")
     found = joined([decimal("1.090"), tenth], ["", "*"])
     assert (found.printed, found.tree) == ("1.090e-2", parse("0.0109"))
     for factors, operators in (([tenth, tenth], "**"), ([decimal("2"), tenth], "*/")):
-        assert joined([*factors], ["", operators[1]]).printed in ("", "e-2e-2")
+        assert joined([*factors], ["", operators[1]]).printed == ""
 
 
 def test_the_variables_of_a_piece() -> None:

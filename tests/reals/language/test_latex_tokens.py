@@ -38,6 +38,9 @@ from tresym.reals.numbers.exact import InputError
         ("x == y", "x == y"),
         (r"\mathcal{O}(x)", "O ( x )"),
         (r"\text{for all } x", r"\conditionfor x"),
+        (r"x_{\text{max}}+x_\text{rad}", "x _ { m a x } + x _ { r a d }"),
+        (r"\text{max}", r"\text { m a x }"),
+        (r"\operatorname{arcoth}x", r"\arcoth x"),
     ],
 )
 def test_tokens(source: str, tokens: str) -> None:

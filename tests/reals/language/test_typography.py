@@ -101,6 +101,12 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("x == x - O(x) as x -> 0", "right end"),
         (r"x \le \infty", "oo is no real number"),
         (r"x = \pm 1", "write x == 1 and x == -1"),
+        (r"x\to 0", "-> is no claim"),
+        (r"x\ll 1", "<< is no claim"),
+        (r"x\sim x\sim x as x\to 0", "no chain"),
+        ("x == x == x + O(x) as x -> 0", "no chain"),
+        (r"\text{for } x > 0", "relation such as a = b"),
+        (r"x = y, y = z", "one claim at a time"),
         (r"\int_0^1 x\,dx = 1/2", r"claim diff\(F, x\) == f"),
     ],
 )
@@ -169,6 +175,9 @@ REFUTED_OF_LATEX = [
     r"\sqrt[3]{x^3} = |x|",
     r"\sqrt[5]{x^5} = |x|",
     r"a^2\cdot 10^2 = a^{200}",
+    r"x_{\text{max}} = x_{\text{min}}",
+    r"x_\mathrm{a} = x_{\mathrm{b}}",
+    r"E_{\text{rad}} = E",
 ]
 
 
@@ -195,6 +204,9 @@ SHOWN = {
     "a = b = a": "a == b == a",
     r"\sqrt{x^2} = x \text{ for } x>0": "sqrt(x**2) == x given x > 0",
     r"\sin x = x + O(x^3) \text{ as } x\to 0": "sin(x) == x + O(x**3) as x -> 0",
+    r"\sin x = x+O(x^3),\quad x\to 0^-": "sin(x) == x + O(x**3) as x -> 0-",
+    r"\text{for } x > 0, x = |x|": "x == abs(x) given x > 0",
+    r"x = |x| \quad\forall x > 0": "x == abs(x) given x > 0",
     r"\lim_{x\to 0^+} x\ln x = 0": "limit(x*log(x), x, 0, 1) == 0",
     "limit(atan(x), x, oo) == pi/2": "limit(atan(x), x, oo) == pi/2",
     r"\max(x, 0) \ge x": "(x + abs(x))/2 >= x",

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tresym.reals.language import expression
@@ -192,9 +193,10 @@ def _written(claim: Any, given: Any, path: str | None) -> _Written:
     from tresym.reals.language.latex import read_latex
 
     chains = read_latex(text.strip().strip("$"))
-    if len(chains) != 1:
+    last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
+    said = last or chains[0].condition
+    if len(chains) != (2 if last else 1):
         raise InputError("LaTeX: one claim at a time; conditions follow \\text{for} or go apart")
-    said = chains[0].condition
     if said is not None and said.ops[0].startswith("->"):
         end = _path_of(said)
     elif said is not None:
@@ -217,14 +219,17 @@ def _split(text: str) -> tuple[str, str, str]:
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
+    if relation not in (*RELATIONS.values(), *ORDERS):
+        raise InputError(f"{relation} is no claim: one is made with == != > >= < <= or ~")
     terms = right.args if right.op == "+" else (right,)
     orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
         rest = [term for term in terms if term is not orders[0]]
         left = left - add(*rest) if rest else left
         relation, right = orders[0].op, orders[0].args[0]
-    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side)))
-    return Comparison(worked_out(left), relation, worked_out(right), written)
+    work = cache(worked_out)
+    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
+    return Comparison(work(left), relation, work(right), written)
 
 
 def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path]:
@@ -236,8 +241,8 @@ def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path
     return _comparison(body - value, "o", ONE), _ending(name, left.args[1], side)
 
 
-def _derivatives(e: Expr) -> Iterator[Derivative]:
-    """The derivatives that are written in ``e``, inner ones first.
+def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
+    """The derivatives that are written in ``e``, inner ones first, worked out by ``work``.
 
     Raises:
         InputError: what else binds a variable and is not decided.
@@ -254,8 +259,8 @@ def _derivatives(e: Expr) -> Iterator[Derivative]:
         function, times = node, 0
         while function.op == "derivative" and function.args[1] == place:
             function, times = instantiate(function.args[0], (place,)), times + 1
-        yield from _derivatives(function)
-        yield Derivative(worked_out(function), place.args[0], times, worked_out(node))
+        yield from _derivatives(function, work)
+        yield Derivative(work(function), place.args[0], times, work(node))
 
 
 def _path(path: str | None) -> Path | None:
@@ -358,8 +363,10 @@ def read_path(text: str) -> Path:
 
 def _checked(statement: Statement) -> Statement:
     """The statement, if its parts belong together."""
-    order = statement.comparisons[0].relation in ORDERS
-    if not order:
+    orders = [c for c in statement.comparisons if c.relation in ORDERS]
+    if orders and len(statement.comparisons) > 1:
+        raise InputError("an order claim is one relation, and no chain")
+    if not orders:
         if statement.path is not None:
             raise InputError("a path belongs to O, o and ~ alone; use given for conditions")
         return statement

@@ -29,6 +29,7 @@ from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import (
     ARRAYS,
     CONDITION,
+    MAX_DEPTH,
     RELATIONS,
     STOPS,
     tokenize,
@@ -36,6 +37,8 @@ from tresym.reals.language.latex_tokens import (
 )
 from tresym.reals.numbers.exact import InputError
 
+NO_RELATION = "LaTeX: a relation such as a = b is expected, there is none"
+TOO_DEEP = f"LaTeX: nested deeper than {MAX_DEPTH} levels"
 _AUTHORS_WORDS = frozenset({"hot"})
 
 
@@ -72,7 +75,10 @@ def read_expression(source: str, author: Author | None = None) -> Expr:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
     """
     reader = Reader(tokenize(source), author)
-    tree = reader.sum().tree
+    try:
+        tree = reader.sum().tree
+    except RecursionError:
+        raise InputError(TOO_DEEP) from None
     reader.skip_stops()
     if reader.peek():
         reader.refuse("an operation or the end is expected")
@@ -92,10 +98,16 @@ def read_latex(source: str, author: Author | None = None) -> tuple[Relations, ..
     tokens = tokenize(source, frozenset() if author is None else _AUTHORS_WORDS)
     while tokens[-1:] == ["\\\\"]:
         tokens.pop()
-    if {"\\pm", "\\mp"} & {*tokens}:
-        both = ("; ".join(map(str, _statements(with_sign(tokens, s), author))) for s in "+-")
-        raise InputError(f"LaTeX: of two signs two claims: write {' and '.join(both)}")
-    return tuple(_statements(tokens, author))
+    try:
+        if {"\\pm", "\\mp"} & {*tokens}:
+            both = ("; ".join(map(str, _statements(with_sign(tokens, s), author))) for s in "+-")
+            raise InputError(f"LaTeX: of two signs two claims: write {' and '.join(both)}")
+        found = tuple(_statements(tokens, author))
+    except RecursionError:
+        raise InputError(TOO_DEEP) from None
+    if not found:
+        raise InputError(NO_RELATION)
+    return found
 
 
 def _statements(tokens: list[str], author: Author | None) -> list[Relations]:
@@ -154,22 +166,28 @@ def _split(tokens: list[str], separator: str) -> list[list[str]]:
 def _chains(tokens: list[str], author: Author | None) -> list[Relations]:
     """The chains of a formula; what follows an upright "for" is a condition on all of them."""
     tokens, *conditions = _split(tokens, CONDITION)
-    reader = _Chains(tokens, author)
-    chains: list[Relations] = []
-    reader.skip_stops()
-    while reader.peek():
-        chains.append(reader.chain())
-        reader.skip_stops()
+    condition = None
+    if not tokens and len(conditions) == 1:  # the condition comes first
+        condition, *chains = _chains(conditions[0], author)
+    else:
+        reader = _Chains(tokens, author)
+        chains = [*reader.chains()]
+        if len(conditions) == 1:
+            (condition,) = _chains(conditions[0], author)
     if not chains or len(conditions) > 1:
-        raise InputError("LaTeX: a relation such as a = b is expected, there is none")
-    if conditions:
-        (condition,) = _chains(conditions[0], author)
-        chains = [replace(chain, condition=condition) for chain in chains]
-    return chains
+        raise InputError(NO_RELATION)
+    return [replace(chain, condition=condition or chain.condition) for chain in chains]
 
 
 class _Chains(Reader):
     """Expressions and the relations between them."""
+
+    def chains(self) -> Iterator[Relations]:
+        """All chains, apart by commas, full stops or arrows."""
+        self.skip_stops()
+        while self.peek():
+            yield self.chain()
+            self.skip_stops()
 
     def chain(self) -> Relations:
         """One chain; an interval at its end becomes two inequalities."""

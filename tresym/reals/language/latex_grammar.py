@@ -190,8 +190,9 @@ class Reader(Cursor):
                 self.at += 1
                 raised = True
                 exponent = self.script()
-                ten = base.printed == "10" and f"e{exponent.printed}"
-                base = Piece(base.tree**exponent.tree, 3, base.symbol, ten or "")
+                ten = base.printed == "10" and re.fullmatch(r"-?\d+", exponent.printed)
+                printed = f"1e{exponent.printed}" if ten else ""
+                base = Piece(base.tree**exponent.tree, 3, base.symbol, printed)
             elif self.peek() == "|" and self.peek(1) == "_":
                 self.at += 2
                 base = self.evaluated(base.tree)
@@ -312,15 +313,15 @@ class Reader(Cursor):
         index = self.sum()
         self.take("]")
         inside = self.argument_group().tree
-        if index.printed.startswith("-"):
+        whole = index.tree.op == "number" and index.tree.args[0].q == 1
+        n = int(index.tree.args[0].p) if whole else 0
+        if n < 0:
             self.refuse("a root with a negative index: write 1 over the root,")
-        odd = index.printed.isdigit() and int(index.printed) % 2 == 1
-        if not odd or inside.op == "number":
+        if n % 2 == 0 or inside.op == "number":
             return Piece(inside ** (1 / index.tree), 3)
-        if index.printed == "3":
+        if n == 3:
             return Piece(apply("cbrt", inside))
-        size = abs(inside) ** (1 / index.tree)
-        return Piece(apply("sign", inside) * size, 2)
+        return Piece(apply("sign", inside) * abs(inside) ** (1 / index.tree), 2)
 
     def extreme(self) -> Piece:
         """``\\max(x, y)``, ``\\min\\{x, y, z\\}``."""

@@ -8,7 +8,6 @@ follows. Where books differ the reach is in doubt, and the reader writes both re
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from enum import Enum
 from typing import NamedTuple, TypeAlias
@@ -25,7 +24,7 @@ class Piece(NamedTuple):
         tree: what it is.
         strength: how strongly it binds: 0 sum, 1 signed product, 2 product, 3 power, 4 atom.
         symbol: the name, or what a power is of; a bracket behind it can hold its argument.
-        printed: the digits of a decimal, ``e-2`` of a power of ten.
+        printed: the digits of a decimal, ``1e-2`` of a power of ten.
     """
 
     tree: Expr
@@ -123,8 +122,9 @@ def joined(factors: list[Piece | None], operators: list[str]) -> Piece:
     if len(kept) == 1:
         return kept[0][0]
     printed = ""
-    if len(kept) == 2 and kept[1][1] == "*" and re.fullmatch(r"e-?\d+", kept[1][0].printed):
-        printed = kept[0][0].printed + kept[1][0].printed if kept[0][0].printed else ""
+    if len(kept) == 2 and kept[1][1] == "*" and kept[1][0].printed.startswith("1e"):
+        first = kept[0][0].printed
+        printed = first + kept[1][0].printed[1:] if first and "e" not in first else ""
     tree = multiply(*(1 / f.tree if op == "/" else f.tree for f, op in kept))
     return Piece(tree, 4 if printed else 2, printed=printed)
 

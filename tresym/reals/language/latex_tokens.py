@@ -18,10 +18,11 @@ _TRIGONOMETRIC = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
 FUNCTIONS = {
     **{name: name for name in (*_TRIGONOMETRIC, "cot", "sec", "csc", "coth", "exp", "log")},
     "ln": "log",
-    **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "sec", "csc")},
+    **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "cot", "sec", "csc")},
+    **{f"{ar}{name}": f"a{name}" for ar in ("ar", "arc") for name in ("sech", "csch", "coth")},
     **{f"ar{name}": f"a{name}" for name in ("sinh", "cosh", "tanh")},
     **{f"a{name}": f"a{name}" for name in _TRIGONOMETRIC},
-    **{"sech": "sech", "csch": "csch", "sgn": "sign", "sign": "sign", "arccot": "acot"},
+    **{"sech": "sech", "csch": "csch", "cosec": "csc", "sgn": "sign", "sign": "sign"},
 }
 """Commands and upright words that apply a function, and the function."""
 GREEK = _words(
@@ -56,7 +57,7 @@ CONDITION = "\\conditionfor"
 """The token for upright words that open a condition."""
 _CONDITIONS = frozenset(("for", "for all", "if", "when", "whenever", "as", "given", "provided"))
 
-_SAME = {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
+_SAME = {"\\forall": CONDITION, "\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
     "\\lvert": "\\left|",
     "\\rvert": "\\right|",
 }
@@ -113,8 +114,13 @@ def _prepared(source: str) -> str:
 
 
 def _text(match: re.Match[str]) -> str:
-    """Upright text: a function's name, the letters d, e and i, radians, or a condition's "for"."""
+    """Upright text: a function's name, the letters d, e and i, radians, or a condition's "for".
+
+    Of a subscript it is the letters. What else it may be, no text is dropped: it is refused.
+    """
     word = match[2].strip()
+    if match.string[: match.start()].rstrip().endswith(("_", "_{")):
+        return f"{{{word}}}" if match.string[match.start() - 1] == "_" else f"{word} "
     if word in FUNCTIONS:
         return f"\\{word} "
     if word in ("d", "e", "i"):
@@ -123,7 +129,7 @@ def _text(match: re.Match[str]) -> str:
         return " "
     if word.lower() in _CONDITIONS:
         return f" {CONDITION} "
-    return f"{match[1]} "
+    return match[0]
 
 
 def _merged(raw: list[str], words: frozenset[str]) -> list[str]:
