@@ -277,6 +277,15 @@ def test_sentences_are_decided_as_written() -> None:
     assert verdict(claim("…", formally(equal(sqrt(x**2), x)), (x > 0,))) is Verdict.PROVED
 
 
+@pytest.mark.parametrize("n", range(3))
+def test_a_sentence_needs_each_of_its_relations(n: int) -> None:
+    true = [Gt(x**2 + k, -1, evaluate=False) for k in range(3)]
+    assert verdict(claim("…", formally(*true))) is Verdict.PROVED
+    for false in (equal(x, Integer(1)), x**2 > x):
+        parts = [*true[:n], false, *true[n + 1 :]]
+        assert not verdict(claim("…", formally(*parts))).holds
+
+
 def test_systems_need_a_chain_for_every_part() -> None:
     says = Tuple(equal(a + a, 2 * a), equal(b + b, 2 * b))
     assert verdict(claim(says, together(by(), by()))) is Verdict.PROVED
