@@ -3,7 +3,7 @@
 Each symbol is defined once, or once in each of several cases, by symbols that do not come back to
 it and by a term that exists under the conditions of its definition. Two definitions of one symbol
 together prove anything, and so do two that go round in a circle. What is defined is a constant: it
-is bound nowhere, and no symbol passes for another of its name.
+is bound nowhere, nor does it stand where what it is defined by is bound.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from functools import lru_cache
 from itertools import combinations
 from typing import NamedTuple
 
-from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
+from sympy import Basic, Derivative, Eq, Integral, Subs
 
 from tresym.ledger.claim import Claim, Definition, UniqueRoot, expressions, parts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_value
@@ -72,13 +72,12 @@ def _equations(claim: Claim) -> Iterator[Eq]:
     yield from (entry for part in parts for entry in scalars(part))
 
 
-def implicit(claims: Iterable[Claim]) -> tuple[Eq, ...]:
-    """The equations for integrals that the claims assume, and that restrict their symbols."""
-    return tuple(entry.written for entry in _restrictions(table(claims)))
+def restrictions(claims: Iterable[Claim]) -> tuple[Eq, ...]:
+    """The equations for integrals that the claims assume, and that restrict their symbols.
 
-
-def _restrictions(entries: tuple[Entry, ...]) -> list[Entry]:
-    """The equations for integrals, but for those that only give a symbol of their own its value."""
+    One that only gives a symbol of its own its value restricts nothing.
+    """
+    entries = table(claims)
 
     def own(entry: Entry) -> bool:
         others = (e.names for e in entries if e != entry)
@@ -86,7 +85,7 @@ def _restrictions(entries: tuple[Entry, ...]) -> list[Entry]:
             symbols(entry.meaning) <= names for names in (symbols(entry.symbol), *others)
         )
 
-    return [e for e in entries if e.symbol.op != "symbol" and not own(e)]
+    return tuple(e.written for e in entries if e.symbol.op != "symbol" and not own(e))
 
 
 def judge_definition(claim: Claim, proof: Definition) -> Finding:
@@ -130,16 +129,13 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
 
 
 def captured(claim: Claim) -> str | None:
-    """Why the claim does not keep its symbols apart: one is bound and defined, or is two.
+    """Why the claim does not keep its symbols apart: one is bound, and defined.
 
     Nor may a symbol stand where what it is defined by is bound: it is a number there.
     """
     entries, written = table((*claim.rests_on, claim)), [*expressions(claim)]
     bound: set[str] = set()
     for e in written:
-        for name in e.atoms(Symbol):
-            if name != Symbol(name.name, real=True):
-                return f"{name} is not the real symbol of that name"
         binders = e.atoms(Integral, Derivative, Subs)
         bound |= {v.name for node in binders for v in node.variables}
     if isinstance(claim.proof, UniqueRoot):
@@ -175,15 +171,6 @@ def _behind(entries: Iterable[Entry]) -> Behind:
 def conflict(claims: Iterable[Claim]) -> str | None:
     """Why the definitions among ``claims`` are no table: two of one symbol, or a circle."""
     return _conflict(tuple(c for c in claims if isinstance(c.proof, DEFINING)))
-
-
-def overdetermined(claims: Iterable[Claim]) -> str | None:
-    """Why equations for integrals among ``claims`` do not together define what they are to.
-
-    Each defines one symbol, and does not say which: two that share symbols may contradict each
-    other, and one whose symbols are all defined may be false.
-    """
-    return _overdetermined(tuple(c for c in claims if isinstance(c.proof, DEFINING)))
 
 
 @lru_cache(maxsize=4096)
@@ -243,21 +230,4 @@ def _circle(meanings: dict[Expr, list[Entry]]) -> str | None:
     for left, found in meanings.items():
         if left.op == "symbol" and symbols(left) <= behind[str(left.args[0])]:
             return f"{left} is defined by itself in {_where(found[0].claim)}"
-    return None
-
-
-@lru_cache(maxsize=4096)
-def _overdetermined(claims: tuple[Claim, ...]) -> str | None:
-    entries = table(claims)
-    rules = {entry.symbol: entry.meaning for entry in entries if entry.symbol.op == "symbol"}
-    seen: frozenset[str] = frozenset()
-    for entry in _restrictions(entries):
-        if entry.names & seen:
-            return f"{entry.claim.label} is a second equation for the same symbols"
-        seen |= entry.names
-        try:
-            if not symbols(put_in(entry.symbol - entry.meaning, rules)):
-                return f"{entry.claim.label} leaves nothing to define"
-        except CircularError as error:
-            return str(error)
     return None
