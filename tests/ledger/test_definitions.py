@@ -293,6 +293,18 @@ def test_what_is_defined_is_bound_nowhere(claim: Claim) -> None:
     assert not judged(claim).holds
 
 
+@pytest.mark.parametrize(
+    "e", [Integral(y, (x, 0, 1)), Subs(y + x, x, 5), Derivative(y * x, x)], ids=str
+)
+def test_a_symbol_is_no_function_of_what_defines_it(e: Basic) -> None:
+    """With y = x² a tree has y for ∫₀¹ y dx, and a reader 1/3: neither is said."""
+    square = new("square", equal(y, x**2))
+    user = Claim("user", equal(e, y), by(substituting(square), evaluating, differentiation))
+    assert judged(user) is Verdict.UNDECIDED
+    assert captured(user) == "y stands where what it is defined by is bound"
+    assert captured(Claim("user", equal(e, y), by(evaluating, differentiation))) is None
+
+
 def test_what_is_defined_is_not_generalised() -> None:
     """y is x², and no variable by which an implicit function of it could be differentiated."""
     square = new("square", equal(y, x**2), x > 0)

@@ -6,12 +6,13 @@ from typing import Any
 
 import pytest
 import sympy as sp
+from in_sympy import to_sympy
 
 from tresym.reals.language.binders import at, derivative, integral, limit, order, ordered
 from tresym.reals.language.expression import FUNCTIONS, apply, number, substitute, symbol
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.language.parsing import parse
-from tresym.reals.language.sympy import formula, from_sympy, to_sympy, unworked
+from tresym.reals.language.sympy import formula, from_sympy, unworked
 from tresym.reals.numbers.exact import InputError
 
 x, y = sp.symbols("x y", real=True)
@@ -91,9 +92,11 @@ def test_an_unknown_function_is_not_taken_for_a_known_one() -> None:
         from_sympy(sp.Function("sin")(x))
 
 
-def test_a_derivative_may_be_read_in_another_way() -> None:
-    e = from_sympy(1 + sp.Derivative(x**2, x), lambda node, walk: walk(node.expr))
-    assert e == parse("1 + x**2") or e == parse("x**2 + 1")
+def test_derivatives_and_values_are_worked_out() -> None:
+    assert from_sympy(1 + sp.Derivative(x**2, x)) == parse("1 + 2*x")
+    assert from_sympy(sp.Subs(sp.Derivative(x**2, x), x, 3)) == parse("6")
+    with pytest.raises(InputError, match="limit"):
+        from_sympy(sp.Limit(x, x, 0))
 
 
 def test_nothing_is_evaluated_on_the_way() -> None:

@@ -1,30 +1,35 @@
-"""SymPy's expressions and relations as trees, and back: the one door, opened only when called."""
+"""SymPy's expressions and relations as trees: the one door, opened only when called."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable
 from typing import Any
 
 from flint import fmpq, fmpz
 
-from tresym.reals.language.binders import at, derivative, integral, limit, order
+from tresym.reals.language.binders import (
+    at,
+    derivative,
+    integral,
+    limit,
+    order,
+    outermost,
+    worked_out,
+)
 from tresym.reals.language.expression import (
     FUNCTIONS,
     MAX_DERIVATIVES,
     ORDERS,
     PI,
-    UNWORKED,
     ZERO,
     E,
     Expr,
     add,
     angle,
     apply,
-    differentiate,
     extreme,
     multiply,
     number,
-    opened,
     power,
     symbol,
 )
@@ -32,28 +37,41 @@ from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Rel
 from tresym.reals.numbers.exact import InputError
 
 
-def from_sympy(e: Any, as_derivative: Callable[[Any, Any], Expr] | None = None) -> Expr:
-    """A SymPy expression of real symbols as a tree.
+def from_sympy(e: Any) -> Expr:
+    """A SymPy expression of real symbols as a tree, derivatives and values in it worked out.
 
-    Args:
-        e: the expression.
-        as_derivative: what to make of a derivative and the function that reads its parts; without
-            it derivatives are carried out.
+    Derivatives are formal: SymPy's ask whether symbols are real.
 
     Raises:
-        InputError: floats, complex numbers, and functions outside :data:`FUNCTIONS`.
+        InputError: as :func:`unworked`; integrals, limits and orders.
     """
-    return _read(e, {"Derivative": as_derivative or _from_sympy_derivative})
+    tree = worked_out(unworked(e))
+    for node in outermost(tree):
+        raise InputError(f"{node.op} is outside the expressions that tresym decides")
+    return tree
 
 
 def unworked(e: Any) -> Expr:
-    """As :func:`from_sympy`, with integrals, derivatives, values, limits and orders as nodes.
+    """A SymPy expression of real symbols as a tree, nothing of it worked out.
 
     Raises:
-        InputError: as there; integrals without ends, and values of what does not speak of the
-            point, such as a symbol that stands for a function.
+        InputError: floats, complex numbers, functions outside :data:`FUNCTIONS`, integrals without
+            ends, derivatives beyond the tenth or by something else than a symbol, and values of
+            what does not speak of the point, such as a symbol that stands for a function.
     """
-    return _read(e, _UNWORKED)
+    import sympy
+
+    done: dict[Any, Expr] = {}
+
+    def walk(node: Any) -> Expr:
+        if node not in done:
+            known = _UNWORKED.get(type(node).__name__)
+            done[node] = known(node, walk) if known else _from_sympy_node(sympy, node, walk)
+        return done[node]
+
+    if isinstance(e, str):
+        raise InputError("text is read by parse, never as a SymPy expression")
+    return walk(sympy.sympify(e))
 
 
 def formula(e: Any) -> Formula:
@@ -91,23 +109,6 @@ RELATIONS = {
     "LessThan": "<=",
 }
 """SymPy's names of relations."""
-
-
-def _read(e: Any, special: Mapping[str, Callable[[Any, Any], Expr]]) -> Expr:
-    """A SymPy expression as a tree, parts of the classes ``special`` by functions of their own."""
-    import sympy
-
-    done: dict[Any, Expr] = {}
-
-    def walk(node: Any) -> Expr:
-        if node not in done:
-            known = special.get(type(node).__name__)
-            done[node] = known(node, walk) if known else _from_sympy_node(sympy, node, walk)
-        return done[node]
-
-    if isinstance(e, str):
-        raise InputError("text is read by parse, never as a SymPy expression")
-    return walk(sympy.sympify(e))
 
 
 def atoms(e: Any, kind: str) -> list[Any]:
@@ -156,30 +157,13 @@ def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
     raise InputError(f"{name} is outside the expressions that tresym decides")
 
 
-def _from_sympy_derivative(node: Any, walk: Any) -> Expr:
-    """The formal derivative, made by :func:`differentiate`: SymPy's asks whether symbols are real.
-
-    Raises:
-        InputError: derivatives beyond the tenth, or with respect to something else than a symbol.
-    """
+def _derivative_as_written(node: Any, walk: Any) -> Expr:
     result = walk(node.expr)
-    for name in _variables(node):
-        result = differentiate(result, name)
-    return result
-
-
-def _variables(node: Any) -> Iterator[str]:
-    """The variables that a SymPy derivative is by, one after the other."""
     for variable, times in node.variable_count:
         if not (variable.is_Symbol and times.is_Integer and 0 < times <= MAX_DERIVATIVES):
             raise InputError(f"a derivative is of order 1 to {MAX_DERIVATIVES}, by a symbol")
-        yield from (variable.name for _ in range(int(times)))
-
-
-def _derivative_as_written(node: Any, walk: Any) -> Expr:
-    result = walk(node.expr)
-    for name in _variables(node):
-        result = derivative(result, name)
+        for _ in range(int(times)):
+            result = derivative(result, variable.name)
     return result
 
 
@@ -215,54 +199,3 @@ _UNWORKED: dict[str, Callable[[Any, Any], Expr]] = {
     "Limit": _limit_as_written,
     **dict.fromkeys(ORDERS, _order_as_written),
 }
-
-
-def to_sympy(e: Expr) -> Any:
-    """The tree as a SymPy expression; symbols carry the assumption ``real``."""
-    import sympy
-
-    done: dict[Expr, Any] = {}
-
-    def walk(node: Expr) -> Any:
-        if node not in done:
-            done[node] = _to_sympy_node(sympy, node, walk)
-        return done[node]
-
-    return walk(e)
-
-
-def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
-    if node.op == "number":
-        return sympy.Rational(int(node.args[0].p), int(node.args[0].q))
-    if node.op == "symbol":
-        return sympy.Symbol(node.args[0], real=True)
-    if node.op == "pi":
-        return sympy.pi
-    if node.op in UNWORKED:
-        return _unworked_to_sympy(sympy, node, walk)
-    args = [walk(arg) for arg in node.args]
-    if node.op == "+":
-        return sympy.Add(*args)
-    if node.op == "*":
-        return sympy.Mul(*args)
-    if node.op == "^":
-        return sympy.Pow(*args)
-    if node.op == "cbrt":
-        return sympy.sign(args[0]) * sympy.Abs(args[0]) ** sympy.Rational(1, 3)
-    return getattr(sympy, "Abs" if node.op == "abs" else node.op)(*args)
-
-
-def _unworked_to_sympy(sympy: Any, node: Expr, walk: Any) -> Any:
-    if node.op in ORDERS:
-        return sympy.Function(node.op)(walk(node.args[0]))
-    names, body = opened(node)
-    inner, points = walk(body), [walk(arg) for arg in node.args[1:]]
-    variables = [sympy.Symbol(name, real=True) for name in names]
-    if node.op == "integral":
-        return sympy.Integral(inner, (variables[0], *points))
-    if node.op == "limit":
-        side = {1: "+", -1: "-", 0: "+-"}[int(node.args[2].args[0].p)]
-        return sympy.Limit(inner, variables[0], points[0], side)
-    if node.op == "at":
-        return sympy.Subs(inner, variables, points)
-    return sympy.Subs(sympy.Derivative(inner, variables[0], evaluate=False), variables, points)
