@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from flint import fmpq, fmpz
@@ -17,7 +17,6 @@ from tresym.reals.language.binders import (
     worked_out,
 )
 from tresym.reals.language.expression import (
-    FUNCTIONS,
     MAX_DERIVATIVES,
     ORDERS,
     PI,
@@ -25,25 +24,23 @@ from tresym.reals.language.expression import (
     E,
     Expr,
     add,
-    angle,
-    apply,
-    extreme,
     multiply,
     number,
     power,
     symbol,
 )
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
+from tresym.reals.language.parsing import KNOWN, call
 from tresym.reals.numbers.exact import InputError
 
 
 def from_sympy(e: Any) -> Expr:
-    """A SymPy expression of real symbols as a tree, derivatives and values in it worked out.
+    """A SymPy expression of real symbols as a tree, its derivatives carried out.
 
-    Derivatives are formal: SymPy's ask whether symbols are real.
+    They are formal, made by :func:`differentiate`: SymPy's ask whether symbols are real.
 
     Raises:
-        InputError: as :func:`unworked`; integrals, limits and orders.
+        InputError: floats, complex numbers, and what the trees of this project do not compute.
     """
     tree = worked_out(unworked(e))
     for node in outermost(tree):
@@ -52,12 +49,11 @@ def from_sympy(e: Any) -> Expr:
 
 
 def unworked(e: Any) -> Expr:
-    """A SymPy expression of real symbols as a tree, nothing of it worked out.
+    """As :func:`from_sympy`, with integrals, derivatives, values, limits and orders as nodes.
 
     Raises:
-        InputError: floats, complex numbers, functions outside :data:`FUNCTIONS`, integrals without
-            ends, derivatives beyond the tenth or by something else than a symbol, and values of
-            what does not speak of the point, such as a symbol that stands for a function.
+        InputError: as there; integrals without ends, and values of what does not speak of the
+            point, such as a symbol that stands for a function.
     """
     import sympy
 
@@ -118,14 +114,6 @@ def atoms(e: Any, kind: str) -> list[Any]:
     return sorted(e.atoms(getattr(sympy, kind)), key=str)
 
 
-_SYMPY_NAMES = {"Abs": "abs"} | {name: name for name in FUNCTIONS - {"abs", "cbrt"}}
-_SYMPY_RECIPROCALS = {"asec": "acos", "acsc": "asin", "acot": "atan"} | {
-    "asech": "acosh",
-    "acsch": "asinh",
-    "acoth": "atanh",
-}
-
-
 def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
     if node.is_Rational:
         return number(fmpq(fmpz(str(node.p)), fmpz(str(node.q))))
@@ -144,26 +132,25 @@ def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
     name = type(node).__name__
     if isinstance(node, sympy.core.function.AppliedUndef):
         raise InputError(f"{name} is an unknown function to SymPy, whatever its name")
-    if name in _SYMPY_NAMES and len(node.args) == 1:
-        return apply(_SYMPY_NAMES[name], walk(node.args[0]))
-    if name in _SYMPY_RECIPROCALS:
-        return apply(_SYMPY_RECIPROCALS[name], 1 / walk(node.args[0]))
-    if name == "atan2":
-        return angle(*map(walk, node.args))
-    if name in ("Max", "Min"):
-        return extreme(1 if name == "Max" else -1, map(walk, node.args))
+    if name in KNOWN:
+        return call(name, [walk(arg) for arg in node.args])
     if node is sympy.I:
         raise InputError("I is no real number or variable, and all here are real")
     raise InputError(f"{name} is outside the expressions that tresym decides")
 
 
-def _derivative_as_written(node: Any, walk: Any) -> Expr:
-    result = walk(node.expr)
+def _variables(node: Any) -> Iterator[str]:
+    """The variables that a SymPy derivative is by, one after the other."""
     for variable, times in node.variable_count:
         if not (variable.is_Symbol and times.is_Integer and 0 < times <= MAX_DERIVATIVES):
             raise InputError(f"a derivative is of order 1 to {MAX_DERIVATIVES}, by a symbol")
-        for _ in range(int(times)):
-            result = derivative(result, variable.name)
+        yield from (variable.name for _ in range(int(times)))
+
+
+def _derivative_as_written(node: Any, walk: Any) -> Expr:
+    result = walk(node.expr)
+    for name in _variables(node):
+        result = derivative(result, name)
     return result
 
 
