@@ -543,6 +543,6 @@ implicit_slope = Claim(
     proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
     where=Place(display=44),
     expect=Verdict.ENCLOSED,
-    note="The implicit function theorem, on λ ≥ 0.",
+    note="The implicit function theorem, on λ ≥ 0: with |λ| for λ G is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )
