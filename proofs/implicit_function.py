@@ -58,7 +58,6 @@ from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import (
     adding,
     applying,
-    citing,
     differentiation,
     evaluating,
     exponentials,
@@ -313,7 +312,6 @@ defect_below_flat = Claim(
             * sqrt(1 - mu**2)
             * exp(-(pi + asin(mu) + u + 2) / (2 * lam))
             * sinh((pi + asin(mu) + u - 2) / (2 * lam)),
-            citing(exponent_above_two),
             exponentials,
             roots,
         ),
