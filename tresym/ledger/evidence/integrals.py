@@ -299,7 +299,7 @@ def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Re
     sides = [_integrals(side) for side in (before, after)]
     single = 0 if len(sides[0]) == 1 else 1
     whole, parts = _one_of(sides[single]), sides[1 - single]
-    inside = _inside(whole, reason.claims, given)
+    inside = _inside(whole, reason.claims, given, None, *parts)
     _need_continuous((inside.integrand,), inside.conditions)
     total, integrand = ZERO, ZERO
     for part in parts:
