@@ -146,9 +146,7 @@ def _arrives(
         except NotShownError as error:
             return _undecided(str(error))
     else:
-        # Without splitting sums first, as for integrals.
-        found = None if strict else manifest_sign(last[0], given, 0)
-        found = found if found in NON_NEGATIVE else manifest_sign(last[0], given)
+        found = manifest_sign(last[0], given, ">" if strict else ">=")
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED
     return _undecided(f"the sign of {last[0]} is not manifest")

@@ -17,7 +17,7 @@ from sympy import Basic
 
 from tresym.ledger.claim import Claim, Reason
 from tresym.ledger.evidence.defined import continuous_on, undefined
-from tresym.ledger.evidence.manifest import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
+from tresym.ledger.evidence.manifest import NON_NEGATIVE, is_stated, manifest_sign
 from tresym.ledger.meaning import (
     REMEMBERED,
     Conditions,
@@ -123,13 +123,11 @@ def sign_of_integral(node: Expr, bounds: tuple[Claim, ...], given: Conditions) -
     length = manifest_sign(high - low, given)
     if length not in NON_NEGATIVE:
         return None
-    # Without splitting sums first: that is dear, and seldom needed.
-    depths = (0, DEPTH)
-    shown = (manifest_sign(f, inside.conditions, depth) in NON_NEGATIVE for depth in depths)
-    if not is_stated(f, inside.conditions) and not any(shown):
+    shown = manifest_sign(f, inside.conditions, ">=") in NON_NEGATIVE
+    if not shown and not is_stated(f, inside.conditions):
         return None
     ends = (instantiate(node.args[0], (end,)) for end in (low, high))
-    positive = (manifest_sign(end, given, 0) == "+" for end in ends)
+    positive = (manifest_sign(end, given) == "+" for end in ends)
     return "+" if length == "+" and any(positive) else ">=0"
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from tresym.reals.language.expression import Expr, differentiate, substitute, symbol, symbols
-from tresym.reals.normal.locally_constant import singularities
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import singularities
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.inside import sign_inside as sign
 
 _MIRRORED = {">": "<", ">=": "<=", "<": ">", "<=": ">="}
 _BITS = 128

@@ -22,7 +22,7 @@ from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range
-from tresym.reals.signs.sign import without_powers
+from tresym.reals.signs.inside import without_powers
 
 MAX_VARIABLES = 4
 MAX_CONES = 600

@@ -16,7 +16,8 @@ from tresym.reals.language.products import collected
 from tresym.reals.normal.polynomials import as_expression, degree, polynomial
 from tresym.reals.places.conditions import Condition, Given
 from tresym.reals.signs.cones import sign_on_cones
-from tresym.reals.signs.sign import PROVING, sign
+from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.inside import sign_inside as sign
 
 
 class _Term(NamedTuple):

@@ -18,11 +18,11 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.inverted import solutions
-from tresym.reals.normal.locally_constant import singularities
 from tresym.reals.normal.written import numerator
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import singularities
 from tresym.reals.places.points import Range
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_ORDER = 5
 MAX_SIZE = 2_000
