@@ -142,7 +142,7 @@ def _arrives(
     if last[0].op == "integral":
         bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
         try:
-            found = sign_of_integral(last[0], bounds, given)
+            found = sign_of_integral(last[0], bounds, given, strict)
         except NotShownError as error:
             return _undecided(str(error))
     else:

@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from tresym.reals.language.expression import Expr, rebuild
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
+from tresym.reals.signs.inside import Ask
 
 MAX_CASES = 3
 
 
-def by_cases(
-    difference: Expr, relation: str, given: Given, proof: Callable[[Expr, str, Given], str | None]
-) -> str | None:
-    """A sentence that proves ``difference relation 0`` for both signs within an absolute value."""
+def by_cases(difference: Expr, relation: str, given: Given, ask: Ask) -> str | None:
+    """Cases: the claim holds for either sign of what stands within an absolute value.
+
+    Decides ``abs(x) + abs(y) >= abs(x + y)``. Ends after three absolute values in turn.
+    """
     inner = _absolute(difference)
     if inner is None:
         return None
     for side in (inner, -inner):
         case = given & Given((bound(side, ">="),))
-        if proof(_without(difference, inner, side), relation, case) is None:
+        if ask(_without(difference, inner, side), relation, case) is None:
             return None
     return f"by cases, in the sign of {inner}"
 

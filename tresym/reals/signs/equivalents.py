@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import reduce
 from math import gcd
 
@@ -27,18 +27,24 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.cones import open_factors
+from tresym.reals.signs.inside import Ask
 from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_EXPONENT = 100
 _FLIP = {">": "<", ">=": "<=", "<": ">", "<=": ">=", "!=": "!="}
 
 
-def by_equivalents(
-    difference: Expr, relation: str, given: Given, proof: Callable[[Expr, str, Given], str | None]
-) -> str | None:
-    """A sentence that proves an inequality which implies ``difference relation 0``, or None."""
+def by_equivalents(difference: Expr, relation: str, given: Given, ask: Ask) -> str | None:
+    """Equivalents: an inequality that implies this one is proved by the methods before.
+
+    Factors of known sign are divided out, ``x**2`` is made the variable, logarithms or
+    exponentials are taken of both sides.
+
+    Decides ``x**x >= exp(-1/E) given x > 0``. Ends after one such step, or two with a power
+    for the variable.
+    """
     for other, where, words in equivalents(difference, relation, given):
-        found = proof(other, relation, where)
+        found = ask(other, relation, where)
         if found is not None:
             return words + found
     return None

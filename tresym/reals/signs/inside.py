@@ -5,7 +5,7 @@ Closed conditions may hold at single points elsewhere, of which nothing is shown
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 
 from tresym.reals.language.expression import ZERO, Expr, replaced, symbols
@@ -16,6 +16,8 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
 from tresym.reals.signs.parts import Parts
 
+Ask = Callable[[Expr, str, Given], str | None]
+"""A prover of a relation to zero under conditions: a sentence, or None."""
 PROVING = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-", "!=")}
 """The signs of a difference that prove its relation to zero."""
 REMEMBERED = 4096
@@ -137,8 +139,17 @@ def _factored_sign(field: Field, p: Poly) -> int:
     return total
 
 
-def by_signs_of_parts(difference: Expr, relation: str, given: Given) -> str | None:
-    """A sentence that proves ``difference relation 0`` by the signs of its parts, or None."""
+def by_signs_of_parts(
+    difference: Expr, relation: str, given: Given, ask: Ask | None = None
+) -> str | None:
+    """Signs of parts: of terms, factors and arguments, with the ranges of functions and conditions.
+
+    A sum is a polynomial in its parts: squares, conditions taken out of it, and the exact normal
+    form tell its sign.
+
+    Decides ``1 - b/(a + b)*cos(t)**2 > 0 given a > 0, b > 0``. Ends where two conditions
+    must be multiplied with each other, or more than two be taken out.
+    """
     found = sign_inside(difference, given)
     if found not in PROVING[relation]:
         return None

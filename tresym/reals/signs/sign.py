@@ -29,30 +29,32 @@ from tresym.reals.signs.parts import FLIP, Parts
 from tresym.reals.signs.regular import has_inside, is_regular
 from tresym.reals.signs.taylor import sign_by_taylor
 
-Method = Callable[[Expr, str, Given], str | None]
-
-DIRECT: tuple[Method, ...] = (
+METHODS: tuple[Callable[..., str | None], ...] = (
     by_signs_of_parts,
     sign_on_cones,
     sign_by_homogeneity,
     sign_by_concavity,
     sign_by_taylor,
+    by_cases,
+    by_equivalents,
 )
+"""Every method, cheapest first. Each says what it does, an example, and where it ends."""
+DIRECT = METHODS[:5]
+"""Those that look at a difference as it stands."""
 
 
-def proof(difference: Expr, relation: str, given: Given) -> str | None:
+def proof(difference: Expr, relation: str, given: Given, cases: int = MAX_CASES) -> str | None:
     """A sentence that proves ``difference relation 0`` inside ``given`` and at limits from there.
 
     Args:
+        difference: what is compared with zero.
         relation: ``">"``, ``">="`` or ``"!="``.
+        given: the conditions.
+        cases: how many absolute values may be taken apart, one in the other.
     """
-    return _proof(difference, relation, given, MAX_CASES)
-
-
-def _proof(difference: Expr, relation: str, given: Given, cases: int) -> str | None:
     found = directly(difference, relation, given)
     if found is None and cases:
-        found = by_cases(difference, relation, given, partial(_proof, cases=cases - 1))
+        found = by_cases(difference, relation, given, partial(proof, cases=cases - 1))
     return by_equivalents(difference, relation, given, directly) if found is None else found
 
 
