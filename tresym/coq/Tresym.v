@@ -514,11 +514,33 @@ Ltac facts :=
   end.
 Lemma tanh_0 : tanh 0 = 0.
 Proof. unfold tanh; rewrite sinh_0; unfold Rdiv; ring. Qed.
+Ltac equals := first [ring | field; side | field_simplify; lra].
+Ltac worth f u y c law :=
+  replace (f u) with c by (replace u with y by equals; symmetry; apply law).
 Ltac base_value :=
-  cbv beta;
-  rewrite ?exp_0, ?ln_1, ?sin_0, ?cos_0, ?tan_0, ?atan_0, ?asin_0, ?acos_1, ?sinh_0, ?cosh_0,
-    ?tanh_0, ?sqrt_0, ?sqrt_1, ?ln_exp, ?Rmult_0_l, ?Rmult_0_r;
-  first [lra | (field_simplify; lra) | nra].
+  cbv beta; rewrite ?ln_exp; rewrite ?exp_ln by side;
+  repeat match goal with
+  | |- context [exp ?u] => worth exp u 0 1 exp_0
+  | |- context [ln ?u] => worth ln u 1 0 ln_1
+  | |- context [sin ?u] => worth sin u 0 0 sin_0
+  | |- context [cos ?u] => worth cos u 0 1 cos_0
+  | |- context [tan ?u] => worth tan u 0 0 tan_0
+  | |- context [atan ?u] => worth atan u 0 0 atan_0
+  | |- context [asin ?u] => worth asin u 0 0 asin_0
+  | |- context [acos ?u] => worth acos u 1 0 acos_1
+  | |- context [sinh ?u] => worth sinh u 0 0 sinh_0
+  | |- context [cosh ?u] => worth cosh u 0 1 cosh_0
+  | |- context [tanh ?u] => worth tanh u 0 0 tanh_0
+  | |- context [sqrt ?u] => worth sqrt u 1 1 sqrt_1
+  | |- context [sqrt ?u] => worth sqrt u 0 0 sqrt_0
+  end;
+  repeat match goal with
+  | |- context [ln ?u] =>
+      match goal with |- context [ln ?v] =>
+        tryif constr_eq u v then fail else replace (ln u) with (ln v) by (f_equal; equals)
+      end
+  end;
+  first [lra | right; equals | left; positive | facts; nra | interval].
 Ltac slope := first [ring | field; side | laws; field; side].
 Ltac absolute := unfold Rabs in *; repeat match goal with
   | |- context [Rcase_abs ?u] => destruct (Rcase_abs u)
@@ -531,3 +553,22 @@ Ltac logs :=
 Ltac trigonometric := repeat match goal with
   | |- context [sin ?u ^ 2] => rewrite (sin_square u)
   end.
+
+(* Relations of numbers. *)
+Lemma above x y : 0 < y - x -> x < y.
+Proof. lra. Qed.
+Lemma not_below x y : 0 <= y - x -> x <= y.
+Proof. lra. Qed.
+Ltac numeric :=
+  first
+    [ lra
+    | interval with (i_prec 90)
+    | lazymatch goal with
+      | |- _ <> 0 =>
+          first [apply Rgt_not_eq; interval with (i_prec 90) | apply Rlt_not_eq; interval with (i_prec 90)]
+      | |- _ <> _ => apply Rminus_not_eq; numeric
+      | |- _ < _ => apply above; interval with (i_prec 90)
+      | |- _ > _ => apply above; interval with (i_prec 90)
+      | |- _ <= _ => apply not_below; interval with (i_prec 90)
+      | |- _ = _ => first [field; lra | base_value]
+      end ].

@@ -217,10 +217,10 @@ class Script:
                 self.exponentials(every)
             else:
                 self.trigonometry(every)
+        self.bases()
         for e in every:
             if e.op in OPAQUE or e.op == "sign":
                 self.opaque(e)
-        self.bases()
         if self.names:
             self.add(f"clearbody {' '.join(dict.fromkeys(self.names))}.")
 
@@ -245,7 +245,7 @@ class Script:
                 found.append((factor, n))
         total: Counter[Expr] = Counter()
         for factor, n in found:
-            for part, k in _irreducible(factor):
+            for part, k in irreducible(factor):
                 if part.op == "number" and part.args[0].q != 1:
                     return None
                 shown = part.op == "number" or self.positive(part)
@@ -254,6 +254,27 @@ class Script:
                     return None
                 total[part if shown else other] += n * k
         return [(f, n) for f, n in total.items() if n]
+
+    def in_factors(self, e: Expr) -> Expr:
+        """A polynomial as the product of its factors, those that are known to be so positive."""
+        found = [ONE]
+        for part, n in irreducible(e):
+            other = as_expression({m: -c for m, c in expanded(part).items()})
+            flipped = part.op == "+" and n % 2 and sign(part, self.known) in ("-", "<=0")
+            found.append(
+                Expr("^", (other if flipped else part, number(n)))
+                if n > 1
+                else other
+                if flipped
+                else part
+            )
+            found += [number(-1)] if flipped else []
+        product = multiply(*found)
+        try:
+            same = expanded(product) == expanded(e)
+        except OverflowError:
+            return e
+        return product if same else multiply(number(-1), product)
 
     def logarithms(self, whole: list[Expr]) -> list[Expr]:
         """Logarithms of products as sums."""
@@ -274,7 +295,7 @@ class Script:
                 f"(replace {term(e.args[0], 3)} with ({_nested(flat)}) by (field; side); logs)."
             )
             self.add(f"try rewrite {use} in *.")
-            whole = [_exchanged(part, {e: sum_}) for part in whole]
+            whole = [exchanged(part, {e: sum_}) for part in whole]
         return whole
 
     def roots(self, found: list[Expr]) -> None:
@@ -453,6 +474,11 @@ class Script:
 
     def bases(self) -> None:
         """Names for sines, cosines and exponentials of the base."""
+        for b in self.exponents:
+            name = self.fresh("g")
+            self.add(f"pose proof (exp_pos {term(b, 3)}).")
+            self.add(f"set ({name} := exp {term(b, 3)}) in *.")
+            self.names.append(name)
         for b in self.angles:
             relation, s, c = self.fresh("R"), self.fresh("g"), self.fresh("g")
             b_text = term(b, 3)
@@ -460,11 +486,6 @@ class Script:
             self.relations.append(relation)
             self.add(f"set ({s} := sin {b_text}) in *; set ({c} := cos {b_text}) in *.")
             self.names += [s, c]
-        for b in self.exponents:
-            name = self.fresh("g")
-            self.add(f"pose proof (exp_pos {term(b, 3)}).")
-            self.add(f"set ({name} := exp {term(b, 3)}) in *.")
-            self.names.append(name)
 
 
 def _root(u: Expr, q: int) -> Expr:
@@ -498,7 +519,7 @@ def _key(e: Expr) -> object:
         return e
 
 
-def _irreducible(e: Expr) -> list[tuple[Expr, int]]:
+def irreducible(e: Expr) -> list[tuple[Expr, int]]:
     """The factors of a sum as a polynomial in its parts, each up to its sign; or itself."""
     if e.op != "+":
         return [(e, 1)]
@@ -552,13 +573,13 @@ def _nested(factors: list[Expr]) -> str:
     return f"{term(first, 3)} * ({_nested(rest)})" if rest else term(first, 3)
 
 
-def _exchanged(e: Expr, values: dict[Expr, Expr]) -> Expr:
+def exchanged(e: Expr, values: dict[Expr, Expr]) -> Expr:
     """``e`` with parts replaced, nothing folded."""
     if e in values:
         return values[e]
     if e.op in LEAVES:
         return e
-    return Expr(e.op, tuple(_exchanged(arg, values) for arg in e.args))
+    return Expr(e.op, tuple(exchanged(arg, values) for arg in e.args))
 
 
 def is_root(e: Expr) -> bool:

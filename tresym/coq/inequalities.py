@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations, permutations
 
 from tresym.coq.equations import Script, quotient, unfolded
@@ -29,7 +30,9 @@ from tresym.reals.signs.sign import sign
 MAX_ORDER = 5
 MAX_SIZE = 300
 MAX_BASES = 6
+MAX_EXPANSIONS = 2
 POINT = symbol("point")
+UP, DOWN = ("+", ">=0", "0"), ("-", "<=0", "0")
 
 
 def inequality_proofs(theorem: Theorem) -> Iterator[str]:
@@ -39,8 +42,8 @@ def inequality_proofs(theorem: Theorem) -> Iterator[str]:
     strict = relation in (">", "<", "!=")
     given = with_domain(Given(theorem.given), left, right)
     for difference in (d, -d) if relation == "!=" else (d,):
-        yield from by_taylor(theorem, difference, given)
         yield "intros; saturate; absolute; facts; first [lra | nra]."
+        yield from by_taylor(theorem, difference, given)
         if not strict:
             yield from by_cones(theorem, difference)
         yield by_polynomials(theorem, difference, strict, hints=False)
@@ -62,15 +65,22 @@ def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = T
     """Sentences after which ``0 <= d``, or ``0 < d``, is among the premises."""
     u = unfolded(d)
     top, bottom = quotient(u)
-    top = collected(top) if expand else top
     rel = order(strict)
-    script = Script(theorem)
+    script = Script(theorem, splits=False)
+    top = script.in_factors(collected(top)) if expand else top
     script.lines = []
     script.prepared([d, *(e for e, _ in theorem.defined)])
     lines = [f"assert (main : 0 {rel} {term(top)}).", "{", "facts.", *script.lines]
     if hints:
         names = [variable(name) for name in sorted(symbols(d))] + script.names
         lines.append(squares(names, theorem))
+        for name in sorted(symbols(d)):
+            for c in solutions(differentiate(d, name), name)[:2]:
+                square = f"(pow2_ge_0 ({variable(name)} - {term(c, 3)}))"
+                lines.append(f"try pose proof {square}.")
+                lines.append(
+                    f"try pose proof (Rmult_le_pos {variable(name)} _ ltac:(lra) {square})."
+                )
     lines.append("first [positive | lra | nra].")
     lines.append("}")
     lines.append(f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]).")
@@ -143,7 +153,9 @@ def squares(texts: Sequence[str], theorem: Theorem) -> str:
     """Squares that a certificate is often made of."""
     texts = texts[:4]
     found = [f"({x} - {y})" for x, y in combinations(texts, 2)]
-    found += [f"({x} + {y})" for x, y in combinations(texts, 2)][:2] + [f"({x} - 1)" for x in texts]
+    found += [f"({x} + {y})" for x, y in combinations(texts, 2)][:2]
+    found += [f"({x} ^ 2 - {y} ^ 2)" for x, y in combinations(texts, 2)][:2]
+    found += [f"({x} - {c})" for x in texts[:2] for c in ("1", "1 / 2")]
     positive_names = [
         variable(x.args[0])
         for x, sign_, y in theorem.given
@@ -186,13 +198,18 @@ def by_intervals(theorem: Theorem, given: Given) -> Iterator[str]:
 
 def by_taylor(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
     """By the signs of the terms below some order about a point, and of the derivative of it."""
+    count = 0
     for name in sorted(symbols(d)):
         where = given.box.get(name, Range())
         bases = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
         bases += [ZERO, ONE, *map(symbol, sorted(symbols(d) - {name}))]
         bases += solutions(differentiate(d, name), name)
         for c in list(dict.fromkeys(bases))[:MAX_BASES]:
-            yield from _about(theorem, d, given, name, c)
+            found = _about(theorem, d, given, name, c)
+            yield from found
+            count += bool(found)
+            if count == MAX_EXPANSIONS:
+                return
 
 
 def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[str]:
@@ -200,28 +217,31 @@ def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[
     beside = sign(symbol(name) - c, given)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     chain = [d]
-    for k in range(1, MAX_ORDER + 1):
-        at = sign(substitute(chain[-1], {name: c}), given)
-        if at is None or (at in ("-", "<=0") and k == 1):
+    for k in range(MAX_ORDER + 1):
+        fit = [UP if side > 0 or k % 2 == 0 else DOWN for side in sides]
+        if k and all(sign(chain[k], given) in signs for signs in fit):
+            return [_chain(theorem, chain, mode, name, c, sides) for mode in range(3)]
+        at = sign(substitute(chain[k], {name: c}), given)
+        if not all(at in signs for signs in fit):
             return []
-        chain.append(differentiate(chain[-1], name))
+        chain.append(differentiate(chain[k], name))
         if chain[-1].size > MAX_SIZE:
             return []
-        last = sign(chain[-1], given)
-        if last is None:
-            continue
-        if all(
-            last in (("+", ">=0", "0") if side > 0 or k % 2 == 0 else ("-", "<=0", "0"))
-            for side in sides
-        ):
-            return [_chain(theorem, chain, mode, name, c, sides) for mode in range(3)]
     return []
 
 
-def last_step(theorem: Theorem, e: Expr, name: str, up: bool, mode: int) -> str:
+def last_step(
+    theorem: Theorem,
+    e: Expr,
+    name: str,
+    up: bool,
+    mode: int,
+    between: tuple[tuple[Expr, str, Expr], ...],
+) -> str:
     """The sign of the last derivative at another point."""
     if mode == 0:
         return "facts; first [positive | lra | nra]."
+    theorem = replace(theorem, given=(*theorem.given, *between))
     moved = substitute(e if up else -e, {name: POINT})
     return " ".join(["laws.", *shown(theorem, moved, False, mode == 2), "lra."])
 
@@ -245,7 +265,9 @@ def _chain(
             says = "0 <= " + f"fun_{k} v_point" if up else f"fun_{k} v_point <= 0"
             block.append(f"assert (sig_{k} : forall v_point, {here} -> {says}).")
             if k == n:
-                proof = last_step(theorem, chain[n], name, up, mode)
+                ends = (c, symbol(name)) if side > 0 else (symbol(name), c)
+                between = ((POINT, ">=", ends[0]), (POINT, "<=", ends[1]))
+                proof = last_step(theorem, chain[n], name, up, mode, between)
                 block.append(f"{{ intros v_point ?; unfold fun_{k}; saturate. {proof} }}")
                 continue
             lemma = ("from_left" if side > 0 else "from_right") + ("_ge" if up else "_le")

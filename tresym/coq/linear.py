@@ -10,7 +10,7 @@ from tresym.reals.language.expression import ZERO, Expr, add, multiply, number, 
 
 Monomial = frozenset[tuple[Expr, int]]
 Vector = dict[Monomial, Fraction]
-MAX_TERMS = 60
+MAX_TERMS = 400
 
 
 def expanded(e: Expr) -> Vector:
@@ -29,7 +29,7 @@ def expanded(e: Expr) -> Vector:
         if len(inner) == 1:
             ((monomial, c),) = inner.items()
             return {frozenset((part, k * n) for part, k in monomial): c**n}
-        if 0 < n <= 4:
+        if 0 < n <= 12:
             result = inner
             for _ in range(n - 1):
                 result = _product(result, inner)
