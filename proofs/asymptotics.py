@@ -24,6 +24,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import sympy
 from flint import arb, fmpq
 from sympy import (
     Derivative,
@@ -31,30 +32,50 @@ from sympy import (
     Function,
     Integral,
     Rational,
+    Tuple,
+    asinh,
     atan,
+    cos,
     cosh,
     exp,
     pi,
+    sin,
     sinh,
     sqrt,
     tanh,
 )
-from tresym.proofs.axioms import CAUCHY, LAGRANGE, ROUCHE
-from tresym.proofs.conditions import auxiliary, later, shape
+from tresym.proofs.axioms import DOUBLE_SERIES
+from tresym.proofs.conditions import auxiliary, defect, later, shape
 from tresym.proofs.exponent import arctangent_concave, logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import slope_in_T_positive
-from tresym.proofs.separatrix import one_flip_defect, stable_equation
+from tresym.proofs.power_series import (
+    coefficient_sizes,
+    geometric_tail,
+    lagrange_step,
+    stays_inside,
+)
+from tresym.proofs.separatrix import contraction_bound, one_flip_defect, stable_equation
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Fault, Place, all_of, by, equal, step
+from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.meant import Meant
-from tresym.ledger.reasons import algebra, differentiation, exponentials, integrating
+from tresym.ledger.reasons import (
+    algebra,
+    citing,
+    differentiation,
+    evaluating,
+    exponentials,
+    integrating,
+    inverses,
+    roots,
+    trigonometry,
+)
 from tresym.racket.flip.separatrix import defect_over
-from tresym.racket.formulas import stable
+from tresym.racket.formulas import printed, stable
 from tresym.racket.near import charts
 from tresym.racket.near.samples import at_unit_b
-from tresym.racket.notation import T, a, b, epsilon0, gamma, k, psi, r, x
+from tresym.racket.notation import T, a, b, epsilon, epsilon0, gamma, k, psi, r, x
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Order
@@ -62,7 +83,34 @@ from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
 from tresym.reals.verdict import Verdict
 
-RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases)
+_flat = exp(-k / x)
+
+flat_rises = Claim(
+    label="flat_rises",
+    says=Derivative(_flat, x) > 0,
+    kind="bound",
+    given=(k > 0, x > 0),
+    proof=(step(k / x**2 * _flat, differentiation),),
+)
+
+flat_bends = Claim(
+    label="flat_bends",
+    says=Tuple(
+        equal(Derivative(k / x**2 * _flat, x), k * (k - 2 * x) / x**4 * _flat),
+        equal(at(k / x**2 * _flat, {x: k / 2}), 4 * exp(-2) / k),
+    ),
+    given=(k > 0, x > 0),
+    proof=together(by(differentiation), by(evaluating)),
+    note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
+)
+
+RESTS_ON = (
+    one_flip_defect,
+    logarithmic_equation,
+    residual_increases,
+    flat_rises,
+    flat_bends,
+)
 QUARTER = "ab >= 1/4, 0 < b <= 1"
 EVERY = "a > 0, 0 < b <= 1"
 
@@ -270,12 +318,17 @@ def _refuted(amended: Claim) -> dict[str, Any]:
     return {"expect": Verdict.REFUTED, "amended_by": (amended,)}
 
 
+_BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIES,)}
+"""The bounds whose margins hold what a power series of Q leaves out."""
+
 repaired = _repaired("repaired", 0, "1.451")
 repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repaired))
 second_order = _repaired("second_order", 1, "2.98")
 second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
-third_order = _repaired("third_order", 2, "7.36")
-third_order_too_small = _repaired("third_order_too_small", 2, "7.33", **_refuted(third_order))
+third_order = _repaired("third_order", 2, "7.36", **_BY_SERIES)
+third_order_too_small = _repaired(
+    "third_order_too_small", 2, "7.33", **_refuted(third_order), **_BY_SERIES
+)
 
 
 every_order = boxed(
@@ -288,9 +341,10 @@ every_order = boxed(
     KAPPA,
     BY_KAPPA,
     QUARTER,
-    note="Lagrange's series: its terms are at most 2.6 τⁿ/(2n + 1) with τ ≤ 1/4, by Cauchy's bound "
-    "of its coefficients, and by Rouché's theorem its sum is ε₀/ε*.",
-    quotes=(LAGRANGE, CAUCHY, ROUCHE),
+    also=(*coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
+    note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
+    "τ ≤ 1/4, and their sum solves the equation of ε₀.",
+    quotes=(DOUBLE_SERIES,),
 )
 
 exponent_below = boxed(
@@ -623,6 +677,27 @@ newton_side = Claim(
 # -- the slope and the bend -----------------------------------------------------------------------
 
 
+_sine, _cosine = sin(epsilon), cos(epsilon)
+_root = sqrt(1 + b / a * _sine**2)
+_logarithm = asinh(sqrt(a / (a + b)) * _cosine / _sine)
+
+slope_by_phase = Claim(
+    label="slope_by_phase",
+    says=equal(
+        4
+        * b
+        * epsilon
+        * printed.defect_per_turn(epsilon, a, b, 1, sympy)
+        * printed.turn_slope(epsilon, a, b, 1, sympy),
+        epsilon
+        * (_cosine * _root**2 / _sine + _sine * (1 - b / a - 2 * b) * _logarithm * _root)
+        / (1 - b * _sine**2),
+    ),
+    given=(*shape, *defect),
+    proof=by(citing(contraction_bound), exponentials, inverses, roots, trigonometry),
+    note="−4bε dε/dγ at γ = 0 for an ε = ε₀; at the root the arsinh is T.",
+)
+
 slope_leading_term = boxed(
     "slope_leading_term",
     "|dε/dγ + 1/(4bε₀)| ≤ 3.15 √(ab) ε₀/b at γ = 0.",
@@ -631,6 +706,7 @@ slope_leading_term = boxed(
     BY_KAPPA,
     QUARTER,
     "3.15",
+    also=(slope_by_phase,),
     note="The remainder is of order ε₀ log(1/ε₀) at fixed b, where the paper prints O(1).",
 )
 
@@ -643,6 +719,7 @@ slope_constant_too_small = boxed(
     QUARTER,
     "3.1",
     expect=Verdict.REFUTED,
+    also=(slope_by_phase,),
     amended_by=(slope_leading_term,),
 )
 

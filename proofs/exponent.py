@@ -62,13 +62,14 @@ _root = sqrt(1 + b / a * sin(epsilon) ** 2)
 _time = sqrt(a * b) * (pi + asin(_mu * cos(epsilon)))
 _turn = asin(_mu) - asin(_mu * cos(epsilon))
 _leading = 2 * _cosine * exp(-sqrt(a * b) * (pi + asin(_mu)))
-_exponent = log(epsilon / sin(epsilon)) + log((cos(epsilon) + _root) / 2) + sqrt(a * b) * _turn
+exponent = log(epsilon / sin(epsilon)) + log((cos(epsilon) + _root) / 2) + sqrt(a * b) * _turn
+"""Q(e)."""
 
 logarithmic_equation = Claim(
     label="logarithmic_equation",
     says=Equivalent(
         equal(_cosine / sinh(_time), tan(epsilon)),
-        equal(_exponent, log(epsilon / _leading)),
+        equal(exponent, log(epsilon / _leading)),
     ),
     given=(*shape, *defect),
     proof=(
@@ -91,7 +92,7 @@ logarithmic_equation = Claim(
             trigonometry,
         ),
         step(
-            equal(_exponent, log(epsilon / _leading)),
+            equal(exponent, log(epsilon / _leading)),
             adding(log(epsilon) - log(2 * _cosine) + sqrt(a * b) * _turn),
             exponentials,
             roots,
@@ -103,7 +104,7 @@ logarithmic_equation = Claim(
 exponent_gap = Claim(
     label="exponent_gap",
     says=equal(
-        _exponent - log(epsilon / _leading), asinh(_cosine * cos(epsilon) / sin(epsilon)) - _time
+        exponent - log(epsilon / _leading), asinh(_cosine * cos(epsilon) / sin(epsilon)) - _time
     ),
     given=(*shape, *defect),
     proof=by(exponentials, inverses, roots, trigonometry),
@@ -121,7 +122,7 @@ sine_of_turn = Claim(
 
 residual_increases = Claim(
     label="residual_increases",
-    says=Derivative(log(epsilon) - _exponent, epsilon) > 0,
+    says=Derivative(log(epsilon) - exponent, epsilon) > 0,
     kind="bound",
     given=(*shape, *defect),
     proof=(
@@ -138,7 +139,7 @@ residual_increases = Claim(
 half_exponent = Claim(
     label="half_exponent",
     says=equal(
-        _exponent + log(2 * sin(epsilon) / (epsilon * (1 + cos(epsilon)))),
+        exponent + log(2 * sin(epsilon) / (epsilon * (1 + cos(epsilon)))),
         log((cos(epsilon) + _root) / (1 + cos(epsilon))) + sqrt(a * b) * _turn,
     ),
     given=(*shape, *defect),
@@ -207,6 +208,7 @@ arctangent_concave = Claim(
                 (psi, 0, x),
             ),
             integrating(atan(_share * psi) - _share * atan(psi)),
+            inverses,
         ),
     ),
     note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
@@ -224,6 +226,7 @@ arsinh_concave = Claim(
         step(
             Integral(_bend, (psi, 0, x)),
             integrating(asinh(_share * psi) - _share * asinh(psi)),
+            inverses,
         ),
     ),
 )

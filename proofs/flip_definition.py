@@ -283,28 +283,39 @@ def _product(square: Any) -> Any:
     return sqrt(a + b * square) * sqrt(gamma + b * square)
 
 
-integrand_falls = Claim(
-    label="integrand_falls",
-    says=_by_square(_p) - _by_square(_q) > 0,
-    kind="bound",
-    given=(*shape, b < 1, gamma > 0, _p >= 0, _q <= 1, _q - _p > 0),
-    proof=(
-        step(
-            b
-            * (_q - _p)
-            * (
-                (1 - b * _q) ** 2 * (a + gamma + b * (_p + _q))
-                + (2 * (1 - b * _q) + b * (_q - _p)) * (a + b * _q) * (gamma + b * _q)
-            )
-            / (
-                _product(_p)
-                * _product(_q)
-                * ((1 - b * _p) * _product(_q) + (1 - b * _q) * _product(_p))
-            ),
-            roots,
-        ),
+def _steepness(p: Any, q: Any) -> Any:
+    """(f(p) − f(q))/(q − p) for two values of sin²ψ."""
+    slower = (1 - b * q) ** 2 * (a + gamma + b * (p + q))
+    faster = ((1 - b * q) + (1 - b * p)) * (a + b * q) * (gamma + b * q)
+    gap = (1 - b * p) * _product(q) + (1 - b * q) * _product(p)
+    return b * (slower + faster) / (_product(p) * _product(q) * gap)
+
+
+_starts, _ends = sin(x) ** 2, sin(x + _turned) ** 2
+
+turn_gap = Claim(
+    label="turn_gap",
+    says=equal(
+        _by_square(_starts) - _by_square(_ends),
+        sin(2 * x + _turned) * sin(_turned) * _steepness(_starts, _ends),
     ),
-    note="p and q are values of sin²ψ: f is largest at the unstable points.",
+    given=(*shape, b < 1, gamma > 0),
+    proof=(
+        step((_ends - _starts) * _steepness(_starts, _ends), roots),
+        step(None, trigonometry),
+    ),
+    note="f where a flip by Ψ starts, less f where it ends. At a symmetric start 2x + Ψ is an odd "
+    "multiple of π; up to π/2 before it the sine of 2x + Ψ is positive and up to π/2 after it "
+    "negative.",
+)
+
+turn_is_steep = Claim(
+    label="turn_is_steep",
+    says=_steepness(_starts, _ends) > 0,
+    kind="bound",
+    given=(*shape, b < 1, gamma > 0),
+    proof=(step(_steepness(_starts, _ends)),),
+    note="f falls with sin²ψ: it is largest at the unstable points.",
 )
 
 _turn = Integral(_integrand, (psi, x, _q))
@@ -317,15 +328,9 @@ turn_by_ends = Claim(
     ),
     given=(*shape, b < 1, gamma > 0, _q - x > 0),
     proof=together(*(by(differentiating_integral(Integer(0))) for _ in range(2))),
-    note="For a flip from x to q = x + Ψ the turn changes by f(q) − f(x) with the start.",
-)
-
-gap_of_squares = Claim(
-    label="gap_of_squares",
-    says=equal(sin(x + _turned) ** 2 - sin(x) ** 2, sin(2 * x + _turned) * sin(_turned)),
-    proof=by(trigonometry),
-    note="At a symmetric start 2x + Ψ is an odd multiple of π; up to π/2 before it the sine of "
-    "2x + Ψ is positive and up to π/2 after it negative.",
+    note="For a flip from x to q = x + Ψ the turn changes by f(q) − f(x) with the start: by "
+    "`turn_gap` it falls up to the symmetric start and rises after it, or the other way where "
+    "sin Ψ < 0.",
 )
 
 symmetric_is_extreme = Claim(
@@ -333,7 +338,7 @@ symmetric_is_extreme = Claim(
     says="At fixed γ > 0 the symmetric start flips most in a given turn of the handle where its "
     "flip is below π, and least where it is between π and 2π, among all starts.",
     kind="statement",
-    proof=all_of(equal_rates, integrand_falls, turn_by_ends, gap_of_squares, rotating_speed),
+    proof=all_of(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
     note="A flip by Ψ < π needs the least turn from there, and one by π < Ψ < 2π the most; and "
     "every turn grows with its flip.",
 )

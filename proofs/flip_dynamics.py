@@ -30,7 +30,7 @@ sign_squared = Claim(
     label="sign_squared",
     says=equal(S**2, 1),
     given=(cos(theta) ** 2 > 0,),
-    proof=by(substituting(sign_of_tilt)),
+    proof=by(substituting(sign_of_tilt), roots),
 )
 
 cosine_of_tilt = Claim(
@@ -75,6 +75,7 @@ precession_integrand = Claim(
             (1 - b * sin(psi) ** 2)
             / (S * sqrt(a + b * sin(psi) ** 2) * sqrt(gamma + b * sin(psi) ** 2)),
             substituting(eq_dpsidphi),
+            roots,
         ),
         step(None, substituting(sign_of_tilt), roots),
     ),

@@ -114,7 +114,7 @@ right_sides = Claim(
         printed.implicit_right(epsilon0, a, b, sympy),
     ),
     given=shape,
-    proof=by(substituting(d40)),
+    proof=by(substituting(d40), roots),
     where=Place(line=354),
     note="Only the right side of the equation before is rewritten.",
 )
@@ -147,20 +147,22 @@ reduced_equation = Claim(
 _in_front = 2 * sqrt(1 - mu**2)
 _by_u = printed.defect_of_u(u, lam, mu, sympy)
 
+_known_defect = (epsilon0 > 0, lam > 0, *_small)
+
 unknown = Claim(
-    label="u",
-    says=equal(epsilon0, _by_u),
-    given=(lam > 0, *_small),
+    label="unknown",
+    says=equal(u, -lam * log(epsilon0 / _in_front) - pi - asin(mu)),
+    given=_known_defect,
     proof=Definition(),
-    where=Place(display=42),
+    note="The paper's new unknown, for an ε₀ that is known.",
 )
 
-unknown_solved = Claim(
-    label="unknown_solved",
-    says=equal(-lam * log(epsilon0 / _in_front) - pi - asin(mu), u),
-    given=(lam > 0, *_small),
-    proof=by(substituting(unknown), exponentials),
-    note="What u is for an ε₀ that is known: there is one for every ε₀ > 0.",
+defect_by_unknown = Claim(
+    label="u",
+    says=equal(epsilon0, _by_u),
+    given=_known_defect,
+    proof=by(substituting(unknown), exponentials, roots),
+    where=Place(display=42),
 )
 
 unknown_flat = Claim(
@@ -190,6 +192,7 @@ equation_for_u = Claim(
         step(
             equal(exp(-(pi + asin(mu) + u) / lam), exp(-(pi + _arc) / lam)),
             multiplying(1 / _in_front),
+            roots,
         ),
         step(
             equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam),
@@ -379,10 +382,6 @@ slope_by_mu = Claim(
     note="For ε₀ of slope 0 in μ; a slope would enter with the factor μ sin ε₀.",
 )
 
-G_lambda, G_mu, mu_lambda = (
-    Symbol(name, real=True)
-    for name in ("partialG_partiallambda", "partialG_partialmu", "partialmu_partiallambda")
-)
 dG_dlambda, dG_du, du_dlambda = (
     Symbol(name, real=True) for name in ("dG_dlambda", "dG_du", "du_dlambda")
 )
@@ -492,31 +491,23 @@ dmu_dlambda_zero = Claim(
 _G = printed.implicit_function(u, lam, mu, sympy)
 _along = printed.implicit_function(u, lam, _mu_of_lambda, sympy)
 
+_by_lambda, _by_mu = (Subs(Derivative(_G, of), mu, _mu_of_lambda) for of in (lam, mu))
+_inward = (b > 0, b <= 1, lam > 0)
+
 chain_rule_of_G = Claim(
     label="chain_rule_of_G",
-    says=equal(
-        Derivative(_along, lam),
-        Subs(Derivative(_G, lam), mu, _mu_of_lambda)
-        + Subs(Derivative(_G, mu), mu, _mu_of_lambda) * Derivative(_mu_of_lambda, lam),
-    ),
-    given=(b > 0, b <= 1, lam > 0),
+    says=equal(Derivative(_along, lam), _by_lambda + _by_mu * Derivative(_mu_of_lambda, lam)),
+    given=_inward,
     proof=by(differentiation, roots),
     where=Place(display=45),
     note="Along μ = μ(λ), at every λ > 0.",
 )
 
-total_slope = Claim(
-    label="total_slope",
-    says=equal(dG_dlambda, G_lambda + G_mu * mu_lambda),
-    proof=Definition(),
-    where=Place(display=45),
-    note="What dG/dλ is at the origin, by the chain rule.",
-)
-
 deduced_from_the_chain_rule = Claim(
     label="deduced_from_the_chain_rule",
-    says=equal(dG_dlambda - G_lambda, G_mu * mu_lambda),
-    proof=by(substituting(total_slope)),
+    says=equal(Derivative(_along, lam) - _by_lambda, _by_mu * Derivative(_mu_of_lambda, lam)),
+    given=_inward,
+    proof=by(substituting(chain_rule_of_G)),
     where=Place(line=379),
     note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
 )
@@ -525,7 +516,7 @@ chain_rule = Claim(
     label="d45",
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
     kind="statement",
-    proof=all_of(chain_rule_of_G, total_slope, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
+    proof=all_of(chain_rule_of_G, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
     where=Place(display=45),
     note="Both terms vanish, the second because ∂G/∂μ does.",
 )

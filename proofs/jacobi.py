@@ -6,12 +6,13 @@ dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
 - `rotating_solution` (2I₁E < M² < 2I₂E): M₁, M₂, M₃ go with dn, sn, cn;
 - `oscillating_solution` (2I₂E < M² < 2I₃E): they go with cn, sn, dn;
 - `separatrix_solution` (2I₂E = M²): they go with sech, tanh, sech;
-- `amplitudes_on_the_surfaces`: at χ = 0 the solutions have the given energy and momentum, so
-  there is one whenever 2I₁E ≤ M² ≤ 2I₃E; `momentum_between`: never otherwise.
+- `rotating_start`, `oscillating_start`, `separatrix_start`: each M with the given energy and
+  length is on one of these curves, for some χ and some signs; `motions_part_slowly`: from each
+  start there is one motion;
+- `meeting_point`: the surfaces meet whenever 2I₁E ≤ M² ≤ 2I₃E; `momentum_between`: never otherwise.
 """
 
-from sympy import Expr, Symbol, Tuple, cos, cosh, sin, sqrt, tanh
-from tresym.proofs.axioms import PICARD
+from sympy import Basic, Expr, Symbol, Tuple, cos, cosh, sin, sqrt, tanh
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
 from tresym.proofs.stability import outer_moments
@@ -179,6 +180,102 @@ separatrix_amplitudes = Claim(
     proof=together(by(exponentials), by(exponentials)),
 )
 
+_by_integrals = by(substituting(energy_of_momentum, eq_first_int))
+
+
+def _start(
+    label: str, given: tuple[Basic, ...], across: tuple[Expr, Expr], along: tuple[Expr, Expr, Expr]
+) -> Claim:
+    """That M is on the curve of ``label``, where sin χ is M₂ over its amplitude.
+
+    Args:
+        label: which of the motions.
+        given: the conditions on E and M for it.
+        across: the amplitude of M₂, and the ratio that cos χ is.
+        along: the third component, its amplitude, and the parameter of dn.
+    """
+    amplitude, cosine = across
+    component, largest, parameter = along
+    sine = M2 / amplitude
+    return Claim(
+        label=f"{label}_start",
+        says=Tuple(
+            equal(sine**2 + cosine**2, 1),
+            equal(component**2, largest**2 * (1 - parameter * sine**2)),
+        ),
+        given=given,
+        proof=together(_by_integrals, _by_integrals),
+        note="M₂ over its amplitude and the ratio of the other are the sine and the cosine of some "
+        "χ, and the third component is dn but for its sign.",
+    )
+
+
+rotating_start = _start(
+    "rotating", _rotating, (_second_rotating, M3 / _third), (M1, _first, _m_rotating)
+)
+oscillating_start = _start(
+    "oscillating", _oscillating, (_second_oscillating, M1 / _first), (M3, _third, _m_oscillating)
+)
+
+_off_separatrix = I1 * I3 * (2 * I2 * E - M**2) / (I2 * (I3 - I1))
+_shares = I1 * (I3 - I2) / (I2 * (I3 - I1)), I3 * (I2 - I1) / (I2 * (I3 - I1))
+
+separatrix_start = Claim(
+    label="separatrix_start",
+    says=Tuple(
+        equal(M1**2 - _shares[0] * (M**2 - M2**2), _off_separatrix),
+        equal(M3**2 - _shares[1] * (M**2 - M2**2), -_off_separatrix),
+    ),
+    given=_separatrix,
+    proof=together(_by_integrals, _by_integrals),
+    note="Where 2I₂E = M² the right sides are 0, and with M₂/M for tanh χ the other two are the "
+    "amplitudes over cosh χ, but for their signs.",
+)
+
+N1, N2, N3 = _others = tuple(Symbol(f"N{n}", real=True) for n in (1, 2, 3))
+_apart = [p - q for p, q in zip((M1, M2, M3), _others, strict=True)]
+_rates_apart = [
+    p - q
+    for p, q in zip(
+        printed.euler_equations(M1, M2, M3, I1, I2, I3),
+        printed.euler_equations(N1, N2, N3, I1, I2, I3),
+        strict=True,
+    )
+]
+_sums = [p + q for p, q in zip((M1, M2, M3), _others, strict=True)]
+_squares = [e**2 for e in _apart]
+
+
+def _coupling(factor: Expr, i: int, j: int, k: int, side: int) -> Expr:
+    """factor · (M/2 (dᵢ² + dⱼ²) − side/2 sₖ dᵢ dⱼ), by two squares."""
+    room = 2 * M - side * _sums[k], 2 * M + side * _sums[k]
+    squares = (_apart[i] + _apart[j]) ** 2, (_apart[i] - _apart[j]) ** 2
+    return factor / 8 * (room[0] * squares[0] + room[1] * squares[1])
+
+
+_rest = (1 / I2 + 1 / I3, 1 / I1 + 1 / I3, (I2 - I1) / (I1 * I2) + 2 / I3)
+
+motions_part_slowly = Claim(
+    label="motions_part_slowly",
+    says=M / I1 * sum(_squares)
+    - sum(e * rate for e, rate in zip(_apart, _rates_apart, strict=True))
+    >= 0,
+    kind="bound",
+    given=(*ordered_moments, *(2 * M + side * s >= 0 for s in _sums for side in (1, -1))),
+    proof=(
+        step(
+            _coupling((I3 - I2) / (I2 * I3), 1, 2, 0, 1)
+            + _coupling((I3 - I1) / (I1 * I3), 0, 2, 1, -1)
+            + _coupling((I2 - I1) / (I1 * I2), 0, 1, 2, 1)
+            + M / 2 * sum(share * square for share, square in zip(_rest, _squares, strict=True)),
+            citing(outer_moments),
+        ),
+    ),
+    note="N is another motion with a momentum as long as M. The square of their distance grows at "
+    "most as e^{2Mt/I₁}, forward and, by the same bound for −M and −N, backward in time: two "
+    "motions that meet are one.",
+)
+
 jacobi_solutions = Claim(
     label="jacobi_solutions",
     says="The motion of M is given by Jacobi's elliptic functions.",
@@ -190,10 +287,13 @@ jacobi_solutions = Claim(
         oscillating_amplitudes,
         separatrix_solution,
         separatrix_amplitudes,
+        rotating_start,
+        oscillating_start,
+        separatrix_start,
+        motions_part_slowly,
     ),
     where=Place(line=90),
     note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
-    quotes=(PICARD,),
 )
 
 momentum_between = Claim(

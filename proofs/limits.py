@@ -159,7 +159,7 @@ logarithm_stays = Claim(
     label="logarithm_stays",
     says=Equivalent(equal(_of_the_logarithm, 0), equal(a - b - 2 * a * b, 0)),
     given=(*shape, S > 0),
-    proof=(step(equal(a - b - 2 * a * b, 0), multiplying(4 * sqrt(a * b) ** 3 / S)),),
+    proof=(step(equal(a - b - 2 * a * b, 0), multiplying(4 * sqrt(a * b) ** 3 / S), roots),),
     note="The factor of the logarithm in ∂F/∂γ: only where a = b(1 + 2a) is there none.",
 )
 

@@ -260,6 +260,27 @@ def rotating_level(a: arb, b: arb, m: Any) -> arb:
     return image if around.contains_interior(image) else arb.nan()
 
 
+NEAR = arb("1e-20")
+"""How near to what is found its change of sign is looked for."""
+
+
+def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
+    """A ball about ``near`` at whose ends ``excess`` has opposite signs: found in whatever way."""
+    low, high = (near.mid() - NEAR).mid(), (near.mid() + NEAR).mid()
+    return low.union(high) if excess(low) * excess(high) < 0 else arb.nan()
+
+
+def turned_level(m: Any) -> arb:
+    """γ < 0 at which the standard racket has turned, and passes π/2 half a turn after ψ = π/12."""
+    a, b = arb(A), arb(B)
+
+    def excess(gamma: arb) -> arb:
+        chi = m.pi - ((m.pi / 12).cos() / (1 + gamma / b).sqrt()).asin()
+        return rigorous_turned(chi, a, b, gamma) - m.pi
+
+    return changing_sign(level_of(A, B, Angle(TWELFTH, fmpq(0)), 24), excess)
+
+
 upper_linear = number(
     "upper_level_linear",
     "By the linear formula the standard racket reaches ε = −π/12 at γ = 1.09·10⁻².",
@@ -300,7 +321,7 @@ lower_exact = number(
     "The standard racket has ε = π/12 at γ = −4.2·10⁻³ by a motion that starts backwards at "
     "ψ = π/12, turns, and passes π/2 after half a turn of the handle.",
     "-4.2e-3",
-    lambda m: level_of(A, B, Angle(TWELFTH, fmpq(0)), 20),
+    turned_level,
     {},
     where=Place(line=262),
     note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
@@ -639,7 +660,7 @@ separatrix_curve = Claim(
         b * sin(psi) ** 2 * (a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2) ** 2,
     ),
     given=(*shape_of_a_body, cos(theta) ** 2 > 0),
-    proof=by(substituting(sign_of_tilt)),
+    proof=by(substituting(sign_of_tilt), roots),
     where=Place(line=288),
     note="The dotted line of the contour plot.",
 )

@@ -77,7 +77,7 @@ level_of_a_start = Claim(
     label="level_of_a_start",
     says=equal(dpsi_dphi**2 * _slow**2 / _fast - b * _square, gamma),
     given=(*tilted, *moving),
-    proof=by(substituting(eq_dpsidphi, sign_of_tilt)),
+    proof=by(substituting(eq_dpsidphi, sign_of_tilt), roots),
     where=Place(line=198),
     note="γ tends to 0 with ψ₀ and the initial rate: such starts are close to the separatrix.",
 )
@@ -135,7 +135,7 @@ turn_to_the_middle = Claim(
                 (log(sin(psi)) - b * _square / 2) / (sqrt(b) * sqrt(a + b)), sine_to_the_middle
             ),
             trigonometry,
-            roots,
+            exponentials,
         ),
         step(
             Integral(
@@ -258,6 +258,7 @@ angle_below_tangent = Claim(
         step(
             Integral(cos(psi) ** 2 / sin(psi) ** 2, (psi, epsilon, pi / 2)),
             integrating(-cos(psi) / sin(psi) - psi, sine_to_the_middle),
+            trigonometry,
         ),
     ),
     note="x ≤ tan x for x = π/2 − ε between 0 and π/2.",

@@ -32,12 +32,13 @@ from tresym.proofs.asymptotics import (
     printed_leading_term,
     printed_remainder,
     repaired,
+    slope_by_phase,
     slope_leading_term,
     within,
 )
-from tresym.proofs.axioms import CHEBYSHEV
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
+from tresym.proofs.moments import fourth_moment
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
@@ -378,7 +379,7 @@ tangent = Claim(
         ("b", "kappa", "v"),
         "ab >= 1/4, 0 < b <= 1, |gamma| <= b epsilon0^2",
         as_rational("2"),
-        (one_flip_defect, logarithmic_equation, slope_of_integral),
+        (one_flip_defect, logarithmic_equation, slope_of_integral, slope_by_phase, *fourth_moment),
         certificate("eq_epsilon_gen"),
         meant=Meant(in_bent_chart(), sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
     ),
@@ -386,7 +387,6 @@ tangent = Claim(
     expect=Verdict.ENCLOSED,
     note="The remainder is at most 2√(ab) γ²/(b²ε₀) in size. ε is an analytic function of γ as "
     "long as γ + b sin²ε > 0.",
-    quotes=(CHEBYSHEV,),
 )
 
 

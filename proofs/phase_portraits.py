@@ -446,7 +446,7 @@ product_of_flip = Claim(
             substituting(sign_of_product),
             roots,
         ),
-        step(None, substituting(root_argument)),
+        step(None, substituting(root_argument), roots),
     ),
     where=Place(display=15),
 )

@@ -131,7 +131,7 @@ substitution = Claim(
             substituting(start_in_x),
             changing_variable(_mu * cos(psi), sine_on_path, pole_on_path, root_on_path),
         ),
-        step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon))),
+        step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), roots),
         step(None, substituting(separatrix_condition)),
     ),
     where=Place(display=35),
@@ -145,7 +145,7 @@ root_at_start = Claim(
     kind="bound",
     given=(*shape, *defect),
     proof=(
-        step(1 - b / (a + b) * cos(epsilon) ** 2, substituting(start_in_x)),
+        step(1 - b / (a + b) * cos(epsilon) ** 2, substituting(start_in_x), roots),
         step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),
     ),
 )
@@ -156,7 +156,7 @@ below_the_pole = Claim(
     kind="bound",
     given=(*shape, *defect),
     proof=(
-        step(b / (a + b) * (1 - cos(epsilon) ** 2), substituting(start_in_x)),
+        step(b / (a + b) * (1 - cos(epsilon) ** 2), substituting(start_in_x), roots),
         step(b / (a + b) * sin(epsilon) ** 2, trigonometry),
     ),
 )
@@ -232,6 +232,7 @@ integrated = Claim(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
             integrating(_primitive, root_in_interval, pole_outside, artanh_defined, first_factor),
             citing(root_at_start, artanh_at_start),
+            inverses,
             roots,
         ),
         step(-sqrt(a / b) / 2 * (-2 * pi * b), substituting(substitution)),
@@ -368,6 +369,8 @@ stable_equation = Claim(
             citing(root_under_cosine, ratio_below_one),
             roots,
             trigonometry,
+            exponentials,
+            inverses,
         ),
         step(
             _stable_equation,
@@ -414,7 +417,7 @@ unique_root = Claim(
             step(1 - k * r / _spread, differentiation, exponentials),
             step(((1 - k * r) + (1 + r**2) * sinh(T) ** 2) / _spread, exponentials),
         ),
-        at_low=(step(-pi * k),),
+        at_low=(step(-pi * k, exponentials, inverses),),
         at_high=(step(k * atan(1 / (r * tanh(_end))), citing(end_positive), inverses),),
     ),
     note="b = k r with k = √(ab) and r = √(b/a).",
@@ -427,6 +430,15 @@ no_root_beyond = Claim(
     given=(*auxiliary, *later),
     proof=(step(k * atan(1 / (r * tanh(T))), exponentials, inverses),),
     note="The map stays below 3π√(ab)/2, so no root lies there or beyond.",
+)
+
+no_root_below = Claim(
+    label="no_root_below",
+    says=_map > k * pi,
+    kind="bound",
+    given=(*auxiliary, *later),
+    proof=(step(k * atan(r * tanh(T))),),
+    note="The phase T/√(ab) of the root is between π and 3π/2.",
 )
 
 contraction = Claim(
@@ -466,6 +478,7 @@ one_flip_defect = Claim(
         auxiliary_angle,
         unique_root,
         no_root_beyond,
+        no_root_below,
         contraction,
         contraction_bound,
     ),

@@ -25,7 +25,14 @@ from tresym.proofs.regimes import oscillating
 
 from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step
 from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.reasons import applying, differentiation, evaluating, roots
+from tresym.ledger.reasons import (
+    applying,
+    differentiation,
+    evaluating,
+    inverses,
+    roots,
+    trigonometry,
+)
 from tresym.racket.formulas import printed
 from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.notation import a, b, epsilon, gamma, psi
@@ -169,7 +176,9 @@ narrow_swing = Claim(
         step(
             (-gamma - b * sin(epsilon) ** 2) / (b * (sqrt(-gamma / b) + sin(epsilon))),
             applying("sin"),
+            inverses,
             roots,
+            trigonometry,
         ),
     ),
     note="With ε = π/12, ψ_max − ψ_min = π − 2 arcsin √(|γ|/b) < 5π/6: no start flips enough.",

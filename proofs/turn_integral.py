@@ -22,7 +22,9 @@ from tresym.ledger.reasons import (
     cutting,
     differentiating_integral,
     integrating,
+    roots,
     substituting,
+    trigonometry,
 )
 from tresym.racket.formulas import printed
 from tresym.racket.notation import F, S, a, b, epsilon, gamma, psi, theta, x
@@ -246,7 +248,7 @@ defect_by_turn = Claim(
     given=_one_motion,
     proof=(
         step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
-        step(None, substituting(excess_by_value, excess_by_end)),
+        step(None, substituting(excess_by_value, excess_by_end), roots),
     ),
     where=Place(display=51),
 )
@@ -257,7 +259,7 @@ inverse_of_slope = Claim(
     given=_one_motion,
     proof=(
         step(-1 / _at_end, substituting(defect_by_turn)),
-        step(None, substituting(slope_by_end_at_zero)),
+        step(None, substituting(slope_by_end_at_zero), roots),
     ),
 )
 
@@ -285,7 +287,11 @@ slope_of_turn = Claim(
             Integral(_slope_of_f, (psi, epsilon, pi / 2)),
             substituting(derivative_under_the_integral),
         ),
-        step(None, integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle)),
+        step(
+            None,
+            integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle),
+            trigonometry,
+        ),
     ),
     where=Place(display=55),
 )
@@ -311,6 +317,7 @@ implicit_defect = Claim(
             step(
                 -printed.integrand(epsilon, a, b, 0, S, sympy),
                 differentiating_integral(Integer(0), sine_to_the_middle),
+                roots,
             ),
         ),
         bounds=(sine_to_the_middle,),
@@ -341,6 +348,6 @@ S_drops_out = Claim(
         * printed.turn_slope_asymptotic(epsilon, a, b, 1, sympy),
     ),
     given=(*shape, b < 1, *defect, cos(theta) ** 2 > 0),
-    proof=by(substituting(sign_of_tilt)),
+    proof=by(substituting(sign_of_tilt), roots),
     where=Place(line=417),
 )

@@ -31,7 +31,7 @@ class Inequality(NamedTuple):
 def read(claim: str) -> Inequality:
     """``"x >= y given x > 1, y < 1"``."""
     body, _, given = claim.partition(" given ")
-    ((left, relation, right, _),) = parse_claim(body)
+    ((left, relation, right),) = parse_claim(body)
     if relation in ("<", "<="):
         left, relation, right = right, relation.replace("<", ">"), left
     return Inequality(left, relation, right, Given.parse(given))

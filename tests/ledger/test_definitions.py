@@ -16,7 +16,9 @@ from sympy import (
     Rational,
     Subs,
     Symbol,
+    default_sort_key,
     exp,
+    expand,
     log,
     sqrt,
 )
@@ -31,6 +33,7 @@ from tresym.ledger.claim import (
     by,
     equal,
     formally,
+    parts_of,
     step,
 )
 from tresym.ledger.definitions import captured, conflict
@@ -45,6 +48,7 @@ from tresym.ledger.reasons import (
     integrating,
     substituting,
 )
+from tresym.ledger.second_look import scalars
 from tresym.ledger.verification import verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -310,6 +314,42 @@ def test_a_conflict_names_both_places(ledger: Callable[..., None]) -> None:
         InputError, match=r"x is defined by one \(display 8\) and by two \(line 30\)"
     ):
         verify()
+
+
+WRITTEN_OUT = {"eq_Mi"}
+"""What is put in as a product of matrices, and said entry by entry."""
+
+
+def _shapes(claim: Claim) -> list[frozenset[tuple[Basic, Basic]] | None]:
+    """Each equation of a claim as left side minus right side, up to a factor; None for others."""
+    shapes: list[frozenset[tuple[Basic, Basic]] | None] = []
+    for part in (p for whole in parts_of(claim.says) for p in scalars(whole)):
+        if not isinstance(part, Eq):
+            shapes.append(None)
+            continue
+        terms = expand(part.args[0] - part.args[1]).as_coefficients_dict()
+        unit = terms[min(terms, key=default_sort_key)]
+        shapes.append(frozenset((term, factor / unit) for term, factor in terms.items()))
+    return shapes
+
+
+def _said_by_premises(claim: Claim) -> bool:
+    """Whether all that the claim says is among the definitions and assumptions it rests on."""
+    if isinstance(claim.says, str) or isinstance(claim.proof, Definition | ImplicitFunction):
+        return False
+    premises = (c for c in claim.rests_on if isinstance(c.proof, Definition | ImplicitFunction))
+    put_in = {shape for premise in premises for shape in _shapes(premise)}
+    return all(shape in put_in for shape in _shapes(claim))
+
+
+def test_no_claim_says_what_was_put_in() -> None:
+    total = new("total", equal(x, y + t * z))
+    moved = Claim("moved", equal(x - y, t * z), by(substituting(total)))
+    twice = Claim("twice", equal(2 * x, 2 * y + 2 * t * z), by(substituting(total)))
+    other = Claim("other", equal(x**2, (y + t * z) ** 2), by(substituting(total)))
+    assert [_said_by_premises(claim) for claim in (moved, twice, other)] == [True, True, False]
+    said = {claim.label for claim in all_claims() if _said_by_premises(claim)}
+    assert said == WRITTEN_OUT
 
 
 def test_what_rests_on_itself_is_refused(ledger: Callable[..., None]) -> None:

@@ -42,7 +42,7 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.finding import Finding, Premise
-from tresym.ledger.judge import judge
+from tresym.ledger.judge import judge, refute
 from tresym.ledger.reasons import (
     algebra,
     applying,
@@ -199,7 +199,7 @@ def test_a_change_of_variable_needs_its_factor_and_its_limits() -> None:
 
 def root(function: object, slope: object, low: object, high: object, *given: object) -> Verdict:
     chain = (step(slope, differentiation, exponentials, trigonometry),)
-    ends = [(step(function.subs(x, end)),) for end in (low, high)]
+    ends = [(step(function.subs(x, end), exponentials),) for end in (low, high)]
     proof = UniqueRoot(x, function, Integer(low), Integer(high), chain, *ends)
     return verdict(claim("one root", proof, given))
 
@@ -277,6 +277,15 @@ def test_sentences_are_decided_as_written() -> None:
     assert verdict(claim("…", formally(equal(sqrt(x**2), x)), (x > 0,))) is Verdict.PROVED
 
 
+@pytest.mark.parametrize("n", range(3))
+def test_a_sentence_needs_each_of_its_relations(n: int) -> None:
+    true = [Gt(x**2 + k, -1, evaluate=False) for k in range(3)]
+    assert verdict(claim("…", formally(*true))) is Verdict.PROVED
+    for false in (equal(x, Integer(1)), x**2 > x):
+        parts = [*true[:n], false, *true[n + 1 :]]
+        assert not verdict(claim("…", formally(*parts))).holds
+
+
 def test_systems_need_a_chain_for_every_part() -> None:
     says = Tuple(equal(a + a, 2 * a), equal(b + b, 2 * b))
     assert verdict(claim(says, together(by(), by()))) is Verdict.PROVED
@@ -332,6 +341,31 @@ def test_an_equation_is_put_in_only_under_its_own_conditions() -> None:
     assert not judge(sentence, held).verdict.holds
 
 
+def test_the_conditions_of_what_is_used_are_in_the_finding() -> None:
+    root = Claim("root", equal(sqrt(a**2), a), by(roots), given=(a > 0, b > 0))
+    user = Claim("user", equal(sqrt(a**2), a), by(substituting(root)), given=(a > 1, b > 1))
+    said = Claim("said", "…", formally(equal(sqrt(a**2), a), using=(root,)), given=(a > 1, b > 1))
+    found: dict[str, Finding] = {}
+    for c in (root, user, said):
+        found[c.label] = judge(c, found)
+        assert found[c.label].verdict is Verdict.PROVED
+    assert found["root"].conditions == {}
+    assert found["user"].conditions == found["said"].conditions == {"root": (a > 0, b > 0)}
+    both = Claim("both", "…", all_of(user, root))
+    found["both"] = judge(both, found)
+    assert found["both"].conditions == {"user": (a > 1, b > 1), "root": (a > 0, b > 0)}
+    assert judge(Claim("all", "…", all_of(both)), found).conditions == found["both"].conditions
+
+
+def test_the_advocate_does_not_believe_what_holds_elsewhere() -> None:
+    """A claim of no definition restricts nothing: its conditions may be what was got wrong."""
+    root = Claim("root", equal(sqrt(a**2), a), by(roots), given=(a > 0,))
+    user = Claim("user", equal(sqrt(a**2), a), by(substituting(root)))
+    found = refute(user.says, user)
+    assert found is not None
+    assert found.verdict is Verdict.REFUTED
+
+
 def test_a_condition_on_a_hidden_symbol_is_not_forgotten() -> None:
     factor = Claim("factor", equal(y, x * t / sqrt(t**2)), Definition(), given=(t**2 > 0,))
     up = Claim("up", equal(y, x), by(substituting(factor), roots), given=(t > 0, t**2 > 0))
@@ -343,7 +377,8 @@ def test_a_condition_on_a_hidden_symbol_is_not_forgotten() -> None:
 
 
 def test_a_true_claim_with_a_broken_chain_is_not_refuted() -> None:
-    lemma = Claim("lemma", equal(x + y, 1), by())
+    rest = Claim("rest", equal(y, 1 - x), Definition())
+    lemma = Claim("lemma", equal(x + y, 1), by(substituting(rest)))
     held = {"lemma": Finding(Verdict.PROVED, "assumed")}
     says = equal(x**2 + x * y, x)
     assert judge(Claim("user", says, by(substituting(lemma))), held).verdict is Verdict.UNDECIDED
@@ -468,7 +503,7 @@ def test_what_holds_of_a_symbol_does_not_hold_of_a_bound_one() -> None:
         equal(Derivative(Abs(x), x), Derivative(x, x)),
     ):
         user = Claim("user", says, by(substituting(lemma), differentiation), given=(x > 0,))
-        assert judge(user, held).verdict is Verdict.UNDECIDED
+        assert not judge(user, held).verdict.holds
 
 
 def test_the_name_of_a_variable_of_integration_does_not_matter() -> None:

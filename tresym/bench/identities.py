@@ -36,9 +36,10 @@ from tresym.bench.run import (
 from tresym.ledger import paper
 from tresym.ledger.claim import Chain, Claim, Together, parts_of
 from tresym.ledger.evidence.manifest import manifest_sign
-from tresym.ledger.meaning import definitions, put_in, to_expression, to_given
+from tresym.ledger.meaning import conditions, known, tree
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.paper import all_claims
+from tresym.ledger.second_look import put_in, rules_of
 from tresym.reals.advocate import contradiction
 from tresym.reals.decisions.identity import decide
 from tresym.reals.numbers.exact import InputError
@@ -78,8 +79,8 @@ def advocate() -> float:
     """The median, over the true identities, of the advocate's time by the decision's."""
     parts = []
     for identity in (identity for identity in identities() if identity.true):
-        left, right = to_expression(identity.left), to_expression(identity.right)
-        given = to_given(identity.given)
+        left, right = tree(identity.left), tree(identity.right)
+        given = known(conditions(identity.given))
         start = time.process_time()
         decide(left, right, given)
         spent = time.process_time() - start
@@ -137,7 +138,7 @@ def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:
 def _expressions(says: Any, chain: Chain) -> list[Any]:
     """The expressions of a chain, with the definitions that it uses put in."""
     used = [claim for link in chain for reason in link.reasons for claim in reason.claims]
-    rules = definitions(used)
+    rules = rules_of(used)
     links = [says.rhs if link.expression is None else link.expression for link in chain]
     return [put_in(e, rules).doit(integrals=False) for e in (says.lhs, *links)]
 
@@ -152,14 +153,14 @@ def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]
 
 def _verdict(left: Any, right: Any, given: Any) -> Verdict:
     try:
-        return decide(to_expression(left), to_expression(right), to_given(given)).verdict
+        return decide(tree(left), tree(right), known(conditions(given))).verdict
     except InputError:
         return Verdict.UNDECIDED
 
 
 def _contenders(identity: Identity) -> Iterator[Contender]:
-    trees = to_expression(identity.left), to_expression(identity.right)
-    given = to_given(identity.given)
+    trees = tree(identity.left), tree(identity.right)
+    given = known(conditions(identity.given))
     left, right = _declared(identity)
     works: dict[str, Callable[[], Any]] = {
         OURS: lambda: decide(*trees, given).verdict,
@@ -177,7 +178,7 @@ def _declared(identity: Identity) -> tuple[Any, Any]:
     positive = {
         s: sympy.Symbol(s.name, positive=True)
         for s in symbols
-        if manifest_sign(s, identity.given) == "+"
+        if manifest_sign(tree(s), conditions(identity.given)) == "+"
     }
     return identity.left.xreplace(positive), identity.right.xreplace(positive)
 

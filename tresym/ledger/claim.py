@@ -346,6 +346,14 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
             return ()
 
 
+def put_in_by(claim: Claim) -> tuple[Claim, ...]:
+    """The claims that the evidence puts in: they hold here where all their conditions do."""
+    if isinstance(claim.proof, Formally):
+        return claim.uses
+    reasons = (r for chain in _chains(claim.proof) for link in chain for r in link.reasons)
+    return tuple(dict.fromkeys(c for r in reasons if r.name == "substituting" for c in r.claims))
+
+
 def _named(proof: Evidence) -> Iterator[Claim]:
     """Every claim that a piece of evidence names."""
     if isinstance(proof, ImplicitFunction):

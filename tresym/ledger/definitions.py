@@ -8,22 +8,34 @@ is bound nowhere, and no symbol passes for another of its name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from itertools import combinations
 from typing import NamedTuple
 
 from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
-from sympy.core.relational import Equality, Relational
 
-from tresym.ledger.claim import Claim, Definition, UniqueRoot, equal, expressions, parts_of
-from tresym.ledger.evidence.defined import Conditions
+from tresym.ledger.claim import Claim, Definition, UniqueRoot, expressions, parts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_value
 from tresym.ledger.evidence.manifest import is_manifest
 from tresym.ledger.finding import Finding
-from tresym.ledger.meaning import DEFINING, CircularError, Rules, definitions, put_in
+from tresym.ledger.meaning import (
+    DEFINING,
+    CircularError,
+    Conditions,
+    Rules,
+    conditions,
+    definitions,
+    known,
+    misread,
+    put_in,
+    sides,
+    tree,
+)
 from tresym.ledger.second_look import satisfiable, scalars
-from tresym.reals.places.conditions import Given
+from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.formula import names
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 UNDECIDED = Verdict.UNDECIDED
@@ -32,33 +44,49 @@ UNDECIDED = Verdict.UNDECIDED
 class Entry(NamedTuple):
     """A line of the table: what is defined, by what, and the claim that says so."""
 
-    symbol: Basic
+    symbol: Expr
     """A symbol; or the integral of an equation for what stands under it."""
-    meaning: Basic
+    meaning: Expr
     claim: Claim
+    written: Eq
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The symbols of both sides."""
+        return symbols(self.symbol) | symbols(self.meaning)
 
 
 def table(claims: Iterable[Claim]) -> tuple[Entry, ...]:
     """What the claims define, or assume, in order."""
-    defining = (claim for claim in claims if isinstance(claim.proof, DEFINING))
-    return tuple(Entry(*rule, c) for c in defining for rule in definitions((c,)).items())
+    return tuple(
+        Entry(tree(e.lhs), tree(e.rhs), claim, e)
+        for claim in claims
+        if isinstance(claim.proof, DEFINING)
+        for e in _equations(claim)
+    )
+
+
+def _equations(claim: Claim) -> Iterator[Eq]:
+    """The equations of a claim, entry by entry, as they are written."""
+    parts = (part for part in parts_of(claim.says) if isinstance(part, Eq))
+    yield from (entry for part in parts for entry in scalars(part))
 
 
 def implicit(claims: Iterable[Claim]) -> tuple[Eq, ...]:
     """The equations for integrals that the claims assume, and that restrict their symbols."""
-    return tuple(equal(e.symbol, e.meaning) for e in _restrictions(table(claims)))
+    return tuple(entry.written for entry in _restrictions(table(claims)))
 
 
 def _restrictions(entries: tuple[Entry, ...]) -> list[Entry]:
     """The equations for integrals, but for those that only give a symbol of their own its value."""
 
     def own(entry: Entry) -> bool:
-        others = (e.symbol.free_symbols | e.meaning.free_symbols for e in entries if e != entry)
-        return entry.meaning.is_Symbol and not any(
-            entry.meaning in names for names in (entry.symbol.free_symbols, *others)
+        others = (e.names for e in entries if e != entry)
+        return entry.meaning.op == "symbol" and not any(
+            symbols(entry.meaning) <= names for names in (symbols(entry.symbol), *others)
         )
 
-    return [e for e in entries if not e.symbol.is_Symbol and not own(e)]
+    return [e for e in entries if e.symbol.op != "symbol" and not own(e)]
 
 
 def judge_definition(claim: Claim, proof: Definition) -> Finding:
@@ -76,22 +104,22 @@ def judge_definition(claim: Claim, proof: Definition) -> Finding:
 
 
 def _ill_defined(claim: Claim, proof: Definition) -> str | None:
-    given = claim.given
-    if Given.from_sympy(*given).satisfying_point() is None:
+    given, entries = conditions(claim.given), table((claim,))
+    if known(given).satisfying_point() is None:
         return "no exact point is found that satisfies the conditions"
-    if not all(isinstance(part, Equality) for part in parts_of(claim.says)):
+    if not all(isinstance(part, Eq) for part in parts_of(claim.says)):
         return "a definition consists of equations"
-    pairs = [entry.args for part in parts_of(claim.says) for entry in scalars(part)]
-    explicit = {left: right for left, right in pairs if isinstance(left, Symbol)}
-    integrals = [left for left, _ in pairs if isinstance(left, Integral)]
-    if not pairs or len(explicit) + len(integrals) < len(pairs):
+    explicit = {e.symbol: e.meaning for e in entries if e.symbol.op == "symbol"}
+    integrals = [e.symbol for e in entries if e.symbol.op == "integral"]
+    if not entries or len(explicit) + len(integrals) < len(entries):
         return "a definition gives each of its symbols one value"
     earlier = definitions(claim.rests_on)
-    for symbol, meaning in explicit.items():
-        if symbol in earlier or put_in(meaning, explicit).has(symbol):
-            return f"{symbol} is not a new symbol"
-        if any(symbol in condition.free_symbols for condition in given):
-            return f"{symbol} is defined under a condition on itself"
+    asked = frozenset().union(*map(names, given))
+    for new, meaning in explicit.items():
+        if new in earlier or symbols(new) <= symbols(put_in(meaning, explicit)):
+            return f"{new} is not a new symbol"
+        if symbols(new) <= asked:
+            return f"{new} is defined under a condition on itself"
     try:
         for e in (*explicit.values(), *integrals):
             need_value(e, proof.claims, given)
@@ -99,27 +127,39 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
         return str(error)
     if integrals and not proof.assumes:
         return "that an equation has a solution, and one, is shown or assumed by name"
-    if integrals and not satisfiable(given, parts_of(claim.says)):
+    if integrals and not satisfiable(claim.given, parts_of(claim.says)):
         return "no point is found that satisfies the equation"
     return None
 
 
 def captured(claim: Claim) -> str | None:
-    """Why the claim does not keep its symbols apart: one is bound and defined, or is two."""
-    bound: set[Basic] = set()
-    symbols: set[Symbol] = set()
-    for e in expressions(claim):
-        symbols |= e.atoms(Symbol)
-        bound |= {v for node in e.atoms(Integral, Derivative, Subs) for v in node.variables}
+    """Why the claim does not keep its symbols apart: one is bound and defined, or is two.
+
+    Nor may a symbol stand where what it is defined by is bound: it is a number there.
+    """
+    entries, written = table((*claim.rests_on, claim)), [*expressions(claim)]
+    bound: set[str] = set()
+    for e in written:
+        for name in e.atoms(Symbol):
+            if name != Symbol(name.name, real=True):
+                return f"{name} is not the real symbol of that name"
+        binders = e.atoms(Integral, Derivative, Subs)
+        bound |= {v.name for node in binders for v in node.variables}
     if isinstance(claim.proof, UniqueRoot):
-        bound.add(claim.proof.variable)
-    for symbol in symbols:
-        if symbol != Symbol(symbol.name, real=True):
-            return f"{symbol} is not the real symbol of that name"
-    for entry in table((*claim.rests_on, claim)):
-        if entry.symbol in bound:
+        bound.add(claim.proof.variable.name)
+    for entry in entries:
+        if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
-    return None
+    rules = {entry.symbol: entry.meaning for entry in entries}
+    found = next((name for e in written if bound for name in _misread(e, rules)), None)
+    return None if found is None else f"{found} stands where what it is defined by is bound"
+
+
+def _misread(e: Basic, rules: Rules) -> Iterator[str]:
+    try:
+        yield from (name for side in sides(e) if (name := misread(side, rules)) is not None)
+    except InputError:  # what is no expression of ours decides nothing
+        return
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
@@ -138,17 +178,17 @@ def overdetermined(claims: Iterable[Claim]) -> str | None:
 
 @lru_cache(maxsize=4096)
 def _conflict(claims: tuple[Claim, ...]) -> str | None:
-    meanings: dict[Basic, list[Entry]] = {}
+    meanings: dict[Expr, list[Entry]] = {}
     for entry in table(claims):
         meanings.setdefault(entry.symbol, []).append(entry)
     circle = _circle(meanings)
     if circle is not None:
         return circle
-    once = {s: found[0].meaning for s, found in meanings.items() if s.is_Symbol and len(found) == 1}
-    for symbol, found in meanings.items():
+    once = tuple(f[0].written for s, f in meanings.items() if s.op == "symbol" and len(f) == 1)
+    for name, found in meanings.items():
         for one, two in combinations(found, 2):
             if one.meaning != two.meaning and not _agree(one, two, once):
-                return f"{symbol} is defined by {_where(one.claim)} and by {_where(two.claim)}"
+                return f"{name} is defined by {_where(one.claim)} and by {_where(two.claim)}"
     return None
 
 
@@ -157,70 +197,66 @@ def _where(claim: Claim) -> str:
     place = claim.where
     if place is None:
         return claim.label
-    names = (("display", place.display), ("line", place.line), ("cell", place.cell))
-    return f"{claim.label} ({', '.join(f'{name} {at}' for name, at in names if at is not None)})"
+    parts = (("display", place.display), ("line", place.line), ("cell", place.cell))
+    return f"{claim.label} ({', '.join(f'{name} {at}' for name, at in parts if at is not None)})"
 
 
-def _agree(one: Entry, two: Entry, rules: Rules) -> bool:
+def _agree(one: Entry, two: Entry, once: tuple[Eq, ...]) -> bool:
     """Whether two equations for a symbol are for different cases, or one is assumed by name.
 
     What is assumed must be possible as the other symbols are defined.
     """
-    earlier, later = one.claim, two.claim
-    if _exclude(earlier.given, later.given) or _exclude(later.given, earlier.given):
+    given, others = conditions(one.claim.given), conditions(two.claim.given)
+    if _exclude(given, others) or _exclude(others, given):
         return True
-    both = (*earlier.given, *later.given)
-    assumed = _assumes(earlier) or _assumes(later)
-    known = equal(one.symbol, one.meaning), equal(two.symbol, two.meaning)
+    if not (_assumes(one.claim) or _assumes(two.claim)):
+        return False
+    both, pair = (*one.claim.given, *two.claim.given), (one.written, two.written)
     try:
-        both = tuple(put_in(condition, rules) for condition in both)
-        known = tuple(equal(one.symbol, put_in(e.args[1], rules)) for e in known)
-    except CircularError:
-        pass  # a symbol is bound there, or the equations go on: they are taken as they stand
-    return assumed and satisfiable(both, known)
+        return satisfiable(both, (*once, *pair))
+    except CircularError:  # a symbol is bound there: the equations are taken as they stand
+        return satisfiable(both, pair)
 
 
 def _exclude(given: Conditions, others: Conditions) -> bool:
     """Whether one of ``others`` is shown to fail wherever ``given`` holds."""
-    return any(isinstance(c, Relational) and is_manifest(c.negated, given) for c in others)
+    return any(is_manifest(condition.negated, given) for condition in others)
 
 
 def _assumes(claim: Claim) -> bool:
     return isinstance(claim.proof, Definition) and bool(claim.proof.assumes)
 
 
-def _circle(meanings: dict[Basic, list[Entry]]) -> str | None:
+def _circle(meanings: dict[Expr, list[Entry]]) -> str | None:
     """A symbol that is defined by itself, by way of others."""
     names = {
-        s: frozenset[Basic]().union(*(entry.meaning.free_symbols for entry in found))
-        for s, found in meanings.items()
+        left: frozenset[str]().union(*(symbols(entry.meaning) for entry in found))
+        for left, found in meanings.items()
     }
-    for symbol in (left for left in meanings if isinstance(left, Symbol)):
-        seen: set[Basic] = set()
-        waiting = {*names[symbol]}
+    for start in (left for left in meanings if left.op == "symbol"):
+        seen: set[Expr] = set()
+        waiting = {*names[start]}
         while waiting:
-            name = waiting.pop()
-            seen.add(name)
-            waiting |= names.get(name, frozenset()) - seen
-        if symbol in seen:
-            return f"{symbol} is defined by itself in {_where(meanings[symbol][0].claim)}"
+            one = symbol(waiting.pop())
+            seen.add(one)
+            waiting |= {n for n in names.get(one, frozenset()) if symbol(n) not in seen}
+        if start in seen:
+            return f"{start} is defined by itself in {_where(meanings[start][0].claim)}"
     return None
 
 
 @lru_cache(maxsize=4096)
 def _overdetermined(claims: tuple[Claim, ...]) -> str | None:
     entries = table(claims)
-    rules = {entry.symbol: entry.meaning for entry in entries if entry.symbol.is_Symbol}
-    seen: frozenset[Basic] = frozenset()
+    rules = {entry.symbol: entry.meaning for entry in entries if entry.symbol.op == "symbol"}
+    seen: frozenset[str] = frozenset()
     for entry in _restrictions(entries):
-        symbols = entry.symbol.free_symbols | entry.meaning.free_symbols
-        if symbols & seen:
+        if entry.names & seen:
             return f"{entry.claim.label} is a second equation for the same symbols"
-        seen |= symbols
+        seen |= entry.names
         try:
-            left = put_in(entry.symbol - entry.meaning, rules)
+            if not symbols(put_in(entry.symbol - entry.meaning, rules)):
+                return f"{entry.claim.label} leaves nothing to define"
         except CircularError as error:
             return str(error)
-        if not left.free_symbols:
-            return f"{entry.claim.label} leaves nothing to define"
     return None

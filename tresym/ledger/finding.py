@@ -56,6 +56,8 @@ class Finding:
         region: where the constant holds, in words.
         witness: exact point that refutes the claim (or exhibits it, for a printed number).
         steps: one finding for each step of a chain, in order.
+        conditions: by label, the conditions of each claim that it uses: of a conjunction those
+            under which its parts hold, else those that were shown.
         trees: for bounds on boxes, the bisection tree that closes each.
         seconds: time taken.
         of: the claim that was judged; None where nobody was asked.
@@ -70,6 +72,7 @@ class Finding:
     parameter: str | None = None
     witness: Mapping[str, fmpq] | None = None
     steps: tuple[StepFinding, ...] = field(default=())
+    conditions: Mapping[str, tuple[Any, ...]] = field(default_factory=dict)
     trees: tuple[str, ...] = ()
     seconds: float = 0.0
     stopped: bool = False

@@ -13,8 +13,8 @@ from dataclasses import replace
 from time import process_time
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Equivalent, Ge, Integral, Le, Subs, Symbol, Tuple, false
-from sympy.core.relational import Equality, Relational
+from sympy import Basic, Tuple
+from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
     AllOf,
@@ -27,26 +27,37 @@ from tresym.ledger.claim import (
     Printed,
     Together,
     UniqueRoot,
-    equal,
     parts_of,
+    put_in_by,
 )
-from tresym.ledger.definitions import captured, conflict, implicit, judge_definition, overdetermined
+from tresym.ledger.definitions import (
+    captured,
+    conflict,
+    implicit,
+    judge_definition,
+    overdetermined,
+    table,
+)
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.evidence.chain import check_chain, unmet_condition
-from tresym.ledger.evidence.defined import Conditions, continuous_on, undefined
+from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
+from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.evidence.integrals import NotShownError, need_smooth, with_bounds
+from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
 from tresym.ledger.finding import Finding, Premise, StepFinding
 from tresym.ledger.meaning import (
     CircularError,
+    Conditions,
+    conditions,
     defined,
     definitions,
+    formula,
+    known,
     put_in,
-    to_expression,
-    to_given,
+    put_into,
+    tree,
 )
 from tresym.ledger.reasons import citing
 from tresym.ledger.second_look import (
@@ -59,9 +70,11 @@ from tresym.ledger.second_look import (
 from tresym.reals.advocate import STOPPED
 from tresym.reals.balls.boxes import CertificateError
 from tresym.reals.decisions.identity import decide
+from tresym.reals.language.binders import derivative, elementary, generalised, worked_out
+from tresym.reals.language.expression import Expr, substitute, symbols
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
-from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
@@ -84,7 +97,19 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
-    return replace(finding, seconds=before + time.perf_counter() - began, of=claim)
+    seconds = before + time.perf_counter() - began
+    return replace(finding, seconds=seconds, of=claim, conditions=_conditions(claim, found))
+
+
+def _conditions(claim: Claim, found: Findings) -> dict[str, tuple[Basic, ...]]:
+    """Under which conditions what is put in, or what is said together, holds."""
+    if isinstance(claim.proof, AllOf):
+        asked: dict[str, tuple[Basic, ...]] = {}
+        for part in claim.uses:
+            asked |= found[part.label].conditions if isinstance(part.proof, AllOf) else {}
+            asked |= {part.label: part.given} if part.given else {}
+        return asked
+    return {used.label: used.given for used in put_in_by(claim) if used.given}
 
 
 def judge_evidence(claim: Claim) -> Finding | None:
@@ -182,12 +207,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_implicit_function(claim, claim.proof)
         case Together(chains):
             return _judge_together(claim, chains)
-        case tuple() if (
-            isinstance(claim.says, Relational | Equivalent) and len(claim.says.args) == 2
-        ):
-            return _judge_chains(claim, ((claim.says, claim.proof),))
         case tuple():
-            return Finding(UNDECIDED, "a chain proves a relation, and this is none")
+            return _judge_chains(claim, ((claim.says, claim.proof),))
         case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
         case _:
@@ -205,9 +226,10 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Findi
     """PROVED when every step of every chain is; otherwise tried at exact points."""
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    given = conditions(claim.given)
     steps: list[StepFinding] = []
     for says, chain in parts:
-        steps.extend(check_chain(says, chain, claim.given))
+        steps.extend(check_chain(formula(says), chain, given))
     failed = next((s for s in steps if s.verdict is not PROVED), None)
     if not steps:
         return Finding(UNDECIDED, "there is nothing to prove")
@@ -222,18 +244,24 @@ def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Findi
 
 def _possible(claim: Claim) -> bool:
     """Whether an exact point satisfies the conditions, as the symbols in them are defined."""
-    if to_given(claim.given).satisfying_point() is None:
+    given = conditions(claim.given)
+    if not _met_somewhere(given):
         return False
-    bounds = with_bounds(claim.given, (citing(*claim.uses),))
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    rules = {left: right for left, right in definitions(behind).items() if left.is_Symbol}
-    meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in bounds))
-    relations = (c for c in meant if isinstance(c, Relational))
-    plain = tuple(c for c in relations if not c.has(Derivative, Integral, Subs))
-    if false in meant or to_given(plain).satisfying_point() is None:
+    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    rules = {entry.symbol: entry.meaning for entry in explicit}
+    bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
+    if known(bounds).satisfying_point() is None:
         return False
-    equations = tuple(equal(put_in(e.lhs, rules), e.rhs) for e in implicit(claim.rests_on))
-    return not equations or satisfiable(plain, equations)
+    assumed = implicit(claim.rests_on)
+    written = (entry.written for entry in explicit)
+    return not assumed or satisfiable(claim.given, (*written, *assumed))
+
+
+def _met_somewhere(given: Conditions) -> bool:
+    """Whether an exact point is found at which the conditions hold, which are elementary."""
+    plain = all(elementary(c.left, c.right) for c in given)
+    return plain and known(given).satisfying_point() is not None
 
 
 def refute(says: Basic, claim: Claim) -> Finding | None:
@@ -246,22 +274,17 @@ def refute(says: Basic, claim: Claim) -> Finding | None:
 
 
 def _known(claim: Claim) -> tuple[Basic, ...]:
-    """What the claims that are used say, and under which conditions."""
-    known: dict[Basic, None] = dict.fromkeys(c for used in claim.uses for c in used.given)
-    for used in claim.uses:
-        relations = (p for p in parts_of(used.says) if isinstance(p, Relational))
-        known.update((p, None) for p in relations if not _is_rule_of_calculus(p, used))
-    return tuple(known)
+    """What the claims that are used say of what is defined, and under which conditions.
 
-
-def _is_rule_of_calculus(says: Basic, claim: Claim) -> bool:
-    """Whether an equation of derivatives or integrals holds wherever its conditions do.
-
-    It restricts nothing where no definition stands behind it.
+    Where no definition stands behind a claim it restricts nothing: it holds wherever its conditions
+    do, and whether they do is what a user of it may have got wrong.
     """
-    behind = (claim, *claim.rests_on)
-    defined = any(isinstance(c.proof, Definition | ImplicitFunction) for c in behind)
-    return says.has(Derivative, Integral, Subs) and not defined
+    known: dict[Basic, None] = {}
+    for used in claim.uses:
+        if table((used, *used.rests_on)):
+            known.update(dict.fromkeys(used.given))
+            known.update((p, None) for p in parts_of(used.says) if isinstance(p, Relational))
+    return tuple(known)
 
 
 def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
@@ -282,79 +305,98 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
 
 def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
     """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
-    given = claim.given
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    if any(proof.variable in defined(used) for used in claim.uses):
+    if any(proof.variable.name in defined(used) for used in claim.uses):
         return Finding(UNDECIDED, f"{proof.variable} is bound, and is defined in what is used")
-    finding = _one_root(proof, given)
+    finding = _one_root(proof, conditions(claim.given))
     if finding.verdict is PROVED:
         return finding
-    none = rootless(proof.function, proof.variable, (proof.low, proof.high), given)
+    none = rootless(proof.function, proof.variable, (proof.low, proof.high), claim.given)
     return Finding(REFUTED, none.why, witness=none.point, steps=finding.steps) if none else finding
 
 
 def _one_root(proof: UniqueRoot, given: Conditions) -> Finding:
     """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
-    v, h = proof.variable, proof.function
+    v, h, low, high = map(tree, (proof.variable, proof.function, proof.low, proof.high))
     # The root is looked for in the whole interval, whatever is assumed of the symbol.
-    given = tuple(condition for condition in given if v not in condition.free_symbols)
-    gap = continuous_on(h, (*given, v >= proof.low, v <= proof.high))
+    given = without(proof.variable.name, given)
+    gap = continuous_on(h, (*given, Relation(v, ">=", low), Relation(v, "<=", high)))
     if gap is not None:
         return Finding(UNDECIDED, f"nothing shows that {gap} stays off its singularity")
-    inside = (*given, v > proof.low, v < proof.high)
-    start = h.diff(v, evaluate=False)
-    last = proof.derivative[-1].expression
-    assert last is not None
-    steps = [*check_chain(equal(start, last), proof.derivative, inside)]
-    ends = []
-    for end, chain in ((proof.low, proof.at_low), (proof.high, proof.at_high)):
-        value = chain[-1].expression
-        assert value is not None
-        steps += check_chain(equal(h.subs(v, end), value), chain, given)
-        ends.append(manifest_sign(value, given))
+    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
+    start = derivative(h, proof.variable.name)
+    steps, slope = _chain_to_sign(start, proof.derivative, inside)
+    signs = []
+    for end, chain in ((low, proof.at_low), (high, proof.at_high)):
+        found, sign = _chain_to_sign(substitute(h, {proof.variable.name: end}), chain, given)
+        steps += found
+        signs.append(sign)
     failed = next((s for s in steps if s.verdict is not PROVED), None)
     if failed is not None:
-        return Finding(UNDECIDED, failed.why, steps=tuple(steps))
-    slope = manifest_sign(last, inside)
-    if slope not in ("+", "-") or sorted(map(str, ends)) != ["+", "-"]:
-        why = f"signs found: derivative {slope}, ends {ends[0]} and {ends[1]}"
-        return Finding(UNDECIDED, why, steps=tuple(steps))
+        return Finding(UNDECIDED, failed.why, steps=steps)
+    if slope not in ("+", "-") or sorted(map(str, signs)) != ["+", "-"]:
+        why = f"signs found: derivative {slope}, ends {signs[0]} and {signs[1]}"
+        return Finding(UNDECIDED, why, steps=steps)
     why = "opposite signs at the ends, derivative of one sign"
-    return Finding(PROVED, why, steps=tuple(steps))
+    return Finding(PROVED, why, steps=steps)
+
+
+def without(name: str, given: Conditions) -> Conditions:
+    """The conditions that do not speak of a symbol."""
+    return tuple(c for c in given if name not in symbols(c.left) | symbols(c.right))
+
+
+def _chain_to_sign(
+    start: Expr, chain: Chain, given: Conditions
+) -> tuple[tuple[StepFinding, ...], str | None]:
+    """A chain from ``start`` to a form of manifest sign, and that sign."""
+    if not chain or chain[-1].expression is None:
+        return (StepFinding(UNDECIDED, "the chain ends at no expression"),), None
+    last = tree(chain[-1].expression)
+    steps = check_chain(Relation(start, "==", last), chain, given)
+    return steps, manifest_sign(last, given)
 
 
 def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     """PROVED when the claim says the slope of the implicit function, and the theorem applies."""
-    u, p, at = proof.unknown, proof.parameter, proof.at
-    equation, says = proof.equation.says, claim.says
-    if not isinstance(equation, Equality) or not isinstance(says, Equality):
+    equation, says = formula(proof.equation.says), formula(claim.says)
+    if not all(isinstance(f, Relation) and f.sign == "==" for f in (equation, says)):
         return Finding(UNDECIDED, "an equation is differentiated, and an equation is its slope")
-    left, right = equation.args
-    if {u, p} & right.free_symbols or {u, p} & at.free_symbols or u == p:
+    assert isinstance(equation, Relation)
+    assert isinstance(says, Relation)
+    u, p, at = proof.unknown.name, proof.parameter.name, tree(proof.at)
+    left, right = equation.left, equation.right
+    if {u, p} & (symbols(right) | symbols(at)) or u == p:
         return Finding(UNDECIDED, "the right side depends on what varies")
-    rate, by_unknown = says.args[0], Derivative(left.xreplace({p: at}), u)
-    if not isinstance(rate, Symbol) or rate in definitions(claim.rests_on):
-        return Finding(UNDECIDED, f"{rate} is not a new symbol")
-    if says.args[1] != -Subs(Derivative(left, p), p, at) / by_unknown or rate in left.free_symbols:
+    if says.left.op != "symbol" or says.left in definitions(claim.rests_on):
+        return Finding(UNDECIDED, f"{says.left} is not a new symbol")
+    outside = without(p, conditions(claim.given))
+    there = substitute(left, {p: at})
+    by_unknown = derivative(there, u)
+    slope = -derivative(left, p, at) / by_unknown
+    if not under_binder(says.right, slope, outside) or symbols(says.left) & symbols(left):
         return Finding(UNDECIDED, "that is not the slope of the implicit function")
     if not _possible(claim) or any(p in defined(bound) for bound in proof.bounds):
         return Finding(UNDECIDED, "the conditions are met nowhere, or a bound is about what varies")
-    outside = tuple(c for c in claim.given if p not in c.free_symbols)
-    unmet = unmet_condition((proof.equation,), {}, (*outside, Ge(p, at), Le(p, at)))
+    place = tree(proof.parameter)
+    near = (*outside, Relation(place, ">=", at), Relation(place, "<=", at))
+    unmet = unmet_condition(proof.equation, {}, near)
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
     try:
-        need_smooth(left, proof.bounds, (*outside, Ge(p, at), Le(p, at)))
+        need_smooth(left, proof.bounds, near)
     except NotShownError as error:
         return Finding(UNDECIDED, str(error))
-    last = proof.slope[-1].expression
-    steps = check_chain(equal(by_unknown, last), proof.slope, outside)
+    steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
     failed = next((s for s in steps if s.verdict is not PROVED), None)
-    if failed is not None or manifest_sign(last, outside) not in ("+", "-"):
-        why = failed.why if failed else f"the sign of {last} is not manifest"
+    if failed is not None or sign not in ("+", "-"):
+        why = failed.why if failed else "the sign of the derivative by the unknown is not manifest"
         return Finding(UNDECIDED, why, steps=steps)
-    if not satisfiable(outside, (equal(left.xreplace({p: at}), right),)):
+    written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
+    assert not isinstance(proof.equation.says, str)
+    on_curve = (proof.equation.says.xreplace({proof.parameter: proof.at}),)
+    if not satisfiable(written, on_curve):
         return Finding(UNDECIDED, "no point is found that satisfies the equation", steps=steps)
     why = f"the equation is smooth and its derivative by {u} is not zero"
     return Finding(PROVED, why, steps=steps)
@@ -380,29 +422,30 @@ def _settle(relation: Basic, claim: Claim) -> Finding:
     return refute(relation, claim) or proved
 
 
-def _without_chain(relation: Relational, claim: Claim) -> Finding:
+def _without_chain(written: Relational, claim: Claim) -> Finding:
     """PROVED by normal form or by a manifest sign, else UNDECIDED."""
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    rules = definitions(claim.uses)
-    meant = tuple(dict.fromkeys(put_in(condition, rules) for condition in claim.given))
-    if false in meant:
-        return Finding(UNDECIDED, "what is put in contradicts the conditions")
-    replaced = tuple(c for c in meant if not c.has(Derivative, Integral, Subs))
-    unmet = unmet_condition(claim.uses, rules, (*claim.given, *replaced))
-    if unmet is not None:
-        return Finding(UNDECIDED, f"{unmet} is not shown, but a claim that is used needs it")
-    conditions = Given.from_sympy(*(c for c in replaced if isinstance(c, Relational)))
-    if conditions.satisfying_point() is None:
+    relation, given = formula(written), conditions(claim.given)
+    if not isinstance(relation, Relation):
+        return Finding(UNDECIDED, f"{written} is not a relation between numbers")
+    try:
+        rules, _ = instantiated(claim.uses, given)
+    except NotShownError as error:
+        return Finding(UNDECIDED, str(error))
+    meant = put_into(given, rules)
+    plain = tuple(c for c in meant if elementary(c.left, c.right))
+    if not _met_somewhere(plain):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    left, right = (put_in(side, rules) for side in relation.args)
-    if isinstance(relation, Equality):
-        decision = decide(to_expression(left), to_expression(right), conditions)
+    left, right = (put_in(side, rules) for side in (relation.left, relation.right))
+    if relation.sign == "==":
+        one, other = generalised(left, right)
+        decision = decide(one, other, known(plain))
         shown, why = decision.verdict is PROVED, decision.why
     else:
-        shown = is_manifest(relation.func(left, right, evaluate=False), replaced)
+        shown = is_manifest(Relation(left, relation.sign, right), plain)
         why = "the sign of the difference of the two sides is " + ("proven" if shown else "open")
-    gaps = (undefined(side, replaced) for side in (left, right)) if shown else ()
+    gaps = (undefined(side, plain) for side in (left, right)) if shown else ()
     gap = next((gap for gap in gaps if gap is not None), None)
     if gap is not None:
         return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
@@ -429,9 +472,9 @@ def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
 
 
 def _difference_at(relation: Basic, point: Mapping[str, fmpq]) -> arb:
-    left, right = relation.args
+    left, right = map(worked_out, map(tree, relation.args))
     at = {name: arb(v) for name, v in point.items()}
-    return evaluate(to_expression(left - right, True), at)
+    return evaluate(left - right, at) if elementary(left, right) else arb.nan()
 
 
 def _true_at(relation: Basic, point: Mapping[str, fmpq]) -> bool:

@@ -1,26 +1,40 @@
-"""From the SymPy expressions that claims say to the expression trees that are decided.
+"""From what claims say to what is decided: SymPy's expressions become trees here, once each.
 
-Derivatives and integrals are symbols of their own until a reason opens them; definitions are put
-in here, and only those that a reason names.
+Claims are written in SymPy, which proofs read well in and reports print. What decides them gets
+trees and formulas alone, in which integrals, derivatives, values and orders are nodes that bind
+their variables. Definitions are put in here, and only those that a reason names.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
-from sympy import Basic, Derivative, Eq, Integer, Integral, MatrixBase, Subs, Symbol, srepr
+from sympy import Basic, MatrixBase
+from sympy import Expr as Expression
 
-from tresym.ledger.claim import Claim, Definition, ImplicitFunction, parts_of
-from tresym.reals.language.expression import Expr, differentiate, substitute
-from tresym.reals.language.sympy import from_sympy
+from tresym.ledger.claim import Claim, Definition, ImplicitFunction
+from tresym.reals.language import sympy as door
+from tresym.reals.language.binders import elementary, ordered
+from tresym.reals.language.expression import (
+    BINDERS,
+    LEAVES,
+    Expr,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import Conjunction, Formula, Relation, relations
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 
-Rules = dict[Basic, Basic]
+Rules = dict[Expr, Expr]
+Conditions = tuple[Relation, ...]
+Stage = Relation | tuple[Expr, ...]
+"""What a chain passes through: an equation, or the entries of a matrix; a number has one."""
 
 MAX_PASSES = 20
-BOUND = Symbol("[bound]", real=True)
-"""The name of every variable of integration: ∫ f(x) dx and ∫ f(y) dy are one number."""
 DEFINING = (Definition, ImplicitFunction)
 """Evidence that introduces symbols."""
 REMEMBERED = 4096
@@ -31,120 +45,140 @@ class CircularError(ValueError):
     """Definitions that define a symbol by itself, or reach a variable that is bound."""
 
 
+@lru_cache(maxsize=REMEMBERED)
+def tree(e: Basic) -> Expr:
+    """The expression tree of ``e``, nothing of it worked out."""
+    return door.unworked(e)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def formula(says: Basic) -> Formula:
+    """The formula that a statement is."""
+    return door.formula(says)
+
+
+def stage(e: Basic) -> Stage:
+    """What a step of a chain writes down.
+
+    Raises:
+        InputError: an inequality, or what is neither a formula nor a number.
+    """
+    if isinstance(e, MatrixBase):
+        return tuple(map(tree, e))
+    if not e.is_Relational:
+        return (tree(e),)
+    found = formula(e)
+    if isinstance(found, Relation) and found.sign == "==":
+        return found
+    raise InputError(f"{e} is no step of a chain")
+
+
+def sides(e: Basic) -> Iterator[Expr]:
+    """The trees that a formula, a matrix or a number consists of."""
+    if isinstance(e, MatrixBase):
+        yield from map(tree, e)
+    elif isinstance(e, Expression):
+        yield tree(e)
+    else:
+        for relation in relations(formula(e)):
+            yield from (relation.left, relation.right)
+
+
+def conjuncts(formula: Formula) -> Iterator[Formula]:
+    """What a formula says together, conjunctions taken apart."""
+    if isinstance(formula, Conjunction):
+        for part in formula.parts:
+            yield from conjuncts(part)
+    else:
+        yield formula
+
+
+@lru_cache(maxsize=REMEMBERED)
+def conditions(given: tuple[Basic, ...]) -> Conditions:
+    """What is written under "given", as relations.
+
+    Raises:
+        InputError: an equation, or an equivalence.
+    """
+    found = []
+    for part in (part for e in given for part in conjuncts(formula(e))):
+        if not isinstance(part, Relation) or part.sign == "==":
+            raise InputError(f"{part} is not a condition such as a > 0")
+        found.append(part)
+    return tuple(found)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def known(given: Conditions) -> Given:
+    """The conditions that are decided under: those without integrals, derivatives and values."""
+    return Given(tuple(c for c in given if elementary(c.left, c.right)))
+
+
 def definitions(claims: Iterable[Claim]) -> Rules:
     """The equations that the claims say, as replacements of left sides, entry by entry."""
     rules: Rules = {}
     for claim in claims:
-        for part in parts_of(claim.says):
-            if isinstance(part, Eq):
-                rules.update(_rules_of(part))
+        if not isinstance(claim.says, str):
+            for part in conjuncts(formula(claim.says)):
+                if isinstance(part, Relation) and part.sign == "==" and part.left.op != "number":
+                    rules[part.left] = part.right
     return rules
 
 
-def defined(claim: Claim) -> frozenset[Basic]:
+def defined(claim: Claim) -> frozenset[str]:
     """The symbols that are no variables of ``claim``: what it rests on says what they are.
 
     An equation for an integral may define any symbol in it.
     """
     behind = (c for c in (claim, *claim.rests_on) if isinstance(c.proof, DEFINING))
-    return frozenset().union(*(left.free_symbols for c in behind for left in definitions((c,))))
+    return frozenset().union(*(symbols(left) for c in behind for left in definitions((c,))))
 
 
-def _rules_of(equation: Eq) -> Rules:
-    left, right = equation.args
-    if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
-        return {s: e for s, e in zip(left, right, strict=True) if isinstance(s, Symbol)}
-    return {left: right}
-
-
-def put_in(expression: Basic, rules: Rules) -> Basic:
-    """Replace left sides by right sides until none is left.
+def put_in(e: Expr, rules: Rules) -> Expr:
+    """Replace left sides by right sides until none is left; what is bound is left alone.
 
     Raises:
-        CircularError: a symbol is defined by itself, or by a variable that is bound where it is.
+        CircularError: the definitions go round in a circle.
     """
+    names = {str(left.args[0]): right for left, right in rules.items() if left.op == "symbol"}
+    whole = {ordered(p): q for p, q in rules.items()} if len(names) < len(rules) else None
     for _ in range(MAX_PASSES):
-        _keep_bound_variables(expression, rules)
-        replaced = expression.xreplace(rules)
-        if replaced == expression:
-            return expression
-        expression = replaced
+        changed = replaced(ordered(e), whole) if whole else substitute(e, names)
+        if changed == e:
+            return e
+        e = changed
     raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
 
 
-def _keep_bound_variables(expression: Basic, rules: Rules) -> None:
-    """What is said of a variable under conditions is not said where another takes its name."""
-    for node in expression.atoms(Integral, Derivative, Subs):
-        bound = set(node.variables)
-        for left, right in rules.items():
-            if bound & (left.free_symbols | right.free_symbols) and node.has(left):
-                raise CircularError(f"a definition reaches {left}, where a variable is bound")
+def put_into(given: Conditions, rules: Rules) -> Conditions:
+    """The conditions with definitions put in, each once."""
+    changed = (Relation(put_in(c.left, rules), c.sign, put_in(c.right, rules)) for c in given)
+    return tuple(dict.fromkeys(changed))
 
 
-@lru_cache(maxsize=REMEMBERED)
-def to_given(conditions: tuple[Basic, ...]) -> Given:
-    """SymPy conditions as the conditions that are decided under."""
-    return Given.from_sympy(*conditions)
+def misread(e: Expr, rules: Rules) -> str | None:
+    """The symbol in ``e``, as it was written, that seems to say something else than it does.
+
+    What is defined by x is a number of its own where x is bound, as y = x² is in ``∫ y dx``; a
+    reader would take it for a function.
+    """
+    if e.op in LEAVES:
+        return None
+    if e.op in BINDERS:
+        for name in sorted(symbols(e.args[0])):
+            if not _behind(name, rules).isdisjoint(e.names):
+                return name
+    found = (misread(arg, rules) for arg in e.args)
+    return next((name for name in found if name is not None), None)
 
 
-@lru_cache(maxsize=REMEMBERED)
-def to_expression(e: Basic, open_derivatives: bool = False) -> Expr:
-    """The expression tree of ``e``; with ``open_derivatives`` its derivatives are carried out."""
-    opaque: dict[Basic, Basic] = {}
-    opened: dict[str, Expr] = {}
-    for node in _outermost(e):
-        factor, kept = _normal(node)
-        symbol = Symbol(f"[{srepr(kept)}]", real=True)
-        opaque[node] = factor * symbol
-        if open_derivatives and _opens(node):
-            opened[symbol.name] = _carried_out(node)
-    tree = from_sympy(e.xreplace(opaque) if opaque else e)
-    return substitute(tree, opened) if opened else tree
-
-
-def _normal(node: Basic) -> tuple[Basic, Basic]:
-    """An integral as a constant times one over the variable ``BOUND``; anything else as it is."""
-    if not isinstance(node, Integral) or len(node.limits) != 1 or len(node.limits[0]) != 3:
-        return Integer(1), node
-    variable, low, high = node.limits[0]
-    factor, rest = node.function.as_independent(variable, as_Add=False)
-    return factor, Integral(rest.xreplace({variable: BOUND}), (BOUND, low, high))
-
-
-def _opens(node: Basic) -> bool:
-    """Whether a derivative or substitution sees all that depends on its variables."""
-    if isinstance(node, Integral):
-        return False
-    return not any(set(node.variables) & kept.free_symbols for kept in _kept(node.expr))
-
-
-def _kept(e: Basic) -> list[Basic]:
-    """What stays a symbol of its own in ``e`` when its derivatives are carried out."""
-    kept: list[Basic] = []
-    for node in _outermost(e):
-        if not _opens(node):
-            kept.append(node)
-            continue
-        kept += _kept(node.expr)
-        kept += [n for p in getattr(node, "point", ()) for n in _outermost(p)]
-    return kept
-
-
-def _carried_out(node: Basic) -> Expr:
-    if isinstance(node, Derivative):
-        tree = to_expression(node.expr, open_derivatives=True)
-        for variable in node.variables:
-            tree = differentiate(tree, variable.name)
-        return tree
-    inner = to_expression(node.expr, open_derivatives=True)
-    return substitute(
-        inner,
-        {v.name: to_expression(p) for v, p in zip(node.variables, node.point, strict=True)},
-    )
-
-
-def _outermost(e: Basic) -> list[Basic]:
-    """Derivatives, substitutions and integrals that no other such node contains."""
-    if isinstance(e, Derivative | Subs | Integral):
-        return [e]
-    return [node for argument in e.args for node in _outermost(argument)]
+def _behind(name: str, rules: Rules) -> frozenset[str]:
+    """The symbols that a symbol is defined by, directly or not."""
+    seen: set[str] = set()
+    waiting = {name}
+    while waiting:
+        meaning = rules.get(symbol(waiting.pop()))
+        fresh = symbols(meaning) - seen if meaning is not None else frozenset()
+        seen |= fresh
+        waiting |= fresh
+    return frozenset(seen)

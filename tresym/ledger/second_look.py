@@ -2,14 +2,14 @@
 
 The equations a claim uses are put in: each is read as a rule for a symbol, solved for one in which
 it is linear, or, when neither will do, met on a tiny segment across which it changes sign. Balls
-walk over the SymPy expression itself, integrals included: nothing is shared with the decision
-procedures that a violation is to contradict.
+walk over the SymPy expression as it was written, integrals included: nothing is shared with the
+trees and the decision procedures that a violation is to contradict, nor with their making.
 """
 
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, reduce
 from itertools import pairwise
@@ -38,10 +38,11 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
-from tresym.ledger.claim import equal
-from tresym.ledger.meaning import Rules, put_in, to_expression
+from tresym.ledger.claim import Claim, equal, parts_of
+from tresym.ledger.meaning import MAX_PASSES, CircularError, tree
 from tresym.reals import advocate
 from tresym.reals.decisions.identity import decide
+from tresym.reals.language.binders import generalised
 from tresym.reals.language.expression import FUNCTIONS
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval, fraction_text
@@ -50,6 +51,7 @@ from tresym.reals.places.points import Range
 from tresym.reals.verdict import Verdict
 
 Conditions = tuple[Basic, ...]
+Rules = dict[Basic, Basic]
 Values = Mapping[Symbol, Any]
 Program = Callable[[Values, bool], Any]
 
@@ -254,7 +256,35 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
 
 
 def _identical(left: Basic, right: Basic) -> bool:
-    return decide(to_expression(left), to_expression(right)).verdict is Verdict.PROVED
+    one, other = generalised(tree(left), tree(right))
+    return decide(one, other).verdict is Verdict.PROVED
+
+
+def rules_of(claims: Iterable[Claim]) -> Rules:
+    """The equations that claims say, entry by entry, as replacements of their left sides."""
+    parts = (p for claim in claims for p in parts_of(claim.says) if isinstance(p, Eq))
+    return {e.lhs: e.rhs for part in parts for e in scalars(part) if not e.lhs.is_number}
+
+
+def put_in(expression: Basic, rules: Rules) -> Basic:
+    """Replace left sides by right sides until none is left, in SymPy's own way.
+
+    Raises:
+        CircularError: a symbol is defined by itself, or by a variable that is bound where it is.
+    """
+    for _ in range(MAX_PASSES):
+        for node in expression.atoms(Integral, Derivative, Subs):
+            bound = set(node.variables)
+            for left, right in rules.items():
+                if node == left:  # it is replaced as it stands, where nothing binds its point
+                    continue
+                if bound & (left.free_symbols | right.free_symbols) and node.has(left):
+                    raise CircularError(f"a definition reaches {left}, where a variable is bound")
+        replaced = expression.xreplace(rules)
+        if replaced == expression:
+            return expression
+        expression = replaced
+    raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
 
 
 def _solved(difference: Basic, kept: frozenset[Symbol]) -> tuple[Symbol, Basic] | None:

@@ -125,7 +125,19 @@ def _if_refuted(claim: Record) -> str:
 
 def _conditions(claim: Record) -> Iterator[str]:
     if claim["given"]:
-        yield "Given " + ", ".join(f"${condition}$" for condition in claim["given"]) + "."
+        yield "Given " + _formulas(claim["given"]) + "."
+    asked = [
+        f"{link(label)} for {_formulas(given)}" for label, given in claim["conditions"].items()
+    ]
+    if asked:
+        start = (
+            "What it uses is shown to be used where it holds:" if claim["chains"] else "It holds as"
+        )
+        yield f"{start} {'; '.join(asked)}."
+
+
+def _formulas(conditions: list[str]) -> str:
+    return ", ".join(f"${condition}$" for condition in conditions)
 
 
 def _proof(claim: Record) -> Iterator[str]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 from sympy import Basic, Eq, Equivalent, Matrix, Symbol, Tuple, cos, sin, sqrt
 
-from tresym.ledger.audit.terms import Function
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.ledger.claim import Claim, Definition, Printed, all_of, equal, formally
 from tresym.reals.language.latex import read_latex
+from tresym.reals.language.latex_cursor import Author, Function
+from tresym.reals.language.parsing import parse
 
 x, y, z = (Symbol(name, real=True) for name in "xyz")
 
@@ -21,7 +22,8 @@ AS_IT_STANDS = Reading()
 
 
 def left_over(latex: str, *claims: Claim, reading: Reading = AS_IT_STANDS) -> list[str]:
-    return [str(link) for link in unmet(read_latex(latex), claims, {}, reading)]
+    chains = read_latex(latex, reading.author({}))
+    return [str(link) for link in unmet(chains, claims, {}, reading.reads)]
 
 
 DISPLAYS = [
@@ -60,42 +62,52 @@ def test_a_slip_is_left_over(latex: str, _: Basic, wrong: Basic) -> None:
 def test_agreement_is_asked_under_the_conditions_of_the_claim_alone() -> None:
     says = equal(y, sqrt(x**2))
     assert left_over("y = x", claim(says, given=(x > 0,))) == []
-    assert left_over("y = x", claim(says)) == ["y = x"]
+    assert left_over("y = x", claim(says)) == ["y == x"]
 
 
 def test_sentences_numbers_and_conjunctions() -> None:
     number = claim("a number", Printed("1.25", lambda m: m.pi))
     assert left_over("y = 1.25", number) == []
-    assert left_over("y = 1.26", number) == ["y = 1.26"]
+    assert left_over("y = 1.26", number) == ["y == 1.26"]
     sentence = claim("in words", formally(equal(y, x)))
     both = claim("both", all_of(sentence, number))
     assert left_over("y = x", sentence) == left_over("y = x", both) == []
-    assert left_over("y = x", claim("in words", Definition())) == ["y = x"]
+    assert left_over("y = x", claim("in words", Definition())) == ["y == x"]
 
 
 def test_names_may_be_read_otherwise() -> None:
     says = claim(equal(y, x**2))
-    assert left_over("y = q", says) == ["y = q"]
+    assert left_over("y = q", says) == ["y == q"]
     assert left_over("y = q", says, reading=Reading(reads={"q": "x**2"})) == []
-    assert left_over("y = q", says, reading=Reading(reads={"q": "x**3"})) == ["y = q"]
+    assert left_over("y = q", says, reading=Reading(reads={"q": "x**3"})) == ["y == q"]
 
 
 def test_functions_of_several_arguments_are_found() -> None:
-    found = functions_of([read_latex("f(a, b) = a + b^2", author=True)])
-    assert set(found) == {"f"}
-    assert isinstance(found["f"], Function)
-    assert found["f"].parameters == ("a", "b")
+    found = functions_of(["f(a, b) = a + b^2", "g(x, y) = f(x, 2y)", "h(x, y) = h + x", r"\oops"])
+    assert found == {
+        "f": Function(("a", "b"), parse("a + b**2")),
+        "g": Function(("x", "y"), parse("x + (2*y)**2")),
+    }
+    (chain,) = read_latex("g(1, z) = 3", Author(found))
+    assert chain.terms[0] == parse("1 + (2*z)**2")
+
+
+def test_functions_of_a_sentence_are_read_in_their_display() -> None:
+    says = claim(equal(y, (x + 1) ** 2))
+    told = Reading(functions={"q(s)": "s**2"})
+    assert left_over("y = q(x+1)", says, reading=told) == []
+    assert left_over("y = q(x-1)", says, reading=told) == ["y == (x - 1)**2"]
+    assert told.otherwise == "q(s) read as s**2"
 
 
 @pytest.mark.parametrize(
     ("again", "same"),
     [
-        (("y = 1 + x**2",), True),
-        (("y = 1 - x**2",), False),
+        (("y == 1 + x**2",), True),
+        (("y == 1 - x**2",), False),
         (("y < 1 + x**2",), False),
         ((), False),
-        (("y = 1 + x**2", "y > 0"), False),
-        (("y",), False),
+        (("y == 1 + x**2", "y > 0"), False),
     ],
 )
 def test_a_second_transcription(again: tuple[str, ...], same: bool) -> None:

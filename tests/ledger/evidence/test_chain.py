@@ -27,8 +27,9 @@ from sympy import (
 )
 
 from tresym.ledger.claim import Chain, Claim, Definition, Reason, by, equal, step
-from tresym.ledger.evidence.chain import check_chain, unmet_condition
-from tresym.ledger.meaning import definitions
+from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
+from tresym.ledger.evidence.integrals import NotShownError
+from tresym.ledger.meaning import conditions, definitions, formula
 from tresym.ledger.reasons import (
     adding,
     algebra,
@@ -41,13 +42,15 @@ from tresym.ledger.reasons import (
     substituting,
     trigonometry,
 )
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 x, y, z = (Symbol(name, real=True) for name in "xyz")
 
 
 def proved(says: Basic, chain: Chain, given: tuple[Basic, ...] = ()) -> bool:
-    return all(f.verdict is Verdict.PROVED for f in check_chain(says, chain, given))
+    findings = check_chain(formula(says), chain, conditions(given))
+    return all(f.verdict is Verdict.PROVED for f in findings)
 
 
 square = Claim("square", equal(y, x**2), Definition())
@@ -174,7 +177,9 @@ def test_matrices_entry_by_entry() -> None:
     two, other = Matrix([x + x, 1]), Matrix([2 * x, 1])
     assert proved(Eq(two, other, evaluate=False), by(algebra))
     assert not proved(Eq(two, Matrix([3 * x, 1]), evaluate=False), by(algebra))
-    assert not proved(equal(Matrix([x]), Matrix([[x, x]])), (step(Matrix([x, x]), algebra),))
+    with pytest.raises(InputError):
+        proved(equal(Matrix([x]), Matrix([[x, x]])), (step(Matrix([x, x]), algebra),))
+    assert not proved(equal(Matrix([x]), Matrix([x])), (step(Matrix([x, x]), algebra),))
 
 
 def test_a_step_keeps_the_kind_of_statement() -> None:
@@ -184,11 +189,46 @@ def test_a_step_keeps_the_kind_of_statement() -> None:
 
 def test_what_is_put_in_brings_its_conditions() -> None:
     rules = definitions((positive_x,))
-    assert unmet_condition((positive_x,), rules, ()) == (x > 0)
-    assert unmet_condition((positive_x,), rules, (x > 0,)) is None
-    assert unmet_condition((positive_x,), rules, (x > 1,)) is None
+    assert unmet_condition(positive_x, rules, ()) == formula(x > 0)
+    for enough in (x > 0, x > 1):
+        assert unmet_condition(positive_x, rules, conditions((enough,))) is None
     assert not proved(equal(z**2, x), by(substituting(positive_x), roots))
     assert proved(equal(z**2, x), by(substituting(positive_x), roots), (x > 0,))
+
+
+positive = Claim("positive", equal(y, Abs(y)), by(roots), given=(y >= 0,))
+root = Claim("root", equal(x, sqrt(x**2)), by(roots), given=(x >= 0,))
+LENT = {
+    "its own": (equal(y, Abs(y)), (positive,), ()),
+    "its own, against what is given": (equal(y, Abs(y)), (positive,), (y < 0,)),
+    "its own, in a product": (equal(x * y, x * Abs(y)), (positive,), (y < 0,)),
+    "its own root": (equal(x, sqrt(x**2)), (root,), (x < 0,)),
+    "that of another that waits": (
+        equal(z, Abs(x)),
+        (
+            Claim("one", equal(z, Abs(z)), by(roots), given=(z >= 0,)),
+            Claim("two", equal(z, x), by(), given=(z >= 0, z**2 - x**2 <= 0)),
+        ),
+        (),
+    ),
+}
+
+
+@pytest.mark.parametrize(("says", "used", "given"), LENT.values(), ids=LENT)
+def test_no_claim_shows_its_own_condition(
+    says: Basic, used: tuple[Claim, ...], given: tuple[Basic, ...]
+) -> None:
+    with pytest.raises(NotShownError):
+        instantiated(used, conditions(given))
+    assert not proved(says, by(substituting(*used)), given)
+
+
+def test_a_condition_is_shown_by_what_a_definition_says() -> None:
+    above = Claim("above", equal(sqrt(y**2), y), by(roots), given=(y >= 0,))
+    says = equal(sqrt(y**2), x**2)
+    for used in ((square, above), (above, square)):
+        assert proved(says, by(substituting(*used)))
+    assert not proved(says, by(substituting(above)))
 
 
 def test_an_integral_is_not_opened_by_algebra() -> None:

@@ -25,9 +25,20 @@ from sympy import (
     tan,
 )
 
-from tresym.ledger.evidence.defined import continuous_on, undefined
+from tresym.ledger.evidence import defined
+from tresym.ledger.meaning import conditions, tree
+from tresym.reals.language.expression import Expr
 
 x, y = (Symbol(name, real=True) for name in "xy")
+
+
+def undefined(e: Basic, given: tuple[Basic, ...]) -> Expr | None:
+    return defined.undefined(tree(e), conditions(given))
+
+
+def continuous_on(e: Basic, given: tuple[Basic, ...]) -> Expr | None:
+    return defined.continuous_on(tree(e), conditions(given))
+
 
 # an expression, conditions that show it defined, and weaker ones that do not
 TABLE = [

@@ -44,6 +44,7 @@ from tresym.ledger.reasons import (
     cutting,
     differentiating_integral,
     differentiation,
+    exponentials,
     integrating,
     roots,
     substituting,
@@ -84,8 +85,8 @@ RIGHT = {
         differentiating_integral(t * exp(t * x)),
     ),
     "at a point": (
-        equal(at_zero(exp(x * t), x, 1), area(t) - 1),
-        differentiating_integral(t),
+        equal(at_zero(1 / (1 + x + t), x, 1), area(-1 / (1 + t) ** 2) - 1),
+        differentiating_integral(-1 / (1 + t) ** 2),
     ),
     "sum": (
         equal(2 * area(exp(t)) - area(t), Integral(2 * exp(y) - y, (y, 0, 1))),
@@ -258,7 +259,7 @@ def implicit(says: Basic, given: tuple[Basic, ...] = (y > 0,), **changes: object
         "unknown": y,
         "parameter": x,
         "at": ZERO,
-        "slope": (step(ONE, differentiating_integral(ZERO)),),
+        "slope": (step(ONE, differentiating_integral(ZERO), exponentials),),
     }
     proof = ImplicitFunction(**{**evidence, **changes})
     used = {c.label: judge(c, {}) for c in (proof.equation,)}

@@ -1,11 +1,18 @@
 """Signs that are manifest where conditions pin a symbol, and the falsehoods planted for them."""
 
 import pytest
-from sympy import Abs, Basic, Expr, Symbol, sign, sqrt
+from sympy import Abs, Basic, Expr, Symbol, cos, pi, sign, sin, sqrt
 
-from tresym.ledger.evidence.manifest import manifest_sign
+from tresym.ledger.evidence import manifest
+from tresym.ledger.meaning import conditions, tree
 
 b, t, x, y = (Symbol(name, real=True) for name in "btxy")
+
+
+def manifest_sign(e: Expr, given: tuple[Basic, ...]) -> str | None:
+    return manifest.manifest_sign(tree(e), conditions(given))
+
+
 PINNED = (b > 0, y > -b, x >= y, x <= y)
 """x is y, and above −b."""
 
@@ -34,3 +41,19 @@ def test_no_positive_sign_is_read_off_where_there_is_none(
     e: Expr, given: tuple[Basic, ...]
 ) -> None:
     assert manifest_sign(e, given) != "+"
+
+
+NEITHER: list[tuple[Expr, tuple[Basic, ...]]] = [
+    (sin(t), (t > 0,)),
+    (sin(t), (t < pi,)),
+    (cos(t), (t > -pi / 2,)),
+    (x * sin(t), (x > 0, t > 0)),
+    (x * t, (x > 0,)),
+    (x + t, (x > 0,)),
+    (sqrt(x) - t, (x > 0, t > 0)),
+]
+
+
+@pytest.mark.parametrize(("e", "given"), NEITHER)
+def test_what_may_be_negative_has_no_sign(e: Expr, given: tuple[Basic, ...]) -> None:
+    assert manifest_sign(e, given) not in ("+", ">=0", "0")

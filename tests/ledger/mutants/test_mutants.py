@@ -61,7 +61,7 @@ def test_no_mutant_holds(part: int) -> None:
     Of changed definitions by an integral not all are shown violated; they are UNDECIDED.
     """
     labels = [claim.label for claim in all_claims()][part * 6 :: 24]
-    check(verify_mutants(labels, wanted=1), 0.96)
+    check(verify_mutants(labels, wanted=1), 0.95)
 
 
 @pytest.mark.parametrize("label", ["eq_gamma", "range_of_gamma", "d54", "table_str_a"])

@@ -3,6 +3,7 @@
 import pytest
 from flint import arb, ctx, fmpq
 
+from tresym.reals.balls import boxes
 from tresym.reals.balls.boxes import (
     Bound,
     BoxProof,
@@ -11,8 +12,8 @@ from tresym.reals.balls.boxes import (
     Open,
     box,
     decide_bound,
+    inconsistent,
     leaf_boxes,
-    prove_positive,
     recheck,
     supremum,
     value_at,
@@ -38,20 +39,18 @@ def saddle(x, y, m):
 @pytest.mark.parametrize("slopes", [False, True])
 def test_a_true_bound_closes_rechecks_and_is_found_again(slopes):
     bound = Bound(cosine_margin, UNIT, slopes=slopes)
-    proof = prove_positive(bound)
+    proof = decide_bound(bound)
     assert isinstance(proof, BoxProof)
     recheck(bound, proof)
-    assert decide_bound(bound).proof == proof
+    assert decide_bound(bound) == proof
     assert decide_bound(bound, stored=proof).verdict is Verdict.ENCLOSED
     assert len(list(leaf_boxes(UNIT, proof))) == proof.leaves
 
 
 def test_leaves_cover_the_box_exactly():
-    proof = prove_positive(Bound(cosine_margin, UNIT))
+    proof = decide_bound(Bound(cosine_margin, UNIT))
     assert isinstance(proof, BoxProof)
-    area = sum(
-        ((x.high - x.low) * (y.high - y.low) for x, y in leaf_boxes(UNIT, proof)), start=fmpq(0)
-    )
+    area = sum((x.width * y.width for (x, y), _ in leaf_boxes(UNIT, proof)), start=fmpq(0))
     assert area == 1
 
 
@@ -59,8 +58,8 @@ def test_slopes_save_boxes():
     def margin(x, y, m):
         return m.exp(x) - x - x * y / 4 - arb(fmpq(1, 2)) * (1 + x * x * y * y)
 
-    plain = prove_positive(Bound(margin, UNIT))
-    sloped = prove_positive(Bound(margin, UNIT, slopes=True))
+    plain = decide_bound(Bound(margin, UNIT))
+    sloped = decide_bound(Bound(margin, UNIT, slopes=True))
     assert isinstance(plain, BoxProof)
     assert isinstance(sloped, BoxProof)
     assert sloped.leaves < plain.leaves
@@ -68,12 +67,11 @@ def test_slopes_save_boxes():
 
 @pytest.mark.parametrize("slopes", [False, True])
 def test_a_false_bound_is_refuted_with_an_exact_witness(slopes):
-    outcome = prove_positive(Bound(saddle, UNIT, slopes=slopes))
+    outcome = decide_bound(Bound(saddle, UNIT, slopes=slopes))
     assert isinstance(outcome, Counterexample)
     assert all(0 < x < 1 for x in outcome.point)
     with ball_precision(200):
         assert value_at(saddle, outcome.point) < 0
-    assert decide_bound(Bound(saddle, UNIT)).witness.keys() == {"x1", "x2"}
 
 
 def test_a_margin_that_touches_zero_is_never_enclosed():
@@ -83,7 +81,7 @@ def test_a_margin_that_touches_zero_is_never_enclosed():
         return (x - arb(third)) ** 2
 
     for slopes in (False, True):
-        outcome = prove_positive(Bound(touching, box((0, 1)), slopes=slopes), budget=3000)
+        outcome = decide_bound(Bound(touching, box((0, 1)), slopes=slopes), budget=3000)
         assert isinstance(outcome, Open)
 
 
@@ -115,6 +113,25 @@ def test_nan_is_never_positive():
     assert decide_bound(bound, budget=200).verdict is Verdict.UNDECIDED
 
 
+@pytest.mark.parametrize(
+    "found",
+    [BoxProof("b"), BoxProof("xbb"), Counterexample((fmpq(1),), arb(-1))],
+)
+def test_what_a_search_finds_is_not_believed(found, monkeypatch):
+    bound = Bound(lambda x, m: (x + arb(fmpq(1, 2))) * (x - arb(fmpq(1, 2))), box((0, 1)))
+    assert isinstance(decide_bound(bound), Counterexample)
+    monkeypatch.setattr(boxes, "_found", lambda *_: found)
+    with pytest.raises(CertificateError):
+        decide_bound(bound)
+
+
+def test_a_point_beyond_the_box_refutes_nothing(monkeypatch):
+    bound = Bound(lambda x, m: x + arb(fmpq(1, 2)), box((0, 1)))
+    monkeypatch.setattr(boxes, "_found", lambda *_: Counterexample((fmpq(-1),), arb(-1)))
+    with pytest.raises(CertificateError):
+        decide_bound(bound)
+
+
 @pytest.mark.parametrize("tree", ["", "x", "xb", "bb", "xbbb", "yb", "q", "mm"])
 def test_a_malformed_tree_is_refused(tree):
     with pytest.raises(CertificateError):
@@ -122,7 +139,7 @@ def test_a_malformed_tree_is_refused(tree):
 
 
 def test_a_tree_does_not_prove_another_bound():
-    proof = prove_positive(Bound(lambda x, m: x + 1, box((0, 1))))
+    proof = decide_bound(Bound(lambda x, m: x + 1, box((0, 1))))
     assert isinstance(proof, BoxProof)
     for mark in ("b", "m"):
         with pytest.raises(CertificateError):
@@ -131,7 +148,7 @@ def test_a_tree_does_not_prove_another_bound():
 
 def test_precision_is_restored():
     before = ctx.prec, ctx.cap
-    prove_positive(Bound(cosine_margin, UNIT, precision=200))
+    decide_bound(Bound(cosine_margin, UNIT, precision=200))
     assert (ctx.prec, ctx.cap) == before
 
 
@@ -228,7 +245,7 @@ def test_no_box_becomes_a_needle():
     def margin(x, y, m):
         return 1 + arb(10) ** 30 * (x - x) - (y - arb(fmpq(1, 3))) ** 2 / 2
 
-    outcome = prove_positive(Bound(margin, UNIT, slopes=True), budget=4000)
+    outcome = decide_bound(Bound(margin, UNIT, slopes=True), budget=4000)
     assert not isinstance(outcome, Counterexample)
     if isinstance(outcome, Open):
         x, y = outcome.worst
@@ -286,3 +303,54 @@ def test_the_two_forms_of_a_divided_function_agree(power, point):
             assert (
                 divided(arb(at, radius)).contains(exact) or not divided(arb(at, radius)).is_finite()
             )
+
+
+@pytest.mark.parametrize("sides", [[(1, 0)], [(0, 1), (1, 0)], [(1, 0), (0, 1)]])
+def test_a_side_whose_ends_are_out_of_order_is_no_side(sides):
+    with pytest.raises(ValueError, match="out of order"):
+        box(*sides)
+
+
+INCONSISTENT = [
+    (lambda x, y, m: 1.0, "no ball"),
+    (lambda x, y, m: x if x.rad() == 0 else 1.0, "no ball"),
+    (lambda x, y, m: arb(1), "does not depend"),
+    (lambda x, y, m: arb((x + y).mid()), "does not hold"),
+    (lambda x, y, m: x + y if x.rad() == 0 else arb(x.mid() + y.mid()), "does not hold"),
+    (lambda x, y, m: x if x.rad() == 0 else x.lower(), "does not hold"),
+    (lambda x, y, m: x if x.rad() == 0 else x.upper(), "does not hold"),
+    (lambda x, y, m: x + (x - y) ** 2 / 1000, None),
+    (lambda x, y, m: (x - 5).sqrt(), None),
+]
+"""Margins that are none, and two that are: one of them is real nowhere."""
+
+
+@pytest.mark.parametrize(("margin", "expected"), INCONSISTENT)
+def test_a_margin_is_a_function_of_its_coordinates(margin, expected):
+    with ball_precision(64):
+        why = inconsistent(margin, UNIT)
+    assert (why is None) == (expected is None)
+    assert expected is None or expected in why
+
+
+def test_slopes_that_are_not_those_of_the_values_are_seen():
+    def margin(x, y, m):
+        return x * x + y if isinstance(x, arb) else 3 * x + y
+
+    with ball_precision(64):
+        assert inconsistent(margin, UNIT) is None
+        assert "slopes" in inconsistent(margin, UNIT, slopes=True)
+
+
+def test_the_search_ends_open_at_boxes_that_no_precision_can_tell():
+    outcome = decide_bound(Bound(lambda x, m: abs(x - arb(1) / 3), box((0, 1))), budget=10_000)
+    assert isinstance(outcome, Open)
+    assert outcome.worst[0].low <= fmpq(1, 3) <= outcome.worst[0].high
+
+
+def test_a_supremum_that_is_nowhere_seen_to_be_positive_is_none():
+    assert supremum(lambda x, m: 0 * x, box((0, 1))) is None
+    assert supremum(lambda x, m: (x - 5).sqrt(), box((0, 1))) is None
+    found = supremum(lambda x, m: 1 - (x - 1) * (x - 1), box((0, 1)), slopes=True)
+    assert found is not None
+    assert found.ball.contains(1)

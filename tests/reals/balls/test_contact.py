@@ -126,7 +126,13 @@ ORDERS = [
     ("O", "cos(x)", "1", "pi/2", E),
     ("O", "sin(x)", "x*(1/8 - x)", "0", E),
     ("o", "cos(x)", "1", "pi/2", E),
+    ("~", "x**2", "2*x", "0", R),  # their last derivatives agree, their orders do not
+    ("~", "sin(x)", "x**3/6 + x**2/2", "0", R),
+    ("O", "x**2", "2*x", "0", E),
+    ("O", "x", "x**2/2", "0", R),
     ("O", "sqrt(x)", "x", "0", U),
+    ("O", "x", "sqrt(x)", "0", U),
+    ("~", "x + abs(x)**3", "x", "0", U),
     ("O", "x", "x - x", "0", U),
     ("O", "abs(x)", "x", "0", U),
 ]

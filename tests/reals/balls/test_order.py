@@ -12,7 +12,7 @@ from tresym.ledger.judge import judge
 from tresym.reals.balls.boxes import Bound, box, decide_bound
 from tresym.reals.balls.germ import Germs, UnresolvedError, as_ball
 from tresym.reals.balls.gradient import Divided
-from tresym.reals.balls.order import Order, judge_order
+from tresym.reals.balls.order import Order, Size, judge_order
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.verdict import Verdict
 
@@ -50,7 +50,7 @@ def test_exponents_of_sin_x_minus_x(kind, exponent, expected):
     assert found.true_order.power == 3
     assert found.true_order.coefficient.overlaps(arb(-1) / 6)
     if expected is REFUTED:
-        assert found.witness
+        assert found.points["t"] > 0
 
 
 def test_the_constant_is_a_ball_around_the_supremum():
@@ -76,7 +76,7 @@ def test_constants_and_ranges(constant, upto, expected):
     found = judge_order(statement)
     assert found.verdict is expected
     if expected is REFUTED:
-        t = fmpq(*map(int, (found.witness["t"] + "/1").split("/")[:2]))
+        t = found.points["t"]
         with ball_precision(300):
             assert abs(sine_defect(arb(t), balls)) > arb(constant) * arb(t) ** 3
 
@@ -407,3 +407,79 @@ def test_orders_of_other_scenes_are_claims_like_any_other():
         margins = [kepler_margin(arb(constant), side) for side in (1, -1)]
         bounds = tuple(Bound(margin, region, slopes=True) for margin in margins)
         assert judged("kepler", "E", Boxes(bounds, ("e", "M"), "e <= 1/5")) is expected
+
+
+SUPREMA = [
+    (lambda x, m: m.exp(-x), power(0), lambda: arb(1)),
+    (lambda x, m: x * x * m.exp(-3 * x), power(1), lambda: arb(-1).exp() / 3),
+    (lambda x, m: x + 3 * x**3, power(1), lambda: arb(4)),
+    (lambda x, m: x * (1 - x) * (1 - x), power(0), lambda: arb(4) / 27),
+    (lambda x, m: 0 * x, power(1), lambda: arb(0)),
+]
+"""Functions, gauges, and the supremum of the ratio on (0, 1]: in the limit, inside, at the end."""
+
+
+@pytest.mark.parametrize(("function", "gauge", "expected"), SUPREMA)
+def test_the_supremum_lies_in_the_constant(function, gauge, expected):
+    found = judge_order(Order("O", function, gauge))
+    assert (found.verdict, found.upto) == (ENCLOSED, 1)
+    assert found.constant.overlaps(expected())
+    assert found.constant.rad() <= 0.01 * found.constant.mid()
+
+
+def test_an_expansion_reaches_no_further_than_its_function():
+    found = judge_order(Order("O", lambda x, m: m.log(1 - 4 * x), power(1)))
+    assert found.verdict is ENCLOSED
+    assert found.upto < fmpq(1, 4)
+    assert found.constant.is_finite()
+    found = judge_order(Order("O", power(1), lambda x, m: m.sqrt(1 - 4 * x)))
+    assert found.upto < fmpq(1, 4)
+
+
+def near_the_point(x, m):
+    return 2 * x if isinstance(x, arb) and x < arb(1) / 32 else x
+
+
+def by_floats(x, m):
+    return float(x) if isinstance(x, arb) else x
+
+
+def nothing_by_floats(x, m):
+    return 0 * float(x.mid()) if isinstance(x, arb) else 0 * x
+
+
+@pytest.mark.parametrize("function", [near_the_point, by_floats, nothing_by_floats])
+def test_a_function_that_goes_by_what_it_is_given_is_not_judged(function):
+    kind = "o" if function is nothing_by_floats else "~"
+    assert judge_order(Order(kind, function, power(1))).verdict is UNDECIDED
+
+
+def test_two_functions_that_are_zero_have_no_ratio():
+    assert verdict("~", lambda x, m: 0 * x, lambda x, m: 0 * x) is not ENCLOSED
+
+
+TEXTS = [
+    (Size(arb(2), fmpq(3)), "2.00000 * t^(3)"),
+    (Size(arb(2), fmpq(0)), "2.00000"),
+    (Size(arb(2), fmpq(1, 2), (arb(0), arb(-1))), "2.00000 * t^(1/2) * exp(-1.00000/t^1)"),
+    (Size(arb(2), fmpq(0), (arb(3), arb(0))), "2.00000 * exp(3.00000)"),
+    (Size(arb(2), fmpq(2), (), True), "2.00000 * log(1/t)^(-2)"),
+    (Size(arb(2), fmpq(0), (arb(0), arb(-2)), True), "2.00000 * t^(2)"),
+    (Size(arb(2), fmpq(0), (arb(0), arb("-0.5")), True), "2.00000 * t^(0.500000)"),
+    (Size(arb(2), fmpq(0), (arb(1), arb(0), arb(4)), True), ("2.00000 * exp(1.00000)", "4.00000")),
+]
+
+
+@pytest.mark.parametrize(("size", "expected"), TEXTS)
+def test_a_leading_term_is_written_as_it_is(size, expected):
+    first, *more = expected if isinstance(expected, tuple) else (expected,)
+    assert size.text().startswith(first)
+    assert all(part in size.text() for part in more)
+    if not more:
+        assert size.text() == first
+
+
+def test_far_away_a_leading_term_is_written_in_the_variable():
+    assert Size(arb(1), fmpq(1), (arb(0), arb(2)), True).text("(1/x)") == (
+        "1.00000 * log(x)^(-1) * x^(2)"
+    )

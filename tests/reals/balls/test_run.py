@@ -158,5 +158,6 @@ def test_what_is_not_defined_has_no_finite_value(text: str) -> None:
 
 @pytest.mark.parametrize("text", ["sign(x)", "cbrt(x)"])
 def test_no_gradient_across_a_change_of_sign(text: str) -> None:
-    with ball_precision(64), pytest.raises(UnresolvedError):
-        formula(parse(text), "x")(coordinates((arb(0, 1),))[0], gradients)
+    with ball_precision(64):
+        found = formula(parse(text), "x")(coordinates((arb(0, 1),))[0], gradients)
+        assert not found.slopes[0].is_finite()

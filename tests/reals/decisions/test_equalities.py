@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from flint import fmpq
 
-from tresym.reals.decisions.equalities import FORMAL, NOWHERE, decide_equality
+from tresym.reals.decisions.equalities import FORMAL, NOWHERE, _is_real, decide_equality
 from tresym.reals.decisions.identity import Decision
 from tresym.reals.decisions.reading import read
+from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
 PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
@@ -77,3 +79,20 @@ def test_points_at_which_a_function_is_not_real_refute_nothing() -> None:
     """The sides differ for x < 0 alone, or at 0 alone, where x**(3/2) has no two sides."""
     assert decided("diff(log(x), x) == 1/x + abs(x) - x").verdict is PROVED
     assert decided("diff(sqrt(x)**3, x)*0 == sign(x) - 1 given x > -1").verdict is not REFUTED
+
+
+@pytest.mark.parametrize(
+    ("functions", "by", "expected"),
+    [
+        (["x", "log(x + 2)"], ["x"], True),
+        (["x", "log(x)"], ["x"], False),
+        (["log(x)", "x"], ["x"], False),
+        (["sqrt(x + 1)"], ["x"], False),
+        (["sqrt(x + 1)"], [], True),
+        (["x + z"], ["x"], False),
+    ],
+)
+def test_every_function_is_real_at_a_point_and_beside_it(
+    functions: list[str], by: list[str], expected: bool
+) -> None:
+    assert _is_real(list(map(parse, functions)), by, {"x": fmpq(-1)}) is expected

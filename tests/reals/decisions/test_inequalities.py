@@ -6,10 +6,11 @@ import pytest
 from flint import arb
 
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.inequalities import decide_inequality
+from tresym.reals.decisions.inequalities import _one_period, decide_inequality
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import with_domain
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
@@ -18,7 +19,7 @@ REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
 
 def decided(claim: str, under: str = "") -> Answer:
-    ((left, relation, right, *_),) = parse_claim(claim)
+    ((left, relation, right),) = parse_claim(claim)
     return decide_inequality(left, relation, right, Given.parse(under))
 
 
@@ -84,7 +85,7 @@ def test_a_witness_satisfies_the_conditions_and_violates_the_claim(claim: str, u
     assert found.witness is not None
     at = {name: arb(parse_number(text)) for name, text in found.witness.items()}
     assert all(c.holds_exactly(at) for c in Given.parse(under).conditions)
-    ((left, relation, right, *_),) = parse_claim(claim)
+    ((left, relation, right),) = parse_claim(claim)
     x, y = evaluate(left, at), evaluate(right, at)
     assert {"<": x >= y, "<=": x > y, ">": x <= y, ">=": x < y}[relation]
 
@@ -158,3 +159,88 @@ def test_a_zero_between_two_points_is_enclosed_by_them() -> None:
 @pytest.mark.parametrize("claim", ["x + 10**(-60) != x", "x + 10**(-60) > x", "exp(-500) != 0"])
 def test_balls_that_overlap_are_not_yet_equal(claim: str) -> None:
     assert decided(claim).verdict is not REFUTED
+
+
+PERIODIC = [
+    ("cos(x)", "", "2*pi"),
+    ("sin(x)**2 - 1/3", "", "2*pi"),
+    ("cos(pi*x)", "", "2"),
+    ("cos(x)", "1 <= x <= 20", None),
+    ("cos(x)", "x > 4", None),
+    ("cos(x) + cos(y)", "", None),
+    ("cos(x) + x", "", None),
+    ("cos(sqrt(2)*x) + cos(x)", "", None),
+    ("sqrt(sin(x)) - x", "", None),
+    ("sqrt(sin(x))", "", "2*pi"),
+    ("cos(x) + 0*sqrt(x)", "", None),
+]
+
+
+@pytest.mark.parametrize(("text", "under", "period"), PERIODIC)
+def test_one_period_is_enough_of_what_is_periodic(text: str, under: str, period: str) -> None:
+    difference, given = parse(text), Given.parse(under)
+    region = with_domain(given, difference)
+    cut = _one_period(difference, region, given)
+    if period is None:
+        assert cut == region
+    else:
+        half = parse(period) / 2
+        assert cut == region & Given(((parse("x"), ">=", -half), (parse("x"), "<=", half)))
+
+
+@pytest.mark.parametrize("under", ["1 <= x <= 20", "x >= 1", "-7 < x < -6"])
+def test_a_claim_under_a_condition_is_not_looked_at_elsewhere(under: str) -> None:
+    assert not decide_inequality(parse("1"), ">", parse("cos(x)"), Given.parse(under))
+
+
+CASES = [
+    ("abs(x) + abs(x - 1)", "1", "11/10"),
+    ("abs(x) + abs(y)", "abs(x + y)", "abs(x + y) + 1/100"),
+    ("abs(x)", "x", "x + 1/100"),
+    ("abs(x)", "-x", "1/100 - x"),
+    ("abs(abs(x) - 1)", "1 - abs(x)", "101/100 - abs(x)"),
+]
+
+
+@pytest.mark.parametrize(("left", "true", "false"), CASES)
+def test_every_case_of_an_absolute_value_counts(left: str, true: str, false: str) -> None:
+    assert decide_inequality(parse(left), ">=", parse(true), Given()).verdict is Verdict.PROVED
+    assert not decide_inequality(parse(left), ">=", parse(false), Given())
+
+
+ISOLATED = [
+    # refuted at a single point of the domain, or not
+    ("sqrt(x**2*(x - 1))", ">", "0", "x != 1", False),
+    ("sqrt(x**2*(x - 1)*(2 - x))", ">", "-1 + abs(sign(x))", "x < 1/2", False),
+    ("sqrt(x**2*(x - 1))", "!=", "0", "x != 1", False),
+    ("sqrt((x**2 - 2)**2*(x - 3))", ">", "0", "x != 3", False),
+    ("sqrt((x**2 - 2)**2*(x - 3))", ">=", "1/2", "x >= 31/10", False),
+    ("1 - sqrt((x - 7)**2*(x - 30))", ">", "1", "0 < x < 20", False),
+    ("sqrt(x)", ">", "0", "", True),
+    ("sqrt(-x)", ">", "0", "", True),
+    ("sqrt(x) + sqrt(-y)", ">", "0", "", True),
+    ("sqrt(-x) + sqrt(-y)", ">", "0", "", True),
+]
+
+
+@pytest.mark.parametrize(("left", "relation", "right", "under", "refuted"), ISOLATED)
+def test_a_point_that_stands_alone_refutes_nothing(
+    left: str, relation: str, right: str, under: str, refuted: bool
+) -> None:
+    found = decide_inequality(parse(left), relation, parse(right), Given.parse(under))
+    assert (found.verdict is Verdict.REFUTED) == refuted
+
+
+@pytest.mark.parametrize(
+    ("left", "under"),
+    [
+        ("x - 1/3", "(x - 1/3)**2 >= 1/100"),
+        ("x", "x**2 >= 1/100"),
+        ("x**3 - 2", "(x - 1)**2 >= 1/10"),
+        ("1/x", ""),
+        ("x/(x - 1/3)**2", "(x - 1/3)**2 + x**2 > 1/3"),
+    ],
+)
+def test_a_zero_outside_the_conditions_refutes_no_inequation(left: str, under: str) -> None:
+    found = decide_inequality(parse(left), "!=", parse("0"), Given.parse(under))
+    assert found.verdict is not Verdict.REFUTED

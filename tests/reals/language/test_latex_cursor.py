@@ -1,10 +1,19 @@
-"""A place among tokens: what comes next, and one line where it is not expected."""
+"""A place among tokens: what comes next, what it is called, and one line where it is not read."""
 
 from __future__ import annotations
 
 import pytest
 
-from tresym.reals.language.latex_cursor import Cursor, is_letter, is_number
+from tresym.reals.language.expression import symbol
+from tresym.reals.language.latex_cursor import (
+    Cursor,
+    allowed,
+    derived,
+    is_derivative,
+    is_letter,
+    is_number,
+)
+from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import tokenize
 from tresym.reals.numbers.exact import InputError
 
@@ -34,6 +43,8 @@ def test_another_token_than_expected_is_refused_at_its_place() -> None:
         (r"\sin x", "function", "", False),
         (r"\arcsin x", "inverse", "", False),
         (r"\int f", "function", "", False),
+        (r"\max(x, y)", "function", "", False),
+        (r"\lim_{x\to 0} x", "function", "", False),
         (r"\dot x", "derivative", "", False),
         (r"\frac{d}{dx} x", "derivative", "", False),
         (r"\frac{\partial f}{\partial x}", "derivative", "", False),
@@ -104,3 +115,73 @@ def test_two_readings_are_both_in_the_line() -> None:
 def test_letters_and_numbers(token: str, letter: bool, number: bool) -> None:
     assert is_letter(token) is letter
     assert is_number(token) is number
+
+
+@pytest.mark.parametrize(
+    ("source", "above", "below", "end"),
+    [
+        (r"\frac{a+b}{c}x", "a + b", "c", 9),
+        (r"\frac ab", "a", "b", 3),
+        (r"\frac a{bc}", "a", "b c", 6),
+        (r"\frac{a{b}}c", "a { b }", "c", 8),
+    ],
+)
+def test_halves_of_a_fraction(source: str, above: str, below: str, end: int) -> None:
+    assert _at(source).halves(0) == (above.split(), below.split(), end)
+
+
+@pytest.mark.parametrize(
+    ("source", "sides"),
+    [("^+", "^ +"), ("^{-}", "^ { - }"), ("+", "+"), ("-}", "-"), ("+x", ""), ("^2", ""), ("", "")],
+)
+def test_the_side_that_a_path_comes_from(source: str, sides: str) -> None:
+    assert _at(source).sides() == sides.split()
+
+
+@pytest.mark.parametrize(
+    ("source", "name"),
+    [
+        ("x", "x"),
+        ("x_1", "x1"),
+        ("x_{12}", "x12"),
+        ("x_a", "x_a"),
+        (r"\psi_{in}", "psi_in"),
+        (r"\omega_\perp", "omega_perp"),
+        (r"\Delta\psi", "Delta_psi"),
+        (r"\lambda", "lambda_"),
+        ("E", "E_"),
+        ("I", "I_"),
+        ("I_1", "I1"),
+    ],
+)
+def test_symbols(source: str, name: str) -> None:
+    assert _at(source).symbol() == name
+
+
+@pytest.mark.parametrize("source", ["3", "+", r"\sin", "x_12", "x_{a,b}", "x_{-1}", "x_", "x_{a"])
+def test_what_is_no_symbol(source: str) -> None:
+    with pytest.raises(InputError):
+        _at(source).symbol()
+
+
+@pytest.mark.parametrize("source", ["i", "j", "dx", "sin x", "alpha", "sqrt"])
+def test_letters_that_are_no_variable_are_refused(source: str) -> None:
+    with pytest.raises(InputError):
+        _at(source).check_name()
+
+
+@pytest.mark.parametrize("source", ["x", "i_1", "d", r"d\cdot x", r"s\,i\,n", "si", r"\alpha"])
+def test_letters_that_are_variables_pass(source: str) -> None:
+    _at(source).check_name()
+
+
+def test_reserved_names_step_aside() -> None:
+    assert {allowed(name) for name in ("pi", "sin", "x")} == {"pi_", "sin_", "x"}
+
+
+@pytest.mark.parametrize(
+    ("name", "is_one"), [("dy_dx", True), ("partialf_partialx", True), ("d_x", False), ("x", False)]
+)
+def test_what_is_a_derivative(name: str, is_one: bool) -> None:
+    assert is_derivative(Piece(2 * symbol(name) + 1)) is is_one
+    assert is_derivative(derived("\\partial", "lambda_", "x"))

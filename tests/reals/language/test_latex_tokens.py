@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.reals.language.latex_tokens import MAX_CHARACTERS, MAX_DEPTH, Spaced, tokenize
+from tresym.reals.language.latex_tokens import (
+    MAX_CHARACTERS,
+    MAX_DEPTH,
+    Spaced,
+    tokenize,
+    with_sign,
+)
 from tresym.reals.numbers.exact import InputError
 
 
@@ -29,6 +35,12 @@ from tresym.reals.numbers.exact import InputError
         (r"{\sin}x", r"\sin x"),
         (r"{\sin^2}x", r"\sin ^2 x".replace("^2", "^ 2")),
         ("x := y", "x := y"),
+        ("x == y", "x == y"),
+        (r"\mathcal{O}(x)", "O ( x )"),
+        (r"\text{for all } x", r"\conditionfor x"),
+        (r"x_{\text{max}}+x_\text{rad}", "x _ { m a x } + x _ { r a d }"),
+        (r"\text{max}", r"\text { m a x }"),
+        (r"\operatorname{arcoth}x", r"\arcoth x"),
     ],
 )
 def test_tokens(source: str, tokens: str) -> None:
@@ -50,3 +62,8 @@ def test_declared_words_are_one_token() -> None:
 def test_what_is_too_much_is_refused(source: str) -> None:
     with pytest.raises(InputError):
         tokenize(source)
+
+
+def test_a_double_sign_is_one_sign_or_the_other() -> None:
+    tokens = tokenize(r"x\pm y\mp z")
+    assert [" ".join(with_sign(tokens, sign)) for sign in "+-"] == ["x + y - z", "x - y + z"]

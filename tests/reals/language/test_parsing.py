@@ -6,9 +6,24 @@ from fractions import Fraction
 from functools import reduce
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from tresym.reals.language.expression import E, Expr, add, differentiate, number, symbol, trees
-from tresym.reals.language.parsing import parse
+from tresym.reals.language.binders import at, derivative, integral, limit, order
+from tresym.reals.language.expression import (
+    FUNCTIONS,
+    PI,
+    E,
+    Expr,
+    add,
+    angle,
+    apply,
+    differentiate,
+    number,
+    symbol,
+    trees,
+)
+from tresym.reals.language.parsing import as_written, parse
 from tresym.reals.language.sympy import from_sympy, to_sympy
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -202,3 +217,34 @@ def _names(e: Expr) -> set[str]:
 
 def test_symbols() -> None:
     assert _names(parse("a*sin(x)**y + pi")) == {"a", "x", "y"}
+
+
+VARIABLES = st.sampled_from(["x", "y", "a1", "theta_0"])
+NUMBERS = st.fractions(min_value=-5, max_value=5, max_denominator=4).map(number)
+LEAVES = VARIABLES.map(symbol) | NUMBERS | st.sampled_from([PI, E])
+
+
+def _larger(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
+    pairs, bound = st.tuples(inner, inner), st.tuples(inner, VARIABLES)
+    ends = st.tuples(inner, VARIABLES, inner)
+    return st.one_of(
+        pairs.map(lambda p: p[0] + p[1]),
+        pairs.map(lambda p: p[0] - p[1]),
+        pairs.map(lambda p: p[0] * p[1]),
+        pairs.map(lambda p: p[0] / p[1]),
+        pairs.map(lambda p: angle(*p)),
+        st.tuples(inner, LEAVES).map(lambda p: p[0] ** p[1]),
+        st.tuples(st.sampled_from(sorted(FUNCTIONS)), inner).map(lambda p: apply(*p)),
+        bound.map(lambda p: derivative(*p)),
+        ends.map(lambda p: derivative(*p)),
+        ends.map(lambda p: at(p[0], {p[1]: p[2]})),
+        st.tuples(ends, inner, inner).map(lambda p: at(p[0][0], {"x": p[1], "y": p[2]})),
+        st.tuples(ends, st.sampled_from([-1, 0, 1])).map(lambda p: limit(*p[0], p[1])),
+        st.tuples(bound, inner, inner).map(lambda p: integral(*p[0], *p[1:])),
+        st.tuples(st.sampled_from("Oo"), inner).map(lambda p: order(*p)),
+    )
+
+
+@given(st.recursive(LEAVES, _larger, max_leaves=10))
+def test_what_is_printed_is_read_back(tree: Expr) -> None:
+    assert as_written(str(tree)) == tree

@@ -23,6 +23,7 @@ from tresym.reals.verdict import Verdict
 READ = [
     "sin(π) == 0",
     "x² + 1 > 0",
+    "x = x",
     "x·y ≤ (x² + y²)/2",
     "x × 3 ÷ 3 == x",
     "√(x²) == |x|",
@@ -72,7 +73,6 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("x => 1", "write >="),
         ("x =< 1", "write <="),
         ("x <> 1", "write !="),
-        ("x = 1", "write =="),
         ("x >= ", "one side"),
         ("1,5 == 3/2", "decimals have a point"),
         ("x > 0 and y > 0", "one claim at a time"),
@@ -89,7 +89,25 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("x == 0x1for", "is not an expression"),
         ("x == x given x > 1or 2", "is not a condition"),
         ("x > 0 given diff(log(x), x) > 0", "write it out"),
-        ("diff(pi*x, pi) == x", "a variable"),
+        ("diff(pi*x, pi) == x", "no variable"),
+        ("e^x == exp(x)", r"write exp\(x\), or the variable e by another name"),
+        ("integral(x, x, 0, 1) == 1/2", r"claim diff\(F, x\) == f"),
+        ("at(diff(x**2, x), x, 3) == 6", "write the derivative out"),
+        ("at(y, x, 3) == y", "put the point in"),
+        ("limit(x, x, 0) + 1 == 1", r"f == L \+ o\(1\) as x -> a"),
+        ("limit(x, x, y) == 1", "ends at a constant"),
+        ("limit(x, x, 0) == 0 as x -> 0", "path in it"),
+        ("x + O(x) + o(x) == 1", "right end"),
+        ("x == x - O(x) as x -> 0", "right end"),
+        (r"x \le \infty", "oo is no real number"),
+        (r"x = \pm 1", "write x == 1 and x == -1"),
+        (r"x\to 0", "-> is no claim"),
+        (r"x\ll 1", "<< is no claim"),
+        (r"x\sim x\sim x as x\to 0", "no chain"),
+        ("x == x == x + O(x) as x -> 0", "no chain"),
+        (r"\text{for } x > 0", "relation such as a = b"),
+        (r"x = y, y = z", "one claim at a time"),
+        (r"\int_0^1 x\,dx = 1/2", r"claim diff\(F, x\) == f"),
     ],
 )
 def test_a_slip_is_told_in_one_line(claim: str, advice: str) -> None:
@@ -157,6 +175,9 @@ REFUTED_OF_LATEX = [
     r"\sqrt[3]{x^3} = |x|",
     r"\sqrt[5]{x^5} = |x|",
     r"a^2\cdot 10^2 = a^{200}",
+    r"x_{\text{max}} = x_{\text{min}}",
+    r"x_\mathrm{a} = x_{\mathrm{b}}",
+    r"E_{\text{rad}} = E",
 ]
 
 
@@ -171,16 +192,27 @@ def test_latex_that_is_false_as_printed_is_refuted(claim: str) -> None:
 
 
 SHOWN = {
-    r"\sin\frac12 x = y": "sin(1/2*x) == y",
+    r"\sin\frac12 x = y": "sin(x/2) == y",
     r"$\frac{x}{2} \le |x|$ given x\ge 0": "x/2 <= abs(x) given x >= 0",
     r"\cos x \sim 1 as x\to 0^{+}": "cos(x) ~ 1 as x -> 0+",
-    r"x\sin\frac1x \sim 1 as x\to\infty": "x*sin(1/x) ~ 1 as x -> inf",
+    r"x\sin\frac1x \sim 1 as x\to\infty": "x*sin(1/x) ~ 1 as x -> oo",
     r"\sin\theta = o(1) as \theta\to -\frac{\pi}{2}": "sin(theta) == o(1) as theta -> -pi/2",
     r"\sin x = x+O(x^3) as x \to 0": "sin(x) == x + O(x**3) as x -> 0",
-    "x² ≥ 0": "x**(2) >= 0",
-    "√(x) ≤ π given 0 < x ≤ 1": "sqrt (x) <= pi given 0 < x <= 1",
-    "e^x > 0": "e**x > 0",
-    "x > 0 given x > 1 and y > 0": "x > 0 given x > 1 , y > 0",
+    "x² ≥ 0": "x**2 >= 0",
+    "√(x) ≤ π given 0 < x ≤ 1": "sqrt(x) <= pi given 0 < x <= 1",
+    "e^2 > 0": "e**2 > 0",
+    "a = b = a": "a == b == a",
+    r"\sqrt{x^2} = x \text{ for } x>0": "sqrt(x**2) == x given x > 0",
+    r"\sin x = x + O(x^3) \text{ as } x\to 0": "sin(x) == x + O(x**3) as x -> 0",
+    r"\sin x = x+O(x^3),\quad x\to 0^-": "sin(x) == x + O(x**3) as x -> 0-",
+    r"\text{for } x > 0, x = |x|": "x == abs(x) given x > 0",
+    r"x = |x| \quad\forall x > 0": "x == abs(x) given x > 0",
+    r"\lim_{x\to 0^+} x\ln x = 0": "limit(x*log(x), x, 0, 1) == 0",
+    "limit(atan(x), x, oo) == pi/2": "limit(atan(x), x, oo) == pi/2",
+    r"\max(x, 0) \ge x": "(x + abs(x))/2 >= x",
+    "diff(x**3, x, 2) == 6*x": "diff(x**3, x, 2) == 6*x",
+    "at(x**2, x, y) == y**2": "at(x**2, x, y) == y**2",
+    "x > 0 given x > 1 and y > 0": "x > 0 given x > 1, y > 0",
     "sin(x) == O(x) as x -> 0": "sin(x) == O(x) as x -> 0",
 }
 
@@ -198,7 +230,7 @@ def test_what_was_read_is_shown_where_it_is_not_what_was_written() -> None:
     latex = tresym.check(r"\sin^2 x = 1-\cos^2 x", given=r"x\geq 0")
     assert ("read as", "sin(x)**2 == 1 - cos(x)**2 given x >= 0") in latex.rows()
     assert "sin(x)**2 == 1" in latex._repr_html_()
-    assert ("read as", "e**x > 0") in tresym.check("e^x > 0").rows()
+    assert ("read as", "e**2 > 0") in tresym.check("e^2 > 0").rows()
     for text, under in (("x**2>=0", ""), ("x >= 0 given x > 1", ""), ("x >= 0", "x > 1")):
         answer = tresym.check(text, under)
         assert answer.read_as
@@ -209,7 +241,7 @@ def test_a_claim_of_sympy_is_said_with_its_derivatives() -> None:
     x = Symbol("x", positive=True)
     claim = Eq(Derivative(log(x), x), 1 / x, evaluate=False)
     shown = tresym.check(claim).read_as
-    assert shown == "diff(log(x), x, 1) == x**(-1) given x > 0, x >= 0, x != 0"
+    assert shown == "diff(log(x), x) == 1/x given x > 0, x >= 0, x != 0"
     claim = Eq(Derivative(sqrt(x), (x, 2)), -1 / (4 * x * sqrt(x)), evaluate=False)
     answer = tresym.check(claim)
     assert tresym.check(answer.read_as).verdict is answer.verdict is Verdict.PROVED
@@ -218,7 +250,7 @@ def test_a_claim_of_sympy_is_said_with_its_derivatives() -> None:
 @pytest.mark.slow
 def test_what_was_read_is_said_where_time_is_over() -> None:
     for claim in (r"\sin\frac12 x = y", read(r"\sin\frac12 x = y")):
-        assert check_within(Task(claim), 1e-9).read_as == "sin(1/2*x) == y"
+        assert check_within(Task(claim), 1e-9).read_as == "sin(x/2) == y"
 
 
 @pytest.mark.slow
@@ -230,10 +262,10 @@ def test_every_line_of_a_file_says_what_was_read(
     assert main(["check", "-f", str(path), "--json"]) == 2
     captured = capsys.readouterr()
     found = [json.loads(line)["read_as"] for line in captured.out.splitlines()]
-    assert found == ["sin(1/2*x) == y", "x**(2) >= 0", None]
+    assert found == ["sin(x/2) == y", "x**2 >= 0", None]
     assert "write sin(x/2) or sin(x)/2" in captured.err
     assert main(["check", "-f", str(path)]) == 2
-    assert "read as    sin(1/2*x) == y" in capsys.readouterr().out
+    assert "read as    sin(x/2) == y" in capsys.readouterr().out
 
 
 @pytest.mark.slow

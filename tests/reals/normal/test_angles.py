@@ -152,3 +152,38 @@ def test_another_minimal_polynomial_is_not_believed(
     monkeypatch.setattr(angles, "fmpz_poly", Lying)
     with pytest.raises(ArithmeticError):
         Field(Given(), size=8).normal(parse("cos(pi/7)"))
+
+
+NO_SIGNS = [
+    # what would hold if the other factors of an angle were signs
+    ("sin(atan(x)**2)", "atan(x)*x/sqrt(1 + x**2)"),
+    ("sin(y*atan(x))", "y*x/sqrt(1 + x**2)"),
+    ("cos(y*atan(x))", "1/sqrt(1 + x**2)"),
+    ("cos(atan(x)*atan(y))", "1/sqrt(1 + x**2)"),
+    ("sin(pi**2)", "0"),
+    ("cos(pi**2)", "-1"),
+    ("sin(pi*x)", "0"),
+    ("cos(pi*x)", "-1"),
+    ("cos(sign(x)*pi*y)", "-1"),
+    ("cos(sign(x)*pi/2 + pi/3)", "cos(sign(x)*pi/2)"),
+    ("cos(sign(x)*atan(y) + sign(y)*atan(x))", "cos(atan(y))"),
+    ("cos(x/y + pi/3)", "cos(x/y)"),
+]
+
+
+@pytest.mark.parametrize(("left", "right"), NO_SIGNS)
+def test_only_signs_come_out_of_an_angle(left: str, right: str) -> None:
+    assert not equal(left, right)
+
+
+SIGNS = [
+    ("cos(sign(x)*pi/2 + pi/3)", "-sign(x)*sqrt(3)/2"),
+    ("sin(sign(x)*pi/2 + sign(y)*pi)", "-sign(x)"),
+    ("sin(sign(x)*atan(y))", "sign(x)*y/sqrt(1 + y**2)"),
+    ("cos(sign(x)*atan(y) + atan(x))", "(1 - abs(x)*y)/(sqrt(1 + x**2)*sqrt(1 + y**2))"),
+]
+
+
+@pytest.mark.parametrize(("left", "right"), SIGNS)
+def test_signs_do_where_they_are_not_0(left: str, right: str) -> None:
+    assert equal(left, right)

@@ -155,3 +155,47 @@ def test_only_logarithms_of_functions_are_replaced() -> None:
     kinds = {field.at(i).kind for i in field.used(settled(field, x, functions=True).num)}
     assert "atan" in kinds
     assert "log" not in kinds
+
+
+BELOW_A_NARROW_BOUND = {
+    "a product of two roots": "sqrt(2)*sqrt(1000000000063) - sqrt(3)*sqrt(666666666708)",
+    "a small root beside a large one": "sqrt(2) + sqrt(10^40 + 119*10^18) - 10^20 - 2",
+    "a large root beside a small one": "sqrt(10^40 + 119*10^18) + sqrt(2) - 10^20 - 2",
+    "a cube root": "cbrt(10^60 + 1) - 10^20",
+    "a root of a root": "sqrt(10^40 + sqrt(2)) - 10^20",
+    "an angle": "10^20*cos(pi/7) - 90096886790241912624",
+}
+"""Not zero, and zero to anybody who forgets a conjugate, a factor, a term or a degree."""
+
+
+@pytest.mark.parametrize("name", BELOW_A_NARROW_BOUND)
+def test_every_conjugate_counts_in_the_bound(name: str) -> None:
+    field = Field(Given(), size=48)
+    _, x = field.normal(parse("sqrt(2)"), parse(BELOW_A_NARROW_BOUND[name]))
+    assert not vanishes(field, x.num)
+
+
+LOGARITHMS = [
+    ("log(9 + 4*sqrt(5))", "6*log((1 + sqrt(5))/2)", "6*log((1 + sqrt(5))/2) + 1/10^9"),
+    ("asinh(2)", "3*asinh(1/2)", "2*asinh(1/2)"),
+    ("log(tan(pi/8))", "-log(1 + sqrt(2))", "log(1 + sqrt(2))"),
+    ("log(sqrt(2) + sqrt(3))", "-log(sqrt(3) - sqrt(2))", "log(sqrt(3) - sqrt(2))"),
+    (
+        "log(cos(pi/7)) + log(cos(2*pi/7)) + log(cos(3*pi/7))",
+        "-3*log(2)",
+        "-2*log(2)",
+    ),
+    ("atan(1/2) + atan(1/3)", "pi/4", "-3*pi/4"),
+    ("atan(2) + atan(3)", "3*pi/4", "-pi/4"),
+    ("4*atan(1/5) - atan(1/239)", "pi/4", "4*atan(1/5) - atan(1/238)"),
+    ("atan(sqrt(2)/2) + atan(sqrt(2))", "pi/2", "-pi/2"),
+    ("x*atan(1/2) + x*atan(1/3)", "x*pi/4", "-3*x*pi/4"),
+]
+"""Sums that are known, each with a near falsehood."""
+
+
+@pytest.mark.parametrize(("left", "right", "other"), LOGARITHMS)
+def test_sums_of_logarithms_and_arc_tangents_are_known(left: str, right: str, other: str) -> None:
+    for text, expected in ((right, True), (other, False)):
+        field, x = normal(f"({left}) - ({text})")
+        assert vanishes(field, settled(field, x).num) == expected

@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 import pytest
+from flint import Ordering, arb, fmpq, fmpz_mpoly_ctx
 
 from tresym.reals.decisions.identity import decide
+from tresym.reals.language.expression import number
 from tresym.reals.language.parsing import parse
+from tresym.reals.normal import locally_constant
 from tresym.reals.normal.field import ALL_THEORIES, Field
-from tresym.reals.normal.locally_constant import equal_by_derivative
+from tresym.reals.normal.locally_constant import (
+    _are_real,
+    _gap,
+    _inside,
+    _zeros,
+    equal_by_derivative,
+)
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
@@ -113,3 +123,117 @@ def test_squares_that_vanish_together_are_not_definite(text: str) -> None:
     (value,) = field.normal(parse(text))
     assert field.definite(value.num) == 0
     assert field.definite(value.num + 1) == 1
+
+
+LEVEL_AT_THE_BASE = [
+    ("x", "0*x"),
+    ("sin(x)", "x"),
+    ("atan(x) + y", "atan(x)"),
+    ("x + atan(y)", "atan(y)"),
+    ("atan(x) + x*y", "atan(x)"),
+]
+"""Equal at the base point, where all symbols are 0, and constant in no direction or in one."""
+
+
+@pytest.mark.parametrize(("left", "right"), LEVEL_AT_THE_BASE)
+def test_a_derivative_that_is_not_0_is_no_constant(left: str, right: str) -> None:
+    assert equal_by_derivative(parse(left), parse(right), Given(), ALL_THEORIES, 64) is None
+
+
+def test_a_theory_that_is_not_named_is_not_used() -> None:
+    sides = parse("sin(x)**2 + cos(x)**2"), parse("sin(0*x)**2 + cos(0)**2")
+    assert equal_by_derivative(*sides, Given(), frozenset(), 64) is None
+
+
+TWO_REGIONS = parse("1/x"), parse("1/x + 0*x")
+
+
+@pytest.mark.parametrize("second", [None, False])
+def test_a_region_that_is_unclear_is_no_region_outside(
+    second: bool | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = iter([True, second])
+    monkeypatch.setattr(locally_constant, "_inside", lambda *_: next(found))
+    proof = equal_by_derivative(*TWO_REGIONS, Given(), ALL_THEORIES, 64)
+    assert (proof is None) == (second is None)
+
+
+def test_where_no_region_is_inside_nothing_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(locally_constant, "_inside", lambda *_: False)
+    assert equal_by_derivative(*TWO_REGIONS, Given(), ALL_THEORIES, 64) is None
+
+
+def test_regions_too_hard_to_find_are_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
+    point = {"x": number(1)}
+    monkeypatch.setattr(locally_constant, "_candidates", lambda *_: iter([point, None]))
+    assert equal_by_derivative(*TWO_REGIONS, Given(), ALL_THEORIES, 64) is None
+
+
+INSIDE = [
+    ("x", "x", "", "0", True),
+    ("1/x", "1/x", "", "0", None),
+    ("x", "1/x", "", "0", None),
+    ("x", "x", "x > 0", "-1", False),
+    ("x", "x", "x > 0", "0", None),
+    ("log(x)", "x", "", "-1", False),
+    ("x", "asin(x)", "", "2", False),
+    ("x", "x", "x != 0", "0", None),
+    ("acosh(x)", "x", "", "0", False),
+    ("sqrt(x)", "sqrt(x)", "", "-1", False),
+]
+
+
+@pytest.mark.parametrize(("left", "right", "given", "at", "expected"), INSIDE)
+def test_a_point_is_inside_where_conditions_and_both_sides_are_shown(
+    left: str, right: str, given: str, at: str, expected: bool | None
+) -> None:
+    point = {"x": parse(at)}
+    assert _inside(parse(left), parse(right), Given.parse(given), point) is expected
+
+
+def test_every_slope_is_real_at_a_base_point() -> None:
+    at = {"x": parse("-1")}
+    assert _are_real([parse("x"), parse("1/x")], at)
+    assert not _are_real([parse("x"), parse("sqrt(x)")], at)
+
+
+def test_a_loose_end_is_cut_out_and_no_wall_lies_in_the_cut() -> None:
+    end = parse("pi/2 - x")
+    (x,) = fmpz_mpoly_ctx.get(["v0"], Ordering.lex).gens()
+    gap = _gap(end, ["x"], [x + 5, x - 2])
+    assert gap is not None
+    low, high = gap
+    with ball_precision(256):
+        assert arb(low) < arb.pi() / 2 < arb(high)
+    assert high - low < fmpq(1, 2**60)
+    middle = (low + high) / 2
+    inside = x * int(middle.q) - int(middle.p)
+    assert _gap(end, ["x"], [inside]) is None
+    assert _gap(end, ["x"], [x + 5, inside]) is None
+    assert _gap(end, ["x", "y"], []) is None
+    assert _gap(parse("log(x)"), ["x"], []) is None
+
+
+WALLS = [
+    ("x - y", {"v0 - v1"}),
+    ("(x - y)*(x + 2*y)", {"v0 - v1", "v0 + 2*v1"}),
+    ("x - sqrt(y)", {"v0^2 - v1", "v1"}),
+    ("x**2 + y**2 + 1", set()),
+    ("(x - sqrt(y))*(y - 2*sqrt(x))", {"v0^2 - v1", "4*v0 - v1^2", "v0", "v1"}),
+    ("x - abs(y)", {"v0^2 - v1^2", "v1"}),
+]
+
+
+@pytest.mark.parametrize(("e", "expected"), WALLS)
+def test_walls_hold_the_zeros_of_an_expression(e: str, expected: set[str]) -> None:
+    whole = parse(e)
+    walls = _zeros(whole, whole, [whole], Field(Given()), ["x", "y"])
+    assert walls is not None
+    assert expected <= {str(wall if wall.leading_coefficient() > 0 else -wall) for wall in walls}
+    assert bool(walls) == bool(expected)
+
+
+@pytest.mark.parametrize("e", ["x - exp(y)", "x - z", "sin(x) - 1/3", "x - cos(pi/7)"])
+def test_a_wall_that_is_no_polynomial_of_the_names_is_no_wall_known(e: str) -> None:
+    whole = parse(e)
+    assert _zeros(whole, whole, [whole], Field(Given()), ["x", "y"]) is None

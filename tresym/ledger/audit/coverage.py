@@ -8,17 +8,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field
 from difflib import SequenceMatcher
 from enum import Enum
 from pathlib import Path
 from typing import Any
 
 from tresym.ledger.audit.source import Piece, Source, read_source, scan
-from tresym.ledger.audit.terms import Function
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.ledger.claim import Claim
-from tresym.reals.language.latex import Relations, read_latex
+from tresym.reals.language.latex import read_latex
+from tresym.reals.language.latex_cursor import Function
 from tresym.reals.numbers.exact import InputError
 
 
@@ -136,6 +136,7 @@ def load_index(path: Path) -> tuple[Entry, ...]:
     for item in (*data["displays"], *data["others"]):
         reading = Reading(
             item.pop("reads", {}),
+            item.pop("functions", {}),
             item.pop("variable", ""),
             item.pop("sentence", ""),
             tuple(item.pop("again", ())),
@@ -167,12 +168,10 @@ def audit(paper: Path, claims: Iterable[Claim], index: Iterable[Entry]) -> Audit
     entries = tuple(index)
     answered = _answers(tuple(claims), entries)
     pairs = [*_aligned(entries, source, True), *_aligned(entries, source, False)]
-    readings = {p.label: _read(p) for _, p in pairs if p is not None and p.number is not None}
-    unaltered = {p.label for e, p in pairs if p is not None and _text(e, p) is Text.SAME}
     functions = functions_of(
-        r for label, r in readings.items() if label in unaltered and not isinstance(r, str)
+        p.text for e, p in pairs if p is not None and p.number and _text(e, p) is Text.SAME
     )
-    rows = [_row(e, p, answered, readings, functions) for e, p in pairs]
+    rows = [_row(e, p, answered, functions) for e, p in pairs]
     return Audit(str(paper), tuple(rows))
 
 
@@ -217,19 +216,10 @@ def _aligned(
     return pairs
 
 
-def _read(piece: Piece) -> tuple[Relations, ...] | str:
-    """The chains of a display, or why it is not read."""
-    try:
-        return read_latex(piece.text, author=True)
-    except InputError as error:
-        return str(error)
-
-
 def _row(
     entry: Entry | None,
     piece: Piece | None,
     answered: dict[str, list[Claim]],
-    readings: dict[str, tuple[Relations, ...] | str],
     functions: dict[str, Function],
 ) -> PieceRow:
     text = _text(entry, piece)
@@ -238,7 +228,7 @@ def _row(
     claims = answered.get(known.label, []) if entry else []
     transcription, note = Transcription.NOT_A_FORMULA, ""
     if entry and piece and text is Text.SAME and claims and entry.number is not None:
-        transcription, note = _compare(readings[piece.label], claims, functions, entry.reading)
+        transcription, note = _compare(piece.text, claims, functions, entry.reading)
     if text is Text.ALTERED:
         note = "its text is not the one that the claims were written against"
     elif not claims and text is Text.SAME:
@@ -264,21 +254,20 @@ def _text(entry: Entry | None, piece: Piece | None) -> Text:
 
 
 def _compare(
-    chains: tuple[Relations, ...] | str,
-    claims: list[Claim],
-    functions: dict[str, Function],
-    reading: Reading,
+    text: str, claims: list[Claim], functions: dict[str, Function], reading: Reading
 ) -> tuple[Transcription, str]:
-    if isinstance(chains, str):
-        return Transcription.NOT_READ, chains
+    try:
+        chains = read_latex(text, reading.author(functions))
+    except InputError as error:
+        return Transcription.NOT_READ, str(error)
     if reading.sentence:
         other = differing(chains, reading.again)
         if other is not None:
             return Transcription.DIFFERS, f"the second transcription does not say {other}"
         return Transcription.SENTENCE, reading.sentence
-    left = unmet(chains, claims, functions, reading)
+    left = unmet(chains, claims, functions, reading.reads)
     if left:
         return Transcription.DIFFERS, f"no claim says {left[0]}"
-    if reading.reads and unmet(chains, claims, functions, replace(reading, reads={})):
+    if reading.functions or (reading.reads and unmet(chains, claims, functions)):
         return Transcription.AS_READ, reading.otherwise
     return Transcription.EQUAL, ""

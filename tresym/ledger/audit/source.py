@@ -44,7 +44,7 @@ _MARKS = re.compile(
       | \\end\s*\{(?P<end>[^{}\s]+)\}
       | (?P<open>\\\[) | (?P<close>\\\])
       | (?P<escaped>\\[^a-zA-Z]|\\[a-zA-Z]+)
-      | (?P<dollars>\$)""",
+      | (?P<dollars>\$\$?)""",
     re.VERBOSE | re.DOTALL,
 )
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%[^\n]*(?:\n|$)")
@@ -144,15 +144,6 @@ def _decode(data: bytes, encoding: str, path: Path) -> str:
         raise InputError(f"{path}: line {line} is not {encoding}; save the file as UTF-8") from None
 
 
-@dataclass
-class _Open:
-    """An environment or formula that is not closed yet."""
-
-    name: str
-    line: int
-    start: int
-
-
 def scan(text: str, name: str = "the source") -> Source:
     """The pieces of a LaTeX document, in order.
 
@@ -204,79 +195,61 @@ def _piece(text: str, found: _Found, number: int, unnamed: str, display: bool) -
 
 
 class _Scanner:
-    """One pass over the body: a stack of what is open, and what was closed."""
+    """One pass over the body: what is open, with its line and its start, and what was closed."""
 
     def __init__(self, text: str, name: str) -> None:
         self.text = text
         self.name = name
-        self.stack: list[_Open] = []
+        self.stack: list[tuple[str, int, int]] = []
         self.found: list[_Found] = []
 
-    def run(self, start: int, stop: int) -> list[_Found]:
-        at = start
+    def run(self, at: int, stop: int) -> list[_Found]:
         while (mark := _MARKS.search(self.text, at, stop)) is not None:
-            at = self.step(mark)
+            at = mark.end()
+            if mark["dollars"]:
+                at = self.dollars(mark["dollars"], mark.start())
+            elif opened := mark["begin"] or (mark["open"] and "brackets"):
+                self.open(opened, mark.start(), at)
+            elif closed := mark["end"] or (mark["close"] and "brackets"):
+                self.close(closed, mark.start())
         if self.stack:
-            last = self.stack[-1]
-            self.fail(f"{_shown(last.name)}, opened in line {last.line}, is not closed")
+            name, line, _ = self.stack[-1]
+            self.fail(f"{_shown(name)}, opened in line {line}, is not closed")
         return sorted(self.found, key=lambda found: found[1])
 
-    def step(self, mark: re.Match[str]) -> int:
-        """Deal with one mark; where to go on."""
-        if mark["begin"] is not None:
-            self.open(mark["begin"], mark)
-        elif mark["end"] is not None:
-            self.close(mark["end"], mark)
-        elif mark["open"] is not None:
-            self.open("brackets", mark)
-        elif mark["close"] is not None:
-            self.close("brackets", mark)
-        elif mark["dollars"] is not None:
-            return self.dollars(mark)
-        return mark.end()
-
-    def dollars(self, mark: re.Match[str]) -> int:
-        """``$`` opens and closes a formula in the line, ``$$`` a display."""
-        inside = self.stack[-1].name if self.stack else ""
-        double = self.text.startswith("$$", mark.start())
+    def dollars(self, signs: str, at: int) -> int:
+        """``$`` opens and closes a formula in the line, ``$$`` a display; where to go on."""
+        inside = self.stack[-1][0] if self.stack else ""
         if inside == "$":
-            self.close("$", mark)
-            return mark.end()
-        name = "dollars" if double else "$"
-        end = mark.start() + (2 if double else 1)
-        if inside == "dollars":
-            if not double:
-                self.fail(f"line {self.line(mark.start())}: $$ is closed by a single $")
-            self.close("dollars", mark)
+            self.close("$", at)
+            return at + 1
+        if inside != "dollars":
+            self.open("$" if signs == "$" else "dollars", at, at + len(signs))
+        elif signs == "$":
+            self.fail(f"line {self.line(at)}: $$ is closed by a single $")
         else:
-            self.push(name, mark.start(), end)
-        return end
+            self.close("dollars", at)
+        return at + len(signs)
 
-    def open(self, name: str, mark: re.Match[str]) -> None:
-        self.push(name, mark.start(), mark.end())
-
-    def push(self, name: str, at: int, start: int) -> None:
+    def open(self, name: str, at: int, start: int) -> None:
         """Open ``name``; a display inside a formula means that the formula was not closed."""
         line = self.line(at)
-        inside = next((o for o in self.stack if o.name == "$" or _is_display(o.name)), None)
-        if inside is not None and _is_display(name):
+        around = [o for o in self.stack if o[0] == "$" or _is_display(o[0])]
+        if around and _is_display(name):
             self.fail(
-                f"{_shown(inside.name)}, opened in line {inside.line}, is open in line {line}"
+                f"{_shown(around[0][0])}, opened in line {around[0][1]}, is open in line {line}"
             )
-        self.stack.append(_Open(name, line, start))
+        self.stack.append((name, line, start))
 
-    def close(self, name: str, mark: re.Match[str]) -> None:
-        line = self.line(mark.start())
+    def close(self, name: str, at: int) -> None:
+        shown = f"line {self.line(at)}: {_shown(name, closing=True)}"
         if not self.stack:
-            self.fail(f"line {line}: {_shown(name, closing=True)} closes nothing")
-        last = self.stack.pop()
-        if last.name != name:
-            self.fail(
-                f"line {line}: {_shown(name, closing=True)} where {_shown(last.name)}, "
-                f"opened in line {last.line}, is to be closed"
-            )
+            self.fail(f"{shown} closes nothing")
+        last, line, start = self.stack.pop()
+        if last != name:
+            self.fail(f"{shown} where {_shown(last)}, opened in line {line}, is to be closed")
         if name != "$":
-            self.found.append((name, last.start, mark.start()))
+            self.found.append((name, start, at))
 
     def line(self, at: int) -> int:
         return self.text.count("\n", 0, at) + 1

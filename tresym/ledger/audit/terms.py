@@ -1,34 +1,33 @@
-"""Comparable trees: what LaTeX says and what a claim says, in one language.
+"""Whether two trees say the same: what LaTeX says and what a claim says.
 
-Integrals, evaluation bars, orders and the author's functions are no expressions. Each becomes a
-symbol, and two of them the same symbol when they are of one kind and all their parts agree; then
-equality is a matter of balls at exact points. A function that the paper itself defines is put in.
+Trees are compared by balls at exact points, and what binds a variable part by part, under one name
+for the variable of both.
 """
 
 from __future__ import annotations
 
-import ast
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping
 from typing import Any
 
 from flint import arb
 
+from tresym.reals.language.binders import at, derivative, elementary, outermost, worked_out
 from tresym.reals.language.expression import (
-    FUNCTIONS,
+    LEAVES,
     ZERO,
     Expr,
-    differentiate,
+    fresh,
+    instantiate,
+    rebuild,
+    replaced,
     substitute,
     symbol,
     symbols,
 )
-from tresym.reals.language.latex_tokens import CALLS
-from tresym.reals.language.parsing import parse
-from tresym.reals.language.sympy import from_sympy
+from tresym.reals.language.latex_cursor import Function
+from tresym.reals.language.sympy import unworked
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 
@@ -39,191 +38,96 @@ AT_LEAST = 3
 TRIES = 120
 SMALL = 1e-12
 
-_DERIVATIVE = re.compile(r"(?:d|partial)(\w+?)_(?:d|partial)(\w+)")
-_PLAIN = FUNCTIONS | {"sqrt", "ln", "Abs"}
+_SLOPE = re.compile(r"(d|partial)(\w+?)_(?:d|partial)(\w+)")
 
 
-@dataclass(frozen=True)
-class Function:
-    """A function that the paper defines: its parameters, and its value as text."""
+def of_claim(e: Any) -> Expr:
+    """What a claim says, from SymPy; the value of a symbol that stands for a function is a symbol.
 
-    parameters: tuple[str, ...]
-    body: str
-
-
-@dataclass(frozen=True)
-class _Stand:
-    """Something that is no expression, and the symbol that stands for it."""
-
-    kind: str
-    parts: tuple[Expr, ...]
-    name: str
-
-
-@dataclass
-class Terms:
-    """Builds comparable trees under the conditions ``given``.
-
-    Attributes:
-        functions: the author's functions by name.
-        reads: names and calls that the claim writes otherwise, as text of the grammar.
-        given: the claim's conditions; agreement is tried only where they hold.
-        variable: of a bracket with limits, which LaTeX does not name.
+    Raises:
+        InputError: SymPy expressions without a tree.
     """
+    from sympy import Subs, Symbol
 
-    functions: Mapping[str, Function] = field(default_factory=dict)
-    reads: Mapping[str, str] = field(default_factory=dict)
-    given: Given = field(default_factory=Given)
-    variable: str = ""
-    stands: list[_Stand] = field(default_factory=list)
-
-    def from_text(self, text: str) -> Expr:
-        """The tree of what the LaTeX reader wrote.
-
-        Raises:
-            InputError: text that is neither of the grammar nor of the reader's additions.
-        """
-        tree = self._read(text)
-        names = {name: self._named(name) for name in symbols(tree)}
-        return substitute(tree, {name: e for name, e in names.items() if e is not None})
-
-    def _read(self, text: str) -> Expr:
-        """Special calls are cut out of the text, read on their own, and put back."""
-        pieces: list[str] = []
-        put_back: dict[str, Expr] = {}
-        at = 0
-        for call in _special_calls(text):
-            name, end = f"cut{len(put_back)}", call.end_col_offset or len(text)
-            pieces.append(text[at : call.col_offset] + name)
-            written = self.reads.get(text[call.col_offset : end])
-            put_back[name] = parse(written) if written else self._call(text, call)
-            at = end
-        return substitute(parse("".join(pieces) + text[at:]), put_back)
-
-    def _named(self, name: str) -> Expr | None:
-        """What a name of the LaTeX stands for, if not itself."""
-        if name in self.reads:
-            return parse(self.reads[name])
-        derivative = _DERIVATIVE.fullmatch(name)
-        if derivative and derivative[1] in self.functions:
-            body = self.from_text(self.functions[derivative[1]].body)
-            if not _has_stand(body):
-                return differentiate(body, derivative[2])
-        return symbol(name.rstrip("_")) if name.endswith("_") else None
-
-    def _call(self, text: str, call: ast.Call) -> Expr:
-        assert isinstance(call.func, ast.Name)
-        parts = [text[a.col_offset : a.end_col_offset] for a in call.args]
-        match call.func.id, parts:
-            case "integral", [body, x, low, high]:
-                ends = self.from_text(low), self.from_text(high)
-                return self.integral(self.from_text(body), x, *ends)
-            case "at", [e, x, value]:
-                return self.at(self.from_text(e), x, self.from_text(value))
-            case "between", [e, low, high]:
-                tree = self.from_text(e)
-                ends = self.from_text(low), self.from_text(high)
-                return _put(tree, self.variable, ends[1]) - _put(tree, self.variable, ends[0])
-            case "diff", [e, x]:
-                return self.derivative(self.from_text(e), x.rstrip("_"))
-            case name, _:
-                return self.application(name, parts)
-
-    def application(self, name: str, parts: list[str]) -> Expr:
-        """A function the paper defines, at its arguments; ε(γ) with bare symbols is just ε."""
-        function = self.functions.get(name)
-        if function is not None and len(parts) == len(function.parameters):
-            values = [self.from_text(part) for part in parts]
-            body = self.from_text(function.body)
-            return substitute(body, dict(zip(function.parameters, values, strict=True)))
-        if name not in CALLS and all(part.isidentifier() for part in parts):
-            return self.from_text(name)
-        return self.stand(name, *(self.from_text(part) for part in parts))
-
-    def from_sympy(self, e: Any) -> Expr:
-        """The tree of what a claim says.
-
-        Raises:
-            InputError: SymPy expressions that are neither elementary nor one of the kinds above.
-        """
-        import sympy
-
-        put_back: dict[str, Expr] = {}
-        opaque: dict[Any, Any] = {}
-        for node in dict.fromkeys(_outermost(e)):
-            name = f"cut{len(put_back)}"
-            put_back[name] = self._node(node)
-            opaque[node] = sympy.Symbol(name, real=True)
-        return substitute(from_sympy(e.xreplace(opaque) if opaque else e), put_back)
-
-    def _node(self, node: Any) -> Expr:
-        kind = type(node).__name__
-        if kind == "Integral":
-            variable, low, high = node.limits[0]
-            ends = self.from_sympy(low), self.from_sympy(high)
-            return self.integral(self.from_sympy(node.function), variable.name, *ends)
-        if kind == "Derivative":
-            tree = self.from_sympy(node.expr)
-            for variable in node.variables:
-                tree = self.derivative(tree, variable.name)
-            return tree
-        if kind == "Subs":
-            tree = self.from_sympy(node.expr)
-            for variable, value in zip(node.variables, node.point, strict=True):
-                tree = self.at(tree, variable.name, self.from_sympy(value))
-            return tree
-        name = "O" if kind == "Order" else node.func.__name__
-        if name not in CALLS and all(a.is_Symbol for a in node.args):
-            return symbol(name)
-        arguments = node.args[:1] if kind == "Order" else node.args
-        return self.stand(name, *(self.from_sympy(a) for a in arguments))
-
-    def integral(self, body: Expr, x: str, low: Expr, high: Expr) -> Expr:
-        """The integral, on whose interval the integrands are compared."""
-        inside = (symbol(x) - low) * (high - symbol(x))
-        return self.stand(f"integral over {x}", body, low, high, where=((inside, ">", ZERO),))
-
-    def derivative(self, e: Expr, x: str) -> Expr:
-        """The derivative, carried out; of anything else a symbol, ``partialF_partialx`` of F."""
-        if not _has_stand(e):
-            return differentiate(e, x)
-        for name, function in self.functions.items():
-            if self.from_text(function.body) == e:
-                return symbol(f"partial{name}_partial{x}")
-        return self.stand("diff", e, symbol(x))
-
-    def at(self, e: Expr, x: str, value: Expr) -> Expr:
-        """``e`` where ``x`` has the value: put in, or a symbol where ``x`` is not seen in ``e``."""
-        if x in symbols(e) and e != symbol(x) and not _has_stand(e):
-            return _put(e, x, value)
-        return self.stand(f"at {x}", e, value)
-
-    def stand(
-        self, kind: str, *parts: Expr, where: tuple[tuple[Expr, str, Expr], ...] = ()
-    ) -> Expr:
-        """The symbol for something of this kind with these parts."""
-        given = self.given & Given(where)
-        for known in self.stands:
-            if known.kind == kind and len(known.parts) == len(parts):
-                pairs = zip(known.parts, parts, strict=True)
-                if all(agree(p, q, given) for p, q in pairs):
-                    return symbol(known.name)
-        new = _Stand(kind, parts, f"[{kind} {len(self.stands)}]")
-        self.stands.append(new)
-        return symbol(new.name)
-
-    def same(self, x: Expr, y: Expr) -> bool:
-        """Whether two trees agree under the conditions."""
-        return agree(x, y, self.given)
+    held = {}
+    for node in e.atoms(Subs):
+        if node.expr.free_symbols.isdisjoint(node.variables):
+            pairs = zip(node.variables, node.point, strict=True)
+            value = at(unworked(node.expr), {v.name: unworked(point) for v, point in pairs})
+            held[node] = Symbol(str(value), real=True)
+    return unworked(e.xreplace(held))
 
 
-def _has_stand(e: Expr) -> bool:
-    """Whether something in ``e`` is no expression."""
-    return any(name.startswith("[") for name in symbols(e))
+def of_display(
+    e: Expr, reads: Mapping[Expr, Expr], functions: Mapping[str, Function] | None = None
+) -> Expr:
+    """What a display says, comparable with a claim.
+
+    Args:
+        e: as it was read.
+        reads: what the claim writes otherwise.
+        functions: those of which ``∂F/∂x`` is worked out, where it is not a symbol of the claim's.
+    """
+    e = replaced(_claims_names(e), {_claims_names(k): _claims_names(v) for k, v in reads.items()})
+    return _values_held(_slopes_opened(e, functions) if functions else e)
 
 
-def _put(e: Expr, x: str, value: Expr) -> Expr:
-    return substitute(e, {x: value})
+def _claims_names(e: Expr) -> Expr:
+    """Names that text reserves end in an underscore there, and not in claims."""
+    reserved = (name for name in symbols(e) if name.endswith("_"))
+    return substitute(e, {name: symbol(name.rstrip("_")) for name in reserved})
+
+
+def _values_held(e: Expr) -> Expr:
+    """A value at a point of what does not show its variable as a symbol, as in of_claim."""
+    if e.op in LEAVES:
+        return e
+    if e.op == "at" and not e.args[0].loose:
+        return symbol(str(e))
+    return rebuild(e, tuple(map(_values_held, e.args)))
+
+
+def _slopes_opened(e: Expr, functions: Mapping[str, Function]) -> Expr:
+    """``partialF_partialx``, and ``dF_dx`` where F is elementary, as derivatives of what F is."""
+    if e.op == "symbol" and (slope := _SLOPE.fullmatch(e.args[0])):
+        function = functions.get(slope[2])
+        if function and (slope[1] == "partial" or elementary(function.body)):
+            return derivative(_claims_names(function.body), slope[3])
+    if e.op in LEAVES or e.loose:
+        return e
+    if e.op == "at":
+        body = instantiate(e.args[0], tuple(map(symbol, e.names)))
+        values = (_slopes_opened(value, functions) for value in e.args[1:])
+        return at(_slopes_opened(body, functions), dict(zip(e.names, values, strict=True)))
+    return rebuild(e, tuple(_slopes_opened(arg, functions) for arg in e.args))
+
+
+def same(x: Expr, y: Expr, given: Given) -> bool:
+    """Whether two trees agree under the conditions."""
+    if x == y:
+        return True
+    x, y = worked_out(x), worked_out(y)
+    variables: dict[Expr, Expr] = {}
+    for node in outermost(x, y):
+        like = next((known for known in variables if _alike(node, known, given)), None)
+        variables[node] = variables[like] if like else symbol(f"[{len(variables)}]")
+    return agree(replaced(x, variables), replaced(y, variables), given)
+
+
+def _alike(p: Expr, q: Expr, given: Given) -> bool:
+    """Whether two nodes of one kind agree in all their parts, integrands on their interval."""
+    if p == q:
+        return True
+    if (p.op, len(p.names), len(p.args)) != (q.op, len(q.names), len(q.args)):
+        return False
+    if not all(same(a, b, given) for a, b in zip(p.args[1:], q.args[1:], strict=True)):
+        return False
+    taken = {*symbols(p), *symbols(q)}
+    names = tuple(symbol(fresh(name, taken)) for name in p.names)
+    if p.op == "integral":
+        low, high = p.args[1:]
+        given = given & Given((((names[0] - low) * (high - names[0]), ">", ZERO),))
+    return same(instantiate(p.args[0], names), instantiate(q.args[0], names), given)
 
 
 def agree(x: Expr, y: Expr, given: Given) -> bool:
@@ -236,8 +140,8 @@ def agree(x: Expr, y: Expr, given: Given) -> bool:
     seen = 0
     for point in given.points(symbols(x) | symbols(y), TRIES):
         with ball_precision(BITS):
-            at = {name: arb(value) for name, value in point.items()}
-            difference = evaluate(x - y, at)
+            values = {name: arb(value) for name, value in point.items()}
+            difference = evaluate(x - y, values)
             if not difference.is_finite() or difference.rad() > SMALL:
                 continue
             if not difference.contains(0):
@@ -246,34 +150,3 @@ def agree(x: Expr, y: Expr, given: Given) -> bool:
         if seen == ENOUGH:
             return True
     return seen >= AT_LEAST
-
-
-def _special_calls(text: str) -> Iterator[ast.Call]:
-    """Outermost calls that the expression grammar does not know, from left to right."""
-    try:
-        tree = ast.parse(text, mode="eval")
-    except SyntaxError:
-        raise InputError(f"{text!a} is not an expression") from None
-
-    def walk(node: ast.AST) -> Iterator[ast.Call]:
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-            known = node.func.id in _PLAIN
-            if not known or node.func.id == "diff":
-                yield node
-                return
-        for child in ast.iter_child_nodes(node):
-            yield from walk(child)
-
-    return iter(sorted(walk(tree), key=lambda call: call.col_offset))
-
-
-def _outermost(e: Any) -> Iterator[Any]:
-    """Outermost integrals, derivatives, substitutions, orders and undefined functions."""
-    from sympy import Derivative, Integral, Order, Subs
-    from sympy.core.function import AppliedUndef
-
-    if isinstance(e, Derivative | Integral | Subs | Order | AppliedUndef):
-        yield e
-        return
-    for argument in e.args:
-        yield from _outermost(argument)

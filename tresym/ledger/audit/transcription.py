@@ -6,23 +6,21 @@ claim on this display says, side by side, at exact points that satisfy the claim
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
-from itertools import zip_longest
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import product, zip_longest
 from typing import Any
 
-from tresym.ledger.audit.terms import Function, Terms
+from tresym.ledger.audit.terms import of_claim, of_display, same
 from tresym.ledger.claim import AllOf, Claim, Formally, Printed
-from tresym.reals.language.expression import Expr
-from tresym.reals.language.latex import Relations
-from tresym.reals.language.latex_tokens import CALLS
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import MIRRORED
+from tresym.reals.language.latex import Relations, read_latex
+from tresym.reals.language.latex_cursor import Author, Function
+from tresym.reals.language.parsing import INFINITY, as_written, parse_claim
+from tresym.reals.language.sympy import RELATIONS
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.places.conditions import Given
-
-_DECIMAL = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
-_DEFINED = re.compile(r"([A-Za-z]\w*)\(([\w, ]+)\)")
-_SWAPPED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "=", "!=": "!="}
 
 
 @dataclass(frozen=True)
@@ -30,14 +28,16 @@ class Reading:
     """How a display is to be read, kept in the index beside its hash.
 
     Attributes:
-        reads: names that the claims write otherwise, as text of the expression grammar.
+        reads: what the claims write otherwise, both as text of the expression grammar.
+        functions: what the paper says in its sentences, ``f(s)`` and its value.
         variable: of a bracket with limits.
         sentence: why no claim can say the display as it stands, if so.
-        again: a second transcription of such a display, made apart from the claims: relations as
-            text, each with spaces around its sign.
+        again: a second transcription of such a display, made apart from the claims: claims in the
+            expression grammar.
     """
 
     reads: Mapping[str, str] = field(default_factory=dict)
+    functions: Mapping[str, str] = field(default_factory=dict)
     variable: str = ""
     sentence: str = ""
     again: tuple[str, ...] = ()
@@ -45,32 +45,45 @@ class Reading:
     @property
     def otherwise(self) -> str:
         """What is read otherwise than it is printed, in words."""
-        return ", ".join(f"{name} read as {meant}" for name, meant in self.reads.items())
+        pairs = {**self.functions, **self.reads}.items()
+        return ", ".join(f"{name} read as {meant}" for name, meant in pairs)
+
+    def author(self, functions: Mapping[str, Function]) -> Author:
+        """Whose display it is, of functions that are defined in others."""
+        own = {}
+        for head, value in self.functions.items():
+            name, _, parameters = head.rstrip(")").partition("(")
+            own[name] = Function(tuple(parameters.split(", ")), as_written(value))
+        return Author({**functions, **own}, self.variable)
 
 
 @dataclass(frozen=True)
 class Link:
-    """Two neighbours of a chain."""
+    """Two neighbours of a chain, the digits of the right one where it is a decimal."""
 
-    left: str
+    left: Expr
     op: str
-    right: str
+    right: Expr
+    digits: str = ""
+    defines: bool = False
 
     def __str__(self) -> str:
-        return f"{self.left} {self.op} {self.right}"
+        return f"{self.left} {self.op} {self.digits or self.right}"
 
 
-def functions_of(readings: Iterable[tuple[Relations, ...]]) -> dict[str, Function]:
-    """The functions of several arguments that the paper defines, ``f(a, b) = …``."""
+def functions_of(displays: Iterable[str]) -> dict[str, Function]:
+    """The functions of several arguments that the paper defines, ``f(a, b) = …``, in order."""
     found: dict[str, Function] = {}
-    for chains in readings:
+    for text in displays:
+        try:
+            chains = read_latex(text, Author(found))
+        except InputError:
+            continue
         for chain in chains:
-            defined = _DEFINED.fullmatch(chain.terms[0])
-            if defined and "," in defined[2] and chain.ops[0] == "=":
-                if defined[1] in CALLS or f"{defined[1]}(" in chain.terms[1]:
-                    continue
-                parameters = tuple(p.strip().rstrip("_") for p in defined[2].split(","))
-                found.setdefault(defined[1], Function(parameters, chain.terms[1]))
+            if chain.defines and chain.ops[0] == "==":
+                name, parameters = chain.defines
+                if name not in symbols(chain.terms[1]):
+                    found.setdefault(name, Function(parameters, chain.terms[1]))
     return found
 
 
@@ -78,66 +91,69 @@ def unmet(
     chains: Iterable[Relations],
     claims: Iterable[Claim],
     functions: Mapping[str, Function],
-    reading: Reading,
+    reads: Mapping[str, str] | None = None,
 ) -> list[Link]:
     """The links of a display that no claim on it says, in order; empty when all are met."""
-    blank = Terms(functions, variable=reading.variable)
-    ways = [blank, replace(blank, reads=reading.reads)] if reading.reads else [blank]
-    statements = [s for way in ways for claim in claims for s in _statements(claim, way)]
-    return [link for chain in chains for link in _links(chain) if not _is_met(link, statements)]
+    statements = [statement for claim in claims for statement in _statements(claim)]
+    otherwise = {as_written(name): as_written(meant) for name, meant in (reads or {}).items()}
+    ways = [*product([{}, otherwise] if otherwise else [{}], [None, functions])]
+    left = []
+    for link in (link for chain in chains for link in _links(chain)):
+        seen = dict.fromkeys(
+            (of_display(link.left, *way), of_display(link.right, *way)) for way in ways
+        )
+        if not any(_says(statement, link, *sides) for statement in statements for sides in seen):
+            left.append(link)
+    return left
 
 
 def differing(chains: Iterable[Relations], again: Iterable[str]) -> str | None:
     """The first relation in which a display and its second transcription differ, or None."""
     links = [link for chain in chains for link in _links(chain)]
-    twice = [tuple(text.split(" ", 2)) for text in again]
-    terms = Terms()
+    twice = [relation for text in again for relation in parse_claim(text)]
     for link, second in zip_longest(links, twice):
-        if link is None or second is None or len(second) != 3 or link.op != second[1]:
-            return " ".join(second) if link is None else str(link)
-        pairs = ((link.left, second[0]), (link.right, second[2]))
-        if not all(terms.same(terms.from_text(p), terms.from_text(q)) for p, q in pairs):
+        if link is None or second is None:
+            return str(link or " ".join(map(str, second)))
+        left, op, right = second
+        pairs = ((link.left, left), (link.right, right))
+        if link.op != op or not all(same(p, q, Given()) for p, q in pairs):
             return str(link)
     return None
 
 
 def _links(chain: Relations) -> list[Link]:
     """Neighbours; a bound by infinity says nothing, and f(…) = body defines."""
-    pairs = zip(chain.terms, chain.ops, chain.terms[1:], strict=False)
-    links = [Link(p, op, q) for p, op, q in pairs if "inf" not in (p, q, q.lstrip("-"))]
-    defined = _DEFINED.fullmatch(chain.terms[0])
-    if defined and "," in defined[2] and len(links) > 1:
-        return links[1:]
-    return links
+    digits = chain.printed[1:] or ("",) * len(chain.ops)
+    links = [
+        Link(*link, number, bool(chain.defines))
+        for link, number in zip(chain.links, digits, strict=True)
+        if not {INFINITY, -INFINITY} & {link[0], link[2]}
+    ]
+    return links[1:] if chain.defines and len(links) > 1 else links
 
 
 @dataclass
 class _Statement:
     """What one claim says: its relations as trees, its printed numbers."""
 
-    terms: Terms
+    given: Given
     relations: list[tuple[Expr, str, Expr]]
     numbers: list[str]
 
 
-def _statements(claim: Claim, blank: Terms) -> list[_Statement]:
+def _statements(claim: Claim) -> Iterator[_Statement]:
     """The claim's relations under its own conditions; a conjunction's parts under theirs."""
-    terms = replace(blank, given=_conditions(claim), stands=[])
-    relations = [_tree(terms, r) for r in _relations(claim.says)]
+    says: list[Any] = [claim.says]
     numbers: list[str] = []
-    parts: list[_Statement] = []
-    if isinstance(claim.says, str):
-        match claim.proof:
-            case Formally(relations=said):
-                relations = [_tree(terms, r) for s in said for r in _relations(s)]
-            case Printed(text=text):
-                numbers = [text]
-            case AllOf(claims):
-                parts = [s for part in claims for s in _statements(part, blank)]
-    elif isinstance(claim.proof, Printed):
+    if isinstance(claim.proof, Printed):
         numbers = [claim.proof.text]
-    own = [_Statement(terms, [r for r in relations if r is not None], numbers)]
-    return own + parts
+    if isinstance(claim.says, str):
+        says = list(claim.proof.relations) if isinstance(claim.proof, Formally) else []
+        if isinstance(claim.proof, AllOf):
+            for part in claim.proof.claims:
+                yield from _statements(part)
+    trees = [_tree(relation) for said in says for relation in _relations(said)]
+    yield _Statement(_conditions(claim), [tree for tree in trees if tree is not None], numbers)
 
 
 def _conditions(claim: Claim) -> Given:
@@ -166,34 +182,25 @@ def _relations(says: Any) -> list[Any]:
     return []
 
 
-def _tree(terms: Terms, relation: Any) -> tuple[Expr, str, Expr] | None:
-    op = "=" if relation.rel_op == "==" else relation.rel_op
+def _tree(relation: Any) -> tuple[Expr, str, Expr] | None:
     try:
-        return terms.from_sympy(relation.lhs), op, terms.from_sympy(relation.rhs)
+        sides = of_claim(relation.lhs), of_claim(relation.rhs)
     except InputError:
         return None
+    return sides[0], RELATIONS[type(relation).__name__], sides[1]
 
 
-def _is_met(link: Link, statements: list[_Statement]) -> bool:
-    return any(_says(statement, link) for statement in statements)
-
-
-def _says(statement: _Statement, link: Link) -> bool:
-    if _DECIMAL.fullmatch(link.right) and any(
-        printed(link.right) == printed(number) for number in statement.numbers
-    ):
+def _says(statement: _Statement, link: Link, left: Expr, right: Expr) -> bool:
+    """Whether a claim says a link, the sides of which are read so."""
+    if link.digits and any(printed(link.digits) == printed(n) for n in statement.numbers):
         return True
-    terms = statement.terms
-    try:
-        left, right = terms.from_text(link.left), terms.from_text(link.right)
-    except InputError:
-        return False
-    if _DEFINED.fullmatch(link.left) and left == right:
+    given, relations = statement.given, statement.relations
+    if link.defines and left == right:
         # The display defines a function: the claim must say its value somewhere.
-        return any(terms.same(right, side) for p, _, q in statement.relations for side in (p, q))
-    for p, op, q in statement.relations:
-        if op == link.op and terms.same(left, p) and terms.same(right, q):
+        return any(same(right, side, given) for p, _, q in relations for side in (p, q))
+    for p, op, q in relations:
+        if op == link.op and same(left, p, given) and same(right, q, given):
             return True
-        if _SWAPPED.get(op) == link.op and terms.same(left, q) and terms.same(right, p):
+        if MIRRORED[op] == link.op and same(left, q, given) and same(right, p, given):
             return True
     return False

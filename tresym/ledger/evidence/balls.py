@@ -14,9 +14,10 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.finding import Finding
 from tresym.reals.balls.boxes import (
     Bound,
-    BoundDecision,
     BoxProof,
     CertificateError,
+    Counterexample,
+    Open,
     decide_bound,
     inconsistent,
 )
@@ -68,7 +69,7 @@ class Boxes:
     budget: int = 20_000
     meant: Any = None
 
-    def decisions(self) -> tuple[BoundDecision, ...]:
+    def decisions(self) -> tuple[BoxProof | Counterexample | Open, ...]:
         """What each bound came to, by its stored proof where there is one.
 
         Raises:
@@ -92,16 +93,16 @@ class Boxes:
         decisions = self.decisions()
         constant = None if self.constant is None else _decimal(self.constant)
         for found in decisions:
-            if found.counterexample is not None:
-                point = dict(zip(self.names, found.counterexample.point, strict=True))
+            if isinstance(found, Counterexample):
+                point = dict(zip(self.names, found.point, strict=True))
                 where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
                 why = f"the bound fails at {where}"
                 return Finding(Verdict.REFUTED, why, constant=constant, witness=point)
         if not decisions:
             return Finding(Verdict.UNDECIDED, "there is no bound to show", constant=constant)
-        if any(found.verdict is not Verdict.ENCLOSED for found in decisions):
+        proofs = [found for found in decisions if isinstance(found, BoxProof)]
+        if len(proofs) != len(decisions):
             return Finding(Verdict.UNDECIDED, "the search left boxes open", constant=constant)
-        proofs = [found.proof for found in decisions if found.proof is not None]
         return Finding(
             Verdict.ENCLOSED,
             f"closed in {sum(proof.leaves for proof in proofs)} boxes",

@@ -6,108 +6,66 @@ where their arguments are shown to allow it, everywhere under the conditions giv
 
 from __future__ import annotations
 
-from sympy import (
-    Abs,
-    Basic,
-    Derivative,
-    Integral,
-    Pow,
-    Rational,
-    Subs,
-    acos,
-    acosh,
-    asin,
-    atanh,
-    cos,
-    cot,
-    coth,
-    csc,
-    log,
-    sec,
-    sign,
-    sin,
-    sinh,
-    tan,
-)
-
 from tresym.ledger.evidence.manifest import NON_NEGATIVE, manifest_sign
-from tresym.ledger.meaning import to_expression, to_given
+from tresym.ledger.meaning import Conditions, known
+from tresym.reals.language.binders import elementary, generalised, worked_out
+from tresym.reals.language.expression import LEAVES, UNWORKED, Expr, opened
+from tresym.reals.places.domain import _needs
 from tresym.reals.signs.sign import nonzero_denominators
 
-POSITIVE = ("+",)
-NON_ZERO = ("+", "-")
-
-Conditions = tuple[Basic, ...]
+SHOWING = {">": ("+",), ">=": NON_NEGATIVE, "!=": ("+", "-")}
+"""The signs that show what an operation asks for."""
 
 
-def undefined(e: Basic, given: Conditions) -> Basic | None:
-    """The first part of ``e`` that is not shown to be defined under ``given``, or None."""
-    for condition, allowed in _conditions(e):
-        if not _shown(condition, allowed, given):
-            return condition
-    if isinstance(e, Subs) and not e.has(Integral, Derivative):
-        return undefined(e.expr.xreplace(dict(zip(e.variables, e.point, strict=True))), given)
-    if isinstance(e, Integral | Derivative | Subs):
+def undefined(e: Expr, given: Conditions) -> Expr | None:
+    """The first part of ``e`` that is not shown to be defined under ``given``, or None.
+
+    What is not worked out is not looked into; a value at a point is looked at in place.
+    """
+    if e.op in UNWORKED:
+        if e.op != "at" or not elementary(opened(e)[1], *e.args[1:]):
+            return None
+        return undefined(worked_out(e), given)
+    if e.op in LEAVES:
         return None
-    for argument in e.args:
-        found = undefined(argument, given)
-        if found is not None:
-            return found
-    return None
+    for needed, relation in _asks(e):
+        if not _shown(needed, relation, given):
+            return needed
+    return next((gap for arg in e.args if (gap := undefined(arg, given)) is not None), None)
 
 
-def _shown(e: Basic, allowed: tuple[str, ...], given: Conditions) -> bool:
-    if manifest_sign(e, given) in allowed:
+def _shown(e: Expr, relation: str, given: Conditions) -> bool:
+    if manifest_sign(e, given) in SHOWING[relation]:
         return True
-    reciprocal = to_expression(1 / e)
-    return allowed == NON_ZERO and nonzero_denominators(reciprocal, to_given(given)) is None
+    if relation != "!=":
+        return False
+    (plain,) = generalised(e)
+    return nonzero_denominators(1 / plain, known(given)) is None
 
 
-def _conditions(e: Basic) -> list[tuple[Basic, tuple[str, ...]]]:
-    """What must be so for the outermost operation of ``e`` to be defined."""
-    match e:
-        case Pow():
-            base, exponent = e.args
-            if not isinstance(exponent, Rational):
-                return [] if base.is_positive else [(base, POSITIVE)]
-            if exponent.is_integer:
-                return [(base, NON_ZERO)] if exponent < 0 else []
-            return [(base, POSITIVE if exponent < 0 else NON_NEGATIVE)]
-        case log():
-            return [(e.args[0], POSITIVE)]
-        case asin() | acos():
-            return [(1 - e.args[0] ** 2, NON_NEGATIVE)]
-        case atanh():
-            return [(1 - e.args[0] ** 2, POSITIVE)]
-        case acosh():
-            return [(e.args[0] - 1, NON_NEGATIVE)]
-        case tan() | sec():
-            return [(cos(e.args[0]), NON_ZERO)]
-        case cot() | csc():
-            return [(sin(e.args[0]), NON_ZERO)]
-        case coth():
-            return [(sinh(e.args[0]), NON_ZERO)]
-        case _:
-            return []
-
-
-def continuous_on(e: Basic, given: Conditions) -> Basic | None:
+def continuous_on(e: Expr, given: Conditions) -> Expr | None:
     """As `undefined`, but roots must stay off zero: then ``e`` is smooth there.
 
-    A substitution or an integral inside ``e`` has variables that the conditions do not mean.
+    What is not worked out is not shown to be smooth.
     """
-    for node in _nodes(e):
-        if isinstance(node, Integral | Subs):
-            return node
-        strict = isinstance(node, Pow) and node.exp.is_Rational and not node.exp.is_integer
-        for condition, allowed in _conditions(node):
-            wanted = POSITIVE if strict or isinstance(node, asin | acos | acosh) else allowed
-            if manifest_sign(condition, given) not in wanted:
-                return condition
-        if isinstance(node, Abs | sign) and manifest_sign(node.args[0], given) not in NON_ZERO:
-            return node.args[0]
-    return None
+    if e.op in UNWORKED:
+        return e
+    if e.op in LEAVES:
+        return None
+    for needed, relation in (*_asks(e), *_kinks(e)):
+        strict = ">" if relation == ">=" else relation
+        if not _shown(needed, strict, given):
+            return needed
+    return next((gap for arg in e.args if (gap := continuous_on(arg, given)) is not None), None)
 
 
-def _nodes(e: Basic) -> list[Basic]:
-    return [e, *(node for argument in e.args for node in _nodes(argument))]
+def _asks(e: Expr) -> list[tuple[Expr, str]]:
+    """What the operation asks for; of arc sines by the square, which is known more often."""
+    if e.op in ("asin", "acos", "atanh"):
+        return [(1 - e.args[0] ** 2, ">" if e.op == "atanh" else ">=")]
+    return _needs(e)
+
+
+def _kinks(e: Expr) -> list[tuple[Expr, str]]:
+    """What must not vanish where the operation is to be smooth."""
+    return [(e.args[0], "!=")] if e.op in ("abs", "sign", "cbrt", "atan2") else []

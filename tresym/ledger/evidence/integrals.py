@@ -1,50 +1,99 @@
 """Integrals in chains: each rule checked where it is used, until only algebra is left.
 
 A rule replaces integrals, on both sides of a step, by what it shows them equal to. It asks for
-continuity, or smoothness, on the whole interval of integration, whatever a claim assumes of a
-symbol that has the name of the variable.
+continuity, or smoothness, on the whole interval of integration. The variable of an integral is
+opened under a name that nothing else has; reasons, and the bounds they cite, speak of it by the
+name it was written with.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
+from types import MappingProxyType
+from typing import NamedTuple
 
-from sympy import Basic, Derivative, Eq, Expr, Integer, Integral, Rel, Subs, Symbol
+from sympy import Basic
 
-from tresym.ledger.claim import Claim, Reason, parts_of
-from tresym.ledger.evidence.defined import Conditions, continuous_on, undefined
+from tresym.ledger.claim import Claim, Reason
+from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.manifest import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
-from tresym.ledger.meaning import defined, to_expression, to_given
-from tresym.ledger.reasons import citing
+from tresym.ledger.meaning import (
+    REMEMBERED,
+    Conditions,
+    conditions,
+    conjuncts,
+    defined,
+    formula,
+    known,
+    tree,
+)
 from tresym.reals.decisions.identity import decide
-from tresym.reals.language.expression import Expr as Tree
+from tresym.reals.language.binders import (
+    elementary,
+    generalised,
+    integral,
+    ordered,
+    outermost,
+    worked_out,
+)
+from tresym.reals.language.expression import (
+    BINDERS,
+    LEAVES,
+    ZERO,
+    Expr,
+    differentiate,
+    instantiate,
+    opened,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import Relation
 from tresym.reals.verdict import Verdict
 
-Sides = tuple[Basic, Basic]
-
-FRESH = Symbol("[of the sum]", real=True)
-"""The variable of integrals that are added: no claim can name it."""
+Replaced = Mapping[Expr, Expr]
+NOTHING: Mapping[str, Expr] = MappingProxyType({})
 
 
 class NotShownError(ValueError):
     """What a rule asks for is not shown; the text says what."""
 
 
-def with_bounds(given: Conditions, reasons: tuple[Reason, ...]) -> Conditions:
-    """The conditions, and the cited bounds whose own conditions are among them."""
-    bounds = list(given)
-    for reason in reasons:
-        if reason.name == "citing":
-            for claim in reason.claims:
-                if set(claim.given) <= set(bounds):
-                    parts = parts_of(claim.says)
-                    bounds += (p for p in parts if isinstance(p, Rel) and not isinstance(p, Eq))
-    return tuple(bounds)
+def with_bounds(
+    given: Conditions, reasons: tuple[Reason, ...], put: Mapping[str, Expr] = NOTHING
+) -> Conditions:
+    """The conditions, and the cited bounds whose own conditions are among them.
+
+    Args:
+        put: what the variables of the claims that are cited are here.
+    """
+    bounds = {_in_order(condition): condition for condition in given}
+    for claim in (c for reason in reasons if reason.name == "citing" for c in reason.claims):
+        if all(_in_order(_put(c, put)) in bounds for c in conditions(claim.given)):
+            for part in conjuncts(formula(claim.says)):
+                if isinstance(part, Relation) and part.sign != "==":
+                    bound = _put(part, put)
+                    bounds.setdefault(_in_order(bound), bound)
+    return tuple(bounds.values())
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _in_order(relation: Relation) -> Relation:
+    return Relation(ordered(relation.left), relation.sign, ordered(relation.right))
+
+
+def _put(relation: Relation, put: Mapping[str, Expr]) -> Relation:
+    if not put:
+        return relation
+    left, right = (substitute(side, put) for side in (relation.left, relation.right))
+    return Relation(left, relation.sign, right)
 
 
 def without_integrals(
-    before: Basic, after: Basic, reasons: tuple[Reason, ...], given: Conditions
-) -> Sides:
+    before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Conditions
+) -> tuple[Expr, Expr]:
     """Both sides of a step after the rules for integrals that its reasons name.
 
     Raises:
@@ -53,14 +102,13 @@ def without_integrals(
     for reason in reasons:
         rule = RULES.get(reason.name)
         if rule is not None:
-            replaced = rule(before, after, reason, given)
-            for side in (before, after):
-                _need_free(side, replaced)
-            before, after = before.xreplace(replaced), after.xreplace(replaced)
+            before, after = ordered(before), ordered(after)
+            found = rule(before, after, reason, given)
+            before, after = replaced(before, found), replaced(after, found)
     return before, after
 
 
-def sign_of_integral(integral: Basic, bounds: tuple[Claim, ...], given: Conditions) -> str | None:
+def sign_of_integral(node: Expr, bounds: tuple[Claim, ...], given: Conditions) -> str | None:
     """The sign of the integral of a continuous integrand that is not negative, its ends in order.
 
     ``+`` where the interval has a length and the integrand is positive at one of its ends, and so
@@ -69,203 +117,246 @@ def sign_of_integral(integral: Basic, bounds: tuple[Claim, ...], given: Conditio
     Raises:
         NotShownError: the integrand is not shown to be continuous.
     """
-    variable, low, high = _plain(integral)
-    conditions = _inside(integral, bounds, given)
-    f = integral.function
-    if f.has(Derivative):
-        raise NotShownError("a derivative is not shown to be continuous")
-    _need_continuous((f,), conditions)
+    inside = _inside(node, bounds, given)
+    f, low, high = inside.integrand, *node.args[1:]
+    _need_continuous((f,), inside.conditions)
     length = manifest_sign(high - low, given)
     if length not in NON_NEGATIVE:
         return None
     # Without splitting sums first: that is dear, and seldom needed.
-    shown = (manifest_sign(f, conditions, depth) in NON_NEGATIVE for depth in (0, DEPTH))
-    if not is_stated(f, conditions) and not any(shown):
+    depths = (0, DEPTH)
+    shown = (manifest_sign(f, inside.conditions, depth) in NON_NEGATIVE for depth in depths)
+    if not is_stated(f, inside.conditions) and not any(shown):
         return None
-    ends = [f.xreplace({variable: end}) for end in (low, high)]
+    ends = (instantiate(node.args[0], (end,)) for end in (low, high))
     positive = (manifest_sign(end, given, 0) == "+" for end in ends)
     return "+" if length == "+" and any(positive) else ">=0"
 
 
-def need_smooth(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:
+def need_smooth(
+    e: Expr, bounds: tuple[Claim, ...], given: Conditions, bound: Mapping[str, Expr] = NOTHING
+) -> None:
     """That ``e`` is smooth near every point of ``given``, in all its symbols together.
+
+    Args:
+        bound: for symbols of the claims in ``bounds`` what stands for them in ``e``.
 
     Raises:
         NotShownError: that is not shown, or ``e`` hides a derivative.
     """
-    stand_ins: dict[Basic, Basic] = {}
-    for n, integral in enumerate(_ordered(e.atoms(Integral))):
-        _, low, high = _plain(integral)
-        if integral.function.has(Integral):
-            raise NotShownError("an integral inside another")
-        _need_continuous((low, high), given)
-        _need_continuous((integral.function,), _inside(integral, bounds, given))
-        stand_ins[integral] = Symbol(f"[integral {n}]", real=True)
-    if e.has(Derivative, Subs):
-        raise NotShownError("a derivative is not shown to be smooth")
-    _need_continuous((e.xreplace(stand_ins),), given)
+    integrals = _integrals(e)
+    for node in integrals:
+        inside = _inside(node, bounds, given, bound=bound)
+        _need_continuous(node.args[1:], given)
+        _need_continuous((inside.integrand,), inside.conditions)
+    variables = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
+    _need_continuous((replaced(e, variables),), given)
 
 
-def need_value(e: Basic, bounds: tuple[Claim, ...], given: Conditions) -> None:
+def need_value(
+    e: Expr, bounds: tuple[Claim, ...], given: Conditions, bound: Mapping[str, Expr] = NOTHING
+) -> None:
     """That ``e`` has a value at every point of ``given``, its integrals and derivatives among it.
 
     Raises:
         NotShownError: that is not shown.
     """
-    stand_ins: dict[Basic, Basic] = {}
-    for n, node in enumerate(_outermost(e)):
-        stand_ins[node] = Symbol(f"[value {n}]", real=True)
-        inner, inside = node, given
-        if isinstance(node, Subs):
-            put = dict(zip(node.variables, node.point, strict=True))
-            if any(p.free_symbols & set(put) for p in node.point):
-                raise NotShownError("a variable is bound")
-            for point in node.point:
-                need_value(point, bounds, given)
-            inside = tuple(c for c in given if not c.free_symbols & set(put))
-            inside += tuple(r for v, p in put.items() for r in (v >= p, v <= p))
-            inner = node.expr
-        if isinstance(inner, Derivative):
-            need_smooth(inner.expr, bounds, inside)
-        elif isinstance(inner, Integral):
-            need_smooth(inner, bounds, inside)
-        else:
-            need_value(inner, bounds, inside)
-    gap = undefined(e.xreplace(stand_ins), given)
+    nodes = [*dict.fromkeys(outermost(e))]
+    for node in nodes:
+        if node.op == "integral":
+            need_smooth(node, bounds, given, bound)
+            continue
+        if node.op not in ("derivative", "at"):
+            raise NotShownError(f"{node} is not shown to exist")
+        for point in node.args[1:]:
+            need_value(point, bounds, given, bound)
+        need = need_smooth if node.op == "derivative" else need_value
+        body, near, put = _near(node, given)
+        need(body, bounds, near, {**bound, **put})
+    variables = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
+    gap = undefined(replaced(e, variables), given)
     if gap is not None:
         raise NotShownError(f"nothing shows that {gap} allows its operation")
 
 
-def _outermost(e: Basic) -> list[Basic]:
-    """Derivatives, substitutions and integrals that no other such node contains."""
-    if isinstance(e, Derivative | Subs | Integral):
-        return [e]
-    return [node for argument in e.args for node in _outermost(argument)]
+def _near(
+    node: Expr, given: Conditions, avoid: Iterable[str] = ()
+) -> tuple[Expr, Conditions, Mapping[str, Expr]]:
+    """The body of a derivative or value, what holds at its point, and its variables' new names.
+
+    At a symbol that the body does not speak of, the variable is that symbol.
+    """
+    points = node.args[1:]
+    if (
+        len(points) == 1
+        and points[0].op == "symbol"
+        and not symbols(points[0]) & symbols(node.args[0])
+    ):
+        return instantiate(node.args[0], points), given, NOTHING
+    names, body = opened(node, {*_names(given), *avoid})
+    variables = tuple(map(symbol, names))
+    pairs = zip(variables, points, strict=True)
+    there = (Relation(x, sign, p) for x, p in pairs for sign in (">=", "<="))
+    return body, (*given, *there), dict(zip(node.names, variables, strict=True))
+
+
+def under_binder(one: Expr, other: Expr, given: Conditions) -> bool:
+    """Whether two expressions are equal, operand by operand, what is bound at every value it takes.
+
+    Integrands are compared on the interval of integration.
+    """
+    return _alike(ordered(one), ordered(other), given)
+
+
+def _alike(one: Expr, other: Expr, given: Conditions) -> bool:
+    if one == other:
+        return True
+    if elementary(one, other):
+        return _equal(one, other, given)
+    if one.op != other.op or len(one.args) != len(other.args) or one.op in LEAVES:
+        return False
+    if one.op not in BINDERS:
+        return all(_alike(p, q, given) for p, q in zip(one.args, other.args, strict=True))
+    names, f = opened(one, {*_names(given), *symbols(other)})
+    variables = tuple(map(symbol, names))
+    if one.op == "integral":
+        low, high = one.args[1:]
+        x = variables[0]
+        inside = (*given, Relation((x - low) * (high - x), ">=", ZERO))
+    else:
+        inside = given
+    points = zip(one.args[1:], other.args[1:], strict=True)
+    if not all(_alike(p, q, given) for p, q in points):
+        return False
+    return _alike(f, instantiate(other.args[0], variables), inside)
 
 
 # The rules
 
 
-def _integrate(before: Basic, after: Basic, reason: Reason, given: Conditions) -> Mapping:
+def _integrate(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
     """The integral by its antiderivative, smooth on the interval."""
-    integral = _one_of(_apart(before, after))
-    variable, low, high = _plain(integral)
-    primitive = _expression(reason)
-    conditions = _inside(integral, reason.claims, given)
-    slope = primitive.diff(variable, evaluate=False)
-    _need_equal(slope, integral.function, conditions)
-    _need_continuous((primitive, integral.function), conditions)
-    return {integral: primitive.subs(variable, high) - primitive.subs(variable, low)}
+    node = _one_of(_apart(before, after))
+    inside = _inside(node, reason.claims, given, reason)
+    primitive = inside.of(_expression(reason))
+    slope = differentiate(primitive, inside.name)
+    _need_equal(slope, inside.integrand, inside.conditions)
+    _need_continuous((primitive, inside.integrand), inside.conditions)
+    low, high = (substitute(primitive, {inside.name: end}) for end in node.args[1:])
+    return {node: high - low}
 
 
-def _substitute(before: Basic, after: Basic, reason: Reason, given: Conditions) -> Mapping:
-    """∫ g(u(ψ)) u′(ψ) dψ = ∫ g dx: integrands, limits and continuity."""
-    change = _expression(reason)
-    apart = _apart(before, after)
-    if len(apart) != 2:
-        raise NotShownError("the step needs one integral on each side")
-    old, new = apart if _plain(apart[0])[0] in change.free_symbols else apart[::-1]
-    variable, low, high = _plain(old)
-    fresh, start, end = _plain(new)
-    if variable in new.free_symbols or fresh in old.free_symbols | change.free_symbols - {variable}:
-        raise NotShownError("the variable of one integral is free in the other")
-    conditions = _inside(old, reason.claims, given)
-    pulled = new.function.subs(fresh, change)
-    slope = to_expression(change.diff(variable, evaluate=False), open_derivatives=True)
-    first, last = (to_expression(change.subs(variable, end)) for end in (low, high))
-    forward = _equal(first, to_expression(start), conditions)
-    if not forward:
+def _substitute(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
+    """∫ g(u(ψ)) u′(ψ) dψ = ∫ g dx, of an integral that stands on one side, and one on the other."""
+    sides, why = (_integrals(before), _integrals(after)), "the step needs one integral on each side"
+    for old in _apart(before, after):
+        for new in sides[old in sides[0]]:
+            if old.names[0] in symbols(_expression(reason)):
+                try:
+                    _need_change(old, new, reason, given)
+                except NotShownError as error:
+                    why = str(error)
+                else:
+                    return {old: new}
+    raise NotShownError(why)
+
+
+def _need_change(old: Expr, new: Expr, reason: Reason, given: Conditions) -> None:
+    """That the integral ``new`` is ``old`` in the new variable: integrands, ends, continuity."""
+    inside = _inside(old, reason.claims, given, reason, new)
+    change = inside.of(_expression(reason))
+    pulled = instantiate(new.args[0], (change,))
+    slope = worked_out(differentiate(change, inside.name))
+    first, last = (substitute(change, {inside.name: end}) for end in old.args[1:])
+    start, end = new.args[1:]
+    if not _equal(first, start, inside.conditions):
         start, end, slope = end, start, -slope  # the new integral runs backwards
-    _need(_equal(first, to_expression(start), conditions), "the ends are not those")
-    _need(_equal(last, to_expression(end), conditions), "the ends are not those")
-    integrand = to_expression(pulled) * slope
-    _need(_equal(to_expression(old.function), integrand, conditions), "other integrands")
-    _need_continuous((old.function, change, pulled), conditions)
-    same = Symbol("[the integral]", real=True)
-    return dict.fromkeys(apart, same)
+    _need(_equal(first, start, inside.conditions), "the ends are not those")
+    _need(_equal(last, end, inside.conditions), "the ends are not those")
+    _need(_equal(inside.integrand, pulled * slope, inside.conditions), "other integrands")
+    _need_continuous((inside.integrand, change, pulled), inside.conditions)
 
 
-def _cut(before: Basic, after: Basic, reason: Reason, given: Conditions) -> Mapping:
+def _cut(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
     """∫ from low to high is the sum of the integrals to a point between and from it."""
-    at = _expression(reason)
-    sides = [_ordered(side.atoms(Integral)) for side in (before, after)]
+    place = _expression(reason)
+    sides = [_integrals(side) for side in (before, after)]
     whole = _one_of(next((side for side in sides if len(side) == 1), []))
-    variable, low, high = _plain(whole)
-    for room in (at - low, high - at):
+    body, low, high = whole.args
+    for room in (place - low, high - place):
         if manifest_sign(room, given) not in NON_NEGATIVE:
-            raise NotShownError(f"{at} is not shown to lie in the interval of integration")
-    if variable in at.free_symbols:
-        raise NotShownError("an integral is not cut at its own variable")
-    _need_continuous((whole.function,), _inside(whole, reason.claims, given))
-    f = whole.function
-    return {whole: Integral(f, (variable, low, at)) + Integral(f, (variable, at, high))}
+            raise NotShownError(f"{place} is not shown to lie in the interval of integration")
+    inside = _inside(whole, reason.claims, given)
+    _need_continuous((inside.integrand,), inside.conditions)
+    ends = (low, place), (place, high)
+    first, second = (Expr("integral", (body, *pair), whole.names) for pair in ends)
+    return {whole: first + second}
 
 
-def _collect(before: Basic, after: Basic, reason: Reason, given: Conditions) -> Mapping:
-    """A sum of multiples of integrals over one interval is the integral of the sum.
-
-    Their variables are renamed to one that is free nowhere.
-    """
-    sides = [_ordered(side.atoms(Integral)) for side in (before, after)]
+def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
+    """A sum of multiples of integrals over one interval is the integral of the sum."""
+    sides = [_integrals(side) for side in (before, after)]
     single = 0 if len(sides[0]) == 1 else 1
     whole, parts = _one_of(sides[single]), sides[1 - single]
-    own, low, high = _plain(whole)
-    total: Basic = Integer(0)
-    integrand: Basic = Integer(0)
+    inside = _inside(whole, reason.claims, given)
+    _need_continuous((inside.integrand,), inside.conditions)
+    total, integrand = ZERO, ZERO
     for part in parts:
-        variable, *ends = _plain(part)
-        if tuple(ends) != (low, high):
+        if part.args[1:] != whole.args[1:]:
             raise NotShownError("the integrals are not over one interval")
-        share = (before, after)[1 - single].coeff(part)
-        if share.has(Integral):
-            raise NotShownError(f"the factor of {part} is no constant")
+        own = _inside(part, reason.claims, given)
+        _need_continuous((own.integrand,), own.conditions)
+        share = _share((before, after)[1 - single], part)
         total += share * part
-        integrand += share * part.function.xreplace({variable: FRESH})
-        _need_continuous((part.function,), _inside(part, reason.claims, given))
-    conditions = _inside(whole, reason.claims, given)
-    _need_continuous((whole.function,), conditions)
-    fresh = tuple(c.xreplace({own: FRESH}) for c in conditions)
-    _need_equal(whole.function.xreplace({own: FRESH}), integrand, fresh)
+        integrand += share * instantiate(part.args[0], (symbol(inside.name),))
+    _need_equal(inside.integrand, integrand, inside.conditions)
     return {whole: total}
 
 
-def _differentiate(before: Basic, after: Basic, reason: Reason, given: Conditions) -> Mapping:
+def _share(e: Expr, node: Expr) -> Expr:
+    """The factor of an integral in ``e``; what it is taken for is any number."""
+    name = "[share]"
+    found = differentiate(replaced(e, {node: symbol(name)}), name)
+    if name in symbols(found):
+        raise NotShownError(f"{e} is no sum of multiples of integrals")
+    return found
+
+
+def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replaced:
     """Leibniz's rule: the derivative of an integral by a parameter, or by an end of it.
 
     The integrand must be smooth on the closed interval (hence near it), as a function of the
     variable and of the parameter together.
     """
-    slope = _expression(reason)
-    node = _one_of(_ordered({n for e in (before, after) for n in _slopes_of_integrals(e)}))
-    derivative = node.expr if isinstance(node, Subs) else node
-    integral, parameter = derivative.expr, derivative.variables[0]
-    variable, low, high = _plain(integral)
-    f = integral.function
-    if variable == parameter or f.has(Integral, Derivative, Subs):
+    slopes = (n for n in outermost(before, after) if n.op == "derivative")
+    node = _one_of([*dict.fromkeys(n for n in slopes if n.args[0].op == "integral")])
+    point = node.args[1]
+    whole, outside, bound = _near(node, given, symbols(_expression(reason)))
+    (name,) = node.names
+    parameter = str((bound[name] if bound else point).args[0])
+    put = {parameter: point}
+    inside = _inside(whole, reason.claims, outside, reason, bound=bound)
+    f, (low, high) = inside.integrand, whole.args[1:]
+    if not elementary(f):
         raise NotShownError("the integrand hides its parameter")
-    put: dict[Basic, Basic] = {}
-    outside, derived = given, f.diff(parameter, evaluate=False)
-    if isinstance(node, Subs):
-        put = {parameter: node.point[0]}
-        if parameter in slope.free_symbols | node.point[0].free_symbols:
-            raise NotShownError(f"{parameter} is bound")
-        outside = tuple(c for c in given if parameter not in c.free_symbols)
-        outside = (*outside, parameter >= node.point[0], parameter <= node.point[0])
-        derived = Subs(derived, parameter, node.point[0])
-    conditions = _inside(integral, reason.claims, outside, frozenset(put))
-    elsewhere = tuple(c for c in conditions if parameter not in c.free_symbols)
-    _need_equal(derived, slope, elsewhere if isinstance(node, Subs) else conditions)
-    _need_continuous((f, slope), conditions)
-    value: Basic = Integral(slope, (variable, low, high)) if slope != 0 else Integer(0)
+    slope = inside.of(_expression(reason))
+    derived = substitute(differentiate(f, parameter), put)
+    # That the parameter is its one value leaves no points to look at.
+    free = tuple(c for c in inside.conditions if not bound or parameter not in _names((c,)))
+    _need_equal(derived, slope, free)
+    _need_continuous((f, slope), inside.conditions)
+    value = ZERO
+    if slope != ZERO:
+        value = integral(slope, inside.name, *(substitute(end, put) for end in (low, high)))
     for end, way in ((high, 1), (low, -1)):
-        if end == parameter:
-            value += way * f.xreplace({variable: end})
-        elif parameter in end.free_symbols:
+        if end == symbol(parameter):
+            value += way * substitute(instantiate(whole.args[0], (end,)), put)
+        elif parameter in symbols(end):
             raise NotShownError(f"the end {end} is not the parameter itself")
-    return {node: value.xreplace(put)}
+    return {node: value}
 
 
-Rule = Callable[[Basic, Basic, Reason, Conditions], Mapping]
+Rule = Callable[[Expr, Expr, Reason, Conditions], Replaced]
 
 RULES: dict[str, Rule] = {
     "integrating": _integrate,
@@ -279,96 +370,91 @@ RULES: dict[str, Rule] = {
 # What they ask for
 
 
+class Inside(NamedTuple):
+    """An integral with its variable under a name of its own, and what holds on its interval."""
+
+    name: str
+    written: str
+    integrand: Expr
+    conditions: Conditions
+
+    def of(self, e: Expr) -> Expr:
+        """What a reason says of the variable, by the name that it was written with."""
+        return substitute(e, {self.written: symbol(self.name)})
+
+
+def _inside(
+    node: Expr,
+    bounds: tuple[Claim, ...],
+    given: Conditions,
+    reason: Reason | None = None,
+    *others: Expr,
+    bound: Mapping[str, Expr] = NOTHING,
+) -> Inside:
+    """The integrand and the conditions on the interval of integration, with the bounds cited.
+
+    The variable runs over the whole interval, whatever a claim assumes of a symbol of that name.
+    Nor is a bound cited that rests on what that symbol, or another that is ``bound`` too, is
+    defined to be.
+    """
+    (written,), (_, low, high) = node.names, node.args
+    for claim in bounds:
+        if not defined(claim).isdisjoint({written, *bound}):
+            raise NotShownError(f"{claim.label} is about a symbol that is bound here")
+    spoken = () if reason is None else symbols(_expression(reason)) - {written}
+    (name,), integrand = opened(node, {*_names(given), *spoken, *_names_of(others)})
+    x = symbol(name)
+    inside = (*given, Relation((x - low) * (high - x), ">=", ZERO))
+    if manifest_sign(high - low, given) in NON_NEGATIVE:
+        inside = (*inside, Relation(x, ">=", low), Relation(x, "<=", high))
+    cited = Reason("citing", claims=bounds)
+    return Inside(name, written, integrand, with_bounds(inside, (cited,), {**bound, written: x}))
+
+
+def _names(given: Conditions) -> frozenset[str]:
+    return _names_of(side for c in given for side in (c.left, c.right))
+
+
+def _names_of(trees: Iterable[Expr]) -> frozenset[str]:
+    return frozenset().union(*map(symbols, trees))
+
+
 def _expression(reason: Reason) -> Expr:
-    assert reason.expression is not None
-    return reason.expression
+    assert isinstance(reason.expression, Basic)
+    return tree(reason.expression)
 
 
-def _ordered(nodes: set[Basic]) -> list[Basic]:
-    return sorted(nodes, key=lambda node: node.sort_key())
+def _integrals(*sides: Expr) -> list[Expr]:
+    return [*dict.fromkeys(node for node in outermost(*sides) if node.op == "integral")]
 
 
-def _apart(before: Basic, after: Basic) -> list[Basic]:
+def _apart(before: Expr, after: Expr) -> list[Expr]:
     """The integrals that stand on one side only, those of the left side first."""
-    left, right = (side.atoms(Integral) for side in (before, after))
-    return [*_ordered(left - right), *_ordered(right - left)]
+    left, right = _integrals(before), _integrals(after)
+    return [n for n in left if n not in right] + [n for n in right if n not in left]
 
 
-def _one_of(nodes: list[Basic]) -> Basic:
+def _one_of(nodes: list[Expr]) -> Expr:
     if len(nodes) != 1:
         raise NotShownError("the step needs exactly one integral to work on")
     return nodes[0]
 
 
-def _plain(integral: Basic) -> tuple[Symbol, Expr, Expr]:
-    """Variable and ends of a definite integral over one variable, which its ends do not name."""
-    if len(integral.limits) != 1 or len(integral.limits[0]) != 3:
-        raise NotShownError("an integral has one variable and two ends")
-    variable, low, high = integral.limits[0]
-    if variable in low.free_symbols | high.free_symbols:
-        raise NotShownError(f"{variable} is bound")
-    return variable, low, high
-
-
-def _slopes_of_integrals(e: Basic) -> list[Basic]:
-    """Derivatives of integrals by one symbol, and their values at a point, in ``e``."""
-    if isinstance(e, Subs) and len(e.variables) == 1 and _is_slope(e.expr):
-        return [e] if e.variables == e.expr.variables else []
-    if _is_slope(e):
-        return [e]
-    return [node for argument in e.args for node in _slopes_of_integrals(argument)]
-
-
-def _is_slope(e: Basic) -> bool:
-    return isinstance(e, Derivative) and isinstance(e.expr, Integral) and len(e.variables) == 1
-
-
-def _need_free(side: Basic, replaced: Mapping) -> None:
-    """A rule was shown for the symbols of the claim, not where another node binds their names."""
-    for node in side.atoms(Integral, Derivative, Subs):
-        for left in replaced:
-            if node != left and set(node.variables) & left.free_symbols and node.has(left):
-                raise NotShownError(f"{left} stands where its symbols are bound")
-
-
-def _inside(
-    integral: Basic,
-    bounds: tuple[Claim, ...],
-    given: Conditions,
-    parameter: frozenset[Basic] = frozenset(),
-) -> Conditions:
-    """The conditions on the interval of integration, with the bounds cited for it.
-
-    Conditions on the variable of integration are dropped: it runs over the whole interval,
-    whatever a claim assumes of a symbol of that name. Nor is a bound cited that rests on what the
-    variable, or a ``parameter`` that is bound too, is defined to be.
-    """
-    variable, low, high = _plain(integral)
-    for claim in bounds:
-        if defined(claim) & {variable, *parameter}:
-            raise NotShownError(f"{claim.label} is about a symbol that is bound here")
-    outside = tuple(c for c in given if variable not in c.free_symbols)
-    inside = (*outside, (variable - low) * (high - variable) >= 0)
-    if manifest_sign(high - low, outside) in NON_NEGATIVE:
-        inside = (*inside, variable >= low, variable <= high)
-    return with_bounds(inside, (citing(*bounds),))
-
-
-def _need_continuous(expressions: tuple[Basic, ...], conditions: Conditions) -> None:
+def _need_continuous(expressions: tuple[Expr, ...], conditions: Conditions) -> None:
     for e in expressions:
         gap = continuous_on(e, conditions)
         if gap is not None:
             raise NotShownError(f"nothing shows that {gap} stays off its singularity")
 
 
-def _need_equal(left: Basic, right: Basic, conditions: Conditions) -> None:
+def _need_equal(left: Expr, right: Expr, conditions: Conditions) -> None:
     """Both are equal where the conditions hold, derivatives on the left opened."""
-    opened = to_expression(left, open_derivatives=True)
-    _need(_equal(opened, to_expression(right), conditions), f"{right} is not shown to be {left}")
+    _need(_equal(worked_out(left), right, conditions), f"{right} is not shown to be {left}")
 
 
-def _equal(left: Tree, right: Tree, conditions: Conditions) -> bool:
-    return decide(left, right, to_given(conditions)).verdict is Verdict.PROVED
+def _equal(left: Expr, right: Expr, conditions: Conditions) -> bool:
+    left, right = generalised(left, right)
+    return decide(left, right, known(conditions)).verdict is Verdict.PROVED
 
 
 def _need(shown: bool, why: str) -> None:

@@ -140,8 +140,8 @@ def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
 
     ψ(φ) solves ψ′ = √G(ψ), ψ″ = G′/2, ψ‴ = G″ψ′/2, G = (a + bs²)(γ + bs²)/(1 − bs²)²; the solution
     from ``near`` is there after the phase h that F(near, γ) has too much (on the way back, that
-    2Q − F has too little). Picard: if |h| √G < r for all angles within r of ``near`` it stays
-    among them, and Taylor's remainder is taken there.
+    2Q − F has too little). By the mean value theorem it stays among the angles within r of
+    ``near`` if |h| √G < r for all of them, and Taylor's remainder is taken there.
 
     Raises:
         ArithmeticError: nothing is shown (turning point, or precision too low).

@@ -101,7 +101,7 @@ def _roundings(precision: int) -> list[int]:
 def defect_over(a: arb, b: arb, m: Balls = balls) -> arb:
     """A ball that contains ε₀ for every shape in the balls ``a`` and ``b``.
 
-    The phase map takes [π, 3π/2] into itself, so its iterates from there contain every root.
+    Every root lies in [π, 3π/2] and in the image of what contains it, and so in the iterates.
     """
     k, r = m.sqrt(a * b), m.sqrt(b / a)
     phase = m.pi.union(3 * m.pi / 2)

@@ -8,11 +8,12 @@ so ε₀² is the root w of w = y exp 2Q(w), y = ε*², and Lagrange's inversion
 c_n = [wⁿ] exp((2n+1) Q(w)) / (2n+1), polynomials of degree n in b and R.
 
 *Truncation.* Every Taylor coefficient of 1 − 2wQ′ is at most, in size, that of
-(1 + bS)(√w/sin √w)(1 − RS)^(−1/2) with S = sinh²√w. Hence |Q| ≤ q on |w| = ρ, where
-q = ½[(1 + bS)(√ρ/sin √ρ)(1 − RS)^(−1/2) − 1] and S = sinh²√ρ, if RS < 1 and ρ ≤ 1. By Cauchy
-|c_n| ≤ e^q (e^{2q}/ρ)ⁿ / (2n+1), and by Rouché the equation has one root in |w| < ρ as soon as
-τ = y e^{2q}/ρ < 1. That root is real and positive, hence ε₀², which is the only one in (0, (π/2)²).
-So what is left out after c_N is at most e^q τ^{N+1} / ((2N+3)(1 − τ)), relative to ε*.
+(1 + bS)(√w/sin √w)(1 − RS)^(−1/2) with S = sinh²√w. Hence those of Q are at most those of a
+function M with M(ρ) = q = ½[(1 + bS)(√ρ/sin √ρ)(1 − RS)^(−1/2) − 1] and S = sinh²√ρ, if RS < 1 and
+ρ ≤ 1, and |c_n| ≤ e^q (e^{2q}/ρ)ⁿ / (2n+1). If τ = y e^{2q}/ρ < 1, the iterates of y exp 2M from 0
+stay below ρ, and with them the terms of the series for w, in absolute value and in sum: it may be
+put into that of Q, and its value is real and positive, hence ε₀², the only root in (0, (π/2)²). So
+what is left out after c_N is at most e^q τ^{N+1} / ((2N+3)(1 − τ)), relative to ε*.
 
 *Radius.* dy/dw = 0 where b sin²e = 1; there |y| = 4a/(a+b) · exp(−2√(ab) arcsin √(b/(a+b))), which
 is ε*² e^{2π√(ab)}. That this is the radius of convergence is observed, not proved: the coefficients

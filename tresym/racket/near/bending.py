@@ -49,8 +49,8 @@ def fourth_moment(kappa: arb, v: arb, e: arb, q: arb, y: arb, w: arb, far: arb, 
     """κ ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2 is between 0 and this.
 
     For u > 0 the integrand is at most 1/sin ψ. For u ≤ 0 it decreases in σ = sin ψ while dψ/dσ
-    increases, so that by Chebyshev's inequality for integrals the integral is at most that over σ,
-    which is elementary, times (π/2 − e)/(1 − sin e).
+    increases, so that the integral is at most that over σ, which is elementary, times
+    (π/2 − e)/(1 − sin e): `mean_of_the_product` in the file of proofs on moments.
 
     Args:
         kappa, v, e: the chart's κ and v, and the candidate.

@@ -86,7 +86,8 @@ def exponent_bend(defect: Any, b: Any, r: Any, m: Any) -> Any:
 def flat(x: Any, rate: Any) -> Any:
     """exp(−rate/x) for x ≥ 0, with its value 0 and slope 0 at x = 0; increases with x.
 
-    The slope rate/x² · exp(−rate/x) increases up to x = rate/2, where it is 4 e^{−2}/rate.
+    The slope rate/x² · exp(−rate/x) increases up to x = rate/2, where it is 4 e^{−2}/rate
+    (`flat_bends`).
     """
     if isinstance(x, Gradient):
         at = x.value
@@ -277,8 +278,8 @@ def _spread(b: Any, k: Any, phase: Any, m: Any) -> Any:
 def phase_over(b: Any, k: Any, m: Any) -> Any:
     """A ball (or gradient) that contains the phase of every shape in the chart (b, k).
 
-    The phase map π + arctan(bP tanhc kP) takes [π, 3π/2] into itself and increases with P, so its
-    iterates contain every root; the slopes are those of the implicit function.
+    Every root of P = π + arctan(bP tanhc kP) lies in [π, 3π/2] and in the image of what contains
+    it, and so in the iterates; the slopes are those of the implicit function.
     """
     b0 = b.value if isinstance(b, Gradient) else b
     k0 = k.value if isinstance(k, Gradient) else k

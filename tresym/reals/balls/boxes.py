@@ -17,7 +17,7 @@ import heapq
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
 
@@ -88,6 +88,7 @@ class BoxProof:
     """
 
     tree: str
+    verdict: ClassVar = Verdict.ENCLOSED
 
     @property
     def leaves(self) -> int:
@@ -101,6 +102,7 @@ class Counterexample:
 
     point: BoxPoint
     value: arb
+    verdict: ClassVar = Verdict.REFUTED
 
 
 @dataclass(frozen=True)
@@ -108,42 +110,7 @@ class Open:
     """Nothing is shown, for lack of budget or of a better margin; ``worst`` stayed open."""
 
     worst: Box
-
-
-@dataclass(frozen=True)
-class BoundDecision:
-    """What a search or a re-check of a bound came to."""
-
-    verdict: Verdict
-    proof: BoxProof | None = None
-    counterexample: Counterexample | None = None
-
-    @property
-    def witness(self) -> dict[str, str]:
-        """The counterexample's coordinates as exact text, x1, x2, …; empty without one."""
-        if self.counterexample is None:
-            return {}
-        point = self.counterexample.point
-        return {f"x{i + 1}": fraction_text(x) for i, x in enumerate(point)}
-
-
-def decide_bound(
-    bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
-) -> BoundDecision:
-    """Decide a bound: by re-checking ``stored`` where given, else by a search of ``budget`` boxes.
-
-    Raises:
-        CertificateError: ``stored`` does not prove the bound.
-    """
-    if stored is not None:
-        recheck(bound, stored)
-        return BoundDecision(Verdict.ENCLOSED, stored)
-    outcome = prove_positive(bound, budget)
-    if isinstance(outcome, BoxProof):
-        return BoundDecision(Verdict.ENCLOSED, outcome)
-    if isinstance(outcome, Counterexample):
-        return BoundDecision(Verdict.REFUTED, counterexample=outcome)
-    return BoundDecision(Verdict.UNDECIDED)
+    verdict: ClassVar = Verdict.UNDECIDED
 
 
 def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | None:
@@ -177,8 +144,28 @@ def inconsistent(function: Margin, region: Box, slopes: bool = False) -> str | N
     return None
 
 
-def prove_positive(bound: Bound, budget: int = 20_000) -> BoxProof | Counterexample | Open:
-    """Search for a proof of the bound, or for a point that refutes it, in ``budget`` boxes."""
+def decide_bound(
+    bound: Bound, budget: int = 20_000, stored: BoxProof | None = None
+) -> BoxProof | Counterexample | Open:
+    """A proof of the bound, a point that refutes it, or neither, found in ``budget`` boxes.
+
+    What is called a proof has been checked, whether it was stored or found.
+
+    Raises:
+        CertificateError: ``stored``, or what was found, does not prove the bound.
+    """
+    found = stored or _found(bound, budget)
+    if isinstance(found, BoxProof):
+        recheck(bound, found)
+    elif isinstance(found, Counterexample):
+        with ball_precision(bound.precision):
+            inside = all(s.holds(x) for s, x in zip(bound.box, found.point, strict=True))
+            if not (inside and value_at(bound.margin, found.point) < 0):
+                raise CertificateError("the bound does not fail at the point that was found")
+    return found
+
+
+def _found(bound: Bound, budget: int) -> BoxProof | Counterexample | Open:
     with ball_precision(bound.precision):
         for point in _inner_corners(bound.box):
             value = value_at(bound.margin, point)
@@ -228,28 +215,38 @@ def recheck(bound: Bound, proof: BoxProof) -> None:
     Raises:
         CertificateError: the tree is malformed, or a box does not close.
     """
-    if not isinstance(proof.tree, str):
-        raise CertificateError("the tree is no text")
     with ball_precision(bound.precision):
-        stack = [bound.box]
-        for mark in proof.tree:
-            if not stack:
-                raise CertificateError("the tree goes on after its last box")
-            here = stack.pop()
+        for here, mark in leaf_boxes(bound.box, proof):
             if mark == BY_BALL:
                 closed = bound.margin(*_sides(here), balls) > 0
-            elif mark == BY_SLOPES:
+            else:
                 slopes = _slopes(bound.margin, here)
                 closed = _extreme(bound.margin, here, slopes, lowest=True) > 0
-            elif mark in AXES[: len(here)]:
-                stack.extend(reversed(halves(here, AXES.index(mark))))
-                continue
-            else:
-                raise CertificateError(f"unknown mark {mark!r} in the tree")
             if not closed:
                 raise CertificateError(f"the box {_shown(here)} does not close")
-        if stack:
-            raise CertificateError("the tree ends before its last box")
+
+
+def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[tuple[Box, str]]:
+    """The boxes a proof closes, which together are the region, and the marks that say how.
+
+    Raises:
+        CertificateError: the tree is malformed.
+    """
+    if not isinstance(proof.tree, str):
+        raise CertificateError("the tree is no text")
+    stack = [region]
+    for mark in proof.tree:
+        if not stack:
+            raise CertificateError("the tree goes on after its last box")
+        here = stack.pop()
+        if mark in (BY_BALL, BY_SLOPES):
+            yield here, mark
+        elif mark in AXES[: len(here)]:
+            stack.extend(reversed(halves(here, AXES.index(mark))))
+        else:
+            raise CertificateError(f"unknown mark {mark!r} in the tree")
+    if stack:
+        raise CertificateError("the tree ends before its last box")
 
 
 @dataclass(frozen=True)
@@ -338,17 +335,6 @@ def halves(here: Box, axis: int) -> tuple[Box, Box]:
     side, before, after = here[axis], here[:axis], here[axis + 1 :]
     lower, upper = side._replace(high=side.middle), side._replace(low=side.middle)
     return (*before, lower, *after), (*before, upper, *after)
-
-
-def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[Box]:
-    """The boxes a proof closes, in its order (for pictures)."""
-    stack = [region]
-    for mark in proof.tree:
-        here = stack.pop()
-        if mark in AXES:
-            stack.extend(reversed(halves(here, AXES.index(mark))))
-        else:
-            yield here
 
 
 def _sides(here: Box) -> tuple[arb, ...]:

@@ -57,7 +57,8 @@ def as_ball(c: Coefficient) -> arb:
     """The number as a ball at the working precision."""
     if isinstance(c, arb):
         return c
-    return horner([arb(r) for r in c.coeffs()], arb.pi())
+    exact = c.coeffs()
+    return arb(exact[0]) if len(exact) == 1 else horner(exact, arb.pi())
 
 
 def is_zero(c: Coefficient) -> bool:
@@ -72,8 +73,6 @@ def _plus(c: Coefficient, d: Coefficient) -> Coefficient:
 
 
 def _times(c: Coefficient, d: Coefficient) -> Coefficient:
-    if is_zero(c) or is_zero(d):
-        return ZERO
     if isinstance(c, arb) or isinstance(d, arb):
         return as_ball(c) * as_ball(d)
     return c * d
@@ -297,8 +296,9 @@ class Germs:
         n = min(self._length(f), self._length(g))
         (p, rest_f), (q, rest_g) = self._cut(f, n), self._cut(g, n)
         product: list[Coefficient] = [ZERO] * max(2 * n - 1, 0)
+        factors = [(j, d) for j, d in enumerate(q) if not is_zero(d)]
         for i, c in enumerate(p):
-            for j, d in enumerate(q):
+            for j, d in () if is_zero(c) else factors:
                 product[i + j] = _plus(product[i + j], _times(c, d))
         rest = rest_f * self._polynomial(q) + rest_g * f.range()
         rest += self._polynomial(product[n:])

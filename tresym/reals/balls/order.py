@@ -18,7 +18,7 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-from tresym.reals.balls.boxes import Bound, Counterexample, Open, box, prove_positive, supremum
+from tresym.reals.balls.boxes import Bound, Counterexample, Open, box, decide_bound, supremum
 from tresym.reals.balls.germ import (
     Germ,
     Germs,
@@ -126,7 +126,6 @@ class Judgement:
         true_order: leading term of the function.
         constant: for O a ball around the supremum of |function/gauge| on the range; C for <=.
         upto: the range of the small parameter on which the constant holds; None for all.
-        witness: exact text, for REFUTED: parameters and the ratio found there.
         points: for REFUTED, a parameter on the path at which the ratio was found.
     """
 
@@ -135,7 +134,6 @@ class Judgement:
     true_order: Size | None = None
     constant: arb | None = None
     upto: fmpq | None = None
-    witness: dict[str, str] = field(default_factory=dict)
     points: dict[str, fmpq] = field(default_factory=dict)
 
 
@@ -244,9 +242,7 @@ def _compared(statement: Order, expansion: _Expansion) -> Judgement:
         constant = _supremum(statement, expansion) if statement.kind == "O" else None
         return Judgement(Verdict.ENCLOSED, *sizes, constant=constant, upto=expansion.reach)
     if fails:
-        witness = _samples(statement, expansion.reach)
-        points = {"t": expansion.reach / 16}
-        return Judgement(Verdict.REFUTED, *sizes, witness=witness, points=points)
+        return Judgement(Verdict.REFUTED, *sizes, points={"t": expansion.reach / 16})
     raise UnresolvedError("the leading term does not settle the statement")
 
 
@@ -298,21 +294,12 @@ def _agrees(statement: Order, expansion: _Expansion) -> bool:
         t = (-1 / own).exp() if expansion.logarithmic else own**expansion.index
         gauge = statement.at_parameter(statement.gauge, t, balls)
         value = statement.at_parameter(statement.function, t, balls)
-        if not germ.vanishes:
-            value = value / gauge
-        if not isinstance(value, arb) or (value.is_finite() and not germ.at(own).overlaps(value)):
+        if not all(isinstance(v, arb | fmpq | int) for v in (value, gauge)):
+            return False
+        value = arb(value) if germ.vanishes else arb(value) / gauge
+        if value.is_finite() and not germ.at(own).overlaps(value):
             return False
     return True
-
-
-def _samples(statement: Order, reach: fmpq) -> dict[str, str]:
-    """The ratio at three rational parameters on the way to the point."""
-    found = {}
-    for k in (0, 2, 4):
-        value = _ratio(statement, arb(reach / 2**k), balls)
-        if value.is_finite():
-            found[f"ratio at t = {fraction_text(reach / 2**k)}"] = value.str(6, radius=False)
-    return found
 
 
 def _at_most(statement: Order, expansion: _Expansion) -> Judgement:
@@ -328,14 +315,13 @@ def _at_most(statement: Order, expansion: _Expansion) -> Judgement:
             raise UnresolvedError("the bound is not certain near the point")
         end = _end(statement)
         if expansion.reach < end:
-            outcome = prove_positive(_beyond(statement, expansion.reach, end), budget=4000)
+            outcome = decide_bound(_beyond(statement, expansion.reach, end), budget=4000)
             if isinstance(outcome, Open):
                 return Judgement(Verdict.UNDECIDED)
             if isinstance(outcome, Counterexample):
                 witness = outcome.point[0]
     if witness is not None:
-        shown = {"t": fraction_text(witness)}
-        return Judgement(Verdict.REFUTED, *sizes, witness=shown, points={"t": witness})
+        return Judgement(Verdict.REFUTED, *sizes, points={"t": witness})
     constant = arb(statement.constant)
     return Judgement(Verdict.ENCLOSED, *sizes, constant=constant, upto=statement.upto)
 

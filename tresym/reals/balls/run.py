@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from flint import arb, fmpq, fmpq_poly
@@ -10,10 +11,11 @@ from flint import arb, fmpq, fmpq_poly
 from tresym.reals.balls.germ import Germ, UnresolvedError
 from tresym.reals.balls.gradient import Gradient
 from tresym.reals.language.cancellation import scaled, without_cancellation
-from tresym.reals.language.expression import ONE, Expr, off_the_cut
-from tresym.reals.places.values import evaluate
+from tresym.reals.language.expression import ONE, Expr, differentiate, off_the_cut
+from tresym.reals.numbers.arithmetic import side
+from tresym.reals.places.values import Walker, evaluate
 
-_RECIPROCALS = {"sec": "cos", "csc": "sin", "sech": "cosh", "csch": "sinh"}
+_RECIPROCALS = {"sec": "cos", "csc": "sin", "sech": "cosh", "csch": "sinh", "coth": "tanh"}
 
 
 def formula(e: Expr, name: str) -> Callable[[Any, Any], Any]:
@@ -25,53 +27,57 @@ def formula(e: Expr, name: str) -> Callable[[Any, Any], Any]:
     def run(x: Any, m: Any) -> Any:
         if isinstance(x, arb):
             return evaluate(e, {name: x})
-        return _Run(name, x, m).value(e)
+        if isinstance(x, Gradient):
+            at, known = {name: x.value}, dict[Expr, arb]()
+            return x.chain(evaluate(e, at, known), evaluate(slope(), at, known))
+        return _InGerms(m, {name: x}).value(e)
+
+    @cache
+    def slope() -> Expr:
+        return differentiate(e, name)
 
     return run
 
 
-class _Run:
-    """One run in gradients or germs; shared parts are computed once."""
+class _InGerms(Walker):
+    """Expansions, with care for what cancels in them."""
 
-    def __init__(self, name: str, x: Any, m: Any) -> None:
-        self.name, self.x, self.m = name, x, m
-        self.done: dict[Expr, Any] = {}
+    def _number(self, x: Any) -> Any:
+        return self.m.germ(x)
 
-    def value(self, e: Expr) -> Any:
-        if e not in self.done:
-            self.done[e] = self._value(e)
-        return self.done[e]
-
-    def _value(self, e: Expr) -> Any:
-        m = self.m
-        if e.op == "symbol":
-            return self.x
-        if e.op == "number":
-            return self._constant(e.args[0])
-        if e.op == "pi":
-            return m.pi
-        if e.op == "^":
-            return self._power(*e.args)
+    def _computed(self, e: Expr) -> Any:
         if e.op == "atan2":
             return self.value(off_the_cut(e))
-        if e.op == "+" and isinstance(self.x, Germ):
+        if e.op == "+":
             return self._sum(without_cancellation(e))
-        if e.op == "log" and isinstance(self.x, Germ):
-            small = self._flat_above_one(e.args[0])
-            if small is not None:
-                return m.log1p(small)
-        values = [self.value(arg) for arg in e.args]
-        if e.op in ("+", "*"):
-            total = values[0]
-            for value in values[1:]:
-                total = total + value if e.op == "+" else total * value
-            return total
-        if e.op in ("asin", "acos") and isinstance(self.x, Germ):
-            return self._arc(e.op, values[0])
-        return self._function(e.op, values[0])
+        small = self._flat_above_one(e.args[0]) if e.op == "log" else None
+        return super()._computed(e) if small is None else self.m.log1p(small)
 
-    def _constant(self, value: fmpq) -> Any:
-        return self.m.constant(value) if isinstance(self.x, Germ) else arb(value)
+    def _power(self, base: Expr, exponent: Expr) -> Any:
+        x = self.value(base)
+        if exponent.op != "number":
+            return self.m.exp(self.value(exponent) * self.m.log(x))
+        return self._root(x, exponent.args[0])
+
+    def _apply(self, name: str, *values: Germ) -> Any:
+        (x,) = values
+        if name in _RECIPROCALS:
+            return 1 / self._apply(_RECIPROCALS[name], x)
+        if name == "cot":
+            return self._apply("cos", x) / self._apply("sin", x)
+        if name in ("asin", "acos"):
+            return self._arc(name, x)
+        if name in ("sin", "cos", "tan"):
+            return self._wave(name, x)
+        if name == "abs":
+            return abs(x)
+        if name in ("sign", "cbrt"):
+            way = side(x.range())
+            if way is None:
+                raise UnresolvedError("the sign of an argument is not certain")
+            cbrt = name == "cbrt"
+            return self.m.power(x * way, fmpq(1, 3)) * way if cbrt else self.m.constant(way)
+        return super()._apply(name, x)
 
     def _sum(self, terms: list[Expr]) -> Any:
         """The sum of germs; an exponential less 1 is taken as one function."""
@@ -111,28 +117,17 @@ class _Run:
     def _arc(self, name: str, x: Germ) -> Any:
         """Arc sine or cosine, also of what tends to ±1: acos x = 2 asin √((1 − x)/2)."""
         m = self.m
-        for side in (1, -1):
-            gap = (1 - side * x) / 2
+        for end in (1, -1):
+            gap = (1 - end * x) / 2
             if gap.vanishes or gap.growth() >= 0:
                 continue
-            angle = 2 * m.asin(self._germ_power(gap, fmpq(1, 2)))  # acos(side·x)
+            angle = 2 * m.asin(self._root(gap, fmpq(1, 2)))  # acos(end·x)
             if name == "acos":
-                return angle if side > 0 else m.pi - angle
-            return side * (m.pi / 2 - angle)
+                return angle if end > 0 else m.pi - angle
+            return end * (m.pi / 2 - angle)
         return getattr(m, name)(x)
 
-    def _power(self, base: Expr, exponent: Expr) -> Any:
-        x, m = self.value(base), self.m
-        if exponent.op != "number":
-            return m.exp(self.value(exponent) * m.log(x))
-        r = exponent.args[0]
-        if r.q == 1 and isinstance(x, Gradient | arb):
-            return x ** int(r.p) if r >= 0 else 1 / x ** int(-r.p)
-        if isinstance(x, Germ):
-            return self._germ_power(x, r)
-        return m.sqrt(x) ** int(r.p) if r.q == 2 and r > 0 else m.exp(m.log(x) * arb(r))
-
-    def _germ_power(self, x: Germ, r: fmpq) -> Any:
+    def _root(self, x: Germ, r: fmpq) -> Any:
         if x.vanishes:
             if r > 0:
                 return x
@@ -140,23 +135,6 @@ class _Run:
         if r.q != 1 and not x.range() > 0:
             raise UnresolvedError("the argument of a root is not certainly positive")
         return self.m.power(x, r)
-
-    def _function(self, name: str, x: Any) -> Any:
-        m = self.m
-        if name in _RECIPROCALS:
-            return 1 / self._function(_RECIPROCALS[name], x)
-        if name == "cot":
-            return self._function("cos", x) / self._function("sin", x)
-        if name in ("sin", "cos", "tan") and isinstance(x, Germ):
-            return self._wave(name, x)
-        if name == "coth":
-            return 1 / m.tanh(x)
-        if name == "abs":
-            return abs(x)
-        if name in ("sign", "cbrt"):
-            side = self._side(x)
-            return self._constant(fmpq(side)) if name == "sign" else self._root(x * side) * side
-        return getattr(m, name)(x)
 
     def _wave(self, name: str, x: Germ) -> Any:
         """Sine, cosine or tangent, turned back by a limit kπ/2, so that a zero there is exact."""
@@ -172,19 +150,3 @@ class _Run:
         k += name == "cos"
         value = m.cos(y) if k % 2 else m.sin(y)
         return -value if k % 4 >= 2 else value
-
-    def _side(self, x: Any) -> int:
-        """±1, the sign of ``x``.
-
-        Raises:
-            UnresolvedError: it is not certain.
-        """
-        size = x.range() if isinstance(x, Germ) else x.value if isinstance(x, Gradient) else x
-        if size > 0 or size < 0:
-            return 1 if size > 0 else -1
-        raise UnresolvedError("the sign of an argument is not certain")
-
-    def _root(self, x: Any) -> Any:
-        if isinstance(x, Germ):
-            return self.m.power(x, fmpq(1, 3))
-        return self.m.exp(self.m.log(x) / 3)

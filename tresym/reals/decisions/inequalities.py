@@ -15,7 +15,7 @@ from flint import arb, fmpq
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.identity import decide, sampled_values, shown
-from tresym.reals.decisions.region import search
+from tresym.reals.decisions.region import is_isolated, search
 from tresym.reals.language.expression import PI, Expr, number, rebuild, substitute, symbol, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
@@ -199,29 +199,18 @@ def _at_corners(
 ) -> Answer | None:
     """A refutation where variables are 0, 1 or at closed ends of their ranges."""
     for point in dict.fromkeys(tuple(p.items()) for p in corners(names, given.box)):
-        if _is_isolated(dict(point), left, right):
-            continue
         found = _refuted_at(dict(point), left, relation, right, given)
         if found is not None:
             return found
     return None
 
 
-def _is_isolated(point: dict[str, fmpq], left: Expr, right: Expr) -> bool:
-    """Whether no point is found close by where both sides are defined."""
-    with ball_precision(LOOKS[-1][0]):
-        for signs in product((1, -1), repeat=len(point)):
-            steps = (fmpq(sign, (1 << 40) + 7**k) for k, sign in enumerate(signs))
-            at = {n: arb(v + step) for (n, v), step in zip(point.items(), steps, strict=True)}
-            if all(evaluate(side, at).is_finite() for side in (left, right)):
-                return False
-    return bool(point)
-
-
 def _refuted_at(
     point: dict[str, fmpq], left: Expr, relation: str, right: Expr, given: Given
 ) -> Answer | None:
     """A refutation where the exact point satisfies the conditions and violates the claim."""
+    if is_isolated({name: arb(value) for name, value in point.items()}, (left, right)):
+        return None
     for bits, _ in LOOKS:
         with ball_precision(bits):
             at = {name: arb(value) for name, value in point.items()}

@@ -3,35 +3,41 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
-from tresym.reals.language.parsing import Derivative, parse, parse_claim, tidy
-from tresym.reals.language.sympy import atoms, from_sympy
+from tresym.reals.language import expression
+from tresym.reals.language.binders import elementary, outermost, worked_out
+from tresym.reals.language.expression import ONE, Expr, add, instantiate, opened, symbol, symbols
+from tresym.reals.language.parsing import INFINITY, Compared, condition, parse, parse_claim
+from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.typography import plain
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
+
+if TYPE_CHECKING:
+    from tresym.reals.language.latex import Relations
 
 ORDERS = ("O", "o", "~")
 MAX_CHARACTERS = 30_000
 MAX_PATH = 200
 
-_WORD = re.compile(r"\s(?:--)?(given|as)\s")
+_WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as)\s(?!\s*\})")
 _LATEX = re.compile(r"[\\{}]")
-_PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*(?:->|\\to)\s*(.+?)\s*")
-_ARROW = re.compile(r"(.+?)(?:->|\\to\b|\\rightarrow\b)(.+)", re.DOTALL)
-_SIDE = re.compile(r"\^?\s*\{?\s*([+-])\s*\}?\s*$")
+_PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _AND = re.compile(r"\band\b|;|&&?|∧")
-_INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity|\\infty)")
-_SYMPY = {
-    "Equality": "==",
-    "Unequality": "!=",
-    "StrictGreaterThan": ">",
-    "GreaterThan": ">=",
-    "StrictLessThan": "<",
-    "LessThan": "<=",
+_INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
+_SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
+_NOT_DECIDED = {
+    "integral": "integrals are not decided: claim diff(F, x) == f of an antiderivative F",
+    "limit": "a limit is claimed by itself: limit(f, x, a) == L, or f == L + o(1) as x -> a",
+    "at": "a value at a point is not decided here: put the point in",
+    "derivative": "the value of a derivative at a point is not decided: write the derivative out",
+    **dict.fromkeys(
+        expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
+    ),
 }
 _ASSUMPTIONS = {
     "is_extended_positive": ">",
@@ -40,6 +46,15 @@ _ASSUMPTIONS = {
     "is_extended_nonpositive": "<=",
     "is_extended_nonzero": "!=",
 }
+
+
+class Derivative(NamedTuple):
+    """A derivative that was written: of which function, by which variable, how often; its value."""
+
+    function: Expr
+    by: str
+    order: int
+    value: Expr
 
 
 @dataclass(frozen=True)
@@ -81,6 +96,11 @@ class Path:
     point: Expr | None
     sides: tuple[int, ...]
 
+    def __str__(self) -> str:
+        side = "" if len(self.sides) > 1 else "+-"[self.sides[0] < 0]
+        end = f"{self.point}{side}" if self.point is not None else f"{side.strip('+')}oo"
+        return f"{self.name} -> {end}"
+
 
 @dataclass(frozen=True)
 class Statement:
@@ -104,6 +124,29 @@ class Statement:
         return self.text
 
 
+class _Written(NamedTuple):
+    """A claim as it was written, nothing of it worked out."""
+
+    comparisons: tuple[Compared, ...]
+    given: Given
+    path: Path | None
+
+    def __str__(self) -> str:
+        parts = (("", chained(self.comparisons)), (" given ", chained(self.given.comparisons)))
+        text = "".join(word + part for word, part in parts if part)
+        return text if self.path is None else f"{text} as {self.path}"
+
+
+def chained(comparisons: Iterable[Compared]) -> str:
+    """Comparisons in the grammar of text, ``0 < x <= 1`` for two with a side in common."""
+    text, last = "", None
+    for left, relation, right in comparisons:
+        joint = "" if left is last else f"{', ' if text else ''}{left}"
+        text += f"{joint} {relation} {right}"
+        last = right
+    return text
+
+
 def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     """A claim with its conditions.
 
@@ -116,43 +159,49 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     Raises:
         InputError: what is not read; one line says why.
     """
-    if isinstance(claim, str):
-        said, under, where = _texts(claim, given, path)
-        text = _split(claim)[0]
-        comparisons = tuple(Comparison(*part) for part in parse_claim(said))
-        conditions = Given.parse(under)
+    written = _written(claim, given, path)
+    text = _split(claim)[0] if isinstance(claim, str) else str(claim)
+    parts, end = written.comparisons, written.path
+    if len(parts) == 1 and parts[0][0].op == "limit" and parts[0][1] == "==":
+        part, end = _limit(parts[0][0], parts[0][2], end)
+        comparisons: tuple[Comparison, ...] = (part,)
     else:
-        text = str(claim)
-        comparisons, conditions = _from_sympy(claim)
-        conditions = _given(given) & conditions
-        said, under, where = _written(claim), str(conditions), _path_text(path)
-    found = read_path(where) if where else None
-    return _checked(Statement(comparisons, conditions, found, text, _joined(said, under, where)))
+        comparisons = tuple(_comparison(*part) for part in parts)
+    return _checked(Statement(comparisons, written.given, end, text, str(written)))
 
 
 def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
     """The claim with its conditions and path in the grammar; nothing where it is not read.
 
-    Nothing is built of it, so that it is at hand also where deciding did not end.
+    Nothing is worked out of it, so that it is at hand also where deciding did not end.
     """
     try:
-        return (
-            claim.read_as if isinstance(claim, Statement) else _joined(*_texts(claim, given, path))
-        )
+        is_read = isinstance(claim, Statement)
+        return claim.read_as if is_read else str(_written(claim, given, path))
     except InputError:
         return ""
 
 
-def _joined(claim: str, given: str, path: str) -> str:
-    parts = (("", claim), (" given ", given), (" as ", path))
-    return "".join(word + tidy(part) for word, part in parts if part.strip())
-
-
-def _texts(claim: str, given: Any, path: str | None) -> tuple[str, str, str]:
-    """A claim, its conditions and its path, each in the grammar of expressions."""
+def _written(claim: Any, given: Any, path: str | None) -> _Written:
+    if not isinstance(claim, str):
+        comparison, conditions = _from_sympy(claim)
+        return _Written((comparison,), _given(given) & conditions, _path(path))
     text, own, own_path = _split(claim)
-    conditions = [_given_text(given), _given_text(own)]
-    return _plain(text), ", ".join(filter(None, conditions)), _path_text(own_path or path)
+    under, end = _given(given) & _given(own), _path(own_path or path)
+    if not _LATEX.search(text):
+        return _Written(tuple(parse_claim(plain(text))), under, end)
+    from tresym.reals.language.latex import read_latex
+
+    chains = read_latex(text.strip().strip("$"))
+    last = chains[-1] if chains[1:] and chains[-1].ops[0].startswith("->") else None
+    said = last or chains[0].condition
+    if len(chains) != (2 if last else 1):
+        raise InputError("LaTeX: one claim at a time; conditions follow \\text{for} or go apart")
+    if said is not None and said.ops[0].startswith("->"):
+        end = _path_of(said)
+    elif said is not None:
+        under = under & Given(tuple(condition(*link) for link in said.links))
+    return _Written(tuple(chains[0].links), under, end)
 
 
 def _split(text: str) -> tuple[str, str, str]:
@@ -168,48 +217,87 @@ def _split(text: str) -> tuple[str, str, str]:
     return claim.strip(), found["given"], found["as"]
 
 
-def _plain(text: str) -> str:
-    """``text`` in the characters of the grammar, translated where it is LaTeX."""
-    if not _LATEX.search(text):
-        return plain(text)
+def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
+    """What is decided of a comparison: derivatives carried out, an order as its gauge."""
+    if relation not in (*RELATIONS.values(), *ORDERS):
+        raise InputError(f"{relation} is no claim: one is made with == != > >= < <= or ~")
+    terms = right.args if right.op == "+" else (right,)
+    orders = [term for term in terms if term.op in expression.ORDERS]
+    if relation == "==" and len(orders) == 1:
+        rest = [term for term in terms if term is not orders[0]]
+        left = left - add(*rest) if rest else left
+        relation, right = orders[0].op, orders[0].args[0]
+    work = cache(worked_out)
+    written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
+    return Comparison(work(left), relation, work(right), written)
+
+
+def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path]:
+    """``limit(f, x, p) == L`` as ``f == L + o(1)`` on its path."""
+    if path is not None:
+        raise InputError("a limit has its path in it: write no other")
+    (name,), body = opened(left, symbols(value))
+    side = {1: "+", -1: "-"}.get(int(left.args[2].args[0].p), "")
+    return _comparison(body - value, "o", ONE), _ending(name, left.args[1], side)
+
+
+def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
+    """The derivatives that are written in ``e``, inner ones first, worked out by ``work``.
+
+    Raises:
+        InputError: what else binds a variable and is not decided.
+    """
+    if INFINITY.args[0] in symbols(e):
+        raise InputError("oo is no real number or variable, and all here are real")
+    for node in outermost(e):
+        place = node.args[-1]
+        if node.op == "at" and elementary(*node.args) and node.args[0].loose:
+            continue
+        fixed = place.op != "symbol" or bool(symbols(place) & symbols(node.args[0]))
+        if node.op != "derivative" or fixed:
+            raise InputError(_NOT_DECIDED[node.op])
+        function, times = node, 0
+        while function.op == "derivative" and function.args[1] == place:
+            function, times = instantiate(function.args[0], (place,)), times + 1
+        yield from _derivatives(function, work)
+        yield Derivative(work(function), place.args[0], times, work(node))
+
+
+def _path(path: str | None) -> Path | None:
+    if not path:
+        return None
+    if len(path) > MAX_PATH or not _LATEX.search(path):
+        return read_path(path)
     from tresym.reals.language.latex import read_latex
 
-    chains = read_latex(text.strip().strip("$").replace("==", "="))
-    if len(chains) != 1 or chains[0].condition is not None:
-        raise InputError("LaTeX: one claim at a time; conditions are given apart")
-    return str(chains[0]).replace(" = ", " == ")
+    return _path_of(read_latex(path.strip().strip("$").replace("->", "\\to"))[0])
 
 
-def _given_text(given: Any) -> str:
-    """Conditions in the grammar of expressions."""
-    if not isinstance(given, str):
-        return str(_given(given))
-    if _LATEX.search(given):
-        from tresym.reals.language.latex import read_latex
-
-        given = ", ".join(str(chain) for chain in read_latex(given.strip().strip("$")))
-    return _AND.sub(",", plain(given)).strip()
+def _path_of(chain: Relations) -> Path:
+    """A path that LaTeX states as ``x \\to 0^+``."""
+    if len(chain.ops) != 1 or not chain.ops[0].startswith("->") or chain.terms[0].op != "symbol":
+        raise InputError("LaTeX: a path is written like x \\to 0^+")
+    return _ending(str(chain.terms[0]), chain.terms[1], chain.ops[0][2:])
 
 
-def _path_text(path: str | None) -> str:
-    """A path in the grammar of expressions, as ``x -> 0+``."""
-    if not path or len(path) > MAX_PATH:
-        return path or ""
-    match = _ARROW.fullmatch(path.strip().strip("$"))
-    if match is None or not _LATEX.search(path):
-        return plain(path)
-    from tresym.reals.language.latex import read_expression
-
-    side = _SIDE.search(match[2])
-    end = match[2][: side.start()] if side else match[2]
-    return f"{read_expression(match[1])} -> {read_expression(end)}{side[1] if side else ''}"
+def _ending(name: str, point: Expr, side: str) -> Path:
+    if point in (INFINITY, -INFINITY):
+        return Path(name, None, (1 if point == INFINITY else -1,))
+    if symbols(point) or not elementary(point):
+        raise InputError("a path ends at a constant or at oo")
+    return Path(name, point, _SIDES[side])
 
 
 def _given(given: Any) -> Given:
     if isinstance(given, Given):
         return given
+    if isinstance(given, str) and _LATEX.search(given):
+        from tresym.reals.language.latex import read_latex
+
+        chains = read_latex(given.strip().strip("$"))
+        return Given(tuple(condition(*link) for chain in chains for link in chain.links))
     if isinstance(given, str):
-        return Given.parse(_given_text(given))
+        return Given.parse(_AND.sub(",", plain(given)).strip())
     if isinstance(given, Iterable):
         result = Given()
         for part in given:
@@ -218,14 +306,13 @@ def _given(given: Any) -> Given:
     return Given.from_sympy(given)
 
 
-def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
+def _from_sympy(claim: Any) -> tuple[Compared, Given]:
     """A SymPy relation, and the assumptions its symbols carry."""
     name = type(claim).__name__
-    if name not in _SYMPY:
+    if name not in RELATIONS:
         hint = "; SymPy evaluated it: pass evaluate=False" if name.startswith("Boolean") else ""
         raise InputError(f"{name} is not a claim: give text or a relation such as Eq(f, g){hint}")
-    sides = from_sympy(claim.lhs), _SYMPY[name], from_sympy(claim.rhs)
-    comparison = Comparison(*sides, _derivatives(claim))
+    comparison = unworked(claim.lhs), RELATIONS[name], unworked(claim.rhs)
     conditions = []
     names: set[str] = set()
     for variable in _variables(claim):
@@ -234,21 +321,8 @@ def _from_sympy(claim: Any) -> tuple[tuple[Comparison, ...], Given]:
         names.add(variable.name)
         for assumption, sign in _ASSUMPTIONS.items():
             if getattr(variable, assumption):
-                conditions.append((symbol(variable.name), sign, number(0)))
-    return (comparison,), Given(tuple(conditions))
-
-
-def _written(claim: Any) -> str:
-    """A SymPy relation in the grammar, its derivatives as they were written."""
-
-    def derivative(node: Any, walk: Any) -> Expr:
-        text = str(walk(node.expr))
-        for variable, order in node.variable_count:
-            text = f"diff({text}, {variable.name}, {order})"
-        return symbol(text)
-
-    left, right = (from_sympy(side, derivative) for side in (claim.lhs, claim.rhs))
-    return f"{left} {_SYMPY[type(claim).__name__]} {right}"
+                conditions.append((symbol(variable.name), sign, expression.ZERO))
+    return comparison, Given(tuple(conditions))
 
 
 def _variables(claim: Any) -> list[Any]:
@@ -270,20 +344,6 @@ def _variables(claim: Any) -> list[Any]:
     return found
 
 
-def _derivatives(claim: Any) -> tuple[Derivative, ...]:
-    """The derivatives that a SymPy relation, read already, holds: one variable after the other."""
-    found: dict[Derivative, None] = {}
-    for part in atoms(claim, "Derivative"):
-        function = from_sympy(part.expr)
-        for variable, count in part.variable_count:
-            slope = function
-            for _ in range(count):
-                slope = differentiate(slope, variable.name)
-            found[Derivative(function, variable.name, int(count), slope)] = None
-            function = slope
-    return tuple(found)
-
-
 def read_path(text: str) -> Path:
     """``x -> 0``, ``0+``, ``0-``, ``pi/2``, ``oo`` or ``-oo``, for any variable and any constant.
 
@@ -296,18 +356,17 @@ def read_path(text: str) -> Path:
     name, end = match[1], match[2].replace(" ", "")
     infinite = _INFINITE.fullmatch(end)
     if infinite:
-        return Path(name, None, (-1 if infinite[1] == "-" else 1,))
+        return _ending(name, -INFINITY if infinite[1] == "-" else INFINITY, "")
     side = end[-1:] if end.endswith(("+", "-")) else ""
-    point = parse(end.removesuffix(side).removesuffix("^") if side else end)
-    if symbols(point):
-        raise InputError("a path ends at a constant or at oo")
-    return Path(name, point, {"+": (1,), "-": (-1,)}.get(side, (1, -1)))
+    return _ending(name, parse(end.removesuffix(side).removesuffix("^") if side else end), side)
 
 
 def _checked(statement: Statement) -> Statement:
     """The statement, if its parts belong together."""
-    order = statement.comparisons[0].relation in ORDERS
-    if not order:
+    orders = [c for c in statement.comparisons if c.relation in ORDERS]
+    if orders and len(statement.comparisons) > 1:
+        raise InputError("an order claim is one relation, and no chain")
+    if not orders:
         if statement.path is not None:
             raise InputError("a path belongs to O, o and ~ alone; use given for conditions")
         return statement

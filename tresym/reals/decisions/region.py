@@ -7,12 +7,14 @@ neighbourhood of an end or of a point of contact on which the germ of the differ
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import product
 from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, prove_positive
+from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, decide_bound
 from tresym.reals.balls.contact import candidates, enclosure, sign_at_contact
 from tresym.reals.balls.ends import sign_beside
 from tresym.reals.decisions.answer import Answer, refuted
@@ -34,9 +36,19 @@ BUDGETS = {1: 3_000, 2: 12_000}
 LARGEST_BUDGET = 20_000
 MAX_CONTACTS = 8
 MAX_VARIABLES = 4
-LARGEST_DENOMINATOR = 1_000
 FAR = (2, 16, 1024)
 _ONE, _NAN = arb(1), arb.nan()
+
+
+def is_isolated(at: Mapping[str, arb], sides: tuple[Expr, Expr]) -> bool:
+    """Whether no point is found close by where both sides are defined: no claim speaks of it."""
+    with ball_precision(2 * PRECISION):
+        for signs in product((1, -1), repeat=len(at)):
+            steps = (arb(fmpq(sign, (1 << 40) + 7**k)) for k, sign in enumerate(signs))
+            near = {name: at[name] + step for name, step in zip(at, steps, strict=True)}
+            if all(evaluate(side, near).is_finite() for side in sides):
+                return False
+    return bool(at)
 
 
 def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) -> Answer:
@@ -218,6 +230,8 @@ class _Search:
         if not self.strict:
             return True
         with ball_precision(2 * PRECISION):
+            if is_isolated(at, (self.left, self.right)):
+                return True
             if all(satisfies(c, {name: point}, at) for c in self.spoken_of):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
                 return refuted(f"both sides are equal at {name} = {point}", {name: point}, *values)
@@ -260,7 +274,7 @@ class _Search:
 
     def _prove(self, sides: Box, budget: int) -> Answer | Box:
         """ENCLOSED, REFUTED, or the box that stayed open."""
-        outcome = prove_positive(Bound(self._margin, sides, precision=PRECISION), budget)
+        outcome = decide_bound(Bound(self._margin, sides, precision=PRECISION), budget)
         if isinstance(outcome, BoxProof):
             return Answer(Verdict.ENCLOSED, self._closed(outcome.leaves))
         if isinstance(outcome, Counterexample):
@@ -290,7 +304,7 @@ class _Search:
                 if not all(condition.holds_exactly(at) for condition in self.spoken_of):
                     continue
                 x, y = evaluate(self.left, at), evaluate(self.right, at)
-                if x < y:
+                if x < y and not is_isolated(at, (self.left, self.right)):
                     return refuted(f"it fails at {shown(exact)}", exact, x, y)
         return None
 

@@ -18,6 +18,7 @@ from tresym.reals.language.expression import (
     Expr,
     bind,
     differentiate,
+    instantiate,
     multiply,
     number,
     opened,
@@ -95,6 +96,11 @@ def worked_out(e: Expr) -> Expr:
         if e.op not in UNWORKED:
             return rebuild(e, tuple(map(worked_out, e.args)))
         return e
+    place = e.args[1]
+    if e.op == "derivative" and place.op == "symbol" and symbols(e.args[0]).isdisjoint(place.args):
+        body = instantiate(e.args[0], (place,))
+        if elementary(body):  # as in nearly all that is written, where no name need be found
+            return differentiate(body, place.args[0])
     names, body = opened(e)
     body, points = worked_out(body), tuple(map(worked_out, e.args[1:]))
     values = dict(zip(names, points, strict=True))

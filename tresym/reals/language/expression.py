@@ -545,8 +545,12 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "pi":
         return "pi"
     if e.op == "+":
-        body = _text(e.args[0], 1)
-        for term in e.args[1:]:
+        terms = e.args
+        last = terms[-1]
+        if last.op == "number" and last.args[0] > 0 and _text(terms[0], 1).startswith("-"):
+            terms = (last, *terms[:-1])  # 1 - x for -x + 1, which is the same tree
+        body = _text(terms[0], 1)
+        for term in terms[1:]:
             part = _text(term, 1)
             body += f" - {part[1:]}" if part.startswith("-") else f" + {part}"
         return _wrap(body, 1, level)
@@ -555,6 +559,8 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "^":
         if e.args[1] == HALF:
             return f"sqrt({_text(e.args[0], 0)})"
+        if _is_reciprocal(e):
+            return _wrap(f"1/{_text(e.args[0], 3)}", 2, level)
         return _wrap(f"{_text(e.args[0], 4)}**{_text(e.args[1], 4)}", 3, level)
     if e == E:
         return "E"
@@ -569,37 +575,45 @@ def _binder_text(e: Expr) -> str:
     """A binder, its variables under names that capture nothing."""
     if e.loose:  # part of a body, shown by itself in messages of errors alone
         return f"{e.op}({', '.join(_text(arg, 0) for arg in e.args)})"
-    if (
-        e.op == "derivative"
-        and e.args[1].op == "symbol"
-        and not symbols(e.args[0]) & symbols(e.args[1])
-    ):
-        return f"diff({instantiate(e.args[0], (e.args[1],))}, {e.args[1]})"
+    times, body = 0, e
+    while body.op == "derivative" and _is_derived_there(body) and body.args[1] == e.args[1]:
+        times, body = times + 1, instantiate(body.args[0], (e.args[1],))
+    if times:
+        return f"diff({body}, {e.args[1]}{f', {times}' if times > 1 else ''})"
     names, body = opened(e)
     if e.op == "derivative":
         return f"at(diff({body}, {names[0]}), {names[0]}, {e.args[1]})"
     if e.op == "at":
         pairs = (f"{name}, {value}" for name, value in zip(names, e.args[1:], strict=True))
         return f"at({body}, {', '.join(pairs)})"
-    return f"{e.op}({', '.join(map(str, (body, names[0], *e.args[1:])))})"
+    rest = e.args[1:-1] if e.op == "limit" and e.args[-1] == ZERO else e.args[1:]
+    return f"{e.op}({', '.join(map(str, (body, names[0], *rest)))})"
+
+
+def _is_derived_there(e: Expr) -> bool:
+    """Whether a derivative is one at the variable itself."""
+    return e.args[1].op == "symbol" and symbols(e.args[0]).isdisjoint(symbols(e.args[1]))
 
 
 def _product_text(e: Expr, level: int) -> str:
-    top: list[str] = []
-    bottom: list[str] = []
-    sign = ""
-    for factor in e.args:
-        if factor == MINUS_ONE:
-            sign = "-"
-        elif factor.op == "^" and factor.args[1] == MINUS_ONE:
-            bottom.append(_text(factor.args[0], 3))
+    """Factors in their order; a fraction in front goes below where nothing else is there."""
+    sign, body, below, factors = "", "", "", e.args
+    if factors[0].op == "number":
+        value, factors = abs(factors[0].args[0]), factors[1:]
+        sign = "-" if e.args[0].args[0] < 0 else ""
+        if value.q != 1 and not any(_is_reciprocal(factor) for factor in factors):
+            value, below = fmpq(value.p), f"/{value.q}"
+        body = fraction_text(value) if value != 1 else ""
+    for factor in factors:
+        if _is_reciprocal(factor):
+            body = f"{body or 1}/{_text(factor.args[0], 3)}"
         else:
-            text = _text(factor, 1 if not top and not sign and factor.op == "number" else 2)
-            if factor.op == "number" and factor.args[0].q != 1 and top:
-                text = f"({text})"
-            top.append(text)
-    body = sign + "*".join(top or ["1"]) + "".join(f"/{part}" for part in bottom)
-    return _wrap(body, 1 if body.startswith("-") else 2, level)
+            body += f"{'*' if body else ''}{_text(factor, 2)}"
+    return _wrap(sign + body + below, 1 if sign else 2, level)
+
+
+def _is_reciprocal(e: Expr) -> bool:
+    return e.op == "^" and e.args[1] == MINUS_ONE
 
 
 def _wrap(text: str, own: int, level: int) -> str:

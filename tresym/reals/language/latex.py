@@ -1,32 +1,44 @@
-"""Reading LaTeX mathematics as text of the expression grammar.
+"""LaTeX mathematics as trees.
 
-`read_latex` turns a displayed formula into chains of relations; `read_expression` one expression
-into text that :func:`tresym.reals.parse` accepts. Nothing is guessed: what can be read in two
-ways is refused, with a line that says how to write it.
+`read_latex` turns a displayed formula into chains of relations, `read_expression` one expression
+into a tree. Nothing is guessed: what can be read in two ways is refused, with a line that says how
+to write it.
 
-Read are sums, products by juxtaposition, ``\\frac``, ``\\sqrt``, powers, absolute values, the
-elementary functions, ``e^{…}``, arrays, and the usual relations, ``\\in`` an interval among them.
+Read are sums, products by juxtaposition, ``\\frac``, ``\\sqrt``, powers, absolute values,
+the elementary functions, ``\\max``, ``e^{…}``, ``\\frac{d}{dx}``, ``\\int_a^b … dx``,
+``\\lim_{x \\to a}``, values at a point, ``O(…)``, arrays, and the usual relations, ``\\in`` an
+interval among them.
 Symbols become names: ``\\psi_0`` is ``psi0``, ``\\theta_{\\min}`` is ``theta_min``,
-``\\Delta\\psi`` is ``Delta_psi``; names that the grammar reserves get an underscore (``lambda_``).
-How far a function's argument goes is told in :mod:`tresym.reals.language.latex_reach`.
+``\\Delta\\psi`` is ``Delta_psi``; names that the grammar of text reserves get an underscore
+(``lambda_``). How far a function's argument goes is told in
+:mod:`tresym.reals.language.latex_reach`.
 
-For an ``author`` whose symbols are more than real variables ``\\frac{d\\psi}{d\\phi}`` and
-``\\dot\\theta`` are the symbols ``dpsi_dphi`` and ``dtheta_dt``.
-
-Beyond the grammar of expressions the text has calls that stand for what is not an expression:
-``integral(f, x, low, high)``, ``at(e, x, value)`` for an evaluation bar, ``between(e, low, high)``
-for a bracket with limits, ``value(e, p, …)`` for a value at a point, ``O(e)``, ``o(e)``, ``inf``,
-and functions of the author's such as ``f(a, b)``.
+For an author ``\\frac{d\\psi}{d\\phi}`` and ``\\dot\\theta`` are the symbols ``dpsi_dphi`` and
+``dtheta_dt``; anybody else's symbols are real variables.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
+from tresym.reals.language.expression import Expr
+from tresym.reals.language.latex_cursor import Author
 from tresym.reals.language.latex_grammar import Reader
-from tresym.reals.language.latex_tokens import ARRAYS, CONDITION, RELATIONS, STOPS, tokenize
+from tresym.reals.language.latex_reach import Piece
+from tresym.reals.language.latex_tokens import (
+    ARRAYS,
+    CONDITION,
+    MAX_DEPTH,
+    RELATIONS,
+    STOPS,
+    tokenize,
+    with_sign,
+)
 from tresym.reals.numbers.exact import InputError
 
+NO_RELATION = "LaTeX: a relation such as a = b is expected, there is none"
+TOO_DEEP = f"LaTeX: nested deeper than {MAX_DEPTH} levels"
 _AUTHORS_WORDS = frozenset({"hot"})
 
 
@@ -34,53 +46,71 @@ _AUTHORS_WORDS = frozenset({"hot"})
 class Relations:
     """A chain of relations: ``terms[0] ops[0] terms[1] ops[1] terms[2] …``.
 
-    ``condition`` is the chain under which it is said to hold ("For γ > 0:" above a column).
+    Attributes:
+        printed: of each term that is a decimal its digits, of the others nothing.
+        condition: the chain under which it is said to hold ("For γ > 0:" above a column).
+        defines: the name and the parameters of the author's function that begins it.
     """
 
-    terms: tuple[str, ...]
+    terms: tuple[Expr, ...]
     ops: tuple[str, ...]
+    printed: tuple[str, ...] = ()
     condition: Relations | None = None
+    defines: tuple[str, tuple[str, ...]] | None = None
+
+    @property
+    def links(self) -> Iterator[tuple[Expr, str, Expr]]:
+        """Each term with its neighbour and the relation between them."""
+        return zip(self.terms, self.ops, self.terms[1:], strict=False)
 
     def __str__(self) -> str:
-        text = self.terms[0]
-        for op, term in zip(self.ops, self.terms[1:], strict=True):
-            text += f" {op} {term}"
-        return text
+        rest = (f" {op} {term}" for op, term in zip(self.ops, self.terms[1:], strict=True))
+        return str(self.terms[0]) + "".join(rest)
 
 
-def read_expression(source: str, author: bool = False) -> str:
-    """One LaTeX expression as text of the expression grammar; ``author`` as in read_latex.
+def read_expression(source: str, author: Author | None = None) -> Expr:
+    """One LaTeX expression; ``author`` as in read_latex.
 
     Raises:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
     """
     reader = Reader(tokenize(source), author)
-    text = reader.sum().text
+    try:
+        tree = reader.sum().tree
+    except RecursionError:
+        raise InputError(TOO_DEEP) from None
     reader.skip_stops()
     if reader.peek():
         reader.refuse("an operation or the end is expected")
-    return text
+    return tree
 
 
-def read_latex(source: str, author: bool = False) -> tuple[Relations, ...]:
+def read_latex(source: str, author: Author | None = None) -> tuple[Relations, ...]:
     """The relations that a displayed formula states, in order.
 
     Args:
         source: what stands between the delimiters of the display.
-        author: whether ``f(x)``, derivatives such as ``dy/dx`` or ``\\dot x``, and the word "hot"
-            are symbols of an author's whose claims are compared with what is read. Else a variable
-            is a real number, and these are refused.
+        author: whose formula it is, if claims are compared with it.
 
     Raises:
         InputError: LaTeX that is not read; one line says what and, where it helps, how to write it.
     """
-    tokens = tokenize(source, _AUTHORS_WORDS if author else frozenset())
+    tokens = tokenize(source, frozenset() if author is None else _AUTHORS_WORDS)
     while tokens[-1:] == ["\\\\"]:
         tokens.pop()
-    return tuple(_statements(tokens, author))
+    try:
+        if {"\\pm", "\\mp"} & {*tokens}:
+            both = ("; ".join(map(str, _statements(with_sign(tokens, s), author))) for s in "+-")
+            raise InputError(f"LaTeX: of two signs two claims: write {' and '.join(both)}")
+        found = tuple(_statements(tokens, author))
+    except RecursionError:
+        raise InputError(TOO_DEEP) from None
+    if not found:
+        raise InputError(NO_RELATION)
+    return found
 
 
-def _statements(tokens: list[str], author: bool) -> list[Relations]:
+def _statements(tokens: list[str], author: Author | None) -> list[Relations]:
     """The chains of a display: rows and cells of an array, or one formula."""
     if tokens and tokens[0].startswith("\\begin{"):
         name = tokens[0][tokens[0].index("{") + 1 : -1]
@@ -101,7 +131,7 @@ def _body_of(tokens: list[str], name: str) -> list[str]:
     return body
 
 
-def _rows(body: list[str], author: bool) -> list[Relations]:
+def _rows(body: list[str], author: Author | None) -> list[Relations]:
     """Each cell is a statement; one that opens with a relation continues the cell before it."""
     cells: list[list[str]] = []
     columns: list[int] = []
@@ -118,8 +148,8 @@ def _rows(body: list[str], author: bool) -> list[Relations]:
         if cell[0] == CONDITION:
             conditions[column] = _chains([t for t in cell[1:] if t != ":"], author)[0]
             continue
-        condition = conditions.get(column)
-        found.extend(Relations(c.terms, c.ops, condition) for c in _chains(cell, author))
+        under = conditions.get(column)
+        found.extend(replace(c, condition=under or c.condition) for c in _chains(cell, author))
     return found
 
 
@@ -133,43 +163,75 @@ def _split(tokens: list[str], separator: str) -> list[list[str]]:
     return parts
 
 
-def _chains(tokens: list[str], author: bool) -> list[Relations]:
-    reader = _Chains(tokens, author)
-    chains: list[Relations] = []
-    reader.skip_stops()
-    while reader.peek():
-        chains.extend(reader.chain())
-        reader.skip_stops()
-    if not chains:
-        raise InputError("LaTeX: a relation such as a = b is expected, there is none")
-    return chains
+def _chains(tokens: list[str], author: Author | None) -> list[Relations]:
+    """The chains of a formula; what follows an upright "for" is a condition on all of them."""
+    tokens, *conditions = _split(tokens, CONDITION)
+    condition = None
+    if not tokens and len(conditions) == 1:  # the condition comes first
+        condition, *chains = _chains(conditions[0], author)
+    else:
+        reader = _Chains(tokens, author)
+        chains = [*reader.chains()]
+        if len(conditions) == 1:
+            (condition,) = _chains(conditions[0], author)
+    if not chains or len(conditions) > 1:
+        raise InputError(NO_RELATION)
+    return [replace(chain, condition=condition or chain.condition) for chain in chains]
 
 
 class _Chains(Reader):
     """Expressions and the relations between them."""
 
-    def chain(self) -> list[Relations]:
-        """One chain; an interval on its right end becomes two inequalities."""
-        terms, ops = [self.sum().text], []
+    def chains(self) -> Iterator[Relations]:
+        """All chains, apart by commas, full stops or arrows."""
+        self.skip_stops()
+        while self.peek():
+            yield self.chain()
+            self.skip_stops()
+
+    def chain(self) -> Relations:
+        """One chain; an interval at its end becomes two inequalities."""
+        defines = self.defined()
+        terms, ops = [self.sum()], []
         while self.peek() in RELATIONS:
             op = RELATIONS[self.take()]
+            if op == "in" and len(terms) > 1:
+                self.refuse("in a chain an interval is not read, here")
             if op == "in":
                 low, first, high, second = self.interval()
-                return [Relations((low, terms[-1], high), (first, second))]
-            ops.append(op)
-            terms.append(self.sum().text)
+                return Relations((low, terms[-1].tree, high), (first, second))
+            if op == "->":
+                point, side = self.point()
+                terms.append(Piece(point))
+                ops.append(op + ("", "+", "-")[side])
+            else:
+                terms.append(self.sum())
+                ops.append(op)
         if not ops:
             self.refuse("a relation such as = is expected")
         if self.peek() and self.peek() not in STOPS:
             self.refuse("a relation, a comma or the end is expected")
-        return [Relations(tuple(terms), tuple(ops))]
+        trees, printed = tuple(t.tree for t in terms), tuple(t.printed for t in terms)
+        return Relations(trees, tuple(ops), printed, defines=defines)
 
-    def interval(self) -> tuple[str, str, str, str]:
+    def defined(self) -> tuple[str, tuple[str, ...]] | None:
+        """The head ``f(a, b)`` of a definition of an author's, looked at and not taken."""
+        start, found = self.at, None
+        if self.author and self.kind(start) == "letter" and self.peek() != "\\pi":
+            name = self.symbol()
+            if self.peek() == "(" and self.is_list():
+                values = self.arguments()
+                if self.peek() in RELATIONS and all(value.op == "symbol" for value in values):
+                    found = name, tuple(str(value) for value in values)
+        self.at = start
+        return found
+
+    def interval(self) -> tuple[Expr, str, Expr, str]:
         opening = self.take()
         if opening not in ("[", "(", "]"):
             self.refuse("an interval is expected")
-        low = self.sum().text
+        low = self.sum().tree
         self.take(",")
-        high = self.sum().text
+        high = self.sum().tree
         closing = self.take()
         return low, "<=" if opening == "[" else "<", high, "<=" if closing == "]" else "<"

@@ -1,11 +1,27 @@
-"""The tokens of a LaTeX formula, and what comes next in them."""
+"""The tokens of a LaTeX formula: what comes next in them, and the names that they write.
+
+``dy/dx`` and a dot are symbols of an author's; anybody else is told what to write.
+"""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import NoReturn
 
+from tresym.reals.language.expression import Expr, symbol
 from tresym.reals.language.latex_reach import Ahead, Piece
-from tresym.reals.language.latex_tokens import CLOSING, FUNCTIONS, GREEK, RELATIONS, STOPS, Spaced
+from tresym.reals.language.latex_tokens import (
+    CLOSING,
+    EXTREMES,
+    FUNCTIONS,
+    GREEK,
+    RELATIONS,
+    RESERVED,
+    STOPS,
+    Spaced,
+)
 from tresym.reals.numbers.exact import InputError
 
 BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
@@ -15,18 +31,60 @@ DIFFERENTIALS = ("d", "\\partial")
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
 
 
+WORDS = sorted((*FUNCTIONS, "sqrt", *(g for g in GREEK if len(g) > 3)), key=len, reverse=True)
+NO_DERIVATIVE = (
+    "a derivative of a symbol is not known: write \\frac{d}{dx} (…) with what it stands for,"
+)
+INSTEAD = {
+    **dict.fromkeys(
+        ("\\dot", "\\ddot", "'", "\\prime"),
+        "the derivative of a symbol is not known: write \\frac{d}{dt} (…) with what it stands for, "
+        "or a variable of its own name,",
+    ),
+    **dict.fromkeys(
+        ("\\imath", "\\jmath"),
+        "variables are real, and this is read as the imaginary unit: write another letter, and "
+        "\\cos x and \\sin x for the parts of e^{ix},",
+    ),
+}
+"""Tokens that are refused, and what to write instead."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function that an author defines: its parameters, and its value."""
+
+    parameters: tuple[str, ...]
+    body: Expr
+
+
+@dataclass(frozen=True)
+class Author:
+    """Somebody whose claims are compared with what is read, and whose symbols are any quantities.
+
+    ``f(x)``, ``dy/dx``, ``\\dot x`` and the word "hot" are symbols for him, and of two readings the
+    shorter one is taken.
+
+    Attributes:
+        functions: those that he defines, by name.
+        variable: that of a bracket with limits, where print does not tell.
+    """
+
+    functions: Mapping[str, Function] = field(default_factory=dict)
+    variable: str = ""
+
+
 class Cursor:
     """The tokens of a formula, and the place in them.
 
     Attributes:
-        author: whether ``f(x)``, ``dy/dx`` and ``\\dot x`` are symbols of the author's, and the
-            shorter of two readings is taken, as where a claim is compared with what is read. Else
-            they are refused.
+        author: whose formula it is; of nobody's a symbol is a real variable, and what can be read
+            in two ways is refused.
         at: the next token.
         open_end: where the last operand without brackets ended.
     """
 
-    def __init__(self, tokens: list[str], author: bool = False) -> None:
+    def __init__(self, tokens: list[str], author: Author | None = None) -> None:
         self.tokens = tokens
         self.author = author
         self.at = 0
@@ -56,7 +114,7 @@ class Cursor:
 
     def two_readings(self, first: Piece | str, second: Piece | str) -> NoReturn:
         """Refuse what can be read in two ways, with both written out."""
-        one, other = (_short(p.text if isinstance(p, Piece) else p) for p in (first, second))
+        one, other = (_short(str(p.tree) if isinstance(p, Piece) else p) for p in (first, second))
         near = " ".join(self.tokens[max(0, self.at - 6) : self.at + 1])
         raise InputError(f"LaTeX: two readings remain: write {one} or {other}, near {near!a}")
 
@@ -76,6 +134,14 @@ class Cursor:
             return False
         return token not in CLOSING and not token.startswith(("\\end", "\\right"))
 
+    def sides(self) -> list[str]:
+        """The tokens here that say from which side a path comes, ``^+``, ``^{-}`` or ``+``."""
+        for form in ("^ { + }", "^ { - }", "^ +", "^ -", "+", "-"):
+            tokens, end = form.split(), self.at + len(form.split())
+            if self.tokens[self.at : end] == tokens:
+                return tokens if self.peek(len(tokens)) in ("", "}", *STOPS) else []
+        return []
+
     def at_differential(self) -> bool:
         """Inside an integral, ``d`` before a symbol."""
         return bool(self.integrals) and self.peek() == "d" and is_letter(self.peek(1))
@@ -94,7 +160,7 @@ class Cursor:
         token = self.tokens[i] if i < len(self.tokens) else ""
         if token.startswith("\\") and token[1:] in FUNCTIONS:
             return "inverse" if FUNCTIONS[token[1:]].startswith("a") else "function"
-        if token == "\\int":
+        if token in ("\\int", "\\lim", *EXTREMES):
             return "function"
         if token in ("\\dot", "\\ddot") or self.is_derivative_at(i):
             return "derivative"
@@ -102,26 +168,30 @@ class Cursor:
             return "bracket"
         if token in FRACTIONS:
             return "fraction"
-        exponential = token == "e" and self.tokens[i + 1 : i + 2] == ["^"]
-        return "letter" if (is_letter(token) or token == "\\pi") and not exponential else "other"
+        letter = is_letter(token) or token == "\\pi"
+        return "letter" if letter and not self.is_exponential(i) else "other"
+
+    def is_exponential(self, i: int) -> bool:
+        """Whether ``e^…`` begins at token ``i``."""
+        return self.tokens[i : i + 2] == ["e", "^"]
 
     def is_derivative_at(self, i: int) -> bool:
         """A fraction whose halves are ``d…`` and ``d`` before a letter."""
-        if self.tokens[i : i + 1] == [] or self.tokens[i] not in FRACTIONS:
+        if i >= len(self.tokens) or self.tokens[i] not in FRACTIONS:
             return False
-        above = self.tokens[i + 1 : i + 3]
-        if above[:1] == ["{"]:
-            above, i = above[1:], self.partner(i + 1)
-        else:
-            i += 1
-        below = self.tokens[i + 1 : i + 4]
-        return (
-            above[0:1] == below[1:2]
-            and above[0:1] in (["d"], ["\\partial"])
-            and below[:1] == ["{"]
-            and len(below) == 3
-            and is_letter(below[2])
-        )
+        above, below, _ = self.halves(i)
+        is_one = above[:1] == below[:1] and below[:1] in (["d"], ["\\partial"])
+        return is_one and len(below) > 1 and is_letter(below[1])
+
+    def halves(self, i: int) -> tuple[list[str], list[str], int]:
+        """What stands above and below the line of the fraction at token ``i``; where it ends."""
+        halves, at = [], i + 1
+        for _ in range(2):
+            braced = self.tokens[at : at + 1] == ["{"]
+            end = self.partner(at) if braced else at + 1
+            halves.append(self.tokens[at + braced : end])
+            at = end + braced
+        return halves[0], halves[1], at
 
     def partner(self, i: int) -> int:
         """Where the bracket that opens at token ``i`` is closed, or the end."""
@@ -141,6 +211,58 @@ class Cursor:
                 return True
         return False
 
+    # names
+
+    def check_name(self) -> None:
+        """Refuse letters that are no variable of the author's."""
+        token = self.peek()
+        if token in ("i", "j") and self.peek(1) != "_":
+            self.refuse(INSTEAD["\\imath"])
+        if token == "d" and is_letter(self.peek(1)):
+            self.refuse(
+                "d before a letter is a differential: write \\frac{d}{dx} (…) for a derivative, "
+                "d\\cdot x for a product,"
+            )
+        for name in WORDS:
+            letters = self.tokens[self.at : self.at + len(name)]
+            if letters == list(name) and not any(isinstance(x, Spaced) for x in letters[1:]):
+                apart = "\\,".join(name)
+                self.refuse(f"letters in a row are a product: write \\{name}, or {apart},")
+
+    def symbol(self) -> str:
+        """A letter with its subscript as a name."""
+        token = self.take()
+        prefix = ""
+        if token == "\\Delta":
+            prefix, token = "Delta_", self.take()
+        if not (is_letter(token) or token.isalpha()):
+            self.at -= 1
+            self.refuse("a symbol is expected")
+        name = prefix + token.removeprefix("\\")
+        if self.peek() == "_":
+            self.at += 1
+            name += self.subscript()
+        return allowed(name)
+
+    def subscript(self) -> str:
+        """A subscript as the end of a name."""
+        if self.peek() == "{":
+            self.at += 1
+            parts = []
+            while self.peek() != "}":
+                parts.append(self.take().removeprefix("\\"))
+            self.take("}")
+            text = "".join(parts)
+            if not text:
+                return ""
+        else:
+            text = self.take().removeprefix("\\")
+            if is_number(text) and len(text) > 1:
+                self.refuse("a subscript of several digits needs braces")
+        if not re.fullmatch(r"[A-Za-z0-9]+", text):
+            self.refuse(f"the subscript {text!a} is not read")
+        return text if text[0].isdigit() else f"_{text}"
+
 
 def _short(text: str) -> str:
     return text if len(text) <= 200 else f"{text[:140]} … {text[-40:]}"
@@ -158,3 +280,19 @@ def is_letter(token: str) -> bool:
         or token[1:] in GREEK
         or (token == "\\Delta")
     )
+
+
+def allowed(text: str) -> str:
+    """A name that the grammar of expressions does not reserve."""
+    return f"{text}_" if text in RESERVED else text
+
+
+def derived(kind: str, above: str, below: str) -> Piece:
+    """The symbol of an author's that stands for a derivative."""
+    d = kind.removeprefix("\\")
+    return Piece(symbol(f"{d}{above.rstrip('_')}_{d}{below.rstrip('_')}"))
+
+
+def is_derivative(piece: Piece) -> bool:
+    """Whether there is a symbol in it that stands for a derivative."""
+    return any(re.match(r"(d|partial)[A-Za-z]\w*_(d|partial)[A-Za-z]", x) for x in piece.names)

@@ -1,62 +1,89 @@
-"""The grammar of LaTeX expressions: recursive descent from tokens to text.
-
-The text is of the expression grammar of :mod:`tresym.reals.language.parsing`, with the additions
-that :mod:`tresym.reals.language.latex` lists.
-"""
+"""The grammar of LaTeX expressions: recursive descent from tokens to trees."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
 
+from tresym.reals.language.binders import at, derivative, integral, limit, order, outermost
+from tresym.reals.language.expression import (
+    MAX_DERIVATIVES,
+    MINUS_ONE,
+    ONE,
+    ORDERS,
+    PI,
+    E,
+    Expr,
+    add,
+    apply,
+    extreme,
+    sqrt,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.latex_cursor import (
     BRACKETS,
     DIFFERENTIALS,
     FRACTIONS,
+    INSTEAD,
+    NO_DERIVATIVE,
     OPENING,
     OPERATORS,
+    Author,
+    Cursor,
+    Function,
+    derived,
+    is_derivative,
     is_letter,
     is_number,
 )
-from tresym.reals.language.latex_names import INSTEAD, NO_DERIVATIVE, Names, allowed, is_derivative
 from tresym.reals.language.latex_reach import (
-    Ahead,
     Piece,
     Reach,
+    Rule,
     after_braces,
     after_bracket,
     after_derivative,
     after_derivative_of_bracket,
+    after_nested,
     after_open,
+    decimal,
     joined,
     whole,
 )
-from tresym.reals.language.latex_tokens import FUNCTIONS, LETTERS_OF_FUNCTIONS, RELATIONS, STOPS
+from tresym.reals.language.latex_tokens import (
+    EXTREMES,
+    FUNCTIONS,
+    LETTERS_OF_FUNCTIONS,
+    RELATIONS,
+    STOPS,
+)
+from tresym.reals.language.parsing import INFINITY, call
 from tresym.reals.numbers.exact import InputError
 
 
-class Reader(Names):
-    """Recursive descent over the tokens; every method returns text of the expression grammar."""
+class Reader(Cursor):
+    """Recursive descent over the tokens."""
 
     # sums and products
 
     def sum(self) -> Piece:
         """Terms joined by + and −."""
-        terms = [self.signed()]
-        while self.peek() in ("+", "-"):
-            operator = self.take()
-            terms.append(Piece(f" {operator} {self.product().within(2)}"))
-        if len(terms) == 1:
-            return terms[0]
-        return Piece("".join(t.text for t in terms), 0)
+        first = self.signed()
+        terms = [first.tree]
+        while self.peek() in ("+", "-") and not self.sides():
+            terms.append(-self.product().tree if self.take() == "-" else self.product().tree)
+        return first if len(terms) == 1 else Piece(add(*terms), 0)
 
     def signed(self) -> Piece:
         """The first term of a sum, perhaps with a sign."""
-        if self.peek() in ("+", "-"):
-            sign = self.take()
-            piece = self.product()
-            return Piece(f"-{piece.within(2)}" if sign == "-" else piece.within(2), 1)
-        return self.product()
+        if self.peek() not in ("+", "-"):
+            return self.product()
+        sign, piece = self.take(), self.product()
+        if sign == "+":
+            return Piece(piece.tree, 1)
+        return Piece(-piece.tree, 1, printed=piece.printed and f"-{piece.printed}")
 
     def product(self) -> Piece:
         """Factors side by side; a slash divides by one factor, and what follows it is refused."""
@@ -71,7 +98,7 @@ class Reader(Names):
             operators.append("/" if self.take() == "/" else "*")
             factors.append(self.factor_or_differential())
             return
-        last = factors[-1] or Piece("")
+        last = factors[-1] or Piece(ONE)
         if operators[-1] == "/" and not self.at_differential():
             self.refuse("what is below the slash? Write it with \\frac or in brackets,")
         if is_number(self.peek()) and is_number(self.tokens[self.at - 1]):
@@ -82,17 +109,18 @@ class Reader(Names):
         else:
             factors.append(self.factor_or_differential())
         operators.append("*")
-        if last.text == "d" and factors[-1] and factors[-1].symbol and not self.author:
+        new = factors[-1]
+        if last.symbol == "d" and new and new.symbol and not self.author:
             self.refuse("d before a letter is a differential,")
-        if is_number(last.text) and factors[-1] and re.fullmatch(r"\d+/\d+", factors[-1].text):
-            self.two_readings(f"{last.text} + {factors[-1].text}", joined(factors, operators))
+        if last.printed and new and new.tree.op == "number" and new.strength == 2:
+            self.two_readings(f"{last.printed} + {new.tree}", f"{last.printed}*({new.tree})")
 
-    def factor_in_brackets(self, symbol: Piece) -> Piece:
+    def factor_in_brackets(self, last: Piece) -> Piece:
         """The bracket behind a symbol, where a product needs it: x(x + 1), and (a/r)² behind V.
 
         Without that need, as in x(0), it may hold the argument of a function.
         """
-        name = symbol.text.split("*")[0]
+        name = last.symbol
         if self.is_list():
             self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
         braced = self.peek() == "{"
@@ -103,8 +131,8 @@ class Reader(Names):
         needed = inner.strength == 0 or (1 < inner.strength < 4 and self.peek() == "^")
         if not needed or name in LETTERS_OF_FUNCTIONS:
             value = f"{name}_1 for the value of a function {name}"
-            self.two_readings(joined([symbol, inner], ["", "*"]), value)
-        return self.factor(Piece(inner.within(4)))
+            self.two_readings(joined([last, inner], ["", "*"]), value)
+        return self.factor(Piece(inner.tree))
 
     def factor_or_differential(self) -> Piece | None:
         """A factor, or None where the differential of an integral was stepped over."""
@@ -118,7 +146,7 @@ class Reader(Names):
         self,
         applied: Callable[[Piece], Piece],
         first: Piece,
-        rule: Callable[[Piece, Ahead], Reach],
+        rule: Rule,
         matters: Callable[[Piece], bool] = lambda _: True,
     ) -> Piece:
         """``applied`` to ``first`` and to what follows, as far as the rule for it goes.
@@ -126,23 +154,28 @@ class Reader(Names):
         Where it is in doubt whether the next factor belongs to it, and that matters, both readings
         are written out; an author's is the shorter one, unless a sign is written.
         """
-        so_far = first
         factors: list[Piece | None] = [first]
         operators = [""]
+        telling = first  # the factor that tells the rule of what kind the operand is so far
         while True:
             ahead = self.ahead()
-            reach = rule(so_far, ahead)
+            reach = rule(telling, ahead)
             shorter = self.author and not ahead.operator
             if reach is Reach.ENDS or (reach is Reach.DOUBT and shorter):
-                if rule in (after_open, after_derivative):
+                if rule in (after_open, after_nested, after_derivative):
                     self.open_end = self.at
-                return applied(so_far)
+                return applied(joined(factors, operators))
             self.extend(factors, operators)
             last, both = factors[-1], ["", operators[-1]]
-            longer = joined([so_far, last], both)
-            if reach is Reach.DOUBT and last is not None and matters(last):
-                self.two_readings(applied(longer), joined([applied(so_far), last], both))
-            so_far = longer
+            if last is None:
+                continue
+            if reach is Reach.DOUBT and matters(last):
+                shorter_one = applied(joined(factors[:-1], operators[:-1]))
+                self.two_readings(
+                    applied(joined(factors, operators)), joined([shorter_one, last], both)
+                )
+            if telling.tree.op == "number" or not telling.names:
+                telling = last if last.names or last.tree.op != "number" else telling
 
     # factors
 
@@ -151,18 +184,21 @@ class Reader(Names):
         raised = base is None and self.peek() == "e" and self.peek(1) == "^"
         base = base or self.base()
         while True:
-            if self.peek() == "^":
+            if self.peek() == "^" and not self.sides():
                 if raised:
                     self.refuse("TeX takes one exponent: write brackets or braces,")
                 self.at += 1
                 raised = True
-                power = f"{base.within(4)}**{self.script().within(4)}"
-                base = Piece(power, 3, base.symbol)
+                exponent = self.script()
+                ten = base.printed == "10" and re.fullmatch(r"-?\d+", exponent.printed)
+                printed = f"1e{exponent.printed}" if ten else ""
+                base = Piece(base.tree**exponent.tree, 3, base.symbol, printed)
             elif self.peek() == "|" and self.peek(1) == "_":
                 self.at += 2
-                base = self.evaluated(base.text)
-            elif self.peek() == "(" and is_derivative(base.text) and self.is_list():
-                base = Piece(f"value({base.text}, {', '.join(self.arguments())})")
+                base = self.evaluated(base.tree)
+            elif self.peek() == "(" and is_derivative(base) and self.is_list():
+                values = {f"p{n}": value for n, value in enumerate(self.arguments(), 1)}
+                base = Piece(at(base.tree, values))
             else:
                 return base
 
@@ -174,16 +210,14 @@ class Reader(Names):
             self.refuse("one thing in brackets above a name counts derivatives: write it without,")
         return self.argument_group()
 
-    def evaluated(self, text: str) -> Piece:
-        """The place of an evaluation bar, ``_{x = value}``."""
-        if not self.author:
-            self.refuse("a value at a point is not read: put the point in,")
+    def evaluated(self, e: Expr) -> Piece:
+        """``e`` at the place of an evaluation bar, ``_{x = value}``."""
         self.take("{")
-        name = self.sum().text
+        name = self.symbol()
         self.take("=")
-        value = self.sum().text
+        value = self.sum().tree
         self.take("}")
-        return Piece(f"at({text}, {name}, {value})")
+        return Piece(at(e, {name: value}))
 
     def group(self) -> Piece:
         """What stands in braces."""
@@ -207,17 +241,22 @@ class Reader(Names):
             return self.fraction()
         if token == "\\sqrt":
             return self.root()
-        if token == "\\int" and self.author:
+        if token == "\\int":
             return self.integral()
+        if token == "\\lim":
+            return self.limit()
+        if token in EXTREMES:
+            return self.extreme()
         if token == "\\infty":
             self.take()
-            return Piece("inf")
+            return Piece(INFINITY)
         if token == "\\dot" and self.author:
-            return self.dotted()
+            self.take()
+            return derived("d", self.argument_group().symbol, "t")
         if token.lstrip("\\") in FUNCTIONS and token.startswith("\\"):
             return self.function()
         if re.fullmatch(r"\d.*|\.\d+", token):
-            return Piece(self.take())
+            return decimal(self.take())
         if is_letter(token) or token in ("\\pi", "\\Delta", "\\partial") or token.isalpha():
             return self.named()
         if not token:
@@ -236,12 +275,17 @@ class Reader(Names):
     def bracket(self) -> Piece:
         """A bracket; with limits behind it, the difference of values at its ends."""
         opening, piece = self.peek(), self.enclosed()
-        if opening == "[" and self.peek() == "_" and self.author:
-            self.at += 1
-            low = self.script().text
-            self.take("^")
-            return Piece(f"between({piece.text}, {low}, {self.script().text})")
-        return Piece(piece.within(4))
+        if opening != "[" or self.peek() != "_":
+            return Piece(piece.tree)
+        self.at += 1
+        low = self.script().tree
+        self.take("^")
+        high = self.script().tree
+        names = sorted(piece.names - symbols(low) - symbols(high))
+        names = [self.author.variable] if self.author and self.author.variable else names
+        if len(names) != 1:
+            self.refuse("a bracket with limits needs its variable: write the two values out,")
+        return Piece(at(piece.tree, {names[0]: high}) - at(piece.tree, {names[0]: low}), 0)
 
     def absolute(self) -> Piece:
         """An absolute value."""
@@ -250,7 +294,7 @@ class Reader(Names):
         if self.take() not in ("|", "\\right|"):
             self.at -= 1
             self.refuse("the bar | is not closed")
-        return Piece(f"abs({piece.text})")
+        return Piece(abs(piece.tree))
 
     def barred(self) -> Piece:
         """``\\left. … \\right|_{x = value}``."""
@@ -258,24 +302,33 @@ class Reader(Names):
         piece = self.sum()
         self.take("\\right|")
         self.take("_")
-        return self.evaluated(piece.text)
+        return self.evaluated(piece.tree)
 
     def root(self) -> Piece:
         """A square root, or a root with an index; an odd one is real for every real number."""
         self.take("\\sqrt")
         if self.peek() != "[":
-            return Piece(f"sqrt({self.argument_group().text})")
+            return Piece(sqrt(self.argument_group().tree))
         self.take()
         index = self.sum()
         self.take("]")
-        radicand = self.argument_group()
-        if index.text.startswith("-"):
+        inside = self.argument_group().tree
+        whole = index.tree.op == "number" and index.tree.args[0].q == 1
+        n = int(index.tree.args[0].p) if whole else 0
+        if n < 0:
             self.refuse("a root with a negative index: write 1 over the root,")
-        if not index.text.isdigit() or int(index.text) % 2 == 0 or is_number(radicand.text):
-            return Piece(f"{radicand.within(4)}**(1/{index.within(4)})", 3)
-        if index.text == "3":
-            return Piece(f"cbrt({radicand.text})")
-        return Piece(f"sign({radicand.text})*abs({radicand.text})**(1/{index.text})", 2)
+        if n % 2 == 0 or inside.op == "number":
+            return Piece(inside ** (1 / index.tree), 3)
+        if n == 3:
+            return Piece(apply("cbrt", inside))
+        return Piece(apply("sign", inside) * abs(inside) ** (1 / index.tree), 2)
+
+    def extreme(self) -> Piece:
+        """``\\max(x, y)``, ``\\min\\{x, y, z\\}``."""
+        token = self.take()
+        if self.peek() not in ("(", "\\{") or not self.is_list():
+            self.refuse(f"{token} takes a list in brackets: write {token}(x, y),")
+        return Piece(extreme(EXTREMES[token], self.arguments()))
 
     def argument_group(self) -> Piece:
         """The argument of a command, an exponent: a group, or one token."""
@@ -290,18 +343,21 @@ class Reader(Names):
 
     def braces(self) -> Piece:
         """A factor in braces, which do not print and so must not be needed."""
-        before = self.tokens[self.at - 1] if self.at else ""
+        before, start = self.tokens[self.at - 1] if self.at else "", self.at
         piece = self.group()
+        slashed = "/" in self.tokens[start : self.at]
         opened = before in ("", "+", "\\left|", *OPENING, *RELATIONS, *STOPS)
         closed = not self.continues() and self.peek() != "^"
-        apart = before == "/" or self.peek() == "^" or ("/" in piece.text and not closed)
+        apart = before == "/" or self.peek() == "^" or (slashed and not closed)
         needed = apart if piece.strength > 1 else not (opened and closed)
         needed = needed and piece.strength < 4
         if self.open_end == self.at - 1:  # as in {\sin x}y
             needed = needed or not (closed or self.ahead().kind in ("function", "derivative"))
         if needed and not self.author:
             self.refuse("braces do not print: write brackets around what stands in them,")
-        return Piece(piece.within(4), symbol=piece.symbol)
+        return Piece(piece.tree, symbol=piece.symbol, printed=piece.printed)
+
+    # fractions and derivatives
 
     def fraction(self) -> Piece:
         """A fraction, unless it is a derivative."""
@@ -310,98 +366,112 @@ class Reader(Names):
         self.take()
         if re.fullmatch(r"\d\d", self.peek()):
             # TeX's \frac12 is one half.
-            digits = self.take()
-            return Piece(f"{digits[0]}/{digits[1]}", 2)
-        top = self.numerator()
-        return Piece(f"{top.within(2)}/{self.argument_group().within(4)}", 2)
-
-    def numerator(self) -> Piece:
-        """What stands above the line."""
-        if self.peek() == "{" and self.peek(1) == "}":
-            self.refuse("an empty numerator")
-        return self.argument_group()
+            top, below = map(decimal, self.take())
+        else:
+            if self.peek() == "{" and self.peek(1) == "}":
+                self.refuse("an empty numerator")
+            top, below = self.argument_group(), self.argument_group()
+        return Piece(top.tree / below.tree, 2)
 
     def derivative(self) -> Piece:
-        """``\\frac{dy}{dx}``, a symbol of the author's; ``\\frac{d}{dx} e`` is ``diff(e, x)``."""
-        self.take()
-        if self.peek() in DIFFERENTIALS:
-            self.tokens[self.at : self.at + 1] = ["{", self.peek(), "}"]
-        kind = self.peek(1).lstrip("\\")
-        order, below = self.higher_order()
-        if order:
-            return self.differentiated(kind, below, f", {order}")
-        self.at += 2
-        above = self.product() if self.peek() != "}" else None
-        self.take("}")
-        self.at += 2
-        below = self.symbol()
-        self.take("}")
-        if above is None:
-            return self.differentiated(kind, below)
-        if above.symbol and above.strength == 4 and self.author:
-            return Piece(f"{kind}{above.text.rstrip('_')}_{kind}{below.rstrip('_')}")
-        if above.symbol and above.strength == 4:
+        """``\\frac{dy}{dx}``, a symbol of an author's, or ``\\frac{d}{dx}`` of what follows."""
+        above, below, self.at = self.halves(self.at)
+        kind, times = above[0], 1
+        if "^" in (*above[1:2], *below):
+            order = above[1:]
+            digits = "".join(order).strip("^{}")
+            if below[-len(order) :] != order or not digits.isdigit():
+                self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
+            if len(digits) > 2 or not 1 <= (times := int(digits)) <= MAX_DERIVATIVES:
+                self.refuse(f"the order of a derivative goes from 1 to {MAX_DERIVATIVES}")
+            above, below = above[:1], below[: -len(order)]
+        variable = Reader(below[1:], self.author)
+        name = variable.symbol()
+        if variable.peek():
+            variable.refuse("one variable is expected")
+        if len(above) == 1:
+            return self.differentiated(kind, name, times)
+        function = Reader(above[1:], self.author)
+        piece = function.product()
+        if function.peek():
+            function.refuse("one product is expected")
+        if not (piece.symbol and piece.strength == 4):
+            return self.slope(piece, kind, name)
+        if not self.author:
             self.refuse(NO_DERIVATIVE)
-        return self.diff(above, kind, below)
+        return derived(kind, piece.symbol, name)
 
-    def diff(self, e: Piece, kind: str, name: str, order: str = "") -> Piece:
+    def slope(self, e: Piece, kind: str, name: str, times: int = 1) -> Piece:
         """The derivative of ``e``, in which ``d/dx`` needs the variable: else it is a symbol's."""
-        constant = not e.names or kind == "partial" or "diff(" in e.text
-        if name not in e.names and not constant and not self.author:
+        known = name in e.names or not e.names or kind == "\\partial" or _has_derivative(e)
+        if not known and not self.author:
             self.refuse(NO_DERIVATIVE)
-        return Piece(f"diff({e.text}, {name}{order})")
+        tree = e.tree
+        for _ in range(times):
+            tree = derivative(tree, name)
+        return Piece(tree)
 
-    def differentiated(self, kind: str, name: str, order: str = "") -> Piece:
+    def differentiated(self, kind: str, name: str, times: int = 1) -> Piece:
         """What follows ``d/dx``, differentiated."""
         bracket = self.peek() in (*BRACKETS, "{")
         return self.operand(
-            lambda e: self.diff(e, kind, name, order),
+            lambda e: self.slope(e, kind, name, times),
             self.factor(),
             after_derivative_of_bracket if bracket else after_derivative,
-            lambda e: name in e.names or "diff(" in e.text,
+            lambda e: name in e.names or _has_derivative(e),
         )
 
-    def higher_order(self) -> tuple[int, str]:
-        """The order and the variable of ``{d^n}{dx^n}``, which is stepped over; else 0."""
-        for kind in DIFFERENTIALS:
-            match = re.match(
-                rf"{{ {re.escape(kind)} \^ (?P<n>{{ \d+ }}|\d+) }} {{ {re.escape(kind)} "
-                r"(?P<x>[A-Za-z]|\\[a-z]+) \^ (?P=n) } ",
-                " ".join(self.tokens[self.at :]) + " ",
-            )
-            if match:
-                self.at += match[0].count(" ")
-                return int(match["n"].strip("{} ")), allowed(match["x"].lstrip("\\"))
-        if self.tokens[self.at : self.at + 3] in (["{", "d", "^"], ["{", "\\partial", "^"]):
-            self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
-        return 0, ""
+    def limit(self) -> Piece:
+        """``\\lim_{x \\to p}`` of the product that follows."""
+        self.take("\\lim")
+        self.take("_")
+        self.take("{")
+        name = self.symbol()
+        if RELATIONS.get(self.take()) != "->":
+            self.refuse("a limit is written \\lim_{x \\to 0},")
+        point, side = self.point()
+        self.take("}")
+        bracket = self.peek() in (*BRACKETS, "{")
+        return self.operand(
+            lambda e: Piece(limit(e.tree, name, point, side)),
+            self.factor(),
+            after_derivative_of_bracket if bracket else after_derivative,
+            lambda e: name in e.names,
+        )
+
+    def point(self) -> tuple[Expr, int]:
+        """Where a path ends, and the side it comes from: ``0``, ``0^+``, ``\\pi^{-}``, ``0+``."""
+        found = self.sum().tree
+        side = next((s for s in self.sides() if s in ("+", "-")), "")
+        self.at += len(self.sides())
+        return found, {"+": 1, "-": -1}.get(side, 0)
+
+    # functions
 
     def function(self) -> Piece:
         """A function, perhaps with a power of it or the base of a logarithm, and its argument."""
         start = self.at
         name = FUNCTIONS[self.take()[1:]]
-        base = ""
+        more: list[Expr] = []
         if name == "log" and self.peek() == "_":
             self.at += 1
-            base = f", {self.script().text}"
+            more = [self.script().tree]
         exponent = None
         if self.peek() == "^":
             self.at += 1
-            exponent = self.script()
+            exponent = self.script().tree
 
         def applied(argument: Piece) -> Piece:
-            text = f"{name}({argument.text}{base})"
+            tree = call(name, [argument.tree, *more])
             if exponent is None:
-                return Piece(text)
-            if exponent.text == "-1":
-                self.two_readings(f"{_inverse(name)}({argument.text})", f"1/{text}")
-            return Piece(f"{text}**{exponent.within(4)}", 3)
+                return Piece(tree)
+            if exponent == MINUS_ONE:
+                self.two_readings(f"{_inverse(name)}({argument.tree})", f"1/{tree}")
+            return Piece(tree**exponent, 3)
 
         return self.argument(start, applied, after_bracket if name != "exp" else whole)
 
-    def argument(
-        self, start: int, applied: Callable[[Piece], Piece], rule: Callable[[Piece, Ahead], Reach]
-    ) -> Piece:
+    def argument(self, start: int, applied: Callable[[Piece], Piece], rule: Rule) -> Piece:
         """``applied`` to the argument that follows; ``rule`` says how far one in brackets goes."""
         token = self.peek()
         braced = token == "{" and self.peek(1) in BRACKETS
@@ -419,12 +489,13 @@ class Reader(Names):
         elif token in ("|", "\\left|"):
             inner, rule, doubtful = self.absolute(), after_braces, True
         else:
-            return self.operand(applied, self.factor(), after_open)
+            nested = self.kind(self.at) in ("function", "inverse") or self.is_exponential(self.at)
+            return self.operand(applied, self.factor(), after_nested if nested else after_open)
         if self.peek() == "^" and doubtful and not self.author:
             self.take()
-            power = f"**{self.script().within(4)}"
-            inside = applied(Piece(inner.within(4) + power, 3))
-            self.two_readings(inside, applied(inner).within(4) + power)
+            exponent = self.script().tree
+            inside = applied(Piece(inner.tree**exponent, 3))
+            self.two_readings(inside, Piece(applied(inner).tree ** exponent))
         return self.operand(applied, inner, rule)
 
     def printed(self, start: int, applied: Callable[[Piece], Piece]) -> Piece:
@@ -438,20 +509,24 @@ class Reader(Names):
             if inner.strength == 0 and not self.author:
                 self.refuse("braces do not print: write brackets around what stands in them,")
         elif not self.author:
-            shown = Reader([*name, *inside], author=True).sum()
-            if shown.text != applied(inner).text:
+            shown = Reader([*name, *inside], Author()).sum()
+            if shown.tree != applied(inner).tree:
                 self.two_readings(applied(inner), shown)
         return inner
+
+    # integrals
 
     def integral(self) -> Piece:
         """``∫_{low}^{high} … dx``: all terms that carry the differential."""
         self.take("\\int")
         if self.peek() != "_":
-            self.refuse("an integral needs its limits")
+            self.refuse(
+                "an integral needs its limits; of an antiderivative F write \\frac{d}{dx} (F) = f,"
+            )
         self.at += 1
-        low = self.script().text
+        low = self.script().tree
         self.take("^")
-        high = self.script().text
+        high = self.script().tree
         outer, self.differentials = self.differentials, []
         self.integrals += 1
         body = self.integrand()
@@ -460,58 +535,90 @@ class Reader(Names):
         self.differentials = outer
         if len(variables) != 1:
             self.refuse("an integral needs one variable and its differential")
-        return Piece(f"integral({body}, {variables.pop()}, {low}, {high})")
+        return Piece(integral(body, variables.pop(), low, high))
 
-    def integrand(self) -> str:
+    def integrand(self) -> Expr:
         """The terms that carry the differential of the integral."""
-        body = self.signed().text
+        terms = [self.signed().tree]
         if not self.differentials:
             self.refuse("the differential of the integral is missing")
         while self.peek() in ("+", "-"):
             before, count = self.at, len(self.differentials)
-            operator = self.take()
-            term = self.product().within(2)
+            sign = -1 if self.take() == "-" else 1
+            term = self.product().tree
             if len(self.differentials) == count:
                 self.at = before
                 break
-            body += f" {operator} {term}"
-        return body
+            terms.append(term if sign == 1 else -term)
+        return add(*terms)
 
     # names
 
     def named(self) -> Piece:
-        """A symbol, an inline derivative, ``e^{…}``, or an author's function."""
-        token = self.peek()
-        if token in DIFFERENTIALS and self.inline_derivative():
-            return self.slashed_derivative()
+        """A symbol, an inline derivative, ``e^{…}``, an order, or an author's function."""
+        token, start = self.peek(), self.at
+        if token in DIFFERENTIALS and is_letter(self.peek(1)):
+            self.at += 1
+            above = self.symbol()
+            if self.peek() == "/" and self.peek(1) == token and is_letter(self.peek(2)):
+                if not self.author:
+                    self.refuse(NO_DERIVATIVE)
+                self.at += 2
+                return derived(token, above, self.symbol())
+            self.at = start
         if not self.author:
             self.check_name()
-        if token == "e" and self.peek(1) == "^":
+        if self.is_exponential(self.at):
             self.at += 2
-            return Piece(f"exp({self.script().text})")
-        if token == "e":
+            return Piece(apply("exp", self.script().tree))
+        if token in ("e", "\\pi"):
             self.take()
-            return Piece("E")
-        if token == "\\pi":
+            return Piece(E if token == "e" else PI)
+        if token in ORDERS and self.peek(1) == "(":
             self.take()
-            return Piece("pi")
-        if token in ("O", "o") and self.peek(1) == "(":
-            self.take()
-            return Piece(f"{token}({', '.join(self.arguments())})")
+            return Piece(order(token, self.enclosed().tree))
         name = self.symbol()
-        if self.author and self.peek() == "(" and self.is_application(name):
-            return Piece(f"{name}({', '.join(self.arguments())})")
-        return Piece(name, symbol=True)
+        if self.author and self.peek() == "(" and (self.is_list() or self.is_argument(name)):
+            return self.value(name, self.author.functions.get(name))
+        return Piece(symbol(name), symbol=name)
 
-    def arguments(self) -> list[str]:
-        """The arguments of an author's function."""
-        self.take("(")
-        found = [self.sum().text]
+    def is_argument(self, name: str) -> bool:
+        """Whether the bracket here is the argument of ``name``: f(…), or one symbol, ε(γ)."""
+        if name in LETTERS_OF_FUNCTIONS or (self.author and name in self.author.functions):
+            return True
+        start = self.at
+        self.at += 1
+        alone = is_letter(self.peek())
+        if alone:
+            self.symbol()
+            alone = self.peek() == ")"
+        self.at = start
+        return alone
+
+    def value(self, name: str, function: Function | None) -> Piece:
+        """A function of the author's: what it is at its arguments, ε for ε(γ) of bare symbols."""
+        start, values = self.at, self.arguments()
+        if function is not None and len(values) == len(function.parameters):
+            given = dict(zip(function.parameters, values, strict=True))
+            return Piece(substitute(function.body, given))
+        if any(value.op != "symbol" for value in values):
+            self.at = start
+            self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
+        return Piece(symbol(name))
+
+    def arguments(self) -> list[Expr]:
+        """What stands in a bracket, apart by commas."""
+        opening = self.take()
+        found = [self.sum().tree]
         while self.peek() == ",":
             self.take()
-            found.append(self.sum().text)
-        self.take(")")
+            found.append(self.sum().tree)
+        self.take(BRACKETS[opening])
         return found
+
+
+def _has_derivative(piece: Piece) -> bool:
+    return any(node.op == "derivative" for node in outermost(piece.tree))
 
 
 def _inverse(name: str) -> str:

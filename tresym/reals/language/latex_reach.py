@@ -4,40 +4,38 @@ An argument without brackets is the product that follows, up to the next functio
 or closing bracket: ``\\sin\\frac{1}{2}x`` is sin(x/2), ``\\sin n\\pi`` is sin(nπ). A bracket right
 after the name is the whole argument, ``\\sin(x)y`` is sin(x)·y. ``d/dx`` takes the product that
 follows. Where books differ the reach is in doubt, and the reader writes both readings out.
-
-The texts that are joined here are of the grammar of :mod:`tresym.reals.language.parsing`.
 """
 
 from __future__ import annotations
 
-import re
+from collections.abc import Callable
 from enum import Enum
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
-from tresym.reals.language.latex_tokens import FUNCTIONS
+from tresym.reals.language.expression import Expr, multiply, symbols
+from tresym.reals.language.expression import number as exact
+from tresym.reals.numbers.exact import parse_number
 
 
 class Piece(NamedTuple):
-    """Text and how strongly it binds: 0 sum, 1 signed product, 2 product, 3 power, 4 atom.
+    """A tree, and how it stands in print.
 
-    ``symbol`` marks a name or a power of one; a bracket behind it can hold its argument.
+    Attributes:
+        tree: what it is.
+        strength: how strongly it binds: 0 sum, 1 signed product, 2 product, 3 power, 4 atom.
+        symbol: the name, or what a power is of; a bracket behind it can hold its argument.
+        printed: the digits of a decimal, ``1e-2`` of a power of ten.
     """
 
-    text: str
+    tree: Expr
     strength: int = 4
-    symbol: bool = False
-
-    def within(self, strength: int) -> str:
-        """The text, in parentheses where what surrounds it binds more strongly."""
-        return self.text if self.strength >= strength else f"({self.text})"
+    symbol: str = ""
+    printed: str = ""
 
     @property
-    def names(self) -> set[str]:
+    def names(self) -> frozenset[str]:
         """The variables in it."""
-        return set(_NAME.findall(self.text)) - {"pi", "E"}
-
-
-_NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w(])")
+        return symbols(self.tree)
 
 
 class Ahead(NamedTuple):
@@ -63,6 +61,9 @@ class Reach(Enum):
     DOUBT = "in doubt"
 
 
+Rule: TypeAlias = Callable[[Piece, Ahead], Reach]
+
+
 def after_open(so_far: Piece, ahead: Ahead) -> Reach:
     """An argument without brackets.
 
@@ -70,15 +71,13 @@ def after_open(so_far: Piece, ahead: Ahead) -> Reach:
     are sure, because ``\\sin\\theta(1+x)`` is mostly a product and ``\\sin k(x-t)`` is not. Another
     function ends it, but ``\\sin 2\\ln x`` and ``\\cos n\\arccos x`` are in doubt.
     """
-    function = re.match(r"(\w+)\(", so_far.text)
-    nested = function is not None and function[1] in FUNCTIONS.values()
     applied = ahead.kind in ("function", "inverse")
-    if ahead.kind in ("", "derivative") or (applied and ahead.operator and not nested):
+    if ahead.kind in ("", "derivative") or (applied and ahead.operator):
         return Reach.ENDS
-    if ahead.operator or nested or ahead.kind == "inverse":
+    if ahead.operator or ahead.kind == "inverse":
         return Reach.DOUBT
     if applied:
-        number = not so_far.names and "pi" not in so_far.text
+        number = not so_far.names and "pi" not in str(so_far.tree)
         return Reach.DOUBT if number else Reach.ENDS
     if ahead.spaced or (ahead.kind != "letter" and so_far.names):
         return Reach.DOUBT
@@ -89,11 +88,6 @@ def after_bracket(inner: Piece, ahead: Ahead) -> Reach:
     """An argument in brackets: in doubt where it needs them as a factor too, ``\\sin(n+1)x``."""
     factor = ahead.kind in ("letter", "bracket", "fraction") and not ahead.operator
     return Reach.DOUBT if factor and inner.strength == 0 else Reach.ENDS
-
-
-def after_braces(_: Piece, ahead: Ahead) -> Reach:
-    """An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
-    return Reach.ENDS if ahead.kind in ("", "function", "derivative") else Reach.DOUBT
 
 
 def whole(_: Piece, __: Ahead) -> Reach:
@@ -109,30 +103,32 @@ def after_derivative(_: Piece, ahead: Ahead) -> Reach:
     return Reach.DOUBT if doubtful else Reach.GOES_ON
 
 
-def after_derivative_of_bracket(_: Piece, ahead: Ahead) -> Reach:
-    """``\\frac{d}{dx}(…)``, and what follows the bracket."""
-    return Reach.DOUBT if ahead.kind else Reach.ENDS
+def ends_before(*kinds: str) -> Rule:
+    """A rule by which these end the operand, and whatever else follows is in doubt."""
+    return lambda _, ahead: Reach.ENDS if ahead.kind in kinds else Reach.DOUBT
+
+
+after_nested = ends_before("", "derivative")
+"""An argument that is itself a function and what it is applied to: ``\\ln\\sin x\\cos x``."""
+after_braces = ends_before("", "function", "derivative")
+"""An argument in braces, which do not print, or in bars, which stay: ``\\sin{x}y``."""
+after_derivative_of_bracket = ends_before("")
+"""``\\frac{d}{dx}(…)``, and what follows the bracket."""
 
 
 def joined(factors: list[Piece | None], operators: list[str]) -> Piece:
     """The product of ``factors``; differentials (None) are left out."""
     kept = [(f, op) for f, op in zip(factors, operators, strict=True) if f is not None]
-    if not kept:
-        return Piece("1")
-    kept = _with_decimals(kept)
     if len(kept) == 1:
         return kept[0][0]
-    return Piece(kept[0][0].within(2) + "".join(op + f.within(3) for f, op in kept[1:]), 2)
+    printed = ""
+    if len(kept) == 2 and kept[1][1] == "*" and kept[1][0].printed.startswith("1e"):
+        first = kept[0][0].printed
+        printed = first + kept[1][0].printed[1:] if first and "e" not in first else ""
+    tree = multiply(*(1 / f.tree if op == "/" else f.tree for f, op in kept))
+    return Piece(tree, 4 if printed else 2, printed=printed)
 
 
-def _with_decimals(factors: list[tuple[Piece, str]]) -> list[tuple[Piece, str]]:
-    """``1.09`` times ``10**(-2)`` is the decimal ``1.09e-2``: a printed number keeps its digits."""
-    result = factors[:1]
-    for factor, operator in factors[1:]:
-        last, before = result[-1]
-        power = re.fullmatch(r"10\*\*\(?(-?\d+)\)?", factor.text)
-        if power and operator == "*" and before != "/" and re.fullmatch(r"\d+(\.\d+)?", last.text):
-            result[-1] = Piece(f"{last.text}e{power[1]}"), before
-        else:
-            result.append((factor, operator))
-    return result
+def decimal(text: str) -> Piece:
+    """A decimal as it is printed."""
+    return Piece(exact(parse_number(text)), printed=text)

@@ -18,10 +18,11 @@ _TRIGONOMETRIC = ("sin", "cos", "tan", "sinh", "cosh", "tanh")
 FUNCTIONS = {
     **{name: name for name in (*_TRIGONOMETRIC, "cot", "sec", "csc", "coth", "exp", "log")},
     "ln": "log",
-    **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "sec", "csc")},
+    **{f"arc{name}": f"a{name}" for name in (*_TRIGONOMETRIC, "cot", "sec", "csc")},
+    **{f"{ar}{name}": f"a{name}" for ar in ("ar", "arc") for name in ("sech", "csch", "coth")},
     **{f"ar{name}": f"a{name}" for name in ("sinh", "cosh", "tanh")},
     **{f"a{name}": f"a{name}" for name in _TRIGONOMETRIC},
-    **{"sech": "sech", "csch": "csch", "sgn": "sign", "sign": "sign", "arccot": "acot"},
+    **{"sech": "sech", "csch": "csch", "cosec": "csc", "sgn": "sign", "sign": "sign"},
 }
 """Commands and upright words that apply a function, and the function."""
 GREEK = _words(
@@ -29,8 +30,9 @@ GREEK = _words(
     "upsilon phi chi psi omega varepsilon vartheta varphi varrho varsigma "
     "Gamma Theta Lambda Xi Sigma Upsilon Phi Psi Omega ell hbar"
 )
+EXTREMES = {"\\max": 1, "\\min": -1}
 RELATIONS = {
-    **dict.fromkeys(("=", ":=", "\\equiv"), "="),
+    **dict.fromkeys(("=", "==", ":=", "\\equiv"), "=="),
     **dict.fromkeys(("<", "\\lt"), "<"),
     **dict.fromkeys((">", "\\gt"), ">"),
     **dict.fromkeys(("\\le", "\\leq", "\\leqslant"), "<="),
@@ -43,21 +45,19 @@ RELATIONS = {
     "\\in": "in",
 }
 """Relations as they are written, and as they are read."""
-CALLS = _words("integral at between value diff O o")
-"""Calls in the text that are the reader's own, not the author's functions."""
 LETTERS_OF_FUNCTIONS = _words("f g h F G Gamma zeta")
-RESERVED = _words("E lambda pi") | frozenset(FUNCTIONS.values())
+RESERVED = _words("E I lambda pi") | frozenset(FUNCTIONS.values())
 _GAPS = {"\\ "} | _words("\\, \\; \\: \\quad \\qquad ~")
 _SPACES = _GAPS | _words("\\! \\displaystyle \\textstyle \\limits \\nonumber \\notag")
 _SIZES = _words("\\big \\Big \\bigl \\bigr \\Bigl \\Bigr \\bigg \\Bigg")
 ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
 STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
-CLOSING = _words("+ - ) ] \\} } & : / |")
+CLOSING = _words("+ - ) ] \\} } & : / | ^")
 CONDITION = "\\conditionfor"
 """The token for upright words that open a condition."""
-_CONDITIONS = _words("for if when")
+_CONDITIONS = frozenset(("for", "for all", "if", "when", "whenever", "as", "given", "provided"))
 
-_SAME = {"\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
+_SAME = {"\\forall": CONDITION, "\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
     "\\lvert": "\\left|",
     "\\rvert": "\\right|",
 }
@@ -76,7 +76,7 @@ _TOKEN = re.compile(
     r"""(?P<space>\s+|%[^\n]*\n?)
       | (?P<command>\\(?:begin|end)\{[a-zA-Z*]+\}|\\[a-zA-Z]+|\\.)
       | (?P<number>\d+(?:\.\d+)?|\.\d+)
-      | (?P<other>:=|.)""",
+      | (?P<other>:=|==|.)""",
     re.VERBOSE | re.DOTALL,
 )
 
@@ -106,7 +106,7 @@ def _prepared(source: str) -> str:
     """
     source = re.sub(r"\\(?:label|tag|color)\s*\{[^{}]*\}", " ", source)
     source = re.sub(r"\\\\\s*\[[^\[\]]*\]", r"\\\\ ", source)
-    source = re.sub(r"\\mathrm\s+([dei])", r" \1 ", source)
+    source = re.sub(r"\\mathrm\s+([dei])|\\mathcal\s*\{?\s*([Oo])\b\s*\}?", r" \1\2 ", source)
     source = re.sub(
         r"(\\(?:text|textrm|mathrm|operatorname|mbox|textup))\s*\{([^{}]*)\}", _text, source
     )
@@ -114,8 +114,13 @@ def _prepared(source: str) -> str:
 
 
 def _text(match: re.Match[str]) -> str:
-    """Upright text: a function's name, the letters d, e and i, radians, or a condition's "for"."""
+    """Upright text: a function's name, the letters d, e and i, radians, or a condition's "for".
+
+    Of a subscript it is the letters. What else it may be, no text is dropped: it is refused.
+    """
     word = match[2].strip()
+    if match.string[: match.start()].rstrip().endswith(("_", "_{")):
+        return f"{{{word}}}" if match.string[match.start() - 1] == "_" else f"{word} "
     if word in FUNCTIONS:
         return f"\\{word} "
     if word in ("d", "e", "i"):
@@ -124,7 +129,7 @@ def _text(match: re.Match[str]) -> str:
         return " "
     if word.lower() in _CONDITIONS:
         return f" {CONDITION} "
-    return f"{match[1]} "
+    return match[0]
 
 
 def _merged(raw: list[str], words: frozenset[str]) -> list[str]:
@@ -160,3 +165,9 @@ def _without_spaces(raw: list[str]) -> list[str]:
         elif token in _GAPS:
             gap = True
     return kept
+
+
+def with_sign(tokens: list[str], sign: str) -> list[str]:
+    """The tokens with ``\\pm`` as this sign, and ``\\mp`` as the other."""
+    signs = {"\\pm": sign, "\\mp": "-" if sign == "+" else "+"}
+    return [signs.get(token, token) for token in tokens]

@@ -5,8 +5,9 @@ from the text itself and are exact.
 
 Grammar: ``+ - * / **`` (also ``^``), parentheses, decimals and fractions, names, ``pi``, ``E``, the
 functions of :data:`tresym.reals.language.expression.FUNCTIONS` with ``sqrt``, ``ln``, ``Abs``, the
-``arc…`` names and ``atan2(y, x)``, and ``diff(expression, x[, n])``. Comparisons make conditions
-and claims; ``O(…)`` and ``o(…)`` stand at the right end of a claim.
+``arc…`` names and ``atan2(y, x)``, and what binds a variable: ``diff(f, x[, n])``,
+``integral(f, x, low, high)``, ``at(f, x, value)``, ``limit(f, x, point[, side])``. Comparisons make
+conditions and claims; ``O(…)`` and ``o(…)`` stand at the right end of a claim.
 """
 
 from __future__ import annotations
@@ -16,25 +17,34 @@ import re
 import unicodedata
 import warnings
 from collections.abc import Callable
-from typing import NamedTuple
 
+from tresym.reals.language.binders import (
+    at,
+    derivative,
+    elementary,
+    integral,
+    limit,
+    order,
+    worked_out,
+)
 from tresym.reals.language.expression import (
     FUNCTIONS,
     MAX_DEPTH,
     MAX_DERIVATIVES,
+    ORDERS,
     PI,
     E,
     Expr,
     add,
     angle,
     apply,
-    differentiate,
     extreme,
     multiply,
     number,
     power,
     sqrt,
     symbol,
+    symbols,
 )
 from tresym.reals.language.hints import about_function, about_name, hint
 from tresym.reals.numbers.exact import InputError, parse_number
@@ -60,19 +70,21 @@ _RECIPROCALS = {
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 _KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 _KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
-
-
-class Derivative(NamedTuple):
-    """A derivative that was written: of which function, by which variable, how often; its value."""
-
-    function: Expr
-    by: str
-    order: int
-    value: Expr
+INFINITY = symbol("oo")
+"""No number, and read only where a path or an interval ends."""
 
 
 def parse(text: str) -> Expr:
-    """The expression that ``text`` writes.
+    """The expression that ``text`` writes, its derivatives carried out and its values put in.
+
+    Raises:
+        InputError: text outside the grammar or its bounds; one line says which.
+    """
+    return worked_out(as_written(text))
+
+
+def as_written(text: str) -> Expr:
+    """As :func:`parse`, with derivatives and values at a point as nodes; ``str`` writes it back.
 
     Raises:
         InputError: text outside the grammar or its bounds; one line says which.
@@ -127,15 +139,10 @@ def _quoted(source: str) -> str:
 
 
 class _Reader:
-    """Turns a syntax tree into an expression; keeps the text for exact numbers.
-
-    Attributes:
-        derivatives: each with its variable, its order, and its derivative.
-    """
+    """Turns a syntax tree into an expression; keeps the text for exact numbers."""
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.derivatives: list[Derivative] = []
 
     def read(self, node: ast.expr) -> Expr:
         try:
@@ -170,7 +177,13 @@ class _Reader:
             case ast.BinOp(op=ast.Mult() | ast.Div()):
                 return self._chain(node, (ast.Mult, ast.Div), multiply, lambda e: 1 / e)
             case ast.BinOp(op=ast.Pow()):
-                return power(self._read(node.left), self._read(node.right))
+                base, exponent = self._read(node.left), self._read(node.right)
+                if base == symbol("e") and symbols(exponent):
+                    raise InputError(
+                        f"two readings remain: write exp({exponent}), or the variable e by "
+                        "another name"
+                    )
+                return power(base, exponent)
             case ast.Call(func=ast.Name(id=name), keywords=[]):
                 return self._call(name, node.args)
         raise self._refuse(node)
@@ -195,42 +208,50 @@ class _Reader:
     def _call(self, name: str, args: list[ast.expr]) -> Expr:
         if name in ("diff", "Derivative"):
             return self._diff(args)
-        values = [self._read(arg) for arg in args]
-        name = _ALIASES.get(name, name)
-        if name == "atan2" and len(values) == 2:
-            return angle(*values)
-        if name == "log" and len(values) == 2:
-            return apply("log", values[0]) / apply("log", values[1])
-        if name in _FOLDED and len(values) > 1:
-            return extreme(_FOLDED[name], values)
-        if name not in _KNOWN:
-            raise InputError(f"unknown function {name}: {about_function(name, _KNOWN)}")
-        if len(values) != 1:
-            raise InputError(f"{name} takes one argument, {len(values)} given")
-        if name == "sqrt":
-            return sqrt(values[0])
-        if name in _RECIPROCALS:
-            return apply(_RECIPROCALS[name], 1 / values[0])
-        return apply(name, values[0])
+        if name in ORDERS and len(args) == 1:
+            return order(name, self._read(args[0]))
+        if name == "integral" and len(args) == 4:
+            return integral(self._read(args[0]), self._name(args[1]), *map(self._read, args[2:]))
+        if name == "at" and len(args) > 2 and len(args) % 2:
+            pairs = zip(args[1::2], args[2::2], strict=True)
+            return at(self._read(args[0]), {self._name(x): self._read(p) for x, p in pairs})
+        if name == "limit" and len(args) in (3, 4):
+            side = (
+                self._whole(args[3], range(-1, 2), "the side of a limit is 1, -1 or 0")
+                if args[3:]
+                else 0
+            )
+            return limit(self._read(args[0]), self._name(args[1]), self._end(args[2]), side)
+        return call(name, [self._read(arg) for arg in args])
 
     def _diff(self, args: list[ast.expr]) -> Expr:
-        if len(args) not in (2, 3) or (name := self._read(args[1])).op != "symbol":
+        if len(args) not in (2, 3):
             raise InputError("diff takes an expression, a variable and perhaps an order")
-        variable = str(name.args[0])
-        result = self._read(args[0])
-        order = 1
+        e, name, times = self._read(args[0]), self._name(args[1]), 1
         if len(args) == 3:
-            last = args[2]
-            if not (isinstance(last, ast.Constant) and type(last.value) is int):
-                raise InputError("the order of diff is a positive integer")
-            order = last.value
-        if not 1 <= order <= MAX_DERIVATIVES:
-            raise InputError(f"the order of diff goes from 1 to {MAX_DERIVATIVES}")
-        function = result
-        for _ in range(order):
-            result = differentiate(result, variable)
-        self.derivatives.append(Derivative(function, variable, order, result))
-        return result
+            expected = f"the order of diff is an integer from 1 to {MAX_DERIVATIVES}"
+            times = self._whole(args[2], range(1, MAX_DERIVATIVES + 1), expected)
+        for _ in range(times):
+            e = derivative(e, name)
+        return e
+
+    def _name(self, node: ast.expr) -> str:
+        """A variable that is bound, or by which is differentiated."""
+        e = self._read(node)
+        if e.op != "symbol":
+            raise InputError(f"{e} is no variable")
+        return str(e.args[0])
+
+    def _whole(self, node: ast.expr, allowed: range, expected: str) -> int:
+        e = self._read(node)
+        if e.op != "number" or e.args[0].q != 1 or int(e.args[0].p) not in allowed:
+            raise InputError(expected)
+        return int(e.args[0].p)
+
+    def _end(self, node: ast.expr) -> Expr:
+        """Where a limit is taken: an expression, ``oo`` or ``-oo``."""
+        ends = {"oo": INFINITY, "-oo": -INFINITY}
+        return ends.get(self._segment(node)) or self._read(node)
 
     def _segment(self, node: ast.expr) -> str:
         return self.source[node.col_offset : node.end_col_offset]
@@ -248,7 +269,32 @@ class _Reader:
         )
 
 
+def call(name: str, values: list[Expr]) -> Expr:
+    """A function of the grammar, by any of its names, at these arguments.
+
+    Raises:
+        InputError: no function, or another number of arguments.
+    """
+    name = _ALIASES.get(name, name)
+    if name == "atan2" and len(values) == 2:
+        return angle(*values)
+    if name == "log" and len(values) == 2:
+        return apply("log", values[0]) / apply("log", values[1])
+    if name in _FOLDED and len(values) > 1:
+        return extreme(_FOLDED[name], values)
+    if name not in _KNOWN:
+        raise InputError(f"unknown function {name}: {about_function(name, _KNOWN)}")
+    if len(values) != 1:
+        raise InputError(f"{name} takes one argument, {len(values)} given")
+    if name == "sqrt":
+        return sqrt(values[0])
+    if name in _RECIPROCALS:
+        return apply(_RECIPROCALS[name], 1 / values[0])
+    return apply(name, values[0])
+
+
 _RELATIONS: dict[type[ast.cmpop], str] = {
+    ast.Eq: "==",
     ast.Gt: ">",
     ast.GtE: ">=",
     ast.Lt: "<",
@@ -256,11 +302,11 @@ _RELATIONS: dict[type[ast.cmpop], str] = {
     ast.NotEq: "!=",
 }
 
+Compared = tuple[Expr, str, Expr]
+"""``left relation right``, as it is written."""
 
-NO_DERIVATIVE = "a condition takes no derivative: write it out, and where its function is real"
 
-
-def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
+def parse_conditions(text: str) -> list[Compared]:
     """Comma-separated chains of comparisons as ``(left, relation, right)``.
 
     Raises:
@@ -271,48 +317,59 @@ def parse_conditions(text: str) -> list[tuple[Expr, str, Expr]]:
     source = tidy(text)
     body = tree(source)
     reader = _Reader(source)
-    result: list[tuple[Expr, str, Expr]] = []
+    result: list[Compared] = []
     for part in body.elts if isinstance(body, ast.Tuple) else [body]:
         if not isinstance(part, ast.Compare):
             advice = "" if not isinstance(part, ast.BoolOp) else "; conditions go apart by commas"
             shown = _quoted(reader._segment(part))
             raise InputError(f"{shown} is not a condition such as a > 0{advice}")
-        left = reader.read(part.left)
-        for op, node in zip(part.ops, part.comparators, strict=True):
-            if type(op) not in _RELATIONS:
-                raise InputError("a condition uses one of > >= < <= !=, as in 0 < x <= 1")
-            right = reader.read(node)
-            result.append((left, _RELATIONS[type(op)], right))
-            left = right
-    if reader.derivatives:
+        result += _chain(reader, part)
+    return [condition(*part) for part in result]
+
+
+def condition(left: Expr, relation: str, right: Expr) -> Compared:
+    """The comparison, if it can be a condition.
+
+    Raises:
+        InputError: an equation, an order, derivatives, integrals or limits.
+    """
+    if relation not in _RELATIONS.values() or relation == "==":
+        raise InputError("a condition uses one of > >= < <= !=, as in 0 < x <= 1")
+    if not elementary(left, right):
         raise InputError(NO_DERIVATIVE)
+    return left, relation, right
+
+
+def _chain(reader: _Reader, node: ast.Compare) -> list[Compared]:
+    """The links of ``a < b <= c``."""
+    result = []
+    left = reader.read(node.left)
+    for op, other in zip(node.ops, node.comparators, strict=True):
+        if type(op) not in _RELATIONS:
+            raise InputError("a relation is one of == != > >= < <=, as in 0 < x <= 1")
+        right = reader.read(other)
+        result.append((left, _RELATIONS[type(op)], right))
+        left = right
     return result
 
 
-_CLAIMS = _RELATIONS | {ast.Eq: "=="}
+NO_DERIVATIVE = "a condition takes no derivative: write it out, and where its function is real"
 
 
-Claimed = tuple[Expr, str, Expr, tuple[Derivative, ...]]
-"""``left relation right``, and the derivatives that were written."""
-
-
-def parse_claim(text: str) -> list[Claimed]:
+def parse_claim(text: str) -> list[Compared]:
     """A chain of comparisons, or one order statement.
 
-    Relations are ``== != > >= < <=``; ``f ~ g``; ``f == O(g)`` and ``f == h + o(g)``, which come
-    out as ``(f - h, "o", g)``.
+    Relations are ``== != > >= < <=``, with ``=`` for ``==``, and ``f ~ g``. In ``f == h + O(g)``
+    the right side has a node for the order.
 
     Raises:
         InputError: anything else; one line says what is expected.
     """
     source = tidy(text)
     if source.count("~") == 1:
-        readers = [_Reader(tidy(side)) for side in source.split("~")]
-        left, right = (reader.read(tree(reader.source)) for reader in readers)
-        return [_claimed((left, "~", right), *readers)]
-    if re.search(r"(?<![=<>!~])=(?!=)", source):
-        advice = hint(source, _KNOWN) if re.search("=[<>]", source) else ""
-        raise InputError(f"write == for equality: {_quoted(source)}{advice}")
+        left, right = (as_written(side) for side in source.split("~"))
+        return [(left, "~", right)]
+    source = re.sub(r"(?<![=<>!~:])=(?![=<>])", "==", source)
     body = tree(source)
     if not isinstance(body, ast.Compare):
         apart = isinstance(body, ast.Tuple | ast.BoolOp)
@@ -321,42 +378,4 @@ def parse_claim(text: str) -> list[Claimed]:
             f"{_quoted(source)} claims nothing{advice}; compare two expressions with one of "
             "== != > >= < <= ~, as in sin(x)**2 + cos(x)**2 == 1"
         )
-    reader = _Reader(source)
-    nodes = [body.left, *body.comparators]
-    if isinstance(body.ops[0], ast.Eq) and len(nodes) == 2 and (order := _order_term(nodes[1])):
-        return [_claimed(_order_claim(reader, nodes[0], nodes[1], order), reader)]
-    result = []
-    left_side = reader.read(nodes[0])
-    for op, node in zip(body.ops, nodes[1:], strict=True):
-        if type(op) not in _CLAIMS:
-            raise InputError("a claim uses one of == != > >= < <= ~")
-        right_side = reader.read(node)
-        result.append((left_side, _CLAIMS[type(op)], right_side))
-        left_side = right_side
-    return [_claimed(part, reader) for part in result]
-
-
-def _claimed(part: tuple[Expr, str, Expr], *readers: _Reader) -> Claimed:
-    """A comparison with what its readers met."""
-    found = (derivative for reader in readers for derivative in reader.derivatives)
-    return *part, tuple(dict.fromkeys(found))
-
-
-def _order_term(node: ast.expr) -> ast.Call | None:
-    """The last term of a sum where it is ``O(…)`` or ``o(…)``."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-        node = node.right
-    match node:
-        case ast.Call(func=ast.Name(id="O" | "o"), args=[_], keywords=[]):
-            return node
-    return None
-
-
-def _order_claim(
-    reader: _Reader, left: ast.expr, right: ast.expr, order: ast.Call
-) -> tuple[Expr, str, Expr]:
-    function = reader.read(left)
-    if isinstance(right, ast.BinOp):
-        function = function - reader.read(right.left)
-    name = order.func.id if isinstance(order.func, ast.Name) else ""
-    return function, name, reader.read(order.args[0])
+    return _chain(_Reader(source), body)

@@ -16,8 +16,9 @@ from typing import Any
 from flint import arb, fmpq
 
 from tresym.reals.language.expression import PI, Expr, number, symbol, symbols
+from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
-from tresym.reals.language.sympy import from_sympy
+from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, Interval
 from tresym.reals.places.points import _sample, corners
@@ -25,14 +26,6 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.places.windows import windows
 
 _TRIES = 3000
-_FLIP = {">": "<", "<": ">", ">=": "<=", "<=": ">=", "!=": "!="}
-_SYMPY_RELATIONS = {
-    "StrictGreaterThan": ">",
-    "GreaterThan": ">=",
-    "StrictLessThan": "<",
-    "LessThan": "<=",
-    "Unequality": "!=",
-}
 
 
 @dataclass(frozen=True)
@@ -84,11 +77,11 @@ class Given:
             name = type(item).__name__
             if name == "And":
                 result.extend(Given.from_sympy(*item.args).comparisons)
-            elif name in _SYMPY_RELATIONS:
-                if "Derivative" in {type(part).__name__ for part in _parts(item)}:
+            elif RELATIONS.get(name, "==") != "==":
+                if atoms(item, "Derivative"):
                     raise InputError(NO_DERIVATIVE)
                 left, right = from_sympy(item.lhs), from_sympy(item.rhs)
-                result.append((left, _SYMPY_RELATIONS[name], right))
+                result.append((left, RELATIONS[name], right))
             elif name != "BooleanTrue":
                 raise InputError(f"{item} is not a condition such as a > 0")
         return Given(tuple(result))
@@ -105,7 +98,7 @@ class Given:
         return tuple(
             Condition(left - right, sign)
             if sign in (">", ">=", "!=")
-            else Condition(right - left, _FLIP[sign])
+            else Condition(right - left, MIRRORED[sign])
             for left, sign, right in self.comparisons
         )
 
@@ -140,11 +133,11 @@ class Given:
     def _bounds(self) -> Iterator[tuple[Expr, str, Expr]]:
         """Each expression that is compared with a constant, on the left."""
         for left, sign, right in self.comparisons:
-            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
+            for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
                 if symbols(bound):
                     continue
                 if side.op == "abs" and relation in ("<", "<="):
-                    yield side.args[0], _FLIP[relation], -bound
+                    yield side.args[0], MIRRORED[relation], -bound
                     side = side.args[0]
                 yield side, relation, bound
 
@@ -153,11 +146,11 @@ class Given:
         """What ``u > |v|`` says without absolute values: ``u > v``, ``u > −v``, ``u > 0``."""
         result = []
         for left, sign, right in self.comparisons:
-            for side, bound, relation in ((left, right, sign), (right, left, _FLIP[sign])):
+            for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
                 if side.op == "abs" and symbols(bound) and relation in ("<", "<="):
                     inner = side.args[0]
                     parts = (bound - inner, bound + inner, bound)
-                    result += [Condition(part, _FLIP[relation]) for part in parts]
+                    result += [Condition(part, MIRRORED[relation]) for part in parts]
         return tuple(result)
 
     @cached_property
@@ -225,13 +218,6 @@ class Given:
             return all(condition.holds(point) for condition in self.conditions)
 
 
-def _parts(item: Any) -> Iterator[Any]:
-    """A SymPy expression and all its parts."""
-    yield item
-    for part in item.args:
-        yield from _parts(part)
-
-
 def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -> None:
     """Narrow the range of the symbol ``side`` by ``side relation bound``."""
     if side.op != "symbol" or relation == "!=":
@@ -266,7 +252,7 @@ def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool
             relation = ">" if is_open else relation
         else:
             if name:
-                sign = relation if slope > 0 else _FLIP[relation]
+                sign = relation if slope > 0 else MIRRORED[relation]
                 _tighten(box, symbol(name), sign, number(-total / slope))
 
 

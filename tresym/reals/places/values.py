@@ -1,17 +1,68 @@
-"""The value of an expression in balls, NaN wherever it is not shown to be defined."""
+"""The value of an expression in any arithmetic; in balls NaN where it is not shown to be defined.
+
+The advocate and the second look of the ledger walk trees of their own on purpose: nothing here can
+lead both astray.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
 from operator import add, mul
+from typing import Any
 
 from flint import arb, fmpq
 
 from tresym.reals.language.expression import Expr
+from tresym.reals.numbers.arithmetic import balls
 
 _NAN = arb.nan()
-_ELSEWHERE = frozenset(("abs", "cbrt", "sign"))
+
+
+class Walker:
+    """The value of a tree in an arithmetic ``m``, where the variables have the values ``at``.
+
+    Sums and products are those of the values; an arithmetic may have its own way with the rest.
+    """
+
+    def __init__(self, m: Any, at: Mapping[str, Any], known: dict[Expr, Any] | None = None) -> None:
+        """What is ``known`` of parts is used and added to."""
+        self.m, self.at = m, at
+        self.known = {} if known is None else known
+
+    def value(self, e: Expr) -> Any:
+        """The value of ``e``."""
+        found = self.known.get(e)
+        if found is None:
+            found = self.known[e] = self._shown(self._computed(e))
+        return found
+
+    def _computed(self, e: Expr) -> Any:
+        op, args = e.op, e.args
+        if op == "number":
+            return self._number(args[0])
+        if op == "symbol":
+            return self._number(self.at[args[0]])
+        if op == "pi":
+            return self.m.pi
+        if op == "^":
+            return self._power(*args)
+        values = [self.value(arg) for arg in args]
+        if op in ("+", "*"):
+            return reduce(add if op == "+" else mul, values)
+        return self._apply(op, *values)
+
+    def _shown(self, value: Any) -> Any:
+        return value
+
+    def _number(self, x: Any) -> Any:
+        return arb(x)
+
+    def _power(self, base: Expr, exponent: Expr) -> Any:
+        return self.value(base) ** self.value(exponent)
+
+    def _apply(self, name: str, *values: Any) -> Any:
+        return getattr(self.m, name)(*values)
 
 
 class _UndefinedError(Exception):
@@ -30,19 +81,8 @@ def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | 
     Raises:
         KeyError: a variable of ``e`` is not in ``point``.
     """
-    done = {} if known is None else known
-
-    def walk(node: Expr) -> arb:
-        value = done.get(node)
-        if value is None:
-            value = _value(node, point, walk)
-            if not value.is_finite():
-                raise _UndefinedError
-            done[node] = value
-        return value
-
     try:
-        return walk(e)
+        return _InBalls(balls, point, known).value(e)
     except _UndefinedError:
         return _NAN
 
@@ -66,43 +106,11 @@ def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]
     return found
 
 
-def _value(node: Expr, point: Mapping[str, arb | fmpq], walk: Callable[[Expr], arb]) -> arb:
-    op, args = node.op, node.args
-    if op == "number":
-        return arb(args[0])
-    if op == "symbol":
-        return arb(point[args[0]])
-    if op == "pi":
-        return arb.pi()
-    if op == "^":
-        return _power(args[0], args[1], walk)
-    values = [walk(arg) for arg in args]
-    if op in ("+", "*"):
-        return reduce(add if op == "+" else mul, values)
-    return _angle(*values) if op == "atan2" else _function(op, values[0])
-
-
 def _angle(y: arb, x: arb) -> arb:
     """``atan2(y, x)``; all of [−π, π] for a ball that meets the negative x-axis and more."""
     if y.contains(0) and x.contains(0):
         raise _UndefinedError
     return arb.atan2(y, x)
-
-
-def _power(base: Expr, exponent: Expr, walk: Callable[[Expr], arb]) -> arb:
-    x = walk(base)
-    if exponent.op != "number":
-        return (walk(exponent) * x.log()).exp()
-    r: fmpq = exponent.args[0]
-    p, q = int(r.p), int(r.q)
-    if p < 0 and x.contains(0):
-        raise _UndefinedError
-    if q == 1:
-        return _natural_power(x, p) if x.contains(0) else x**p
-    if not x >= 0:
-        raise _UndefinedError
-    root = x.sqrt() if q == 2 else _root(x, q)
-    return root if p == 1 else root**p
 
 
 def _natural_power(x: arb, n: int) -> arb:
@@ -114,13 +122,7 @@ def _natural_power(x: arb, n: int) -> arb:
     return arb(0).union(x.abs_upper() ** n)
 
 
-def _function(name: str, x: arb) -> arb:
-    if name not in _ELSEWHERE:
-        return getattr(x, name)()
-    if name == "abs":
-        return abs(x)
-    if name == "cbrt":
-        return _cube_root(x)
+def _sign(x: arb) -> arb:
     if x.contains(0):
         return arb(0, 0 if x.is_zero() else 1)
     return arb(1 if x > 0 else -1)
@@ -141,3 +143,38 @@ def _root(x: arb, n: int) -> arb:
         return x.root(n)
     high = x.upper()
     return arb(0).union(high.root(n)) if high > 0 else arb(0)
+
+
+_OWN: dict[str, Callable[..., arb]] = {
+    "abs": abs,
+    "atan2": _angle,
+    "cbrt": _cube_root,
+    "sign": _sign,
+}
+
+
+class _InBalls(Walker):
+    """Values in balls, of which every one is finite."""
+
+    def _shown(self, value: arb) -> arb:
+        if not value.is_finite():
+            raise _UndefinedError
+        return value
+
+    def _apply(self, name: str, *values: arb) -> arb:
+        return _OWN[name](*values) if name in _OWN else getattr(values[0], name)()
+
+    def _power(self, base: Expr, exponent: Expr) -> arb:
+        x = self.value(base)
+        if exponent.op != "number":
+            return (self.value(exponent) * x.log()).exp()
+        r: fmpq = exponent.args[0]
+        p, q = int(r.p), int(r.q)
+        if p < 0 and x.contains(0):
+            raise _UndefinedError
+        if q == 1:
+            return _natural_power(x, p) if x.contains(0) else x**p
+        if not x >= 0:
+            raise _UndefinedError
+        root = x.sqrt() if q == 2 else _root(x, q)
+        return root if p == 1 else root**p

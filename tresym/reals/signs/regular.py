@@ -13,7 +13,9 @@ closed conditions counts only where they are shown to have no such points:
   inside, this way or that (``b**2 >= 4*a*c``); or
 - there is but one, a polynomial of degree 2 (``x*y >= 0``).
 
-Strict conditions describe an open set, which changes nothing in any of this.
+Strict conditions describe an open set, which changes nothing in any of this, as long as what they
+speak of is defined on one: a root is not, and ``sqrt(x**2*(x - 1)) < 5`` holds at x = 0. That what
+is under it is not negative is a closed condition like the others.
 """
 
 from __future__ import annotations
@@ -26,8 +28,9 @@ from tresym.reals.language.cancellation import scaled
 from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
 from tresym.reals.normal.polynomials import Monomial, degree, polynomial
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import bound, needs
 from tresym.reals.signs.jumps import cases_at_jumps
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.sign import PROVING, sign
 
 MAX_QUADRATIC = 5
 """Variables of a quadratic condition that is looked at."""
@@ -50,8 +53,11 @@ _SMOOTH = {"+", "*", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "at
 
 def is_regular(given: Given) -> bool:
     """Whether the conditions are shown to have no points but limits of those inside them."""
-    if next(cases_at_jumps(tuple(c.expression for c in given.conditions), given), None):
+    spoken_of = tuple(c.expression for c in given.conditions)
+    if next(cases_at_jumps(spoken_of, given), None):
         return False
+    needed = (part for part in needs(spoken_of) if sign(part[0], Given()) not in PROVING[part[1]])
+    given = given & Given(tuple(bound(*part) for part in needed))
     closed = [c.expression for c in given.beyond_box if c.relation == ">="]
     if not closed or all(map(_is_concave, closed)):
         return True

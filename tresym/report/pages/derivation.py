@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from tresym.ledger.axioms import Axiom
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import sections
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
@@ -174,6 +174,12 @@ def _entry(row: Row, known: Collection[str]) -> str:
     if claim.given:
         conditions = r"$, $".join(gathered(claim.given))
         lines.append(rf"\textsf{{\small Given}} ${conditions}$.\par")
+    if isinstance(claim.proof, AllOf) and finding.conditions:
+        parts = (
+            rf"\texttt{{{_lettered(label)}}} for ${'$, $'.join(gathered(given))}$"
+            for label, given in finding.conditions.items()
+        )
+        lines.append(rf"\textsf{{\small It holds as}} {'; '.join(parts)}.\par")
     lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")

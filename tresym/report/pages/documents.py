@@ -26,6 +26,7 @@ from tresym.report.pages.corrections import corrections
 from tresym.report.pages.derivation import article
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
+from tresym.report.pages.symbols import symbols
 from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust
 from tresym.report.words.latex import says_latex
@@ -40,6 +41,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "ledger.json", _json(record(report))
     yield "numbers.json", _json(numbers(report))
     yield "corrections.md", corrections(report)
+    yield "symbols.md", symbols(report)
     yield "trust.md", trust(report, saved.load("guards"))
     yield from drawn()
 

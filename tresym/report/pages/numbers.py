@@ -30,6 +30,7 @@ def numbers(report: Report) -> dict[str, str]:
         "statements": str(placed),
         "lemmas": str(len(report.rows) - placed),
         "corrections": str(refuted),
+        "resting": str(sum(bool(row.claim.axioms) for row in report.rows)),
         "displays": str(len(index()["displays"])),
     }
     for name in NAMED_BODIES:

@@ -8,6 +8,7 @@ from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.paper import display_lines
 from tresym.ledger.verification import JSON_VERSION, Report, Row
 from tresym.reals.numbers.exact import fraction_text
+from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import given_latex, says_latex
 
 
@@ -36,6 +37,7 @@ def common(row: Row) -> dict[str, Any]:
         and {name: fraction_text(v) for name, v in sorted(finding.witness.items())},
         "amended_by": [claim.label for claim in claim.amended_by],
         "uses": [used.label for used in claim.uses],
+        "conditions": {label: gathered(given) for label, given in finding.conditions.items()},
         "axioms": [axiom.name for axiom in claim.axioms],
         "why": finding.why,
     }

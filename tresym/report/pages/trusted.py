@@ -32,14 +32,15 @@ ENCLOSING = (
     "reals.decisions.ratios",
     "ledger.evidence.balls",
     "ledger.evidence.printed",
+    "ledger.evidence.meant._other_meaning",
 )
 """Rooms and files that no PROVED comes from."""
 
 RECHECKED = {
     "what was read is shown in the text grammar": (
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
-        *("reals.language.latex_names", "reals.language.latex_reach"),
-        *("reals.language.latex_tokens", "reals.language.typography"),
+        *("reals.language.latex_reach", "reals.language.latex_tokens"),
+        "reals.language.typography",
     ),
     "the advocate takes passes away and gives none": (
         *("reals.decisions.attack", "reals.advocate", "ledger.judge._attacked"),
@@ -47,6 +48,9 @@ RECHECKED = {
     "a point to try counts once its conditions are shown there": (
         *("reals.places.points._sample", "reals.places.points.corners"),
         *("reals.places.windows", "reals.places.descent"),
+    ),
+    "a place to try: that it lies where it must, and what holds there, is shown": (
+        *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
     ),
     "it refutes alone": (
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),

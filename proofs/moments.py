@@ -1,0 +1,201 @@
+"""Near the separatrix: how the integral F is split, and how large its fourth moment is.
+
+√(ab) F is a logarithm and an integral with sin²ψ in its numerator (`split_integrand`,
+`split_logarithm`), of which another part is elementary (`split_rest`).
+
+The second derivative of F along a candidate holds ∫ sin⁴ψ (u + sin²ψ)^{−5/2} dψ from e to π/2 with
+u = γ/b. For u > 0 its integrand is at most 1/sin ψ (`moment_below_cosecant`). For u ≤ 0 it falls
+with sin ψ, and cos ψ falls too, so that with z, the mean of cos ψ, the integral is at most 1/z of
+that with the weight cos ψ (`mean_of_the_product`), which is elementary (`moment_over_sine`). Below
+y is cos ψ, and c is cos e: dψ = −dy/√(1 − y²), and z = (1 − √(1 − c²))/arcsin c.
+"""
+
+from sympy import Expr, Integer, Integral, Rational, Symbol, asin, log, sqrt
+from tresym.proofs.conditions import shape
+
+from tresym.ledger.claim import Claim, by, equal, parts_of, step
+from tresym.ledger.reasons import (
+    citing,
+    collecting,
+    exponentials,
+    integrating,
+    inverses,
+    roots,
+)
+from tresym.racket.notation import a, b, u, x, x0
+
+y, c, z = (Symbol(name, real=True) for name in ("y", "c", "z"))
+"""cos ψ, cos e, and a number between 0 and cos e: the mean of cos ψ."""
+
+_falling = (c > 0, c < 1, u <= 0, u + 1 - c**2 > 0, z > 0, z <= c)
+_on_the_way = (*_falling, y >= 0, y <= c)
+_ends = (y, 0, c)
+
+mean_below_the_first = Claim(
+    label="mean_below_the_first",
+    says=c * asin(c) - (1 - sqrt(1 - c**2)) >= 0,
+    kind="bound",
+    given=(c > 0, c < 1),
+    proof=(step(Integral(asin(y), _ends), integrating(y * asin(y) + sqrt(1 - y**2)), roots),),
+    note="The mean of cos ψ from e to π/2 is at most cos e.",
+)
+
+mean_is_positive = Claim(
+    label="mean_is_positive",
+    says=1 - sqrt(1 - c**2) > 0,
+    kind="bound",
+    given=(c > 0, c < 1),
+    proof=(step(c**2 / (1 + sqrt(1 - c**2)), roots),),
+)
+
+
+def _room(label: str, room: Expr, given: tuple, parts: Expr) -> Claim:
+    return Claim(label=label, says=room > 0, kind="bound", given=given, proof=(step(parts),))
+
+
+_below_one = (1 - c) * (1 + c)
+sine_on_the_way = _room("sine_on_the_way", 1 - y**2, _on_the_way, _below_one + (c - y) * (c + y))
+root_at_the_mean = _room(
+    "root_at_the_mean", u + 1 - z**2, _falling, (u + 1 - c**2) + (c - z) * (c + z)
+)
+root_on_the_way = _room(
+    "root_on_the_way", u + 1 - y**2, _on_the_way, (u + 1 - c**2) + (c - y) * (c + y)
+)
+_rooms = (sine_on_the_way, root_on_the_way)
+
+_root, _mean_root = sqrt(u + 1 - y**2), sqrt(u + 1 - z**2)
+_cosecant = 1 / sqrt(1 - y**2)
+
+
+def _moment(root: Expr) -> Expr:
+    """sin⁴ψ (u + sin²ψ)^{−5/2} by powers of ``root`` = √(u + sin²ψ)."""
+    return u**2 / root**5 - 2 * u / root**3 + 1 / root
+
+
+moment_by_powers = Claim(
+    label="moment_by_powers",
+    says=equal((1 - y**2) ** 2 / _root**5, _moment(_root)),
+    given=_on_the_way,
+    proof=by(roots),
+)
+
+
+def _falls(power: int, factor: Expr) -> Claim:
+    """That ``factor``/√(u + sin²ψ)^power, less its value at the mean, has the sign of cos ψ − z."""
+    shares = sum(1 / (_root**i * _mean_root ** (power - 1 - i)) for i in range(power))
+    steep = (y - z) ** 2 * (y + z) / (_root * _mean_root * (_root + _mean_root))
+    return Claim(
+        label=f"moment_falls_{power}",
+        says=factor * (1 / _root**power - 1 / _mean_root**power) * (y - z) * _cosecant >= 0,
+        kind="bound",
+        given=(
+            *(y >= 0, z > 0, u <= 0, 1 - y**2 > 0),
+            *(u + 1 - y**2 > 0, u + 1 - z**2 > 0),
+        ),
+        proof=(step(factor * steep * shares * _cosecant, roots),),
+    )
+
+
+moment_falls = (_falls(1, Integer(1)), _falls(3, -2 * u), _falls(5, u**2))
+
+_weighted = Integral(_moment(_root) * (y - z) * _cosecant, _ends)
+_at_mean = _moment(_mean_root)
+
+mean_of_the_product = Claim(
+    label="mean_of_the_product",
+    says=_weighted - _at_mean * (1 - sqrt(1 - c**2) - z * asin(c)) >= 0,
+    kind="bound",
+    given=_falling,
+    proof=(
+        step(
+            _weighted - Integral(_at_mean * (y - z) * _cosecant, _ends),
+            integrating(_at_mean * (-sqrt(1 - y**2) - z * asin(y)), *_rooms),
+            inverses,
+            roots,
+        ),
+        step(
+            Integral(sum(parts_of(claim.says)[0].args[0] for claim in moment_falls), _ends),
+            collecting(*_rooms),
+            citing(root_at_the_mean, *_rooms, *moment_falls),
+        ),
+    ),
+    note="With the mean for z the second term is 0: the integral of the moment with the weight "
+    "cos ψ is at least z times that without. (Chebyshev's inequality for two falling functions.)",
+)
+
+_sum = sqrt(u + x**2)
+_primitive = log(x + _sum) - x / _sum - x**3 / (3 * _sum**3)
+
+moment_over_sine = Claim(
+    label="moment_over_sine",
+    says=equal(
+        Integral(x**4 / _sum**5, (x, x0, 1)), _primitive.subs(x, 1) - _primitive.subs(x, x0)
+    ),
+    given=(x0 > 0, x0 < 1, u + x0**2 > 0),
+    proof=by(integrating(_primitive)),
+    note="x is sin ψ, and x₀ is sin e.",
+)
+
+moment_below_cosecant = Claim(
+    label="moment_below_cosecant",
+    says=1 / x - x**4 / _sum**5 >= 0,
+    kind="bound",
+    given=(x > 0, u > 0),
+    proof=(
+        step(u * sum(_sum**i * x ** (4 - i) for i in range(5)) / ((_sum + x) * x * _sum**5), roots),
+    ),
+)
+
+_sine_root, _cosine = sqrt(1 + b / a * x**2), sqrt(1 - x**2)
+_bounded = 1 / (1 + _cosine) - b / _sine_root - b / a / (_sine_root * (1 + _sine_root))
+"""j(ψ), with x for sin ψ."""
+_at_zero = Rational(1, 2) - b - b / a / 2
+_inside = (x > 0, x < 1)
+
+split_integrand = Claim(
+    label="split_integrand",
+    says=equal((1 - b * x**2) / _sine_root, _cosine + x**2 * _bounded),
+    given=(*shape, *_inside),
+    proof=by(roots),
+)
+
+_gap = (1 - b / a + b / a * x**2) / (1 + _sine_root * _cosine)
+
+split_rest = Claim(
+    label="split_rest",
+    says=equal(
+        _bounded - _at_zero * _cosine,
+        x**2
+        * (
+            (2 + _cosine) / (2 * (1 + _cosine) ** 2)
+            - b * _gap / _sine_root
+            - b
+            / a
+            * (_gap + 1 / (1 + _cosine) - b / a * _cosine)
+            / (2 * _sine_root * (1 + _sine_root))
+        ),
+    ),
+    given=(*shape, *_inside),
+    proof=by(roots),
+    note="What is left of it after its value at ψ = 0 times cos ψ has sin²ψ as a factor.",
+)
+
+split_logarithm = Claim(
+    label="split_logarithm",
+    says=equal(Integral(1 / _sum, (x, x0, 1)), log((1 + sqrt(1 + u)) / (x0 + sqrt(u + x0**2)))),
+    given=(x0 > 0, x0 < 1, u + x0**2 > 0),
+    proof=by(integrating(log(x + _sum)), exponentials),
+)
+
+fourth_moment = (
+    split_integrand,
+    split_rest,
+    split_logarithm,
+    mean_below_the_first,
+    mean_is_positive,
+    moment_by_powers,
+    mean_of_the_product,
+    moment_over_sine,
+    moment_below_cosecant,
+)
+"""What the enclosure of the second derivative rests on."""

@@ -1,0 +1,111 @@
+"""The series for ε₀ in powers of ε*²: what its coefficients are, and how large.
+
+With w = e², log(ε₀/ε*) = Q(w) says w = yφ(w), y = ε*² and φ = exp 2Q.
+
+*Coefficients.* For W(x, y) = x + yφ(W) and any H, ∂W/∂y = φ(W) ∂W/∂x. By `lagrange_step`, used
+n times, the n-th derivative of H(W) by y is the (n − 1)-th by x of φ(W)ⁿ H′(W) ∂W/∂x, which is
+φⁿH′ at y = 0. With H = exp Q the coefficient of yⁿ in ε₀/ε* is c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1).
+
+*Sizes.* By `exponent_slope` 1 − 2wQ′ is a product of power series. The coefficients of √w/sin √w
+are positive: those of u = 1/x − cot x by `cotangent_series` and then those of v = 1/sin x − 1/x by
+`cosecant_series`, one after the other, for on the right stand sums and products of earlier ones.
+So with sinh² for sin² and −R for R they are at most those of a function with positive
+coefficients, whose value at ρ is 1 + 2q (`majorant` in the code); those of Q are at most q/ρⁿ, as
+each term of a positive series is at most its sum, and |c_n| ≤ e^q (e^{2q}/ρ)ⁿ/(2n + 1).
+
+*Sum.* Where τ = y e^{2q}/ρ ≤ 1/4 the series for w has terms of at most ρτⁿ/n, in sum less than ρ
+(`stays_inside`), so that it may be put into that of Q, and solves w = yφ(w). It is real, hence
+w > 0, and √w solves the equation of ε₀, which has one root. What is left out after N terms is at
+most (13/5) τ^{N+1}/((2N + 3)(1 − τ)), by `geometric_tail` at most τ^N/(2N + 3).
+"""
+
+from sympy import Derivative, Expr, Rational, Subs, Symbol, cos, pi, sin, sqrt
+from tresym.proofs.conditions import defect, shape
+from tresym.proofs.exponent import exponent
+
+from tresym.ledger.claim import Claim, by, equal, step
+from tresym.ledger.reasons import differentiation, exponentials, roots, trigonometry
+from tresym.racket.notation import a, b, epsilon, x
+
+phi, phi_slope, H_slope, H_bend, W_x, W_xx, n, t = (
+    Symbol(name, real=True)
+    for name in ("phi", "phiprime", "Hprime", "Hprimeprime", "W_x", "W_xx", "n", "t")
+)
+"""Values at W of φ, φ′, H′ and H″; ∂W/∂x and ∂²W/∂x²; a number of derivatives; a step."""
+
+
+def _along(rate: Expr, rate_of_slope: Expr, power: Expr) -> Derivative:
+    """The rate of φ(W)^power H′(W) ∂W/∂x where W changes at ``rate``, and so does ∂W/∂x."""
+    moved = (
+        (phi + phi_slope * rate * t) ** power
+        * (H_slope + H_bend * rate * t)
+        * (W_x + rate_of_slope * t)
+    )
+    return Subs(Derivative(moved, t), t, 0)
+
+
+lagrange_step = Claim(
+    label="lagrange_step",
+    says=equal(_along(phi * W_x, phi_slope * W_x**2 + phi * W_xx, n), _along(W_x, W_xx, n + 1)),
+    given=(phi > 0,),
+    proof=by(differentiation, exponentials),
+    note="By y on the left, where W changes at the rate φ ∂W/∂x, and ∂W/∂x at the rate that this "
+    "has by x; by x on the right.",
+    shown=r"\frac{\partial}{\partial y}\Bigl(\varphi(W)^n H'(W)\frac{\partial W}{\partial x}\Bigr)"
+    r" = \frac{\partial}{\partial x}"
+    r"\Bigl(\varphi(W)^{n+1} H'(W)\frac{\partial W}{\partial x}\Bigr)",
+)
+
+_u, _v = 1 / x - cos(x) / sin(x), 1 / sin(x) - 1 / x
+_half_turn = (x > 0, x < pi, sin(x) > 0)
+
+cotangent_series = Claim(
+    label="cotangent_series",
+    says=equal(x * Derivative(_u, x) + 2 * _u, x + x * _u**2),
+    given=_half_turn,
+    proof=by(differentiation),
+    note="(n + 2)uₙ on the left, sums of products of earlier coefficients on the right.",
+)
+
+cosecant_series = Claim(
+    label="cosecant_series",
+    says=equal(x * Derivative(_v, x) + _v, _u + x * _u * _v),
+    given=_half_turn,
+    proof=by(differentiation),
+    note="(n + 1)vₙ on the left.",
+)
+
+exponent_slope = Claim(
+    label="exponent_slope",
+    says=equal(
+        epsilon * Derivative(exponent, epsilon),
+        1
+        - (1 - b * sin(epsilon) ** 2)
+        * epsilon
+        / (sin(epsilon) * sqrt(1 + b / a * sin(epsilon) ** 2)),
+    ),
+    given=(*shape, *defect),
+    proof=by(differentiation, trigonometry, roots),
+    note="2w dQ/dw, w = e².",
+)
+
+_quarter = (x > 0, x <= Rational(1, 4))
+
+stays_inside = Claim(
+    label="stays_inside",
+    says=1 - x / (1 - x) > 0,
+    kind="bound",
+    given=_quarter,
+    proof=(step((2 * (Rational(1, 4) - x) + Rational(1, 2)) / (1 - x)),),
+)
+
+geometric_tail = Claim(
+    label="geometric_tail",
+    says=1 - Rational(13, 5) * x / (1 - x) > 0,
+    kind="bound",
+    given=_quarter,
+    proof=(step((Rational(18, 5) * (Rational(1, 4) - x) + Rational(1, 10)) / (1 - x)),),
+)
+
+coefficient_sizes = (cotangent_series, cosecant_series, exponent_slope)
+"""What bounds the coefficients of Q."""
