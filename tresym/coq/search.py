@@ -117,13 +117,17 @@ def trial(items: Sequence[tuple[Theorem, str]], seconds: float) -> list[bool]:
     for n, (theorem, proof) in enumerate(items):
         named = replace(theorem, name=f"trial_{n}")
         lines += [named.text, "Proof.", proof, "Qed.", "Abort All.", f"Check trial_{n}."]
-    with subprocess.Popen(
-        ["coqtop", "-q"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-    ) as coq:
+    with (
+        tempfile.TemporaryDirectory() as folder,  # for the caches of its arithmetic
+        subprocess.Popen(
+            ["coqtop", "-q"],
+            cwd=folder,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        ) as coq,
+    ):
         try:
             said, _ = coq.communicate("\n".join(lines) + "\n", timeout=seconds)
         except subprocess.TimeoutExpired:
