@@ -54,7 +54,7 @@ from tresym.proofs.power_series import (
     lagrange_step,
     stays_inside,
 )
-from tresym.proofs.separatrix import contraction_bound, one_flip_defect, stable_equation
+from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
@@ -62,7 +62,6 @@ from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import (
     algebra,
-    citing,
     differentiation,
     evaluating,
     exponentials,
@@ -694,7 +693,7 @@ slope_by_phase = Claim(
         / (1 - b * _sine**2),
     ),
     given=(*shape, *defect),
-    proof=by(citing(contraction_bound), exponentials, inverses, roots, trigonometry),
+    proof=by(exponentials, inverses, roots, trigonometry),
     note="−4bε dε/dγ at γ = 0 for an ε = ε₀; at the root the arsinh is T.",
 )
 

@@ -36,14 +36,13 @@ from sympy import (
     tan,
 )
 from tresym.proofs.conditions import defect, shape
-from tresym.proofs.separatrix import one_flip_defect, root_under_cosine, stable_equation
+from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
 from tresym.ledger.claim import Claim, all_of, by, equal, step
 from tresym.ledger.evidence.balls import Asymptotics
 from tresym.ledger.reasons import (
     adding,
     applying,
-    citing,
     differentiation,
     exponentials,
     integrating,
@@ -170,7 +169,6 @@ turn_increases = Claim(
         step(
             _mu * sin(epsilon) / sqrt(1 - _mu**2 * cos(epsilon) ** 2),
             differentiation,
-            citing(root_under_cosine),
             roots,
         ),
     ),

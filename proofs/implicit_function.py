@@ -58,7 +58,6 @@ from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import (
     adding,
     applying,
-    citing,
     differentiation,
     evaluating,
     exponentials,
@@ -313,7 +312,6 @@ defect_below_flat = Claim(
             * sqrt(1 - mu**2)
             * exp(-(pi + asin(mu) + u + 2) / (2 * lam))
             * sinh((pi + asin(mu) + u - 2) / (2 * lam)),
-            citing(exponent_above_two),
             exponentials,
             roots,
         ),
@@ -543,6 +541,6 @@ implicit_slope = Claim(
     proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
     where=Place(display=44),
     expect=Verdict.ENCLOSED,
-    note="The implicit function theorem, on λ ≥ 0.",
+    note="The implicit function theorem, on λ ≥ 0: with |λ| for λ G is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )

@@ -15,7 +15,6 @@ dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
 from sympy import Basic, Expr, Symbol, Tuple, cos, cosh, sin, sqrt, tanh
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
-from tresym.proofs.stability import outer_moments
 
 from tresym.ledger.claim import Claim, Place, all_of, by, equal, step, together
 from tresym.ledger.reasons import (
@@ -268,7 +267,6 @@ motions_part_slowly = Claim(
             + _coupling((I3 - I1) / (I1 * I3), 0, 2, 1, -1)
             + _coupling((I2 - I1) / (I1 * I2), 0, 1, 2, 1)
             + M / 2 * sum(share * square for share, square in zip(_rest, _squares, strict=True)),
-            citing(outer_moments),
         ),
     ),
     note="N is another motion with a momentum as long as M. The square of their distance grows at "
@@ -306,14 +304,12 @@ momentum_between = Claim(
             step(
                 M1**2 * (I3 - I1) / I1 + M2**2 * (I3 - I2) / I2,
                 substituting(energy_of_momentum, eq_first_int),
-                citing(outer_moments),
             ),
         ),
         (
             step(
                 M2**2 * (I2 - I1) / I2 + M3**2 * (I3 - I1) / I3,
                 substituting(energy_of_momentum, eq_first_int),
-                citing(outer_moments),
             ),
         ),
     ),

@@ -93,7 +93,8 @@ implicit_solution = Claim(
     proof=all_of(G_at_origin, G_u_at_origin, defect_is_flat, u_exponentially_small),
     where=Place(line=368),
     expect=Verdict.ENCLOSED,
-    note="Not for λ < 0, where e^{−1/s} is not flat.",
+    note="Not for λ < 0, where e^{−1/s} is not flat. With |λ| for λ the equation is smooth on both "
+    "sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )
 

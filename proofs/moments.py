@@ -13,7 +13,7 @@ y is cos ψ, and c is cos e: dψ = −dy/√(1 − y²), and z = (1 − √(1 �
 from sympy import Expr, Integer, Integral, Rational, Symbol, asin, log, sqrt
 from tresym.proofs.conditions import shape
 
-from tresym.ledger.claim import Claim, by, equal, parts_of, step
+from tresym.ledger.claim import Claim, by, equal, step
 from tresym.ledger.reasons import (
     citing,
     collecting,
@@ -80,23 +80,33 @@ moment_by_powers = Claim(
 )
 
 
-def _falls(power: int, factor: Expr) -> Claim:
-    """That ``factor``/√(u + sin²ψ)^power, less its value at the mean, has the sign of cos ψ − z."""
-    shares = sum(1 / (_root**i * _mean_root ** (power - 1 - i)) for i in range(power))
-    steep = (y - z) ** 2 * (y + z) / (_root * _mean_root * (_root + _mean_root))
-    return Claim(
-        label=f"moment_falls_{power}",
-        says=factor * (1 / _root**power - 1 / _mean_root**power) * (y - z) * _cosecant >= 0,
-        kind="bound",
-        given=(
-            *(y >= 0, z > 0, u <= 0, 1 - y**2 > 0),
-            *(u + 1 - y**2 > 0, u + 1 - z**2 > 0),
+_powers: tuple[tuple[int, Expr], ...] = ((1, Integer(1)), (3, -2 * u), (5, u**2))
+_less = sum(factor * (1 / _root**power - 1 / _mean_root**power) for power, factor in _powers)
+"""The moment less its value at the mean."""
+_steep = (y - z) ** 2 * (y + z) / (_root * _mean_root * (_root + _mean_root))
+
+moment_falls = Claim(
+    label="moment_falls",
+    says=_less * (y - z) * _cosecant >= 0,
+    kind="bound",
+    given=(
+        *(y >= 0, z > 0, u <= 0, 1 - y**2 > 0),
+        *(u + 1 - y**2 > 0, u + 1 - z**2 > 0),
+    ),
+    proof=(
+        step(
+            _steep
+            * _cosecant
+            * sum(
+                factor / (_root**i * _mean_root ** (power - 1 - i))
+                for power, factor in _powers
+                for i in range(power)
+            ),
+            roots,
         ),
-        proof=(step(factor * steep * shares * _cosecant, roots),),
-    )
-
-
-moment_falls = (_falls(1, Integer(1)), _falls(3, -2 * u), _falls(5, u**2))
+    ),
+    note="The moment less its value at the mean has the sign of cos ψ − z.",
+)
 
 _weighted = Integral(_moment(_root) * (y - z) * _cosecant, _ends)
 _at_mean = _moment(_mean_root)
@@ -114,9 +124,9 @@ mean_of_the_product = Claim(
             roots,
         ),
         step(
-            Integral(sum(parts_of(claim.says)[0].args[0] for claim in moment_falls), _ends),
+            Integral(_less * (y - z) * _cosecant, _ends),
             collecting(*_rooms),
-            citing(root_at_the_mean, *_rooms, *moment_falls),
+            citing(root_at_the_mean, *_rooms, moment_falls),
         ),
     ),
     note="With the mean for z the second term is 0: the integral of the moment with the weight "

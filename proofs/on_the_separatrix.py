@@ -38,7 +38,6 @@ from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step, toget
 from tresym.ledger.evidence.balls import Asymptotics
 from tresym.ledger.reasons import (
     adding,
-    citing,
     collecting,
     evaluating,
     exponentials,
@@ -151,7 +150,6 @@ turn_to_the_middle = Claim(
                 (psi, epsilon, pi / 2),
             ),
             collecting(sine_to_the_middle, cosine_not_negative),
-            citing(sine_to_the_middle, cosine_not_negative),
         ),
     ),
     note="f is at least (1 − b sin²ψ) cot ψ/√(b(a+b)) on the separatrix. The turn exceeds every "

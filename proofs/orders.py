@@ -43,7 +43,7 @@ from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Fault, Place, all_of, equal
+from tresym.ledger.claim import Claim, Fault, Place, all_of, equal, step
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.meant import Meant
 from tresym.racket.flip.separatrix import defect_over
@@ -60,9 +60,11 @@ from tresym.racket.notation import (
     epsilon,
     epsilon0,
     gamma,
+    k,
     partialepsilon_partialF,
     partialepsilon_partialgamma,
     partialF_partialgamma,
+    x,
 )
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
@@ -480,11 +482,20 @@ bend_carries = Claim(
 )
 
 
+curve_within = Claim(
+    label="curve_within",
+    says=2 * k * x**2 / (b**2 * epsilon0) <= 2 * k * epsilon0 * x / b,
+    kind="bound",
+    given=(b > 0, epsilon0 > 0, k > 0, x >= 0, x <= b * epsilon0**2),
+    proof=(step(2 * k * x * (b * epsilon0**2 - x) / (b**2 * epsilon0)),),
+    note="x is |γ|, and k is √(ab).",
+)
+
 bend_everywhere = Claim(
     label="bend_everywhere",
     says="|ε − (ε₀ − γ/(4bε₀))| ≤ 5.15 √(ab) ε₀ |γ|/b for ab ≥ 1/4 and |γ| ≤ bε₀².",
     kind="statement",
-    proof=all_of(tangent, slope_leading_term),
+    proof=all_of(tangent, slope_leading_term, curve_within),
     expect=Verdict.ENCLOSED,
     note="3.15 from the slope and 2 from the curve, where γ²/(b²ε₀) ≤ ε₀|γ|/b. It is a quarter of "
     "the way to −4bε₀², where the formula leaves what is possible.",

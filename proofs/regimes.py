@@ -39,7 +39,6 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.reasons import (
-    citing,
     collecting,
     evaluating,
     integrating,
@@ -321,7 +320,6 @@ every_angle = Claim(
         step(
             Integral(_at_most - _per_angle, (psi, 0, _turned)),
             collecting(),
-            citing(rotating_time),
         ),
     ),
     where=Place(line=103),

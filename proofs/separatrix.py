@@ -110,7 +110,7 @@ pole_on_path = Claim(
     says=1 - cos(psi) ** 2 > 0,
     kind="bound",
     given=_on_path,
-    proof=(step(sin(psi) ** 2, citing(sine_on_path), trigonometry),),
+    proof=(step(sin(psi) ** 2, trigonometry),),
 )
 
 root_on_path = Claim(
@@ -275,7 +275,6 @@ argument_below_one = Claim(
     proof=(
         step(
             (1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2),
-            citing(root_under_cosine),
             trigonometry,
         ),
     ),
@@ -323,19 +322,16 @@ exact_equation = Claim(
         step(
             _inverse_form,
             adding(sqrt(a * b) * asin(_mu * cos(epsilon))),
-            citing(root_under_cosine, argument_below_one, ratio_below_one),
             roots,
             trigonometry,
         ),
         step(
             equal(-2 * atanh(cos(epsilon) / _root), -2 * _time),
             multiplying(Integer(-2)),
-            citing(root_under_cosine, ratio_below_one),
         ),
         step(
             equal((1 - _inverse) / (1 + _inverse), _printed_equation.rhs),
             applying("exp"),
-            citing(root_under_cosine, ratio_below_one),
             exponentials,
             inverses,
         ),
@@ -352,13 +348,11 @@ stable_equation = Claim(
         step(
             equal(log(_ratio), -2 * _time),
             applying("log"),
-            citing(root_under_cosine, printed_left_positive),
             exponentials,
         ),
         step(
             _inverse_form,
             multiplying(Rational(-1, 2)),
-            citing(root_under_cosine, printed_left_positive, ratio_below_one),
             exponentials,
             inverses,
             roots,
@@ -366,7 +360,6 @@ stable_equation = Claim(
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
             applying("sinh"),
-            citing(root_under_cosine, ratio_below_one),
             roots,
             trigonometry,
             exponentials,

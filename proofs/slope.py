@@ -9,10 +9,10 @@ import sympy
 from sympy import Derivative, Subs, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
-from tresym.proofs.separatrix import between, contraction_bound
+from tresym.proofs.separatrix import between
 
 from tresym.ledger.claim import Claim, Place, by, equal, step
-from tresym.ledger.reasons import citing, differentiation, roots, substituting, trigonometry
+from tresym.ledger.reasons import differentiation, roots, substituting, trigonometry
 from tresym.racket.formulas import printed
 from tresym.racket.notation import S, a, b, epsilon, gamma, psi, theta
 
@@ -56,6 +56,6 @@ inverse_slope = Claim(
         printed.defect_per_turn(epsilon, a, b, S, sympy),
     ),
     given=(*shape, *defect, cos(theta) ** 2 > 0),
-    proof=by(substituting(sign_of_tilt), citing(contraction_bound), roots),
+    proof=by(substituting(sign_of_tilt), roots),
     where=Place(display=51),
 )

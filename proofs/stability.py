@@ -40,7 +40,7 @@ from tresym.proofs.momentum import (
 
 from tresym.ledger.claim import Claim, Counterexample, Place, all_of, at, by, equal, step, together
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.reasons import citing, evaluating, multiplying, roots, substituting, trigonometry
+from tresym.ledger.reasons import evaluating, multiplying, roots, substituting, trigonometry
 from tresym.racket.formulas import printed
 from tresym.racket.notation import (
     I1,
@@ -285,8 +285,6 @@ outer_moments = Claim(
     proof=(step((I3 - I2) + (I2 - I1)),),
 )
 
-_order = ((), (citing(outer_moments),), ())
-
 permanent_rotations = Claim(
     label="permanent_rotations",
     says=Tuple(
@@ -298,8 +296,8 @@ permanent_rotations = Claim(
     given=ordered_moments,
     proof=together(
         *(
-            (step(equal(product, 0), multiplying(factor), substituting(eq_dMi), *order),)
-            for product, factor, order in zip(_products, _inverse, _order, strict=True)
+            (step(equal(product, 0), multiplying(factor), substituting(eq_dMi)),)
+            for product, factor in zip(_products, _inverse, strict=True)
         )
     ),
     note="M rests exactly when two components vanish: at ±M along each of the three axes.",

@@ -104,7 +104,7 @@ logarithm_to_the_middle = Claim(
     says=sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2) > 0,
     kind="bound",
     given=(*shape, *defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2), citing(cosine_to_the_middle)),),
+    proof=(step(sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2)),),
     note="The antiderivative of d55 is smooth up to π/2.",
 )
 

@@ -147,7 +147,7 @@ flip_before_the_turn = Claim(
     given=(*before_the_turn, x >= 0, x <= chi),
     proof=together(
         (step((a + b) * (a - gamma) / _here.Q, trigonometry),),
-        (step(_tilted, trigonometry, citing(tilt_before_the_turn)),),
+        (step(_tilted, trigonometry),),
     ),
 )
 

@@ -54,7 +54,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 t, x, y, z = (Symbol(name, real=True) for name in "txyz")
-ONE, TWO = Integer(1), Integer(2)
+ZERO, ONE, TWO = Integer(0), Integer(1), Integer(2)
 
 
 def new(label: str, says: Basic, *given: Basic, assumes: str = "") -> Claim:
@@ -226,7 +226,7 @@ def test_a_definition_does_not_ask_for_itself() -> None:
     """x := y for x > 5 says nothing for a y below 5: the condition is on the symbol itself."""
     early = new("early", equal(x, y), x > 5)
     assert judged(early) is Verdict.UNDECIDED
-    assert "on itself" in judge(early, {}).why
+    assert "by itself" in judge(early, {}).why
     user = Claim("user", x > 5, (step(x - 5),), given=(x > 5,))
     assert judged(user) is Verdict.PROVED
 
@@ -291,6 +291,51 @@ def _below_three() -> Claim:
 def test_what_is_defined_is_bound_nowhere(claim: Claim) -> None:
     assert judged(_below_three()) is Verdict.PROVED
     assert not judged(claim).holds
+
+
+def _hidden() -> dict[str, Claim]:
+    """What would be proved of y = x² as if x were not in it, where x is bound."""
+    square = new("square", equal(y, x**2))
+    fourth = new("fourth", equal(z, y**2))
+    put_in = step(None, substituting(square))
+    constant = step(y, integrating(y * x))
+    sign_of_x = new("sign of x", equal(z, 1), x > 0)
+    return {
+        "a derivative": Claim(
+            "d", equal(Derivative(y, x), y - x**2), (step(ZERO, differentiation), put_in)
+        ),
+        "a value": Claim(
+            "v", equal(Subs(x * y, x, 5), 5 * x**2), (step(5 * y, evaluating), put_in)
+        ),
+        "an integral": Claim("i", equal(Integral(y, (x, 0, 1)), x**2), (constant, put_in)),
+        "a new variable": Claim(
+            "n",
+            equal(Integral(y, (x, 0, 1)), x**2),
+            (
+                step(Integral(y, (t, 0, 1)), changing_variable(x)),
+                step(y, integrating(y * t)),
+                put_in,
+            ),
+        ),
+        "two definitions": Claim(
+            "t",
+            equal(Derivative(z, x), z - x**4),
+            (step(ZERO, differentiation), step(None, substituting(fourth, square))),
+        ),
+        "a condition": Claim(
+            "c",
+            equal(Integral(z, (x, -1, 1)), 2),
+            (step(2 * z, integrating(z * x)), step(None, substituting(sign_of_x))),
+            given=(x > 0,),
+        ),
+    }
+
+
+@pytest.mark.parametrize("claim", _hidden().values(), ids=_hidden())
+def test_what_is_defined_depends_on_what_defines_it(claim: Claim) -> None:
+    assert not judged(claim).holds
+    assert "stands where what it is defined by is bound" in str(captured(claim))
+    assert captured(Claim("free", claim.says, by())) is None  # of a variable y it may be true
 
 
 def test_what_is_defined_is_not_generalised() -> None:

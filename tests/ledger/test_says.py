@@ -244,7 +244,7 @@ def disagreements(label: str, gauge: Basic, relations: tuple[Basic, ...]) -> lis
     for bound, relation, chart in zip(bounds, relations, charts(label), strict=False):
         for _ in range(3):
             coordinates = [
-                low + (high - low) * fmpq(draw.randint(50, 98), 100) for low, high in bound.box
+                side.low + side.width * fmpq(draw.randint(50, 98), 100) for side in bound.box
             ]
             p, q = chart(*coordinates)
             with ball_precision(FINE):

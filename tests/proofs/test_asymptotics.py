@@ -399,10 +399,10 @@ def test_a_bound_a_little_stronger_than_the_truth_is_never_enclosed(bound, proof
 
     So it is for every bound that is enclosed: neither a search nor the stored tree may close it.
     """
-    leaves = list(leaf_boxes(bound.box, proof))
+    leaves = [leaf for leaf, _ in leaf_boxes(bound.box, proof)]
     sample = [leaves[n * len(leaves) // 40] for n in range(40)] if len(leaves) > 40 else leaves
     with ball_precision(bound.precision):
-        points = [tuple((low + high) / 2 for low, high in leaf) for leaf in sample]
+        points = [tuple(side.middle for side in leaf) for leaf in sample]
         values = [value_at(bound.margin, point) for point in points]
         least = min((v.upper() for v in values if v.is_finite()), key=float)
         taken = least + abs(least) * arb("1e-6")

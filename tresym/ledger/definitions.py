@@ -3,7 +3,7 @@
 Each symbol is defined once, or once in each of several cases, by symbols that do not come back to
 it and by a term that exists under the conditions of its definition. Two definitions of one symbol
 together prove anything, and so do two that go round in a circle. What is defined is a constant: it
-is bound nowhere, and no symbol passes for another of its name.
+is bound nowhere, nor does it stand where what it is defined by is bound.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from functools import lru_cache
 from itertools import combinations
 from typing import NamedTuple
 
-from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
+from sympy import Basic, Derivative, Eq, Integral, Subs
 
 from tresym.ledger.claim import Claim, Definition, UniqueRoot, expressions, parts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_value
@@ -21,9 +21,9 @@ from tresym.ledger.evidence.manifest import is_manifest
 from tresym.ledger.finding import Finding
 from tresym.ledger.meaning import (
     DEFINING,
+    Behind,
     CircularError,
     Conditions,
-    Rules,
     conditions,
     definitions,
     known,
@@ -33,7 +33,7 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.second_look import satisfiable, scalars
-from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -72,13 +72,12 @@ def _equations(claim: Claim) -> Iterator[Eq]:
     yield from (entry for part in parts for entry in scalars(part))
 
 
-def implicit(claims: Iterable[Claim]) -> tuple[Eq, ...]:
-    """The equations for integrals that the claims assume, and that restrict their symbols."""
-    return tuple(entry.written for entry in _restrictions(table(claims)))
+def restrictions(claims: Iterable[Claim]) -> tuple[Eq, ...]:
+    """The equations for integrals that the claims assume, and that restrict their symbols.
 
-
-def _restrictions(entries: tuple[Entry, ...]) -> list[Entry]:
-    """The equations for integrals, but for those that only give a symbol of their own its value."""
+    One that only gives a symbol of its own its value restricts nothing.
+    """
+    entries = table(claims)
 
     def own(entry: Entry) -> bool:
         others = (e.names for e in entries if e != entry)
@@ -86,7 +85,7 @@ def _restrictions(entries: tuple[Entry, ...]) -> list[Entry]:
             symbols(entry.meaning) <= names for names in (symbols(entry.symbol), *others)
         )
 
-    return [e for e in entries if e.symbol.op != "symbol" and not own(e)]
+    return tuple(e.written for e in entries if e.symbol.op != "symbol" and not own(e))
 
 
 def judge_definition(claim: Claim, proof: Definition) -> Finding:
@@ -114,12 +113,9 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
     if not entries or len(explicit) + len(integrals) < len(entries):
         return "a definition gives each of its symbols one value"
     earlier = definitions(claim.rests_on)
-    asked = frozenset().union(*map(names, given))
     for new, meaning in explicit.items():
         if new in earlier or symbols(new) <= symbols(put_in(meaning, explicit)):
             return f"{new} is not a new symbol"
-        if symbols(new) <= asked:
-            return f"{new} is defined under a condition on itself"
     try:
         for e in (*explicit.values(), *integrals):
             need_value(e, proof.claims, given)
@@ -133,16 +129,13 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
 
 
 def captured(claim: Claim) -> str | None:
-    """Why the claim does not keep its symbols apart: one is bound and defined, or is two.
+    """Why the claim does not keep its symbols apart: one is bound, and defined.
 
     Nor may a symbol stand where what it is defined by is bound: it is a number there.
     """
     entries, written = table((*claim.rests_on, claim)), [*expressions(claim)]
     bound: set[str] = set()
     for e in written:
-        for name in e.atoms(Symbol):
-            if name != Symbol(name.name, real=True):
-                return f"{name} is not the real symbol of that name"
         binders = e.atoms(Integral, Derivative, Subs)
         bound |= {v.name for node in binders for v in node.variables}
     if isinstance(claim.proof, UniqueRoot):
@@ -150,30 +143,34 @@ def captured(claim: Claim) -> str | None:
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
-    rules = {entry.symbol: entry.meaning for entry in entries}
-    found = next((name for e in written if bound for name in _misread(e, rules)), None)
+    behind = _behind(entries)
+    found = next((name for e in written if bound for name in _misread(e, behind)), None)
     return None if found is None else f"{found} stands where what it is defined by is bound"
 
 
-def _misread(e: Basic, rules: Rules) -> Iterator[str]:
+def _misread(e: Basic, behind: Behind) -> Iterator[str]:
     try:
-        yield from (name for side in sides(e) if (name := misread(side, rules)) is not None)
+        yield from (name for side in sides(e) if (name := misread(side, behind)) is not None)
     except InputError:  # what is no expression of ours decides nothing
         return
+
+
+def _behind(entries: Iterable[Entry]) -> Behind:
+    """What each symbol is defined by, or under a condition on, directly or by way of others."""
+    found: dict[str, frozenset[str]] = {}
+    for entry in entries:
+        if entry.symbol.op == "symbol":
+            asked = frozenset().union(*map(names, conditions(entry.claim.given)))
+            (name,) = symbols(entry.symbol)
+            found[name] = found.get(name, frozenset()) | symbols(entry.meaning) | asked
+    for _ in found:
+        found = {n: of.union(*(found.get(k, frozenset()) for k in of)) for n, of in found.items()}
+    return found
 
 
 def conflict(claims: Iterable[Claim]) -> str | None:
     """Why the definitions among ``claims`` are no table: two of one symbol, or a circle."""
     return _conflict(tuple(c for c in claims if isinstance(c.proof, DEFINING)))
-
-
-def overdetermined(claims: Iterable[Claim]) -> str | None:
-    """Why equations for integrals among ``claims`` do not together define what they are to.
-
-    Each defines one symbol, and does not say which: two that share symbols may contradict each
-    other, and one whose symbols are all defined may be false.
-    """
-    return _overdetermined(tuple(c for c in claims if isinstance(c.proof, DEFINING)))
 
 
 @lru_cache(maxsize=4096)
@@ -229,34 +226,8 @@ def _assumes(claim: Claim) -> bool:
 
 def _circle(meanings: dict[Expr, list[Entry]]) -> str | None:
     """A symbol that is defined by itself, by way of others."""
-    names = {
-        left: frozenset[str]().union(*(symbols(entry.meaning) for entry in found))
-        for left, found in meanings.items()
-    }
-    for start in (left for left in meanings if left.op == "symbol"):
-        seen: set[Expr] = set()
-        waiting = {*names[start]}
-        while waiting:
-            one = symbol(waiting.pop())
-            seen.add(one)
-            waiting |= {n for n in names.get(one, frozenset()) if symbol(n) not in seen}
-        if start in seen:
-            return f"{start} is defined by itself in {_where(meanings[start][0].claim)}"
-    return None
-
-
-@lru_cache(maxsize=4096)
-def _overdetermined(claims: tuple[Claim, ...]) -> str | None:
-    entries = table(claims)
-    rules = {entry.symbol: entry.meaning for entry in entries if entry.symbol.op == "symbol"}
-    seen: frozenset[str] = frozenset()
-    for entry in _restrictions(entries):
-        if entry.names & seen:
-            return f"{entry.claim.label} is a second equation for the same symbols"
-        seen |= entry.names
-        try:
-            if not symbols(put_in(entry.symbol - entry.meaning, rules)):
-                return f"{entry.claim.label} leaves nothing to define"
-        except CircularError as error:
-            return str(error)
+    behind = _behind(entry for found in meanings.values() for entry in found)
+    for left, found in meanings.items():
+        if left.op == "symbol" and symbols(left) <= behind[str(left.args[0])]:
+            return f"{left} is defined by itself in {_where(found[0].claim)}"
     return None

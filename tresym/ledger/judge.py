@@ -33,9 +33,8 @@ from tresym.ledger.claim import (
 from tresym.ledger.definitions import (
     captured,
     conflict,
-    implicit,
     judge_definition,
-    overdetermined,
+    restrictions,
     table,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
@@ -176,9 +175,6 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
         return Finding(UNDECIDED, why)
     if isinstance(claim.proof, AllOf):
         return None
-    why = overdetermined((*claim.rests_on, claim))
-    if why is not None:
-        return Finding(UNDECIDED, why)
     for used in claim.uses:
         if not found[used.label].verdict.holds:
             verdict = found[used.label].verdict.value
@@ -253,7 +249,7 @@ def _possible(claim: Claim) -> bool:
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:
         return False
-    assumed = implicit(claim.rests_on)
+    assumed = restrictions(claim.rests_on)
     written = (entry.written for entry in explicit)
     return not assumed or satisfiable(claim.given, (*written, *assumed))
 

@@ -7,7 +7,7 @@ their variables. Definitions are put in here, and only those that a reason names
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 
 from sympy import Basic, MatrixBase
@@ -22,7 +22,6 @@ from tresym.reals.language.expression import (
     Expr,
     replaced,
     substitute,
-    symbol,
     symbols,
 )
 from tresym.reals.language.formula import Conjunction, Formula, Relation, relations
@@ -31,6 +30,8 @@ from tresym.reals.places.conditions import Given
 
 Rules = dict[Expr, Expr]
 Conditions = tuple[Relation, ...]
+Behind = Mapping[str, frozenset[str]]
+"""What each symbol is defined by, by name."""
 Stage = Relation | tuple[Expr, ...]
 """What a chain passes through: an equation, or the entries of a matrix; a number has one."""
 
@@ -156,7 +157,7 @@ def put_into(given: Conditions, rules: Rules) -> Conditions:
     return tuple(dict.fromkeys(changed))
 
 
-def misread(e: Expr, rules: Rules) -> str | None:
+def misread(e: Expr, behind: Behind) -> str | None:
     """The symbol in ``e``, as it was written, that seems to say something else than it does.
 
     What is defined by x is a number of its own where x is bound, as y = x² is in ``∫ y dx``; a
@@ -166,19 +167,7 @@ def misread(e: Expr, rules: Rules) -> str | None:
         return None
     if e.op in BINDERS:
         for name in sorted(symbols(e.args[0])):
-            if not _behind(name, rules).isdisjoint(e.names):
+            if not behind.get(name, frozenset()).isdisjoint(e.names):
                 return name
-    found = (misread(arg, rules) for arg in e.args)
+    found = (misread(arg, behind) for arg in e.args)
     return next((name for name in found if name is not None), None)
-
-
-def _behind(name: str, rules: Rules) -> frozenset[str]:
-    """The symbols that a symbol is defined by, directly or not."""
-    seen: set[str] = set()
-    waiting = {name}
-    while waiting:
-        meaning = rules.get(symbol(waiting.pop()))
-        fresh = symbols(meaning) - seen if meaning is not None else frozenset()
-        seen |= fresh
-        waiting |= fresh
-    return frozenset(seen)

@@ -35,7 +35,7 @@ def index(ledger: Record) -> str:
     lines = [
         "# The ledger",
         f"{total} claims: {counts}. A claim without a place in the paper is a lemma of the proofs. "
-        f"{_resting(ledger)}",
+        f"{_resting(ledger)[0]} of them rest on {_resting(ledger)[1]}.",
     ]
     for part in ledger["parts"]:
         lines.append(f"## {part['title'][:1].upper()}{part['title'][1:]}")
@@ -45,19 +45,19 @@ def index(ledger: Record) -> str:
     return "\n\n".join(lines) + "\n"
 
 
-def _resting(ledger: Record) -> str:
-    """How many claims rest on theorems that are quoted."""
+def _resting(ledger: Record) -> tuple[int, str]:
+    """How many claims rest on theorems that are quoted, and how many these are."""
     resting = sum(bool(claim["axioms"]) for claim in ledger["claims"].values())
-    named = f"[{len(ledger['axioms'])} theorems]({AXIOMS})"
-    return f"{resting} of them rest on {named} that are quoted and not proved."
+    return resting, f"[{len(ledger['axioms'])} theorems]({AXIOMS}) that are quoted and not proved"
 
 
 def axioms(ledger: Record) -> str:
     """The theorems that are quoted, each with what rests on it, and those of the judge's rules."""
     lines = [
         "---\norphan: true\n---\n\n# Quoted theorems",
-        _resting(ledger) + " Each is named by the claims whose evidence applies it, and listed by "
-        "every claim above them.",
+        f"{len(ledger['axioms'])} theorems are quoted and not proved. Each is named by the claims "
+        f"whose evidence applies it, and listed by every claim above them: {_resting(ledger)[0]} "
+        "in all.",
     ]
     for name, axiom in ledger["axioms"].items():
         lines += [f"## {sentence(name[:1].upper() + name[1:])}", *_quoted(axiom)]

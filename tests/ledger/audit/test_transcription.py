@@ -65,6 +65,14 @@ def test_agreement_is_asked_under_the_conditions_of_the_claim_alone() -> None:
     assert left_over("y = x", claim(says)) == ["y == x"]
 
 
+def test_a_condition_above_a_column_is_one_of_the_claim() -> None:
+    display = r"\begin{array}{l}\textrm{For }x>0: \\ y=\sqrt{x}\end{array}"
+    says = equal(y, sqrt(x))
+    assert left_over(display, claim(says, given=(x > 0, y > 0))) == []
+    for other in ((), (x > 1,), (x < 0,)):
+        assert left_over(display, claim(says, given=other)) == ["y == sqrt(x)"]
+
+
 def test_sentences_numbers_and_conjunctions() -> None:
     number = claim("a number", Printed("1.25", lambda m: m.pi))
     assert left_over("y = 1.25", number) == []

@@ -43,6 +43,22 @@ def test_no_positive_sign_is_read_off_where_there_is_none(
     assert manifest_sign(e, given) != "+"
 
 
+@pytest.mark.parametrize(
+    ("e", "given"),
+    [
+        (x - 1, (x**2 * (x - 1) >= 0,)),
+        (x - y, (x**2 * (x - y) >= 0,)),
+        (sqrt(x**2) - x, (x >= y, x <= y, y**2 * x >= 0)),
+        (x, (x >= y, x <= y)),
+    ],
+)
+def test_what_holds_inside_does_not_hold_at_single_points(
+    e: Expr, given: tuple[Basic, ...]
+) -> None:
+    """x = 0 and y = 1; or there is nothing inside."""
+    assert manifest_sign(e, given) not in ("+", ">=0", "0")
+
+
 NEITHER: list[tuple[Expr, tuple[Basic, ...]]] = [
     (sin(t), (t > 0,)),
     (sin(t), (t < pi,)),

@@ -9,6 +9,7 @@ from flint import arb, fmpq
 from sympy import Basic, Function, Gt, Integer, Symbol, Tuple
 from tresym.proofs.implicit_function import slope_on_steep_path, steep_path
 
+from tresym.ledger import definitions
 from tresym.ledger import judge as judging
 from tresym.ledger.claim import (
     Claim,
@@ -344,7 +345,9 @@ def test_planted_falsehoods_are_judged_with_the_mutants(monkeypatch: pytest.Monk
     [
         (judging, "conflict", lambda claims: None, "planted: defined twice"),
         (judging, "conflict", lambda claims: None, "planted: a circle"),
-        (judging, "overdetermined", lambda claims: None, "planted: an area twice"),
+        (judging, "restrictions", lambda claims: (), "planted: an area twice"),
+        (judging, "captured", lambda claim: None, "planted: a constant of what is bound"),
+        (definitions, "need_value", lambda *asked: None, "planted: what does not exist"),
         (judging, "_possible", lambda claim: True, "planted: against a bound"),
         (judging, "unfit", lambda claim: None, "planted: another formula"),
         (judging, "unfit", lambda claim: None, "planted: no smoothness"),

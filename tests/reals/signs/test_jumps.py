@@ -86,7 +86,7 @@ CLAIMS = [
     ("sign(x**3 - x)**2 == 1", "x > 1", PROVED),
     ("sign(tan(atan(x)))*cbrt(x**3) == abs(x)", "", PROVED),
     ("sign(x**2 - 2)**2 == 1", "", UNDECIDED),
-    ("sign(x*y*sign(y)**2) == sign(x*y)", "", UNDECIDED),  # nothing is there to put 0 in for
+    ("sign(x*y*sign(y)**2) == sign(x*y)", "", PROVED),
     ("sign(x*y)**2 == sign(x)**2", "", REFUTED),
     ("sign(x - y) == -sign(y - x)", "", PROVED),
     ("sign(x - y)**2 == 1", "x >= y", REFUTED),

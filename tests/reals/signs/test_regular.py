@@ -40,7 +40,7 @@ SINGULAR = {
     "a cusp with a point": "y**2 <= x**2*(x - 1)",
     "a point of three variables": "(x**2 + y**2 + z**2)*(x - 1) >= 0",
     "a line": "x**2*y >= 0",
-    "a quadric on a side of itself": "x*y >= 0, x >= 0, y >= 0",
+    "a quadric on a side of itself": "x*y >= 0, x >= 0",
     "two quadrics": "x*y >= 0, x*(y - x) <= 0",
     "a half-space beside a quadric": "x*y >= 0, x + y >= 0",
     "absolute values that are subtracted": "abs(x) - abs(y) >= 0, y - x >= abs(x)",

@@ -59,13 +59,20 @@ class Reading:
 
 @dataclass(frozen=True)
 class Link:
-    """Two neighbours of a chain, the digits of the right one where it is a decimal."""
+    """Two neighbours of a chain.
+
+    Attributes:
+        digits: of the right one, where it is a decimal.
+        defines: whether the left one is a function at its parameters.
+        under: the conditions that the display puts above it.
+    """
 
     left: Expr
     op: str
     right: Expr
     digits: str = ""
     defines: bool = False
+    under: frozenset[tuple[Expr, str, Expr]] = frozenset()
 
     def __str__(self) -> str:
         return f"{self.left} {self.op} {self.digits or self.right}"
@@ -124,8 +131,9 @@ def differing(chains: Iterable[Relations], again: Iterable[str]) -> str | None:
 def _links(chain: Relations) -> list[Link]:
     """Neighbours; a bound by infinity says nothing, and f(…) = body defines."""
     digits = chain.printed[1:] or ("",) * len(chain.ops)
+    under = frozenset(chain.condition.links if chain.condition else ())
     links = [
-        Link(*link, number, bool(chain.defines))
+        Link(*link, number, bool(chain.defines), under)
         for link, number in zip(chain.links, digits, strict=True)
         if not {INFINITY, -INFINITY} & {link[0], link[2]}
     ]
@@ -195,6 +203,8 @@ def _says(statement: _Statement, link: Link, left: Expr, right: Expr) -> bool:
     if link.digits and any(printed(link.digits) == printed(n) for n in statement.numbers):
         return True
     given, relations = statement.given, statement.relations
+    if not link.under <= {*given.comparisons}:
+        return False
     if link.defines and left == right:
         # The display defines a function: the claim must say its value somewhere.
         return any(same(right, side, given) for p, _, q in relations for side in (p, q))

@@ -142,13 +142,11 @@ def _arrives(
     if last[0].op == "integral":
         bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
         try:
-            found = sign_of_integral(last[0], bounds, given)
+            found = sign_of_integral(last[0], bounds, given, strict)
         except NotShownError as error:
             return _undecided(str(error))
     else:
-        # Without splitting sums first, as for integrals.
-        found = None if strict else manifest_sign(last[0], given, 0)
-        found = found if found in NON_NEGATIVE else manifest_sign(last[0], given)
+        found = manifest_sign(last[0], given, ">" if strict else ">=")
     if found == "+" or (found in ("0", ">=0") and not strict):
         return PROVED
     return _undecided(f"the sign of {last[0]} is not manifest")

@@ -17,7 +17,7 @@ from sympy import Basic
 
 from tresym.ledger.claim import Claim, Reason
 from tresym.ledger.evidence.defined import continuous_on, undefined
-from tresym.ledger.evidence.manifest import DEPTH, NON_NEGATIVE, is_stated, manifest_sign
+from tresym.ledger.evidence.manifest import NON_NEGATIVE, is_stated, manifest_sign
 from tresym.ledger.meaning import (
     REMEMBERED,
     Conditions,
@@ -108,11 +108,14 @@ def without_integrals(
     return before, after
 
 
-def sign_of_integral(node: Expr, bounds: tuple[Claim, ...], given: Conditions) -> str | None:
+def sign_of_integral(
+    node: Expr, bounds: tuple[Claim, ...], given: Conditions, strict: bool
+) -> str | None:
     """The sign of the integral of a continuous integrand that is not negative, its ends in order.
 
-    ``+`` where the interval has a length and the integrand is positive at one of its ends, and so
-    next to it; ``>=0`` otherwise; None where the integrand or the order of the ends is not shown.
+    ``+``, which is looked for if ``strict``, where the interval has a length and the integrand is
+    positive at one of its ends, and so next to it; ``>=0`` otherwise; None where the integrand or
+    the order of the ends is not shown.
 
     Raises:
         NotShownError: the integrand is not shown to be continuous.
@@ -123,14 +126,12 @@ def sign_of_integral(node: Expr, bounds: tuple[Claim, ...], given: Conditions) -
     length = manifest_sign(high - low, given)
     if length not in NON_NEGATIVE:
         return None
-    # Without splitting sums first: that is dear, and seldom needed.
-    depths = (0, DEPTH)
-    shown = (manifest_sign(f, inside.conditions, depth) in NON_NEGATIVE for depth in depths)
-    if not is_stated(f, inside.conditions) and not any(shown):
+    shown = manifest_sign(f, inside.conditions, ">=") in NON_NEGATIVE
+    if not shown and not is_stated(f, inside.conditions):
         return None
     ends = (instantiate(node.args[0], (end,)) for end in (low, high))
-    positive = (manifest_sign(end, given, 0) == "+" for end in ends)
-    return "+" if length == "+" and any(positive) else ">=0"
+    positive = (manifest_sign(end, given) == "+" for end in ends)
+    return "+" if strict and length == "+" and any(positive) else ">=0"
 
 
 def need_smooth(
@@ -298,7 +299,7 @@ def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Re
     sides = [_integrals(side) for side in (before, after)]
     single = 0 if len(sides[0]) == 1 else 1
     whole, parts = _one_of(sides[single]), sides[1 - single]
-    inside = _inside(whole, reason.claims, given)
+    inside = _inside(whole, reason.claims, given, None, *parts)
     _need_continuous((inside.integrand,), inside.conditions)
     total, integrand = ZERO, ZERO
     for part in parts:

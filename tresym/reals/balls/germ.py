@@ -395,9 +395,7 @@ class Germs:
         if u.vanishes:
             body = self.constant(1)
         elif q.q == 1 and 0 < q <= LARGEST_PRODUCT:
-            body = self.constant(1)
-            for _ in range(int(q.p)):
-                body = body * (1 + u)
+            body = reduce(self.multiply, [1 + u] * int(q))
         else:
             body = self.exp(self.log1p(u) * q)
         return self._scaled(body, _root(c, q), int(v.p), tuple(p * q for p in f.exponent))
@@ -467,10 +465,8 @@ class Germs:
         if len(f.terms) < count and not f.rest.is_zero():
             raise UnresolvedError("a divergent part of an exponent is not known")
         terms = [*f.terms, *[ZERO] * (count - len(f.terms))]
-        small = self._made(1, (), terms[count:], f.rest)
-        grown = self._apply("exp", small)
-        exponent = tuple(reversed(terms[:count]))
-        return replace(grown, exponent=_sum(grown.exponent, exponent))
+        grown = self._apply("exp", self._made(1, (), terms[count:], f.rest))
+        return replace(grown, exponent=_sum(grown.exponent, tuple(reversed(terms[:count]))))
 
     def log(self, f: Germ) -> Germ:
         """Natural logarithm.

@@ -43,10 +43,7 @@ class Gradient:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Gradient:
-        if not isinstance(other, Gradient):
-            return Gradient(self.value - other, self.slopes)
-        pairs = zip(self.slopes, other.slopes, strict=True)
-        return Gradient(self.value - other.value, tuple(s - t for s, t in pairs))
+        return self + -other
 
     def __rsub__(self, other: Any) -> Gradient:
         return (-self) + other

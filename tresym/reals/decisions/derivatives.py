@@ -10,7 +10,8 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound, needs
-from tresym.reals.signs.sign import PROVING, sign
+from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.sign import sign
 
 
 def where_real(

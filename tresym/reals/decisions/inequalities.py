@@ -16,30 +16,25 @@ from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.identity import decide, sampled_values, shown
 from tresym.reals.decisions.region import is_isolated, search
-from tresym.reals.language.expression import PI, Expr, number, rebuild, substitute, symbol, symbols
+from tresym.reals.language.expression import PI, Expr, number, substitute, symbol, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.descent import low_points
-from tresym.reals.places.domain import bound, with_domain
+from tresym.reals.places.domain import with_domain
 from tresym.reals.places.points import corners
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.concave import sign_by_concavity
-from tresym.reals.signs.cones import sign_on_cones
-from tresym.reals.signs.equivalents import equivalents
-from tresym.reals.signs.homogeneous import sign_by_homogeneity
+from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
-from tresym.reals.signs.sign import PROVING, sign
-from tresym.reals.signs.taylor import sign_by_taylor
+from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
 LOOKS = ((128, 40), (700, 10))
 HALVINGS = 40
 MAX_PAIRS = 8
 MAX_STARTS = 24
-MAX_CASES = 3
 PERIODS = (2 * PI, number(2))
 
 
@@ -58,9 +53,9 @@ def decide_inequality(
     """
     if relation in ("<", "<="):
         mirrored = relation.replace("<", ">")
-        found = decide_inequality(right, mirrored, left, given, differentiated, by)
-        values = found.values and (found.values[1], found.values[0])
-        return replace(found, values=values)
+        answer = decide_inequality(right, mirrored, left, given, differentiated, by)
+        values = answer.values and (answer.values[1], answer.values[0])
+        return replace(answer, values=values)
     inside, whole = where_real(given, differentiated, by)
     names = sorted(symbols(left) | symbols(right) | inside.names)
     defined, refutation = _sampled(left, relation, right, inside, names)
@@ -76,10 +71,10 @@ def decide_inequality(
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
     region = with_domain(whole, left, right)
-    proof = _proved(left, relation, right, region)
-    partly = proof is not None and not is_regular(given)
-    if proof is not None and not partly:
-        return Answer(Verdict.PROVED, f"{proof}; both sides are defined at {shown(defined)}")
+    found = proof(left - right, relation, region)
+    partly = found is not None and not is_regular(given)
+    if found is not None and not partly:
+        return Answer(Verdict.PROVED, f"{found}; both sides are defined at {shown(defined)}")
     if relation == "!=":
         return _shown_under(given, _apart(left, right, region, inside, defined))
     starts = inside.points(names, MAX_STARTS)
@@ -88,10 +83,10 @@ def decide_inequality(
         if refutation is not None:
             return refutation
     period = _one_period(left - right, region, given)
-    found = _shown_under(given, search(left, right, relation == ">", period, inside))
-    if partly and found.verdict is Verdict.UNDECIDED:
-        return replace(found, why=ONLY_INSIDE)
-    return found
+    answer = _shown_under(given, search(left, right, relation == ">", period, inside))
+    if partly and answer.verdict is Verdict.UNDECIDED:
+        return replace(answer, why=ONLY_INSIDE)
+    return answer
 
 
 def _shown_under(given: Given, found: Answer) -> Answer:
@@ -114,69 +109,6 @@ def _one_period(difference: Expr, region: Given, given: Given) -> Given:
         if all(decide(substitute(e, shift), e).verdict is Verdict.PROVED for e in parts):
             return region & Given(((x, ">=", -period / 2), (x, "<=", period / 2)))
     return region
-
-
-def _proved(left: Expr, relation: str, right: Expr, region: Given, depth: int = 0) -> str | None:
-    """A sentence that proves ``left relation right``, absolute values taken apart by cases."""
-    proof = _directly(left - right, relation, region)
-    if proof is not None:
-        return proof
-    inner = _absolute(left - right)
-    if inner is None:
-        return _by_equivalents(left, relation, right, region)
-    if depth == MAX_CASES:
-        return None
-    for side in (inner, -inner):
-        case = region & Given((bound(side, ">="),))
-        sides = _without(left, inner, side), _without(right, inner, side)
-        if _proved(sides[0], relation, sides[1], case, depth + 1) is None:
-            return None
-    return f"by cases, in the sign of {inner}"
-
-
-def _by_equivalents(left: Expr, relation: str, right: Expr, region: Given) -> str | None:
-    """The proof of an inequality that is equivalent to this one."""
-    for difference, where, words in equivalents(left, relation, right, region):
-        proof = _directly(difference, relation, where)
-        if proof is not None:
-            return words + proof
-    return None
-
-
-def _directly(difference: Expr, relation: str, region: Given) -> str | None:
-    """A proof by the signs of the parts, by cones, or by Taylor's theorem."""
-    found = sign(difference, region)
-    if found in PROVING[relation]:
-        return f"the difference {_words(found)} by the signs of its parts"
-    proof = sign_on_cones(difference, relation, region)
-    if proof is not None:
-        return proof
-    proof = sign_by_homogeneity(difference, relation, region)
-    if proof is not None:
-        return proof
-    proof = sign_by_concavity(difference, relation, region)
-    if proof is not None:
-        return proof
-    proof = sign_by_taylor(difference, relation, region)
-    return None if proof is None else f"Taylor's theorem: {proof}"
-
-
-def _absolute(e: Expr) -> Expr | None:
-    """The argument of an absolute value in ``e`` that has none within, if there is one."""
-    for arg in e.args if e.op not in ("number", "symbol", "pi") else ():
-        found = _absolute(arg)
-        if found is not None:
-            return found
-    return e.args[0] if e.op == "abs" else None
-
-
-def _without(e: Expr, inner: Expr, side: Expr) -> Expr:
-    """``e`` with ``abs(inner)`` replaced by ``side``."""
-    if e.op in ("number", "symbol", "pi"):
-        return e
-    if e.op == "abs" and e.args[0] == inner:
-        return side
-    return rebuild(e, tuple(_without(arg, inner, side) for arg in e.args))
 
 
 def _sampled(
@@ -298,8 +230,3 @@ def _zero_between(
     }
     why = "the difference is continuous there and changes its sign, so it vanishes between"
     return Answer(Verdict.REFUTED, why, witness=witness)
-
-
-def _words(found: str | None) -> str:
-    words = {"+": "is positive", "-": "is negative", "0": "has normal form 0"}
-    return words.get(found or "", "is nowhere negative")

@@ -24,6 +24,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.latex_cursor import (
     BRACKETS,
+    CLOSED,
     DIFFERENTIALS,
     FRACTIONS,
     INSTEAD,
@@ -219,13 +220,6 @@ class Reader(Cursor):
         self.take("}")
         return Piece(at(e, {name: value}))
 
-    def group(self) -> Piece:
-        """What stands in braces."""
-        self.take("{")
-        piece = self.sum()
-        self.take("}")
-        return piece
-
     def base(self) -> Piece:
         """A bracket, a command with its arguments, a number or a name."""
         token = self.peek()
@@ -264,12 +258,12 @@ class Reader(Cursor):
         self.refuse(INSTEAD.get(token, "this is not read"))
 
     def enclosed(self) -> Piece:
-        """What stands in a bracket."""
+        """What stands in a bracket, or in braces."""
         opening = self.take()
         piece = self.sum()
-        if self.take() != BRACKETS[opening]:
-            self.at -= 1
+        if self.peek() not in ("", CLOSED[OPENING.index(opening)]):
             self.refuse(f"the bracket {opening} is not closed")
+        self.take()
         return piece
 
     def bracket(self) -> Piece:
@@ -289,11 +283,11 @@ class Reader(Cursor):
 
     def absolute(self) -> Piece:
         """An absolute value."""
-        self.at += 1
+        self.take()
         piece = self.sum()
-        if self.take() not in ("|", "\\right|"):
-            self.at -= 1
+        if self.peek() not in ("", "|", "\\right|"):
             self.refuse("the bar | is not closed")
+        self.take()
         return Piece(abs(piece.tree))
 
     def barred(self) -> Piece:
@@ -333,7 +327,7 @@ class Reader(Cursor):
     def argument_group(self) -> Piece:
         """The argument of a command, an exponent: a group, or one token."""
         if self.peek() == "{":
-            return self.group()
+            return self.enclosed()
         if is_number(self.peek()) and len(self.peek()) > 1:
             # x^12 is x¹·2 in TeX.
             self.refuse("of several digits TeX takes one: what belongs together needs braces")
@@ -344,7 +338,7 @@ class Reader(Cursor):
     def braces(self) -> Piece:
         """A factor in braces, which do not print and so must not be needed."""
         before, start = self.tokens[self.at - 1] if self.at else "", self.at
-        piece = self.group()
+        piece = self.enclosed()
         slashed = "/" in self.tokens[start : self.at]
         opened = before in ("", "+", "\\left|", *OPENING, *RELATIONS, *STOPS)
         closed = not self.continues() and self.peek() != "^"
@@ -413,12 +407,14 @@ class Reader(Cursor):
 
     def differentiated(self, kind: str, name: str, times: int = 1) -> Piece:
         """What follows ``d/dx``, differentiated."""
+        return self.followed(name, lambda e: self.slope(e, kind, name, times))
+
+    def followed(self, name: str, applied: Callable[[Piece], Piece]) -> Piece:
+        """``applied`` to the product that follows; what does not know the variable may be left."""
         bracket = self.peek() in (*BRACKETS, "{")
+        rule = after_derivative_of_bracket if bracket else after_derivative
         return self.operand(
-            lambda e: self.slope(e, kind, name, times),
-            self.factor(),
-            after_derivative_of_bracket if bracket else after_derivative,
-            lambda e: name in e.names or _has_derivative(e),
+            applied, self.factor(), rule, lambda e: name in e.names or _has_derivative(e)
         )
 
     def limit(self) -> Piece:
@@ -431,20 +427,14 @@ class Reader(Cursor):
             self.refuse("a limit is written \\lim_{x \\to 0},")
         point, side = self.point()
         self.take("}")
-        bracket = self.peek() in (*BRACKETS, "{")
-        return self.operand(
-            lambda e: Piece(limit(e.tree, name, point, side)),
-            self.factor(),
-            after_derivative_of_bracket if bracket else after_derivative,
-            lambda e: name in e.names,
-        )
+        return self.followed(name, lambda e: Piece(limit(e.tree, name, point, side)))
 
     def point(self) -> tuple[Expr, int]:
         """Where a path ends, and the side it comes from: ``0``, ``0^+``, ``\\pi^{-}``, ``0+``."""
         found = self.sum().tree
-        side = next((s for s in self.sides() if s in ("+", "-")), "")
-        self.at += len(self.sides())
-        return found, {"+": 1, "-": -1}.get(side, 0)
+        side = self.sides()
+        self.at += len(side)
+        return found, ("+" in side) - ("-" in side)
 
     # functions
 
@@ -504,7 +494,7 @@ class Reader(Cursor):
             self.tokens[start : self.at],
             self.tokens[self.at + 1 : self.partner(self.at)],
         )
-        inner = self.group()
+        inner = self.enclosed()
         if inside[0] in ("+", "-"):
             if inner.strength == 0 and not self.author:
                 self.refuse("braces do not print: write brackets around what stands in them,")

@@ -68,8 +68,9 @@ _RECIPROCALS = {
     "acoth": "atanh",
 }
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
-_KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
-_KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
+KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
+KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
+"""The names of functions."""
 INFINITY = symbol("oo")
 """No number, and read only where a path or an interval ends."""
 
@@ -128,7 +129,7 @@ def tree(source: str) -> ast.expr:
             warnings.simplefilter("ignore", DeprecationWarning)
             return ast.parse(source, mode="eval").body
     except SyntaxError:
-        advice = hint(source, _KNOWN)
+        advice = hint(source, KNOWN)
         raise InputError(f"{_quoted(source)} is not an expression{advice}") from None
     except (RecursionError, MemoryError, ValueError):
         raise InputError("the expression is nested too deeply or a number is too long") from None
@@ -163,7 +164,7 @@ class _Reader:
             case ast.Name(id=name):
                 if name in _NOT_REAL:
                     raise InputError(f"{name} is no real number or variable, and all here are real")
-                if name in _KNOWN:
+                if name in KNOWN:
                     raise InputError(about_name(name))
                 if name.startswith("__"):
                     raise InputError(f"{name} cannot be the name of a variable")
@@ -258,7 +259,7 @@ class _Reader:
 
     def _refuse(self, node: ast.expr) -> InputError:
         text = self._segment(node)
-        advice = hint(text, _KNOWN)
+        advice = hint(text, KNOWN)
         if isinstance(node, ast.Call):
             advice = " (write * between factors)"
         elif isinstance(node, ast.Tuple):
@@ -282,8 +283,8 @@ def call(name: str, values: list[Expr]) -> Expr:
         return apply("log", values[0]) / apply("log", values[1])
     if name in _FOLDED and len(values) > 1:
         return extreme(_FOLDED[name], values)
-    if name not in _KNOWN:
-        raise InputError(f"unknown function {name}: {about_function(name, _KNOWN)}")
+    if name not in KNOWN:
+        raise InputError(f"unknown function {name}: {about_function(name, KNOWN)}")
     if len(values) != 1:
         raise InputError(f"{name} takes one argument, {len(values)} given")
     if name == "sqrt":

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from flint import fmpq, fmpz
 
-from tresym.reals.language.binders import at, derivative, integral, limit, order
+from tresym.reals.language.binders import (
+    at,
+    derivative,
+    integral,
+    limit,
+    order,
+    outermost,
+    worked_out,
+)
 from tresym.reals.language.expression import (
-    FUNCTIONS,
     MAX_DERIVATIVES,
     ORDERS,
     PI,
@@ -18,10 +25,6 @@ from tresym.reals.language.expression import (
     E,
     Expr,
     add,
-    angle,
-    apply,
-    differentiate,
-    extreme,
     multiply,
     number,
     opened,
@@ -29,21 +32,22 @@ from tresym.reals.language.expression import (
     symbol,
 )
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
+from tresym.reals.language.parsing import KNOWN, call
 from tresym.reals.numbers.exact import InputError
 
 
-def from_sympy(e: Any, as_derivative: Callable[[Any, Any], Expr] | None = None) -> Expr:
-    """A SymPy expression of real symbols as a tree.
+def from_sympy(e: Any) -> Expr:
+    """A SymPy expression of real symbols as a tree, its derivatives carried out.
 
-    Args:
-        e: the expression.
-        as_derivative: what to make of a derivative and the function that reads its parts; without
-            it derivatives are carried out.
+    They are formal, made by :func:`differentiate`: SymPy's ask whether symbols are real.
 
     Raises:
-        InputError: floats, complex numbers, and functions outside :data:`FUNCTIONS`.
+        InputError: floats, complex numbers, and what the trees of this project do not compute.
     """
-    return _read(e, {"Derivative": as_derivative or _from_sympy_derivative})
+    tree = worked_out(unworked(e))
+    for node in outermost(tree):
+        raise InputError(f"{node.op} is outside the expressions that tresym decides")
+    return tree
 
 
 def unworked(e: Any) -> Expr:
@@ -53,7 +57,19 @@ def unworked(e: Any) -> Expr:
         InputError: as there; integrals without ends, and values of what does not speak of the
             point, such as a symbol that stands for a function.
     """
-    return _read(e, _UNWORKED)
+    import sympy
+
+    done: dict[Any, Expr] = {}
+
+    def walk(node: Any) -> Expr:
+        if node not in done:
+            known = _UNWORKED.get(type(node).__name__)
+            done[node] = known(node, walk) if known else _from_sympy_node(sympy, node, walk)
+        return done[node]
+
+    if isinstance(e, str):
+        raise InputError("text is read by parse, never as a SymPy expression")
+    return walk(sympy.sympify(e))
 
 
 def formula(e: Any) -> Formula:
@@ -93,36 +109,11 @@ RELATIONS = {
 """SymPy's names of relations."""
 
 
-def _read(e: Any, special: Mapping[str, Callable[[Any, Any], Expr]]) -> Expr:
-    """A SymPy expression as a tree, parts of the classes ``special`` by functions of their own."""
-    import sympy
-
-    done: dict[Any, Expr] = {}
-
-    def walk(node: Any) -> Expr:
-        if node not in done:
-            known = special.get(type(node).__name__)
-            done[node] = known(node, walk) if known else _from_sympy_node(sympy, node, walk)
-        return done[node]
-
-    if isinstance(e, str):
-        raise InputError("text is read by parse, never as a SymPy expression")
-    return walk(sympy.sympify(e))
-
-
 def atoms(e: Any, kind: str) -> list[Any]:
     """The parts of a SymPy expression of a class of SymPy's, in the order of their text."""
     import sympy
 
     return sorted(e.atoms(getattr(sympy, kind)), key=str)
-
-
-_SYMPY_NAMES = {"Abs": "abs"} | {name: name for name in FUNCTIONS - {"abs", "cbrt"}}
-_SYMPY_RECIPROCALS = {"asec": "acos", "acsc": "asin", "acot": "atan"} | {
-    "asech": "acosh",
-    "acsch": "asinh",
-    "acoth": "atanh",
-}
 
 
 def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
@@ -143,29 +134,11 @@ def _from_sympy_node(sympy: Any, node: Any, walk: Any) -> Expr:
     name = type(node).__name__
     if isinstance(node, sympy.core.function.AppliedUndef):
         raise InputError(f"{name} is an unknown function to SymPy, whatever its name")
-    if name in _SYMPY_NAMES and len(node.args) == 1:
-        return apply(_SYMPY_NAMES[name], walk(node.args[0]))
-    if name in _SYMPY_RECIPROCALS:
-        return apply(_SYMPY_RECIPROCALS[name], 1 / walk(node.args[0]))
-    if name == "atan2":
-        return angle(*map(walk, node.args))
-    if name in ("Max", "Min"):
-        return extreme(1 if name == "Max" else -1, map(walk, node.args))
+    if name in KNOWN:
+        return call(name, [walk(arg) for arg in node.args])
     if node is sympy.I:
         raise InputError("I is no real number or variable, and all here are real")
     raise InputError(f"{name} is outside the expressions that tresym decides")
-
-
-def _from_sympy_derivative(node: Any, walk: Any) -> Expr:
-    """The formal derivative, made by :func:`differentiate`: SymPy's asks whether symbols are real.
-
-    Raises:
-        InputError: derivatives beyond the tenth, or with respect to something else than a symbol.
-    """
-    result = walk(node.expr)
-    for name in _variables(node):
-        result = differentiate(result, name)
-    return result
 
 
 def _variables(node: Any) -> Iterator[str]:

@@ -1,7 +1,6 @@
 """Canonical factors of polynomials in the generators, and what is known of their signs.
 
-A factor that a root makes ambiguous is replaced by its norm and its conjugate; a nested square root
-is written by simpler ones where its norm is a square. A sign of a factor is a generator σ with
+What denested.py proposes for a factor is multiplied out. A sign of a factor is a generator σ with
 σ² = 1 unless it is known.
 """
 
@@ -11,6 +10,7 @@ from typing import Any
 
 from flint import fmpq, fmpz
 
+from tresym.reals.normal.denested import canonical
 from tresym.reals.normal.monotone import same_sign
 from tresym.reals.normal.ranges import MAX_DEPTH
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, small_factor
@@ -18,7 +18,6 @@ from tresym.reals.normal.sign_equations import SignedRing
 from tresym.reals.numbers.factoring import TooLargeError, primes_of
 
 MAX_PRIME_BITS = 160
-CONJUGATE_TERMS = 10
 MAX_FACTOR_TERMS = 1000
 
 Factors = dict[str, tuple[Poly, fmpq]]
@@ -60,91 +59,29 @@ class FactoredRing(SignedRing):
             if factor.leading_coefficient() < 0:
                 factor = -factor
                 unit = unit if exponent % 2 == 0 else -unit
-            scale, parts = self._canonical(factor)
+            scale, parts = canonical(self, factor)
+            if not self._multiplies(factor, scale, parts):
+                scale, parts = fmpz(1), [(factor, 1)]
             unit *= scale**exponent
             for part, k in parts:
                 name = str(part)
                 merged[name] = (part, merged.get(name, (part, 0))[1] + k * exponent)
         return unit, [item for item in merged.values() if item[1]]
 
-    def _canonical(self, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
-        """An irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous."""
-        if len(f) == 1 or len(f) > CONJUGATE_TERMS or self.is_inverse(f):
-            return fmpz(1), [(f, 1)]
-        denested = self._denested(f)
-        if denested is not None:
-            return denested
-        for position, degree, _ in self.relations:
-            if degree != 2 or f.degrees()[position] != 1 or self.at(position).kind != "root":
-                continue
-            parts = self.split(f, position)
-            if len(parts) != 2:
-                continue
-            x = self.variables[position]
-            base = self.at(position).data[0]
-            if parts[0].gcd(base) == base:
-                square = self.reduce(x * x)
-                sign = square // base
-                rest = (parts[0] // base) * sign * x + parts[1]
-                unit, inner = self.factor(rest)
-                return unit, [(x, 1), *inner]
-            if parts[0].leading_coefficient() * parts[1].leading_coefficient() > 0:
-                continue
-            conjugate = parts[0] - parts[1] * x
-            norm = self.reduce(f * conjugate)
-            if norm.is_zero() or self.is_mixed(norm) or norm.gcd(conjugate) != self.one_poly:
-                continue
-            unit, inner = self.factor(norm)
-            if conjugate.leading_coefficient() < 0:
-                conjugate, unit = -conjugate, -unit
-            return unit, [*inner, (conjugate, -1)]
-        return fmpz(1), [(f, 1)]
+    def _multiplies(self, f: Poly, unit: fmpz, parts: list[tuple[Poly, int]]) -> bool:
+        """Whether these are factors of ``f`` at almost all points, none of them being 0 there."""
+        if parts == [(f, 1)]:
+            return bool(unit == 1)
+        top, bottom = self.context.constant(unit), f
+        for part, k in parts:
+            top, bottom = (top * part**k, bottom) if k > 0 else (top, bottom * part**-k)
+            if k < 0 and self.is_mixed(part) and self.is_mixed(self.reduce(part * f)):
+                return False
+        return bool(self.reduce(top - bottom).is_zero())
 
     def _settle(self, key: str) -> None:
         super()._settle(key)
         self._factored.clear()
-
-    def _denested(self, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]] | None:
-        """``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` where its norm ``p² − q²A²`` is ``n²``."""
-        for position, degree, _ in self.relations:
-            if (
-                degree % 2
-                or self.at(position).kind != "root"
-                or f.degrees()[position] < degree // 2
-            ):
-                continue
-            parts = self.split(f, position)
-            if set(parts) != {0, degree // 2}:
-                continue
-            p, surd = parts[0], parts[degree // 2] * self.variables[position] ** (degree // 2)
-            n = self._square_root(self.reduce(p**2 - surd**2))
-            if n is None or (p + n).is_zero() or (p - n).is_zero():
-                continue
-            half = min((p + n, p - n), key=lambda s: (s.total_degree(), len(s), str(s)))
-            if self.is_mixed(half):
-                continue
-            unit, factors = self.factor(half + surd)
-            below, others = self.factor(half)
-            number = fmpq(unit**2, 2 * abs(below))
-            primes = [(self.context.constant(prime), k) for prime, k in self._primes(number.p)]
-            primes += [(self.context.constant(prime), -k) for prime, k in self._primes(number.q)]
-            squares = [(part, 2 * k) for part, k in factors]
-            inverse = [(part, -k) for part, k in others]
-            return fmpz(1 if below > 0 else -1), [*primes, *squares, *inverse]
-        return None
-
-    def _square_root(self, p: Poly) -> Poly | None:
-        """A polynomial whose square is ``p``, or None."""
-        if p.is_zero() or len(p) > CONJUGATE_TERMS:
-            return None
-        constant = p.is_constant()
-        unit, parts = (p.leading_coefficient(), []) if constant else small_factor(self, p)
-        if unit < 0 or not unit.is_square() or any(k % 2 for _, k in parts):
-            return None
-        result = self.context.constant(unit.isqrt())
-        for part, k in parts:
-            result = result * part ** (k // 2)
-        return result if result**2 == p else None
 
     def factors(self, x: Fraction) -> tuple[int, Factors]:
         """``x`` as a sign times powers of canonical factors, primes among them.
@@ -159,7 +96,7 @@ class FactoredRing(SignedRing):
         for p, side in ((x.num, 1), (x.den, -1)):
             unit, parts = self.factor(p)
             sign = sign if unit > 0 else -sign
-            for prime, k in self._primes(abs(unit)):
+            for prime, k in self.primes(abs(unit)):
                 parts = [*parts, (self.context.constant(prime), k)]
             for part, k in parts:
                 key = str(part)
@@ -168,7 +105,8 @@ class FactoredRing(SignedRing):
         return sign, {key: value for key, value in result.items() if value[1] != 0}
 
     @staticmethod
-    def _primes(n: fmpz) -> list[tuple[fmpz, int]]:
+    def primes(n: fmpz) -> list[tuple[fmpz, int]]:
+        """The prime factors of ``n`` > 0, which is left whole where it is long."""
         if n == 1:
             return []
         if n.bit_length() > MAX_PRIME_BITS:

@@ -34,10 +34,8 @@ from flint import Ordering, arb, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 from tresym.reals.language.expression import (
     PI,
     Expr,
-    apply,
     differentiate,
     number,
-    sqrt,
     substitute,
     symbols,
 )
@@ -50,6 +48,7 @@ from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import sample_points
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import singularities
 from tresym.reals.places.values import evaluate
 
 MAX_POINTS = 400
@@ -171,40 +170,6 @@ def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fm
             if value.contains(0) or not value.is_finite():
                 return None
     return low, high
-
-
-def singularities(e: Expr) -> Iterator[tuple[Expr, bool]]:
-    """Expressions off whose zeros ``e`` is analytic; True where they must be positive."""
-    seen: set[Expr] = set()
-    stack = [e]
-    while stack:
-        node = stack.pop()
-        if node in seen or node.op in ("number", "symbol", "pi"):
-            continue
-        seen.add(node)
-        stack.extend(node.args)
-        x = node.args[0]
-        if node.op == "^":
-            exponent = node.args[1]
-            if exponent.op != "number" or exponent.args[0].q != 1:
-                yield x, True
-            elif exponent.args[0] < 0:
-                yield x, False
-        elif node.op == "log":
-            yield x, True
-        elif node.op in ("abs", "sign", "cbrt", "coth", "csch"):
-            yield x, False
-        elif node.op in ("tan", "sec"):
-            yield apply("cos", x), False
-        elif node.op in ("cot", "csc"):
-            yield apply("sin", x), False
-        elif node.op in ("asin", "acos", "atanh"):
-            yield 1 - x, True
-            yield 1 + x, True
-        elif node.op == "acosh":
-            yield x - 1, True
-        elif node.op == "atan2":
-            yield sqrt(node.args[1] ** 2 + x**2) + node.args[1], False
 
 
 def _walls(

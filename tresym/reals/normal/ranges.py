@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from flint import arb, fmpq, fmpz
 
 from tresym.reals.normal.generators import SIGN_BITS, ValuedRing
+from tresym.reals.normal.moebius import on_orthant
 from tresym.reals.normal.ring import Fraction, Generator, Poly, small_factor
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
@@ -276,7 +277,7 @@ class ProvingRing(ValuedRing):
             if low is None and high is None:
                 free.append(position)
                 continue
-            p = self._mapped(p, position, low, high)
+            p = on_orthant(p, position, low, high)
             if not 0 < len(p) <= 4 * MAX_SIGN_TERMS:  # none: the range is a point where it is 0
                 return 0
         signs = {value > 0 for value in p.coeffs()}
@@ -296,26 +297,6 @@ class ProvingRing(ValuedRing):
         result = self.zero_poly
         for k, part in parts.items():
             result = result + part * (pi * tau) ** k * 2 ** (degree - k)
-        return result
-
-    def _mapped(self, p: Poly, position: int, low: fmpq | None, high: fmpq | None) -> Poly:
-        """``p`` times a positive factor, the generator's range (low, high) mapped to (0, ∞)."""
-        u = self.variables[position]
-        one = self.one_poly
-        if low is not None and high is not None:
-            scale = low.q * high.q
-            top = self.context.constant((low * scale).p) + u * (high * scale).p
-            bottom = (one + u) * scale
-        elif low is not None:
-            top, bottom = self.context.constant(low.p) + u * low.q, self.context.constant(low.q)
-        else:
-            assert high is not None
-            top, bottom = self.context.constant(high.p) - u * high.q, self.context.constant(high.q)
-        parts = self.split(p, position)
-        degree = max(parts)
-        result = self.zero_poly
-        for k, part in parts.items():
-            result = result + part * top**k * bottom ** (degree - k)
         return result
 
     def _by_facts(self, p: Poly, depth: int) -> int:

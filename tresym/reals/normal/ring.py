@@ -328,11 +328,15 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
     FLINT's time grows with the number of variables of the ring, used or not.
     """
     used = ring.used(p)
-    context, _ = _polynomials(len(used))
-    small = p.project_to_context(context, dict(zip(used, range(len(used)), strict=True)))
-    unit, factors = factors_of(small)
+    unit, factors = factors_of(project(p, used))
     back = dict(enumerate(used))
     return unit, [(f.project_to_context(ring.context, back), k) for f, k in factors]
+
+
+def project(p: Poly, used: list[int]) -> Poly:
+    """``p`` in a ring of the variables that occur in it."""
+    context, _ = _polynomials(len(used))
+    return p.project_to_context(context, dict(zip(used, range(len(used)), strict=True)))
 
 
 @cache

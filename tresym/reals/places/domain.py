@@ -1,8 +1,12 @@
-"""Where an expression is defined, as conditions that its points satisfy."""
+"""Where an expression is defined, and where it is analytic: the one table, as conditions.
+
+Only the advocate and the walkers of balls know it once more: the first shares nothing with the
+provers, the others find by a ball that has no value that a point may be outside.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from tresym.reals.language.expression import (
     ZERO,
@@ -10,6 +14,7 @@ from tresym.reals.language.expression import (
     apply,
     differentiate,
     number,
+    sqrt,
     substitute,
     symbol,
     symbols,
@@ -30,7 +35,22 @@ def with_domain(given: Given, *expressions: Expr) -> Given:
 
 def needs(expressions: Iterable[Expr]) -> list[tuple[Expr, str]]:
     """What is ``>``, ``>=`` or ``!=`` zero wherever all of ``expressions`` are defined."""
-    found: dict[tuple[Expr, str], None] = {}
+    return list(dict.fromkeys(part for node in _operations(expressions) for part in needs_of(node)))
+
+
+def denominators(e: Expr) -> list[Expr]:
+    """What must not vanish for ``e`` to be defined."""
+    return [part for part, relation in needs((e,)) if relation != ">="]
+
+
+def singularities(e: Expr) -> list[tuple[Expr, bool]]:
+    """Expressions off whose zeros ``e`` is analytic; True where they must be positive."""
+    parts = dict.fromkeys(part for node in _operations((e,)) for part in analytic_of(node))
+    return [(part, relation == ">") for part, relation in parts]
+
+
+def _operations(expressions: Iterable[Expr]) -> Iterator[Expr]:
+    """Every operation in the expressions, once."""
     seen: set[Expr] = set()
     stack = list(expressions)
     while stack:
@@ -39,38 +59,48 @@ def needs(expressions: Iterable[Expr]) -> list[tuple[Expr, str]]:
             continue
         seen.add(node)
         stack.extend(node.args)
-        found |= dict.fromkeys(_needs(node))
-    return list(found)
+        yield node
 
 
-def _needs(node: Expr) -> list[tuple[Expr, str]]:
-    """Expressions that are ``>``, ``>=`` or ``!=`` zero where the node itself is defined."""
+def needs_of(node: Expr) -> list[tuple[Expr, str]]:
+    """Expressions that are ``>``, ``>=`` or ``!=`` zero just where the operation is defined."""
     x = node.args[0]
-    if node.op == "^":
-        exponent = node.args[1]
-        if exponent.op != "number":
+    match node.op:
+        case "^":
+            exponent = node.args[1]
+            if exponent.op != "number":
+                return [(x, ">")]
+            r = exponent.args[0]
+            if r.q != 1:
+                return [(x, ">" if r < 0 else ">=")]
+            return [(x, "!=")] if r < 0 else []
+        case "log":
             return [(x, ">")]
-        r = exponent.args[0]
-        if r.q != 1:
-            return [(x, ">" if r < 0 else ">=")]
-        return [(x, "!=")] if r < 0 else []
-    if node.op == "log":
-        return [(x, ">")]
-    if node.op in ("coth", "csch"):
-        return [(x, "!=")]
-    if node.op in ("tan", "sec"):
-        return [(apply("cos", x), "!=")]
-    if node.op in ("cot", "csc"):
-        return [(apply("sin", x), "!=")]
-    if node.op in ("asin", "acos"):
-        return [(1 - x, ">="), (1 + x, ">=")]
-    if node.op == "atanh":
-        return [(1 - x, ">"), (1 + x, ">")]
-    if node.op == "acosh":
-        return [(x - 1, ">=")]
-    if node.op == "atan2":
-        return [(x**2 + node.args[1] ** 2, ">")]
+        case "coth" | "csch":
+            return [(x, "!=")]
+        case "tan" | "sec":
+            return [(apply("cos", x), "!=")]
+        case "cot" | "csc":
+            return [(apply("sin", x), "!=")]
+        case "asin" | "acos":
+            return [(1 - x, ">="), (1 + x, ">=")]
+        case "atanh":
+            return [(1 - x, ">"), (1 + x, ">")]
+        case "acosh":
+            return [(x - 1, ">=")]
+        case "atan2":
+            return [(x**2 + node.args[1] ** 2, ">")]
     return []
+
+
+def analytic_of(node: Expr) -> list[tuple[Expr, str]]:
+    """The same for where it is analytic: ``>`` or ``!=`` zero."""
+    x = node.args[0]
+    if node.op in ("abs", "sign", "cbrt"):
+        return [(x, "!=")]
+    if node.op == "atan2":  # zero on the half line where it jumps
+        return [(sqrt(node.args[1] ** 2 + x**2) + node.args[1], "!=")]
+    return [(part, relation.replace(">=", ">")) for part, relation in needs_of(node)]
 
 
 def bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:

@@ -25,6 +25,8 @@ class Walker:
     Sums and products are those of the values; an arithmetic may have its own way with the rest.
     """
 
+    _number: Any = arb
+
     def __init__(self, m: Any, at: Mapping[str, Any], known: dict[Expr, Any] | None = None) -> None:
         """What is ``known`` of parts is used and added to."""
         self.m, self.at = m, at
@@ -34,7 +36,7 @@ class Walker:
         """The value of ``e``."""
         found = self.known.get(e)
         if found is None:
-            found = self.known[e] = self._shown(self._computed(e))
+            found = self.known[e] = self._computed(e)
         return found
 
     def _computed(self, e: Expr) -> Any:
@@ -51,12 +53,6 @@ class Walker:
         if op in ("+", "*"):
             return reduce(add if op == "+" else mul, values)
         return self._apply(op, *values)
-
-    def _shown(self, value: Any) -> Any:
-        return value
-
-    def _number(self, x: Any) -> Any:
-        return arb(x)
 
     def _power(self, base: Expr, exponent: Expr) -> Any:
         return self.value(base) ** self.value(exponent)
@@ -156,10 +152,15 @@ _OWN: dict[str, Callable[..., arb]] = {
 class _InBalls(Walker):
     """Values in balls, of which every one is finite."""
 
-    def _shown(self, value: arb) -> arb:
-        if not value.is_finite():
-            raise _UndefinedError
-        return value
+    def value(self, e: Expr) -> arb:
+        """The value of ``e``."""
+        found = self.known.get(e)
+        if found is None:
+            found = self._computed(e)
+            if not found.is_finite():
+                raise _UndefinedError
+            self.known[e] = found
+        return found
 
     def _apply(self, name: str, *values: arb) -> arb:
         return _OWN[name](*values) if name in _OWN else getattr(values[0], name)()

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from tresym.reals.language.expression import Expr, differentiate, substitute, symbol, symbols
-from tresym.reals.normal.locally_constant import singularities
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import singularities
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.inside import Ask
+from tresym.reals.signs.inside import sign_inside as sign
 
 _MIRRORED = {">": "<", ">=": "<=", "<": ">", "<=": ">="}
 _BITS = 128
 
 
-def sign_by_concavity(difference: Expr, relation: str, region: Given) -> str | None:
-    """A sentence that proves ``difference relation 0``, or None.
+def sign_by_concavity(
+    difference: Expr, relation: str, region: Given, ask: Ask | None = None
+) -> str | None:
+    """Concavity: the difference is concave between two ends at which it is not negative.
 
-    Args:
-        relation: ``">"``, ``">="`` or ``"!="``.
-        region: conditions that hold wherever the claim speaks.
+    Decides ``sin(x) >= 2*x/pi given 0 <= x <= pi/2``. Ends at one variable between two
+    constants, and where the sign of the second derivative is not seen.
     """
     names = symbols(difference)
     if len(names) != 1:

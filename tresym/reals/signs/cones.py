@@ -18,23 +18,34 @@ from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.field import Field
+from tresym.reals.normal.moebius import on_orthant
 from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range
-from tresym.reals.signs.sign import without_powers
+from tresym.reals.signs.inside import Ask, without_powers
 
 MAX_VARIABLES = 4
 MAX_CONES = 600
 MAX_CHARTS = 16
 
 
-def sign_on_cones(difference: Expr, relation: str, region: Given) -> str | None:
-    """A sentence that proves ``difference relation 0`` on ``region``, or None.
+def sign_on_cones(
+    difference: Expr, relation: str, region: Given, ask: Ask | None = None
+) -> str | None:
+    """Cones: the coefficients of a polynomial have one sign on every cone of a cover of the region.
+
+    On a cone the variables, or roots and exponentials of them, come in a fixed order. Equality at
+    points of rational ratio, such as ``a = b = c``, is no hindrance.
+
+    Decides ``a/(b + c) + b/(a + c) + c/(a + b) >= 3/2 given a > 0, b > 0, c > 0``. Ends at
+    more than four variables, and at equality elsewhere.
 
     Args:
+        difference: what is compared with zero.
         relation: ``">"``, ``">="`` or ``"!="``.
         region: conditions that hold wherever the claim speaks, strictly at one point at least.
+        ask: the prover of smaller questions, which is not needed.
     """
     strict = relation != ">="
     try:
@@ -177,26 +188,9 @@ def _moved(
     p: Poly, used: list[int], chart: tuple[Side, ...], context: fmpz_mpoly_ctx
 ) -> fmpz_mpoly:
     """``p`` times a positive factor, in coordinates that range over [0, ∞)."""
-    one = context.constant(1)
     result = context.from_dict({(*(int(m[i]) for i in used), 0): c for m, c in p.terms()})
     for i, (low, high, _) in enumerate(chart):
-        u = context.gens()[i]
-        if low is not None and high is not None:
-            scale = low.q * high.q
-            top, bottom = one * (low * scale).p + u * (high * scale).p, (one + u) * scale
-        elif low is not None:
-            top, bottom = one * low.p + u * low.q, one * low.q
-        else:
-            assert high is not None
-            top, bottom = one * high.p - u * high.q, one * high.q
-        parts: dict[int, dict[tuple[int, ...], fmpz]] = {}
-        for monomial, value in result.terms():
-            rest = (*monomial[:i], 0, *monomial[i + 1 :])
-            parts.setdefault(int(monomial[i]), {})[rest] = value
-        degree = max(parts, default=0)
-        result = context.constant(0)
-        for k, part in parts.items():
-            result = result + context.from_dict(part) * top**k * bottom ** (degree - k)
+        result = on_orthant(result, i, low, high)
     return result
 
 

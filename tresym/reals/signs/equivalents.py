@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import reduce
 from math import gcd
 
+from tresym.reals.language.cancellation import scaled
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -26,45 +27,80 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.cones import open_factors
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.inside import Ask
+from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_EXPONENT = 100
 _FLIP = {">": "<", ">=": "<=", "<": ">", "<=": ">=", "!=": "!="}
 
 
+def by_equivalents(difference: Expr, relation: str, given: Given, ask: Ask) -> str | None:
+    """Equivalents: an inequality that implies this one is proved by the methods before.
+
+    Factors of known sign are divided out, ``x**2`` is made the variable, logarithms or
+    exponentials are taken of both sides.
+
+    Decides ``x**x >= exp(-1/E) given x > 0``. Ends after one such step, or two with a power
+    for the variable.
+    """
+    for other, where, words in equivalents(difference, relation, given):
+        found = ask(other, relation, where)
+        if found is not None:
+            return words + found
+    return None
+
+
 def equivalents(
-    left: Expr, relation: str, right: Expr, region: Given
+    difference: Expr, relation: str, region: Given
 ) -> Iterator[tuple[Expr, Given, str]]:
-    """Differences whose ``relation`` to zero on their regions implies that of ``left − right``.
+    """Differences whose ``relation`` to zero on their regions implies that of this one.
 
     Each with words that say what was done.
     """
-    found: list[tuple[Expr | None, str]] = [(left - right, "")]
-    found.append((_logarithms(left, right, region), "of the logarithms of both sides, "))
-    found.append((_exponentials(left - right), "of the exponentials of both sides, "))
+    found: list[tuple[Expr | None, str]] = [(difference, "")]
+    words = "of the logarithms of both sides, "
+    found += [(_logarithms(*sides, region), words) for sides in _sides(difference)]
+    found.append((_exponentials(difference), "of the exponentials of both sides, "))
     if relation == ">=":
         found += [
             (_cleared(e, region), f"{words}cleared of factors of known sign, ")
             for e, words in found
             if e is not None
         ]
-    for difference, words in found:
-        if difference is None:
+    for other, words in found:
+        if other is None:
             continue
         if words:
-            yield difference, region, words
-        for name in sorted(symbols(difference)):
-            evened = _in_powers(difference, name, region)
+            yield other, region, words
+        for name in sorted(symbols(other)):
+            evened = _in_powers(other, name, region)
             if evened is not None:
                 yield *evened[:2], f"{words}{name} written for {name}**{evened[2]}, "
 
 
+def _sides(difference: Expr) -> Iterator[tuple[Expr, Expr]]:
+    """Two sides with this difference: one term, in which an exponential grows, and the rest."""
+    terms = difference.args if difference.op == "+" else (difference,)
+    for n, term in enumerate(terms):
+        if any(map(_is_exponential, _factors(term))):
+            others = (*terms[:n], *terms[n + 1 :])
+            if scaled(term)[0] < 0:
+                yield add(*others), -term
+            else:
+                yield term, add(*(-other for other in others))
+
+
+def _factors(e: Expr) -> tuple[Expr, ...]:
+    return e.args if e.op == "*" else (e,)
+
+
+def _is_exponential(e: Expr) -> bool:
+    return e.op == "exp" or (e.op == "^" and e.args[1].op != "number")
+
+
 def _logarithms(left: Expr, right: Expr, region: Given) -> Expr | None:
     """log left − log right, for two positive sides of which one has an exponential factor."""
-    factors = [f for side in (left, right) for f in (side.args if side.op == "*" else (side,))]
-    if not any(f.op == "exp" or (f.op == "^" and f.args[1].op != "number") for f in factors):
-        return None
-    if any(sign(f, region) != "+" for f in factors):
+    if any(sign(f, region) != "+" for side in (left, right) for f in _factors(side)):
         return None
     return _logarithm(left) - _logarithm(right)
 

@@ -16,7 +16,8 @@ from tresym.reals.language.products import collected
 from tresym.reals.normal.polynomials import as_expression, degree, polynomial
 from tresym.reals.places.conditions import Condition, Given
 from tresym.reals.signs.cones import sign_on_cones
-from tresym.reals.signs.sign import PROVING, sign
+from tresym.reals.signs.inside import PROVING, Ask
+from tresym.reals.signs.inside import sign_inside as sign
 
 
 class _Term(NamedTuple):
@@ -36,11 +37,13 @@ class _HomogeneousBound(NamedTuple):
     strict: bool
 
 
-def sign_by_homogeneity(difference: Expr, relation: str, region: Given) -> str | None:
-    """A sentence that proves ``difference relation 0`` on ``region``, or None.
+def sign_by_homogeneity(
+    difference: Expr, relation: str, region: Given, ask: Ask | None = None
+) -> str | None:
+    """Homogeneity: a condition makes the polynomial homogeneous, and cones settle what it becomes.
 
-    Args:
-        relation: ``">"``, ``">="`` or ``"!="``.
+    Decides ``1 - 27*x*y*z >= 0 given x >= 0, y >= 0, z >= 0, x + y + z <= 1``. Ends where no
+    condition is a homogeneous polynomial compared with a number, and where cones end.
     """
     terms = _terms(difference) or _written_terms(difference)
     if not terms or relation == "!=":

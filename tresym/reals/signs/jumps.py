@@ -27,12 +27,14 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.normal.field import Field
-from tresym.reals.normal.locally_constant import nonzero_inside, singularities
+from tresym.reals.normal.locally_constant import nonzero_inside
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
-from tresym.reals.signs.sign import PROVING, denominators, is_nonzero, jumps, sign
+from tresym.reals.places.domain import denominators, singularities
+from tresym.reals.signs.inside import PROVING, is_nonzero, jumps
+from tresym.reals.signs.inside import sign_inside as sign
 
 _ZERO_WITH_ARGUMENT = ("abs", "cbrt", "sign", "sinh", "tanh", "asinh", "atanh", "atan", "asin")
 
@@ -167,7 +169,7 @@ def _remaining(given: Given, values: dict[str, Expr]) -> Given | None:
         comparison = substitute(left, values), relation, substitute(right, values)
         (condition,) = Given((comparison,)).conditions
         e = condition.expression
-        found = None if next(singularities(e), None) and symbols(e) else sign(e, Given())
+        found = None if singularities(e) and symbols(e) else sign(e, Given())
         if symbols(e) and found not in PROVING[condition.relation]:
             kept.append(comparison)
             continue

@@ -20,6 +20,8 @@ is under it is not negative is a closed condition like the others.
 
 from __future__ import annotations
 
+from contextlib import suppress
+from functools import lru_cache
 from itertools import combinations
 
 from flint import fmpq, fmpq_mat, fmpz_poly
@@ -27,10 +29,14 @@ from flint import fmpq, fmpq_mat, fmpz_poly
 from tresym.reals.language.cancellation import scaled
 from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
 from tresym.reals.normal.polynomials import Monomial, degree, polynomial
+from tresym.reals.normal.ring import UndefinedError
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound, needs
+from tresym.reals.signs.inside import PROVING, REMEMBERED
+from tresym.reals.signs.inside import sign_inside as sign
 from tresym.reals.signs.jumps import cases_at_jumps
-from tresym.reals.signs.sign import PROVING, sign
+from tresym.reals.signs.parts import WEAK, Parts
 
 MAX_QUADRATIC = 5
 """Variables of a quadratic condition that is looked at."""
@@ -51,8 +57,10 @@ _SMOOTH = {"+", "*", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "at
 """Operations that have a derivative wherever they are defined."""
 
 
+@lru_cache(maxsize=REMEMBERED)
 def is_regular(given: Given) -> bool:
     """Whether the conditions are shown to have no points but limits of those inside them."""
+    given = _without_implied(given)
     spoken_of = tuple(c.expression for c in given.conditions)
     if next(cases_at_jumps(spoken_of, given), None):
         return False
@@ -71,6 +79,31 @@ def is_regular(given: Given) -> bool:
         (len(everything) == 1 and _is_quadratic(closed[0]))
         or any(_is_convex_in(x, everything, given) for x in names)
     )
+
+
+@lru_cache(maxsize=REMEMBERED)
+def has_inside(given: Given) -> bool:
+    """Whether a point is found at which every condition holds strictly.
+
+    ``x >= y, y >= x`` has none, and all that is said of its inside is true.
+    """
+    atoms = Parts(Given()).atoms
+    with suppress(TooLargeError, UndefinedError):
+        closed = [atoms.of(c.expression) for c in given.conditions if c.relation == ">="]
+        keys = {x.key for x in closed}
+        if any((-x).key in keys for x in closed):
+            return False
+    return next(given.points((), 1), None) is not None
+
+
+def _without_implied(given: Given) -> Given:
+    """Less the products that are not negative because of the other conditions."""
+    for n, condition in enumerate(given.conditions):
+        if condition.relation == ">=" and condition.expression.op == "*":
+            others = Given(given.comparisons[:n] + given.comparisons[n + 1 :])
+            if Parts(others).sign(condition.expression) in WEAK:
+                return _without_implied(others)
+    return given
 
 
 def _is_concave(e: Expr) -> bool:

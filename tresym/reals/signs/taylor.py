@@ -18,11 +18,12 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.inverted import solutions
-from tresym.reals.normal.locally_constant import singularities
 from tresym.reals.normal.written import numerator
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import singularities
 from tresym.reals.places.points import Range
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.inside import Ask
+from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_ORDER = 5
 MAX_SIZE = 2_000
@@ -31,12 +32,15 @@ _WEAK = ("+", ">=0", "0")
 _FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
 
 
-def sign_by_taylor(difference: Expr, relation: str, region: Given) -> str | None:
-    """A sentence that proves ``difference relation 0`` on ``region``, or None.
+def sign_by_taylor(
+    difference: Expr, relation: str, region: Given, ask: Ask | None = None
+) -> str | None:
+    """Taylor's theorem: all terms about one point, the remainder with them, have the sign claimed.
 
-    Args:
-        relation: ``">"``, ``">="`` or ``"!="``.
-        region: conditions that hold wherever the claim speaks.
+    The point is an end, 0, 1, another variable, or where the derivative vanishes. It settles
+    unbounded regions and parameters.
+
+    Decides ``exp(x) >= 1 + x``. Ends where the sign of no derivative up to the fifth is seen.
     """
     for name in sorted(symbols(difference)):
         ranges = _without_beyond(region, name)

@@ -24,6 +24,7 @@ from tresym.report.figures.grid import shown
 from tresym.report.pages.check_tables import measured
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.derivation import article
+from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
@@ -42,6 +43,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "numbers.json", _json(numbers(report))
     yield "corrections.md", corrections(report)
     yield "symbols.md", symbols(report)
+    yield "methods.md", methods()
     yield "trust.md", trust(report, saved.load("guards"))
     yield from drawn()
 

@@ -49,6 +49,9 @@ RECHECKED = {
         *("reals.places.points._sample", "reals.places.points.corners"),
         *("reals.places.windows", "reals.places.descent"),
     ),
+    "what is found is checked: factors are multiplied out, trees of boxes replayed": (
+        *("reals.normal.denested", "reals.balls.boxes._found"),
+    ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
     ),

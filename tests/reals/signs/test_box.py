@@ -1,0 +1,41 @@
+"""Polynomials on boxes: strict only where no closed corner is a zero."""
+
+from __future__ import annotations
+
+import pytest
+from flint import Ordering, fmpq, fmpz_mpoly_ctx
+
+from tresym.reals.numbers.exact import Interval
+from tresym.reals.signs.box import REALS, coefficient_sign, sign_on_box
+
+X, Y = fmpz_mpoly_ctx.get(["x", "y"], Ordering.lex).gens()
+UNIT = Interval(fmpq(0), fmpq(1))
+INSIDE = Interval(fmpq(0), fmpq(1), True, True)
+ABOVE = Interval(fmpq(0))
+
+
+@pytest.mark.parametrize(
+    ("p", "spans", "found"),
+    [
+        (1 - X * Y, [UNIT, UNIT], ">=0"),
+        (1 - X * Y, [UNIT, INSIDE], "+"),
+        (1 - X * Y, [UNIT, ABOVE], None),
+        (X - 1, [INSIDE, REALS], "-"),
+        (X + Y**2, [ABOVE, REALS], ">=0"),
+        (X + Y**2 + 1, [ABOVE, REALS], "+"),
+        (X + Y**3, [ABOVE, REALS], None),
+        (X**2 - 2 * X + 1, [REALS, REALS], ">=0"),
+        (X**2 - 2 * X * Y + Y**2 + 1, [REALS, REALS], "+"),
+        (X**2 - 2 * X * Y + Y**2 - 1, [REALS, REALS], None),
+        (-(X**2) + X * Y - Y**2, [REALS, REALS], "<=0"),
+        (X - 1, [Interval(fmpq(1), fmpq(1)), REALS], "0"),
+        (X - X, [REALS, REALS], "0"),
+    ],
+)
+def test_signs(p: object, spans: list[Interval], found: str | None) -> None:
+    assert sign_on_box(p, spans) == found
+
+
+def test_coefficients_alone_see_no_square() -> None:
+    assert coefficient_sign(X**2 - 2 * X + 1, [REALS, REALS]) is None
+    assert coefficient_sign(2 - X, [UNIT, REALS]) == "+"

@@ -1,0 +1,87 @@
+"""Where expressions are defined, or smooth, at every point: what is shown, and what is not."""
+
+from __future__ import annotations
+
+import pytest
+
+from tresym.reals.language.parsing import parse
+from tresym.reals.places.conditions import Given
+from tresym.reals.signs.defined import continuous_on, undefined
+
+# an expression, conditions that show it defined, and weaker ones that do not
+TABLE = [
+    ("1/x", "x > 0", "x >= 0"),
+    ("1/(x**2 + 1)", "", None),
+    ("1/(x - y)", "x > y", "x >= y"),
+    ("sqrt(x)", "x >= 0", ""),
+    ("1/sqrt(x)", "x > 0", "x >= 0"),
+    ("log(1 - x)", "x < 1", "x <= 1"),
+    ("x**y", "x > 0", "x >= 0"),
+    ("asin(x)", "x <= 1, x >= -1", "x <= 1"),
+    ("acos(x*y)", "x**2*y**2 <= 1", "x*y <= 1"),
+    ("atanh(x)", "x < 1, x > -1", "x <= 1, x > -1"),
+    ("atanh(x)", "x**2 < 1", "x**2 <= 1"),
+    ("acosh(x)", "x >= 1", "x >= 0"),
+    ("sign(x)", "", None),
+    ("coth(x)", "x > 0", "x >= 0"),
+    ("1/(2 + cos(x))", "", None),
+    ("tan(x)", "cos(x) != 0", "sin(x) != 0"),
+    ("cot(x)", "sin(x) != 0", "x > 0"),
+    ("sec(x)", "cos(x) > 0", "x > 0"),
+    ("sin(log(x))", "x > 0", "x >= 0"),
+    ("sin(1/(1 + sqrt(x)))", "x >= 0", ""),
+    ("atan2(y, x)", "y > 0", "x**2 >= y**2"),
+    ("1/(x*y)", "x > 0, y < 0", "x > 0, y <= 0"),
+    ("1/(x**2 - 2*x + 1)", "x != 1", "x != -1"),
+    ("1/(x**2 - 1)", "x != 1, x != -1", "x != 1"),
+    ("1/(x**2 - 1)", "x**2 != 1", None),
+    # what is shown of almost all points says nothing of each one
+    ("1/(sqrt(x**2) + x)", None, "x != 0"),
+    ("1/(sin(x)**2 + cos(x)**2 - y)", None, "y != 1"),
+    ("x**(y - 1)", None, "y > 1"),
+    ("exp(1/log(x))", None, "x > 0"),
+    ("sqrt(x - 1)", None, "x**2*(x - 1) >= 0"),
+]
+
+
+@pytest.mark.parametrize(("text", "enough", "_"), TABLE)
+def test_what_is_defined(text: str, enough: str | None, _: object) -> None:
+    assert enough is None or undefined(parse(text), Given.parse(enough)) is None
+
+
+@pytest.mark.parametrize(("text", "_", "weaker"), TABLE)
+def test_what_is_not_shown(text: str, _: object, weaker: str | None) -> None:
+    for dear in (False, True):
+        assert weaker is None or undefined(parse(text), Given.parse(weaker), dear) is not None
+
+
+def test_every_method_may_be_asked() -> None:
+    """That exp(x) is above 1 + x is a matter for Taylor's theorem."""
+    e, given = parse("log(exp(x) - 1 - x)"), Given.parse("0 < x < 1")
+    assert undefined(e, given) is not None
+    assert undefined(e, given, dear=True) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "conditions", "smooth"),
+    [
+        ("sqrt(x)", "x > 0", True),
+        ("sqrt(x)", "x >= 0", False),
+        ("x**(1/3)", "x >= 0", False),
+        ("cbrt(x)", "", False),
+        ("1/x", "x > 0", True),
+        ("1/x", "x >= 0", False),
+        ("abs(x)", "x > 0", True),
+        ("abs(x)", "", False),
+        ("sign(x)", "x > 0", True),
+        ("sign(x)", "", False),
+        ("asin(x)", "x < 1, x > -1", True),
+        ("asin(x)", "x <= 1, x >= -1", False),
+        ("acosh(x)", "x >= 1", False),
+        ("atan2(y, x)", "x > 0", True),
+        ("atan2(y, x)", "x**2 + y**2 > 0", False),
+        ("exp(sin(x))", "", True),
+    ],
+)
+def test_smooth_is_more_than_defined(text: str, conditions: str, smooth: bool) -> None:
+    assert (continuous_on(parse(text), Given.parse(conditions)) is None) is smooth

@@ -1,0 +1,97 @@
+"""Signs at every single point, and what is false at one and must not be proved."""
+
+from __future__ import annotations
+
+import pytest
+from falsehoods import is_false_at, read
+from flint import arb
+
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.parts import Parts
+
+PINNED = "b > 0, y > -b, x >= y, x <= y"
+SIGNS = [
+    # conditions taken out of a sum, and multiples of them
+    ("x + b", PINNED, "+"),
+    ("x + y + 2*b", PINNED, "+"),
+    ("b*(x + b)", PINNED, "+"),
+    ("y - x", PINNED, ">=0"),
+    ("z - x", "y > x, z >= y", "+"),
+    ("1 - a*b", "a > 0, b > 0, b*(a + 2) <= 1", "+"),
+    ("b/(a + b) - x**2", "a > 0, b > 0, b/(a + b) > y**2, y**2 >= x**2", "+"),
+    ("y**2 - x**2", "(x - y)*(-y - x) >= 0", ">=0"),
+    # half turns
+    ("sin(x)", "e > 0, e < pi/2, x >= e, x <= pi - e", "+"),
+    ("sin(x)", "0 <= x, x <= pi", ">=0"),
+    ("sin(x)", "-pi < x, x < 0", "-"),
+    ("cos(x)", "pi/2 <= x, x <= pi", "<=0"),
+    ("cos(x)", "0 <= x, x <= c, c < pi/2", "+"),
+    # squares of sines and cosines, denominators, powers of roots
+    ("1 - cos(x)**2", "sin(x) > 0", "+"),
+    ("1 - b/(a + b)*cos(x)**2", "a > 0, b > 0, b <= 1", "+"),
+    ("1 - a/(a + b)*sqrt(b/a)**2", "a > 0, b > 0", "+"),
+    # ranges of functions
+    ("sqrt(1 + x**2) - cos(y)", "x > 0", "+"),
+    ("exp(x) - 1", "x > 0", "+"),
+    ("log(1 + x**2)", "", ">=0"),
+    ("2 - acos(x)/2", "", "+"),
+    ("tan(x)", "0 < x, x < pi/2", "+"),
+]
+
+
+@pytest.mark.parametrize(("text", "conditions", "found"), SIGNS)
+def test_signs(text: str, conditions: str, found: str) -> None:
+    e, given = parse(text), Given.parse(conditions)
+    assert Parts(given).sign(e) == found
+    with ball_precision(200):
+        for point in given.points(["x", "y"], 20):
+            value = evaluate(e, {name: arb(at) for name, at in point.items()})
+            assert not (value > 0 if found in ("-", "<=0") else value < 0)
+
+
+FALSE = {
+    "x - b > 0 given b > 0, y > -b, x >= y, x <= y": "b = 1, x = 0, y = 0",
+    "x + b > 0 given b > 0, y >= -b, x >= y, x <= y": "b = 1, x = -1, y = -1",
+    "x + b > 0 given b > 0, y > -b, x <= y": "b = 1, x = -2, y = 0",
+    "z - x > 0 given y >= x, z >= y": "x = 0, y = 0, z = 0",
+    "x - 1 >= 0 given x**2*(x - 1) >= 0": "x = 0",
+    "x*y - 1 > 0 given x > 1, x*y >= 1": "x = 2, y = 1/2",
+    "a*(x - y) >= 0 given x >= y": "a = -1, x = 1, y = 0",
+    "y**2 - x**2 > 0 given (x - y)*(-y - x) >= 0": "x = 1, y = 1",
+    "1 - a*b > 0 given a > 0, b > 0, b*(a - 2) <= 1": "a = 2, b = 1",
+    "sin(x) > 0 given 0 <= x, x < pi": "x = 0",
+    "sin(x) >= 0 given -1 <= x, x < pi": "x = -1",
+    "sin(x) > 0 given x > 0, x < 4": "x = 7/2",
+    "cos(x) >= 0 given 0 < x, x < 2": "x = 19/10",
+    "1 - cos(x)**2 > 0 given cos(x) > 0": "x = 0",
+    "1 - b/(a + b)*cos(x)**2 > 0 given a >= 0, b > 0": "a = 0, b = 1, x = 0",
+    "sqrt(1 + x**2) - cos(y) > 0": "x = 0, y = 0",
+    "exp(x) - 1 > 0 given x >= 0": "x = 0",
+    "sqrt(x) - 1 > 0 given x > 1/2": "x = 3/4",
+    "log(x) > 0 given x > 0": "x = 1/2",
+    "tan(x) > 0 given 0 < x, x < 2": "x = 19/10",
+    "sign(x)**2 > 0 given x >= 0, x <= 0": "x = 0",
+    "x/y > 0 given x > 0, y != 0": "x = 1, y = -1",
+    "atan2(y, x) > 0 given y >= 0": "x = 1, y = 0",
+}
+
+
+@pytest.mark.parametrize("claim", FALSE)
+def test_no_sign_is_read_off_where_there_is_none(claim: str) -> None:
+    left, relation, _, given = read(claim)
+    assert is_false_at(claim, FALSE[claim])
+    assert Parts(given).sign(left) not in ("+", *([">=0", "0"] if relation == ">=" else []))
+
+
+def test_answers_do_not_hang_on_what_was_asked_before() -> None:
+    """What is found while a question is open may be less than can be said."""
+    given = Given.parse("e > 0, e < pi/2, x >= e, x <= pi - e, sin(x) - e >= 0")
+    trees = [parse(text) for text in ("sin(x)", "pi - x", "x", "sin(x) - e", "cos(x)")]
+    for first in trees:
+        for second in trees:
+            parts = Parts(given)
+            parts.sign(first)
+            assert parts.sign(second) == Parts(given).sign(second)

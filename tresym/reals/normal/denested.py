@@ -1,0 +1,92 @@
+"""Factors written by simpler ones, as proposals: factors.py multiplies them out.
+
+A factor that a root makes ambiguous is replaced by its norm and its conjugate; a nested square root
+is written by simpler ones where its norm is a square.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from flint import fmpq, fmpz
+
+from tresym.reals.normal.ring import Poly, small_factor
+
+if TYPE_CHECKING:
+    from tresym.reals.normal.factors import FactoredRing
+
+CONJUGATE_TERMS = 10
+
+
+def canonical(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
+    """An irreducible ``f`` by its norm and conjugate where a root makes factors ambiguous."""
+    if len(f) == 1 or len(f) > CONJUGATE_TERMS or ring.is_inverse(f):
+        return fmpz(1), [(f, 1)]
+    denested = _denested(ring, f)
+    if denested is not None:
+        return denested
+    for position, degree, _ in ring.relations:
+        if degree != 2 or f.degrees()[position] != 1 or ring.at(position).kind != "root":
+            continue
+        parts = ring.split(f, position)
+        if len(parts) != 2:
+            continue
+        x = ring.variables[position]
+        base = ring.at(position).data[0]
+        if parts[0].gcd(base) == base:
+            square = ring.reduce(x * x)
+            sign = square // base
+            rest = (parts[0] // base) * sign * x + parts[1]
+            unit, inner = ring.factor(rest)
+            return unit, [(x, 1), *inner]
+        if parts[0].leading_coefficient() * parts[1].leading_coefficient() > 0:
+            continue
+        conjugate = parts[0] - parts[1] * x
+        norm = ring.reduce(f * conjugate)
+        if norm.is_zero() or ring.is_mixed(norm) or norm.gcd(conjugate) != ring.one_poly:
+            continue
+        unit, inner = ring.factor(norm)
+        if conjugate.leading_coefficient() < 0:
+            conjugate, unit = -conjugate, -unit
+        return unit, [*inner, (conjugate, -1)]
+    return fmpz(1), [(f, 1)]
+
+
+def _denested(ring: FactoredRing, f: Poly) -> tuple[fmpz, list[tuple[Poly, int]]] | None:
+    """``p + q·A`` as ``(p + n + q·A)²/(2(p + n))`` where its norm ``p² − q²A²`` is ``n²``."""
+    for position, degree, _ in ring.relations:
+        if degree % 2 or ring.at(position).kind != "root" or f.degrees()[position] < degree // 2:
+            continue
+        parts = ring.split(f, position)
+        if set(parts) != {0, degree // 2}:
+            continue
+        p, surd = parts[0], parts[degree // 2] * ring.variables[position] ** (degree // 2)
+        n = _square_root(ring, ring.reduce(p**2 - surd**2))
+        if n is None or (p + n).is_zero() or (p - n).is_zero():
+            continue
+        half = min((p + n, p - n), key=lambda s: (s.total_degree(), len(s), str(s)))
+        if ring.is_mixed(half):
+            continue
+        unit, factors = ring.factor(half + surd)
+        below, others = ring.factor(half)
+        number = fmpq(unit**2, 2 * abs(below))
+        primes = [(ring.context.constant(prime), k) for prime, k in ring.primes(number.p)]
+        primes += [(ring.context.constant(prime), -k) for prime, k in ring.primes(number.q)]
+        squares = [(part, 2 * k) for part, k in factors]
+        inverse = [(part, -k) for part, k in others]
+        return fmpz(1 if below > 0 else -1), [*primes, *squares, *inverse]
+    return None
+
+
+def _square_root(ring: FactoredRing, p: Poly) -> Poly | None:
+    """A polynomial whose square is ``p``, or None."""
+    if p.is_zero() or len(p) > CONJUGATE_TERMS:
+        return None
+    constant = p.is_constant()
+    unit, parts = (p.leading_coefficient(), []) if constant else small_factor(ring, p)
+    if unit < 0 or not unit.is_square() or any(k % 2 for _, k in parts):
+        return None
+    result = ring.context.constant(unit.isqrt())
+    for part, k in parts:
+        result = result * part ** (k // 2)
+    return result

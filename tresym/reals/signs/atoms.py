@@ -1,0 +1,118 @@
+"""Algebra alone: fractions of polynomials in atoms, of which nothing is known but their values.
+
+What is equal here is equal at every single point, where the exact normal form speaks of almost all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import prod
+
+from flint import fmpq
+
+from tresym.reals.language.expression import Expr, apply, number, power
+from tresym.reals.normal.ring import Fraction, Poly, Ring
+
+SIZE = 24
+_EVEN = frozenset(("abs", "cos", "cosh", "sech"))
+_ODD = frozenset(("sin", "asin", "atan", "sinh", "tanh", "coth", "csch", "asinh", "atanh")) | {
+    "cbrt",
+    "sign",
+}
+_CIRCULAR = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "csc": ("", "sin")}
+
+
+class Atoms(Ring):
+    """A ring whose generators stand for the parts that are no number, sum, product or power.
+
+    A generator is an expression; that of a root also knows what its power is.
+    """
+
+    def __init__(self) -> None:
+        """Room for :data:`SIZE` atoms."""
+        super().__init__(SIZE)
+        self._memo: dict[Expr, Fraction] = {}
+
+    def expression(self, position: int) -> Expr:
+        """What the atom is."""
+        found: Expr = self.at(position).data[0]
+        return found
+
+    def of(self, e: Expr) -> Fraction:
+        """``e``, with the same value wherever it is defined.
+
+        Raises:
+            UndefinedError: ``e`` is nowhere defined.
+            TooLargeError: it has too many terms or atoms.
+        """
+        found = self._memo.get(e)
+        if found is None:
+            found = self._memo[e] = self._of(e)
+        return found
+
+    def _of(self, e: Expr) -> Fraction:
+        op, args = e.op, e.args
+        if op == "number":
+            return self.fraction(args[0])
+        if op == "+":
+            return sum(map(self.of, args), self.zero)
+        if op == "*":
+            return prod(map(self.of, args), start=self.one)
+        if op == "^" and args[1].op == "number":
+            return self._power(args[0], args[1].args[0])
+        if op in _CIRCULAR:
+            above, below = (self.of(apply(f, *args)) if f else self.one for f in _CIRCULAR[op])
+            return above / below
+        if op in _EVEN or op in _ODD or op == "exp":
+            return self._function(op, args[0])
+        return self.fraction(self.generator(op, tuple(map(self._key, args)), (e,)))
+
+    def _key(self, e: Expr | str) -> tuple[str, str] | str:
+        return e if isinstance(e, str) else self.of(e).key
+
+    def _power(self, base: Expr, exponent: fmpq) -> Fraction:
+        x, q = self.of(base), int(exponent.q)
+        if q > 1:
+            root = power(base, number(fmpq(1, q)))
+            x = self.fraction(self.generator("root", (x.key, q), (root, x, q)))
+        return x ** int(exponent.p)
+
+    def _function(self, name: str, argument: Expr) -> Fraction:
+        """An even or odd function, or an exponential, of the argument or of its opposite."""
+        u = self.of(argument)
+        if u.num.is_zero() or u.num.leading_coefficient() > 0:
+            return self.fraction(self.generator(name, u.key, (apply(name, argument),)))
+        node = apply(name, -argument)
+        value = self.fraction(self.generator(name, (-u).key, (node,)))
+        if name == "exp":
+            return value.inverse()
+        return value if name in _EVEN else -value
+
+    def rewritten(self, p: Poly, is_positive: Callable[[Poly], bool]) -> list[Poly]:
+        """``p``, and what has its sign by squares of sines and cosines and by powers of roots."""
+        for i in self.used(p):
+            generator = self.at(i)
+            if generator.kind == "root" and is_positive(generator.data[1].den):
+                p = self._lowered(p, i, generator.data[2], generator.data[1])
+        found = {str(p): p}
+        for name, other in (("cos", "sin"), ("sin", "cos")):
+            q = p
+            for i in self.used(p):
+                if self.at(i).kind == name and p.degrees()[i] > 1:
+                    other_one = self.of(apply(other, *self.expression(i).args)).num
+                    square = self.fraction(1 - other_one**2)
+                    q = self._lowered(q, i, 2, square)
+            found[str(q)] = q
+        return list(found.values())
+
+    def _lowered(self, p: Poly, i: int, n: int, power: Fraction) -> Poly:
+        """``p``, times a power of a denominator, with the n-th power of an atom put in."""
+        most = int(p.degrees()[i]) // n
+        if not most:
+            return p
+        total = self.zero_poly
+        for k, part in self.split(p, i).items():
+            whole, rest = divmod(k, n)
+            scale = power.num**whole * power.den ** (most - whole)
+            total = total + part * self.variables[i] ** rest * scale
+        return total

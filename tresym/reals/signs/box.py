@@ -1,0 +1,87 @@
+"""The sign of a polynomial whose variables range over intervals, each by itself."""
+
+from __future__ import annotations
+
+from itertools import product
+
+from tresym.reals.normal.moebius import on_orthant
+from tresym.reals.normal.ring import Poly
+from tresym.reals.numbers.exact import Interval
+
+MAX_QUADRATIC = 40
+MAX_MAPPED = 400
+"""Terms of what is looked at as a quadratic, and of what a map may make."""
+
+
+REALS = Interval()
+
+
+def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
+    """The sign of ``p`` for values in ``spans``: by coefficients, or as a quadratic in one."""
+    if p.is_zero():
+        return "0"
+    found = coefficient_sign(p, spans)
+    if found is None and len(p) <= MAX_QUADRATIC:
+        degrees = p.degrees()
+        for i in range(start, len(spans)):
+            if found is None and degrees[i] == 2:
+                found = _quadratic_sign(p, i, spans)
+    return found
+
+
+def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:
+    """The sign of all coefficients once every span is mapped to [0, ∞]."""
+    degrees = p.degrees()
+    used = [i for i, degree in enumerate(degrees) if degree > 0]
+    free = [i for i in used if spans[i].low is None and spans[i].high is None]
+    if free and any(int(m[i]) % 2 for m in p.monoms() for i in free):
+        return None
+    closed = [(i, [0]) for i in free]
+    for i in used:
+        low, high, low_open, high_open = spans[i]
+        if low is None and high is None:
+            continue
+        if low != 0 or high is not None:
+            p = on_orthant(p, i, low, high)
+        first_open = high_open if low is None else low_open
+        ends = [] if first_open else [0]
+        if low is not None and high is not None and not high_open:
+            ends.append(int(degrees[i]))
+        if ends:
+            closed.append((i, ends))
+        if len(p) > MAX_MAPPED:
+            return None
+    if p.is_zero():
+        return "0"  # a side of no length, on which p vanishes
+    signs = {value > 0 for value in p.coeffs()}
+    if len(signs) != 1:
+        return None
+    up = "+" if True in signs else "-"
+    monomials = p.monoms()
+    for corner in product(*(ends for _, ends in closed)):
+        fixed = [(i, k) for (i, _), k in zip(closed, corner, strict=True)]
+        if not any(all(int(m[i]) == k for i, k in fixed) for m in monomials):
+            return ">=0" if up == "+" else "<=0"
+    return up
+
+
+def _quadratic_sign(p: Poly, i: int, spans: list[Interval]) -> str | None:
+    """``a·u² + b·u + c`` with ``4ac ≥ b²`` has the sign of a and c."""
+    context = p.context()
+    parts: dict[int, dict[tuple[int, ...], int]] = {}
+    for monomial, value in p.terms():
+        others = (*monomial[:i], 0, *monomial[i + 1 :])
+        parts.setdefault(int(monomial[i]), {})[others] = value
+    c, b, a = (context.from_dict(parts.get(k, {})) for k in range(3))
+    lead = sign_on_box(a, spans, i + 1)
+    if lead is None or lead == "0":
+        return None
+    rest = sign_on_box(4 * a * c - b * b, spans, i + 1)
+    if rest == "+" and lead in ("+", "-"):
+        return lead
+    up = lead in ("+", ">=0")
+    last = sign_on_box(c, spans, i + 1)
+    weak = ("+", ">=0", "0") if up else ("-", "<=0", "0")
+    if rest in ("+", ">=0", "0") and last in weak:
+        return ">=0" if up else "<=0"
+    return None

@@ -1,0 +1,58 @@
+"""Whether an expression is defined, or smooth, at every point of the conditions.
+
+A proof divides only where the denominator is shown non-zero and takes roots and logarithms only
+where their arguments are shown to allow it, everywhere under the conditions given. What is not
+worked out, such as an integral, has conditions of its own, and is not shown to be smooth; a value
+at a point is looked at in place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tresym.reals.language.binders import elementary, generalised, worked_out
+from tresym.reals.language.expression import LEAVES, UNWORKED, Expr, opened
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import analytic_of, needs_of
+from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.sign import sign
+
+Table = Callable[[Expr], list[tuple[Expr, str]]]
+
+
+def undefined(e: Expr, given: Given, dear: bool = False) -> Expr | None:
+    """The first part of ``e`` that is not shown to be defined under ``given``, or None.
+
+    What is returned is what is not shown to have the sign that its operation needs.
+
+    Args:
+        dear: whether every method is tried, and not the cheap ones alone.
+    """
+    return _missing(e, given, needs_of, dear)
+
+
+def continuous_on(e: Expr, given: Given, dear: bool = False) -> Expr | None:
+    """As :func:`undefined`, but off every singularity, so that ``e`` is smooth there."""
+    return _missing(e, given, analytic_of, dear)
+
+
+def _missing(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
+    if e.op in LEAVES:
+        return None
+    if e.op in UNWORKED:
+        if table is analytic_of:
+            return e
+        plain = e.op == "at" and elementary(opened(e)[1], *e.args[1:])
+        return _missing(worked_out(e), given, table, dear) if plain else None
+    parts = table(e)
+    missing = [part for part, relation in parts if not _holds(part, relation, given, dear)]
+    if missing and len(parts) == 2:  # 1 − x and 1 + x: not both are negative
+        (first, relation), (second, _) = parts
+        missing = [] if _holds(first * second, relation, given, dear) else missing
+    inner = (_missing(arg, given, table, dear) for arg in e.args)
+    return missing[0] if missing else next(filter(None, inner), None)
+
+
+def _holds(e: Expr, relation: str, given: Given, dear: bool) -> bool:
+    (e,) = generalised(e)
+    return sign(e, given, relation, dear) in PROVING[relation]

@@ -1,0 +1,479 @@
+"""Signs at every single point of the conditions: by the signs and ranges of the parts.
+
+A sum is taken as a polynomial in its atoms (symbols, sines, roots, exponentials, …), each with its
+range; a Möbius map takes every range to [0, ∞], and a polynomial without negative coefficients that
+keeps a term at each closed corner is positive. Where that is not enough, it is taken apart into
+factors, or into multiples of conditions and a rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+
+from flint import arb, fmpq
+
+from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
+from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, project, small_factor
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Interval
+from tresym.reals.numbers.factoring import TooLargeError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import bound
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.atoms import Atoms
+from tresym.reals.signs.box import REALS, coefficient_sign, sign_on_box
+
+MAX_ATOMS = 8
+MAX_TERMS = 200
+MAX_FACTS = 16
+MAX_SPLIT = 24
+"""Terms of a sum from which conditions are taken out."""
+MAX_TRIALS = 100
+"""Multiples of conditions that are tried for one question."""
+DEPTH = 2
+"""At most this many conditions are taken out of a sum."""
+_BITS = 128
+
+WEAK = ("+", ">=0", "0")
+FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
+_ODD_INCREASING = frozenset(("sinh", "tanh", "asinh", "atanh", "atan", "asin", "cbrt", "sign"))
+_ODD = _ODD_INCREASING | {"coth", "csch"}
+_POSITIVE = frozenset(("exp", "cosh", "sech"))
+_RANGES = {
+    "sin": Interval(fmpq(-1), fmpq(1)),
+    "cos": Interval(fmpq(-1), fmpq(1)),
+    "tanh": Interval(fmpq(-1), fmpq(1), True, True),
+    "sech": Interval(fmpq(0), fmpq(1), True),
+    "cosh": Interval(fmpq(1)),
+    "atan": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
+    "asin": Interval(fmpq(-11, 7), fmpq(11, 7), True, True),
+    "acos": Interval(fmpq(0), fmpq(22, 7), False, True),
+    "acosh": Interval(fmpq(0)),
+    "atan2": Interval(fmpq(-22, 7), fmpq(22, 7), True, True),
+}
+
+
+class Parts:
+    """Signs under one set of conditions, remembered."""
+
+    def __init__(self, given: Given) -> None:
+        """Nothing is known but the conditions."""
+        self.given = given
+        self.atoms = Atoms()
+        self._signs: dict[Expr, str | None] = {}
+        self._asked: set[Expr] = set()
+        self._cut = False
+        self._known: list[tuple[Fraction, bool]] | None = None
+        self._facts: list[tuple[Poly, bool]] | None = None
+        self._trials, self._depth = 0, DEPTH
+
+    def sign(self, e: Expr) -> str | None:
+        """The proven sign of ``e`` wherever the conditions hold and ``e`` is defined."""
+        if e in self._signs:
+            return self._signs[e]
+        if e in self._asked:
+            self._cut = True  # what is answered meanwhile is not all that can be said
+            return None
+        self._asked.add(e)
+        before, self._cut = self._cut, False
+        found = self._sign(e)
+        self._asked.discard(e)
+        if not self._cut or not self._asked:
+            self._signs[e] = found
+        self._cut = (self._cut or before) and bool(self._asked)
+        return found
+
+    def nonzero(self, e: Expr) -> bool:
+        """Whether ``e`` is shown to vanish nowhere."""
+        if self.sign(e) in ("+", "-"):
+            return True
+        if e.op == "*":
+            return all(self.nonzero(arg) for arg in e.args)
+        if e.op == "^" and e.args[1].op == "number":
+            return self.nonzero(e.args[0])
+        return self._by_conditions(e)
+
+    def _by_conditions(self, e: Expr) -> bool:
+        """Whether every factor of ``e`` is one that a condition keeps from zero."""
+        strict = [c.expression for c in self.given.conditions if c.relation in (">", "!=")]
+        try:
+            value = self.atoms.of(e).num
+            if value.is_zero():
+                return False
+            parts = small_factor(self.atoms, value)[1]
+            allowed: set[str] = set()
+            for other in strict:
+                p = self.atoms.of(other).num
+                allowed |= {str(part) for part, _ in small_factor(self.atoms, p)[1]}
+        except (TooLargeError, UndefinedError):
+            return False
+        return all(str(part) in allowed for part, _ in parts)
+
+    # -- by the outermost operation -------------------------------------------------------------
+
+    def _sign(self, e: Expr) -> str | None:
+        if not symbols(e):
+            return _constant_sign(e)
+        for condition in self.given.conditions:
+            if condition.expression == e and condition.relation != "!=":
+                return "+" if condition.relation == ">" else ">=0"
+            if condition.relation != "!=" and condition.expression == -e:
+                return "-" if condition.relation == ">" else "<=0"
+        match e.op:
+            case "*":
+                return self._product_sign(e.args) or self._algebraic(e)
+            case "^":
+                return self._power_sign(*e.args)
+            case "+":
+                return self._sum_sign(e)
+            case "sin" | "cos":
+                return self._in_half_turn(e)
+            case "tan" | "cot":
+                return self._product_sign([apply(f, *e.args) for f in ("sin", "cos")])
+            case "sec" | "csc":
+                return self.sign(apply("cos" if e.op == "sec" else "sin", *e.args))
+            case "log":
+                return self.sign(e.args[0] - 1)
+            case "acos" | "acosh":
+                inner = 1 - e.args[0] if e.op == "acos" else e.args[0] - 1
+                return "+" if self.sign(inner) == "+" else ">=0"
+            case "abs":
+                return "+" if self.nonzero(e.args[0]) else ">=0"
+            case "atan2":
+                y, x = map(self.sign, e.args)
+                return y if y == "+" or x == "+" else None
+            case "symbol":
+                return _span_sign(self.span(e))
+        if e.op in _POSITIVE:
+            return "+"
+        return self.sign(e.args[0]) if e.op in _ODD else None
+
+    def _product_sign(self, factors: list[Expr] | tuple[Expr, ...]) -> str | None:
+        total = "+"
+        for factor in factors:
+            found = self.sign(factor)
+            if found is None:
+                return None
+            total = _times(total, found)
+        return total
+
+    def _power_sign(self, base: Expr, exponent: Expr) -> str | None:
+        inner = self.sign(base)
+        if exponent.op != "number":
+            return "+"
+        r = exponent.args[0]
+        if r < 0:
+            return (
+                inner
+                if r.q == 1 and r.p % 2 and inner in ("-", "<=0")
+                else ("+" if r.q != 1 or r.p % 2 == 0 or inner in ("+", ">=0") else None)
+            )
+        if r.q != 1:
+            return "+" if self.nonzero(base) else ">=0"
+        if r.p % 2 == 0:
+            return "0" if inner == "0" else "+" if self.nonzero(base) else ">=0"
+        return inner
+
+    def _sum_sign(self, e: Expr) -> str | None:
+        signs = {self.sign(arg) for arg in e.args}
+        for up in ("+", "-"):
+            weak = ">=0" if up == "+" else "<=0"
+            if signs <= {up, weak, "0"} and signs:
+                return up if up in signs else weak if weak in signs else "0"
+        return self._algebraic(e)
+
+    def _in_half_turn(self, e: Expr) -> str | None:
+        """Where the angle is between two neighbouring zeros of the sine or cosine."""
+        (angle,) = e.args
+        if not symbols(angle) & self.given.names:
+            return None
+        middle = PI / 2 if e.op == "sin" else number(0)
+        for turns, up in ((0, "+"), (1, "-"), (-1, "-")):
+            from_middle = angle - middle - turns * PI
+            found = [self.sign(PI / 2 + from_middle), self.sign(PI / 2 - from_middle)]
+            if all(sign in WEAK for sign in found):
+                strict = found == ["+", "+"]
+                return up if strict else ">=0" if up == "+" else "<=0"
+        return None
+
+    # -- ranges of atoms ------------------------------------------------------------------------
+
+    def span(self, e: Expr) -> Interval:
+        """A range that contains the values of an atom."""
+        if e.op == "symbol":
+            return self.given.box.get(e.args[0], REALS)
+        if not symbols(e):
+            return _constant_span(e)
+        if e.op == "abs":
+            return _absolute(self.span(e.args[0]), self.nonzero(e.args[0]))
+        if e.op in ("+", "*"):
+            return REALS
+        return _within(_RANGES.get(e.op, REALS), self._span_by_sign(e))
+
+    def _span_by_sign(self, e: Expr) -> Interval:
+        """Above or below 0; and 1, for an exponential or a root."""
+        found, above_one = self.sign(e), None
+        if e.op == "exp":
+            above_one = self.sign(e.args[0])
+        elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
+            above_one = self.sign(e.args[0] - ONE)
+        return _within(_beside(fmpq(0), found), _beside(fmpq(1), above_one))
+
+    # -- polynomials in atoms -------------------------------------------------------------------
+
+    def _algebraic(self, e: Expr) -> str | None:
+        """The sign of a sum or product as a fraction of polynomials in atoms."""
+        depth = self._depth
+        self._trials = self._trials if depth < DEPTH else 0
+        self._depth = max(0, depth - 1)  # of what is asked on the way, of ranges of atoms
+        try:
+            value = self.atoms.of(e)
+            found = self._fraction(value, depth)
+            if depth == DEPTH and found in (None, ">=0", "<=0"):
+                self._trials = 0
+                found = self._by_multiples(value) or found
+        except (TooLargeError, UndefinedError):
+            return None
+        finally:
+            self._depth = depth
+        return found
+
+    def _fraction(self, value: Fraction, depth: int) -> str | None:
+        """The sign of numerator times denominator, which is not zero; or less conditions."""
+        below, above = (self._polynomial(p) for p in (value.den, value.num))
+        found = None
+        if above and below and below != "0":
+            found = _times(above, {">=0": "+", "<=0": "-"}.get(below, below))
+        if depth and found not in ("+", "-", "0"):
+            return self._less_a_condition(value, depth) or found
+        return found
+
+    def _less_a_condition(self, value: Fraction, depth: int) -> str | None:
+        """The sign of a condition and a rest that has the same."""
+        best = None
+        used = {*self.atoms.used(value)}
+        for fact, strict in self.known:
+            if used.isdisjoint(self.atoms.used(fact.num)):
+                continue
+            for up, side in (("+", value), ("-", -value)):
+                left = side - fact
+                if left.den.is_one() and len(left.num) >= len(side.num) + len(fact.num):
+                    continue  # no term is gone
+                if self._trials >= MAX_TRIALS:
+                    return best
+                self._trials += 1
+                rest = self._fraction(left, depth - 1)
+                if rest == "+" or (rest in WEAK and strict):
+                    return up
+                if rest in WEAK:
+                    best = ">=0" if up == "+" else "<=0"
+        return best
+
+    def _polynomial(self, p: Poly) -> str | None:
+        """The sign of a polynomial in atoms, by their ranges and its factors."""
+        if p.is_constant():
+            return "0" if p.is_zero() else "+" if p.leading_coefficient() > 0 else "-"
+        best = None
+        for q in self.atoms.rewritten(p, self._is_positive):
+            found = self._on_box(q) or self._by_factors(q)
+            if found in ("+", "-", "0"):
+                return found
+            best = best or found
+        return best
+
+    def _is_positive(self, p: Poly) -> bool:
+        return p.is_one() or self._on_box(p) == "+"
+
+    def _on_box(
+        self, p: Poly, method: Callable[[Poly, list[Interval]], str | None] = sign_on_box
+    ) -> str | None:
+        used = self.atoms.used(p)
+        if p.is_zero():
+            return "0"
+        if len(used) > MAX_ATOMS or len(p) > MAX_TERMS:
+            return None
+        spans = [self.span(self.atoms.expression(i)) for i in used]
+        return method(project(p, used), spans)
+
+    def _by_factors(self, p: Poly) -> str | None:
+        unit, parts = small_factor(self.atoms, p)
+        if len(parts) == 1 and parts[0][1] == 1:
+            return None
+        total = "+" if unit > 0 else "-"
+        for part, multiplicity in parts:
+            found = self._on_box(part) or self._as_a_fact(part)
+            if multiplicity % 2 == 0:
+                found = "+" if found in ("+", "-") else ">=0"
+            if found is None:
+                return None
+            total = _times(total, found)
+        return total
+
+    def _as_a_fact(self, p: Poly) -> str | None:
+        for fact, strict in self.facts:
+            if fact == p:
+                return "+" if strict else ">=0"
+            if fact == -p:
+                return "-" if strict else "<=0"
+        return None
+
+    @property
+    def known(self) -> list[tuple[Fraction, bool]]:
+        """What conditions, but rational bounds of one symbol, keep from being negative, or zero."""
+        if self._known is None:
+            self._known = []
+            everything = dict.fromkeys((*self.given.beyond_box, *self.given.conditions))
+            for e, relation in ((c.expression, c.relation) for c in everything):
+                if relation == "!=" or bound(e, relation)[0].op == "symbol":
+                    continue
+                with suppress(TooLargeError, UndefinedError):
+                    if len(self._known) < MAX_FACTS:
+                        self._known.append((self.atoms.of(e), relation == ">"))
+        return self._known
+
+    @property
+    def facts(self) -> list[tuple[Poly, bool]]:
+        """The same, of polynomials."""
+        if self._facts is None:
+            self._facts = []
+            found = []
+            for value, strict in self.known:
+                below = self._polynomial(value.den)
+                if below in ("+", "-", ">=0", "<=0"):
+                    found.append((value.num if below in WEAK else -value.num, strict))
+            self._facts = found
+        return self._facts
+
+    def _by_multiples(self, value: Fraction) -> str | None:
+        """The sign by multiples of conditions that are taken out of the numerator."""
+        if len(value.num) > MAX_SPLIT:
+            return None
+        below = self._polynomial(value.den)
+        for up, p in (("+", value.num), ("-", -value.num)):
+            found = self._by_facts(p, DEPTH) if below not in (None, "0") else None
+            if found is not None and below is not None:
+                negative = (up == "-") != (below in ("-", "<=0"))
+                return FLIP[found] if negative else found
+        return None
+
+    def _by_facts(self, p: Poly, depth: int) -> str | None:
+        """``c·p = k·m·f + rest`` with c, k > 0, a known f, a monomial m and a rest of known sign.
+
+        Each is chosen so that a term of ``p`` is gone which may be negative.
+        """
+        best = None
+        for monomial, value in list(p.terms()):
+            if value > 0 and self._monomial_sign(monomial) in WEAK:
+                continue
+            for fact, strict in self.facts:
+                for other, known in fact.terms():
+                    quotient = tuple(i - j for i, j in zip(monomial, other, strict=True))
+                    if (known > 0) != (value > 0) or min(quotient) < 0:
+                        continue
+                    scale = self._monomial_sign(quotient)
+                    if scale not in WEAK or self._trials >= MAX_TRIALS:
+                        continue
+                    self._trials += 1
+                    times = p.context().from_dict({quotient: abs(value)})
+                    rest = self._rest(p * abs(known) - fact * times, depth - 1)
+                    if rest == "+" or (rest in WEAK and strict and scale == "+"):
+                        return "+"
+                    best = ">=0" if rest in WEAK else best
+        return best
+
+    def _rest(self, p: Poly, depth: int) -> str | None:
+        for q in self.atoms.rewritten(p, self._is_positive):
+            found = self._on_box(q, coefficient_sign)
+            if found in WEAK:
+                return found
+        return self._by_facts(p, depth) if depth else None
+
+    def _monomial_sign(self, monomial: tuple[int, ...]) -> str | None:
+        total = "+"
+        for i, k in enumerate(monomial):
+            if k:
+                found = _span_sign(self.span(self.atoms.expression(i)))
+                if int(k) % 2 == 0:
+                    found = "+" if found in ("+", "-") else ">=0"
+                if found is None:
+                    return None
+                total = _times(total, found)
+        return total
+
+
+def _constant_sign(e: Expr) -> str | None:
+    for bits in (_BITS, 8 * _BITS):
+        with ball_precision(bits):
+            value = evaluate(e, {})
+        if value > 0:
+            return "+"
+        if value < 0:
+            return "-"
+    return "0" if value.is_zero() else None
+
+
+def _constant_span(e: Expr) -> Interval:
+    """Rational ends of the ball of a constant."""
+    with ball_precision(_BITS):
+        value = evaluate(e, {})
+        if not value.is_finite():
+            return REALS
+        scale = arb(2) ** 64
+        low, high = (value * scale).floor().lower(), (value * scale).ceil().upper()
+        ends = low.floor().unique_fmpz(), high.ceil().unique_fmpz()
+    if ends[0] is None or ends[1] is None:
+        return REALS
+    return Interval(fmpq(ends[0] - 1, 2**64), fmpq(ends[1] + 1, 2**64), True, True)
+
+
+def _span_sign(span: Interval) -> str | None:
+    if span.low is not None and span.low >= 0:
+        return "+" if span.low > 0 or span.low_open else ">=0"
+    if span.high is not None and span.high <= 0:
+        return "-" if span.high < 0 or span.high_open else "<=0"
+    return None
+
+
+def _beside(end: fmpq, found: str | None) -> Interval:
+    """The values above or below a number from which their distance has a sign."""
+    if found in ("+", ">=0"):
+        return Interval(end, None, found == "+")
+    return Interval(None, end, False, found == "-") if found in ("-", "<=0") else REALS
+
+
+def _within(one: Interval, other: Interval) -> Interval:
+    """The values in both."""
+    low, low_open = one.low, one.low_open
+    if low is None or (other.low is not None and other.low >= low):
+        low, low_open = other.low, other.low_open or (other.low == low and low_open)
+    high, high_open = one.high, one.high_open
+    if high is None or (other.high is not None and other.high <= high):
+        high, high_open = other.high, other.high_open or (other.high == high and high_open)
+    return Interval(low, high, low_open, high_open)
+
+
+def _absolute(span: Interval, nonzero: bool) -> Interval:
+    """The range of the absolute value of what has a range."""
+    if span.low is not None and span.low >= 0:
+        return span
+    if span.high is not None and span.high <= 0:
+        low = None if span.low is None else -span.low
+        return Interval(-span.high, low, span.high_open, span.low_open)
+    if span.low is None or span.high is None:
+        return Interval(fmpq(0), None, nonzero)
+    top = max(-span.low, span.high)
+    is_open = all(
+        o for end, o in ((-span.low, span.low_open), (span.high, span.high_open)) if end == top
+    )
+    return Interval(fmpq(0), top, nonzero, is_open)
+
+
+def _times(x: str, y: str) -> str:
+    """The sign of a product."""
+    if "0" in (x, y):
+        return "0"
+    negative = (x in ("-", "<=0")) != (y in ("-", "<=0"))
+    if {x, y} <= {"+", "-"}:
+        return "-" if negative else "+"
+    return "<=0" if negative else ">=0"
