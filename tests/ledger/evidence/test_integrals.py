@@ -238,6 +238,41 @@ def test_planted_positive_integrals(name: str) -> None:
     assert not shown(integral, *given, strictly=True).holds
 
 
+NAMES = {
+    "the variable in its own end": (
+        equal(area(t, 0, t), t**2 / 2),
+        equal(area(t, 0, t), t**2),
+        integrating(t**2 / 2),
+    ),
+    "a factor of the name of the variable": (
+        equal(t * area(t), t / 2),
+        equal(t * area(t), t**2 / 2),
+        integrating(t**2 / 2),
+    ),
+    "a parameter of the name of the variable": (
+        equal(t * by_parameter(exp(x * t)), t * area(t * exp(x * t))),
+        equal(t * by_parameter(exp(x * t)), area(t**2 * exp(x * t))),
+        differentiating_integral(t * exp(x * t)),
+    ),
+    "what is known of a symbol of that name": (
+        equal(area(Abs(t), -2, -1), Rational(3, 2)),
+        equal(area(Abs(t), -2, -1), -Rational(3, 2)),
+        integrating(-(t**2) / 2),
+    ),
+}
+
+
+@pytest.mark.parametrize(("right", "wrong", "reason"), NAMES.values(), ids=NAMES)
+def test_what_is_bound_is_no_symbol_of_that_name(
+    right: Basic, wrong: Basic, reason: Reason
+) -> None:
+    proof = by(reason, roots)
+    assert verdict(right, proof, (t > 0,)) is Verdict.PROVED
+    assert verdict(wrong, proof, (t > 0,)) is not Verdict.PROVED
+    other = by(integrating(t**2 / 2), roots)
+    assert verdict(wrong, other, (t > 0,)) is not Verdict.PROVED
+
+
 def test_bounds_are_cited_inside_only_where_they_hold() -> None:
     lemma = Claim("lemma", t > 0, (step(t),), given=(t > 0,))
     held = {"lemma": judge(lemma, {})}
@@ -270,8 +305,28 @@ def test_the_slope_of_an_implicit_function() -> None:
     assert implicit(equal(r, SLOPE)).verdict is Verdict.PROVED
 
 
+AT_ZERO = Subs(Derivative(LEFT, x), x, ZERO)
+
+
+def test_the_slope_may_be_written_with_an_equal_integrand() -> None:
+    same = -AT_ZERO / Derivative(area(2 - Abs(1 + t**2) / (1 + t**2), 0, y), y)
+    assert implicit(equal(r, same)).verdict is Verdict.PROVED
+
+
 @pytest.mark.parametrize(
-    "says", [equal(r, -SLOPE), equal(r, 1 / SLOPE), equal(y, SLOPE), equal(r, 1), r >= SLOPE]
+    "says",
+    [
+        equal(r, -SLOPE),
+        equal(r, 1 / SLOPE),
+        equal(y, SLOPE),
+        equal(r, 1),
+        r >= SLOPE,
+        equal(r, -AT_ZERO / Derivative(area(1 + t, 0, y), y)),
+        equal(r, -AT_ZERO / Derivative(area(ONE, 0, 2 * y), y)),
+        equal(r, -AT_ZERO / Derivative(area(ONE, 0, t), t)),
+        equal(r, -AT_ZERO / Subs(Derivative(area(ONE, 0, y), y), y, 1)),
+        equal(r, -AT_ZERO / area(ONE, 0, y)),
+    ],
 )
 def test_any_other_slope_is_none(says: Basic) -> None:
     assert implicit(says).verdict is Verdict.UNDECIDED

@@ -4,6 +4,7 @@ import pytest
 from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
+from in_sympy import to_sympy
 from sympy import I, latex, nan, zoo
 
 from tresym.reals.language.binders import at, derivative, integral, limit, order
@@ -23,7 +24,6 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.latex import read_expression, read_latex
 from tresym.reals.language.latex_cursor import Author
 from tresym.reals.language.parsing import as_written
-from tresym.reals.language.sympy import to_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given

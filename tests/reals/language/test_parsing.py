@@ -8,6 +8,7 @@ from functools import reduce
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from in_sympy import to_sympy
 
 from tresym.reals.language.binders import at, derivative, integral, limit, order
 from tresym.reals.language.expression import (
@@ -24,7 +25,7 @@ from tresym.reals.language.expression import (
     trees,
 )
 from tresym.reals.language.parsing import as_written, parse
-from tresym.reals.language.sympy import from_sympy, to_sympy
+from tresym.reals.language.sympy import from_sympy
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 

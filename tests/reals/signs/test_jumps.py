@@ -10,12 +10,13 @@ from flint import arb, fmpq
 from hypothesis import given as over
 from hypothesis import settings
 from hypothesis import strategies as st
+from in_sympy import to_sympy
 
 import tresym
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.expression import angle, differentiate, number, substitute
 from tresym.reals.language.parsing import parse
-from tresym.reals.language.sympy import from_sympy, to_sympy
+from tresym.reals.language.sympy import from_sympy
 from tresym.reals.normal.field import Field
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given

@@ -6,6 +6,7 @@ import pytest
 from falsehoods import is_false_at, read
 from flint import arb
 
+from tresym.reals.language.expression import symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
@@ -33,6 +34,17 @@ SIGNS = [
     ("1 - cos(x)**2", "sin(x) > 0", "+"),
     ("1 - b/(a + b)*cos(x)**2", "a > 0, b > 0, b <= 1", "+"),
     ("1 - a/(a + b)*sqrt(b/a)**2", "a > 0, b > 0", "+"),
+    # linear in a square of a sine; values of what rises; quarter turns; conjugates
+    ("1 - sin(t)**2*x/y", "y > x, x >= 0", "+"),
+    ("y - x*cos(t)**2", "y >= x, x >= 0", ">=0"),
+    ("b*sin(x)**2 - b*sin(e)**2", "b > 0, e > 0, x >= e, x <= pi/2", ">=0"),
+    ("exp(x) - exp(y)", "x > y", "+"),
+    ("sqrt(x) - sqrt(y)", "x < y", "-"),
+    ("3*pi/2*k - k*(pi + atan(x))", "k > 0", "+"),
+    ("pi - acos(-x)", "x < 1", "+"),
+    ("pi - acos(x)", "", ">=0"),
+    ("(1 - b)/sqrt(b*(a + b)) - 1", "a > 0, b > 0, b <= 1, b*(a + 2) > 1", "-"),
+    ("1 - b + sqrt(b*(a + b))", "a > 0, b > 1, b*(a + 2) > 1", "+"),
     # ranges of functions
     ("sqrt(1 + x**2) - cos(y)", "x > 0", "+"),
     ("exp(x) - 1", "x > 0", "+"),
@@ -47,7 +59,7 @@ def test_signs(text: str, conditions: str, found: str) -> None:
     e, given = parse(text), Given.parse(conditions)
     assert Parts(given).sign(e) == found
     with ball_precision(200):
-        for point in given.points(["x", "y"], 20):
+        for point in given.points(symbols(e), 20):
             value = evaluate(e, {name: arb(at) for name, at in point.items()})
             assert not (value > 0 if found in ("-", "<=0") else value < 0)
 
@@ -69,6 +81,19 @@ FALSE = {
     "1 - cos(x)**2 > 0 given cos(x) > 0": "x = 0",
     "1 - b/(a + b)*cos(x)**2 > 0 given a >= 0, b > 0": "a = 0, b = 1, x = 0",
     "sqrt(1 + x**2) - cos(y) > 0": "x = 0, y = 0",
+    "1 - sin(t)**2*x/y > 0 given y >= x, x > 0": "t = pi/2, x = 1, y = 1",
+    "1 - sin(t)**2*x/y > 0 given y > 0, x > 0": "t = pi/2, x = 2, y = 1",
+    "x*sin(t)**2 - y*cos(t) >= 0 given x > 0, y > 0": "t = 0, x = 1, y = 1",
+    "sin(x) - sin(e) >= 0 given e > 0, x >= e, x <= pi": "e = 1, x = pi",
+    "sin(x) - sin(y) > 0 given x >= y, x <= 1, y > 0": "x = 1, y = 1",
+    "cos(x) - cos(y) >= 0 given x > y, x <= 1, y > 0": "x = 1, y = 1/2",
+    "sqrt(x) - 2*sqrt(y) >= 0 given x > y, y > 0": "x = 2, y = 1",
+    "sqrt(x) - cbrt(y) >= 0 given x > y, y > 0": "x = 1/100, y = 1/200",
+    "3*pi/8 - atan(x) > 0": "x = 1000",
+    "pi/2 + atan(x) - 2*pi/3 > 0": "x = 0",
+    "pi - acos(-x) > 0 given x <= 1": "x = 1",
+    "1 - (1 - b)/sqrt(b*(a + b)) > 0 given a > 0, b > 0, b < 1, b*(a + 2) >= 1": "a = 1, b = 1/3",
+    "1 - b + sqrt(b*(a + b)) > 0 given a > -2, b > 1, b*(a + 2) < 1": "a = -219/200, b = 11/10",
     "exp(x) - 1 > 0 given x >= 0": "x = 0",
     "sqrt(x) - 1 > 0 given x > 1/2": "x = 3/4",
     "log(x) > 0 given x > 0": "x = 1/2",

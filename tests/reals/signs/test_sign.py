@@ -129,3 +129,35 @@ def test_the_sign_of_a_polynomial_holds_on_its_box(
     for x, y in product(*grids):
         value = sum(c * x**i * y**j for c, (i, j) in zip(coefficients, MONOMIALS, strict=True))
         assert not _excluded(Fraction(value), found)
+
+
+DEAR = [
+    ("exp(x) - 1 - x", "", ">=", ">=0"),
+    ("exp(x) - 1 - x", "x > 0", ">", "+"),
+    ("1 + x - exp(x)", "x > 0", "!=", "-"),
+    ("x - y", "x != y", "!=", "!="),
+    ("2 - x**2", "x**2 < 2", "<", None),
+    # nothing is proved of the points where sign jumps, nor of those that lie alone
+    ("sign(x**2)/2", "", ">", None),
+    ("sign(x**2)/2", "", "!=", None),
+    ("exp(x - 1) - x", "x**2*(x - 1) >= 0, x < 1/2", ">", None),
+    ("x - 1", "x**2*(x - 1) >= 0", ">=", None),
+    ("x - y + 1", "x >= y, y >= x, x**2*y >= 0", "<=", None),
+]
+
+
+@pytest.mark.parametrize(("text", "conditions", "wanted", "expected"), DEAR)
+def test_a_wanted_relation_is_proved_by_every_method(
+    text: str, conditions: str, wanted: str, expected: str | None
+) -> None:
+    e, region = parse(text), Given.parse(conditions)
+    found = sign(e, region, wanted)
+    assert found == expected or (expected is None and found not in PROVES[wanted])
+    if expected is not None and wanted != "!=":
+        assert sign(e, region) is None
+
+
+PROVES = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-", "!=")} | {
+    "<": ("-",),
+    "<=": ("-", "<=0", "0"),
+}

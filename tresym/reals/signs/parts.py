@@ -39,6 +39,8 @@ WEAK = ("+", ">=0", "0")
 FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
 _ODD_INCREASING = frozenset(("sinh", "tanh", "asinh", "atanh", "atan", "asin", "cbrt", "sign"))
 _ODD = _ODD_INCREASING | {"coth", "csch"}
+_RISING = frozenset(("sin", "exp", "log", "root", *_ODD_INCREASING)) - {"sign"}
+"""Functions that rise strictly; the sine between quarter turns."""
 _POSITIVE = frozenset(("exp", "cosh", "sech"))
 _RANGES = {
     "sin": Interval(fmpq(-1), fmpq(1)),
@@ -115,11 +117,24 @@ class Parts:
     def _sign(self, e: Expr) -> str | None:
         if not symbols(e):
             return _constant_sign(e)
+        stated = self._stated(e)
+        if stated in ("+", "-"):
+            return stated
+        found = self._by_operation(e)
+        return found if found in ("+", "-", "0") else stated or found
+
+    def _stated(self, e: Expr) -> str | None:
+        """What conditions say as they stand."""
+        found = None
         for condition in self.given.conditions:
-            if condition.expression == e and condition.relation != "!=":
-                return "+" if condition.relation == ">" else ">=0"
-            if condition.relation != "!=" and condition.expression == -e:
-                return "-" if condition.relation == ">" else "<=0"
+            if condition.relation != "!=" and condition.expression in (e, -e):
+                up = condition.expression == e
+                if condition.relation == ">":
+                    return "+" if up else "-"
+                found = ">=0" if up else "<=0"
+        return found
+
+    def _by_operation(self, e: Expr) -> str | None:
         match e.op:
             case "*":
                 return self._product_sign(e.args) or self._algebraic(e)
@@ -280,7 +295,36 @@ class Parts:
             if found in ("+", "-", "0"):
                 return found
             best = best or found
-        return best
+        return best or self._at_ends(p) or self._by_conjugate(p)
+
+    def _by_conjugate(self, p: Poly) -> str | None:
+        """The sign of ``u + v·g`` with a square root g ≥ 0, from that of ``u² − v²·g²``."""
+        for i in self.atoms.used(p):
+            generator = self.atoms.at(i)
+            if generator.kind != "root" or generator.data[2] != 2 or p.degrees()[i] != 1:
+                continue
+            parts, inner = self.atoms.split(p, i), generator.data[1]
+            if len(parts) != 2 or len(p) > MAX_SPLIT or not self._is_positive(inner.den):
+                continue
+            size = self._fraction(self.atoms.fraction(parts[0]) ** 2 - parts[1] ** 2 * inner, 1)
+            if size in ("+", "-"):
+                found = self._polynomial(parts[0 if size == "+" else 1])
+                return {">=0": "+", "<=0": "-"}.get(found or "", found)
+        return None
+
+    def _at_ends(self, p: Poly) -> str | None:
+        """The sign of what is linear in the square of a sine or cosine, which is 0 to 1."""
+        for i in self.atoms.used(p):
+            if self.atoms.at(i).kind in ("sin", "cos") and p.degrees()[i] == 2:
+                parts = self.atoms.split(p, i)
+                if 1 not in parts:
+                    low = parts.get(0, self.atoms.zero_poly)
+                    ends = {self._polynomial(end) for end in (low, low + parts[2])}
+                    for up in ("+", "-"):
+                        weak = ">=0" if up == "+" else "<=0"
+                        if ends <= {up, weak, "0"}:
+                            return up if ends == {up} else weak
+        return None
 
     def _is_positive(self, p: Poly) -> bool:
         return p.is_one() or self._on_box(p) == "+"
@@ -299,10 +343,10 @@ class Parts:
     def _by_factors(self, p: Poly) -> str | None:
         unit, parts = small_factor(self.atoms, p)
         if len(parts) == 1 and parts[0][1] == 1:
-            return None
+            return self._known_part(p)
         total = "+" if unit > 0 else "-"
         for part, multiplicity in parts:
-            found = self._on_box(part) or self._as_a_fact(part)
+            found = self._on_box(part) or self._known_part(part)
             if multiplicity % 2 == 0:
                 found = "+" if found in ("+", "-") else ">=0"
             if found is None:
@@ -310,13 +354,37 @@ class Parts:
             total = _times(total, found)
         return total
 
-    def _as_a_fact(self, p: Poly) -> str | None:
+    def _known_part(self, p: Poly) -> str | None:
+        """The sign of a condition, of two values that rise, or of what is below a quarter turn."""
         for fact, strict in self.facts:
-            if fact == p:
-                return "+" if strict else ">=0"
-            if fact == -p:
-                return "-" if strict else "<=0"
-        return None
+            if fact in (p, -p):
+                room = "+" if strict else ">=0"
+                return room if fact == p else FLIP[room]
+        used = self.atoms.used(p)
+        if len(used) != 2 or len(p) != 2 or p.total_degree() != 1:
+            return None
+        first, second = (self.atoms.at(i) for i in used)
+        scales = [int(p.derivative(i).leading_coefficient()) for i in used]
+        x, y = (self.atoms.expression(i) for i in used)
+        if {first.kind, second.kind} == {"pi", "atan"}:
+            above = scales[0] if first.kind == "pi" else scales[1]
+            size = 2 * abs(above) - abs(scales[0] + scales[1] - above)
+            return ("+" if above > 0 else "-") if size >= 0 else None
+        if {first.kind, second.kind} == {"pi", "acos"} and scales[0] == -scales[1]:
+            angle, above = (y, scales[0]) if first.kind == "pi" else (x, scales[1])
+            room = "+" if self.sign(1 + angle.args[0]) == "+" else ">=0"
+            return room if above > 0 else FLIP[room]
+        if first.kind != second.kind or scales[0] != -scales[1] or first.kind not in _RISING:
+            return None
+        u, v = x.args[0], y.args[0]
+        if first.kind == "sin" and not all(
+            self.sign(PI / 2 + side * end) in WEAK for end in (u, v) for side in (1, -1)
+        ):
+            return None
+        if first.kind == "root" and first.data[2] != second.data[2]:
+            return None
+        found = self.sign(u - v)
+        return found if scales[0] > 0 else FLIP[found]
 
     @property
     def known(self) -> list[tuple[Fraction, bool]]:

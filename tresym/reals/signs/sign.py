@@ -22,6 +22,7 @@ from tresym.reals.signs.inside import (
     PROVING,
     REMEMBERED,
     by_signs_of_parts,
+    jumps,
     sign_inside,
     strict_by_conditions,
 )
@@ -92,8 +93,8 @@ def sign(e: Expr, given: Given, wanted: str | None = None, dear: bool = True) ->
     if found in (">=0", "<=0") and wanted in (">", "!="):
         up, side = ("+", e) if found == ">=0" else ("-", -e)
         found = up if strict_by_conditions(side, given) else found
-    if wanted is None or not dear or found in (*enough, "+", "-", "0"):
-        return found
+    if wanted is None or not dear or found in (*enough, "+", "-", "0") or jumps((e,), given):
+        return found  # a proof of almost all points says nothing of those where it jumps
     for up, side in (("+", e), ("-", -e))[: 1 + (wanted == "!=")]:
         if proof(side, wanted.replace("!=", ">"), given) is not None:
             return ">=0" if wanted == ">=" else up
