@@ -229,6 +229,10 @@ def main() -> int:
                 print(f"{m['file']}:{m['line']} {m['piece']}: {m['kind']} {m['part']}: {m['was']}")
         for file, count in found["files"].items():
             print(file, dict(count))
+        there = [mutant for file in files() for mutant in mutants(file)]
+        for reason in equivalent():
+            if not any(is_meant(reason, mutant) for mutant in there):
+                print("a reason for nothing:", reason)
         return 0
     known = record()
     wanted = [m for file in names or files() for m in mutants(file)]

@@ -22,6 +22,7 @@ COMMANDS = (
     "docs",
     "flip",
     "check",
+    "export",
     "audit",
     "bench",
     "sweep",

@@ -79,6 +79,15 @@ Proof.
   unfold Rpower; rewrite ln_Rinv by lra; rewrite <- exp_Ropp; f_equal; ring.
 Qed.
 
+Lemma sqrt_unique x y : 0 <= y -> y ^ 2 = x -> sqrt x = y.
+Proof. intros H E; rewrite <- E; now apply sqrt_pow2. Qed.
+Lemma root_unique n x y : (n <> 0)%nat -> 0 < y -> y ^ n = x -> root n x = y.
+Proof.
+  intros N H E; rewrite <- E, root_pos by now apply pow_lt.
+  rewrite <- Rpower_pow by exact H; rewrite Rpower_mult, Rinv_r, Rpower_1; trivial.
+  now apply not_0_INR.
+Qed.
+
 (* Derivatives, one rule for each operation: [derive] leaves the conditions. *)
 
 Lemma d_eq (f : R -> R) (x l m : R) : is_derive f x l -> l = m -> is_derive f x m.
@@ -127,26 +136,27 @@ Qed.
 Lemma d_atan : is_derive (fun t => atan (f t)) x (k * / (1 + f x * f x)).
 Proof. apply d_comp, is_derive_atan. Qed.
 Lemma d_asin : 0 < 1 - f x -> 0 < 1 + f x ->
-  is_derive (fun t => asin (f t)) x (k * / sqrt (1 - f x * f x)).
+  is_derive (fun t => asin (f t)) x (k * / sqrt ((-1) * f x ^ 2 + 1)).
 Proof.
   intros H1 H2; apply d_comp; assert (H : -1 < f x < 1) by lra.
+  replace ((-1) * f x ^ 2 + 1) with (1 - f x * f x) by ring.
   apply (d_eq _ _ (derive_pt asin (f x) (derivable_pt_asin (f x) H))).
   - apply is_derive_Reals; unfold derive_pt; exact (proj2_sig (derivable_pt_asin (f x) H)).
   - rewrite derive_pt_asin; unfold Rsqr, Rdiv; ring.
 Qed.
 Lemma d_acos : 0 < 1 - f x -> 0 < 1 + f x ->
-  is_derive (fun t => acos (f t)) x (- k * / sqrt (1 - f x * f x)).
+  is_derive (fun t => acos (f t)) x (- k * / sqrt ((-1) * f x ^ 2 + 1)).
 Proof.
   intros H1 H2; assert (H : -1 < f x < 1) by lra.
+  replace ((-1) * f x ^ 2 + 1) with (1 - f x * f x) by ring.
   apply (d_eq _ _ (k * derive_pt acos (f x) (derivable_pt_acos (f x) H))).
   - apply d_comp, is_derive_Reals; unfold derive_pt.
     exact (proj2_sig (derivable_pt_acos (f x) H)).
   - rewrite derive_pt_acos; unfold Rsqr, Rdiv; ring.
 Qed.
-Lemma d_arcsinh : is_derive (fun t => arcsinh (f t)) x (k * / sqrt (f x * f x + 1)).
+Lemma d_arcsinh : is_derive (fun t => arcsinh (f t)) x (k * / sqrt (f x ^ 2 + 1)).
 Proof.
-  apply d_comp; replace (f x * f x) with (f x ^ 2) by ring.
-  apply is_derive_Reals, derivable_pt_lim_arcsinh.
+  apply d_comp, is_derive_Reals, derivable_pt_lim_arcsinh.
 Qed.
 Lemma d_sinh : is_derive (fun t => sinh (f t)) x (k * cosh (f x)).
 Proof. apply d_comp, is_derive_Reals, derivable_pt_lim_sinh. Qed.
@@ -377,6 +387,12 @@ Ltac saturate :=
 Lemma top_nonzero e p q : e <> 0 -> e = p / q -> p <> 0.
 Proof. intros H E Z; apply H; rewrite E, Z; unfold Rdiv; ring. Qed.
 
+Lemma even_power x n : Nat.even n = true -> 0 <= x ^ n.
+Proof.
+  intros E; apply Nat.even_spec in E; destruct E as [m E]; subst.
+  rewrite pow_mult; apply pow_le, pow2_ge_0.
+Qed.
+
 (* Positivity by structure. *)
 Ltac positive :=
   lazymatch goal with
@@ -394,7 +410,10 @@ Ltac positive :=
   | |- 0 <= / _ => left; positive
   | |- 0 <= sqrt _ => apply sqrt_pos
   | |- 0 <= Rabs _ => apply Rabs_pos
-  | |- 0 <= _ ^ 2 => apply pow2_ge_0
+  | |- 0 <= _ ^ _ => first [apply even_power; reflexivity | apply pow_le; positive]
+  | |- 0 <= exp _ => left; apply exp_pos
+  | |- 0 <= _ + _ =>
+      first [assumption | lra | apply Rplus_le_le_0_compat; positive | left; positive]
   | |- 0 <= _ => solve [assumption | lra | left; positive]
   end
 with sum :=
@@ -429,17 +448,6 @@ Ltac hard := first [side | nra].
 (* Whole powers of what is derived have their exponents as numbers of two kinds. *)
 Ltac tidy :=
   cbv beta; rewrite ?INR_IZR_INZ; cbn [Z.of_nat Pos.of_succ_nat Pos.succ Init.Nat.pred].
-
-(* Roots of one number that is written in two ways. *)
-Ltac join_roots :=
-  repeat match goal with
-  | |- context [sqrt ?u] =>
-      match goal with
-      | |- context [sqrt ?v] =>
-          tryif constr_eq u v then fail else
-          (let E := fresh in assert (E : u = v) by (ring); rewrite E; clear E)
-      end
-  end.
 
 (* Sums of angles and of exponents. *)
 Ltac angles :=
@@ -486,17 +494,18 @@ Lemma from_right_le f df c x : x <= c -> (forall t, x <= t <= c -> is_derive f t
   (forall t, x <= t <= c -> 0 <= df t) -> f c <= 0 -> f x <= 0.
 Proof. intros H D S B; destruct (mean_value f df x c H D) as [t [T E]]; specialize (S t T); nra. Qed.
 
-Lemma pi_between : 314 / 100 < PI < 315 / 100.
-Proof. split; interval. Qed.
+Lemma pi_between : 3 < PI <= 4.
+Proof. pose proof PI2_3_2; pose proof PI_4; lra. Qed.
 
 (* What is known of the values of functions that stand in the goal. *)
 Ltac facts :=
-  pose proof pi_between;
   repeat match goal with
+  | |- context [PI] => add (3 < PI <= 4) ltac:(exact pi_between)
   | |- context [sin ?u] => add (-1 <= sin u <= 1) ltac:(apply SIN_bound)
   | |- context [cos ?u] => add (-1 <= cos u <= 1) ltac:(apply COS_bound)
   | |- context [sin ?u] => add (sin u ^ 2 + cos u ^ 2 = 1)
       ltac:(let E := fresh in pose proof (sin_square u) as E; lra)
+  | |- context [Rabs ?u] => add (0 <= Rabs u) ltac:(apply Rabs_pos)
   | |- context [exp ?u] => add (0 < exp u) ltac:(apply exp_pos)
   | |- context [cosh ?u] => add (0 < cosh u) ltac:(apply cosh_pos)
   | |- context [sqrt ?u] => add (0 <= sqrt u) ltac:(apply sqrt_pos)
@@ -505,10 +514,61 @@ Ltac facts :=
   end.
 Lemma tanh_0 : tanh 0 = 0.
 Proof. unfold tanh; rewrite sinh_0; unfold Rdiv; ring. Qed.
+Ltac equals := first [ring | field; side | field_simplify; lra].
+Ltac worth f u y c law :=
+  replace (f u) with c by (replace u with y by equals; symmetry; apply law).
 Ltac base_value :=
-  cbv beta;
-  rewrite ?exp_0, ?ln_1, ?sin_0, ?cos_0, ?tan_0, ?atan_0, ?asin_0, ?acos_1, ?sinh_0, ?cosh_0,
-    ?tanh_0, ?sqrt_0, ?sqrt_1, ?ln_exp, ?Rmult_0_l, ?Rmult_0_r;
-  first [lra | (field_simplify; lra) | nra].
+  cbv beta; rewrite ?ln_exp; rewrite ?exp_ln by side;
+  repeat match goal with
+  | |- context [exp ?u] => worth exp u 0 1 exp_0
+  | |- context [ln ?u] => worth ln u 1 0 ln_1
+  | |- context [sin ?u] => worth sin u 0 0 sin_0
+  | |- context [cos ?u] => worth cos u 0 1 cos_0
+  | |- context [tan ?u] => worth tan u 0 0 tan_0
+  | |- context [atan ?u] => worth atan u 0 0 atan_0
+  | |- context [asin ?u] => worth asin u 0 0 asin_0
+  | |- context [acos ?u] => worth acos u 1 0 acos_1
+  | |- context [sinh ?u] => worth sinh u 0 0 sinh_0
+  | |- context [cosh ?u] => worth cosh u 0 1 cosh_0
+  | |- context [tanh ?u] => worth tanh u 0 0 tanh_0
+  | |- context [sqrt ?u] => worth sqrt u 1 1 sqrt_1
+  | |- context [sqrt ?u] => worth sqrt u 0 0 sqrt_0
+  end;
+  repeat match goal with
+  | |- context [ln ?u] =>
+      match goal with |- context [ln ?v] =>
+        tryif constr_eq u v then fail else replace (ln u) with (ln v) by (f_equal; equals)
+      end
+  end;
+  first [lra | right; equals | left; positive | facts; nra | interval].
 Ltac slope := first [ring | field; side | laws; field; side].
-Ltac top := facts; first [positive | lra | nra | interval].
+Ltac absolute := unfold Rabs in *; repeat match goal with
+  | |- context [Rcase_abs ?u] => destruct (Rcase_abs u)
+  | H : context [Rcase_abs ?u] |- _ => destruct (Rcase_abs u)
+  end.
+
+Ltac positive_root := first [positive | hard].
+Ltac logs :=
+  repeat first [rewrite ln_mult by positive | rewrite ln_Rinv by positive]; ring.
+Ltac trigonometric := repeat match goal with
+  | |- context [sin ?u ^ 2] => rewrite (sin_square u)
+  end.
+
+(* Relations of numbers. *)
+Lemma above x y : 0 < y - x -> x < y.
+Proof. lra. Qed.
+Lemma not_below x y : 0 <= y - x -> x <= y.
+Proof. lra. Qed.
+Ltac numeric :=
+  first
+    [ lra
+    | interval with (i_prec 90)
+    | lazymatch goal with
+      | |- _ <> 0 =>
+          first [apply Rgt_not_eq; interval with (i_prec 90) | apply Rlt_not_eq; interval with (i_prec 90)]
+      | |- _ <> _ => apply Rminus_not_eq; numeric
+      | |- _ < _ => apply above; interval with (i_prec 90)
+      | |- _ > _ => apply above; interval with (i_prec 90)
+      | |- _ <= _ => apply not_below; interval with (i_prec 90)
+      | |- _ = _ => first [field; lra | base_value]
+      end ].

@@ -10,8 +10,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from math import lcm
 
-from tresym.coq.linear import expanded, whole_basis
+from flint import Ordering, fmpq, fmpq_mpoly_ctx
+
+from tresym.coq.linear import as_expression, expanded, whole_basis
 from tresym.coq.statement import Theorem, term
 from tresym.reals.language.expression import (
     HALF,
@@ -23,7 +26,11 @@ from tresym.reals.language.expression import (
     multiply,
     number,
     power,
+    symbols,
 )
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import bound
+from tresym.reals.signs.sign import sign
 
 LEAVES = ("number", "symbol", "pi")
 OPAQUE = ("log", "asin", "acos", "atan", "asinh", "acosh", "atanh", "atan2")
@@ -33,6 +40,7 @@ MAX_MULTIPLE = 24
 def equation_proofs(theorem: Theorem) -> Iterator[str]:
     """Proofs of an equation, or of a derivative, to try."""
     yield Script(theorem).text()
+    yield Script(theorem, splits=False).text()
 
 
 def nodes(expressions: Iterable[Expr]) -> list[Expr]:
@@ -139,14 +147,17 @@ def inner(e: Expr, operations: Iterable[str]) -> bool:
 class Script:
     """The sentences of a proof of an equation."""
 
-    def __init__(self, theorem: Theorem) -> None:
+    def __init__(self, theorem: Theorem, splits: bool = True) -> None:
+        self.splits = splits
         self.theorem = theorem
         self.lines: list[str] = ["intros; saturate."]
         self.relations: list[str] = []
         self.count = 0
         self.names: list[str] = []
         self.after: list[str] = []
-        self.done: set[Expr] = set()
+        self.late: list[tuple[Expr, int, str]] = []
+        bounds = tuple(bound(*part) for part in theorem.defined if symbols(part[0]))
+        self.known = Given(theorem.given + bounds)
         self.angles: list[Expr] = []
         self.exponents: list[Expr] = []
 
@@ -167,8 +178,9 @@ class Script:
         if t.by is not None:
             parts.append(differentiate(t.left, t.by))
             self.add("eapply d_eq; [derive; hard |]; tidy.")
-            if any(e.op in ("asin", "acos", "asinh") for e in nodes([t.left])):
-                self.add("join_roots.")
+            for e in nodes([t.left]):
+                if e.op in ("asin", "acos", "asinh"):
+                    self.written_roots(e)
         self.add("laws.")
         self.prepared(parts)
         for line in self.after:
@@ -178,23 +190,168 @@ class Script:
         self.add(f"all: try side. all: try (sides ltac:(fun _ => ring{known})). all: try nra.")
         return "\n".join(self.lines)
 
+    def written_roots(self, e: Expr) -> None:
+        """The root in the derivative of an inverse function as the claim writes it."""
+        u = e.args[0]
+        square = Expr("^", (u, number(2)))
+        signed = square if e.op == "asinh" else Expr("*", (number(-1), square))
+        raw = Expr("+", (signed, ONE))
+        folded = u**2 + 1 if e.op == "asinh" else 1 - u**2
+        if term(raw) != term(folded):
+            self.add(
+                f"try (replace (sqrt {term(raw, 3)}) with (sqrt {term(folded, 3)}) by "
+                "(f_equal; field; side))."
+            )
+
     def prepared(self, parts: Iterable[Expr]) -> None:
         """Facts and names for everything in the parts."""
         self.tops(self.theorem)
-        every = nodes(map(unfolded, parts))
+        whole = [unfolded(e) for e in parts]
+        whole = self.logarithms(whole)
+        every = nodes(whole)
         every.sort(key=lambda e: (-e.size, str(e)))
-        special = [e for e in every if e.op in OPAQUE or is_root(e) or e.op == "sign"]
-        for e in special:
-            if inner(e, ("sin", "cos", "exp")):
-                self.opaque(e)
-        self.trigonometry(every)
-        self.exponentials(every)
-        for e in special:
-            if not inner(e, ("sin", "cos", "exp")):
-                self.opaque(e)
+        self.roots([e for e in every if is_root(e)])
+        exponential_first = not any(inner(e, ("exp",)) for e in every if e.op in ("sin", "cos"))
+        for phase in (True, False) if exponential_first else (False, True):
+            if phase:
+                self.exponentials(every)
+            else:
+                self.trigonometry(every)
         self.bases()
+        for e in every:
+            if e.op in OPAQUE or e.op == "sign":
+                self.opaque(e)
         if self.names:
             self.add(f"clearbody {' '.join(dict.fromkeys(self.names))}.")
+
+    def positive(self, e: Expr) -> bool:
+        """Whether the premises show ``e > 0``."""
+        return sign(e, self.known) == "+"
+
+    def split(self, u: Expr) -> list[tuple[Expr, int]] | None:
+        """Positive factors of ``u`` with their powers, None where one is not shown to be so."""
+        if not self.splits:
+            return None
+        top, bottom = quotient(u)
+        powers: Counter[Expr] = Counter(_factors(top))
+        powers.subtract(Counter(_factors(bottom)))
+        found = []
+        for factor, n in powers.items():
+            if factor.op == "number":
+                if factor.args[0] <= 0 or factor.args[0].p >= 10**6:
+                    return None
+                found += [(number(p), n * k) for p, k in _primes(int(factor.args[0].p))]
+            elif n:
+                found.append((factor, n))
+        total: Counter[Expr] = Counter()
+        for factor, n in found:
+            for part, k in irreducible(factor):
+                if part.op == "number" and part.args[0].q != 1:
+                    return None
+                shown = part.op == "number" or self.positive(part)
+                other = as_expression({m: -c for m, c in expanded(part).items()})
+                if not shown and not self.positive(other):
+                    return None
+                total[part if shown else other] += n * k
+        return [(f, n) for f, n in total.items() if n]
+
+    def in_factors(self, e: Expr) -> Expr:
+        """A polynomial as the product of its factors, those that are known to be so positive."""
+        found = [ONE]
+        for part, n in irreducible(e):
+            other = as_expression({m: -c for m, c in expanded(part).items()})
+            flipped = part.op == "+" and n % 2 and sign(part, self.known) in ("-", "<=0")
+            found.append(
+                Expr("^", (other if flipped else part, number(n)))
+                if n > 1
+                else other
+                if flipped
+                else part
+            )
+            found += [number(-1)] if flipped else []
+        product = multiply(*found)
+        try:
+            same = expanded(product) == expanded(e)
+        except OverflowError:
+            return e
+        return product if same else multiply(number(-1), product)
+
+    def logarithms(self, whole: list[Expr]) -> list[Expr]:
+        """Logarithms of products as sums."""
+        for e in nodes(whole):
+            if e.op != "log" or inner(e, ("log",)):
+                continue
+            factors = self.split(e.args[0])
+            if factors is None or len(factors) + sum(abs(n) != 1 for _, n in factors) < 2:
+                continue
+            if any(abs(n) > 6 for _, n in factors):
+                continue
+            flat = [f if n > 0 else _inverse(f) for f, n in factors for _ in range(abs(n))]
+            sum_ = Expr("+", tuple(Expr("*", (number(n), Expr("log", (f,)))) for f, n in factors))
+            sum_ = sum_ if len(factors) > 1 else sum_.args[0]
+            use = self.fresh("E")
+            self.add(
+                f"assert ({use} : {term(e)} = {term(sum_)}) by "
+                f"(replace {term(e.args[0], 3)} with ({_nested(flat)}) by (field; side); logs)."
+            )
+            self.add(f"try rewrite {use} in *.")
+            whole = [exchanged(part, {e: sum_}) for part in whole]
+        return whole
+
+    def roots(self, found: list[Expr]) -> None:
+        """Every root by those of a few radicands, and what binds these."""
+        asked = [_as_root(e) for e in found]
+        if len(dict.fromkeys(asked)) == 1 and quotient(asked[0][0])[1].op == "number":
+            u, q, _ = asked[0]
+            self.canonical(u, q, asked[0][2])
+            return
+        degree: dict[Expr, int] = {}
+        split: dict[tuple[Expr, int, bool], list[tuple[Expr, int]]] = {}
+        keys: dict[object, Expr] = {}
+        for u, q, odd in dict.fromkeys(asked):
+            factors = self.split(u)
+            if factors is None:
+                if not odd and (q == 2 or self.positive(u)):
+                    factors = [(u, 1)]
+                else:
+                    self.canonical(u, q, odd)
+                    continue
+            merged = []
+            for f, n in factors:
+                f = keys.setdefault(_key(f), f)
+                merged.append((f, n))
+                degree[f] = lcm(degree.get(f, 1), q)
+            split[u, q, odd] = merged
+        for f, q in degree.items():
+            self.canonical(f, q, False)
+        for (u, q, _), factors in split.items():
+            if factors == [(u, 1)] and degree[u] == q:
+                continue
+            product = [
+                Expr("^", (_root(f, degree[f]), number(n * (degree[f] // q)))) for f, n in factors
+            ]
+            value = product[0] if len(product) == 1 else Expr("*", tuple(product))
+            use = self.fresh("E")
+            law = "sqrt_unique" if q == 2 else "root_unique"
+            self.add(
+                f"assert ({use} : {term(_root(u, q))} = {term(value)}) by (apply {law}; "
+                f"{'[' if q == 2 else '[lia | '}positive_root | {self.by_field()}])."
+            )
+            self.add(f"try rewrite {use} in *.")
+        for u, q, name in self.late:
+            self.add(f"set ({name} := {term(_root(u, q))}) in *.")
+            self.names.append(name)
+
+    def by_field(self) -> str:
+        """The tactic for an equation with what is known of roots."""
+        known = f" [{' '.join(self.relations)}]" if self.relations else ""
+        return f"first [field{known}; side | trigonometric; field{known}; side]"
+
+    def canonical(self, u: Expr, q: int, odd: bool) -> None:
+        """What binds a root; it is named later."""
+        name = self.fresh("g")
+        self.late.append((u, q, name))
+        self.root(Expr("cbrt", (u,)) if odd else _root(u, q), u, q, name)
 
     def tops(self, t: Theorem) -> None:
         """That a quotient is not 0 says that its numerator is not."""
@@ -209,20 +366,12 @@ class Script:
                 )
 
     def opaque(self, e: Expr) -> None:
-        """A name for a root, a sign, a logarithm, an inverse function, and what binds it."""
-        u = e.args[0]
+        """A name for a sign, a logarithm, an inverse function."""
         name = self.fresh("g")
         if e.op == "sign":
             relation = self.fresh("R")
             self.add(f"assert ({relation} : {term(e)} ^ 2 = 1) by (apply sign_square; side).")
             self.relations.append(relation)
-        elif is_root(e):
-            q = 3 if e.op == "cbrt" else int(e.args[1].args[0].q)
-            e = e if e.op == "cbrt" else Expr("^", (u, number(Fraction(1, q))))
-            if e in self.done:
-                return
-            self.done.add(e)
-            self.root(e, u, q, name)
         text = term(e)
         self.add(f"set ({name} := {text}) in *.")
         self.names.append(name)
@@ -321,10 +470,15 @@ class Script:
             self.add(f"try rewrite {use} in *; clear {law}.")
         for log in logs:
             if log in bases:
-                self.add(f"rewrite (exp_ln {term(log.args[0], 3)}) in * by side.")
+                self.add(f"try rewrite (exp_ln {term(log.args[0], 3)}) in * by side.")
 
     def bases(self) -> None:
         """Names for sines, cosines and exponentials of the base."""
+        for b in self.exponents:
+            name = self.fresh("g")
+            self.add(f"pose proof (exp_pos {term(b, 3)}).")
+            self.add(f"set ({name} := exp {term(b, 3)}) in *.")
+            self.names.append(name)
         for b in self.angles:
             relation, s, c = self.fresh("R"), self.fresh("g"), self.fresh("g")
             b_text = term(b, 3)
@@ -332,11 +486,100 @@ class Script:
             self.relations.append(relation)
             self.add(f"set ({s} := sin {b_text}) in *; set ({c} := cos {b_text}) in *.")
             self.names += [s, c]
-        for b in self.exponents:
-            name = self.fresh("g")
-            self.add(f"pose proof (exp_pos {term(b, 3)}).")
-            self.add(f"set ({name} := exp {term(b, 3)}) in *.")
-            self.names.append(name)
+
+
+def _root(u: Expr, q: int) -> Expr:
+    return Expr("^", (u, number(Fraction(1, q))))
+
+
+def _as_root(e: Expr) -> tuple[Expr, int, bool]:
+    """Radicand, degree, and whether it is the root of any number."""
+    return (e.args[0], 3, True) if e.op == "cbrt" else (e.args[0], int(e.args[1].args[0].q), False)
+
+
+def _key(e: Expr) -> object:
+    """Equal for radicands that are equal as polynomials, sin² by cos²."""
+    try:
+        terms = expanded(e)
+        for _ in range(6):
+            found = [(m, part) for m in terms for part, n in m if part.op == "sin" and n >= 2]
+            if not found:
+                break
+            m, part = found[0]
+            c, rest = terms.pop(m), dict(m)
+            rest[part] -= 2
+            low = frozenset((p, n) for p, n in rest.items() if n)
+            cosine = Expr("cos", part.args)
+            rest[cosine] = rest.get(cosine, 0) + 2
+            high = frozenset((p, n) for p, n in rest.items() if n)
+            terms[low] = terms.get(low, Fraction(0)) + c
+            terms[high] = terms.get(high, Fraction(0)) - c
+        return frozenset((m, c) for m, c in terms.items() if c)
+    except OverflowError:
+        return e
+
+
+def irreducible(e: Expr) -> list[tuple[Expr, int]]:
+    """The factors of a sum as a polynomial in its parts, each up to its sign; or itself."""
+    if e.op != "+":
+        return [(e, 1)]
+    try:
+        terms = expanded(e)
+    except OverflowError:
+        return [(e, 1)]
+    parts = sorted({part for m in terms for part, _ in m}, key=str)
+    if any(n < 0 for m in terms for _, n in m):
+        return [(e, 1)]
+    context = fmpq_mpoly_ctx.get([f"x{k}" for k in range(len(parts))], Ordering.lex)
+    place = {part: k for k, part in enumerate(parts)}
+    rows = {}
+    for m, c in terms.items():
+        row = [0] * len(parts)
+        for part, n in m:
+            row[place[part]] = n
+        rows[tuple(row)] = fmpq(c.numerator, c.denominator)
+    constant, factors = context.from_dict(rows).factor()
+    if sum(int(n) for _, n in factors) < 2:
+        return [(e, 1)]
+    found = []
+    for p, n in factors:
+        back = {
+            frozenset((part, int(k)) for part, k in zip(parts, row, strict=True) if k): Fraction(
+                int(c.p), int(c.q)
+            )
+            for row, c in p.to_dict().items()
+        }
+        found.append((as_expression(back), int(n)))
+    if abs(constant) != 1:
+        found.append((number(abs(constant)), 1))
+    return found
+
+
+def _primes(n: int) -> list[tuple[int, int]]:
+    found, p = [], 2
+    while n > 1:
+        k = 0
+        while n % p == 0:
+            n, k = n // p, k + 1
+        if k:
+            found.append((p, k))
+        p = p + 1 if p * p <= n else max(n, p + 1)
+    return found
+
+
+def _nested(factors: list[Expr]) -> str:
+    """A product with brackets to the right."""
+    first, *rest = factors
+    return f"{term(first, 3)} * ({_nested(rest)})" if rest else term(first, 3)
+
+
+def exchanged(e: Expr, values: dict[Expr, Expr]) -> Expr:
+    """``e`` with parts replaced, nothing folded."""
+    if e in values:
+        return values[e]
+    if e.op in LEAVES:
+        return e
+    return Expr(e.op, tuple(exchanged(arg, values) for arg in e.args))
 
 
 def is_root(e: Expr) -> bool:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
-from itertools import combinations
+from dataclasses import replace
+from itertools import combinations, permutations
 
 from tresym.coq.equations import Script, quotient, unfolded
-from tresym.coq.linear import Monomial, Vector, expanded
+from tresym.coq.linear import as_expression, expanded
 from tresym.coq.statement import Theorem, term, variable
 from tresym.reals.language.expression import (
     ONE,
@@ -17,7 +17,6 @@ from tresym.reals.language.expression import (
     differentiate,
     multiply,
     number,
-    power,
     substitute,
     symbol,
     symbols,
@@ -31,6 +30,9 @@ from tresym.reals.signs.sign import sign
 MAX_ORDER = 5
 MAX_SIZE = 300
 MAX_BASES = 6
+MAX_EXPANSIONS = 2
+POINT = symbol("point")
+UP, DOWN = ("+", ">=0", "0"), ("-", "<=0", "0")
 
 
 def inequality_proofs(theorem: Theorem) -> Iterator[str]:
@@ -40,7 +42,10 @@ def inequality_proofs(theorem: Theorem) -> Iterator[str]:
     strict = relation in (">", "<", "!=")
     given = with_domain(Given(theorem.given), left, right)
     for difference in (d, -d) if relation == "!=" else (d,):
-        yield from by_taylor(theorem, difference, strict, given)
+        yield "intros; saturate; absolute; facts; first [lra | nra]."
+        yield from by_taylor(theorem, difference, given)
+        if not strict:
+            yield from by_cones(theorem, difference)
         yield by_polynomials(theorem, difference, strict, hints=False)
         yield by_polynomials(theorem, difference, strict, hints=True)
         yield from by_intervals(theorem, given)
@@ -53,20 +58,30 @@ def order(strict: bool) -> str:
 
 def by_polynomials(theorem: Theorem, d: Expr, strict: bool, hints: bool) -> str:
     """The numerator by ``nra``, the denominator by its structure."""
-    script = Script(theorem)
-    lines = ["intros; saturate; laws."]
+    return "\n".join(["intros; saturate; laws.", *shown(theorem, d, strict, hints), "lra."])
+
+
+def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = True) -> list[str]:
+    """Sentences after which ``0 <= d``, or ``0 < d``, is among the premises."""
     u = unfolded(d)
     top, bottom = quotient(u)
-    top = collected(top)
     rel = order(strict)
-    lines.append(f"assert (main : 0 {rel} {term(top)}).")
-    lines.append("{")
+    script = Script(theorem, splits=False)
+    top = script.in_factors(collected(top)) if expand else top
     script.lines = []
     script.prepared([d, *(e for e, _ in theorem.defined)])
-    lines += script.lines
+    lines = [f"assert (main : 0 {rel} {term(top)}).", "{", "facts.", *script.lines]
     if hints:
-        lines.append(squares(sorted(symbols(d)), theorem))
-    lines.append("facts; first [positive | lra | nra].")
+        names = [variable(name) for name in sorted(symbols(d))] + script.names
+        lines.append(squares(names, theorem))
+        for name in sorted(symbols(d)):
+            for c in solutions(differentiate(d, name), name)[:2]:
+                square = f"(pow2_ge_0 ({variable(name)} - {term(c, 3)}))"
+                lines.append(f"try pose proof {square}.")
+                lines.append(
+                    f"try pose proof (Rmult_le_pos {variable(name)} _ ltac:(lra) {square})."
+                )
+    lines.append("first [positive | lra | nra].")
     lines.append("}")
     lines.append(f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]).")
     lines.append(f"assert (0 {rel} {term(u)}).")
@@ -74,14 +89,73 @@ def by_polynomials(theorem: Theorem, d: Expr, strict: bool, hints: bool) -> str:
         f"{{ replace ({term(u)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
         f"{'now apply Rdiv_lt_0_compat' if strict else 'now apply Rdiv_le_0_compat'}. }}"
     )
-    lines.append("lra.")
-    return "\n".join(lines)
+    return lines
 
 
-def squares(names: Sequence[str], theorem: Theorem) -> str:
+def by_cones(theorem: Theorem, d: Expr) -> Iterator[str]:
+    """By the order of the variables: the coefficients in their differences have one sign."""
+    top, bottom = quotient(d)
+    try:
+        terms = expanded(top)
+    except OverflowError:
+        return
+    names = sorted({part for m in terms for part, _ in m}, key=str)
+    if (
+        not 2 <= len(names) <= 4
+        or any(e.op != "symbol" for e in names)
+        or symbols(bottom) - {e.args[0] for e in names}
+    ):
+        return
+    leaves = []
+    for ordering in permutations(names):
+        steps = [ordering[0]] + [symbol(f" {k}") for k in range(1, len(ordering))]
+        values = {e.args[0]: add(*steps[: k + 1]) for k, e in enumerate(ordering)}
+        try:
+            cone = expanded(substitute(as_expression(terms), values))
+        except OverflowError:
+            return
+        if any(c < 0 for c in cone.values()):
+            return
+        back = {f" {k}": ordering[k] - ordering[k - 1] for k in range(1, len(ordering))}
+        text = " + ".join(
+            term(
+                multiply(
+                    number(c),
+                    *(
+                        Expr("^", (substitute(part, back), number(n)))
+                        for part, n in sorted(m, key=str)
+                    ),
+                ),
+                1,
+            )
+            for m, c in cone.items()
+        )
+        leaves.append(f"(replace ({term(top)}) with ({text}) by ring; positive)")
+    pairs = "; ".join(
+        f"destruct (Rle_or_lt {variable(x.args[0])} {variable(y.args[0])})"
+        for x, y in combinations(names, 2)
+    )
+    yield "\n".join(
+        [
+            "intros; saturate.",
+            f"assert (main : 0 <= {term(top)}).",
+            f"{{ {pairs}; first [exfalso; lra | {' | '.join(leaves)}]. }}",
+            f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]).",
+            f"assert (0 <= {term(d)}).",
+            f"{{ replace ({term(d)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
+            "now apply Rdiv_le_0_compat. }",
+            "lra.",
+        ]
+    )
+
+
+def squares(texts: Sequence[str], theorem: Theorem) -> str:
     """Squares that a certificate is often made of."""
-    texts = [variable(name) for name in names][:4]
-    found = [f"({x} - {y})" for x, y in combinations(texts, 2)] + [f"({x} - 1)" for x in texts]
+    texts = texts[:4]
+    found = [f"({x} - {y})" for x, y in combinations(texts, 2)]
+    found += [f"({x} + {y})" for x, y in combinations(texts, 2)][:2]
+    found += [f"({x} ^ 2 - {y} ^ 2)" for x, y in combinations(texts, 2)][:2]
+    found += [f"({x} - {c})" for x in texts[:2] for c in ("1", "1 / 2")]
     positive_names = [
         variable(x.args[0])
         for x, sign_, y in theorem.given
@@ -102,19 +176,7 @@ def collected(e: Expr) -> Expr:
         terms = expanded(e)
     except OverflowError:
         return e
-    return polynomial(terms)
-
-
-def polynomial(terms: Vector) -> Expr:
-    """The expression of a polynomial."""
-    parts = sorted(((str(sorted(map(str, m))), m, c) for m, c in terms.items()), key=lambda p: p[0])
-    return add(*(monomial(m, c) for _, m, c in parts)) if parts else ZERO
-
-
-def monomial(m: Monomial, c: Fraction) -> Expr:
-    """One term."""
-    factors = [power(part, number(n)) for part, n in sorted(m, key=str)]
-    return multiply(number(c), *factors)
+    return as_expression(terms)
 
 
 def by_intervals(theorem: Theorem, given: Given) -> Iterator[str]:
@@ -134,71 +196,88 @@ def by_intervals(theorem: Theorem, given: Given) -> Iterator[str]:
         yield "intros. interval with (i_prec 100)."
 
 
-def by_taylor(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[str]:
+def by_taylor(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
     """By the signs of the terms below some order about a point, and of the derivative of it."""
+    count = 0
     for name in sorted(symbols(d)):
         where = given.box.get(name, Range())
         bases = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
         bases += [ZERO, ONE, *map(symbol, sorted(symbols(d) - {name}))]
         bases += solutions(differentiate(d, name), name)
         for c in list(dict.fromkeys(bases))[:MAX_BASES]:
-            proof = _about(theorem, d, strict, given, name, c)
-            if proof is not None:
-                yield proof
+            found = _about(theorem, d, given, name, c)
+            yield from found
+            count += bool(found)
+            if count == MAX_EXPANSIONS:
+                return
 
 
-def _about(theorem: Theorem, d: Expr, strict: bool, given: Given, name: str, c: Expr) -> str | None:
-    """The proof about ``name = c``, where the signs are as it needs them."""
+def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[str]:
+    """The proofs about ``name = c``, where the signs are as they need them."""
     beside = sign(symbol(name) - c, given)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     chain = [d]
-    for k in range(1, MAX_ORDER + 1):
-        at = sign(substitute(chain[-1], {name: c}), given)
-        if at is None or (at in ("-", "<=0") and k == 1):
-            return None
-        chain.append(differentiate(chain[-1], name))
+    for k in range(MAX_ORDER + 1):
+        fit = [UP if side > 0 or k % 2 == 0 else DOWN for side in sides]
+        if k and all(sign(chain[k], given) in signs for signs in fit):
+            return [_chain(theorem, chain, mode, name, c, sides) for mode in range(3)]
+        at = sign(substitute(chain[k], {name: c}), given)
+        if not all(at in signs for signs in fit):
+            return []
+        chain.append(differentiate(chain[k], name))
         if chain[-1].size > MAX_SIZE:
-            return None
-        last = sign(chain[-1], given)
-        if last is None:
-            continue
-        if all(
-            last in (("+", ">=0", "0") if side > 0 or k % 2 == 0 else ("-", "<=0", "0"))
-            for side in sides
-        ):
-            return _chain(theorem, chain, strict, name, c, sides)
-    return None
+            return []
+    return []
+
+
+def last_step(
+    theorem: Theorem,
+    e: Expr,
+    name: str,
+    up: bool,
+    mode: int,
+    between: tuple[tuple[Expr, str, Expr], ...],
+) -> str:
+    """The sign of the last derivative at another point."""
+    if mode == 0:
+        return "facts; first [positive | lra | nra]."
+    theorem = replace(theorem, given=(*theorem.given, *between))
+    moved = substitute(e if up else -e, {name: POINT})
+    return " ".join(["laws.", *shown(theorem, moved, False, mode == 2), "lra."])
 
 
 def _chain(
-    theorem: Theorem, chain: list[Expr], strict: bool, name: str, c: Expr, sides: list[int]
+    theorem: Theorem, chain: list[Expr], mode: int, name: str, c: Expr, sides: list[int]
 ) -> str:
     x, base, n = variable(name), term(c, 3), len(chain) - 1
     lines = ["intros; saturate."]
     functions = [f"(fun {x} : R => {term(f)})" for f in chain]
     for k, f in enumerate(functions):
-        lines.append(f"pose (f{k} := {f}).")
+        lines.append(f"pose (fun_{k} := {f}).")
     whole = []
     for side in sides:
-        here = f"{base} <= t <= {x}" if side > 0 else f"{x} <= t <= {base}"
+        here = f"{base} <= v_point <= {x}" if side > 0 else f"{x} <= v_point <= {base}"
         block = [
             f"assert (way : {base} {'<=' if side > 0 else '>='} {x}) by (first [assumption | lra])."
         ]
         for k in range(n, -1, -1):
             up = side > 0 or k % 2 == 0
-            says = "0 <= " + f"f{k} t" if up else f"f{k} t <= 0"
-            block.append(f"assert (s{k} : forall t, {here} -> {says}).")
+            says = "0 <= " + f"fun_{k} v_point" if up else f"fun_{k} v_point <= 0"
+            block.append(f"assert (sig_{k} : forall v_point, {here} -> {says}).")
             if k == n:
-                block.append(f"{{ intros t ?; unfold f{k}; saturate; top. }}")
+                ends = (c, symbol(name)) if side > 0 else (symbol(name), c)
+                between = ((POINT, ">=", ends[0]), (POINT, "<=", ends[1]))
+                proof = last_step(theorem, chain[n], name, up, mode, between)
+                block.append(f"{{ intros v_point ?; unfold fun_{k}; saturate. {proof} }}")
                 continue
             lemma = ("from_left" if side > 0 else "from_right") + ("_ge" if up else "_le")
             block.append(
-                f"{{ intros t ?; apply ({lemma} f{k} f{k + 1} {base} t); "
-                f"[lra | | | unfold f{k}; base_value]; intros s ?; "
-                f"[unfold f{k}, f{k + 1}; eapply d_eq; [derive; hard | tidy; slope] "
-                f"| apply s{k + 1}; lra]. }}"
+                f"{{ intros v_point ?; apply ({lemma} fun_{k} fun_{k + 1} {base} v_point); "
+                f"[lra | | | unfold fun_{k}; base_value]; intros v_next ?; "
+                f"[unfold fun_{k}, fun_{k + 1}; eapply d_eq; [derive; hard | tidy; slope] "
+                f"| apply sig_{k + 1}; lra]. }}"
             )
-        block.append(f"specialize (s0 {x} ltac:(lra)); unfold f0 in s0; lra.")
+        block.append(f"specialize (sig_0 {x} ltac:(lra)); unfold fun_0 in sig_0; lra.")
         whole.append("\n".join(block))
     if len(sides) == 2:
         lines.append(f"destruct (Rle_or_lt {base} {x}).")

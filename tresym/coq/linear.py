@@ -6,11 +6,11 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import lcm
 
-from tresym.reals.language.expression import Expr, multiply, number
+from tresym.reals.language.expression import ZERO, Expr, add, multiply, number, power
 
 Monomial = frozenset[tuple[Expr, int]]
 Vector = dict[Monomial, Fraction]
-MAX_TERMS = 60
+MAX_TERMS = 400
 
 
 def expanded(e: Expr) -> Vector:
@@ -29,7 +29,7 @@ def expanded(e: Expr) -> Vector:
         if len(inner) == 1:
             ((monomial, c),) = inner.items()
             return {frozenset((part, k * n) for part, k in monomial): c**n}
-        if 0 < n <= 4:
+        if 0 < n <= 12:
             result = inner
             for _ in range(n - 1):
                 result = _product(result, inner)
@@ -113,3 +113,15 @@ def whole_basis(
         whole[e] = [int(x * d) for x, d in zip(padded, bottoms, strict=True)]
     bases = [scaled(e, Fraction(1, d)) for e, d in zip(chosen, bottoms, strict=True)]
     return bases, whole
+
+
+def as_expression(terms: Vector) -> Expr:
+    """The expression of a polynomial."""
+    parts = sorted(((str(sorted(map(str, m))), m, c) for m, c in terms.items()), key=lambda p: p[0])
+    return add(*(_term(m, c) for _, m, c in parts)) if parts else ZERO
+
+
+def _term(m: Monomial, c: Fraction) -> Expr:
+    """One term."""
+    factors = [power(part, number(n)) for part, n in sorted(m, key=str)]
+    return multiply(number(c), *factors)

@@ -12,7 +12,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -22,7 +22,8 @@ from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
 from tresym.reals.numbers.exact import InputError
 
-SENTENCE_SECONDS = 20
+SENTENCE_SECONDS = 8
+AT_ONCE = 4
 MISSING = "coqc is not installed here, so that Coq has not been asked"
 _REALS = {
     "ClassicalDedekindReals.sig_not_dec",
@@ -98,19 +99,42 @@ def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
 def _first(theorem: Theorem, deadline: float) -> str | None:
     """The first proof that Coq accepts."""
     candidates = list(dict.fromkeys(proofs(theorem)))
-    for proof in candidates:
+    for start in range(0, len(candidates), AT_ONCE):
+        some = candidates[start : start + AT_ONCE]
         left = deadline - time.monotonic()
         if left <= 0:
             return None
-        if _tried(theorem, proof, left):
-            return proof
+        held = trial([(theorem, proof) for proof in some], left)
+        found = next((proof for proof, ok in zip(some, held, strict=True) if ok), None)
+        if found is not None:
+            return found
     return None
 
 
-def _tried(theorem: Theorem, proof: str, seconds: float) -> bool:
-    limit = f"Set Default Timeout {max(1, min(SENTENCE_SECONDS, int(seconds)))}.\n"
-    text = f"{prelude()}{limit}{theorem.text}\nProof.\n{proof}\nQed.\n"
-    return run(text, seconds)[0]
+def trial(items: Sequence[tuple[Theorem, str]], seconds: float) -> list[bool]:
+    """For each theorem whether Coq accepts the proof, in one dialogue that goes on after errors."""
+    lines = [prelude(), f"Set Default Timeout {SENTENCE_SECONDS}."]
+    for n, (theorem, proof) in enumerate(items):
+        named = replace(theorem, name=f"trial_{n}")
+        lines += [named.text, "Proof.", proof, "Qed.", "Abort All.", f"Check trial_{n}."]
+    with (
+        tempfile.TemporaryDirectory() as folder,  # for the caches of its arithmetic
+        subprocess.Popen(
+            ["coqtop", "-q"],
+            cwd=folder,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        ) as coq,
+    ):
+        try:
+            said, _ = coq.communicate("\n".join(lines) + "\n", timeout=seconds)
+        except subprocess.TimeoutExpired:
+            coq.kill()
+            said, _ = coq.communicate()
+    held = set(re.findall(r"trial_(\d+)\s*\n? +: ", said))
+    return [str(n) in held for n in range(len(items))]
 
 
 def run(text: str, seconds: float) -> tuple[bool, str, float]:

@@ -39,7 +39,9 @@ class NotExportedError(Exception):
 
 def variable(name: str) -> str:
     """The name of a variable in Coq: different ones for different names, and no word of Coq's."""
-    return name if _PLAIN.fullmatch(name) else f"v_{name}"
+    if _PLAIN.fullmatch(name):
+        return name
+    return "v_" + re.sub(r"\W", lambda found: f"'{ord(found[0]):x}'", name, flags=re.ASCII)
 
 
 def term(e: Expr, level: int = SUM) -> str:
@@ -96,7 +98,7 @@ def _power(base: Expr, exponent: Expr, level: int) -> str:
 
 @dataclass(frozen=True)
 class Theorem:
-    """``forall variables, premises -> says``.
+    """``forall variables, premises -> says``, or that there is a point where all of it holds.
 
     Attributes:
         name: the theorem's name in Coq.
@@ -115,15 +117,16 @@ class Theorem:
     relation: str
     right: Expr
     by: str | None = None
+    exists: bool = False
 
     @property
     def text(self) -> str:
         """The statement."""
-        lines = [f"Theorem {self.name} :"]
-        if self.variables:
-            lines.append(f"  forall {' '.join(map(variable, self.variables))} : R,")
-        lines += [f"  {comparison(*condition)} ->  (* given *)" for condition in self.given]
-        lines += [f"  {condition(*part)} ->  (* defined *)" for part in self.defined]
+        names = " ".join(map(variable, self.variables))
+        quantifier, join = ("exists", "/\\") if self.exists else ("forall", "->")
+        lines = [f"Theorem {self.name} :", *([f"  {quantifier} {names} : R,"] if names else [])]
+        lines += [f"  {comparison(*condition)} {join}  (* given *)" for condition in self.given]
+        lines += [f"  {condition(*part)} {join}  (* defined *)" for part in self.defined]
         return "\n".join([*lines, f"  {self.says}."])
 
     @property
@@ -185,7 +188,7 @@ def theorem(
         parts, left, right, by = [*inside, *parts], found.function, side, found.by
     parts = [part for part in dict.fromkeys(parts) if not _plain(*part)]
     used = [left, right, *(e for e, _ in parts), *(e for x, _, y in given for e in (x, y))]
-    variables = frozenset().union(*map(symbols, used)) | ({by} if by else set())
+    variables = frozenset().union(*map(symbols, used), {by} if by else ())
     return Theorem(
         name, tuple(sorted(variables)), given, tuple(parts), left, claim.relation, right, by
     )

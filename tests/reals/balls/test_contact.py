@@ -163,3 +163,13 @@ def test_an_enclosure_in_rationals(text: str) -> None:
         assert arb(low) <= value or low == high
         assert value <= arb(high) or low == high
         assert high - low < fmpq(1, 10**20)
+
+
+def test_the_constant_is_no_larger_than_the_supremum() -> None:
+    found = decide_smooth("O", parse("x**2"), parse("sin(20*x)"), "x", parse("0"), 1)
+    assert found.verdict is E
+    with ball_precision(64):
+        at = arb(found.upto)
+        assert found.constant.lower() <= at**2 / (20 * at).sin() <= found.constant.upper()
+    found = decide_smooth("O", parse("3*x + x**2"), parse("sin(x)"), "x", parse("0"), 1)
+    assert found.constant.lower() >= 3 - arb("1e-6")

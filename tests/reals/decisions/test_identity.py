@@ -330,3 +330,29 @@ def test_what_may_vanish_on_a_wall_is_not_definite(text: str, sign: int) -> None
     field = Field(Given.parse("x > -1"))
     (value,) = field.normal(parse(text))
     assert field.definite(value.num) == sign
+
+
+AT_JUMPS = [
+    ("sign(x)**2", "1"),
+    ("sign(x)**2*y", "y"),
+    ("sign(x)**2 + sign(y)**2", "2"),
+    ("x*sign(x) + sign(y)**2", "abs(x) + 1"),
+    ("y*sign(y) + sign(x)**2", "abs(y) + 1"),
+    ("sign(x*y)**2", "1"),
+    ("atan2(y, x) + atan2(-y, x)", "0"),
+    ("sign(x - 1/3)*sign(x - 1/3)", "1"),
+    ("sign(x)*sign(x - 1)*sign(x)*sign(x - 1)", "1"),
+]
+"""True but where a function jumps, at one place or at one of several."""
+
+
+@pytest.mark.parametrize(("left", "right"), AT_JUMPS)
+def test_what_holds_off_the_jumps_alone_is_not_proved(left: str, right: str) -> None:
+    assert decide(parse(left), parse(right)).verdict is not Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("left", "right"), [("x*sign(x)", "abs(x)"), ("sign(x)**3", "sign(x)"), ("sign(x)*abs(x)", "x")]
+)
+def test_what_holds_at_the_jumps_too_is(left: str, right: str) -> None:
+    assert decide(parse(left), parse(right)).verdict is Verdict.PROVED

@@ -244,3 +244,11 @@ def test_a_point_that_stands_alone_refutes_nothing(
 def test_a_zero_outside_the_conditions_refutes_no_inequation(left: str, under: str) -> None:
     found = decide_inequality(parse(left), "!=", parse("0"), Given.parse(under))
     assert found.verdict is not Verdict.REFUTED
+
+
+@pytest.mark.parametrize("text", ["x", "1/7", "x + y", "abs(x)", "x*0"])
+def test_a_side_is_not_less_than_itself(text: str) -> None:
+    side = parse(text)
+    assert decide_inequality(side, ">=", side, Given()).verdict is Verdict.PROVED
+    assert decide_inequality(side, ">", side, Given()).verdict is Verdict.REFUTED
+    assert decide_inequality(side, "!=", side, Given()).verdict is Verdict.REFUTED

@@ -128,3 +128,17 @@ def test_conditions_on_other_variables_are_left_aside() -> None:
 
 def test_neighbourhoods_of_both_infinities_may_meet() -> None:
     assert searched("x**2 + 5", "atan(x)", True, "").verdict is ENCLOSED
+
+
+@pytest.mark.parametrize(
+    ("left", "under"),
+    [
+        ("x**2", "x != 1, -2 <= x <= 2"),
+        ("x**2", "x != -1, -2 <= x <= 2"),
+        ("(x**2 - 2)**2", "x != 5, 0 <= x <= 2"),
+        ("(x**2 - 2)**2", "x**2 != 3, 0 <= x <= 3"),
+        ("1 - sin(x)", "x != 2, 0 <= x <= 2"),
+    ],
+)
+def test_a_contact_where_an_inequation_holds_counts(left: str, under: str) -> None:
+    assert not searched(left, "0", True, under)

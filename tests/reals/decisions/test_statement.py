@@ -20,8 +20,10 @@ import tresym
 from tresym.bench import check as check_pairs
 from tresym.commands import main
 from tresym.commands.check import read_tasks
+from tresym.reals.decisions import statement
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.limits import Task, check_all, check_within
+from tresym.reals.decisions.statement import decide_claim
 from tresym.reals.numbers.exact import InputError, Interval, parse_number
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.regular import is_regular
@@ -281,7 +283,8 @@ def test_nothing_is_proved_vacuously(claim: str) -> None:
 
 def test_a_candidate_for_a_point_of_contact_need_not_be_real() -> None:
     """1 - (x - pi)**2 = 2 at x = pi + sqrt(-1)."""
-    assert not tresym.check("1/(1 - (x - pi)**2) != 1/2 given pi - 1 < x < pi + 1")
+    found = tresym.check("1/(1 - (x - pi)**2) != 1/2 given pi - 1 < x < pi + 1")
+    assert found.verdict is not Verdict.REFUTED
 
 
 def test_a_refutation_shows_both_sides_apart() -> None:
@@ -686,3 +689,28 @@ def test_a_power_0_and_a_condition_speak_where_they_are_defined(
 
 def test_a_factor_of_even_power_that_cannot_vanish_bounds_nothing() -> None:
     assert tresym.check("x >= 1", given="(x**2 + 1)**2*(x - 3) >= 0").verdict is Verdict.PROVED
+
+
+HOLD_ALONE = [
+    "sqrt(x**2) == x given (x + 1)**2*(x - 1) >= 0",
+    "abs(x) == x given (x**2 - 2)**2*(x - 3) >= 0",
+    "abs(x) <= x given (x**2 - 2)**2*(x - 3) >= 0",
+    "sign(x) == 1 given (x**2 - 2)**2*(x - 3) >= 0",
+    "x > 0 given sqrt((x**2 - 2)**2*(x - 3)) > -1",
+    "abs(x) == x given sqrt((x**2 - 2)**2*(x - 3)) > -1",
+    "x > 0 given asin(1 - (x**2 - 2)**2*(x - 3)) != 5",
+    "x > 0 given log(2 + sqrt((x**2 - 2)**2*(x - 3))) > 0",
+]
+"""False at x = -1 or at the negative root of 2, where the conditions hold and nowhere near."""
+
+
+@pytest.mark.parametrize("claim", HOLD_ALONE)
+def test_points_where_conditions_hold_alone_are_not_forgotten(claim: str) -> None:
+    assert not decide_claim(claim)
+
+
+def test_a_jump_that_is_not_told_apart_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    claim = "2 + sign(x) > 0"
+    assert decide_claim(claim)
+    monkeypatch.setattr(statement, "cases_at_jumps", lambda *_: iter([None]))
+    assert decide_claim(claim).verdict is Verdict.UNDECIDED

@@ -163,6 +163,12 @@ def test_where_no_region_is_inside_nothing_is_proved(monkeypatch: pytest.MonkeyP
     assert equal_by_derivative(*TWO_REGIONS, Given(), ALL_THEORIES, 64) is None
 
 
+def test_a_slope_that_is_real_nowhere_near_is_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert equal_by_derivative(*TWO_REGIONS, Given(), ALL_THEORIES, 64) is not None
+    monkeypatch.setattr(locally_constant, "_are_real", lambda *_: False)
+    assert equal_by_derivative(*TWO_REGIONS, Given(), ALL_THEORIES, 64) is None
+
+
 def test_regions_too_hard_to_find_are_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
     point = {"x": number(1)}
     monkeypatch.setattr(locally_constant, "_candidates", lambda *_: iter([point, None]))
@@ -179,6 +185,8 @@ INSIDE = [
     ("x", "asin(x)", "", "2", False),
     ("x", "x", "x != 0", "0", None),
     ("acosh(x)", "x", "", "0", False),
+    ("log(x + 5)", "log(x)", "", "-1", False),
+    ("x", "asin(x)", "x > -5, x > 3", "2", False),
     ("sqrt(x)", "sqrt(x)", "", "-1", False),
 ]
 

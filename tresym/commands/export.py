@@ -1,0 +1,52 @@
+"""``tresym export``: the ledger as theorems of Coq, each with the proof that Coq accepted."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+from collections import Counter
+from pathlib import Path
+
+from tresym.commands.parser import Commands
+from tresym.reals.numbers.exact import InputError
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym export` to the command line."""
+    parser = commands.add_parser(
+        "export",
+        help="the ledger as theorems of Coq",
+        description="Write each claim as a theorem of Coq with its proof: one file a part of the "
+        "proofs, a Makefile that has Coq check them, and index.json.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
+    parser.add_argument("--coq", required=True, metavar="DIR", help="the folder to write")
+    parser.add_argument(
+        "--search", action="store_true", help="find the proofs anew by asking coqtop, and keep them"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from tresym.coq.export import save, search, stored, write
+    from tresym.ledger.paper import all_claims
+
+    store = stored()
+    if args.search:
+        if shutil.which("coqtop") is None:
+            raise InputError("export: --search asks coqtop, which is not installed here")
+        wanted = [c for c in all_claims() if not args.labels or c.label in args.labels]
+        found = search(wanted, lambda text: print(text, file=sys.stderr))
+        store = {"coq": found["coq"], "claims": {**store["claims"], **found["claims"]}}
+        save(store)
+    index = write(Path(args.coq), args.labels, store)
+    counts = Counter(row["status"] for row in index.values())
+    theorems = sum(len(row["theorems"]) for row in index.values() if not row["together"])
+    print(
+        f"{args.coq}: {theorems} theorems; {counts['proved']} of {len(index)} claims proved, "
+        f"{counts['partial']} in part, {counts['none']} not; run make there to have Coq check them"
+    )
+    return 0
