@@ -14,6 +14,8 @@ from tresym.reals.language.expression import Expr, apply, number, power
 from tresym.reals.normal.ring import Fraction, Poly, Ring
 
 SIZE = 24
+MAX_GROWTH = 300
+"""Terms that may be multiplied out where the power of an atom is put in."""
 _EVEN = frozenset(("abs", "cos", "cosh", "sech"))
 _ODD = frozenset(("sin", "asin", "atan", "sinh", "tanh", "coth", "csch", "asinh", "atanh")) | {
     "cbrt",
@@ -108,7 +110,7 @@ class Atoms(Ring):
     def _lowered(self, p: Poly, i: int, n: int, power: Fraction) -> Poly:
         """``p``, times a power of a denominator, with the n-th power of an atom put in."""
         most = int(p.degrees()[i]) // n
-        if not most:
+        if not most or len(p) * max(len(power.num), len(power.den)) ** most > MAX_GROWTH:
             return p
         total = self.zero_poly
         for k, part in self.split(p, i).items():

@@ -31,6 +31,8 @@ MAX_SPLIT = 24
 """Terms of a sum from which conditions are taken out."""
 MAX_TRIALS = 100
 """Multiples of conditions that are tried for one question."""
+MAX_LOOKS = 60
+"""Polynomials that are looked at for one question, all parts of it together."""
 DEPTH = 2
 """At most this many conditions are taken out of a sum."""
 _BITS = 128
@@ -68,7 +70,7 @@ class Parts:
         self._cut = False
         self._known: list[tuple[Fraction, bool]] | None = None
         self._facts: list[tuple[Poly, bool]] | None = None
-        self._trials, self._depth = 0, DEPTH
+        self._trials, self._looks, self._depth = 0, 0, DEPTH
 
     def sign(self, e: Expr) -> str | None:
         """The proven sign of ``e`` wherever the conditions hold and ``e`` is defined."""
@@ -240,7 +242,8 @@ class Parts:
     def _algebraic(self, e: Expr) -> str | None:
         """The sign of a sum or product as a fraction of polynomials in atoms."""
         depth = self._depth
-        self._trials = self._trials if depth < DEPTH else 0
+        if depth == DEPTH:
+            self._trials = self._looks = 0
         self._depth = max(0, depth - 1)  # of what is asked on the way, of ranges of atoms
         try:
             value = self.atoms.of(e)
@@ -289,6 +292,9 @@ class Parts:
         """The sign of a polynomial in atoms, by their ranges and its factors."""
         if p.is_constant():
             return "0" if p.is_zero() else "+" if p.leading_coefficient() > 0 else "-"
+        self._looks += 1
+        if self._looks > MAX_LOOKS or len(p) > MAX_TERMS:
+            return None
         best = None
         for q in self.atoms.rewritten(p, self._is_positive):
             found = self._on_box(q) or self._by_factors(q)

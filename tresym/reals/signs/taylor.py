@@ -26,7 +26,7 @@ from tresym.reals.signs.inside import Ask
 from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_ORDER = 5
-MAX_SIZE = 2_000
+MAX_SIZE = 500
 MAX_BASES = 8
 _WEAK = ("+", ">=0", "0")
 _FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
