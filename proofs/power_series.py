@@ -64,7 +64,7 @@ cotangent_series = Claim(
     says=equal(x * Derivative(_u, x) + 2 * _u, x + x * _u**2),
     given=_half_turn,
     proof=by(differentiation),
-    note="(n + 2)uₙ on the left, sums of products of earlier coefficients on the right.",
+    note="On the left n + 2 times the coefficient, on the right sums of products of earlier ones.",
 )
 
 cosecant_series = Claim(
@@ -72,7 +72,7 @@ cosecant_series = Claim(
     says=equal(x * Derivative(_v, x) + _v, _u + x * _u * _v),
     given=_half_turn,
     proof=by(differentiation),
-    note="(n + 1)vₙ on the left.",
+    note="On the left n + 1 times the coefficient.",
 )
 
 exponent_slope = Claim(
