@@ -18,7 +18,6 @@ from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_i
 
 from tresym.ledger.claim import Claim, Place, all_of, by, equal, step, together
 from tresym.ledger.reasons import (
-    citing,
     differentiation,
     exponentials,
     roots,
@@ -120,14 +119,14 @@ rotating_solution = Claim(
     label="rotating_solution",
     says=_solves(rotating_motion, _speed_rotating * _delta(_m_rotating)),
     given=_rotating,
-    proof=together(*(by(*_opening, citing(parameter_rotating)) for _ in range(3))),
+    proof=together(*(by(*_opening) for _ in range(3))),
 )
 
 oscillating_solution = Claim(
     label="oscillating_solution",
     says=_solves(oscillating_motion, _speed_oscillating * _delta(_m_oscillating)),
     given=_oscillating,
-    proof=together(*(by(*_opening, citing(parameter_oscillating)) for _ in range(3))),
+    proof=together(*(by(*_opening) for _ in range(3))),
 )
 
 _separatrix = (*ordered_moments, I3 - I1 > 0)

@@ -127,7 +127,7 @@ above_turning_point, above_on_levels = (
         says=level + b * _square > 0,
         kind="bound",
         given=(*_at(level, unturned), psi >= epsilon, psi <= pi / 2),
-        proof=(step(level + b * _square, citing(higher_sine)),),
+        proof=(step(level + b * _square),),
         note="From ε to π/2 the motion does not turn.",
     )
     for label, level in (("above_turning_point", gamma), ("above_on_levels", c))
@@ -180,7 +180,6 @@ def _falling(
             ),
         ),
     )
-    cited = (citing(*bounds),) if bounds else ()
     by_depth = Claim(
         label=f"{name}_falls_in_gamma",
         says=F_gamma < 0,
@@ -191,7 +190,6 @@ def _falling(
                 Integral(_fall, (psi, epsilon, pi / 2)),
                 substituting(slopes),
                 differentiating_integral(-_fall, *bounds),
-                *cited,
             ),
         ),
     )

@@ -101,7 +101,7 @@ clock_runs = Claim(
     says=1 - b * sin(_here.flip) ** 2 > 0,
     kind="bound",
     given=(*oscillating, b < 1),
-    proof=(step((1 - b) + _share, trigonometry, citing(clock_quickens)),),
+    proof=(step((1 - b) + _share, trigonometry),),
 )
 
 handle_tilts = Claim(
@@ -114,7 +114,7 @@ handle_tilts = Claim(
 )
 
 _rates = printed.planar_rates(_here.tilt, _here.flip, a, b, sympy)
-_solving = by(differentiation, citing(clock_runs, handle_tilts), trigonometry, roots)
+_solving = by(differentiation, trigonometry, roots)
 
 unfolded_motion = Claim(
     label="unfolded_motion",

@@ -653,14 +653,13 @@ def _larger(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
 def _larger_with_binders(inner: st.SearchStrategy[Expr]) -> st.SearchStrategy[Expr]:
     names = st.sampled_from(sorted(WRITTEN_NAMES))
     ends = st.tuples(inner, names, inner)
-    spoken = ends.filter(lambda p: p[1] in symbols(p[0]))
     return st.one_of(
         _larger(inner),
         st.tuples(st.sampled_from(sorted(FUNCTIONS - {"cbrt"})), inner).map(lambda p: apply(*p)),
         SYMBOLS.map(lambda x: apply("cbrt", x)),
         st.tuples(inner, SYMBOLS | NUMBERS).map(lambda p: p[0] ** p[1]),
         ends.map(lambda p: derivative(*p)),
-        spoken.map(lambda p: at(p[0], {p[1]: p[2]})),
+        ends.map(lambda p: at(p[0], {p[1]: p[2]}) if p[1] in symbols(p[0]) else p[0]),
         st.tuples(ends, st.sampled_from([-1, 0, 1])).map(lambda p: limit(*p[0], p[1])),
         st.tuples(ends, inner).map(lambda p: integral(*p[0], p[1])),
         st.tuples(st.sampled_from("Oo"), inner).map(lambda p: order(*p)),
