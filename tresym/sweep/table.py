@@ -186,9 +186,9 @@ def _plainly(path: str, others: type[Exception] = ValueError) -> Iterator[None]:
     """SQLite's complaints as bad input, in one line."""
     try:
         yield
-    except Exception as error:
-        if isinstance(error, InputError) or not isinstance(error, (sqlite3.Error, others)):
-            raise
+    except InputError:
+        raise
+    except (sqlite3.Error, others) as error:
         if "locked" in str(error):
             raise InputError(f"{path}: is in use by another process") from None
         raise InputError(f"{path}: {error}") from None
