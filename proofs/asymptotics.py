@@ -24,26 +24,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import sympy
-from flint import arb, fmpq
-from sympy import (
-    Derivative,
-    Expr,
-    Function,
-    Integral,
-    Rational,
-    Tuple,
-    asinh,
-    atan,
-    cos,
-    cosh,
-    exp,
-    pi,
-    sin,
-    sinh,
-    sqrt,
-    tanh,
-)
 from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
 from tresym.proofs.exponent import arctangent_concave, logarithmic_equation, residual_increases
@@ -56,31 +36,14 @@ from tresym.proofs.power_series import (
 )
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
-from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.evidence.meant import Meant
-from tresym.ledger.reasons import (
-    algebra,
-    differentiation,
-    evaluating,
-    exponentials,
-    integrating,
-    inverses,
-    roots,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
 from tresym.racket.near import charts
 from tresym.racket.near.samples import at_unit_b
-from tresym.racket.notation import T, a, b, epsilon, epsilon0, gamma, k, psi, r, x
-from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.balls.germ import Germs
-from tresym.reals.balls.order import Order
+from tresym.racket.notation import *
 from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
-from tresym.reals.verdict import Verdict
 
 _flat = exp(-k / x)
 

@@ -12,28 +12,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
 from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, standard_racket
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    Fault,
-    Place,
-    all_of,
-    at,
-    by,
-    equal,
-    equations,
-    formally,
-    step,
-    together,
-)
-from tresym.ledger.reasons import evaluating, substituting
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3, a, b
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 mass, length, width, height = (Symbol(name, real=True) for name in ("m", "L", "W", "H"))
 _box = (

@@ -10,17 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import arb
-from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
 from tresym.proofs.printed import exact_defect, formula_defect, share_of_pi
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
-from tresym.ledger.reasons import evaluating
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 B1, B2, B3 = (Symbol(f"B{n}", real=True) for n in (1, 2, 3))
 _ordered = (B1 > 0, B2 > 0, B3 > 0, B2 - B3 > 0, B1 - B2 > 0)

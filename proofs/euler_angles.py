@@ -8,48 +8,13 @@
 - `range_of_shape`, `range_of_gamma`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a from manifest signs.
 """
 
-import sympy
-from sympy import Tuple, cos, diff, sin
 from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.model import angular_velocity, eq_Mi, velocity_from_momentum
 from tresym.proofs.momentum import energy_of_momentum
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    Place,
-    all_of,
-    by,
-    equal,
-    equations,
-    step,
-    together,
-)
-from tresym.ledger.reasons import citing, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import (
-    I1,
-    I2,
-    I3,
-    M1,
-    M2,
-    M3,
-    W1,
-    W2,
-    W3,
-    E,
-    M,
-    a,
-    b,
-    dphi_dt,
-    dpsi_dphi,
-    dpsi_dt,
-    dtheta_dphi,
-    dtheta_dt,
-    gamma,
-    psi,
-    theta,
-)
+from tresym.racket.notation import *
 
 eq_euler_angle = Claim(
     label="eq_euler_angle",

@@ -17,43 +17,11 @@
 
 from __future__ import annotations
 
-from flint import fmpq
-from sympy import (
-    Derivative,
-    Equivalent,
-    Integral,
-    Symbol,
-    asin,
-    asinh,
-    atan,
-    cos,
-    exp,
-    log,
-    pi,
-    sin,
-    sinh,
-    sqrt,
-    tan,
-)
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
-from tresym.ledger.claim import Claim, all_of, by, equal, step
-from tresym.ledger.evidence.balls import Asymptotics
-from tresym.ledger.reasons import (
-    adding,
-    applying,
-    differentiation,
-    exponentials,
-    integrating,
-    inverses,
-    multiplying,
-    roots,
-    trigonometry,
-)
-from tresym.racket.notation import a, b, epsilon, psi, x
-from tresym.reals.balls.order import Order
-from tresym.reals.verdict import Verdict
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 _mu = sqrt(b / (a + b))
 _cosine = sqrt(a / (a + b))

@@ -9,72 +9,15 @@ from __future__ import annotations
 
 from typing import Any
 
-import sympy
-from flint import arb, fmpq
-from sympy import (
-    Derivative,
-    Equivalent,
-    Ge,
-    Integer,
-    Integral,
-    Le,
-    Symbol,
-    Tuple,
-    atan,
-    cos,
-    pi,
-    sin,
-    sqrt,
-    tan,
-)
 from tresym.proofs.conditions import shape
 from tresym.proofs.flip_dynamics import eq_dpsidphi, precession_integrand
 from tresym.proofs.regimes import rotating_speed
 from tresym.proofs.separatrix import exact_equation, integrated, one_flip_defect, stable_equation
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    Place,
-    all_of,
-    at,
-    by,
-    equal,
-    formally,
-    step,
-    together,
-)
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.reasons import (
-    adding,
-    changing_variable,
-    cutting,
-    differentiating_integral,
-    differentiation,
-    evaluating,
-    multiplying,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.motion.quadrature import rigorous
-from tresym.racket.notation import (
-    Delta_phi,
-    Delta_psi,
-    S,
-    a,
-    b,
-    epsilon,
-    gamma,
-    psi,
-    psi0,
-    psi_f,
-    x,
-)
-from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 _integrand = printed.integrand(psi, a, b, gamma, S, sympy)
 _square = sin(psi) ** 2

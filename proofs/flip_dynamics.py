@@ -6,15 +6,12 @@
 - `integrand`: the integrand f of the precession, dφ/dψ.
 """
 
-import sympy
-from sympy import Abs, Ne, cos, sin, sqrt
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma
 
-from tresym.ledger.claim import Claim, Definition, Place, by, equal, step
-from tresym.ledger.reasons import roots, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import S, a, b, dpsi_dphi, gamma, psi, theta
+from tresym.racket.notation import *
 
 moving = (*ordered_moments, *shape_of_a_body, cos(theta) ** 2 > 0, gamma + b * sin(psi) ** 2 > 0)
 """Away from the turning points, where cos θ ≠ 0; the two conditions mean the same."""

@@ -9,9 +9,6 @@
 - `angles_from_momentum`: θ and ψ from M, and why the poles are excluded.
 """
 
-import sympy
-from flint import fmpq
-from sympy import ImmutableMatrix, Le, Symbol, Tuple, cos, pi, sin, sqrt
 from tresym.proofs.conditions import ordered_moments, tilted
 from tresym.proofs.model import (
     about_y,
@@ -25,21 +22,9 @@ from tresym.proofs.model import (
 )
 from tresym.proofs.momentum import momentum_conserved
 
-from tresym.ledger.claim import (
-    Claim,
-    Counterexample,
-    Place,
-    all_of,
-    by,
-    equal,
-    formally,
-    step,
-    together,
-)
-from tresym.ledger.reasons import roots, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3, M1, M2, M3, W1, W2, W3, M, phi, psi, theta
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 upright = ImmutableMatrix([0, 0, 1])
 """Z in the laboratory, and e₁ in the body (its axes in the order e₂, e₃, e₁)."""

@@ -12,66 +12,15 @@ from __future__ import annotations
 
 from typing import Any
 
-import sympy
-from flint import fmpq
-from sympy import (
-    Derivative,
-    Equivalent,
-    Integer,
-    Le,
-    Ne,
-    Subs,
-    Symbol,
-    Tuple,
-    asin,
-    cos,
-    exp,
-    log,
-    pi,
-    sin,
-    sinh,
-    sqrt,
-)
 from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import shape
 from tresym.proofs.printed import exact_defect
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
-from tresym.ledger.claim import (
-    Claim,
-    Counterexample,
-    Definition,
-    Fault,
-    Place,
-    Reason,
-    all_of,
-    at,
-    by,
-    equal,
-    formally,
-    parts_of,
-    step,
-    together,
-)
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.evidence.meant import Meant
-from tresym.ledger.reasons import (
-    adding,
-    applying,
-    differentiation,
-    evaluating,
-    exponentials,
-    multiplying,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.near.samples import RACKET, in_chart
-from tresym.racket.notation import a, b, epsilon, epsilon0, lam, mu, u, x
-from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.balls.order import Order
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 _small = (mu > -1, mu < 1)
 

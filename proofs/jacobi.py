@@ -12,20 +12,12 @@ dχ/dt = p dn, for every 0 < m < 1. Put into Euler's equations:
 - `meeting_point`: the surfaces meet whenever 2I₁E ≤ M² ≤ 2I₃E; `momentum_between`: never otherwise.
 """
 
-from sympy import Basic, Expr, Symbol, Tuple, cos, cosh, sin, sqrt, tanh
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
 
-from tresym.ledger.claim import Claim, Place, all_of, by, equal, step, together
-from tresym.ledger.reasons import (
-    differentiation,
-    exponentials,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3, M1, M2, M3, E, M
+from tresym.racket.notation import *
 
 chi, time = Symbol("chi", real=True), Symbol("t", real=True)
 """The amplitude of the elliptic functions, and time."""

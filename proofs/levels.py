@@ -19,21 +19,6 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-import sympy
-from flint import arb, fmpq
-from sympy import (
-    Derivative,
-    Expr,
-    Integer,
-    Integral,
-    Subs,
-    Symbol,
-    Tuple,
-    cos,
-    pi,
-    sin,
-    sqrt,
-)
 from tresym.proofs.conditions import shape
 from tresym.proofs.flip_dynamics import precession_integrand
 from tresym.proofs.numbers_in_text import (
@@ -60,20 +45,15 @@ from tresym.proofs.turning import (
     unfolded_turn,
 )
 
-from tresym.ledger.claim import Claim, Definition, ImplicitFunction, all_of, equal, step
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.reasons import citing, differentiating_integral, integrating, substituting
+from tresym.ledger.vocabulary import *
 from tresym.racket.angle import Angle
 from tresym.racket.flip.defect import defect_on
 from tresym.racket.flip.levels import level_of
 from tresym.racket.formulas import printed
 from tresym.racket.motion.orbit import exact_level
 from tresym.racket.motion.quadrature import rigorous, rigorous_turned
-from tresym.racket.notation import a, b, epsilon, gamma, psi, x
-from tresym.reals.balls.boxes import Bound, box
+from tresym.racket.notation import *
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.verdict import Verdict
 
 F_epsilon, F_gamma = (Symbol(name, real=True) for name in ("F_epsilon", "F_gamma"))
 rotating_rate, unturned_rate = (

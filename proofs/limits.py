@@ -9,8 +9,6 @@
 
 from __future__ import annotations
 
-from flint import fmpq
-from sympy import Equivalent, Symbol, asin, atan, cos, exp, pi, sqrt
 from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.implicit_function import (
@@ -30,12 +28,8 @@ from tresym.proofs.turn_integral import (
     slope_of_turn,
 )
 
-from tresym.ledger.claim import Claim, Fault, Place, all_of, by, equal, step
-from tresym.ledger.evidence.balls import Asymptotics
-from tresym.ledger.reasons import exponentials, inverses, multiplying, roots
-from tresym.racket.notation import S, a, b, epsilon, lam
-from tresym.reals.balls.order import Order
-from tresym.reals.verdict import Verdict
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 zero_asymptotic = Claim(
     label="zero_asymptotic",

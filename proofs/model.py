@@ -11,34 +11,11 @@ momentum. Shown here:
 - `torque_free`, `momentum_transport`: M fixed in space is dM/dt = M × Ω in the body.
 """
 
-import sympy
-from sympy import Basic, ImmutableMatrix, Symbol, Tuple, cos, diff, eye, sin
 from tresym.proofs.conditions import ordered_moments
 
-from tresym.ledger.claim import Claim, Definition, Place, by, equal, equations, step, together
-from tresym.ledger.reasons import substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import (
-    I1,
-    I2,
-    I3,
-    M1,
-    M2,
-    M3,
-    W1,
-    W2,
-    W3,
-    M,
-    dM1_dt,
-    dM2_dt,
-    dM3_dt,
-    dphi_dt,
-    dpsi_dt,
-    dtheta_dt,
-    phi,
-    psi,
-    theta,
-)
+from tresym.racket.notation import *
 
 
 def about_z(angle: Symbol) -> ImmutableMatrix:

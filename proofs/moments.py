@@ -10,19 +10,10 @@ that with the weight cos ψ (`mean_of_the_product`), which is elementary (`momen
 y is cos ψ, and c is cos e: dψ = −dy/√(1 − y²), and z = (1 − √(1 − c²))/arcsin c.
 """
 
-from sympy import Expr, Integer, Integral, Rational, Symbol, asin, log, sqrt
 from tresym.proofs.conditions import shape
 
-from tresym.ledger.claim import Claim, by, equal, step
-from tresym.ledger.reasons import (
-    citing,
-    collecting,
-    exponentials,
-    integrating,
-    inverses,
-    roots,
-)
-from tresym.racket.notation import a, b, u, x, x0
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 y, c, z = (Symbol(name, real=True) for name in ("y", "c", "z"))
 """cos ψ, cos e, and a number between 0 and cos e: the mean of cos ψ."""

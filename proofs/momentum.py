@@ -5,24 +5,12 @@
 - `energy_conserved`, `momentum_conserved`: their derivatives along Euler's equations vanish.
 """
 
-from sympy import Expr, Tuple, diff
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, eq_omega, momentum_transport, velocity_from_momentum
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    Place,
-    all_of,
-    by,
-    equal,
-    equations,
-    step,
-    together,
-)
-from tresym.ledger.reasons import substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3, M1, M2, M3, W1, W2, W3, E, M, dM1_dt, dM2_dt, dM3_dt
+from tresym.racket.notation import *
 
 
 def along_euler(quantity: Expr) -> Expr:

@@ -10,17 +10,11 @@ g = T − √(ab)(π + arctan(√(b/a) tanh T)). With S = cosh²T + (b/a) sinh²
 - `increase_of_T`: −∂g/∂b > 0, so that T grows with b, while √(a/(a+b)) falls.
 """
 
-from flint import fmpq
-from sympy import Derivative, atan, cosh, exp, pi, sinh, sqrt, tanh
 from tresym.proofs.conditions import later, shape
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
-from tresym.ledger.claim import Claim, all_of, by, equal, step
-from tresym.ledger.evidence.balls import Asymptotics
-from tresym.ledger.reasons import differentiation, exponentials, roots
-from tresym.racket.notation import T, a, b
-from tresym.reals.balls.order import Order
-from tresym.reals.verdict import Verdict
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 _ratio = b / a
 _spread = cosh(T) ** 2 + _ratio * sinh(T) ** 2

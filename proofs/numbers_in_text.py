@@ -16,21 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import sympy
-from flint import acb, arb, fmpq
-from sympy import (
-    Equivalent,
-    Ge,
-    Gt,
-    Lt,
-    Rational,
-    Symbol,
-    Tuple,
-    cos,
-    pi,
-    sin,
-    sqrt,
-)
+from flint import acb
 from tresym.proofs.conditions import shape_of_a_body
 from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
@@ -43,42 +29,13 @@ from tresym.proofs.printed import exact_defect, formula_defect, of_moments, shar
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.claim import (
-    Claim,
-    Counterexample,
-    Fault,
-    Place,
-    Printed,
-    all_of,
-    at,
-    by,
-    equal,
-    step,
-    together,
-)
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.reasons import adding, evaluating, multiplying, roots, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.angle import Angle
 from tresym.racket.flip.levels import level_of
 from tresym.racket.formulas import printed
 from tresym.racket.motion.quadrature import rigorous, rigorous_turned
-from tresym.racket.notation import (
-    W1,
-    S,
-    a,
-    b,
-    dphi_dt,
-    dpsi_dphi,
-    dpsi_dt,
-    epsilon0,
-    gamma,
-    psi,
-    theta,
-)
-from tresym.reals.balls.boxes import Bound, box
+from tresym.racket.notation import *
 from tresym.reals.numbers.exact import Interval, as_rational
-from tresym.reals.verdict import Verdict
 
 STR = {"I1": "1210", "I2": "16380", "I3": "17480"}
 """The standard racket's moments as Table 1 prints them."""

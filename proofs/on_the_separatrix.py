@@ -10,23 +10,6 @@
 
 from __future__ import annotations
 
-import sympy
-from flint import fmpq
-from sympy import (
-    Equivalent,
-    Integral,
-    Tuple,
-    acos,
-    asin,
-    cos,
-    cosh,
-    log,
-    pi,
-    sin,
-    sinh,
-    sqrt,
-    tan,
-)
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import gamma_conserved, precession_rate
 from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, sign_of_tilt
@@ -34,38 +17,9 @@ from tresym.proofs.phase_portraits import separatrix_moves
 from tresym.proofs.regimes import separatrix_case
 from tresym.proofs.separatrix import stable_equation, unique_root
 
-from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step, together
-from tresym.ledger.evidence.balls import Asymptotics
-from tresym.ledger.reasons import (
-    adding,
-    collecting,
-    evaluating,
-    exponentials,
-    integrating,
-    inverses,
-    multiplying,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import (
-    I2,
-    M,
-    S,
-    T,
-    a,
-    b,
-    dphi_dt,
-    dpsi_dphi,
-    epsilon,
-    gamma,
-    psi,
-    theta,
-    x,
-)
-from tresym.reals.balls.order import Order
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 _square = sin(psi) ** 2
 _slow, _fast = 1 - b * _square, a + b * _square

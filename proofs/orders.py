@@ -20,9 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import sympy
-from flint import acb, arb, fmpq
-from sympy import Function, Integer, Subs, Symbol, asin, cos, exp, pi, sqrt
+from flint import acb
 from tresym.proofs.asymptotics import (
     BY_KAPPA,
     KAPPA,
@@ -42,36 +40,16 @@ from tresym.proofs.moments import fourth_moment
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
-from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Fault, Place, all_of, equal, step
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.evidence.meant import Meant
+from tresym.ledger.vocabulary import *
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.near import charts
 from tresym.racket.near.bending import curvature
 from tresym.racket.near.samples import RACKET, TURN, beside_tangent, in_bent_chart, in_chart
-from tresym.racket.notation import (
-    S,
-    a,
-    b,
-    depsilon_dgamma,
-    epsilon,
-    epsilon0,
-    gamma,
-    k,
-    partialepsilon_partialF,
-    partialepsilon_partialgamma,
-    partialF_partialgamma,
-    x,
-)
-from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.balls.germ import Germs
-from tresym.reals.balls.order import Order
+from tresym.racket.notation import *
 from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
-from tresym.reals.verdict import Verdict
 
 O, o = Function("O"), Function("o")  # noqa: E741
 hot = Symbol("hot", real=True)

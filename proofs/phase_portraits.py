@@ -8,25 +8,6 @@
 - `tilt_turns_rotating`, `tilt_turns_oscillating`: θ_min and θ_max, and `tilt_between`.
 """
 
-import sympy
-from flint import fmpq
-from sympy import (
-    Abs,
-    Derivative,
-    Ge,
-    Integer,
-    Le,
-    Ne,
-    Symbol,
-    Tuple,
-    acos,
-    asin,
-    atan,
-    cos,
-    pi,
-    sin,
-    sqrt,
-)
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma, gamma_conserved, precession_forward
 from tresym.proofs.flip_dynamics import eq_dpsidphi
@@ -44,46 +25,9 @@ from tresym.proofs.regimes import (
 )
 from tresym.proofs.stability import stable_e3, unstable_e2
 
-from tresym.ledger.claim import (
-    Claim,
-    Counterexample,
-    Definition,
-    Fault,
-    Place,
-    all_of,
-    at,
-    by,
-    equal,
-    equations,
-    formally,
-    step,
-    together,
-)
-from tresym.ledger.reasons import (
-    differentiation,
-    evaluating,
-    inverses,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import (
-    S2,
-    M,
-    a,
-    b,
-    dpsi_dphi,
-    dtheta_dphi,
-    gamma,
-    psi,
-    psi_max,
-    psi_min,
-    theta,
-    theta_max,
-    theta_min,
-)
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 _sine = sin(psi) ** 2
 _body = (*ordered_moments, *shape_of_a_body)

@@ -19,13 +19,11 @@ w > 0, and √w solves the equation of ε₀, which has one root. What is left o
 most (13/5) τ^{N+1}/((2N + 3)(1 − τ)), by `geometric_tail` at most τ^N/(2N + 3).
 """
 
-from sympy import Derivative, Expr, Rational, Subs, Symbol, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.exponent import exponent
 
-from tresym.ledger.claim import Claim, by, equal, step
-from tresym.ledger.reasons import differentiation, exponentials, roots, trigonometry
-from tresym.racket.notation import a, b, epsilon, x
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 phi, phi_slope, H_slope, H_bend, W_x, W_xx, n, t = (
     Symbol(name, real=True)

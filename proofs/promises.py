@@ -5,9 +5,6 @@
 - `abstract_flip`: the effect itself.
 """
 
-import sympy
-from flint import fmpq
-from sympy import Gt
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
 from tresym.proofs.conclusion import ethylene, ethylene_flip_exact
 from tresym.proofs.conditions import defect, shape
@@ -20,10 +17,9 @@ from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import str_realizable
 
-from tresym.ledger.claim import Claim, Counterexample, Place, all_of
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import a, b, epsilon
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 abstract_flip = Claim(
     label="abstract_flip",

@@ -8,9 +8,6 @@
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles rest.
 """
 
-import sympy
-from flint import fmpq
-from sympy import Equivalent, Integral, Le, Ne, Symbol, Tuple, cos, pi, sin, sqrt
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body
 from tresym.proofs.euler_angles import (
     eq_Euler,
@@ -24,32 +21,9 @@ from tresym.proofs.jacobi import intersection_condition, solution_on_intersectio
 from tresym.proofs.momentum import eq_dMi
 from tresym.proofs.stability import permanent_rotations, three_equilibria_and_opposites
 
-from tresym.ledger.claim import (
-    Claim,
-    Counterexample,
-    Fault,
-    Place,
-    all_of,
-    at,
-    by,
-    equal,
-    equations,
-    step,
-    together,
-)
-from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.reasons import (
-    collecting,
-    evaluating,
-    integrating,
-    multiplying,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3, M1, M2, M3, E, M, a, b, gamma, psi, theta
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 _sine = sin(psi) ** 2
 

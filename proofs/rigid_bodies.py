@@ -16,30 +16,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Symbol, Tuple, asin, asinh, atan, cos, exp, pi, sin, sinh, sqrt, tanh
 from tresym.proofs.conditions import ordered_moments, shape
 from tresym.proofs.exponent import arsinh_concave, exponent_gap, residual_increases
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, all_of, at, by, equal, step, together
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.reasons import (
-    algebra,
-    evaluating,
-    exponentials,
-    inverses,
-    roots,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.near.charts import arcsine_over
-from tresym.racket.notation import I1, I2, I3, a, b
-from tresym.reals.balls.boxes import Bound, box
+from tresym.racket.notation import *
 from tresym.reals.balls.gradient import coordinates, gradients
-from tresym.reals.balls.order import Order
 from tresym.reals.numbers.arithmetic import balls
-from tresym.reals.verdict import Verdict
 
 realizable = Claim(
     label="realizable",

@@ -10,56 +10,11 @@
 - `unique_root`, `contraction`: that equation has exactly one root, and its map contracts.
 """
 
-import sympy
-from sympy import (
-    Equivalent,
-    Integer,
-    Integral,
-    Rational,
-    Tuple,
-    asin,
-    atan,
-    atanh,
-    cos,
-    cosh,
-    log,
-    pi,
-    sin,
-    sinh,
-    sqrt,
-    tan,
-    tanh,
-)
 from tresym.proofs.conditions import auxiliary, defect, later, shape
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    Place,
-    UniqueRoot,
-    all_of,
-    by,
-    equal,
-    step,
-    together,
-)
-from tresym.ledger.reasons import (
-    adding,
-    algebra,
-    applying,
-    changing_variable,
-    citing,
-    differentiation,
-    exponentials,
-    integrating,
-    inverses,
-    multiplying,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import T, a, b, epsilon, k, psi, r, x, x0
+from tresym.racket.notation import *
 
 between = (psi > 0, psi < pi, sin(psi) > 0)
 """On the separatrix the flip angle stays between the unstable points."""

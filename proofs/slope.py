@@ -5,16 +5,13 @@
 - `inverse_slope`: ∂ε/∂F at γ = 0 from ∂F/∂ε = −f.
 """
 
-import sympy
-from sympy import Derivative, Subs, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
 from tresym.proofs.separatrix import between
 
-from tresym.ledger.claim import Claim, Place, by, equal, step
-from tresym.ledger.reasons import differentiation, roots, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import S, a, b, epsilon, gamma, psi, theta
+from tresym.racket.notation import *
 
 slope_of_integrand = Claim(
     label="d54",

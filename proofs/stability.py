@@ -11,23 +11,6 @@ positive, and a product of two components grows exponentially.
 - `permanent_rotations`: the equilibria are the six points with two components zero.
 """
 
-from flint import fmpq
-from sympy import (
-    Equivalent,
-    Expr,
-    Gt,
-    ImmutableMatrix,
-    Le,
-    Ne,
-    Symbol,
-    Tuple,
-    cos,
-    det,
-    eye,
-    pi,
-    sin,
-    sqrt,
-)
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, velocity_from_momentum
 from tresym.proofs.momentum import (
@@ -38,28 +21,9 @@ from tresym.proofs.momentum import (
     momentum_conserved,
 )
 
-from tresym.ledger.claim import Claim, Counterexample, Place, all_of, at, by, equal, step, together
-from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.reasons import evaluating, multiplying, roots, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import (
-    I1,
-    I2,
-    I3,
-    M1,
-    M2,
-    M3,
-    W2,
-    W3,
-    E,
-    M,
-    dM1_dt,
-    dM2_dt,
-    dM3_dt,
-    psi,
-    theta,
-)
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 eigenvalue = Symbol("eigenvalue", real=True)
 """λ; the characteristic polynomials have no real root but 0 where the rotation is stable."""

@@ -12,9 +12,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import sympy
-from flint import arb
-from sympy import Derivative, Rational, Symbol, asin, sin, sqrt
 from tresym.proofs.conditions import defect, shape_of_a_body
 from tresym.proofs.flip_definition import symmetric_is_extreme
 from tresym.proofs.flip_dynamics import precession_integrand
@@ -23,21 +20,10 @@ from tresym.proofs.on_the_separatrix import level_of_a_start
 from tresym.proofs.phase_portraits import flip_between
 from tresym.proofs.regimes import oscillating
 
-from tresym.ledger.claim import Claim, Place, all_of, at, by, equal, step
-from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.reasons import (
-    applying,
-    differentiation,
-    evaluating,
-    inverses,
-    roots,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.motion.quadrature import rigorous
-from tresym.racket.notation import a, b, epsilon, gamma, psi
-from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 _square = sin(psi) ** 2
 _rate = Symbol("v", real=True)

@@ -5,15 +5,9 @@
 - `depth_a_zero`: I₁ = I₂, only oscillating motions.
 """
 
-import sympy
-from flint import fmpq
-from sympy import Le, Ne, Symbol, Tuple, cos, sin
-
-from tresym.ledger.claim import Claim, Counterexample, Place, all_of, at, by, equal, step, together
-from tresym.ledger.reasons import evaluating, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3, M1, M2, M3, M, a, b, psi, theta
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 _moments = (I1 > 0, I2 - I1 > 0, I2 > 0, M > 0)
 

@@ -18,8 +18,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from flint import arb, fmpq
-from sympy import Basic, Rational, Symbol
 from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.flip_definition import eqdefect
 from tresym.proofs.printed import (
@@ -32,10 +30,9 @@ from tresym.proofs.printed import (
 )
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.claim import Claim, Fault, Place, Printed, all_of, formally
-from tresym.racket.notation import I1, I2, I3, b
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 from tresym.reals.numbers.exact import printed as printed_interval
-from tresym.reals.verdict import Verdict
 
 Formula = Callable[..., arb]
 Inputs = dict[str, str]

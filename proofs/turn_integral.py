@@ -8,26 +8,13 @@
 - `S_drops_out`: the sign S does not matter for dε/dγ.
 """
 
-import sympy
-from sympy import Derivative, Expr, Integer, Integral, Ne, Subs, Symbol, Tuple, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
 from tresym.proofs.on_the_separatrix import sine_to_the_middle
 
-from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Place, by, equal, step
-from tresym.ledger.reasons import (
-    changing_variable,
-    citing,
-    collecting,
-    cutting,
-    differentiating_integral,
-    integrating,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import F, S, a, b, epsilon, gamma, psi, theta, x
+from tresym.racket.notation import *
 
 _f = printed.integrand(psi, a, b, gamma, S, sympy)
 F_epsilon, F_gamma, defect_F, defect_gamma = (

@@ -23,39 +23,11 @@ The precession back from χ = 0 is Φ(χ, γ) = ∫₀^χ N/(Q√R) dx, which is
 
 from __future__ import annotations
 
-import sympy
-from sympy import (
-    Derivative,
-    Expr,
-    Integer,
-    Integral,
-    Subs,
-    Symbol,
-    Tuple,
-    acos,
-    atan,
-    cos,
-    pi,
-    sin,
-    sqrt,
-    tan,
-)
 from tresym.proofs.conditions import shape
 
-from tresym.ledger.claim import Claim, Definition, ImplicitFunction, at, by, equal, step, together
-from tresym.ledger.reasons import (
-    changing_variable,
-    citing,
-    collecting,
-    differentiating_integral,
-    differentiation,
-    integrating,
-    roots,
-    substituting,
-    trigonometry,
-)
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import a, b, gamma, psi, x
+from tresym.racket.notation import *
 
 c = Symbol("c", real=True)
 """A level, where γ is held."""
