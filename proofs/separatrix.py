@@ -355,12 +355,9 @@ unique_root = Claim(
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
     "with 0 < T < 3π√(ab)/2.",
     kind="statement",
+    means=ExactlyOne(T, 0, _end, equal(T, _map)),
     given=(*auxiliary, k * r <= 1),
     proof=UniqueRoot(
-        variable=T,
-        function=T - _map,
-        low=Integer(0),
-        high=_end,
         derivative=(
             step(1 - k * r / _spread, differentiation, exponentials),
             step(((1 - k * r) + (1 + r**2) * sinh(T) ** 2) / _spread, exponentials),

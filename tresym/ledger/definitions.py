@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from sympy import Basic, Derivative, Eq, Integral, Subs
 
-from tresym.ledger.claim import Claim, Definition, UniqueRoot, expressions, parts_of
+from tresym.ledger.claim import Claim, Definition, expressions, parts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_value
 from tresym.ledger.evidence.manifest import is_manifest
 from tresym.ledger.finding import Finding
@@ -33,6 +33,7 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.second_look import satisfiable, scalars
+from tresym.ledger.statements import ExactlyOne
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.exact import InputError
@@ -138,12 +139,16 @@ def captured(claim: Claim) -> str | None:
     for e in written:
         binders = e.atoms(Integral, Derivative, Subs)
         bound |= {v.name for node in binders for v in node.variables}
-    if isinstance(claim.proof, UniqueRoot):
-        bound.add(claim.proof.variable.name)
+        bound |= {root.args[0].name for root in e.atoms(ExactlyOne)}
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
     behind = _behind(entries)
+    roots = [root for e in written for root in e.atoms(ExactlyOne)]
+    for variable, *_, equation in (root.args for root in roots):
+        for symbol in sorted(equation.free_symbols, key=str):
+            if variable.name in behind.get(symbol.name, ()):
+                return f"{symbol} stands where what it is defined by is bound"
     found = next((name for e in written if bound for name in _misread(e, behind)), None)
     return None if found is None else f"{found} stands where what it is defined by is bound"
 

@@ -38,6 +38,10 @@ class Under(Statement):
     """``Under(φ, (condition, …))``: φ wherever the conditions hold; a part of a conjunction."""
 
 
+class ForSome(Statement):
+    """``ForSome(φ)``: φ at one point at least under the conditions of the claim."""
+
+
 class As(Statement):
     """``As(φ, x, p, side)``: the order φ as x tends to p: from above (1), below (−1), or both (0).
 

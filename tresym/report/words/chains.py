@@ -11,6 +11,7 @@ from typing import NamedTuple
 from sympy import Basic, Eq, Equivalent, Tuple
 
 from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, equal
+from tresym.ledger.statements import ExactlyOne
 from tresym.report.words.latex import bracketed, expression_latex, says_latex
 
 EQUIVALENT = r"\iff{}"
@@ -45,10 +46,10 @@ def displays(claim: Claim) -> tuple[Display, ...]:
     if claim.shown is not None:
         why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
         return ((Line("", claim.shown, why),),)
-    if isinstance(proof, UniqueRoot):
-        slope = equal(
-            proof.function.diff(proof.variable, evaluate=False), proof.derivative[-1].expression
-        )
+    if isinstance(proof, UniqueRoot) and isinstance(claim.statement, ExactlyOne):
+        variable, _, _, equation = claim.statement.args
+        rate = (equation.lhs - equation.rhs).diff(variable, evaluate=False)
+        slope = equal(rate, proof.derivative[-1].expression)
         return (_lines(slope, proof.derivative),)
     if isinstance(says, str):
         return ()
