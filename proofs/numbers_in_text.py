@@ -570,7 +570,7 @@ zero_on_separatrix = Claim(
     says="On the separatrix the flip in one turn is approximately zero.",
     kind="statement",
     means=Le(pi - 2 * epsilon, pi / 2),
-    given=(*shape, *defect, printed.separatrix_residual(epsilon, a, b, sympy) > 0),
+    given=(*shape, *defect[:2], printed.separatrix_residual(epsilon, a, b, sympy) > 0),
     proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874), "epsilon": fmpq(1, 5)}),
     where=Place(line=284),
     expect=Verdict.REFUTED,

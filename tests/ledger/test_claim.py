@@ -39,10 +39,10 @@ RESTS = [
     (by(substituting(A, B), citing(A)), [A, B]),
     ((step(x, substituting(B)), step(y, citing(A))), [B, A]),
     (together(by(substituting(A)), by(citing(B))), [A, B]),
-    (UniqueRoot(x, x, Integer(0), y, by(citing(A)), by(citing(B)), by(citing(C))), [A, B, C]),
+    (UniqueRoot(by(citing(A)), by(citing(B)), by(citing(C))), [A, B, C]),
     (ImplicitFunction(A, x, y, Integer(0), by(citing(C)), (B,)), [A, B, C]),
     (all_of(A, B), [A, B]),
-    (formally(x > 0, using=(A,)), [A]),
+    (formally(A), [A]),
     (Definition(), []),
 ]
 

@@ -76,20 +76,21 @@ def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
     """The chains of a claim with what each must show."""
     proof = claim.proof
     if isinstance(proof, Together):
-        return list(zip(claim.says.args, proof.chains, strict=True))
+        return list(zip(claim.parts, proof.chains, strict=True))
     if isinstance(proof, UniqueRoot):
-        slope = proof.function.diff(proof.variable, evaluate=False)
+        variable, _, _, equation = claim.statement.args
+        slope = (equation.lhs - equation.rhs).diff(variable, evaluate=False)
         return [(equal(slope, proof.derivative[-1].expression), proof.derivative)]
     if isinstance(proof, ImplicitFunction):
         left = proof.equation.says.lhs.xreplace({proof.parameter: proof.at})
         slope = sympy.Derivative(left, proof.unknown)
         return [(equal(slope, proof.slope[-1].expression), proof.slope)]
-    return [(claim.says, proof)] if isinstance(proof, tuple) else []
+    return [(claim.statement, proof)] if isinstance(proof, tuple) else []
 
 
 def conditions(claim: Claim) -> Conditions:
     if isinstance(claim.proof, UniqueRoot):
-        return relations((*claim.given, claim.proof.variable > 0))
+        return relations((*claim.given, claim.statement.args[0] > 0))
     return relations(claim.given)
 
 
