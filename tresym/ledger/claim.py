@@ -18,7 +18,7 @@ from functools import cached_property
 from typing import Any
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Eq, Expr, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Gt, Integer, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import Premise, Ruling
@@ -118,6 +118,35 @@ class Definition:
     def premise(self) -> Premise:
         """What the claim is: a definition, or assumed."""
         return Premise.ASSUMED if self.assumes else Premise.DEFINED
+
+
+@dataclass(frozen=True)
+class Root:
+    """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
+
+    It says that the function vanishes there, and between which ends.
+    """
+
+    symbol: Symbol
+    unique: Claim
+
+    @property
+    def premise(self) -> Premise:
+        """What the claim is: a definition."""
+        return Premise.DEFINED
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What the definition rests on: that there is one root."""
+        return (self.unique,)
+
+    @property
+    def says(self) -> Tuple:
+        """The equation for the root, and the interval that it lies in."""
+        root, x = self.unique.proof, self.symbol
+        assert isinstance(root, UniqueRoot)
+        vanishes = equal(root.function.xreplace({root.variable: x}), Integer(0))
+        return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
 
 
 @dataclass(frozen=True)
@@ -227,6 +256,7 @@ class Counterexample:
 Evidence = (
     Chain
     | Definition
+    | Root
     | Together
     | UniqueRoot
     | ImplicitFunction
@@ -284,7 +314,7 @@ class Claim:
     quotes: tuple[Axiom, ...] = ()
 
     def __post_init__(self) -> None:
-        if isinstance(self.proof, Definition):
+        if isinstance(self.proof, Definition | Root):
             object.__setattr__(self, "kind", "definition")
             object.__setattr__(self, "expect", self.proof.premise)
 

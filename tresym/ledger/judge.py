@@ -25,6 +25,7 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
     parts_of,
@@ -139,7 +140,7 @@ def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
 
     A definition says nothing that could be contradicted.
     """
-    if not finding.verdict.holds or isinstance(claim.proof, Definition | ImplicitFunction):
+    if not finding.verdict.holds or isinstance(claim.proof, Definition | Root | ImplicitFunction):
         return finding
     says = Tuple(*claim.proof.relations) if isinstance(claim.proof, Formally) else claim.says
     if isinstance(says, str) or not _can_be_evaluated(says, claim):
@@ -187,7 +188,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     if why is not None:
         return Finding(UNDECIDED, why)
     match claim.proof:
-        case Definition():
+        case Definition() | Root():
             return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
@@ -244,7 +245,7 @@ def _possible(claim: Claim) -> bool:
     if not _met_somewhere(given):
         return False
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    explicit = [entry for entry in table(behind) if entry.explicit]
     rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:

@@ -23,6 +23,7 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
     parts_of,
@@ -43,7 +44,7 @@ IN_WORDS = (AllOf, Printed, Denied, UniqueRoot)
 WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
 """Evidence that no condition of the claim reaches."""
 KINDS = (
-    *(tuple, Definition, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
+    *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
     *(Counterexample, Boxes, Asymptotics, Denied),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
