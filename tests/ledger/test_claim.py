@@ -75,7 +75,7 @@ KINDS = [
     ("x is 1", Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (x > y, Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (equal(x, y), Boxes((), (), ""), "bound", Verdict.ENCLOSED),
-    (equal(x, y), Asymptotics(Order(cos, "O", sin), ""), "order", Verdict.ENCLOSED),
+    (equal(x, y), Asymptotics(Order("O", sin, cos), ""), "order", Verdict.ENCLOSED),
     ("x is y", Counterexample({"x": fmpq(1)}, x > 0), "statement", Verdict.REFUTED),
     ("x is y", Denied((A,), {"x": fmpq(1)}), "statement", Verdict.REFUTED),
     (equal(x, y), Definition("a law"), "definition", Premise.ASSUMED),

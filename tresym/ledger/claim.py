@@ -18,10 +18,11 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
+from tresym.ledger.statements import ExactlyOne, Statement, together_under
 from tresym.reals.verdict import Verdict
 
 
@@ -274,6 +275,7 @@ class Claim:
     Attributes:
         label: the paper's own ``\\label``, or a name of ours.
         says: a SymPy relation, a `Tuple` of them, an `Equivalent`, or prose.
+        means: for prose, and for a formula that leaves an order open, the formula that is decided.
         given: SymPy relations that hold wherever the claim is made.
         proof: the evidence; its type decides how the claim is judged.
         where: the place in the paper; None for a lemma of ours.
@@ -303,6 +305,7 @@ class Claim:
     paper_says: str = ""
     fault: Fault = Fault.STATEMENT
     quotes: tuple[Axiom, ...] = ()
+    means: Basic | None = None
 
     def __post_init__(self) -> None:
         defined = isinstance(self.proof, Definition)
@@ -313,6 +316,28 @@ class Claim:
 
     def __hash__(self) -> int:
         return hash(self.label)
+
+    @cached_property
+    def statement(self) -> Basic | None:
+        """The formula that is decided, for all values of its free symbols under ``given``.
+
+        A conjunction means what its parts mean, each under its own conditions. None where words
+        are all there is.
+        """
+        if self.means is not None:
+            return self.means
+        if isinstance(self.says, Basic):
+            return self.says
+        match self.proof:
+            case AllOf(claims):
+                parts = [(part.statement, part.given) for part in claims]
+                known = [(says, given) for says, given in parts if says is not None]
+                return together_under(known) if len(known) == len(parts) else None
+            case Formally(relations=relations):
+                return Tuple(*relations)
+            case UniqueRoot(variable=x, function=h, low=low, high=high):
+                return ExactlyOne(x, low, high, equal(h, Integer(0)))
+        return None
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:
@@ -336,7 +361,7 @@ class Claim:
 
 def _kind(says: Basic | str, proof: Evidence) -> str:
     """What kind of claim it is: by its evidence, where that is for one kind, else by its form."""
-    if isinstance(says, str):
+    if isinstance(says, str | Statement):
         return getattr(proof, "kind", "statement")
     inequalities = all(isinstance(part, Ge | Gt | Le | Lt) for part in parts_of(says))
     return getattr(proof, "kind", "bound" if inequalities else "identity")
@@ -350,8 +375,7 @@ def _expected(proof: Evidence) -> Ruling:
 def expressions(claim: Claim) -> Iterator[Basic]:
     """Everything that the claim and its evidence write down: what is said, given, and each step."""
     proof = claim.proof
-    if isinstance(claim.says, Basic):
-        yield claim.says
+    yield from (e for e in (claim.says, claim.means) if isinstance(e, Basic))
     yield from claim.given
     match proof:
         case UniqueRoot():
