@@ -115,7 +115,7 @@ def judge_definition(claim: Claim, proof: Definition | Root) -> Finding:
     names = ", ".join(sorted(str(entry.symbol) for entry in table((claim,))))
     assumes = proof.assumes if isinstance(proof, Definition) else ""
     why = f"assumed: {assumes}" if assumes else f"introduces {names}"
-    return Finding(proof.premise, why)
+    return Finding(proof.expect, why)
 
 
 def _ill_defined(claim: Claim, proof: Definition) -> str | None:
