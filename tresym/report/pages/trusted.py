@@ -40,10 +40,12 @@ ENCLOSING = (
 """Rooms and files that no PROVED comes from."""
 
 RECHECKED = {
-    "what was read is shown in the text grammar": (
+    "what was read is written out in the text grammar and shown; that text is read and decided": (
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
         *("reals.language.latex_reach", "reals.language.latex_tokens"),
-        "reals.language.typography",
+        *("reals.language.typography", "reals.decisions.reading._written"),
+        *("reals.language.expression._text", "reals.language.expression.Expr.__str__"),
+        "reals.language.expression.Expr.__repr__",
     ),
     "the advocate takes passes away and gives none": (
         *("reals.decisions.attack", "reals.advocate", "ledger.judge._attacked"),
