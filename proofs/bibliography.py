@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from tresym.proofs.numbers_in_text import STR, number
 
-from tresym.ledger.claim import Place
+from tresym.ledger.vocabulary import *
 
 KILOGRAM_METRES = {"I1": "0.121e-2", "I2": "1.638e-2", "I3": "1.748e-2"}
 """The moments as printed there."""
 
-_THERE = Place(line=461)
+_THERE = line(461)
 
 moments = tuple(
     number(

@@ -10,17 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import arb
-from sympy import Symbol, Tuple
 from tresym.proofs.numbers_in_text import number
 from tresym.proofs.printed import exact_defect, formula_defect, share_of_pi
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.claim import Claim, Fault, Place, all_of, at, by, equal, step, together
-from tresym.ledger.reasons import evaluating
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import I1, I2, I3
-from tresym.reals.verdict import Verdict
+from tresym.racket.notation import *
 
 B1, B2, B3 = (Symbol(f"B{n}", real=True) for n in (1, 2, 3))
 _ordered = (B1 > 0, B2 > 0, B3 > 0, B2 - B3 > 0, B1 - B2 > 0)
@@ -30,24 +26,18 @@ _a, _b = (at(ratio, _moments) for ratio in printed.shape(I1, I2, I3))
 CONSTANTS = {"B1": "4.64", "B2": "1.001", "B3": "0.828"}
 
 rotational_constants = Claim(
-    label="rotational_constants",
     says=Tuple(equal(_a, B1 / B2 - 1), equal(_b, 1 - B3 / B2)),
     given=_ordered,
     proof=together(by(evaluating), by(evaluating)),
-    where=Place(line=320),
+    where=line(320),
     note="The constants are inversely proportional to the moments; the factor drops out.",
     shown=r"\frac{I_2}{I_1}-1 = \frac{B_1}{B_2}-1,\quad 1-\frac{I_2}{I_3} = 1-\frac{B_3}{B_2}",
 )
 
 rotational_order = Claim(
-    label="rotational_order",
     says=Tuple(1 / B2 - 1 / B1 > 0, 1 / B3 - 1 / B2 > 0),
-    kind="bound",
     given=_ordered,
-    proof=together(
-        (step((B1 - B2) / (B1 * B2)),),
-        (step((B2 - B3) / (B2 * B3)),),
-    ),
+    proof=together((step((B1 - B2) / (B1 * B2)),), (step((B2 - B3) / (B2 * B3)),)),
 )
 
 
@@ -96,7 +86,7 @@ ethylene_flip = number(
     "0.0528",
     _of_constants(share_of_pi(exact_defect)),
     CONSTANTS,
-    where=Place(line=320),
+    where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
     rests_on=(rotational_constants, one_flip_defect),
@@ -109,7 +99,7 @@ ethylene_flip_by_formula = number(
     "0.0528",
     _of_constants(share_of_pi(formula_defect)),
     CONSTANTS,
-    where=Place(line=320),
+    where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
     rests_on=(rotational_constants,),
@@ -125,10 +115,9 @@ ethylene_plane = number(
 )
 
 ethylene = Claim(
-    label="ethylene",
     says="From its rotational constants ethylene is a body as the paper considers it.",
-    kind="statement",
     proof=all_of(rotational_constants, rotational_order, ethylene_plane),
-    where=Place(line=320),
-    expect=Verdict.ENCLOSED,
+    where=line(320),
 )
+
+label_claims(globals())

@@ -1,8 +1,7 @@
 """The conditions under which the paper's statements are made, each named once."""
 
-from sympy import cos, exp, pi, sin
-
-from tresym.racket.notation import I1, I2, I3, M, T, a, b, epsilon, k, r, theta
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 ordered_moments = (I1 > 0, I2 > 0, I3 > 0, I2 - I1 > 0, I3 - I2 > 0, M > 0)
 """0 < I₁ < I₂ < I₃, and a body that turns."""

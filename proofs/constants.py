@@ -16,22 +16,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import arb, fmpq
 from tresym.proofs.asymptotics import RESTS_ON, repaired
 from tresym.proofs.exponent import leading_below
 
-from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.vocabulary import *
 from tresym.racket.compared.constants import CONSTANTS
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.near import charts
-from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.balls.germ import Germs
-from tresym.reals.balls.order import Order
 from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
-from tresym.reals.verdict import Verdict
 
 EXCESSES = (charts.first_excess, charts.second_excess)
 SAYS = ("|ε₀/ε* − 1| ≤ {} ε*².", "|ε₀/ε* − 1 − c₁ε*²| ≤ {} ε*⁴.")

@@ -6,31 +6,22 @@
 - `integrand`: the integrand f of the precession, dφ/dψ.
 """
 
-import sympy
-from sympy import Abs, Ne, cos, sin, sqrt
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import eq_Euler, eq_gamma
 
-from tresym.ledger.claim import Claim, Definition, Place, by, equal, step
-from tresym.ledger.reasons import roots, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import S, a, b, dpsi_dphi, gamma, psi, theta
+from tresym.racket.notation import *
 
 moving = (*ordered_moments, *shape_of_a_body, cos(theta) ** 2 > 0, gamma + b * sin(psi) ** 2 > 0)
 """Away from the turning points, where cos θ ≠ 0; the two conditions mean the same."""
 
 sign_of_tilt = Claim(
-    label="sign_of_tilt",
-    says=equal(S, cos(theta) / Abs(cos(theta))),
-    given=(cos(theta) ** 2 > 0,),
-    proof=Definition(),
+    says=equal(S, cos(theta) / Abs(cos(theta))), given=(cos(theta) ** 2 > 0,), proof=Definition()
 )
 
 sign_squared = Claim(
-    label="sign_squared",
-    says=equal(S**2, 1),
-    given=(cos(theta) ** 2 > 0,),
-    proof=by(substituting(sign_of_tilt), roots),
+    says=equal(S**2, 1), given=(cos(theta) ** 2 > 0,), proof=by(substituting(sign_of_tilt), roots)
 )
 
 cosine_of_tilt = Claim(
@@ -41,18 +32,16 @@ cosine_of_tilt = Claim(
         step(S * sqrt(cos(theta) ** 2), substituting(sign_of_tilt)),
         step(None, substituting(eq_gamma), trigonometry, roots),
     ),
-    where=Place(display=12),
+    where=display(12),
 )
 
 
 eq_dpsidphi = Claim(
-    label="eq_dpsidphi",
     says=equal(dpsi_dphi, printed.psi_rate(psi, a, b, gamma, S, sympy)),
     given=(*tilted, *moving),
     proof=(
         step(
-            (a + b * sin(psi) ** 2) * cos(theta) / (1 - b * sin(psi) ** 2),
-            substituting(eq_Euler),
+            (a + b * sin(psi) ** 2) * cos(theta) / (1 - b * sin(psi) ** 2), substituting(eq_Euler)
         ),
         step(
             (a + b * sin(psi) ** 2)
@@ -63,7 +52,7 @@ eq_dpsidphi = Claim(
         ),
         step(None, roots),
     ),
-    where=Place(display=13),
+    where=display(13),
 )
 
 precession_integrand = Claim(
@@ -79,5 +68,7 @@ precession_integrand = Claim(
         ),
         step(None, substituting(sign_of_tilt), roots),
     ),
-    where=Place(display=19),
+    where=display(19),
 )
+
+label_claims(globals())

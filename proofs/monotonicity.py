@@ -10,17 +10,11 @@ g = T − √(ab)(π + arctan(√(b/a) tanh T)). With S = cosh²T + (b/a) sinh²
 - `increase_of_T`: −∂g/∂b > 0, so that T grows with b, while √(a/(a+b)) falls.
 """
 
-from flint import fmpq
-from sympy import Derivative, atan, cosh, exp, pi, sinh, sqrt, tanh
 from tresym.proofs.conditions import later, shape
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
-from tresym.ledger.claim import Claim, all_of, by, equal, step
-from tresym.ledger.evidence.balls import Asymptotics
-from tresym.ledger.reasons import differentiation, exponentials, roots
-from tresym.racket.notation import T, a, b
-from tresym.reals.balls.order import Order
-from tresym.reals.verdict import Verdict
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 _ratio = b / a
 _spread = cosh(T) ** 2 + _ratio * sinh(T) ** 2
@@ -29,22 +23,18 @@ _g = T - sqrt(a * b) * (pi + atan(sqrt(b / a) * tanh(T)))
 _share = tanh(T) / (1 + _ratio * tanh(T) ** 2)
 
 slope_in_T = Claim(
-    label="slope_in_T",
     says=equal(Derivative(_g, T), _slope),
     given=(*shape, *later),
     proof=by(differentiation, exponentials, roots),
 )
 
 slope_in_T_positive = Claim(
-    label="slope_in_T_positive",
     says=_slope > 0,
-    kind="bound",
     given=(*shape, *later),
     proof=(step(((1 - b) + (1 + _ratio) * sinh(T) ** 2) / _spread, exponentials),),
 )
 
 slope_in_a = Claim(
-    label="slope_in_a",
     says=equal(-Derivative(_g, a), (T - _g) / (2 * a) - b * _share / (2 * a)),
     given=(*shape, *later),
     proof=by(differentiation, roots),
@@ -52,14 +42,12 @@ slope_in_a = Claim(
 )
 
 slope_in_b = Claim(
-    label="slope_in_b",
     says=equal(-Derivative(_g, b), (T - _g) / (2 * b) + _share / 2),
     given=(*shape, *later),
     proof=by(differentiation, roots),
 )
 
 decrease_in_a = Claim(
-    label="decrease_in_a",
     says=equal(
         -2 * a * (_slope * b / (2 * a * (a + b)) - (T - b * _share) / (2 * a) * cosh(T) / sinh(T)),
         (T * cosh(T) / sinh(T) - 1) + (1 - b) / (1 + _ratio),
@@ -87,9 +75,7 @@ tangent_below = Claim(
 )
 
 increase_of_T = Claim(
-    label="increase_of_T",
     says=T / (2 * b) + _share / 2 > 0,
-    kind="bound",
     given=(*shape, *later),
     proof=(
         step(
@@ -104,9 +90,7 @@ increase_of_T = Claim(
 )
 
 monotonicity = Claim(
-    label="monotonicity",
     says="ε₀ decreases strictly in a for fixed b, and in b for fixed a, for a > 0, 0 < b ≤ 1.",
-    kind="statement",
     proof=all_of(
         stable_equation,
         one_flip_defect,
@@ -118,5 +102,6 @@ monotonicity = Claim(
         tangent_below,
         increase_of_T,
     ),
-    expect=Verdict.ENCLOSED,
 )
+
+label_claims(globals())

@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import arb
-
+from tresym.ledger.vocabulary import *
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed
 

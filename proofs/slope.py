@@ -5,16 +5,13 @@
 - `inverse_slope`: ∂ε/∂F at γ = 0 from ∂F/∂ε = −f.
 """
 
-import sympy
-from sympy import Derivative, Subs, cos, pi, sin, sqrt
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
 from tresym.proofs.separatrix import between
 
-from tresym.ledger.claim import Claim, Place, by, equal, step
-from tresym.ledger.reasons import differentiation, roots, substituting, trigonometry
+from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.notation import S, a, b, epsilon, gamma, psi, theta
+from tresym.racket.notation import *
 
 slope_of_integrand = Claim(
     label="d54",
@@ -34,7 +31,7 @@ slope_of_integrand = Claim(
         ),
         step(None, roots),
     ),
-    where=Place(display=54),
+    where=display(54),
 )
 
 
@@ -46,7 +43,7 @@ slope_of_integral = Claim(
     ),
     given=(*shape, psi > 0, psi < pi / 2, sin(psi) > 0, cos(psi) > 0),
     proof=by(differentiation, trigonometry, roots),
-    where=Place(display=55),
+    where=display(55),
 )
 
 inverse_slope = Claim(
@@ -57,5 +54,5 @@ inverse_slope = Claim(
     ),
     given=(*shape, *defect, cos(theta) ** 2 > 0),
     proof=by(substituting(sign_of_tilt), roots),
-    where=Place(display=51),
+    where=display(51),
 )

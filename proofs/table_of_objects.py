@@ -18,8 +18,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from flint import arb, fmpq
-from sympy import Basic, Rational, Symbol
 from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.flip_definition import eqdefect
 from tresym.proofs.printed import (
@@ -32,10 +30,9 @@ from tresym.proofs.printed import (
 )
 from tresym.proofs.separatrix import one_flip_defect
 
-from tresym.ledger.claim import Claim, Fault, Place, Printed, all_of, formally
-from tresym.racket.notation import I1, I2, I3, b
+from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 from tresym.reals.numbers.exact import printed as printed_interval
-from tresym.reals.verdict import Verdict
 
 Formula = Callable[..., arb]
 Inputs = dict[str, str]
@@ -197,12 +194,9 @@ racket_3_swapped_order = Claim(
 )
 
 racket_3_swapped = Claim(
-    label="racket_3_swapped",
     says="With I₃ = 8118 for the printed 1818, two digits in each other's place, racket 3 has its "
     "moments in order and b = 0.1222, printed 0.12.",
-    kind="statement",
     proof=all_of(racket_3_swapped_order, racket_3_swapped_b),
-    expect=Verdict.ENCLOSED,
     note="No rigid body has these moments either.",
 )
 
@@ -242,3 +236,5 @@ racket_3 = (
 )
 
 book = tuple(_defects("book", lambda q: q, dict(zip("ab", TABLE_1["book"][3:5], strict=True))))
+
+label_claims(globals())

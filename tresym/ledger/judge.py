@@ -25,6 +25,7 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
     parts_of,
@@ -45,7 +46,7 @@ from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_b
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
-from tresym.ledger.finding import Finding, Premise, StepFinding
+from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
 from tresym.ledger.meaning import (
     CircularError,
     Conditions,
@@ -79,8 +80,8 @@ from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-_WEAKEST_FIRST = (Verdict.ENCLOSED, Verdict.PROVED, Premise.ASSUMED, Premise.DEFINED)
-"""What a conjunction of claims that hold is: what premises alone say is no more than they are."""
+NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot)
+"""What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
 
@@ -135,14 +136,11 @@ def _guarded(claim: Claim, found: Findings) -> Finding:
 
 
 def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
-    """The finding, unless it would pass a formula that balls contradict at the advocate's points.
-
-    A definition says nothing that could be contradicted.
-    """
-    if not finding.verdict.holds or isinstance(claim.proof, Definition | ImplicitFunction):
+    """The finding, unless balls contradict the formula at the advocate's points."""
+    if not finding.verdict.holds or isinstance(claim.proof, NEVER_ATTACKED):
         return finding
-    says = Tuple(*claim.proof.relations) if isinstance(claim.proof, Formally) else claim.says
-    if isinstance(says, str) or not _can_be_evaluated(says, claim):
+    says = claim.statement
+    if says is None or not _can_be_evaluated(says, claim):
         return finding
     try:
         against = contradiction(says, claim.given, _known(claim), spent)
@@ -187,7 +185,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     if why is not None:
         return Finding(UNDECIDED, why)
     match claim.proof:
-        case Definition():
+        case Definition() | Root():
             return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
@@ -203,8 +201,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_implicit_function(claim, claim.proof)
         case Together(chains):
             return _judge_together(claim, chains)
-        case tuple():
-            return _judge_chains(claim, ((claim.says, claim.proof),))
+        case tuple() if claim.statement is not None:
+            return _judge_chains(claim, ((claim.statement, claim.proof),))
         case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
         case _:
@@ -212,7 +210,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
 
 
 def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
-    parts = claim.says.args if isinstance(claim.says, Tuple) else ()
+    parts = claim.statement.args if isinstance(claim.statement, Tuple) else ()
     if len(parts) != len(chains):
         return Finding(UNDECIDED, "the statement has another number of parts than the proof")
     return _judge_chains(claim, tuple(zip(parts, chains, strict=True)))
@@ -244,7 +242,7 @@ def _possible(claim: Claim) -> bool:
     if not _met_somewhere(given):
         return False
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    explicit = [entry for entry in table(behind) if entry.explicit]
     rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:
@@ -294,8 +292,7 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
             return Finding(REFUTED, why, witness=finding.witness)
         if finding.verdict is UNDECIDED:
             return Finding(UNDECIDED, f"{claim.label} is undecided")
-    verdicts = {found[c.label].verdict for c in claims}
-    weakest = next(v for v in _WEAKEST_FIRST if v in verdicts)
+    weakest = min((found[c.label].verdict for c in claims), key=WEAKEST_FIRST.index)
     return Finding(weakest, "follows from " + ", ".join(c.label for c in claims))
 
 
@@ -458,7 +455,7 @@ def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
         for condition in (*claim.given, proof.violated):
             if not _true_at(condition, proof.point):
                 return Finding(UNDECIDED, f"{condition} is not shown at the point")
-        says = claim.says
+        says = claim.statement
         if isinstance(says, Relational) and not excluded(
             _difference_at(says, proof.point), says.rel_op
         ):

@@ -8,6 +8,17 @@ from __future__ import annotations
 
 from sympy import Symbol
 
+# fmt: off
+__all__ = [
+    "I1", "I2", "I3", "M1", "M2", "M3", "S2", "W1", "W2", "W3", "Delta_phi", "Delta_psi", "E",
+    "F", "M", "S", "T", "a", "b", "dM1_dt", "dM2_dt", "dM3_dt", "depsilon_dgamma", "dphi_dt",
+    "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon", "epsilon0", "gamma", "k",
+    "lam", "mu", "partialF_partialgamma", "partialepsilon_partialF",
+    "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f", "psi_max", "psi_min", "r",
+    "theta", "theta_max", "theta_min", "u", "x", "x0",
+]
+# fmt: on
+
 
 def _real(name: str) -> Symbol:
     return Symbol(name, real=True)

@@ -25,13 +25,14 @@ from tresym.ledger.claim import (
 from tresym.ledger.evidence import balls as bounds
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.evidence.meant import Meant, unfit
+from tresym.ledger.evidence.meant import Meant, is_formal, unfit
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.mutants.planted import planted
 from tresym.ledger.mutants.report import _planted_row, verify_mutants
 from tresym.ledger.paper import all_claims
+from tresym.ledger.reasons import algebra
 from tresym.ledger.second_look import value
 from tresym.ledger.verification import verify
 from tresym.racket.formulas import printed
@@ -270,6 +271,27 @@ def test_prose_is_marked_and_listed() -> None:
     assert report["prose"] == [label for label, is_formal in formal.items() if not is_formal]
 
 
+def test_words_without_a_formula_are_not_formal() -> None:
+    words = Claim("words", "All is well.", Counterexample({"x": fmpq(1)}, x > 0))
+    assert words.statement is None
+    assert not is_formal(words)
+    meant = replace(words, means=x < 0)
+    assert is_formal(meant)
+    assert all(map(is_formal, (meant, all_claims()[0])))
+    assert not is_formal(Claim("both", "Both.", all_of(meant, words)))
+    assert is_formal(Claim("one", "One.", all_of(meant)))
+
+
+def test_what_is_meant_is_what_the_evidence_must_show() -> None:
+    square = equal((x + 1) ** 2, x**2 + 2 * x + 1)
+    shown = Claim("shown", "The square is this.", by(algebra), means=square)
+    assert judge(shown, {}).verdict is Verdict.PROVED
+    assert judge(replace(shown, means=equal(x**2, x)), {}).verdict is Verdict.REFUTED
+    assert judge(replace(shown, means=None), {}).verdict is Verdict.UNDECIDED
+    two = Claim("two", square, by(algebra), means=equal(x, x))
+    assert "two formulas" in judge(two, {}).why
+
+
 SOLVERS = ("defect_over", "level_of")
 
 
@@ -349,7 +371,7 @@ def test_planted_falsehoods_are_judged_with_the_mutants(monkeypatch: pytest.Monk
         (judging, "captured", lambda claim: None, "planted: a constant of what is bound"),
         (definitions, "need_value", lambda *asked: None, "planted: what does not exist"),
         (judging, "_possible", lambda claim: True, "planted: against a bound"),
-        (judging, "unfit", lambda claim: None, "planted: another formula"),
+        (judging, "unfit", lambda claim: None, "planted: another bound"),
         (judging, "unfit", lambda claim: None, "planted: no smoothness"),
         (bounds, "inconsistent", lambda *bound: None, "planted: no bound"),
     ],

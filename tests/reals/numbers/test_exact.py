@@ -17,6 +17,7 @@ from tresym.reals.numbers.exact import (
     fraction_text,
     parse_number,
     printed,
+    rational_ends,
 )
 
 
@@ -169,3 +170,29 @@ def test_an_interval_holds_its_closed_ends_alone():
     assert Interval().holds(fmpq(-(10**9)))
     assert where.middle == fmpq(3, 2)
     assert where.width == 1
+
+
+@pytest.mark.parametrize("size", [10**8, 10**12, 10**40])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_ends_beyond_all_memory_are_rounded_outward(size: int, sign: int) -> None:
+    huge, tiny = arb((sign, size)), arb((sign, -size))
+    low, high = rational_ends(huge)[:2]
+    assert (low is None, high is None) == (sign < 0, sign > 0)
+    assert all(end is None or abs(end) > 2**1000 for end in (low, high))
+    low, high = rational_ends(tiny)[:2]
+    assert 0 in (low, high)
+    assert 0 < high - low < fmpq(1, 2**1000)
+    assert Interval(low, high).ball().contains(tiny)
+
+
+def test_ends_of_what_is_no_number() -> None:
+    assert rational_ends(arb.nan()) == Interval() == rational_ends(arb(0, "inf"))
+
+
+@given(st.fractions(), st.fractions(min_value=0, max_value=1))
+def test_ends_contain_the_ball(middle: Fraction, radius: Fraction) -> None:
+    with ball_precision(53):
+        ball = arb(fmpq(middle.numerator, middle.denominator))
+        ball += arb(0, 1) * arb(fmpq(radius.numerator, radius.denominator))
+        inner, outer = exact_ends(ball), rational_ends(ball)
+        assert outer.low <= inner[0] <= inner[1] <= outer.high

@@ -23,6 +23,7 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
     parts_of,
@@ -42,8 +43,10 @@ IN_WORDS = (AllOf, Printed, Denied, UniqueRoot)
 """Evidence for sentences: it says nothing of any formula."""
 WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
 """Evidence that no condition of the claim reaches."""
+HOLDS_FUNCTIONS = (Boxes, Asymptotics, Printed, Denied)
+"""Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
-    *(tuple, Definition, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
+    *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
     *(Counterexample, Boxes, Asymptotics, Denied),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
@@ -71,12 +74,13 @@ class Meant:
 
 
 def is_formal(claim: Claim) -> bool:
-    """Whether what the claim says is the formula that its evidence decides.
+    """Whether the evidence decides the claim's statement, and nothing else.
 
-    What is said in words is compared with the evidence by a reader, and a formula with an order is
-    compared with what bounds it at points.
+    Evidence that holds functions is compared with the statement by a reader, or at points.
     """
-    return not isinstance(claim.says, str) and not isinstance(claim.proof, Boxes | Asymptotics)
+    if isinstance(claim.proof, AllOf):
+        return all(map(is_formal, claim.proof.claims))
+    return claim.statement is not None and not isinstance(claim.proof, HOLDS_FUNCTIONS)
 
 
 def unfit(claim: Claim) -> str | None:
@@ -86,6 +90,8 @@ def unfit(claim: Claim) -> str | None:
     match proof:
         case _ if type(proof) not in KINDS or not (in_words or isinstance(says, Basic)):
             return "that is no kind of evidence"
+        case _ if claim.means is not None and not (in_words or _is_open(claim.says)):
+            return "two formulas are no statement: what is said is what is meant"
         case AllOf() if not in_words:
             return "a conjunction proves a sentence; a formula needs a chain"
         case _ if isinstance(proof, IN_WORDS) and not in_words:
@@ -104,6 +110,12 @@ def unfit(claim: Claim) -> str | None:
         case Boxes() | Asymptotics() if not in_words:
             return _other_meaning(claim, proof)
     return None
+
+
+def _is_open(says: Basic) -> bool:
+    """Whether a formula leaves open what is left out, as O(…), o(…) and "hot" do."""
+    orders = (str(node.func) in ("O", "o") for node in says.atoms(AppliedUndef))
+    return HOT in says.free_symbols or any(orders)
 
 
 def _other_meaning(claim: Claim, proof: Boxes | Asymptotics) -> str | None:

@@ -18,7 +18,7 @@ from tresym.reals.balls.order import Judgement, Size
 from tresym.reals.language.expression import PI, ZERO, E, Expr, apply, differentiate, number, sqrt
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
-from tresym.reals.numbers.exact import InputError, Interval
+from tresym.reals.numbers.exact import InputError, Interval, rational_ends
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
@@ -53,10 +53,11 @@ def candidates(worst: Interval, known: Sequence[Expr] = ()) -> Iterator[Expr]:
         found = [number(about.simplest())]
         with ball_precision():
             for there, back in _KINDS:
-                ends = there(arb(about.low)).lower(), there(arb(about.high)).upper()
-                if not (ends[0].is_finite() and ends[1].is_finite() and ends[0] <= ends[1]):
+                low = rational_ends(there(arb(about.low))).low
+                high = rational_ends(there(arb(about.high))).high
+                if low is None or high is None or low > high:
                     continue
-                r = Interval(ends[0].fmpq(), ends[1].fmpq()).simplest()
+                r = Interval(low, high).simplest()
                 if r != 0 and max(abs(r.p), r.q) < LARGEST_DENOMINATOR:
                     found.append(back(number(r)))
         for point in found:

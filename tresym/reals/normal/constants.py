@@ -14,6 +14,7 @@ from flint import arb, fmpq, fmpz
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Poly
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_BITS = 30_000
@@ -53,9 +54,10 @@ def algebraic_zero(ring: Field, p: Poly) -> bool:
         for i in _involved(ring, p):
             degree *= next(n for position, n, _ in ring.relations if position == i)
         size = _house(ring, p).log().upper() / arb.const_log2() * (degree - 1)
-        bits = int(size.upper().fmpq().p // size.upper().fmpq().q) + 2 if size > 0 else 2
-    if bits > MAX_BITS:
+        highest = rational_ends(size).high
+    if highest is None or highest > MAX_BITS:
         return False
+    bits = max(int(highest.floor()) + 2, 2)
     with ball_precision(bits + 128):
         value = abs(ring.ball(p))
         return bool(value < arb(2) ** (-bits))

@@ -44,7 +44,7 @@ from tresym.reals.normal.field import Field
 from tresym.reals.normal.polynomials import terms_in_symbols
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
-from tresym.reals.numbers.exact import Interval, near
+from tresym.reals.numbers.exact import Interval, near, rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.cells import sample_points
 from tresym.reals.places.conditions import Given
@@ -160,10 +160,10 @@ def _gap(end: Expr, names: list[str], walls: list[fmpz_mpoly]) -> tuple[fmpq, fm
     with ball_precision(2 * WORKING):
         at0, at1 = (evaluate(end, {names[0]: arb(x)}) for x in (0, 1))
         place = at0 / (at0 - at1) * (1 << half)
-        below, above = place.lower().floor().unique_fmpz(), place.upper().ceil().unique_fmpz()
+        below, above = rational_ends(place)[:2]
         if below is None or above is None:
             return None
-        low, high = fmpq(below - 1, 1 << half), fmpq(above + 1, 1 << half)
+        low, high = fmpq(below.floor() - 1, 1 << half), fmpq(above.ceil() + 1, 1 << half)
         between = arb(low).union(arb(high))
         for wall in walls:
             value = sum((arb(c) * between ** int(m[0]) for m, c in wall.terms()), arb(0))

@@ -14,6 +14,7 @@ from tresym.reals.normal.generators import SIGN_BITS, ValuedRing
 from tresym.reals.normal.moebius import on_orthant
 from tresym.reals.normal.ring import Fraction, Generator, Poly, small_factor
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import rational_ends
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range
 
@@ -155,9 +156,9 @@ class ProvingRing(ValuedRing):
     @staticmethod
     def _outward(value: arb) -> tuple[fmpq, fmpq] | None:
         """Rational ends of an open interval that contains a ball."""
-        if not value.is_finite():
+        low, high = rational_ends(value)[:2]
+        if low is None or high is None:
             return None
-        low, high = value.lower().fmpq(), value.upper().fmpq()
         slack = fmpq(1, 10**9) * (1 + abs(low))
         return low - slack, high + slack
 

@@ -146,6 +146,31 @@ class Interval(NamedTuple):
         return base + 1 / Interval(1 / (high - base), far, high_open, low_open).simplest()
 
 
+LARGEST = 1 << 20
+"""Bits of a rational at most: FLINT ends the process where memory does not hold one."""
+
+
+def rational_ends(x: arb) -> Interval:
+    """Rational ends of a ball, rounded outward where they would be too long to be written.
+
+    What has no finite end there has none here.
+    """
+    low, high = _lower_end(x.lower()), _lower_end((-x).lower())
+    return Interval(low, None if high is None else -high)
+
+
+def _lower_end(x: arb) -> fmpq | None:
+    """A rational at or below an exact number; None where there is none of that length."""
+    if not x.is_finite():
+        return None
+    size = abs(x)
+    if size > arb((1, LARGEST)):
+        return fmpq(fmpz(1) << LARGEST) if x > 0 else None
+    if 0 < size < arb((1, -LARGEST)):
+        return fmpq(0) if x > 0 else fmpq(-1, fmpz(1) << LARGEST)
+    return x.fmpq()
+
+
 def near(x: fmpq, tolerance: fmpq) -> fmpq:
     """The rational of least denominator within ``tolerance`` of ``x``."""
     return Interval(x - tolerance, x + tolerance).simplest()

@@ -20,7 +20,7 @@ from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval
+from tresym.reals.numbers.exact import InputError, Interval, rational_ends
 from tresym.reals.places.points import _sample, corners
 from tresym.reals.places.values import evaluate
 from tresym.reals.places.windows import windows
@@ -307,10 +307,7 @@ def _enclosure(e: Expr) -> tuple[fmpq | None, fmpq | None]:
     if e.op == "number":
         return e.args[0], e.args[0]
     with ball_precision():
-        value = evaluate(e, {})
-        if not value.is_finite():
-            return None, None
-        return value.lower().fmpq(), value.upper().fmpq()
+        return rational_ends(evaluate(e, {}))[:2]
 
 
 def _pi_multiple(e: Expr) -> fmpq | None:

@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 
-from flint import arb, fmpq
+from flint import fmpq
 
 from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, project, small_factor
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Interval
+from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
@@ -491,14 +491,10 @@ def _constant_span(e: Expr) -> Interval:
     """Rational ends of the ball of a constant."""
     with ball_precision(_BITS):
         value = evaluate(e, {})
-        if not value.is_finite():
-            return REALS
-        scale = arb(2) ** 64
-        low, high = (value * scale).floor().lower(), (value * scale).ceil().upper()
-        ends = low.floor().unique_fmpz(), high.ceil().unique_fmpz()
-    if ends[0] is None or ends[1] is None:
-        return REALS
-    return Interval(fmpq(ends[0] - 1, 2**64), fmpq(ends[1] + 1, 2**64), True, True)
+        low, high = rational_ends(value)[:2]
+    below = None if low is None else fmpq((low * 2**64).floor() - 1, 2**64)
+    above = None if high is None else fmpq((high * 2**64).ceil() + 1, 2**64)
+    return Interval(below, above, True, True)
 
 
 def _span_sign(span: Interval) -> str | None:

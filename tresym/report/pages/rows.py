@@ -55,6 +55,7 @@ def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "label": claim.label,
         "requested": row.requested,
         "says": says_latex(claim.says),
+        "means": None if claim.statement is None else says_latex(claim.statement),
         "formal": is_formal(claim),
         "given": [given_latex(condition) for condition in claim.given],
         "expect": claim.expect.value,

@@ -25,6 +25,7 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.printing.latex import LatexPrinter
 
+from tresym.ledger.statements import As, ExactlyOne, Under
 from tresym.racket.notation import LATEX, theta
 
 _RELATIONS = {"==": "=", ">": ">", ">=": r"\ge", "<": "<", "<=": r"\le", "!=": r"\ne"}
@@ -266,6 +267,17 @@ def says_latex(says: Basic | str) -> str:
         return r" \iff ".join(says_latex(part) for part in says.args)
     if isinstance(says, Tuple | And):
         return r",\quad ".join(says_latex(part) for part in says.args)
+    match says:
+        case Under(args=(inner, given)):
+            under = ",\\ ".join(map(says_latex, given.args))
+            return says_latex(inner) + (rf"\quad({under})" if under else "")
+        case ExactlyOne(args=(x, low, high, inner)):
+            name, *ends = map(expression_latex, (x, low, high))
+            return rf"\exists!\,{name} \in ({ends[0]}, {ends[1]}):\ {says_latex(inner)}"
+        case As(args=(inner, x, point, side)):
+            mark = {1: "^+", -1: "^-"}.get(int(side), "")
+            passage = rf"{expression_latex(x)} \to {expression_latex(point)}{mark}"
+            return rf"{says_latex(inner)}\quad({passage})"
     if isinstance(says, Relational):
         left, right = map(expression_latex, says.args)
         return f"{left} {_RELATIONS[says.rel_op]} {right}"

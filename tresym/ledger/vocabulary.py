@@ -1,0 +1,50 @@
+"""The words of a proof: what the files of `proofs/` write claims and their evidence in.
+
+They take it whole, with the paper's symbols beside it (`tresym.racket.notation`).
+"""
+
+# fmt: off
+# ruff: isort: skip_file
+
+from __future__ import annotations
+
+import sympy
+from flint import arb, fmpq
+from sympy import (
+    Abs, Basic, Derivative, Equivalent, Expr, Function, Ge, Gt, ImmutableMatrix, Integer, Integral,
+    Le, Lt, Ne, Rational, Subs, Symbol, Tuple, acos, asin, asinh, atan, atanh, cos, cosh, det,
+    diff, exp, eye, log, pi, sin, sinh, sqrt, tan, tanh,
+)
+
+from tresym.ledger.certificates import certificate
+from tresym.ledger.claim import (
+    Claim, Counterexample, Definition, Fault, ImplicitFunction, Place, Printed, Reason, Root,
+    UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line, parts_of,
+    step, together,
+)
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.meant import Meant
+from tresym.ledger.reasons import (
+    adding, algebra, applying, changing_variable, citing, collecting, cutting,
+    differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,
+    multiplying, roots, substituting, trigonometry,
+)
+from tresym.reals.balls.boxes import Bound, box
+from tresym.reals.balls.germ import Germs
+from tresym.reals.balls.order import Order
+from tresym.reals.verdict import Verdict
+
+__all__ = [
+    "Abs", "Asymptotics", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
+    "Denied", "Derivative", "Equivalent", "Expr", "Fault", "Function", "Ge", "Germs", "Gt",
+    "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le", "Lt", "Meant", "Ne",
+    "Order", "Place", "Printed", "Rational", "Reason", "Root", "Subs", "Symbol", "Tuple",
+    "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of", "applying", "arb", "asin",
+    "asinh", "at", "atan", "atanh", "box", "by", "certificate", "changing_variable", "citing",
+    "collecting", "cos", "cosh", "cutting", "det", "diff", "differentiating_integral",
+    "differentiation", "display", "equal", "equations", "evaluating", "exp", "exponentials", "eye",
+    "fmpq", "formally", "integrating", "inverses", "label_claims", "line", "log", "multiplying",
+    "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan",
+    "tanh", "together", "trigonometry",
+]
