@@ -133,6 +133,32 @@ class Definition:
 
 
 @dataclass(frozen=True)
+class Root:
+    """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
+
+    It says that the function vanishes there, and between which ends.
+    """
+
+    symbol: Symbol
+    unique: Claim
+    kind: ClassVar[str] = "definition"
+    expect: ClassVar[Ruling] = Premise.DEFINED
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What the definition rests on: that there is one root."""
+        return (self.unique,)
+
+    @property
+    def says(self) -> Tuple:
+        """The equation for the root, and the interval that it lies in."""
+        root, x = self.unique.proof, self.symbol
+        assert isinstance(root, UniqueRoot)
+        vanishes = equal(root.function.xreplace({root.variable: x}), Integer(0))
+        return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
+
+
+@dataclass(frozen=True)
 class Together:
     """One chain for each part of a statement that has several."""
 
@@ -247,6 +273,7 @@ class Counterexample:
 Evidence = (
     Chain
     | Definition
+    | Root
     | Together
     | UniqueRoot
     | ImplicitFunction
@@ -273,7 +300,7 @@ class Claim:
     """One statement: what it says, under which conditions, and the evidence for it.
 
     Attributes:
-        label: the paper's own ``\\label``, or a name of ours.
+        label: the paper's own ``\\label``, or a name of ours; see :func:`label_claims`.
         says: a SymPy relation, a `Tuple` of them, an `Equivalent`, or prose.
         means: for prose, and for a formula that leaves an order open, the formula that is decided.
         given: SymPy relations that hold wherever the claim is made.
@@ -292,9 +319,9 @@ class Claim:
         quotes: theorems that the evidence applies and no claim shows.
     """
 
-    label: str
-    says: Basic | str
-    proof: Evidence
+    label: str = ""
+    says: Basic | str = ""
+    proof: Evidence = ()
     kind: str = ""
     given: tuple[Basic, ...] = ()
     where: Place | None = None
@@ -308,13 +335,15 @@ class Claim:
     means: Basic | None = None
 
     def __post_init__(self) -> None:
-        defined = isinstance(self.proof, Definition)
+        defined = isinstance(self.proof, Definition | Root)
         if defined or not self.kind:
             object.__setattr__(self, "kind", _kind(self.says, self.proof))
         if defined or self.expect is None:
             object.__setattr__(self, "expect", _expected(self.proof))
 
     def __hash__(self) -> int:
+        if not self.label:
+            raise ValueError("a claim without a label: the last line of its part gives it one")
         return hash(self.label)
 
     @cached_property
@@ -357,6 +386,13 @@ class Claim:
         """The theorems quoted by the claim or by anything that it rests on, each once."""
         quoted = (axiom for claim in (*self.rests_on, self) for axiom in claim.quotes)
         return tuple(dict.fromkeys(quoted))
+
+
+def label_claims(names: Mapping[str, Any]) -> None:
+    """Label each claim that has no label with its name among ``names``: the last line of a part."""
+    for name, value in names.items():
+        if isinstance(value, Claim) and not value.label:
+            object.__setattr__(value, "label", name)
 
 
 def _kind(says: Basic | str, proof: Evidence) -> str:
