@@ -15,6 +15,7 @@ from sympy import (
     Integral,
     Le,
     Rational,
+    S,
     Subs,
     Symbol,
     Tuple,
@@ -22,7 +23,6 @@ from sympy import (
     atan,
     cos,
     exp,
-    false,
     log,
     pi,
     sign,
@@ -42,6 +42,7 @@ from tresym.ledger.claim import (
     by,
     equal,
     formally,
+    manifest,
     step,
     together,
 )
@@ -160,6 +161,14 @@ def test_bounds_need_a_manifest_sign() -> None:
     assert verdict(claim(Ge(a**2, -(b**2), evaluate=False), squares)) is Verdict.PROVED
     assert verdict(claim(Gt(a**2, -(b**2), evaluate=False), squares)) is not Verdict.PROVED
     assert verdict(claim(a**2 >= b**2, (step(a**2 - b**2),))) is Verdict.REFUTED
+
+
+def test_one_step_shows_each_part_of_a_system() -> None:
+    squares = Tuple(Ge(a**2 + 1, 2 * a), Gt(a**2 + 2, 2 * a), equal((a + b) * a, a**2 + a * b))
+    assert verdict(claim(squares, manifest)) is Verdict.PROVED
+    for false in (Gt(a**2 + 1, 3 * a), equal((a + b) ** 2, a**2 + b**2)):
+        assert verdict(claim(Tuple(*squares.args, false), manifest)) is Verdict.REFUTED
+        assert verdict(claim(Tuple(false, *squares.args), manifest)) is Verdict.REFUTED
 
 
 def test_a_cited_bound_counts_only_under_its_own_conditions() -> None:
@@ -295,7 +304,7 @@ def test_what_a_point_denies_of_an_implication(statement: Any) -> None:
 def test_that_something_is_somewhere_is_denied_by_its_contrary_everywhere() -> None:
     nowhere = claim(ForSome(Le(x**2 + 1, 0, evaluate=False)), formally())
     assert judge(nowhere, {}).verdict is Verdict.REFUTED
-    for says in (ForSome(x**2 <= 0), ForSome(x > 5), ForSome(ForSome(x > 5)), ForSome(false)):
+    for says in (ForSome(x**2 <= 0), ForSome(x > 5), ForSome(ForSome(x > 5)), ForSome(S.false)):
         assert verdict(claim(says, formally())) is Verdict.UNDECIDED
     assert verdict(replace(nowhere, given=(x > 1, x < 0))) is Verdict.UNDECIDED
 

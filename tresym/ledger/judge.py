@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from time import process_time
 
-from sympy import Basic, Eq, Tuple
+from sympy import Basic
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -24,8 +24,10 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
+    chains_of,
     parts_of,
     put_in_by,
 )
@@ -44,7 +46,7 @@ from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_b
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
-from tresym.ledger.finding import Finding, Premise, StepFinding
+from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
 from tresym.ledger.meaning import (
     CircularError,
     Conditions,
@@ -77,10 +79,7 @@ from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-_WEAKEST_FIRST = (Verdict.ENCLOSED, Verdict.PROVED, Premise.ASSUMED, Premise.DEFINED)
-"""What a conjunction of claims that hold is: what premises alone say is no more than they are."""
-
-NEVER_ATTACKED = (Definition, ImplicitFunction, AllOf, UniqueRoot)
+NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -185,7 +184,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     if why is not None:
         return Finding(UNDECIDED, why)
     match claim.proof:
-        case Definition():
+        case Definition() | Root():
             return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
@@ -199,25 +198,18 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_unique_root(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
-        case Together(chains):
-            return _judge_together(claim, chains)
-        case tuple() if claim.statement is not None:
-            return _judge_chains(claim, ((claim.statement, claim.proof),))
+        case Together() | tuple() if claim.statement is not None:
+            return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")
 
 
-def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
-    parts = claim.statement.args if isinstance(claim.statement, Tuple) else ()
-    if len(parts) != len(chains):
-        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
-    return _judge_chains(claim, tuple(zip(parts, chains, strict=True)))
-
-
-def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
+def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -> Finding:
     """PROVED when every step of every chain is; otherwise tried at exact points."""
+    if parts is None:
+        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     given = conditions(claim.given)
@@ -242,7 +234,7 @@ def _possible(claim: Claim) -> bool:
     if not _met_somewhere(given):
         return False
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    explicit = [entry for entry in table(behind) if entry.explicit]
     rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:
@@ -292,28 +284,26 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
             return Finding(REFUTED, why, witness=finding.witness)
         if finding.verdict is UNDECIDED:
             return Finding(UNDECIDED, f"{claim.label} is undecided")
-    verdicts = {found[c.label].verdict for c in claims}
-    weakest = next(v for v in _WEAKEST_FIRST if v in verdicts)
+    weakest = min((found[c.label].verdict for c in claims), key=WEAKEST_FIRST.index)
     return Finding(weakest, "follows from " + ", ".join(c.label for c in claims))
 
 
 def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
     """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
-    says = claim.statement
-    if not isinstance(says, ExactlyOne) or not isinstance(says.args[3], Eq):
+    root = claim.statement
+    if not isinstance(root, ExactlyOne) or root.difference is None:
         return Finding(UNDECIDED, "the statement is not that an equation has exactly one root")
-    variable, low, high, equation = says.args
-    if variable in low.free_symbols | high.free_symbols:
-        return Finding(UNDECIDED, f"{variable} is bound, and the ends depend on it")
+    if root.variable in root.low.free_symbols | root.high.free_symbols:
+        return Finding(UNDECIDED, f"{root.variable} is bound, and the ends depend on it")
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    if any(variable.name in defined(used) for used in claim.uses):
-        return Finding(UNDECIDED, f"{variable} is bound, and is defined in what is used")
-    function = equation.lhs - equation.rhs
-    finding = _one_root(proof, (variable, function, low, high), conditions(claim.given))
+    if any(root.variable.name in defined(used) for used in claim.uses):
+        return Finding(UNDECIDED, f"{root.variable} is bound, and is defined in what is used")
+    stated = root.variable, root.difference, root.low, root.high
+    finding = _one_root(proof, stated, conditions(claim.given))
     if finding.verdict is PROVED:
         return finding
-    none = rootless(function, variable, (low, high), claim.given)
+    none = rootless(root.difference, root.variable, (root.low, root.high), claim.given)
     return Finding(REFUTED, none.why, witness=none.point, steps=finding.steps) if none else finding
 
 

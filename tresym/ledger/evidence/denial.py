@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 from flint import arb, fmpq
 from sympy import Basic, Equivalent, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import Claim, Counterexample
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import tree
 from tresym.ledger.second_look import excluded, scalars
 from tresym.ledger.statements import Under
@@ -96,6 +97,7 @@ class Denied:
 
     claims: tuple[Claim, ...]
     witness: Point
+    expect: ClassVar[Ruling] = Verdict.REFUTED
 
     def judge(self) -> Finding:
         """REFUTED; only asked when every claim named is found to hold."""

@@ -36,6 +36,7 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
     by,
+    chains_of,
     equal,
     formally,
     parts_of,
@@ -193,11 +194,10 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
         case Formally():
             for n, relation in enumerate(claim.parts, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
-        case Together(chains):
-            for n, (part, chain) in enumerate(zip(claim.parts, chains, strict=True), 1):
-                yield from _chain_spots(claim, part, chain, f"part {n}: ")
-        case tuple() if claim.statement is not None:
-            yield from _chain_spots(claim, claim.statement, claim.proof, "")
+        case Together() | tuple() if claim.statement is not None:
+            parts = chains_of(claim.statement, claim.proof) or ()
+            for n, (part, chain) in enumerate(parts, 1):
+                yield from _chain_spots(claim, part, chain, f"part {n}: " if parts[1:] else "")
 
 
 def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim, ...]]:
@@ -295,24 +295,23 @@ def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterat
         before = link.expression
 
 
-def _root_spots(claim: Claim, proof: UniqueRoot, stated: ExactlyOne) -> Iterator[_Spot]:
+def _root_spots(claim: Claim, proof: UniqueRoot, root: ExactlyOne) -> Iterator[_Spot]:
     """The equation, the ends, and the chain of the derivative."""
-    variable, low, high, equation = stated.args
 
     def violated(mutated: Claim) -> bool:
-        stated: Any = mutated.statement
-        _, start, end, says = stated.args
-        return rootless(says.lhs - says.rhs, variable, (start, end), mutated.given) is not None
+        other: Any = mutated.statement
+        ends = other.low, other.high
+        return rootless(other.difference, root.variable, ends, mutated.given) is not None
 
     for n, name in enumerate(("low", "high", "equation"), 1):
 
         def claims(changed: Variant, n: int = n) -> tuple[Claim, ...]:
-            args = (*stated.args[:n], changed, *stated.args[n + 1 :])
-            return (saying(claim, ExactlyOne(*args)),)
+            return (saying(claim, ExactlyOne(*root.args[:n], changed, *root.args[n + 1 :])),)
 
-        yield _Spot(name, _mutations(stated.args[n]), claims, violated)
-    inside = replace(claim, given=(*claim.given, variable > low, variable < high))
-    slope = (equation.lhs - equation.rhs).diff(variable, evaluate=False)
+        yield _Spot(name, _mutations(root.args[n]), claims, violated)
+    between = root.variable > root.low, root.variable < root.high
+    inside = replace(claim, given=(*claim.given, *between))
+    slope = Derivative(root.difference, root.variable)
     yield from _step_spots(inside, slope, proof.derivative, "derivative: ")
 
 
