@@ -260,7 +260,6 @@ defect_is_one = Claim(
                 exponentials,
                 roots,
                 trigonometry,
-                inverses,
             ),
         ),
         at_low=(
