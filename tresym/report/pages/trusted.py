@@ -54,8 +54,9 @@ RECHECKED = {
         *("reals.places.points._sample", "reals.places.points.corners"),
         *("reals.places.windows", "reals.places.descent"),
     ),
-    "what is found is checked: factors are multiplied out, trees of boxes replayed": (
+    "what is found is checked: factors multiplied out, boxes replayed, links of inequalities": (
         *("reals.normal.denested", "reals.balls.boxes._found"),
+        "reals.signs.equivalents.equivalents",
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
