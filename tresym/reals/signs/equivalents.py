@@ -33,7 +33,7 @@ from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import needs
 from tresym.reals.signs.cones import open_factors
-from tresym.reals.signs.inside import PROVING, Ask
+from tresym.reals.signs.inside import PROVING, Ask, is_zero
 from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_EXPONENT = 100
@@ -90,26 +90,19 @@ def holds(link: Link, relation: str) -> bool:
                 and sign(e, given) not in PROVING[condition.relation]
             ):
                 return False
-        return _are_defined(meant, hard, given) and _is_zero(meant - hard, given)
+        return _are_defined(meant, hard, given) and is_zero(meant - hard, given)
     if not _are_defined(easy, hard, given):
         return False
     if scale is None:
         return relation == ">=" and sign(hard / easy, given) in PROVING[">="]
     grown = (scale * (apply("exp", one) - 1) - other for one, other in ((easy, hard), (hard, easy)))
-    return sign(scale, given) == "+" and any(_is_zero(e, given) for e in grown)
+    return sign(scale, given) == "+" and any(is_zero(e, given) for e in grown)
 
 
 def _are_defined(e: Expr, before: Expr, given: Given) -> bool:
     """Whether ``e`` is defined wherever ``before`` is."""
     known = needs((before,))
     return all(part in known or sign(part[0], given) in PROVING[part[1]] for part in needs((e,)))
-
-
-def _is_zero(e: Expr, given: Given) -> bool:
-    try:
-        return bool(Field(given).normal(e)[0].num.is_zero())
-    except (TooLargeError, UndefinedError):
-        return False
 
 
 def equivalents(difference: Expr, relation: str, region: Given) -> Iterator[tuple[Link, ...]]:

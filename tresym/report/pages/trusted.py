@@ -56,7 +56,7 @@ RECHECKED = {
     ),
     "what is found is checked: factors multiplied out, boxes replayed, links of inequalities": (
         *("reals.normal.denested", "reals.balls.boxes._found"),
-        "reals.signs.equivalents.equivalents",
+        *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
