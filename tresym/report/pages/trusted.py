@@ -70,7 +70,7 @@ RECHECKED = {
         *("reals.signs.jumps.Case.point", "reals.decisions.statement._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
-        *("ledger.judge._judge_counterexample", "ledger.second_look.rootless"),
+        *("ledger.evidence.denial", "ledger.second_look.rootless"),
     ),
     "it words refusals": (
         *("reals.language.hints", "reals.decisions.identity.no_point"),
