@@ -75,12 +75,6 @@ unfolded_motion = Claim(
 before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
 
 
-flip_before_the_turn = Claim(
-    says=Tuple(a + b * sin(_here.flip) ** 2 > 0, gamma + b * sin(_here.flip) ** 2 > 0),
-    given=(*before_the_turn, x >= 0, x <= chi),
-    proof=manifest,
-)
-
 phase = Integral(_here.rate, (x, 0, chi))
 """Φ(χ, γ), the precession from χ to ψ = π/2."""
 
@@ -89,7 +83,8 @@ unfolded_turn = Claim(
         Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, _end.flip, pi / 2)), phase
     ),
     given=before_the_turn,
-    proof=by(changing_variable(_here.flip, flip_before_the_turn)),
+    knowing=(Under(gamma + b * sin(_here.flip) ** 2 > 0, (x >= 0, x <= chi)),),
+    proof=by(changing_variable(_here.flip)),
     note="Before the motion has turned Φ is F.",
 )
 
