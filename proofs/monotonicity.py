@@ -28,11 +28,7 @@ slope_in_T = Claim(
     proof=by(differentiation, exponentials, roots),
 )
 
-slope_in_T_positive = Claim(
-    says=_slope > 0,
-    given=(*shape, *later),
-    proof=(step(((1 - b) + (1 + _ratio) * sinh(T) ** 2) / _spread, exponentials),),
-)
+slope_in_T_positive = Claim(says=_slope > 0, given=(*shape, *later), proof=manifest)
 
 slope_in_a = Claim(
     says=equal(-Derivative(_g, a), (T - _g) / (2 * a) - b * _share / (2 * a)),
@@ -74,20 +70,7 @@ tangent_below = Claim(
     expect=Verdict.ENCLOSED,
 )
 
-increase_of_T = Claim(
-    says=T / (2 * b) + _share / 2 > 0,
-    given=(*shape, *later),
-    proof=(
-        step(
-            T / (2 * b)
-            + (exp(T) - 1)
-            * (exp(T) + 1)
-            * (exp(2 * T) + 1)
-            / (2 * ((exp(2 * T) + 1) ** 2 + _ratio * (exp(2 * T) - 1) ** 2)),
-            exponentials,
-        ),
-    ),
-)
+increase_of_T = Claim(says=T / (2 * b) + _share / 2 > 0, given=(*shape, *later), proof=manifest)
 
 monotonicity = Claim(
     says="ε₀ decreases strictly in a for fixed b, and in b for fixed a, for a > 0, 0 < b ≤ 1.",
