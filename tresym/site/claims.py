@@ -92,8 +92,8 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         f"---\norphan: true\n---\n\n# `{label}`",
         _heading(claim, title),
         *_printed(claim),
-        statement(claim),
-        *_conditions(claim),
+        statement(claim, named=True),
+        *_uses_where_it_holds(claim),
         *_proof(claim),
         *_numbers(claim),
         *_truth(claim, claims),
@@ -123,17 +123,13 @@ def _if_refuted(claim: Record) -> str:
     return "--refuted " if claim["verdict"] == "REFUTED" else ""
 
 
-def _conditions(claim: Record) -> Iterator[str]:
-    if claim["given"]:
-        yield "Given " + _formulas(claim["given"]) + "."
+def _uses_where_it_holds(claim: Record) -> Iterator[str]:
+    """The conditions of what is put in, which were shown; a conjunction has said them."""
     asked = [
         f"{link(label)} for {_formulas(given)}" for label, given in claim["conditions"].items()
     ]
-    if asked:
-        start = (
-            "What it uses is shown to be used where it holds:" if claim["chains"] else "It holds as"
-        )
-        yield f"{start} {'; '.join(asked)}."
+    if asked and not claim["parts"] and claim["chains"]:
+        yield f"What it uses is shown to be used where it holds: {'; '.join(asked)}."
 
 
 def _formulas(conditions: list[str]) -> str:
@@ -174,11 +170,7 @@ def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 
 
 def _named(label: str, claims: dict[str, Record]) -> str:
-    claim = claims[label]
-    said = sentence(claim["says"]) if claim["says"] else ""
-    shown = display(claim["formula"]) if claim["formula"] else ""
-    head = f"{link(label)} {badge(claim['verdict'])}"
-    return "\n\n".join(part for part in (f"{head}\\\n{said}" if said else head, shown) if part)
+    return f"{link(label)} {badge(claims[label]['verdict'])}\n\n{statement(claims[label])}"
 
 
 def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
@@ -186,7 +178,7 @@ def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
         if claim[key]:
             yield f"## {title}"
             items = (
-                f"- {link(n)} {badge(claims[n]['verdict'])} {_brief(claims[n])}" for n in claim[key]
+                f"- {link(n)} {badge(claims[n]['verdict'])} {inline(claims[n])}" for n in claim[key]
             )
             yield "\n".join(items)
 
@@ -198,11 +190,6 @@ def _axioms(claim: Record, known: dict[str, Record]) -> Iterator[str]:
         yield "\n".join(
             f"- {sentence(name)}: {sentence(known[name]['source'])}" for name in claim["axioms"]
         )
-
-
-def _brief(claim: Record) -> str:
-    said = inline(claim)
-    return said if claim["says"] or len(claim["formula"]) < 90 else ""
 
 
 def _cost(claim: Record, seconds: float | None) -> Iterator[str]:

@@ -30,8 +30,8 @@ from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
 from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust
-from tresym.report.words.latex import says_latex
 from tresym.report.words.place import place_text
+from tresym.report.words.said import in_line, said
 
 
 def documents() -> Iterator[tuple[str, str]]:
@@ -74,13 +74,11 @@ def ledger(report: Report) -> str:
             "|---|---|---|---|",
         ]
         for claim in claims:
-            says = claim.shown or says_latex(claim.says)
-            said = says if isinstance(claim.says, str) else f"${says}$"
             cells = (
                 f"`{claim.label}`",
                 place_text(claim),
                 rows[claim.label].finding.verdict.value,
-                said.replace("|", r"\|"),
+                in_line(said(claim)),
             )
             lines.append(f"| {' | '.join(cells)} |")
         lines.append("")

@@ -15,9 +15,8 @@ from tresym.ledger.paper import display_lines, sections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages.rows import common, line_of
 from tresym.report.words.chains import displays
-from tresym.report.words.conditions import gathered
-from tresym.report.words.latex import says_latex
 from tresym.report.words.place import place_text
+from tresym.report.words.said import said
 
 RECORD_VERSION = 1
 
@@ -91,21 +90,12 @@ def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         **common(row),
         "place": place_text(claim) if claim.where else None,
         "line": line_of(row, lines),
-        "says": claim.says if isinstance(claim.says, str) else None,
-        "formula": _formula(claim),
-        "given": gathered(claim.given),
+        **said(claim).as_record(),
         "chains": _chains(claim),
         "evidence": _evidence(claim),
         "note": claim.note,
         "paper_says": claim.paper_says,
     }
-
-
-def _formula(claim: Claim) -> str | None:
-    """The statement in LaTeX, where it is a formula."""
-    if claim.shown is not None:
-        return claim.shown
-    return None if isinstance(claim.says, str) else says_latex(claim.says)
 
 
 def _evidence(claim: Claim) -> str:

@@ -19,7 +19,9 @@ def readable(text: str) -> str:
     text = re.sub(r"(?<=\d)\.0{4,}(?!\d)", "", text)
     text = re.sub(r"(?<![\w)])-(?=[\w.])", "−", text)
     text = _NAME.sub(_named, text)
-    return text.replace(" * ", " · ").replace("->", "→")
+    for typed, set_ in (("->", "→"), (">=", "≥"), ("<=", "≤"), (" * ", " · ")):
+        text = text.replace(typed, set_)
+    return text
 
 
 def _named(found: re.Match[str]) -> str:
