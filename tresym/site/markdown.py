@@ -18,9 +18,9 @@ def link(label: str, folder: str = "/claims/") -> str:
     return f"[`{label}`]({folder}{label}.md)"
 
 
-def statement(claim: dict[str, Any], named: bool = False) -> str:
-    """What a claim says, with its conditions, on lines of their own; parts by name if asked for."""
-    return on_lines(of_record(claim), link if named else None)
+def statement(claim: dict[str, Any]) -> str:
+    """What a claim says, with its conditions, on lines of their own."""
+    return on_lines(of_record(claim))
 
 
 def inline(claim: dict[str, Any]) -> str:

@@ -11,7 +11,7 @@ from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
 from tresym.report.words.chains import EQUIVALENT, Because, Display, Line, displays
-from tresym.report.words.markdown import SCRIPTS
+from tresym.report.words.markdown import scripted
 from tresym.report.words.place import place_text
 from tresym.report.words.said import conditions, said
 from tresym.report.words.width import width
@@ -55,6 +55,7 @@ _LETTERS = {
     "₃": r"\textsubscript{3}", "ᵢ": r"\textsubscript{i}", "₊": r"\textsubscript{+}",
     "₋": r"\textsubscript{$-$}", "⁰": r"\textsuperscript{0}", "²": r"\textsuperscript{2}",
     "³": r"\textsuperscript{3}", "⁴": r"\textsuperscript{4}", "⁵": r"\textsuperscript{5}",
+    "“": "``", "”": "''",
     "⁶": r"\textsuperscript{6}", "⁻": r"\textsuperscript{$-$}", "ᵀ": r"\textsuperscript{T}",
     "ⁿ": r"\textsuperscript{n}",
     "α": r"$\alpha$", "β": r"$\beta$", "γ": r"$\gamma$", "δ": r"$\delta$", "Δ": r"$\Delta$",
@@ -78,14 +79,12 @@ def prose(text: str) -> str:
 
     Anything else outside Latin-1 falls back to a visible placeholder rather than a broken run.
     """
-    parts, end = [], 0
-    for found in SCRIPTS.finditer(text):
-        raised, digits, lowered = found.groups()
-        command = r"\textsubscript" if lowered else r"\textsuperscript"
-        parts += [_lettered(text[end : found.start()])]
-        parts += [f"{command}{{{_lettered(lowered or raised or digits)}}}"]
-        end = found.end()
-    return "".join([*parts, _lettered(text[end:])])
+
+    def script(mark: str, inside: str) -> str:
+        command = r"\textsuperscript" if mark == "^" else r"\textsubscript"
+        return f"{command}{{{_lettered(inside)}}}"
+
+    return scripted(text, _lettered, script)
 
 
 def _lettered(text: str) -> str:

@@ -66,7 +66,10 @@ def ledger(report: Report) -> str:
     rows = {row.claim.label: row for row in report.rows}
     counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
     lines = ["# The ledger", "", f"{len(rows)} claims: {counts}.", ""]
-    for title, claims in sections():
+    for title, stated in sections():
+        claims = [claim for claim in stated if claim.label in rows]
+        if not claims:
+            continue
         lines += [
             f"## {title}",
             "",

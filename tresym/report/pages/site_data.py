@@ -10,8 +10,9 @@ from collections.abc import Callable
 from typing import Any
 
 from tresym.ledger.axioms import RULES, Axiom
-from tresym.ledger.claim import Claim
-from tresym.ledger.paper import display_lines, sections
+from tresym.ledger.claim import AllOf, Claim
+from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.paper import corrections, display_lines, sections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages.rows import common, line_of
 from tresym.report.words.chains import displays
@@ -52,6 +53,7 @@ def record(report: Report) -> dict[str, Any]:
     used_by = _inverse(claims, lambda claim: claim.uses)
     amends = _inverse(claims, lambda claim: claim.amended_by)
     lines = display_lines()
+    quotes = {label: found.quote for found in corrections() for label in found.labels}
     return {
         "version": RECORD_VERSION,
         "counts": report.counts,
@@ -62,7 +64,7 @@ def record(report: Report) -> dict[str, Any]:
         },
         "rules": {axiom.name: _axiom(axiom) | {"rule": axiom.rule} for axiom in RULES},
         "claims": {
-            row.claim.label: _claim(row, lines)
+            row.claim.label: _claim(row, lines, quotes)
             | {"used_by": used_by[row.claim.label], "amends": amends[row.claim.label]}
             for row in report.rows
         },
@@ -84,7 +86,7 @@ def _inverse(
     return found
 
 
-def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
+def _claim(row: Row, lines: dict[int | None, int], quotes: dict[str, str]) -> dict[str, Any]:
     claim = row.claim
     return {
         **common(row),
@@ -94,6 +96,9 @@ def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "chains": _chains(claim),
         "evidence": _evidence(claim),
         "note": claim.note,
+        "formal": is_formal(claim),
+        "conjunction": [c.label for c in claim.uses] if isinstance(claim.proof, AllOf) else [],
+        "quote": quotes.get(claim.label, ""),
         "paper_says": claim.paper_says,
     }
 

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
 from tresym.report.words.width import argument
 
@@ -30,14 +31,15 @@ _SPACED = re.compile(r"(?<=[^\s(\[])\s*([=<>≤≥≠⟺→∼≃])\s*")
 _PRODUCT = re.compile(r"[\s+\-·/=<>]|(?<=\w)\(")
 
 
-_ONE = re.compile(r"[^\W\d][₀-₉⁰¹²³⁴-⁹]*")
-"""One letter, with an index or an exponent."""
+_ONE = re.compile(r"[d∂]?[^\W\d][₀-₉⁰¹²³⁴-⁹]*")
+"""One letter, or the differential of one, with an index or an exponent."""
 
 
 def plain(formula: str) -> str:
     """LaTeX as our printer writes it, in plain characters."""
     text = _plain(_TOKEN.findall(re.sub(r"\\(?:left|right)\.?|~", "", formula)))
-    return re.sub(r"\s+", " ", _SPACED.sub(r" \1 ", text)).strip()
+    text = re.sub(r"\s+", " ", _SPACED.sub(r" \1 ", text)).strip()
+    return unicodedata.normalize("NFC", text)
 
 
 def _plain(tokens: list[str]) -> str:
@@ -51,7 +53,7 @@ def _plain(tokens: list[str]) -> str:
         elif token == r"\sqrt":
             text += "√" + _enclosed(_plain(argument(tokens)))
         elif token in ("^", "_"):
-            text += _script(token, _plain(argument(tokens)))
+            text += script(token, _plain(argument(tokens)))
         elif token == "{":
             tokens.insert(0, token)
             text += _plain(argument(tokens))
@@ -85,7 +87,8 @@ def _bracketed(text: str) -> str:
     return f"({text})"
 
 
-def _script(mark: str, text: str) -> str:
+def script(mark: str, text: str) -> str:
+    """``text`` raised (^) or lowered (_), by letters where there are such."""
     text = text.strip()
     letters = _RAISED if mark == "^" else _LOWERED
     if all(ord(c) in letters for c in text):

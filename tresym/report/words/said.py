@@ -7,14 +7,14 @@ own letters.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from tresym.ledger.claim import AllOf, Claim, asked_by, parts_of
 from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import says_latex
-from tresym.report.words.markdown import sentence
-from tresym.report.words.plain import plain
+from tresym.report.words.markdown import scripted, sentence
+from tresym.report.words.plain import plain, script
 from tresym.report.words.wording import readable
 
 LONGEST_IN_A_LINE = 60
@@ -138,17 +138,22 @@ def in_line(found: Said) -> str:
     return " ".join(filter(None, (text, conditions(found, in_dollars, sentence))))
 
 
-def on_lines(found: Said, name: Callable[[str], str] | None = None) -> str:
-    """The claim in Markdown, its formula on a line of its own; with ``name``, as `conditions`."""
-    parts = [sentence(found.says)] if found.says else []
-    parts += [display(found.formula)] if found.formula else []
-    parts += [conditions(found, in_dollars, sentence, name)]
-    return "\n\n".join(filter(None, parts))
+def on_lines(found: Said) -> str:
+    """The claim in Markdown, its formula on a line of its own."""
+    return "\n\n".join(filter(None, (*stated(found), conditions(found, in_dollars, sentence))))
+
+
+def stated(found: Said) -> Iterator[str]:
+    """Its sentence and its formula in Markdown, to which its conditions must be said."""
+    if found.says:
+        yield sentence(found.says)
+    if found.formula:
+        yield display(found.formula)
 
 
 def in_plain_text(found: Said) -> str:
     """The claim in plain characters, for a terminal."""
-    text = found.says or f"{plain(found.formula or '')}."
+    text = scripted(found.says, str, script) if found.says else f"{plain(found.formula or '')}."
     return " ".join(filter(None, (text, conditions(found, plain))))
 
 
