@@ -107,9 +107,15 @@ def step(expression: Basic, *reasons: Reason) -> Step:
 
 
 def by(*reasons: Reason) -> tuple[Step, ...]:
-    """A chain of one step, straight to the right side of what the claim says."""
+    """A chain of one step, straight to the right side of what the claim says, or to its sign.
+
+    Of a system it shows each part.
+    """
     return (Step(None, reasons),)
 
+
+manifest = by()
+"""An inequality, or each of several, that the prover of signs decides as it stands."""
 
 Chain = tuple[Step, ...]
 
@@ -130,6 +136,32 @@ class Definition:
     def expect(self) -> Premise:
         """What the claim is: a definition, or assumed."""
         return Premise.ASSUMED if self.assumes else Premise.DEFINED
+
+
+@dataclass(frozen=True)
+class Root:
+    """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
+
+    It says that the function vanishes there, and between which ends.
+    """
+
+    symbol: Symbol
+    unique: Claim
+    kind: ClassVar[str] = "definition"
+    expect: ClassVar[Ruling] = Premise.DEFINED
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What the definition rests on: that there is one root."""
+        return (self.unique,)
+
+    @property
+    def says(self) -> Tuple:
+        """The equation for the root, and the interval that it lies in."""
+        root, x = self.unique.proof, self.symbol
+        assert isinstance(root, UniqueRoot)
+        vanishes = equal(root.function.xreplace({root.variable: x}), Integer(0))
+        return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
 
 
 @dataclass(frozen=True)
@@ -247,6 +279,7 @@ class Counterexample:
 Evidence = (
     Chain
     | Definition
+    | Root
     | Together
     | UniqueRoot
     | ImplicitFunction
@@ -308,7 +341,7 @@ class Claim:
     means: Basic | None = None
 
     def __post_init__(self) -> None:
-        defined = isinstance(self.proof, Definition)
+        defined = isinstance(self.proof, Definition | Root)
         if defined or not self.kind:
             object.__setattr__(self, "kind", _kind(self.says, self.proof))
         if defined or self.expect is None:
@@ -398,6 +431,16 @@ def expressions(claim: Claim) -> Iterator[Basic]:
             reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
             written = (link.expression, *(e for three in reasons for e in three))
             yield from (e for e in written if e is not None)
+
+
+def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain], ...] | None:
+    """What is said, part by part with its chain; None where the parts are not as many."""
+    if isinstance(proof, Together):
+        parts = parts_of(says)
+        same = len(parts) == len(proof.chains)
+        return tuple(zip(parts, proof.chains, strict=True)) if same else None
+    alike = len(proof) == 1 and proof[0].expression is None
+    return tuple((part, proof) for part in (parts_of(says) if alike else (says,)))
 
 
 def _chains(proof: Evidence) -> tuple[Chain, ...]:

@@ -13,7 +13,7 @@ from dataclasses import replace
 from time import process_time
 
 from flint import arb, fmpq
-from sympy import Basic, Tuple
+from sympy import Basic
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -25,9 +25,11 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
     asked_by,
+    chains_of,
     parts_of,
 )
 from tresym.ledger.definitions import (
@@ -79,7 +81,7 @@ from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-NEVER_ATTACKED = (Definition, ImplicitFunction, AllOf, UniqueRoot)
+NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -173,7 +175,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     if why is not None:
         return Finding(UNDECIDED, why)
     match claim.proof:
-        case Definition():
+        case Definition() | Root():
             return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
@@ -187,25 +189,18 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_unique_root(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
-        case Together(chains):
-            return _judge_together(claim, chains)
-        case tuple() if claim.statement is not None:
-            return _judge_chains(claim, ((claim.statement, claim.proof),))
+        case Together() | tuple() if claim.statement is not None:
+            return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")
 
 
-def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
-    parts = claim.statement.args if isinstance(claim.statement, Tuple) else ()
-    if len(parts) != len(chains):
-        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
-    return _judge_chains(claim, tuple(zip(parts, chains, strict=True)))
-
-
-def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
+def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -> Finding:
     """PROVED when every step of every chain is; otherwise tried at exact points."""
+    if parts is None:
+        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     given = conditions(claim.given)
@@ -230,7 +225,7 @@ def _possible(claim: Claim) -> bool:
     if not _met_somewhere(given):
         return False
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    explicit = [entry for entry in table(behind) if entry.explicit]
     rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:
