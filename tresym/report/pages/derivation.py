@@ -185,7 +185,7 @@ def _entry(row: Row, known: Collection[str]) -> str:
         lines.append(r"\verdict{refuted}{This is refuted:}\par")
     if claim.paper_says:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
-    lines += [rf"{words}\par" for words in _in_words(claim, _code)]
+    lines += [rf"{{\raggedright {words}\par}}" for words in _in_words(claim, _code)]
     lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
