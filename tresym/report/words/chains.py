@@ -42,7 +42,7 @@ Display = tuple[Line, ...]
 
 def displays(claim: Claim) -> tuple[Display, ...]:
     """One display for each local fact and each part of the statement, with its chain."""
-    facts = tuple((Line("", says_latex(fact), (Said("manifest"),)),) for fact in claim.knowing)
+    facts = tuple((Line("", says_latex(fact), (Because("manifest"),)),) for fact in claim.knowing)
     return (*facts, *_shown(claim))
 
 
