@@ -50,7 +50,6 @@ _flat = exp(-k / x)
 flat_rises = Claim(
     label="flat_rises",
     says=Derivative(_flat, x) > 0,
-    kind="bound",
     given=(k > 0, x > 0),
     proof=(step(k / x**2 * _flat, differentiation),),
 )
@@ -168,7 +167,6 @@ printed_leading_term = Claim(
     "ab ≥ 1/4.",
     kind="order",
     proof=all_of(printed_error),
-    expect=Verdict.ENCLOSED,
     note="No rigid body has ab ≥ 1: for bodies the bound says more than the limit.",
 )
 
@@ -322,7 +320,6 @@ exponent_below = boxed(
 corner_margin = Claim(
     label="corner_margin",
     says=(6 * (1 - b) + 9 * (b * x) ** 2 / 2) / 12 >= 3 * x**2 / 8,
-    kind="bound",
     given=(b > 0, b <= 1, x > 0, x <= Rational(1, 2)),
     proof=(step((1 - b) * (4 - 3 * x**2 * (1 + b)) / 8, algebra),),
     note="With x for κ: towards b = 1, κ = 0 the margin of `everywhere` falls like 3κ²/8, and what "
@@ -510,7 +507,6 @@ def _newton_beyond(label: str, room: Expr, direction: int, ends: tuple[Expr, Exp
     return Claim(
         label=label,
         says=x - _at(_phase, x) * _at(_steepness, x) - (T - _phase * _at(_steepness, x)) >= 0,
-        kind="bound",
         given=(*auxiliary, 1 - k * r >= 0, T > 0, x > 0, room > 0),
         proof=(step(Integral(bend, (psi, low, high)), integrating(antiderivative), exponentials),),
         note="At a root the phase equation vanishes, and what is subtracted is T.",
@@ -590,16 +586,13 @@ uniform_formulas = Claim(
         "For every a > 0, 0 < b ≤ 1 the relative error of ε₀ is at most 2.8 % (sweep from π), "
         "0.65 % (sweep from 4), 0.01 % and 0.0004 % (these with one Newton step)."
     ),
-    kind="statement",
     proof=all_of(one_line, balanced_line, newton_line, balanced_newton, uniform_tail, newton_tail),
-    expect=Verdict.ENCLOSED,
 )
 
 
 sweep_below = Claim(
     label="sweep_below",
     says=tanh(T + x) - tanh(T) > 0,
-    kind="bound",
     given=(T > 0, x > 0, exp(x) - 1 > 0, exp(T) > 0),
     proof=(
         step(
@@ -616,7 +609,6 @@ sweep_below = Claim(
 one_line_side = Claim(
     label="one_line_side",
     says="The sweep from π gives too large an ε₀, for every shape.",
-    kind="statement",
     proof=all_of(stable_equation, one_flip_defect, sweep_below),
     note="The phase P = π + arctan(r tanh kP) exceeds π, so P₁ = π + arctan(r tanh kπ) < P.",
 )
@@ -624,7 +616,6 @@ one_line_side = Claim(
 newton_side = Claim(
     label="newton_side",
     says="A Newton step on the phase gives too small an ε₀, from wherever it starts.",
-    kind="statement",
     proof=all_of(
         slope_in_T_positive,
         phase_equation_convex,
@@ -701,7 +692,6 @@ _linear = epsilon0 - gamma / (4 * b * epsilon0)
 bend_allowed = Claim(
     label="bend_allowed",
     says=_linear**2 + gamma / b >= 0,
-    kind="bound",
     given=(b > 0, epsilon0 > 0),
     proof=(step((epsilon0 + gamma / (4 * b * epsilon0)) ** 2, algebra),),
     note="With sin ε ≈ ε the linear formula never leaves γ ≥ −bε²; it touches at γ = −4bε₀².",

@@ -53,7 +53,7 @@ eq_euler_angle = Claim(
             step(None, substituting(eq_Mi)),
         ),
     ),
-    where=Place(display=7),
+    where=display(7),
 )
 
 shape_and_depth = Claim(
@@ -63,7 +63,7 @@ shape_and_depth = Claim(
     ),
     given=ordered_moments,
     proof=Definition(),
-    where=Place(display=8),
+    where=display(8),
 )
 
 precession_rate = Claim(
@@ -79,7 +79,6 @@ precession_rate = Claim(
 precession_forward = Claim(
     label="precession_forward",
     says=dphi_dt > 0,
-    kind="bound",
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=(step(M * (1 - b * sin(psi) ** 2) / I2, substituting(precession_rate)),),
     note="The handle always precesses forward, so φ can take the place of time.",
@@ -141,7 +140,7 @@ eq_Euler = Claim(
             step(None, substituting(shape_and_depth), trigonometry),
         ),
     ),
-    where=Place(display=9),
+    where=display(9),
 )
 
 eq_gamma = Claim(
@@ -161,7 +160,7 @@ eq_gamma = Claim(
         ),
         step(a - sin(theta) ** 2 * (a + b * sin(psi) ** 2), trigonometry),
     ),
-    where=Place(display=10),
+    where=display(10),
 )
 
 _gamma_of_angles = printed.depth(theta, psi, a, b, sympy)
@@ -174,14 +173,13 @@ gamma_conserved = Claim(
     ),
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
-    where=Place(line=134),
+    where=line(134),
     note="The second route to the constant of motion: its derivative along the flow.",
 )
 
 range_of_shape = Claim(
     label="range_of_shape",
     says=Tuple(a >= 0, b >= 0, b <= 1),
-    kind="bound",
     given=ordered_moments,
     proof=together(
         (step((I2 - I1) / I1, substituting(shape_and_depth)),),
@@ -193,7 +191,6 @@ range_of_shape = Claim(
 range_of_gamma = Claim(
     label="range_of_gamma",
     says=Tuple(gamma >= -b, gamma <= a),
-    kind="bound",
     given=(*ordered_moments, *shape),
     proof=together(
         (
@@ -210,7 +207,6 @@ range_of_gamma = Claim(
 ranges = Claim(
     label="d11",
     says="0 ≤ b ≤ 1, 0 ≤ a < ∞ and −b ≤ γ ≤ a.",
-    kind="statement",
     proof=all_of(range_of_shape, range_of_gamma),
-    where=Place(display=11),
+    where=display(11),
 )

@@ -90,7 +90,6 @@ sine_of_turn = Claim(
 residual_increases = Claim(
     label="residual_increases",
     says=Derivative(log(epsilon) - exponent, epsilon) > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(
@@ -123,7 +122,6 @@ half_tangent = Claim(
 root_above_one = Claim(
     label="root_above_one",
     says=_root > 1,
-    kind="bound",
     given=(*shape, *defect),
     proof=(step(b / a * sin(epsilon) ** 2 / (1 + _root), roots),),
 )
@@ -131,7 +129,6 @@ root_above_one = Claim(
 turn_increases = Claim(
     label="turn_increases",
     says=Derivative(_turn, epsilon) > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(
@@ -165,7 +162,6 @@ _part = (x > 0, _share > 0, _share <= 1)
 arctangent_concave = Claim(
     label="arctangent_concave",
     says=atan(_share * x) - _share * atan(x) >= 0,
-    kind="bound",
     given=_part,
     proof=(
         step(
@@ -186,7 +182,6 @@ _bend = _share * (1 - _share**2) * psi**2 / (_roots[0] * _roots[1] * (_roots[0] 
 arsinh_concave = Claim(
     label="arsinh_concave",
     says=asinh(_share * x) - _share * asinh(x) >= 0,
-    kind="bound",
     given=_part,
     proof=(
         step(
@@ -200,7 +195,6 @@ arsinh_concave = Claim(
 leading_below = Claim(
     label="leading_below",
     says="ε₀ > 2 arctan(ε*/2), and therefore ε₀/ε* > 1 − ε*²/12, for a > 0, 0 < b ≤ 1.",
-    kind="statement",
     proof=all_of(
         stable_equation,
         one_flip_defect,
@@ -211,6 +205,5 @@ leading_below = Claim(
         turn_increases,
         arctangent_above,
     ),
-    expect=Verdict.ENCLOSED,
     note="Equality would be the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
 )

@@ -28,7 +28,7 @@ eq_robust_gen = Claim(
     says=equal(Delta_phi, Integral(_integrand, (psi, psi0, psi_f))),
     given=(*shape, gamma > 0),
     proof=Definition(),
-    where=Place(display=18),
+    where=display(18),
     note="For γ ≤ 0 it is so while the flip angle does not turn back; d19 is its integrand.",
 )
 
@@ -36,7 +36,7 @@ full_turn = Claim(
     label="full_turn",
     says=equal(Delta_phi, 2 * pi),
     proof=Definition(assumes="the turn that is studied"),
-    where=Place(display=18),
+    where=display(18),
     note="The turn that is studied: one of the handle.",
 )
 
@@ -49,9 +49,8 @@ flip_angle = Claim(
 integrand_of_the_turn = Claim(
     label="integrand_of_the_turn",
     says="The integrand of the turn is dφ/dψ, with the sign S that the motion has.",
-    kind="statement",
     proof=all_of(eq_dpsidphi, precession_integrand),
-    where=Place(line=201),
+    where=line(201),
 )
 
 # -- integration in elementary functions ----------------------------------------------------------
@@ -61,9 +60,8 @@ _inside = (psi > -pi / 2, psi < pi / 2, cos(psi) > 0)
 integrand_again = Claim(
     label="d33",
     says="f, as the appendix repeats it, is dφ/dψ.",
-    kind="statement",
     proof=all_of(precession_integrand),
-    where=Place(display=33),
+    where=display(33),
 )
 
 elementary_at_the_top = Claim(
@@ -93,7 +91,6 @@ elementary_levels = Claim(
     label="elementary_levels",
     says="For γ = 0 and for γ = a the equation of the flip angle is integrated by elementary "
     "functions.",
-    kind="statement",
     proof=all_of(integrated, integrand_at_the_top, elementary_at_the_top),
 )
 
@@ -116,14 +113,14 @@ eq_psi0psif = Claim(
     label="eq_psi0psif",
     says=Tuple(equal(psi0, epsilon), equal(psi_f, pi - epsilon)),
     proof=Definition(),
-    where=Place(display=20),
+    where=display(20),
 )
 
 eqdefect = Claim(
     label="eqdefect",
     says=equal(Delta_psi, pi - 2 * epsilon),
     proof=by(substituting(flip_angle, eq_psi0psif)),
-    where=Place(display=21),
+    where=display(21),
 )
 
 symmetric_turn = Claim(
@@ -135,16 +132,15 @@ symmetric_turn = Claim(
         step(Delta_phi, substituting(eq_robust_gen)),
         step(None, substituting(full_turn)),
     ),
-    where=Place(line=213),
+    where=line(213),
     note="What ε is: in one turn of the handle the symmetric motion goes from ε to π − ε.",
 )
 
 symmetric_curves = Claim(
     label="fig_symtraj",
     says="The symmetric curves, from ε to π − ε, are those of one full turn of the handle.",
-    kind="statement",
     proof=all_of(symmetric_turn, eqdefect),
-    where=Place(line=227),
+    where=line(227),
 )
 
 perfect_is_zero = Claim(
@@ -154,7 +150,7 @@ perfect_is_zero = Claim(
         step(equal(-2 * epsilon, 0), multiplying(Integer(-2))),
         step(equal(pi - 2 * epsilon, pi), adding(pi)),
     ),
-    where=Place(line=217),
+    where=line(217),
 )
 
 _start, _turned = Symbol("psi_start", real=True), Symbol("Psi", real=True)
@@ -177,7 +173,7 @@ every_start_flips = Claim(
         ),
         step(None, cutting(_start)),
     ),
-    where=Place(line=272),
+    where=line(272),
     note="At a γ > 0 for which one motion flips by exactly π in one turn, all do; near it, nearly.",
 )
 
@@ -255,7 +251,6 @@ turn_gap = Claim(
 turn_is_steep = Claim(
     label="turn_is_steep",
     says=_steepness(_starts, _ends) > 0,
-    kind="bound",
     given=(*shape, b < 1, gamma > 0),
     proof=(step(_steepness(_starts, _ends)),),
     note="f falls with sin²ψ: it is largest at the unstable points.",
@@ -280,7 +275,6 @@ symmetric_is_extreme = Claim(
     label="symmetric_is_extreme",
     says="At fixed γ > 0 the symmetric start flips most in a given turn of the handle where its "
     "flip is below π, and least where it is between π and 2π, among all starts.",
-    kind="statement",
     proof=all_of(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
     note="A flip by Ψ < π needs the least turn from there, and one by π < Ψ < 2π the most; and "
     "every turn grows with its flip.",
@@ -311,18 +305,16 @@ symmetric_maximum = Claim(
 eps0_shape_only = Claim(
     label="eps0_shape_only",
     says="ε₀ depends on a and b only.",
-    kind="statement",
     proof=all_of(one_flip_defect),
-    where=Place(line=222),
+    where=line(222),
 )
 
 without_approximation = Claim(
     label="d25",
     says="The flip defect on the separatrix is given, without any approximation, by the "
     "exponential equation of d37: it is equivalent to the condition of one turn.",
-    kind="statement",
     proof=all_of(exact_equation, stable_equation, one_flip_defect),
-    where=Place(display=25),
+    where=display(25),
     note="ε₀ (here ε) is its only root.",
 )
 
@@ -331,13 +323,12 @@ without_approximation = Claim(
 eq_TRE = Claim(
     label="eq_TRE",
     says=Tuple(Ge(Delta_psi, pi - pi / 6), Le(Delta_psi, pi + pi / 6)),
-    kind="bound",
     given=(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
     proof=together(
         (step(pi / 6 - 2 * epsilon, substituting(eqdefect)),),
         (step(pi / 6 + 2 * epsilon, substituting(eqdefect)),),
     ),
-    where=Place(display=28),
+    where=display(28),
     note="The tolerance of the paper: it holds for −π/12 ≤ ε ≤ π/12.",
 )
 

@@ -38,7 +38,7 @@ cosine_of_tilt = Claim(
         step(S * sqrt(cos(theta) ** 2), substituting(sign_of_tilt)),
         step(None, substituting(eq_gamma), trigonometry, roots),
     ),
-    where=Place(display=12),
+    where=display(12),
 )
 
 
@@ -60,7 +60,7 @@ eq_dpsidphi = Claim(
         ),
         step(None, roots),
     ),
-    where=Place(display=13),
+    where=display(13),
 )
 
 precession_integrand = Claim(
@@ -76,5 +76,5 @@ precession_integrand = Claim(
         ),
         step(None, substituting(sign_of_tilt), roots),
     ),
-    where=Place(display=19),
+    where=display(19),
 )

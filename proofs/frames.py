@@ -35,9 +35,8 @@ handle = ImmutableMatrix([sin(theta) * cos(phi), sin(theta) * sin(phi), cos(thet
 no_external_moment = Claim(
     label="no_external_moment",
     says="Without external moment the length of M does not change.",
-    kind="statement",
     proof=all_of(momentum_conserved),
-    where=Place(line=56),
+    where=line(56),
 )
 
 cross_product = Claim(
@@ -54,24 +53,22 @@ cross_product = Claim(
 one_component_is_parallel = Claim(
     label="one_component_is_parallel",
     says="A rotation about a principal axis alone has M along that axis.",
-    kind="statement",
     proof=all_of(eq_omega, cross_product),
-    where=Place(line=61),
+    where=line(61),
 )
 
 axes_of_the_racket = Claim(
     label="fig_racket",
     says="The three axes of the racket are perpendicular unit vectors, in every position.",
-    kind="statement",
     proof=all_of(rotation_orthogonal),
-    where=Place(line=53),
+    where=line(53),
 )
 
 handle_in_space = Claim(
     label="handle_in_space",
     says=equal(rotation * upright, handle),
     proof=by(),
-    where=Place(line=67),
+    where=line(67),
     note="φ is the angle from X to the projection of the handle on the plane (X, Y).",
     shown=r"R\,(0, 0, 1)^{\mathsf T} = "
     r"(\sin\theta\cos\phi, \sin\theta\sin\phi, \cos\theta)^{\mathsf T}",
@@ -81,7 +78,7 @@ line_of_nodes = Claim(
     label="line_of_nodes",
     says=equal(upright.cross(handle), sin(theta) * ImmutableMatrix([-sin(phi), cos(phi), 0])),
     proof=by(),
-    where=Place(line=67),
+    where=line(67),
     note="The line N is perpendicular to Z and to the handle, at the angle φ from Y.",
     shown=r"\vec Z\times\vec e_1 = \sin\theta\,(-\sin\phi, \cos\phi, 0)^{\mathsf T}",
 )
@@ -109,7 +106,6 @@ angles_of_the_reference = Claim(
 near_intermediate_axis = Claim(
     label="near_intermediate_axis",
     says=Tuple(M**2 - M2**2 >= 0, M**2 * (cos(theta) ** 2 + sin(psi) ** 2) >= M**2 - M2**2),
-    kind="bound",
     given=ordered_moments,
     proof=together(
         (
@@ -129,9 +125,8 @@ near_intermediate_axis = Claim(
 start = Claim(
     label="d02",
     says="At θ = π/2 and ψ = 0 the intermediate axis lies along M, and near there it is near M.",
-    kind="statement",
     proof=all_of(eq_Mi, near_intermediate_axis),
-    where=Place(display=2),
+    where=display(2),
     note="The same holds at ψ = π, with e₂ along M instead of against it.",
 )
 
@@ -145,7 +140,7 @@ laboratory_turned = Claim(
         equal(_turned, about_z(phi + _turn) * about_y(theta) * about_z(psi)),
     ),
     proof=together(by(trigonometry), by(trigonometry)),
-    where=Place(line=74),
+    where=line(74),
     note="Turning X and Y about Z shifts φ and changes nothing else, so φ₀ = 0 is a choice.",
     shown=r"(R_z(\alpha)R)^{\mathsf T}\frac{d}{dt}(R_z(\alpha)R) = R^{\mathsf T}\dot R,\quad "
     r"R_z(\alpha)\,R = R_z(\phi+\alpha)\,R_y(\theta)\,R_z(\psi)",
@@ -166,7 +161,7 @@ flip_about_the_handle = Claim(
     label="flip_about_the_handle",
     says=equal(rotation.subs(psi, psi + _turn), rotation * about_z(_turn)),
     proof=by(trigonometry),
-    where=Place(line=70),
+    where=line(70),
     note="Turning ψ further turns the body about its own axis e₁.",
     shown=r"R_z(\phi)\,R_y(\theta)\,R_z(\psi+\alpha) = "
     r"R_z(\phi)\,R_y(\theta)\,R_z(\psi)\,R_z(\alpha)",
@@ -175,18 +170,16 @@ flip_about_the_handle = Claim(
 racket_effect = Claim(
     label="d03",
     says="A full turn of the handle with Δψ = π turns the racket by half a turn about its handle.",
-    kind="statement",
     proof=all_of(rotation_orthogonal, handle_in_space, perfect_flip),
-    where=Place(display=3),
+    where=display(3),
 )
 
 flip_is_observed = Claim(
     label="flip_observed",
     says="After a full turn of the handle and a half turn about it, the two faces have changed "
     "places.",
-    kind="statement",
     proof=all_of(perfect_flip),
-    where=Place(line=49),
+    where=line(49),
 )
 
 angles_from_momentum = Claim(
@@ -202,7 +195,7 @@ angles_from_momentum = Claim(
         by(substituting(eq_Mi), trigonometry, roots),
         by(substituting(eq_Mi), trigonometry, roots),
     ),
-    where=Place(line=62),
+    where=line(62),
     note="Away from the poles M determines θ, and ψ up to full turns.",
 )
 

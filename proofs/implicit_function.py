@@ -29,7 +29,7 @@ d40 = Claim(
     says=Tuple(equal(lam, 1 / sqrt(a * b)), equal(mu, sqrt(b / (a + b)))),
     given=shape,
     proof=Definition(),
-    where=Place(display=40),
+    where=display(40),
 )
 
 mu_by_lambda = Claim(
@@ -37,13 +37,12 @@ mu_by_lambda = Claim(
     says=equal(sqrt(b / (a + b)), printed.mu_of_lambda(lam, b, sympy)),
     given=shape,
     proof=by(substituting(d40), roots),
-    where=Place(display=40),
+    where=display(40),
 )
 
 small_together = Claim(
     label="small_together",
     says=b * lam - printed.mu_of_lambda(lam, b, sympy) >= 0,
-    kind="bound",
     given=(b > 0, lam > 0),
     proof=(
         step(
@@ -51,7 +50,7 @@ small_together = Claim(
             roots,
         ),
     ),
-    where=Place(line=353),
+    where=line(353),
     note="0 < μ ≤ bλ ≤ λ, so μ → 0 with λ because b ≤ 1.",
 )
 
@@ -63,7 +62,7 @@ right_sides = Claim(
     ),
     given=shape,
     proof=by(substituting(d40), roots),
-    where=Place(line=354),
+    where=line(354),
     note="Only the right side of the equation before is rewritten.",
 )
 
@@ -110,7 +109,7 @@ defect_by_unknown = Claim(
     says=equal(epsilon0, _by_u),
     given=_known_defect,
     proof=by(substituting(unknown), exponentials, roots),
-    where=Place(display=42),
+    where=display(42),
 )
 
 unknown_flat = Claim(
@@ -121,7 +120,7 @@ unknown_flat = Claim(
     ),
     given=(lam > 0, mu > 0, mu < 1, u > -1, pi + asin(mu) + u > 0),
     proof=by(evaluating),
-    where=Place(display=42),
+    where=display(42),
     shown=r"2\sqrt{1-\mu^2}\,e^{-(\pi+u+\arcsin\mu)/\lambda} = "
     r"2\sqrt{1-\mu^2}\,g\left(\frac{\lambda}{\pi+u+\arcsin\mu}\right),\quad g(s) = e^{-1/s}",
 )
@@ -150,7 +149,7 @@ equation_for_u = Claim(
         step(equal(pi + asin(mu) + u, pi + _arc), multiplying(-lam)),
         step(equal(u + asin(mu) - _arc, 0), adding(-pi - _arc)),
     ),
-    where=Place(display=43),
+    where=display(43),
     note="Exact for the reduced equation, with no higher orders; ε₀ depends on (u, λ, μ), where "
     "the paper prints a product: `defect_of_a_product`.",
 )
@@ -244,7 +243,6 @@ _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
 exponent_above_two = Claim(
     label="exponent_above_two",
     says=pi + asin(mu) + u - 2 >= 0,
-    kind="bound",
     given=_path,
     proof=(step(pi + asin(mu) + u - 2),),
 )
@@ -252,7 +250,6 @@ exponent_above_two = Claim(
 defect_below_flat = Claim(
     label="defect_below_flat",
     says=2 * exp(-2 / lam) >= _by_u,
-    kind="bound",
     given=_path,
     proof=(
         step(
@@ -282,9 +279,7 @@ defect_is_flat = Claim(
     label="defect_is_flat",
     says="For λ → 0 from above ε₀(u, λ, μ) and its slopes vanish faster than λ¹⁰, for "
     "0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1: at the origin they are 0, from that side.",
-    kind="statement",
     proof=all_of(slopes_of_the_defect, defect_below_flat, slopes_vanish),
-    expect=Verdict.ENCLOSED,
 )
 
 # -- the derivatives of G -------------------------------------------------------------------------
@@ -341,7 +336,7 @@ G_at_origin = Claim(
     label="G_at_origin",
     says=equal(at(_g_with(epsilon), {**at_origin, u: Integer(0)}), 0),
     proof=by(evaluating),
-    where=Place(line=367),
+    where=line(367),
     shown=r"G(0, 0, 0) = 0",
 )
 
@@ -356,9 +351,7 @@ def _at_origin(
     shown = rf"\frac{{\partial G}}{{\partial {letter}}}(0, 0, 0) = {value}"
     proof = by(evaluating, *reasons)
     found = Claim(label=f"{label}_value", says=says_value, proof=proof, shown=shown)
-    return found, Claim(
-        label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
-    )
+    return found, Claim(label=label, says=says, proof=all_of(slope, found), **rest)
 
 
 def steep_path(defect: Any, m: Any) -> tuple[Any, Any]:
@@ -393,7 +386,7 @@ G_u_value, G_u_at_origin = _at_origin(
     "∂G/∂u(0, 0, 0) = 1, so the implicit function theorem applies.",
     slope_by_u,
     1,
-    where=Place(line=375),
+    where=line(375),
 )
 
 G_lambda_value, G_lambda_at_origin = _at_origin(
@@ -401,7 +394,7 @@ G_lambda_value, G_lambda_at_origin = _at_origin(
     "∂G/∂λ(0, 0, 0) = 0.",
     slope_by_lambda,
     0,
-    where=Place(line=379),
+    where=line(379),
 )
 
 G_mu_value, G_mu_at_origin = _at_origin(
@@ -446,7 +439,7 @@ chain_rule_of_G = Claim(
     says=equal(Derivative(_along, lam), _by_lambda + _by_mu * Derivative(_mu_of_lambda, lam)),
     given=_inward,
     proof=by(differentiation, roots),
-    where=Place(display=45),
+    where=display(45),
     note="Along μ = μ(λ), at every λ > 0.",
 )
 
@@ -455,16 +448,15 @@ deduced_from_the_chain_rule = Claim(
     says=equal(Derivative(_along, lam) - _by_lambda, _by_mu * Derivative(_mu_of_lambda, lam)),
     given=_inward,
     proof=by(substituting(chain_rule_of_G)),
-    where=Place(line=379),
+    where=line(379),
     note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
 )
 
 chain_rule = Claim(
     label="d45",
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
-    kind="statement",
     proof=all_of(chain_rule_of_G, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
-    where=Place(display=45),
+    where=display(45),
     note="Both terms vanish, the second because ∂G/∂μ does.",
 )
 
@@ -479,17 +471,15 @@ implicit_rule = Claim(
         step(equal(dG_dlambda / dG_du + du_dlambda, 0), multiplying(1 / dG_du)),
         step(equal(du_dlambda, -dG_dlambda / dG_du), adding(-dG_dlambda / dG_du)),
     ),
-    where=Place(display=44),
+    where=display(44),
     note="On the left G(u(λ), λ, μ(λ)) = 0, differentiated.",
 )
 
 implicit_slope = Claim(
     label="d44",
     says="du/dλ = −(dG/dλ)/(dG/du) at the origin, where dG/du is not 0.",
-    kind="statement",
     proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
-    where=Place(display=44),
-    expect=Verdict.ENCLOSED,
+    where=display(44),
     note="The implicit function theorem, on λ ≥ 0: with |λ| for λ G is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )

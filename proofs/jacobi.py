@@ -61,7 +61,6 @@ def _solves(motion: tuple[Expr, Expr, Expr], speed: Expr) -> Tuple:
 parameter_rotating = Claim(
     label="parameter_rotating",
     says=Tuple(_m_rotating > 0, _m_rotating < 1, 1 - _m_rotating * sin(chi) ** 2 > 0),
-    kind="bound",
     given=_rotating,
     proof=together(
         (step(_m_rotating),),
@@ -78,7 +77,6 @@ parameter_rotating = Claim(
 parameter_oscillating = Claim(
     label="parameter_oscillating",
     says=Tuple(_m_oscillating > 0, _m_oscillating < 1, 1 - _m_oscillating * sin(chi) ** 2 > 0),
-    kind="bound",
     given=_oscillating,
     proof=together(
         (step(_m_oscillating),),
@@ -250,7 +248,6 @@ motions_part_slowly = Claim(
     says=M / I1 * sum(_squares)
     - sum(e * rate for e, rate in zip(_apart, _rates_apart, strict=True))
     >= 0,
-    kind="bound",
     given=(*ordered_moments, *(2 * M + side * s >= 0 for s in _sums for side in (1, -1))),
     proof=(
         step(
@@ -268,7 +265,6 @@ motions_part_slowly = Claim(
 jacobi_solutions = Claim(
     label="jacobi_solutions",
     says="The motion of M is given by Jacobi's elliptic functions.",
-    kind="statement",
     proof=all_of(
         rotating_solution,
         rotating_amplitudes,
@@ -281,14 +277,13 @@ jacobi_solutions = Claim(
         separatrix_start,
         motions_part_slowly,
     ),
-    where=Place(line=90),
+    where=line(90),
     note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
 )
 
 momentum_between = Claim(
     label="momentum_between",
     says=Tuple(2 * I3 * E - M**2 >= 0, M**2 - 2 * I1 * E >= 0),
-    kind="bound",
     given=ordered_moments,
     proof=together(
         (
@@ -320,15 +315,13 @@ meeting_point = Claim(
 intersection_condition = Claim(
     label="intersection_condition",
     says="There is no solution unless 2I₁E ≤ M² ≤ 2I₃E, and then there is one.",
-    kind="statement",
     proof=all_of(momentum_between, meeting_point),
-    where=Place(line=96),
+    where=line(96),
 )
 
 solution_on_intersection = Claim(
     label="solution_on_intersection",
     says="A solution stays on the intersection of the ellipsoid and the sphere.",
-    kind="statement",
     proof=all_of(two_first_integrals),
-    where=Place(line=96),
+    where=line(96),
 )

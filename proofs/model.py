@@ -104,7 +104,7 @@ eq_omega = Claim(
     label="eq_omega",
     says=Tuple(equal(M1, I1 * W1), equal(M2, I2 * W2), equal(M3, I3 * W3)),
     proof=Definition(),
-    where=Place(display=1),
+    where=display(1),
     note="The axes are principal axes of inertia.",
 )
 
@@ -135,7 +135,7 @@ eq_Mi = Claim(
         by(substituting(momentum_along_z)),
         by(substituting(momentum_along_z)),
     ),
-    where=Place(display=6),
+    where=display(6),
 )
 
 torque_free = Claim(

@@ -25,7 +25,6 @@ _ends = (y, 0, c)
 mean_below_the_first = Claim(
     label="mean_below_the_first",
     says=c * asin(c) - (1 - sqrt(1 - c**2)) >= 0,
-    kind="bound",
     given=(c > 0, c < 1),
     proof=(step(Integral(asin(y), _ends), integrating(y * asin(y) + sqrt(1 - y**2)), roots),),
     note="The mean of cos ψ from e to π/2 is at most cos e.",
@@ -34,14 +33,13 @@ mean_below_the_first = Claim(
 mean_is_positive = Claim(
     label="mean_is_positive",
     says=1 - sqrt(1 - c**2) > 0,
-    kind="bound",
     given=(c > 0, c < 1),
     proof=(step(c**2 / (1 + sqrt(1 - c**2)), roots),),
 )
 
 
 def _room(label: str, room: Expr, given: tuple, parts: Expr) -> Claim:
-    return Claim(label=label, says=room > 0, kind="bound", given=given, proof=(step(parts),))
+    return Claim(label=label, says=room > 0, given=given, proof=(step(parts),))
 
 
 _below_one = (1 - c) * (1 + c)
@@ -79,7 +77,6 @@ _steep = (y - z) ** 2 * (y + z) / (_root * _mean_root * (_root + _mean_root))
 moment_falls = Claim(
     label="moment_falls",
     says=_less * (y - z) * _cosecant >= 0,
-    kind="bound",
     given=(
         *(y >= 0, z > 0, u <= 0, 1 - y**2 > 0),
         *(u + 1 - y**2 > 0, u + 1 - z**2 > 0),
@@ -105,7 +102,6 @@ _at_mean = _moment(_mean_root)
 mean_of_the_product = Claim(
     label="mean_of_the_product",
     says=_weighted - _at_mean * (1 - sqrt(1 - c**2) - z * asin(c)) >= 0,
-    kind="bound",
     given=_falling,
     proof=(
         step(
@@ -140,7 +136,6 @@ moment_over_sine = Claim(
 moment_below_cosecant = Claim(
     label="moment_below_cosecant",
     says=1 / x - x**4 / _sum**5 >= 0,
-    kind="bound",
     given=(x > 0, u > 0),
     proof=(
         step(u * sum(_sum**i * x ** (4 - i) for i in range(5)) / ((_sum + x) * x * _sum**5), roots),

@@ -37,7 +37,7 @@ eq_dMi = Claim(
             step(None, substituting(velocity_from_momentum)),
         ),
     ),
-    where=Place(display=4),
+    where=display(4),
 )
 
 energy = Claim(
@@ -67,7 +67,7 @@ eq_first_int = Claim(
         by(substituting(energy_of_momentum)),
         by(substituting(eq_Mi), trigonometry),
     ),
-    where=Place(display=5),
+    where=display(5),
 )
 
 energy_conserved = Claim(
@@ -87,7 +87,6 @@ momentum_conserved = Claim(
 two_first_integrals = Claim(
     label="two_first_integrals",
     says="The energy and the length of the angular momentum are constants of the motion.",
-    kind="statement",
     proof=all_of(eq_first_int, energy_conserved, momentum_conserved),
-    where=Place(display=5),
+    where=display(5),
 )

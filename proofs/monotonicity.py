@@ -32,7 +32,6 @@ slope_in_T = Claim(
 slope_in_T_positive = Claim(
     label="slope_in_T_positive",
     says=_slope > 0,
-    kind="bound",
     given=(*shape, *later),
     proof=(step(((1 - b) + (1 + _ratio) * sinh(T) ** 2) / _spread, exponentials),),
 )
@@ -83,7 +82,6 @@ tangent_below = Claim(
 increase_of_T = Claim(
     label="increase_of_T",
     says=T / (2 * b) + _share / 2 > 0,
-    kind="bound",
     given=(*shape, *later),
     proof=(
         step(
@@ -100,7 +98,6 @@ increase_of_T = Claim(
 monotonicity = Claim(
     label="monotonicity",
     says="ε₀ decreases strictly in a for fixed b, and in b for fixed a, for a > 0, 0 < b ≤ 1.",
-    kind="statement",
     proof=all_of(
         stable_equation,
         one_flip_defect,
@@ -112,5 +109,4 @@ monotonicity = Claim(
         tangent_below,
         increase_of_T,
     ),
-    expect=Verdict.ENCLOSED,
 )

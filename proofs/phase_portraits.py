@@ -35,7 +35,6 @@ _body = (*ordered_moments, *shape_of_a_body)
 sign_constant = Claim(
     label="sign_constant_rotating",
     says=dpsi_dphi * cos(theta) > 0,
-    kind="bound",
     given=(*_body, *tilted, cos(theta) ** 2 > 0),
     proof=(
         step(
@@ -43,16 +42,15 @@ sign_constant = Claim(
             substituting(eq_Euler),
         ),
     ),
-    where=Place(line=160),
+    where=line(160),
     note="dψ/dφ has the sign of cos θ, which for γ > 0 never vanishes.",
 )
 
 second_equation_is_enough = Claim(
     label="second_equation_enough",
     says="The flip angle alone obeys an equation: cos θ is eliminated by the constant γ.",
-    kind="statement",
     proof=all_of(gamma_conserved, eq_dpsidphi),
-    where=Place(line=143),
+    where=line(143),
 )
 
 _flow = printed.planar_rates(theta, psi, a, b, sympy)
@@ -76,9 +74,8 @@ turning_points = Claim(
 sign_changes = Claim(
     label="sign_changes_oscillating",
     says="For γ < 0 the sign of dψ/dφ changes where ψ is extremal.",
-    kind="statement",
     proof=all_of(sign_constant, turning_points, tilt_by_flip, oscillating_flip),
-    where=Place(line=160),
+    where=line(160),
 )
 
 positive_beyond = Claim(
@@ -110,7 +107,7 @@ flip_bounds = Claim(
     says=equations((psi_min, psi_max), printed.psi_bounds(b, gamma, sympy)),
     given=oscillating,
     proof=Definition(),
-    where=Place(display=14),
+    where=display(14),
 )
 
 flip_between = Claim(
@@ -124,9 +121,8 @@ flip_between = Claim(
 flip_is_bounded = Claim(
     label="eq_borne_psi",
     says="An oscillating motion with 0 < ψ < π stays between ψ_min and ψ_max and turns there.",
-    kind="statement",
     proof=all_of(flip_bounds, flip_between, tilt_by_flip, turning_points),
-    where=Place(display=14),
+    where=display(14),
     note="One with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
 )
 
@@ -195,7 +191,7 @@ rest_points = Claim(
     ),
     given=shape_of_a_body,
     proof=together(*(by(evaluating, trigonometry) for _ in range(6))),
-    where=Place(line=179),
+    where=line(179),
     note="The planar system rests at θ = π/2 with ψ = 0, π/2 or π. In the portrait of θ all of "
     "them are the one point (π/2, 0).",
     shown=r"V\left(\tfrac{\pi}{2}, 0\right) = V\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = "
@@ -223,7 +219,6 @@ momentum_at_rest = Claim(
 equilibria = Claim(
     label="equilibria_phase_portrait",
     says="ψ = π/2 with dψ/dφ = 0 is stable and ψ = 0 with dψ/dφ = 0 unstable, modulo π.",
-    kind="statement",
     proof=all_of(
         rest_points,
         linear_at_e2,
@@ -235,7 +230,7 @@ equilibria = Claim(
         unstable_e2,
         mirror_images,
     ),
-    where=Place(line=159),
+    where=line(159),
     note="γ, which is conserved, has its least value at ψ = θ = π/2, and only there modulo π: "
     "stable. At ψ = 0 M is along e₂, and leaves it while φ grows: unstable.",
 )
@@ -243,9 +238,8 @@ equilibria = Claim(
 correspondence = Claim(
     label="correspond_e3_e2",
     says="These are the stable rotation about e₃ and the unstable one about e₂.",
-    kind="statement",
     proof=all_of(momentum_at_rest, stable_e3, unstable_e2),
-    where=Place(line=160),
+    where=line(160),
 )
 
 separatrix_passes = Claim(
@@ -264,18 +258,16 @@ flip_portrait = Claim(
     label="fig_ph_portrait",
     says="Oscillating for γ < 0, rotating for γ > 0; the two unstable points lie on the "
     "separatrix, and there the racket turns about e₂.",
-    kind="statement",
     proof=all_of(three_regimes, separatrix_passes, momentum_at_rest, equilibria),
-    where=Place(line=157),
+    where=line(157),
 )
 
 width_of_flip = Claim(
     label="width_of_flip",
     says=(pi - asin(sqrt(-gamma / b))) - asin(sqrt(-gamma / b)) < pi,
-    kind="bound",
     given=oscillating,
     proof=(step(2 * asin(sqrt(-gamma / b))),),
-    where=Place(line=164),
+    where=line(164),
     note="From turning point to turning point, below π and as near to it as γ to 0.",
 )
 
@@ -284,7 +276,6 @@ _lift = Symbol("h", real=True)
 width_of_pendulum = Claim(
     label="width_of_pendulum",
     says=2 * acos(-_lift) < 2 * pi,
-    kind="bound",
     given=(_lift > -1, _lift < 1),
     proof=(step(4 * atan(sqrt((1 - _lift) / (1 + _lift))), inverses, roots),),
     note="A pendulum with energy v²/2 − cos q = h turns at q = ±arccos(−h).",
@@ -293,9 +284,8 @@ width_of_pendulum = Claim(
 amplitudes = Claim(
     label="amplitude_pi",
     says="The racket swings over less than π, a pendulum over less than 2π.",
-    kind="statement",
     proof=all_of(width_of_flip, width_of_pendulum),
-    where=Place(line=164),
+    where=line(164),
     note="From end to end, which is twice what is often called amplitude; neither is reached.",
 )
 
@@ -329,7 +319,6 @@ similar_to_a_pendulum = Claim(
     label="similar_to_a_pendulum",
     says="The portrait is like that of a pendulum: saddles and centres take turns, at γ = 0 and at "
     "γ = −b, with rotating motions beyond the saddles; and ψ → −ψ and its period π are symmetries.",
-    kind="statement",
     proof=all_of(
         linear_at_e2,
         linear_at_e3,
@@ -339,13 +328,12 @@ similar_to_a_pendulum = Claim(
         mirror_images,
         three_regimes,
     ),
-    where=Place(line=164),
+    where=line(164),
 )
 
 separatrix_moves = Claim(
     label="separatrix_moves",
     says=printed.psi_rate(psi, a, b, 0, 1, sympy) ** 2 > 0,
-    kind="bound",
     given=(*shape_of_a_body, sin(psi) ** 2 > 0),
     proof=(step((a + b * _sine) * b * _sine / (1 - b * _sine) ** 2),),
 )
@@ -353,9 +341,8 @@ separatrix_moves = Claim(
 way_between = Claim(
     label="heteroclinic_pi",
     says="To go from one unstable point to another is to turn by |Δψ| = π.",
-    kind="statement",
     proof=all_of(separatrix_passes, separatrix_moves, sign_constant),
-    where=Place(line=164),
+    where=line(164),
     note="On γ = 0 nothing rests between ψ = 0 and ψ = π. With S = −1 it is Δψ = −π.",
 )
 
@@ -374,7 +361,7 @@ root_argument = Claim(
     says=equal(_argument, b**2 * sin(theta) ** 4 * (sin(psi) * cos(psi)) ** 2),
     given=_body,
     proof=by(substituting(eq_gamma), trigonometry),
-    where=Place(line=179),
+    where=line(179),
     note="So the argument of the root is never negative.",
 )
 
@@ -392,7 +379,7 @@ product_of_flip = Claim(
         ),
         step(None, substituting(root_argument), roots),
     ),
-    where=Place(display=15),
+    where=display(15),
 )
 
 denominator_of_tilt = Claim(
@@ -421,15 +408,14 @@ eq_dthetadphi = Claim(
         ),
         step(None, substituting(root_argument, denominator_of_tilt)),
     ),
-    where=Place(display=16),
+    where=display(16),
 )
 
 tilt_portrait = Claim(
     label="fig_portrait_theta",
     says="Oscillating motions cross θ = π/2, rotating ones do not.",
-    kind="statement",
     proof=all_of(three_regimes, handle_crosses, handle_side, rest_points),
-    where=Place(line=179),
+    where=line(179),
 )
 
 _line = Symbol("line", real=True)
@@ -463,7 +449,7 @@ rotating_bounds = Claim(
     says=equations((theta_min, theta_max), printed.theta_bounds_rotating(a, b, gamma, sympy)),
     given=rotating,
     proof=Definition(),
-    where=Place(display=17),
+    where=display(17),
 )
 
 oscillating_bounds = Claim(
@@ -471,13 +457,12 @@ oscillating_bounds = Claim(
     says=equations((theta_min, theta_max), printed.theta_bounds_oscillating(a, b, gamma, sympy)),
     given=oscillating,
     proof=Definition(),
-    where=Place(display=17),
+    where=display(17),
 )
 
 cosines_of_bounds = Claim(
     label="cosines_of_bounds",
     says=Tuple(_least_cosine > 0, 1 - _least_cosine >= 0, gamma / a > 0, 1 - gamma / a > 0),
-    kind="bound",
     given=rotating,
     proof=together(
         (step(_least_cosine),),
@@ -491,7 +476,6 @@ cosines_of_bounds = Claim(
 tilts_in_order = Claim(
     label="tilts_in_order",
     says=_least_cosine - gamma / a > 0,
-    kind="bound",
     given=rotating,
     proof=(step(b * (a - gamma) / (a * (a + b))),),
     note="θ_min < θ_max for every rotating motion.",
@@ -500,7 +484,6 @@ tilts_in_order = Claim(
 tilt_above_least = Claim(
     label="tilt_above_least",
     says=gamma + b - (a + b) * _square >= 0,
-    kind="bound",
     given=_body,
     proof=(
         step(
@@ -552,7 +535,6 @@ bounds_are_reached = Claim(
 tilt_is_bounded = Claim(
     label="eq_borne_theta",
     says="The tilt of the handle stays between θ_min and θ_max and reaches both.",
-    kind="statement",
     proof=all_of(
         rotating_bounds,
         oscillating_bounds,
@@ -564,13 +546,12 @@ tilt_is_bounded = Claim(
         rotating_tilt,
         bounds_are_reached,
     ),
-    where=Place(display=17),
+    where=display(17),
 )
 
 handle_on_the_sphere = Claim(
     label="fig_thetamin",
     says="The handle moves between the two bounds of θ.",
-    kind="statement",
     proof=all_of(tilt_is_bounded),
-    where=Place(line=193),
+    where=line(193),
 )

@@ -92,7 +92,6 @@ _quarter = (x > 0, x <= Rational(1, 4))
 stays_inside = Claim(
     label="stays_inside",
     says=1 - x / (1 - x) > 0,
-    kind="bound",
     given=_quarter,
     proof=(step((2 * (Rational(1, 4) - x) + Rational(1, 2)) / (1 - x)),),
 )
@@ -100,7 +99,6 @@ stays_inside = Claim(
 geometric_tail = Claim(
     label="geometric_tail",
     says=1 - Rational(13, 5) * x / (1 - x) > 0,
-    kind="bound",
     given=_quarter,
     proof=(step((Rational(18, 5) * (Rational(1, 4) - x) + Rational(1, 10)) / (1 - x)),),
 )

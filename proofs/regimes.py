@@ -59,25 +59,23 @@ _together = (M**2 - 2 * I1 * E > 0, 2 * I2 * E - M**2 > 0)
 oscillating_case = Claim(
     label="oscillating_case",
     says=Tuple(-gamma > 0, gamma + b > 0),
-    kind="bound",
     given=(*ordered_moments, *_apart),
     proof=together(
         (step((M**2 - 2 * I2 * E) / M**2, substituting(shape_and_depth)),),
         (step(I2 * (2 * I3 * E - M**2) / (I3 * M**2), substituting(shape_and_depth)),),
     ),
-    where=Place(line=96),
+    where=line(96),
 )
 
 rotating_case = Claim(
     label="rotating_case",
     says=Tuple(gamma > 0, a - gamma > 0),
-    kind="bound",
     given=(*ordered_moments, *_together),
     proof=together(
         (step((2 * I2 * E - M**2) / M**2, substituting(shape_and_depth)),),
         (step(I2 * (M**2 - 2 * I1 * E) / (I1 * M**2), substituting(shape_and_depth)),),
     ),
-    where=Place(line=96),
+    where=line(96),
 )
 
 separatrix_case = Claim(
@@ -85,15 +83,14 @@ separatrix_case = Claim(
     says=Equivalent(equal(2 * I2 * E - M**2, 0), equal(gamma, 0)),
     given=ordered_moments,
     proof=(step(equal(gamma, 0), multiplying(1 / M**2), substituting(shape_and_depth)),),
-    where=Place(line=96),
+    where=line(96),
 )
 
 three_regimes = Claim(
     label="three_regimes",
     says="γ < 0 for oscillating motions, γ > 0 for rotating ones, γ = 0 on the separatrix.",
-    kind="statement",
     proof=all_of(energy_by_gamma, oscillating_case, rotating_case, separatrix_case),
-    where=Place(line=124),
+    where=line(124),
     note="The ends γ = a and γ = −b are the two stable rotations.",
 )
 
@@ -101,14 +98,13 @@ spheres_and_ellipsoids = Claim(
     label="fig_sphere_cases",
     says="M moves where ellipsoid and sphere meet, oscillating for 2I₂E < M² < 2I₃E, "
     "rotating for 2I₁E < M² < 2I₂E; p₊ and p₋ are stable, p_D is not.",
-    kind="statement",
     proof=all_of(
         solution_on_intersection,
         intersection_condition,
         three_regimes,
         three_equilibria_and_opposites,
     ),
-    where=Place(line=110),
+    where=line(110),
 )
 
 ellipsoid_radii = Claim(
@@ -124,16 +120,15 @@ ellipsoid_radii = Claim(
     ),
     given=(*ordered_moments, E > 0),
     proof=by(),
-    where=Place(line=96),
+    where=line(96),
     note="The energy surface is Σ Mᵢ²/(2IᵢE) = 1.",
 )
 
 precession_of_the_handle = Claim(
     label="precession_of_the_handle",
     says="φ is the precession of the handle about M, and it never turns back.",
-    kind="statement",
     proof=all_of(handle_in_space, precession_forward),
-    where=Place(line=70),
+    where=line(70),
 )
 
 tilt_by_flip = Claim(
@@ -175,9 +170,8 @@ tilt_near_flip = Claim(
 tilt_comes_back = Claim(
     label="delta_theta_zero",
     says="When ψ has turned by π, the handle has its first tilt again.",
-    kind="statement",
     proof=all_of(tilt_by_flip, tilt_after_flip, tilt_near_flip),
-    where=Place(line=78),
+    where=line(78),
     note="This rests on the energy: cos²θ is a function of sin²ψ at given γ.",
 )
 
@@ -214,7 +208,7 @@ flip_components = Claim(
     ),
     proof=together(*(by(evaluating, trigonometry) for _ in range(2))),
     note="M₁ = M cos θ does not depend on ψ.",
-    where=Place(line=102),
+    where=line(102),
     shown=r"(M_2, M_3)(\theta, \psi+\pi) = (-M_2, -M_3)(\theta, \psi)",
 )
 
@@ -226,20 +220,18 @@ oscillating = (*shape_of_a_body, gamma < 0, gamma > -b)
 rotating_tilt = Claim(
     label="theta_half",
     says=a * cos(theta) ** 2 - gamma >= 0,
-    kind="bound",
     given=(*ordered_moments, *shape_of_a_body),
     proof=(
         step(a * cos(theta) ** 2 - a + sin(theta) ** 2 * (a + b * _sine), substituting(eq_gamma)),
         step(b * sin(theta) ** 2 * _sine, trigonometry),
     ),
-    where=Place(line=103),
+    where=line(103),
     note="For γ > 0, cos²θ ≥ γ/a > 0: θ stays in [0, π/2) or in (π/2, π].",
 )
 
 rotating_speed = Claim(
     label="rotating_speed",
     says=printed.psi_rate(psi, a, b, gamma, 1, sympy) ** 2 >= a * gamma,
-    kind="bound",
     given=rotating,
     proof=(
         step(
@@ -259,7 +251,6 @@ _at_most = 1 / sqrt(a * gamma)
 rotating_time = Claim(
     label="rotating_time",
     says=_at_most - _per_angle >= 0,
-    kind="bound",
     given=rotating,
     proof=(
         step(
@@ -284,7 +275,6 @@ rotating_time = Claim(
 every_angle = Claim(
     label="psi_unbounded",
     says=Integral(_per_angle, (psi, 0, _turned)) <= _turned / sqrt(a * gamma),
-    kind="bound",
     given=(*rotating, _turned > 0),
     proof=(
         step(
@@ -296,7 +286,7 @@ every_angle = Claim(
             collecting(),
         ),
     ),
-    where=Place(line=103),
+    where=line(103),
     note="Every angle Ψ is reached, after a finite precession; with S = −1 likewise −Ψ.",
 )
 
@@ -304,9 +294,8 @@ handle_side = Claim(
     label="handle_side",
     says="In a rotating motion the handle stays above or below the plane (X, Y) while the "
     "racket turns about it.",
-    kind="statement",
     proof=all_of(handle_in_space, rotating_tilt, rotating_speed, every_angle),
-    where=Place(line=103),
+    where=line(103),
 )
 
 _flow = printed.planar_rates(theta, psi, a, b, sympy)
@@ -320,7 +309,7 @@ mirror_images = Claim(
     ),
     given=shape_of_a_body,
     proof=together(*(by(evaluating, trigonometry) for _ in range(4))),
-    where=Place(line=103),
+    where=line(103),
     note="(π − θ, −ψ) moves as (θ, ψ), so θ ≤ π/2 is no restriction; nor is a half turn of ψ.",
     shown=r"V(\pi-\theta, -\psi) = -V(\theta, \psi),\quad "
     r"V(\theta, \psi+\pi) = V(\theta, \psi),\quad "
@@ -330,23 +319,21 @@ mirror_images = Claim(
 oscillating_flip = Claim(
     label="psi_half_oscillating",
     says=b * _sine > 0,
-    kind="bound",
     given=(*ordered_moments, *shape_of_a_body, gamma < 0),
     proof=(
         step(gamma + b * _sine - gamma),
         step(cos(theta) ** 2 * (a + b * _sine) - gamma, substituting(eq_gamma), trigonometry),
     ),
-    where=Place(line=103),
+    where=line(103),
     note="sin ψ never vanishes, so ψ stays in (0, π) or in (−π, 0), up to full turns.",
 )
 
 handle_crosses = Claim(
     label="handle_crosses",
     says=printed.planar_rates(pi / 2, psi, a, b, sympy)[0] ** 2 > 0,
-    kind="bound",
     given=(*shape_of_a_body, sin(psi) ** 2 > 0, cos(psi) ** 2 > 0),
     proof=(step(b**2 * _sine * cos(psi) ** 2 / (1 - b * _sine) ** 2),),
-    where=Place(line=103),
+    where=line(103),
     note="At θ = π/2 the tilt changes at a rate other than 0, but for the permanent rotations.",
 )
 
@@ -355,14 +342,13 @@ same_trajectories = Claim(
     says=equal((gamma - a) / a, -(sin(theta) ** 2) * (1 + b / a * _sine)),
     given=(*ordered_moments, *shape_of_a_body),
     proof=by(substituting(eq_gamma)),
-    where=Place(line=112),
+    where=line(112),
     note="The curves on the sphere depend on the shape only through b/a.",
 )
 
 strict_range = Claim(
     label="strict_range_of_shape",
     says=Tuple(a > 0, b > 0, 1 - b > 0),
-    kind="bound",
     given=ordered_moments,
     proof=together(
         (step((I2 - I1) / I1, substituting(shape_and_depth)),),
@@ -377,7 +363,6 @@ _real = (*ordered_moments, I1 + I2 - I3 >= 0)
 realizable = Claim(
     label="realizable_shape",
     says=Tuple(1 / (a + 2) - b >= 0, 1 - 2 * b > 0),
-    kind="bound",
     given=_real,
     proof=together(
         (step(I2 * (I1 + I2 - I3) / (I3 * (I1 + I2)), substituting(shape_and_depth)),),
@@ -396,7 +381,7 @@ symmetric_tops = Claim(
     says=equations((a * I1, b * I3), (I2 - I1, I3 - I2)),
     given=ordered_moments,
     proof=together(by(substituting(shape_and_depth)), by(substituting(shape_and_depth))),
-    where=Place(line=124),
+    where=line(124),
     note="a = 0 exactly when I₁ = I₂, b = 0 exactly when I₂ = I₃, both for a spherical top.",
 )
 
@@ -443,15 +428,14 @@ depth_at_the_points = Claim(
         equal(at(_depth, {theta: 0}), a), equal(at(_depth, {theta: pi / 2, psi: pi / 2}), -b)
     ),
     proof=together(*(by(evaluating, trigonometry) for _ in range(2))),
-    where=Place(line=141),
+    where=line(141),
 )
 
 ends_of_gamma = Claim(
     label="ends_of_gamma",
     says="γ = a and γ = −b are the equilibria of M along e₁ and along e₃.",
-    kind="statement",
     proof=all_of(depth_at_e1, depth_at_e3, permanent_rotations),
-    where=Place(line=140),
+    where=line(140),
 )
 
 angles_rest = Claim(
@@ -474,7 +458,6 @@ angles_rest = Claim(
 planar_system = Claim(
     label="planar_system",
     says="The path of θ and ψ does not depend on time, nor on φ.",
-    kind="statement",
     proof=all_of(precession_forward, eq_Euler, gamma_conserved),
-    where=Place(line=126),
+    where=line(126),
 )

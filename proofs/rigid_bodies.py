@@ -38,7 +38,6 @@ realizable = Claim(
 product_below_one = Claim(
     label="product_below_one",
     says=1 - a * b > 0,
-    kind="bound",
     given=(*shape, 1 - b * (a + 2) >= 0),
     proof=(step((1 - b * (a + 2)) + 2 * b, algebra),),
     note="b ≤ 1/(a + 2) for rigid bodies.",
@@ -174,8 +173,6 @@ floor_is_approached = Claim(
 floor_of_every_body = Claim(
     label="floor_of_every_body",
     says="2 arctan e^{−π} is the infimum of ε₀ over all rigid bodies, and none attains it.",
-    kind="statement",
     proof=all_of(realizable, monotonicity, rigid_body_floor, floor_is_approached),
-    expect=Verdict.ENCLOSED,
     note="Of the bodies with one a, ε₀ decreases in b up to the planar b = 1/(a + 2).",
 )

@@ -35,7 +35,7 @@ start_in_x = Claim(
     says=equal(x0, printed.auxiliary_variable(epsilon, a, b, sympy)),
     given=(*shape, *defect),
     proof=Definition(),
-    where=Place(display=34),
+    where=display(34),
 )
 
 _in_x = printed.auxiliary_integrand(x, a, b, sympy)
@@ -45,7 +45,6 @@ _on_path = (*defect, psi >= epsilon, psi <= pi - epsilon)
 sine_on_path = Claim(
     label="sine_on_path",
     says=sin(psi) > 0,
-    kind="bound",
     given=_on_path,
     proof=(step(sin(psi)),),
     note="From ε to π − ε the flip angle stays between the unstable points.",
@@ -56,14 +55,13 @@ separatrix_condition = Claim(
     says=equal(Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, *defect),
     proof=Definition("one turn of the handle on the separatrix", (sine_on_path,)),
-    where=Place(display=32),
+    where=display(32),
     note="The condition for the flip defect on the separatrix: one ε meets it (`one_flip_defect`).",
 )
 
 pole_on_path = Claim(
     label="pole_on_path",
     says=1 - cos(psi) ** 2 > 0,
-    kind="bound",
     given=_on_path,
     proof=(step(sin(psi) ** 2, trigonometry),),
 )
@@ -71,7 +69,6 @@ pole_on_path = Claim(
 root_on_path = Claim(
     label="root_on_path",
     says=1 - _mu**2 * cos(psi) ** 2 > 0,
-    kind="bound",
     given=shape,
     proof=(step((a + b * sin(psi) ** 2) / (a + b), trigonometry),),
 )
@@ -89,7 +86,7 @@ substitution = Claim(
         step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), roots),
         step(None, substituting(separatrix_condition)),
     ),
-    where=Place(display=35),
+    where=display(35),
 )
 
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
@@ -97,7 +94,6 @@ _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 root_at_start = Claim(
     label="root_at_start",
     says=1 - x0**2 > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(1 - b / (a + b) * cos(epsilon) ** 2, substituting(start_in_x), roots),
@@ -108,7 +104,6 @@ root_at_start = Claim(
 below_the_pole = Claim(
     label="below_the_pole",
     says=b / (a + b) - x0**2 > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(b / (a + b) * (1 - cos(epsilon) ** 2), substituting(start_in_x), roots),
@@ -121,7 +116,6 @@ _inside = ((x - x0) * (-x0 - x) >= 0,)
 inside_square = Claim(
     label="inside_square",
     says=x0**2 - x**2 >= 0,
-    kind="bound",
     given=_inside,
     proof=(step((x - x0) * (-x0 - x)),),
 )
@@ -129,7 +123,6 @@ inside_square = Claim(
 root_in_interval = Claim(
     label="root_in_interval",
     says=1 - x**2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
     proof=(step(1 - x**2, citing(root_at_start, inside_square)),),
     note="The sum of the two bounds it cites.",
@@ -138,7 +131,6 @@ root_in_interval = Claim(
 pole_outside = Claim(
     label="pole_outside",
     says=b / (a + b) - x**2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
     proof=(step(b / (a + b) - x**2, citing(below_the_pole, inside_square)),),
     note="The sum of the two bounds it cites.",
@@ -147,7 +139,6 @@ pole_outside = Claim(
 artanh_defined = Claim(
     label="artanh_defined",
     says=1 - (sqrt(a / b) * x / sqrt(1 - x**2)) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
     proof=(
         step(
@@ -160,7 +151,6 @@ artanh_defined = Claim(
 first_factor = Claim(
     label="first_factor",
     says=1 - (a + b) / b * x**2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
     proof=(step((a + b) / b * (b / (a + b) - x**2), citing(pole_outside)),),
 )
@@ -168,7 +158,6 @@ first_factor = Claim(
 artanh_at_start = Claim(
     label="artanh_at_start",
     says=1 - (sqrt(a / b) * x0 / sqrt(1 - x0**2)) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(
@@ -193,7 +182,7 @@ integrated = Claim(
         step(-sqrt(a / b) / 2 * (-2 * pi * b), substituting(substitution)),
         step(None, roots),
     ),
-    where=Place(display=36),
+    where=display(36),
 )
 
 _root = sqrt(1 + b / a * sin(epsilon) ** 2)
@@ -207,7 +196,6 @@ _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 root_under_cosine = Claim(
     label="root_under_cosine",
     says=1 - _mu**2 * cos(epsilon) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),),
 )
@@ -217,7 +205,7 @@ logarithm_of_artanh = Claim(
     says=equal(atanh(x), log((1 + x) / (1 - x)) / 2),
     given=(x > -1, x < 1),
     proof=by(exponentials, inverses),
-    where=Place(line=340),
+    where=line(340),
 )
 
 _argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) ** 2)
@@ -225,7 +213,6 @@ _argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) *
 argument_below_one = Claim(
     label="argument_below_one",
     says=1 - _argument**2 > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(
@@ -238,7 +225,6 @@ argument_below_one = Claim(
 ratio_below_one = Claim(
     label="ratio_below_one",
     says=1 - (cos(epsilon) / _root) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(
@@ -251,7 +237,6 @@ ratio_below_one = Claim(
 printed_left_positive = Claim(
     label="printed_left_positive",
     says=_ratio > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(
@@ -292,7 +277,7 @@ exact_equation = Claim(
         ),
         step(_printed_equation, roots),
     ),
-    where=Place(display=37),
+    where=display(37),
 )
 
 stable_equation = Claim(
@@ -345,7 +330,6 @@ _end = 3 * pi / 2 * k
 end_positive = Claim(
     label="end_positive",
     says=tanh(_end) > 0,
-    kind="bound",
     given=auxiliary,
     proof=(step(tanh(_end)),),
 )
@@ -354,7 +338,6 @@ unique_root = Claim(
     label="unique_root",
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
     "with 0 < T < 3π√(ab)/2.",
-    kind="statement",
     given=(*auxiliary, k * r <= 1),
     proof=UniqueRoot(
         variable=T,
@@ -374,7 +357,6 @@ unique_root = Claim(
 no_root_beyond = Claim(
     label="no_root_beyond",
     says=_end > _map,
-    kind="bound",
     given=(*auxiliary, *later),
     proof=(step(k * atan(1 / (r * tanh(T))), exponentials, inverses),),
     note="The map stays below 3π√(ab)/2, so no root lies there or beyond.",
@@ -383,7 +365,6 @@ no_root_beyond = Claim(
 no_root_below = Claim(
     label="no_root_below",
     says=_map > k * pi,
-    kind="bound",
     given=(*auxiliary, *later),
     proof=(step(k * atan(r * tanh(T))),),
     note="The phase T/√(ab) of the root is between π and 3π/2.",
@@ -407,7 +388,6 @@ contraction = Claim(
 contraction_bound = Claim(
     label="contraction_bound",
     says=Tuple(b * sin(epsilon) ** 2 > 0, b * sin(epsilon) ** 2 < 1),
-    kind="bound",
     given=(*shape, *defect),
     proof=together(
         (step(b * sin(epsilon) ** 2, algebra),),
@@ -419,7 +399,6 @@ one_flip_defect = Claim(
     label="one_flip_defect",
     says="The exact equation has exactly one root ε₀ in (0, π/2), and the map of its stable "
     "form contracts: its derivative is b sin²ε, between 0 and 1.",
-    kind="statement",
     proof=all_of(
         exact_equation,
         stable_equation,

@@ -66,7 +66,6 @@ eigenvalues_e3 = Claim(
 center_at_e1 = Claim(
     label="center_at_e1",
     says=_square1 < 0,
-    kind="bound",
     given=ordered_moments,
     proof=(step(M**2 * (I2 - I1) * (I3 - I1) / (I1**2 * I2 * I3)),),
 )
@@ -74,7 +73,6 @@ center_at_e1 = Claim(
 saddle_at_e2 = Claim(
     label="saddle_at_e2",
     says=_square2 > 0,
-    kind="bound",
     given=ordered_moments,
     proof=(step(M**2 * (I2 - I1) * (I3 - I2) / (I1 * I2**2 * I3)),),
 )
@@ -82,7 +80,6 @@ saddle_at_e2 = Claim(
 center_at_e3 = Claim(
     label="center_at_e3",
     says=_square3 < 0,
-    kind="bound",
     given=ordered_moments,
     proof=(step(M**2 * (I3 - I1) * (I3 - I2) / (I1 * I2 * I3**2)),),
 )
@@ -129,7 +126,6 @@ def _stays_near(
     return Claim(
         label=label,
         says=distance <= high / low * distance.xreplace(start),
-        kind="bound",
         given=(*ordered_moments, conserved >= 0),
         proof=(step((conserved + gap * (first.xreplace(start) ** 2 + second**2)) / low),),
         note="N is where M began, with as much energy and momentum. The distance stays as small "
@@ -158,17 +154,15 @@ _conserved = (energy_conserved, momentum_conserved)
 stable_e1 = Claim(
     label="stable_e1",
     says="The rotation about the handle is stable.",
-    kind="statement",
     proof=all_of(eigenvalues_e1, center_at_e1, *_conserved, energy_near_e1, stays_near_e1),
-    where=Place(line=49),
+    where=line(49),
 )
 
 stable_e3 = Claim(
     label="stable_e3",
     says="The rotation about the normal of the face is stable.",
-    kind="statement",
     proof=all_of(eigenvalues_e3, center_at_e3, *_conserved, energy_near_e3, stays_near_e3),
-    where=Place(line=49),
+    where=line(49),
 )
 
 _first_rate, _third_rate = sqrt(1 / I1 - 1 / I2), sqrt(1 / I2 - 1 / I3)
@@ -181,7 +175,6 @@ leaves_e2 = Claim(
             for side in (1, -1)
         )
     ),
-    kind="bound",
     given=ordered_moments,
     proof=together(
         *(
@@ -203,18 +196,16 @@ unstable_e2 = Claim(
     label="unstable_e2",
     says="The rotation about the intermediate axis is unstable: from starts as near to it as one "
     "likes M leaves the region |M₂| ≥ m, for every m > 0.",
-    kind="statement",
     proof=all_of(eigenvalues_e2, saddle_at_e2, *_conserved, leaves_e2),
-    where=Place(line=49),
+    where=line(49),
     note="Shown without linearisation: such are the starts with M₁M₂M₃ < 0, by `leaves_e2`.",
 )
 
 points_of_the_sphere = Claim(
     label="points_of_the_sphere",
     says="p₋ is a stable rotation about e₃, and p_D an unstable one about e₂.",
-    kind="statement",
     proof=all_of(stable_e3, unstable_e2),
-    where=Place(line=103),
+    where=line(103),
 )
 
 sphere_at_rest = Claim(
@@ -244,7 +235,6 @@ _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
 outer_moments = Claim(
     label="outer_moments",
     says=I3 - I1 > 0,
-    kind="bound",
     given=ordered_moments,
     proof=(step((I3 - I2) + (I2 - I1)),),
 )
@@ -303,9 +293,8 @@ three_equilibria = Claim(
 three_equilibria_and_opposites = Claim(
     label="three_equilibria_and_opposites",
     says="p₊ and p₋, where M lies along e₁ and e₃, are stable; p_D, along e₂, is unstable.",
-    kind="statement",
     proof=all_of(permanent_rotations, stable_e1, stable_e3, unstable_e2),
-    where=Place(line=110),
+    where=line(110),
 )
 
 transverse_velocity = Claim(
@@ -314,7 +303,6 @@ transverse_velocity = Claim(
         M**2 * sin(theta) ** 2 / I3**2 <= W2**2 + W3**2,
         M**2 * sin(theta) ** 2 / I2**2 >= W2**2 + W3**2,
     ),
-    kind="bound",
     given=ordered_moments,
     proof=together(
         (

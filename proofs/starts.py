@@ -32,7 +32,6 @@ _rate = Symbol("v", real=True)
 faster_at_higher_level = Claim(
     label="faster_at_higher_level",
     says=Derivative(printed.integrand(psi, a, b, gamma, 1, sympy), gamma) < 0,
-    kind="bound",
     given=(*shape_of_a_body, gamma + b * _square > 0),
     proof=(
         step(
@@ -46,7 +45,6 @@ faster_at_higher_level = Claim(
 level_grows_with_the_rate = Claim(
     label="level_grows_with_the_rate",
     says=Derivative(_rate**2 * (1 - b * _square) ** 2 / (a + b * _square) - b * _square, _rate) > 0,
-    kind="bound",
     given=(*shape_of_a_body, _rate > 0),
     proof=(step(2 * _rate * (1 - b * _square) ** 2 / (a + b * _square), differentiation),),
     note="γ of a start, by `level_of_a_start`.",
@@ -125,10 +123,8 @@ likely_near = Claim(
     label="likely_near",
     says="Of the starts with |ψ₀| ≤ 1/10 and |dψ/dφ| ≤ 3/10 five in eight or more flip by π within "
     "π/6, for the standard racket.",
-    kind="statement",
     proof=all_of(two_rectangles, share_of_the_rectangles, central_symmetry),
-    expect=Verdict.ENCLOSED,
-    where=Place(line=283),
+    where=line(283),
     note="A rectangle about the unstable point, such as the figure marks; likely is read as the "
     "share of its area.",
 )
@@ -156,7 +152,6 @@ near_flip_close = Claim(
 narrow_swing = Claim(
     label="narrow_swing",
     says=asin(sqrt(-gamma / b)) > epsilon,
-    kind="bound",
     given=(*oscillating, *defect, -gamma - b * sin(epsilon) ** 2 > 0),
     proof=(
         step(
@@ -194,10 +189,8 @@ far_from_separatrix = Claim(
     label="far_from_separatrix",
     says="Far from the separatrix, at γ ≥ 0.0104 and at γ ≤ −0.0043, the standard racket shows no "
     "effect from any start.",
-    kind="statement",
     proof=all_of(every_start_overshoots, faster_at_higher_level, narrow_swing, flip_between),
-    where=Place(line=272),
-    expect=Verdict.ENCLOSED,
+    where=line(272),
     note="Both are near the 10⁻² of the paper, which says approximately; b sin²(π/12) is 0.00422.",
 )
 

@@ -18,7 +18,7 @@ sphere = Claim(
     ),
     given=(I1 > 0,),
     proof=by(),
-    where=Place(line=112),
+    where=line(112),
     note="For three equal moments the energy surface is a sphere.",
 )
 
@@ -35,19 +35,17 @@ depth_b_zero = Claim(
 no_oscillation = Claim(
     label="no_oscillating_I2_I3",
     says=printed.depth(theta, psi, a, 0, sympy) >= 0,
-    kind="bound",
     given=(a > 0,),
     proof=(step(a * cos(theta) ** 2, trigonometry),),
-    where=Place(line=112),
+    where=line(112),
     note="I₂ = I₃: γ is never negative.",
 )
 
 separatrix_on_the_equator = Claim(
     label="separatrix_equator",
     says="For I₂ = I₃ the separatrix is the equator M₁ = 0.",
-    kind="statement",
     proof=all_of(depth_b_zero, no_oscillation),
-    where=Place(line=112),
+    where=line(112),
 )
 
 circle_about_handle = Claim(
@@ -55,7 +53,7 @@ circle_about_handle = Claim(
     says=equal(at(printed.euler_equations(M1, M2, M3, I1, I2, I3)[0], {I3: I2}), 0),
     given=_moments,
     proof=by(evaluating),
-    where=Place(line=112),
+    where=line(112),
     note="I₂ = I₃: M₁ is constant, and M runs on a circle about e₁.",
     shown=r"\dot M_1 = M_2M_3\left(\frac{1}{I_2}-\frac{1}{I_2}\right) = 0",
 )
@@ -86,7 +84,7 @@ handle_keeps_its_tilt = Claim(
     says=equal(at(_rates[0], {I3: I2}), 0),
     given=_moments,
     proof=by(evaluating),
-    where=Place(line=112),
+    where=line(112),
     shown=r"\dot\theta = M\left(\frac{1}{I_2}-\frac{1}{I_2}\right)\sin\theta\sin\psi\cos\psi = 0",
 )
 
@@ -95,7 +93,7 @@ spin_about_handle = Claim(
     says=equal(at(_rates[2], {I3: I2}), M * (1 / I1 - 1 / I2) * cos(theta)),
     given=_moments,
     proof=by(evaluating, trigonometry),
-    where=Place(line=112),
+    where=line(112),
     note="I₂ = I₃: θ is constant, so ψ grows at a constant rate.",
 )
 
@@ -110,10 +108,9 @@ depth_a_zero = Claim(
 only_oscillation = Claim(
     label="only_oscillating_I1_I2",
     says=printed.depth(theta, psi, 0, b, sympy) <= 0,
-    kind="bound",
     given=(b > 0,),
     proof=(step(b * sin(theta) ** 2 * sin(psi) ** 2),),
-    where=Place(line=112),
+    where=line(112),
     note="I₁ = I₂: γ is never positive.",
 )
 
@@ -130,8 +127,7 @@ rest_on_the_circle = Claim(
 separatrix_in_the_plane = Claim(
     label="separatrix_circle_e1e2",
     says="For I₁ = I₂ the separatrix is the circle M₃ = 0.",
-    kind="statement",
     proof=all_of(depth_a_zero, only_oscillation, rest_on_the_circle),
-    where=Place(line=112),
+    where=line(112),
     note="Every point of it is an equilibrium.",
 )

@@ -49,7 +49,7 @@ half_turn = Claim(
             changing_variable(pi - psi),
         ),
     ),
-    where=Place(display=48),
+    where=display(48),
     note="The second half is the first, run backwards.",
 )
 
@@ -58,7 +58,7 @@ half_integral = Claim(
     says=equal(F, _turn(gamma)),
     given=_rotating,
     proof=Definition(),
-    where=Place(display=49),
+    where=display(49),
 )
 
 one_turn = Claim(
@@ -66,7 +66,7 @@ one_turn = Claim(
     says=equal(_turn(gamma), pi),
     given=(*shape, b < 1, *defect, gamma >= 0),
     proof=Definition("one turn of the handle, before the motion turns back", (sine_to_the_middle,)),
-    where=Place(display=49),
+    where=display(49),
     note="What one turn of the handle means, by d48, while the motion has not turned.",
 )
 
@@ -75,13 +75,12 @@ level_line = Claim(
     says=equal(F, pi),
     given=_rotating,
     proof=(step(_turn(gamma), substituting(half_integral)), step(None, substituting(one_turn))),
-    where=Place(display=49),
+    where=display(49),
 )
 
 cosine_to_the_middle = Claim(
     label="cosine_to_the_middle",
     says=sqrt(a) * cos(psi) >= 0,
-    kind="bound",
     given=(a > 0, *defect, psi >= epsilon, psi <= pi / 2),
     proof=(step(sqrt(a) * cos(psi)),),
 )
@@ -89,7 +88,6 @@ cosine_to_the_middle = Claim(
 logarithm_to_the_middle = Claim(
     label="logarithm_to_the_middle",
     says=sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2) > 0,
-    kind="bound",
     given=(*shape, *defect, psi >= epsilon, psi <= pi / 2),
     proof=(step(sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2)),),
     note="The antiderivative of d55 is smooth up to π/2.",
@@ -118,7 +116,7 @@ slope_by_end = Claim(
     says=equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
     given=(*shape, b < 1, *defect, gamma > 0),
     proof=by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
-    where=Place(display=51),
+    where=display(51),
     note="F is an integral from ε.",
 )
 
@@ -131,7 +129,7 @@ slope_by_end_at_zero = Claim(
     proof=by(
         substituting(slope_symbol_at_zero), differentiating_integral(Integer(0), sine_to_the_middle)
     ),
-    where=Place(display=51),
+    where=display(51),
     note="At γ = 0.",
 )
 
@@ -217,7 +215,6 @@ excess_by_end = Claim(
 excess_falls = Claim(
     label="excess_falls",
     says=excess_epsilon < 0,
-    kind="bound",
     given=_one_motion,
     proof=(step(_at_end, substituting(excess_by_end)),),
 )
@@ -237,7 +234,7 @@ defect_by_turn = Claim(
         step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
         step(None, substituting(excess_by_value, excess_by_end), roots),
     ),
-    where=Place(display=51),
+    where=display(51),
 )
 
 inverse_of_slope = Claim(
@@ -261,7 +258,7 @@ derivative_under_the_integral = Claim(
     says=equal(_slope, Integral(_slope_of_f, (psi, epsilon, pi / 2))),
     given=(*shape, *defect),
     proof=by(differentiating_integral(_slope_of_f, sine_to_the_middle)),
-    where=Place(display=53),
+    where=display(53),
     note="On [ε₀, π/2] the integrand is smooth in ψ and γ; that F itself converges is not enough.",
 )
 
@@ -280,7 +277,7 @@ slope_of_turn = Claim(
             trigonometry,
         ),
     ),
-    where=Place(display=55),
+    where=display(55),
 )
 
 turn_symbol = Claim(
@@ -309,7 +306,7 @@ implicit_defect = Claim(
         ),
         bounds=(sine_to_the_middle,),
     ),
-    where=Place(display=50),
+    where=display(50),
     note="∂ε/∂γ at γ = 0, where F(ε(γ), γ) = π; the sign S is 1 there.",
 )
 
@@ -323,7 +320,7 @@ implicit_derivative = Claim(
         ),
         step(None, substituting(inverse_of_slope)),
     ),
-    where=Place(display=50),
+    where=display(50),
 )
 
 S_drops_out = Claim(
@@ -336,5 +333,5 @@ S_drops_out = Claim(
     ),
     given=(*shape, b < 1, *defect, cos(theta) ** 2 > 0),
     proof=by(substituting(sign_of_tilt), roots),
-    where=Place(line=417),
+    where=line(417),
 )

@@ -62,7 +62,6 @@ _share = (a + b) * (b + gamma) * sin(x) ** 2 / _here.Q
 clock_quickens = Claim(
     label="clock_quickens",
     says=_share >= 0,
-    kind="bound",
     given=oscillating,
     proof=(step(_share),),
     note="b cos²ψ on the curve, by which 1 − b sin²ψ is above 1 − b.",
@@ -71,7 +70,6 @@ clock_quickens = Claim(
 clock_runs = Claim(
     label="clock_runs",
     says=1 - b * sin(_here.flip) ** 2 > 0,
-    kind="bound",
     given=(*oscillating, b < 1),
     proof=(step((1 - b) + _share, trigonometry),),
 )
@@ -79,7 +77,6 @@ clock_runs = Claim(
 handle_tilts = Claim(
     label="handle_tilts",
     says=1 - cos(_here.tilt) ** 2 > 0,
-    kind="bound",
     given=oscillating,
     proof=(step(_here.Q / (a + b), trigonometry),),
     note="sin²θ on the curve: the handle is never along M.",
@@ -105,7 +102,6 @@ before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
 tilt_before_the_turn = Claim(
     label="tilt_before_the_turn",
     says=cos(x) > 0,
-    kind="bound",
     given=(*before_the_turn, x >= 0, x <= chi),
     proof=(step(cos(x)),),
 )
@@ -115,7 +111,6 @@ _tilted = (a - gamma) * (b + gamma) * cos(x) ** 2 / _here.Q
 flip_before_the_turn = Claim(
     label="flip_before_the_turn",
     says=Tuple(a + b * sin(_here.flip) ** 2 > 0, gamma + b * sin(_here.flip) ** 2 > 0),
-    kind="bound",
     given=(*before_the_turn, x >= 0, x <= chi),
     proof=together(
         (step((a + b) * (a - gamma) / _here.Q, trigonometry),),
@@ -157,7 +152,6 @@ phase_slopes = Claim(
 phase_rises_in_time = Claim(
     label="phase_rises_in_time",
     says=Phi_chi > 0,
-    kind="bound",
     given=(*oscillating, *half_time),
     proof=(step(_end.rate, substituting(phase_slopes), differentiating_integral(Integer(0))),),
 )
@@ -165,7 +159,6 @@ phase_rises_in_time = Claim(
 phase_rises_in_gamma = Claim(
     label="phase_rises_in_gamma",
     says=Phi_gamma > 0,
-    kind="bound",
     given=(*oscillating, *half_time),
     proof=(
         step(
@@ -200,7 +193,6 @@ unfolded_slope = Claim(
 unfolded_decrease = Claim(
     label="unfolded_decrease",
     says=chi_rate < 0,
-    kind="bound",
     given=(*oscillating, *half_time),
     proof=(
         step(
@@ -242,7 +234,6 @@ _by_level, _by_time = (-part.rhs for part in _slopes_of_flip.args)
 turned_decrease = Claim(
     label="turned_decrease",
     says=_total < 0,
-    kind="bound",
     given=turned,
     proof=(
         step(
@@ -258,7 +249,6 @@ turned_decrease = Claim(
 beyond_right_angle = Claim(
     label="beyond_right_angle",
     says=_end.flip - pi / 2 > 0,
-    kind="bound",
     given=(*oscillating, sin(chi) < 0),
     proof=(step(-atan(sqrt(a + b) * sqrt(b + gamma) * sin(chi) / sqrt(_end.R))),),
 )
@@ -291,7 +281,6 @@ phase_at_bottom = Claim(
 body_stays_below = Claim(
     label="body_stays_below",
     says=_slow - pi >= 0,
-    kind="bound",
     given=(*shape, 1 - b * (a + 2) >= 0),
     proof=(
         step(
@@ -304,7 +293,6 @@ body_stays_below = Claim(
 others_do_not = Claim(
     label="others_do_not",
     says=_slow - pi < 0,
-    kind="bound",
     given=(*shape, b * (a + 2) - 1 > 0),
     proof=(
         step(
@@ -317,7 +305,6 @@ others_do_not = Claim(
 near_right_angle = Claim(
     label="near_right_angle",
     says=(b + gamma) / -gamma - tan(pi / 2 - _end.flip) ** 2 >= 0,
-    kind="bound",
     given=oscillating,
     proof=(step(b * (a - gamma) * (b + gamma) * cos(chi) ** 2 / (-gamma * _end.R), trigonometry),),
     note="ε(γ) lies between the turning points, and tends to π/2 as γ tends to −b.",

@@ -5,25 +5,34 @@ from __future__ import annotations
 from dataclasses import FrozenInstanceError
 
 import pytest
-from sympy import Derivative, Integer, Subs, Symbol, Tuple, sin
+from flint import arb, fmpq
+from sympy import Derivative, Integer, Ne, Subs, Symbol, Tuple, cos, sin
 
 from tresym.ledger.claim import (
     Claim,
+    Counterexample,
     Definition,
     ImplicitFunction,
+    Place,
+    Printed,
     UniqueRoot,
     all_of,
     at,
     by,
+    display,
     equal,
     equations,
     formally,
+    line,
     parts_of,
     step,
     together,
 )
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import Premise
 from tresym.ledger.reasons import algebra, citing, substituting
+from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 x, y = (Symbol(name, real=True) for name in "xy")
@@ -50,6 +59,43 @@ RESTS = [
 @pytest.mark.parametrize(("proof", "uses"), RESTS, ids=[type(p).__name__ for p, _ in RESTS])
 def test_every_kind_of_evidence_names_what_it_uses(proof: object, uses: list[Claim]) -> None:
     assert list(named("E", proof).uses) == uses
+
+
+KINDS = [
+    (equal(x, y), by(), "identity", Verdict.PROVED),
+    (Tuple(x < y, equal(x, y)), together(by(), by()), "identity", Verdict.PROVED),
+    (Tuple(x < y, y >= x), together(by(), by()), "bound", Verdict.PROVED),
+    (x > y, by(), "bound", Verdict.PROVED),
+    (Ne(x, y), by(), "identity", Verdict.PROVED),
+    ("x is y", all_of(A, B), "statement", Premise.DEFINED),
+    ("x is y", all_of(A, named("E", by())), "statement", Verdict.PROVED),
+    ("x is y", all_of(), "statement", Verdict.PROVED),
+    ("x is y", formally(equal(x, y)), "statement", Verdict.PROVED),
+    ("x is 1", Printed("1", lambda m: arb(1)), "number", Verdict.ENCLOSED),
+    ("x is 1", Boxes((), (), ""), "bound", Verdict.ENCLOSED),
+    (x > y, Boxes((), (), ""), "bound", Verdict.ENCLOSED),
+    (equal(x, y), Boxes((), (), ""), "bound", Verdict.ENCLOSED),
+    (equal(x, y), Asymptotics(Order("O", sin, cos), ""), "order", Verdict.ENCLOSED),
+    ("x is y", Counterexample({"x": fmpq(1)}, x > 0), "statement", Verdict.REFUTED),
+    ("x is y", Denied((A,), {"x": fmpq(1)}), "statement", Verdict.REFUTED),
+    (equal(x, y), Definition("a law"), "definition", Premise.ASSUMED),
+]
+
+
+@pytest.mark.parametrize(("says", "proof", "kind", "expect"), KINDS)
+def test_kind_and_expectation_are_read_off(
+    says: object, proof: object, kind: str, expect: object
+) -> None:
+    claim = Claim("F", says, proof)
+    assert (claim.kind, claim.expect) == (kind, expect)
+    other = Claim("F", says, proof, kind="limit", expect=Verdict.UNDECIDED)
+    if kind != "definition":
+        assert (other.kind, other.expect) == ("limit", Verdict.UNDECIDED)
+        assert all_of(other, A).expect is Verdict.UNDECIDED
+
+
+def test_a_place_is_a_display_or_a_line() -> None:
+    assert (display(10), line(40)) == (Place(10, None, None), Place(None, 40, None))
 
 
 def test_foundations_come_first_and_once() -> None:

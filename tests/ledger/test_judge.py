@@ -136,6 +136,14 @@ def test_right_steps_between_wrong_ends() -> None:
     assert verdict(claim(equal(a**2 + b**2, (a - b) * (a + b)), late)) is Verdict.REFUTED
 
 
+def test_conditions_may_hold_at_a_point_alone() -> None:
+    """At x = 0, where the condition holds too, the equation says 1 = −1."""
+    says = equal(sqrt(x**2 - 2 * x + 1), x - 1)
+    proof = (step(x - 1, roots),)
+    assert verdict(claim(says, proof, (x**2 * (x - 1) >= 0,))) is Verdict.UNDECIDED
+    assert verdict(claim(says, proof, (x**2 * (x - 1) >= 0, x > 0))) is Verdict.PROVED
+
+
 def test_a_step_uses_only_the_reasons_it_names() -> None:
     says = equal(sin(x) ** 2 + cos(x) ** 2, 1)
     assert verdict(claim(says, by(roots, exponentials, inverses))) is Verdict.UNDECIDED

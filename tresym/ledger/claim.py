@@ -15,14 +15,14 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Eq, Expr, Integer, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
-from tresym.ledger.finding import Premise, Ruling
-from tresym.ledger.statements import ExactlyOne, together_under
+from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
+from tresym.ledger.statements import ExactlyOne, Statement, together_under
 from tresym.reals.verdict import Verdict
 
 
@@ -62,6 +62,16 @@ class Place:
     display: int | None = None
     line: int | None = None
     cell: str | None = None
+
+
+def display(number: int) -> Place:
+    """A display of the paper, by its number."""
+    return Place(display=number)
+
+
+def line(number: int) -> Place:
+    """A line of the paper's source."""
+    return Place(line=number)
 
 
 @dataclass(frozen=True)
@@ -114,9 +124,10 @@ class Definition:
 
     assumes: str = ""
     claims: tuple[Claim, ...] = ()
+    kind: ClassVar[str] = "definition"
 
     @property
-    def premise(self) -> Premise:
+    def expect(self) -> Premise:
         """What the claim is: a definition, or assumed."""
         return Premise.ASSUMED if self.assumes else Premise.DEFINED
 
@@ -183,6 +194,8 @@ class Printed:
     """Half-width of the printed value in half units of its last place."""
     claims: tuple[Claim, ...] = ()
     """What the formula rests on: that what it solves for exists and is one."""
+    kind: ClassVar[str] = "number"
+    expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
 
 @dataclass(frozen=True)
@@ -190,6 +203,11 @@ class AllOf:
     """The statement is the conjunction of formal claims."""
 
     claims: tuple[Claim, ...]
+
+    @property
+    def expect(self) -> Ruling:
+        """As strong as the weakest part."""
+        return min((c.expect for c in self.claims), key=WEAKEST_FIRST.index, default=Verdict.PROVED)
 
 
 def all_of(*claims: Claim) -> AllOf:
@@ -223,6 +241,7 @@ class Counterexample:
 
     point: Mapping[str, fmpq]
     violated: Basic
+    expect: ClassVar[Ruling] = Verdict.REFUTED
 
 
 Evidence = (
@@ -260,10 +279,12 @@ class Claim:
         given: SymPy relations that hold wherever the claim is made.
         proof: the evidence; its type decides how the claim is judged.
         where: the place in the paper; None for a lemma of ours.
-        expect: the verdict this claim must get; of a definition, what its evidence says.
+        expect: the verdict this claim must get, where it is not the one for which evidence of its
+            type is given; of a definition, what its evidence says.
         amended_by: for a claim expected REFUTED, the claims that are true instead.
         note: one or two sentences for the reader.
-        kind: identity, number, bound, order, limit or statement; of a definition, definition.
+        kind: identity, number, bound, order, limit, statement or definition, where the evidence
+            and the form of what is said do not tell.
         shown: LaTeX for reports, where the statement written out would hide what it says.
         paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
             where ``says`` is a sharper reading, which is ours.
@@ -274,10 +295,10 @@ class Claim:
     label: str
     says: Basic | str
     proof: Evidence
-    kind: str = "identity"
+    kind: str = ""
     given: tuple[Basic, ...] = ()
     where: Place | None = None
-    expect: Ruling = Verdict.PROVED
+    expect: Ruling = None  # type: ignore[assignment]
     amended_by: tuple[Claim, ...] = ()
     note: str = ""
     shown: str | None = None
@@ -287,9 +308,11 @@ class Claim:
     means: Basic | None = None
 
     def __post_init__(self) -> None:
-        if isinstance(self.proof, Definition):
-            object.__setattr__(self, "kind", "definition")
-            object.__setattr__(self, "expect", self.proof.premise)
+        defined = isinstance(self.proof, Definition)
+        if defined or not self.kind:
+            object.__setattr__(self, "kind", _kind(self.says, self.proof))
+        if defined or self.expect is None:
+            object.__setattr__(self, "expect", _expected(self.proof))
 
     def __hash__(self) -> int:
         return hash(self.label)
@@ -334,6 +357,19 @@ class Claim:
         """The theorems quoted by the claim or by anything that it rests on, each once."""
         quoted = (axiom for claim in (*self.rests_on, self) for axiom in claim.quotes)
         return tuple(dict.fromkeys(quoted))
+
+
+def _kind(says: Basic | str, proof: Evidence) -> str:
+    """What kind of claim it is: by its evidence, where that is for one kind, else by its form."""
+    if isinstance(says, str | Statement):
+        return getattr(proof, "kind", "statement")
+    inequalities = all(isinstance(part, Ge | Gt | Le | Lt) for part in parts_of(says))
+    return getattr(proof, "kind", "bound" if inequalities else "identity")
+
+
+def _expected(proof: Evidence) -> Ruling:
+    """The verdict that evidence of its type is given for."""
+    return getattr(proof, "expect", Verdict.PROVED)
 
 
 def expressions(claim: Claim) -> Iterator[Basic]:

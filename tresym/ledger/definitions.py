@@ -99,7 +99,7 @@ def judge_definition(claim: Claim, proof: Definition) -> Finding:
         return Finding(UNDECIDED, why)
     names = ", ".join(sorted(str(entry.symbol) for entry in table((claim,))))
     why = f"assumed: {proof.assumes}" if proof.assumes else f"introduces {names}"
-    return Finding(proof.premise, why)
+    return Finding(proof.expect, why)
 
 
 def _ill_defined(claim: Claim, proof: Definition) -> str | None:

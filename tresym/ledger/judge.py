@@ -45,7 +45,7 @@ from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_b
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
-from tresym.ledger.finding import Finding, Premise, StepFinding
+from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
 from tresym.ledger.meaning import (
     CircularError,
     Conditions,
@@ -78,9 +78,6 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
-
-_WEAKEST_FIRST = (Verdict.ENCLOSED, Verdict.PROVED, Premise.ASSUMED, Premise.DEFINED)
-"""What a conjunction of claims that hold is: what premises alone say is no more than they are."""
 
 NEVER_ATTACKED = (Definition, ImplicitFunction, AllOf, UniqueRoot)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
@@ -294,8 +291,7 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
             return Finding(REFUTED, why, witness=finding.witness)
         if finding.verdict is UNDECIDED:
             return Finding(UNDECIDED, f"{claim.label} is undecided")
-    verdicts = {found[c.label].verdict for c in claims}
-    weakest = next(v for v in _WEAKEST_FIRST if v in verdicts)
+    weakest = min((found[c.label].verdict for c in claims), key=WEAKEST_FIRST.index)
     return Finding(weakest, "follows from " + ", ".join(c.label for c in claims))
 
 

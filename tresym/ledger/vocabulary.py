@@ -19,7 +19,7 @@ from sympy import (
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Fault, ImplicitFunction, Place, Printed, Reason, UniqueRoot,
-    all_of, at, by, equal, equations, formally, parts_of, step, together,
+    all_of, at, by, display, equal, equations, formally, line, parts_of, step, together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
@@ -42,7 +42,8 @@ __all__ = [
     "Verdict", "acos", "adding", "algebra", "all_of", "applying", "arb", "asin", "asinh", "at",
     "atan", "atanh", "box", "by", "certificate", "changing_variable", "citing", "collecting",
     "cos", "cosh", "cutting", "det", "diff", "differentiating_integral", "differentiation",
-    "equal", "equations", "evaluating", "exp", "exponentials", "eye", "fmpq", "formally",
-    "integrating", "inverses", "log", "multiplying", "parts_of", "pi", "roots", "sin", "sinh",
-    "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "display", "equal", "equations", "evaluating", "exp", "exponentials", "eye", "fmpq",
+    "formally", "integrating", "inverses", "line", "log", "multiplying", "parts_of", "pi",
+    "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together",
+    "trigonometry",
 ]

@@ -356,3 +356,29 @@ def test_what_holds_off_the_jumps_alone_is_not_proved(left: str, right: str) -> 
 )
 def test_what_holds_at_the_jumps_too_is(left: str, right: str) -> None:
     assert decide(parse(left), parse(right)).verdict is Verdict.PROVED
+
+
+ALONE = ["x**2*(x - 1) >= 0", "sqrt(x**2*(x - 1)) < 5", "x**2*(x - 1) >= 0, y**2*(y - 1) >= 0"]
+
+
+@pytest.mark.parametrize("given", ALONE)
+def test_conditions_that_hold_at_a_point_alone_prove_nothing_by_what_holds_beside_it(
+    given: str,
+) -> None:
+    """At x = 0 the left side is 1 and the right side −1."""
+    found = decide(parse("sqrt((x - 1)**2)"), parse("x - 1"), Given.parse(given))
+    assert found.verdict is Verdict.UNDECIDED
+    assert "single points" in found.why
+
+
+@pytest.mark.parametrize("given", ALONE)
+def test_such_conditions_do_no_harm_where_the_others_are_enough(given: str) -> None:
+    for left, right, more in (("sqrt((x - 1)**2)", "x - 1", ", x > 1"), ("x + x", "2*x", "")):
+        found = decide(parse(left), parse(right), Given.parse(given + more))
+        assert found.verdict is Verdict.PROVED
+
+
+def test_one_such_condition_is_not_left_in_when_the_others_are_dropped() -> None:
+    given = Given.parse("sign(x)**2*(x - 5) > -1/2, x**2*(x - 2) >= 0")
+    found = decide(parse("sqrt((x - 1)**2)"), parse("x - 1"), given)
+    assert found.verdict is Verdict.UNDECIDED

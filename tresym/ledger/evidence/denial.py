@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 from flint import fmpq
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import Finding, Ruling
 from tresym.reals.verdict import Verdict
 
 
@@ -22,6 +23,7 @@ class Denied:
 
     claims: tuple[Claim, ...]
     witness: Mapping[str, fmpq]
+    expect: ClassVar[Ruling] = Verdict.REFUTED
 
     def judge(self) -> Finding:
         """REFUTED; only asked when every claim named is found to hold."""

@@ -57,7 +57,7 @@ def decide_equality(
         return replace(found, why=found.why + where)
     if real is None:
         return Decision(Verdict.UNDECIDED, f"{no_point(parts, given)}; {NOWHERE}")
-    again = decide(left, right, whole)
+    again = decide(left, right, whole, stated=given)
     if again.verdict is Verdict.UNDECIDED and found.witness is not None:
         why = f"{again.why}; {found.why}, but what is differentiated is not shown to be real there"
         return replace(again, why=why)

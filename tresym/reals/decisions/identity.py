@@ -2,7 +2,8 @@
 
 What a claim means: ``left`` and ``right`` are equal at every real point of ``given`` where both
 are defined. More exactly: at every point that is a limit of interior points of that set, for the
-normal form is silent on isolated points of the domain. This is not the convention of complex
+normal form is silent on isolated points of the domain of the two sides; of the conditions it is
+shown that they have none. This is not the convention of complex
 principal branches: ``log(x**2) = 2*log(x)`` is PROVED, since negative x are outside the common
 domain, and ``sqrt(x**2) = x`` is REFUTED.
 
@@ -14,7 +15,8 @@ in balls, to be defined.
 3. Balls again, at many points and 700 bits.
 4. What the normal form leaves is tried by derivative: see locally_constant.py.
 5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
-   value put in is decided by itself: see jumps.py.
+   value put in is decided by itself: see jumps.py. Where the conditions may have points that are no
+   limits from inside, the proof must do without those with equality: see regular.py.
 6. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
 """
@@ -38,8 +40,10 @@ from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import needs
 from tresym.reals.places.values import evaluate, undefined_parts
 from tresym.reals.signs.jumps import cases_at_jumps
+from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.verdict import Verdict
 
 Points = Callable[[Given], Sequence[Mapping[str, fmpq]]]
@@ -77,10 +81,12 @@ def decide(
     right: Expr,
     given: Given = Given(),  # noqa: B008 - frozen
     theories: frozenset[str] = ALL_THEORIES,
+    stated: Given | None = None,
 ) -> Decision:
     """Whether ``left = right`` at every real point of ``given`` where both are defined.
 
     Args:
+        stated: the conditions in ``given`` that may not hold at single points; None where all are.
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
     """
@@ -99,13 +105,20 @@ def decide(
         defined = point
     if defined is None:
         return Decision(Verdict.UNDECIDED, no_point(sides, given))
-    proof, obstacle = _prove(
-        sides, given, theories, lambda where: [point for point, _ in look(*SIGN_POINTS, where)]
-    )
+
+    def points(where: Given) -> list[dict[str, fmpq]]:
+        return [point for point, _ in look(*SIGN_POINTS, where)]
+
+    proof, obstacle = _prove(sides, given, theories, points)
     if proof is not None:
         unproved = _at_jumps(sides, given, theories)
         if unproved is not None:
             return unproved
+        if left != right and not is_regular(given if stated is None else stated):
+            fewer = _open(given)
+            proof = _prove(sides, fewer, theories, points)[0] if is_regular(fewer) else None
+            if proof is None:
+                return Decision(Verdict.UNDECIDED, ONLY_INSIDE)
         where = shown(defined)
         return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {where}")
     for bits, count in LATER_LOOKS:
@@ -113,6 +126,13 @@ def decide(
             if not values[0].overlaps(values[1]):
                 return _refutation(point, values)
     return Decision(Verdict.UNDECIDED, obstacle)
+
+
+def _open(given: Given) -> Given:
+    """The conditions, less those with equality, or with roots, that are no bounds of a variable."""
+    beyond = {c for c in given.beyond_box if c.relation == ">=" or needs((c.expression,))}
+    pairs = zip(given.comparisons, given.conditions, strict=True)
+    return Given(tuple(comparison for comparison, c in pairs if c not in beyond))
 
 
 def _at_jumps(sides: tuple[Expr, ...], given: Given, theories: frozenset[str]) -> Decision | None:

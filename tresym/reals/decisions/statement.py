@@ -18,7 +18,6 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.jumps import cases_at_jumps, jumps, zeros
-from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.verdict import Verdict
 
 _LOOK_ALIKE = {
@@ -82,8 +81,6 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
         found = decide_equality(left, right, statement.given, *functions)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
-        if found.verdict.holds and not is_regular(statement.given):
-            return Answer(Verdict.UNDECIDED, ONLY_INSIDE)
         return Answer(found.verdict, found.why)
     if relation in ORDERS:
         from tresym.reals.decisions.orders import decide_order
