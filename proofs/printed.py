@@ -25,6 +25,39 @@ ROW_LINES = {"str": 302, "racket-1": 303, "racket-2": 304, "racket-3": 305, "boo
 """Line of the source on which each row stands."""
 
 
+MOMENTS = ("I1", "I2", "I3")
+"""Names of the first three columns."""
+
+
+def inputs(**printed: str | Rational | int) -> tuple[Basic, ...]:
+    """That symbols round to what is printed of them, or are exactly so."""
+    symbols = ((Symbol(name, real=True), is_) for name, is_ in printed.items())
+    return tuple(Rounds(x, is_) if isinstance(is_, str) else equal(x, is_) for x, is_ in symbols)
+
+
+def moments(row: str, *names: str) -> tuple[Basic, ...]:
+    """That the moments, all or those named, are as a row of Table 1 prints them."""
+    texts = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
+    return inputs(**{name: str(texts[name]) for name in names or MOMENTS})
+
+
+def number(
+    label: str,
+    says: str,
+    formula: Expr,
+    text: str,
+    given: tuple[Basic, ...],
+    *claims: Claim,
+    half_units: int = 1,
+    **rest: Any,
+) -> Claim:
+    """A claim that says a printed number; the claims say what its symbols are."""
+    means = Rounds(formula, text, half_units)
+    return Claim(
+        label=label, says=says, means=means, given=given, proof=Printed(claims), **rest
+    )
+
+
 def exact_defect(a: arb, b: arb, m: Any) -> arb:
     """ε₀ by the exact equation."""
     return defect_over(a, b, m)

@@ -410,3 +410,11 @@ one_flip_defect = Claim(
         contraction_bound,
     ),
 )
+
+leading_defect = Claim(
+    label="leading_defect",
+    says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
+    given=shape,
+    proof=Definition(),
+    note="The formula of the theorem, without its remainder.",
+)

@@ -11,13 +11,13 @@ the last must arrive at its right side. A step may use only the reasons it names
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
 from typing import Any, ClassVar
 
-from flint import arb, fmpq
+from flint import fmpq
 from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
@@ -181,19 +181,13 @@ class ImplicitFunction:
 
 @dataclass(frozen=True)
 class Printed:
-    """A number as the paper prints it, from inputs as it prints them.
+    """The statement is a number as the paper prints it, under its inputs as they are printed.
 
-    ``formula`` maps balls (in the order of ``inputs``) and the arithmetic to a ball. Inputs are
-    printed decimals, hence intervals of half a unit in the last place; exact ones are rationals.
+    It is a `Rounds`; so are the conditions on the inputs, or equations for what is exact. The
+    claims say what the other symbols are, and which roots are one.
     """
 
-    text: str
-    formula: Callable[..., arb]
-    inputs: Mapping[str, str | fmpq] = field(default_factory=dict)
-    half_units: int = 1
-    """Half-width of the printed value in half units of its last place."""
     claims: tuple[Claim, ...] = ()
-    """What the formula rests on: that what it solves for exists and is one."""
     kind: ClassVar[str] = "number"
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
 

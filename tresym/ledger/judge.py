@@ -187,7 +187,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         case Definition():
             return judge_definition(claim, claim.proof)
         case Printed():
-            return judge_printed(claim.proof)
+            return judge_printed(claim)
         case AllOf(claims):
             return _judge_all(claims, found)
         case Formally(relations=relations):

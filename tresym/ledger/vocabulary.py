@@ -24,6 +24,7 @@ from tresym.ledger.claim import (
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.evidence.meant import Meant
+from tresym.ledger.statements import AtMostOne, Rounds, TheRoot
 from tresym.ledger.reasons import (
     adding, algebra, applying, changing_variable, citing, collecting, cutting,
     differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,

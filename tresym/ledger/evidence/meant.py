@@ -40,9 +40,9 @@ HOT = Symbol("hot", real=True)
 
 IN_WORDS = (AllOf, Printed, Denied, UniqueRoot)
 """Evidence for sentences: it says nothing of any formula."""
-WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
+WITHOUT_CONDITIONS = (AllOf, Denied)
 """Evidence that no condition of the claim reaches."""
-HOLDS_FUNCTIONS = (Boxes, Asymptotics, Printed, Denied)
+HOLDS_FUNCTIONS = (Boxes, Asymptotics, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
     *(tuple, Definition, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),

@@ -12,7 +12,7 @@ for is shown at the inputs, or the term has no value there.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import product
 
 from flint import arb, fmpq
@@ -31,8 +31,9 @@ from tresym.ledger.meaning import (
 )
 from tresym.ledger.statements import AtMostOne, ExactlyOne, Rounds, TheRoot
 from tresym.reals.balls.boxes import halves
+from tresym.reals.language import expression
 from tresym.reals.language.binders import ordered, outermost, worked_out
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.expression import Expr, symbol, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import InputError, Interval, decimal_ball, printed
@@ -75,10 +76,14 @@ class Number:
     rules: Mapping[str, Rule]
     roots: Mapping[Expr, Rule]
     given: Conditions
+    others: Mapping[str, fmpq] = field(default_factory=dict)
+    """Values for the variables of the claims that are used of which nothing here speaks."""
 
     def value(self, sides: tuple[arb, ...]) -> arb:
         """The term at the inputs; NaN where it, or a condition, is not shown."""
-        place = Place(dict(zip(self.inputs, sides, strict=True)), self.rules, self.roots)
+        inputs = dict(zip(self.inputs, sides, strict=True))
+        others = {name: arb(x) for name, x in self.others.items()}
+        place = Place({**inputs, **others}, self.rules, self.roots)
         return place.value(self.term) if place.meets(self.given) else arb.nan()
 
 
@@ -198,48 +203,60 @@ def _roots(claim: Claim) -> dict[Expr, Rule]:
 
 
 def _grounded(number: Number) -> Number:
-    """The number, if all that its term comes to is given, or said where it is asked for.
+    """The number, if all that its term comes to is given, or said by a claim.
 
-    Conditions on what nothing here speaks of, such as the length of M where only moments do, must
-    be possible, and are left out.
+    The variables of a claim that nothing here speaks of, such as the length of M, may have any
+    values that its conditions allow: some are found.
     """
-    rules, roots, used = dict[str, Rule](), dict[Expr, Rule](), set[str]()
-    spoken = {*number.inputs, *number.rules}
-    set_here = {*number.inputs, *(n for n, rule in number.rules.items() if rule.claim is None)}
-    pending = [number.term, *(e for c in number.given for e in (c.left, c.right))]
+    pinned = {*number.inputs, *(n for n, rule in number.rules.items() if rule.claim is None)}
+    pending = [number.term, *_sides(number.given)]
+    used, asked = set[str](), list(number.given)
 
-    def kept(rule: Rule) -> Rule:
-        twice = frozenset() if rule.claim is None else defined(rule.claim) & set_here
+    def follow(rule: Rule) -> None:
+        twice = frozenset() if rule.claim is None else defined(rule.claim) & pinned
         if twice:
             raise InputError(f"{min(twice)} is given, and defined by what is used")
-        apart = tuple(c for c in rule.given if names(c).isdisjoint(spoken))
-        if known(apart).satisfying_point() is None:
-            raise InputError("no exact point is found that satisfies the conditions")
-        here = tuple(c for c in rule.given if c not in apart)
-        pending.extend(e for c in here for e in (c.left, c.right, rule.meaning))
-        return Rule(rule.meaning, here, rule.claim)
+        asked.extend(rule.given)
+        pending.append(rule.meaning)
+        pending.extend(symbol(n) for c in rule.given for n in names(c) if n in number.rules)
 
     while pending:
         e = pending.pop()
         for node in outermost(e):
-            key = ordered(node)
-            if node.op != "root" or key in roots:
-                continue
-            if key not in number.roots:
-                raise InputError(f"no claim says that {node} is one at most")
-            roots[key] = kept(number.roots[key])
+            if node.op == "root" and str(node) not in used:
+                used.add(str(node))
+                if ordered(node) not in number.roots:
+                    raise InputError(f"no claim says that {node} is one at most")
+                follow(number.roots[ordered(node)])
         for name in symbols(e) - used:
             used.add(name)
-            if name in number.inputs:
-                continue
-            if name not in number.rules:
-                raise InputError(f"nothing says what {name} is")
-            rules[name] = kept(number.rules[name])
-            pending.append(rules[name].meaning)
+            if name not in number.inputs:
+                if name not in number.rules:
+                    raise InputError(f"nothing says what {name} is")
+                follow(number.rules[name])
     idle = {*number.inputs} - used
     if idle:
         raise InputError(f"{min(idle)} is given, and plays no part")
-    return replace(number, rules=rules, roots=roots)
+    return replace(number, others=_others(number, tuple(asked)))
+
+
+def _others(number: Number, asked: Conditions) -> dict[str, fmpq]:
+    """Values for the symbols of the conditions of which nothing else speaks."""
+    others = frozenset().union(*map(names, asked)) - {*number.inputs, *number.rules}
+    here = tuple(c for c in asked if names(c) <= others | {*number.inputs})
+    ends = (
+        Relation(symbol(name), sign, expression.number(end))
+        for name, side in number.inputs.items()
+        for sign, end in ((">=", side.low), ("<=", side.high))
+    )
+    point = known((*here, *ends)).satisfying_point()
+    if point is None:
+        raise InputError("no exact point is found that satisfies the conditions")
+    return {name: point.get(name, fmpq(1)) for name in others}
+
+
+def _sides(given: Conditions) -> list[Expr]:
+    return [side for c in given for side in (c.left, c.right)]
 
 
 def judge_printed(claim: Claim) -> Finding:
@@ -248,7 +265,10 @@ def judge_printed(claim: Claim) -> Finding:
     box = tuple(number.inputs.values())
     centre = tuple(side.middle for side in box)
     with ball_precision(bits(DIGITS, 64)):
-        value = decimal_ball(number.value(tuple(map(arb, centre))), DIGITS)
+        there = number.value(tuple(map(arb, centre)))
+        if not there.is_finite():
+            return Finding(Verdict.UNDECIDED, "no value is shown at the inputs as printed")
+        value = decimal_ball(there, DIGITS)
     # The whole box at once: cheap, and no inputs need be looked for where it misses.
     missed = misses(number, box)
     witness = None if missed else _find_inputs(number, box)
