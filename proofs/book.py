@@ -20,17 +20,9 @@ from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
 mass, length, width, height = (Symbol(name, real=True) for name in ("m", "L", "W", "H"))
-_box = (
-    mass > 0,
-    length > 0,
-    width > 0,
-    height > 0,
-    width - height > 0,
-    length - width > 0,
-)
+_box = (mass > 0, length > 0, width > 0, height > 0, width - height > 0, length - width > 0)
 
 box_moments = Claim(
-    label="box_moments",
     says=equations(
         (I1, I2, I3),
         tuple(
@@ -44,7 +36,6 @@ box_moments = Claim(
 )
 
 box_order = Claim(
-    label="box_order",
     says=Tuple(I1 > 0, I2 - I1 > 0, I3 - I2 > 0),
     given=_box,
     proof=together(
@@ -59,7 +50,6 @@ box_order = Claim(
 _a, _b = printed.shape(I1, I2, I3)
 
 box_a = Claim(
-    label="box_a",
     says=equal(_a, (length**2 - width**2) / (width**2 + height**2)),
     given=_box,
     proof=by(substituting(box_moments)),
@@ -67,7 +57,6 @@ box_a = Claim(
 )
 
 box_b = Claim(
-    label="box_b",
     says=equal(_b, (width**2 - height**2) / (length**2 + width**2)),
     given=_box,
     proof=by(substituting(box_moments)),
@@ -146,7 +135,6 @@ _x, _y = (Symbol(name, real=True) for name in "xy")
 _changed = (_x > 0, _y > 0)
 
 unit_of_inertia = Claim(
-    label="unit_of_inertia",
     says=equal(10**6 * at(_y**2, {_y: _x / 1000}), _x**2),
     given=_changed,
     proof=by(evaluating),
@@ -173,7 +161,6 @@ def _named(claims: tuple[Claim, ...], end: str) -> list[Claim]:
 
 
 last_column = Claim(
-    label="last_column",
     says="The last column of Table 1 is π − 2ε₀ with the ε₀ of the same row.",
     kind="number",
     proof=all_of(
@@ -201,3 +188,5 @@ objects_on_the_map = Claim(
     where=line(314),
     note="The ε₀ of each body, by the exact equation.",
 )
+
+label_claims(globals())

@@ -26,7 +26,6 @@ _a, _b = (at(ratio, _moments) for ratio in printed.shape(I1, I2, I3))
 CONSTANTS = {"B1": "4.64", "B2": "1.001", "B3": "0.828"}
 
 rotational_constants = Claim(
-    label="rotational_constants",
     says=Tuple(equal(_a, B1 / B2 - 1), equal(_b, 1 - B3 / B2)),
     given=_ordered,
     proof=together(by(evaluating), by(evaluating)),
@@ -36,13 +35,9 @@ rotational_constants = Claim(
 )
 
 rotational_order = Claim(
-    label="rotational_order",
     says=Tuple(1 / B2 - 1 / B1 > 0, 1 / B3 - 1 / B2 > 0),
     given=_ordered,
-    proof=together(
-        (step((B1 - B2) / (B1 * B2)),),
-        (step((B2 - B3) / (B2 * B3)),),
-    ),
+    proof=together((step((B1 - B2) / (B1 * B2)),), (step((B2 - B3) / (B2 * B3)),)),
 )
 
 
@@ -120,8 +115,9 @@ ethylene_plane = number(
 )
 
 ethylene = Claim(
-    label="ethylene",
     says="From its rotational constants ethylene is a body as the paper considers it.",
     proof=all_of(rotational_constants, rotational_order, ethylene_plane),
     where=line(320),
 )
+
+label_claims(globals())

@@ -17,7 +17,6 @@ from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
 eq_euler_angle = Claim(
-    label="eq_euler_angle",
     says=equations(
         (dtheta_dt, dphi_dt, dpsi_dt), printed.angle_rates(theta, psi, M, I1, I2, I3, sympy)
     ),
@@ -67,7 +66,6 @@ shape_and_depth = Claim(
 )
 
 precession_rate = Claim(
-    label="precession_rate",
     says=equal(dphi_dt, M * (1 - b * sin(psi) ** 2) / I2),
     given=(*ordered_moments, *tilted),
     proof=(
@@ -77,7 +75,6 @@ precession_rate = Claim(
 )
 
 precession_forward = Claim(
-    label="precession_forward",
     says=dphi_dt > 0,
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=(step(M * (1 - b * sin(psi) ** 2) / I2, substituting(precession_rate)),),
@@ -85,30 +82,20 @@ precession_forward = Claim(
 )
 
 elimination_of_time = Claim(
-    label="elimination_of_time",
-    says=Tuple(
-        equal(dtheta_dphi, dtheta_dt / dphi_dt),
-        equal(dpsi_dphi, dpsi_dt / dphi_dt),
-    ),
+    says=Tuple(equal(dtheta_dphi, dtheta_dt / dphi_dt), equal(dpsi_dphi, dpsi_dt / dphi_dt)),
     given=(dphi_dt > 0,),
     proof=Definition(),
 )
 
 eq_Euler = Claim(
-    label="eq_Euler",
     says=equations((dtheta_dphi, dpsi_dphi), printed.planar_rates(theta, psi, a, b, sympy)),
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=together(
         (
             step(
-                dtheta_dt / dphi_dt,
-                substituting(elimination_of_time),
-                citing(precession_forward),
+                dtheta_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)
             ),
-            step(
-                dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(precession_rate),
-            ),
+            step(dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
             step(
                 M
                 * (1 / I3 - 1 / I2)
@@ -121,15 +108,8 @@ eq_Euler = Claim(
             step(None, substituting(shape_and_depth)),
         ),
         (
-            step(
-                dpsi_dt / dphi_dt,
-                substituting(elimination_of_time),
-                citing(precession_forward),
-            ),
-            step(
-                dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(precession_rate),
-            ),
+            step(dpsi_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)),
+            step(dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
             step(
                 M
                 * (1 / I1 - sin(psi) ** 2 / I3 - cos(psi) ** 2 / I2)
@@ -144,7 +124,6 @@ eq_Euler = Claim(
 )
 
 eq_gamma = Claim(
-    label="eq_gamma",
     says=equal(gamma, printed.depth(theta, psi, a, b, sympy)),
     given=ordered_moments,
     proof=(
@@ -166,10 +145,8 @@ eq_gamma = Claim(
 _gamma_of_angles = printed.depth(theta, psi, a, b, sympy)
 
 gamma_conserved = Claim(
-    label="gamma_conserved",
     says=equal(
-        diff(_gamma_of_angles, theta) * dtheta_dphi + diff(_gamma_of_angles, psi) * dpsi_dphi,
-        0,
+        diff(_gamma_of_angles, theta) * dtheta_dphi + diff(_gamma_of_angles, psi) * dpsi_dphi, 0
     ),
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
@@ -178,7 +155,6 @@ gamma_conserved = Claim(
 )
 
 range_of_shape = Claim(
-    label="range_of_shape",
     says=Tuple(a >= 0, b >= 0, b <= 1),
     given=ordered_moments,
     proof=together(
@@ -189,16 +165,12 @@ range_of_shape = Claim(
 )
 
 range_of_gamma = Claim(
-    label="range_of_gamma",
     says=Tuple(gamma >= -b, gamma <= a),
     given=(*ordered_moments, *shape),
     proof=together(
         (
             step(a - sin(theta) ** 2 * (a + b * sin(psi) ** 2) + b, substituting(eq_gamma)),
-            step(
-                (a + b) * cos(theta) ** 2 + b * sin(theta) ** 2 * cos(psi) ** 2,
-                trigonometry,
-            ),
+            step((a + b) * cos(theta) ** 2 + b * sin(theta) ** 2 * cos(psi) ** 2, trigonometry),
         ),
         (step(sin(theta) ** 2 * (a + b * sin(psi) ** 2), substituting(eq_gamma)),),
     ),
@@ -210,3 +182,5 @@ ranges = Claim(
     proof=all_of(range_of_shape, range_of_gamma),
     where=display(11),
 )
+
+label_claims(globals())

@@ -24,7 +24,6 @@ _square = sin(psi) ** 2
 _slow, _fast = 1 - b * _square, a + b * _square
 
 eq_robust_gen = Claim(
-    label="eq_robust_gen",
     says=equal(Delta_phi, Integral(_integrand, (psi, psi0, psi_f))),
     given=(*shape, gamma > 0),
     proof=Definition(),
@@ -33,21 +32,15 @@ eq_robust_gen = Claim(
 )
 
 full_turn = Claim(
-    label="full_turn",
     says=equal(Delta_phi, 2 * pi),
     proof=Definition(assumes="the turn that is studied"),
     where=display(18),
     note="The turn that is studied: one of the handle.",
 )
 
-flip_angle = Claim(
-    label="flip_angle",
-    says=equal(Delta_psi, psi_f - psi0),
-    proof=Definition(),
-)
+flip_angle = Claim(says=equal(Delta_psi, psi_f - psi0), proof=Definition())
 
 integrand_of_the_turn = Claim(
-    label="integrand_of_the_turn",
     says="The integrand of the turn is dφ/dψ, with the sign S that the motion has.",
     proof=all_of(eq_dpsidphi, precession_integrand),
     where=line(201),
@@ -65,12 +58,8 @@ integrand_again = Claim(
 )
 
 elementary_at_the_top = Claim(
-    label="elementary_at_the_top",
     says=equal(
-        Derivative(
-            (1 + a) / sqrt(a * (a + b)) * atan(sqrt((a + b) / a) * tan(psi)) - psi,
-            psi,
-        ),
+        Derivative((1 + a) / sqrt(a * (a + b)) * atan(sqrt((a + b) / a) * tan(psi)) - psi, psi),
         _slow / _fast,
     ),
     given=(*shape, *_inside),
@@ -79,7 +68,6 @@ elementary_at_the_top = Claim(
 )
 
 integrand_at_the_top = Claim(
-    label="integrand_at_the_top",
     says=equal(at(_integrand, {gamma: a, S: 1}), _slow / _fast),
     given=shape,
     proof=by(evaluating, roots),
@@ -88,7 +76,6 @@ integrand_at_the_top = Claim(
 )
 
 elementary_levels = Claim(
-    label="elementary_levels",
     says="For γ = 0 and for γ = a the equation of the flip angle is integrated by elementary "
     "functions.",
     proof=all_of(integrated, integrand_at_the_top, elementary_at_the_top),
@@ -110,21 +97,18 @@ not_elementary = Claim(
 # -- the symmetric motion -------------------------------------------------------------------------
 
 eq_psi0psif = Claim(
-    label="eq_psi0psif",
     says=Tuple(equal(psi0, epsilon), equal(psi_f, pi - epsilon)),
     proof=Definition(),
     where=display(20),
 )
 
 eqdefect = Claim(
-    label="eqdefect",
     says=equal(Delta_psi, pi - 2 * epsilon),
     proof=by(substituting(flip_angle, eq_psi0psif)),
     where=display(21),
 )
 
 symmetric_turn = Claim(
-    label="symmetric_turn",
     says=equal(Integral(_integrand, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, gamma > 0),
     proof=(
@@ -144,7 +128,6 @@ symmetric_curves = Claim(
 )
 
 perfect_is_zero = Claim(
-    label="perfect_is_zero",
     says=Equivalent(equal(epsilon, 0), equal(pi - 2 * epsilon, pi)),
     proof=(
         step(equal(-2 * epsilon, 0), multiplying(Integer(-2))),
@@ -200,11 +183,7 @@ def _points(*values: object) -> tuple[tuple[object, object], ...]:
 _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
 
 equal_rates = Claim(
-    label="equal_rates",
-    says=equal(
-        at(_rate, {psi: pi - psi}),
-        _rate,
-    ),
+    says=equal(at(_rate, {psi: pi - psi}), _rate),
     given=(*shape, b < 1, gamma + b * _square > 0),
     proof=by(evaluating, trigonometry),
     shown=r"V(\pi-\psi) = V(\psi),\quad V = \frac{d\psi}{d\phi}",
@@ -233,23 +212,18 @@ def _steepness(p: Any, q: Any) -> Any:
 _starts, _ends = sin(x) ** 2, sin(x + _turned) ** 2
 
 turn_gap = Claim(
-    label="turn_gap",
     says=equal(
         _by_square(_starts) - _by_square(_ends),
         sin(2 * x + _turned) * sin(_turned) * _steepness(_starts, _ends),
     ),
     given=(*shape, b < 1, gamma > 0),
-    proof=(
-        step((_ends - _starts) * _steepness(_starts, _ends), roots),
-        step(None, trigonometry),
-    ),
+    proof=(step((_ends - _starts) * _steepness(_starts, _ends), roots), step(None, trigonometry)),
     note="f where a flip by Ψ starts, less f where it ends. At a symmetric start 2x + Ψ is an odd "
     "multiple of π; up to π/2 before it the sine of 2x + Ψ is positive and up to π/2 after it "
     "negative.",
 )
 
 turn_is_steep = Claim(
-    label="turn_is_steep",
     says=_steepness(_starts, _ends) > 0,
     given=(*shape, b < 1, gamma > 0),
     proof=(step(_steepness(_starts, _ends)),),
@@ -259,7 +233,6 @@ turn_is_steep = Claim(
 _turn = Integral(_integrand, (psi, x, _q))
 
 turn_by_ends = Claim(
-    label="turn_by_ends",
     says=Tuple(
         equal(Derivative(_turn, x), -_integrand.subs(psi, x)),
         equal(Derivative(_turn, _q), _integrand.subs(psi, _q)),
@@ -272,7 +245,6 @@ turn_by_ends = Claim(
 )
 
 symmetric_is_extreme = Claim(
-    label="symmetric_is_extreme",
     says="At fixed γ > 0 the symmetric start flips most in a given turn of the handle where its "
     "flip is below π, and least where it is between π and 2π, among all starts.",
     proof=all_of(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
@@ -303,10 +275,7 @@ symmetric_maximum = Claim(
 )
 
 eps0_shape_only = Claim(
-    label="eps0_shape_only",
-    says="ε₀ depends on a and b only.",
-    proof=all_of(one_flip_defect),
-    where=line(222),
+    says="ε₀ depends on a and b only.", proof=all_of(one_flip_defect), where=line(222)
 )
 
 without_approximation = Claim(
@@ -321,7 +290,6 @@ without_approximation = Claim(
 # -- when a flip counts ---------------------------------------------------------------------------
 
 eq_TRE = Claim(
-    label="eq_TRE",
     says=Tuple(Ge(Delta_psi, pi - pi / 6), Le(Delta_psi, pi + pi / 6)),
     given=(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
     proof=together(
@@ -340,3 +308,5 @@ tre_only_if = Claim(
     proof=formally(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
     where=Place(line=261),
 )
+
+label_claims(globals())

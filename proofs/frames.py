@@ -33,14 +33,12 @@ handle = ImmutableMatrix([sin(theta) * cos(phi), sin(theta) * sin(phi), cos(thet
 """e₁ along (X, Y, Z)."""
 
 no_external_moment = Claim(
-    label="no_external_moment",
     says="Without external moment the length of M does not change.",
     proof=all_of(momentum_conserved),
     where=line(56),
 )
 
 cross_product = Claim(
-    label="cross_product",
     says=Tuple(
         equal(M2 * W3 - M3 * W2, (I2 - I3) * W2 * W3),
         equal(M3 * W1 - M1 * W3, (I3 - I1) * W3 * W1),
@@ -51,7 +49,6 @@ cross_product = Claim(
 )
 
 one_component_is_parallel = Claim(
-    label="one_component_is_parallel",
     says="A rotation about a principal axis alone has M along that axis.",
     proof=all_of(eq_omega, cross_product),
     where=line(61),
@@ -65,7 +62,6 @@ axes_of_the_racket = Claim(
 )
 
 handle_in_space = Claim(
-    label="handle_in_space",
     says=equal(rotation * upright, handle),
     proof=by(),
     where=line(67),
@@ -75,7 +71,6 @@ handle_in_space = Claim(
 )
 
 line_of_nodes = Claim(
-    label="line_of_nodes",
     says=equal(upright.cross(handle), sin(theta) * ImmutableMatrix([-sin(phi), cos(phi), 0])),
     proof=by(),
     where=line(67),
@@ -104,7 +99,6 @@ angles_of_the_reference = Claim(
 )
 
 near_intermediate_axis = Claim(
-    label="near_intermediate_axis",
     says=Tuple(M**2 - M2**2 >= 0, M**2 * (cos(theta) ** 2 + sin(psi) ** 2) >= M**2 - M2**2),
     given=ordered_moments,
     proof=together(
@@ -134,7 +128,6 @@ _turn = Symbol("alpha", real=True)
 _turned = about_z(_turn) * rotation
 
 laboratory_turned = Claim(
-    label="laboratory_turned",
     says=Tuple(
         equal(_turned.T * rate(_turned), spin),
         equal(_turned, about_z(phi + _turn) * about_y(theta) * about_z(psi)),
@@ -147,7 +140,6 @@ laboratory_turned = Claim(
 )
 
 perfect_flip = Claim(
-    label="perfect_flip",
     says=equal(
         about_z(phi + 2 * pi) * about_y(theta) * about_z(psi + pi),
         rotation * ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]),
@@ -158,7 +150,6 @@ perfect_flip = Claim(
 )
 
 flip_about_the_handle = Claim(
-    label="flip_about_the_handle",
     says=equal(rotation.subs(psi, psi + _turn), rotation * about_z(_turn)),
     proof=by(trigonometry),
     where=line(70),
@@ -183,7 +174,6 @@ flip_is_observed = Claim(
 )
 
 angles_from_momentum = Claim(
-    label="angles_from_momentum",
     says=Tuple(
         equal(cos(theta), M1 / M),
         equal(cos(psi), -M2 / sqrt(M2**2 + M3**2)),
@@ -223,3 +213,5 @@ angles_are_global = Claim(
     amended_by=(angles_from_momentum,),
     note="With the handle along M, every ψ gives the same M, and φ has no meaning.",
 )
+
+label_claims(globals())

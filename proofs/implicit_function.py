@@ -25,7 +25,6 @@ from tresym.racket.notation import *
 _small = (mu > -1, mu < 1)
 
 d40 = Claim(
-    label="d40",
     says=Tuple(equal(lam, 1 / sqrt(a * b)), equal(mu, sqrt(b / (a + b)))),
     given=shape,
     proof=Definition(),
@@ -33,7 +32,6 @@ d40 = Claim(
 )
 
 mu_by_lambda = Claim(
-    label="mu_by_lambda",
     says=equal(sqrt(b / (a + b)), printed.mu_of_lambda(lam, b, sympy)),
     given=shape,
     proof=by(substituting(d40), roots),
@@ -41,21 +39,14 @@ mu_by_lambda = Claim(
 )
 
 small_together = Claim(
-    label="small_together",
     says=b * lam - printed.mu_of_lambda(lam, b, sympy) >= 0,
     given=(b > 0, lam > 0),
-    proof=(
-        step(
-            b**3 * lam**3 / (sqrt(1 + lam**2 * b**2) * (1 + sqrt(1 + lam**2 * b**2))),
-            roots,
-        ),
-    ),
+    proof=(step(b**3 * lam**3 / (sqrt(1 + lam**2 * b**2) * (1 + sqrt(1 + lam**2 * b**2))), roots),),
     where=line(353),
     note="0 < μ ≤ bλ ≤ λ, so μ → 0 with λ because b ≤ 1.",
 )
 
 right_sides = Claim(
-    label="right_sides",
     says=equal(
         printed.implicit_right_reduced(epsilon0, lam, mu, sympy),
         printed.implicit_right(epsilon0, a, b, sympy),
@@ -97,7 +88,6 @@ _by_u = printed.defect_of_u(u, lam, mu, sympy)
 _known_defect = (epsilon0 > 0, lam > 0, *_small)
 
 unknown = Claim(
-    label="unknown",
     says=equal(u, -lam * log(epsilon0 / _in_front) - pi - asin(mu)),
     given=_known_defect,
     proof=Definition(),
@@ -115,8 +105,7 @@ defect_by_unknown = Claim(
 unknown_flat = Claim(
     label="u_flat",
     says=equal(
-        _by_u,
-        _in_front * at(printed.flat_function(x, sympy), {x: lam / (pi + asin(mu) + u)}),
+        _by_u, _in_front * at(printed.flat_function(x, sympy), {x: lam / (pi + asin(mu) + u)})
     ),
     given=(lam > 0, mu > 0, mu < 1, u > -1, pi + asin(mu) + u > 0),
     proof=by(evaluating),
@@ -141,11 +130,7 @@ equation_for_u = Claim(
             multiplying(1 / _in_front),
             roots,
         ),
-        step(
-            equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam),
-            applying("log"),
-            exponentials,
-        ),
+        step(equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam), applying("log"), exponentials),
         step(equal(pi + asin(mu) + u, pi + _arc), multiplying(-lam)),
         step(equal(u + asin(mu) - _arc, 0), adding(-pi - _arc)),
     ),
@@ -227,7 +212,6 @@ smooth_at_origin = Claim(
 )
 
 slopes_of_the_defect = Claim(
-    label="slopes_of_the_defect",
     says=Tuple(
         equal(Derivative(_by_u, u), -_by_u / lam),
         equal(Derivative(_by_u, lam), _by_u * (pi + asin(mu) + u) / lam**2),
@@ -241,14 +225,10 @@ slopes_of_the_defect = Claim(
 _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
 
 exponent_above_two = Claim(
-    label="exponent_above_two",
-    says=pi + asin(mu) + u - 2 >= 0,
-    given=_path,
-    proof=(step(pi + asin(mu) + u - 2),),
+    says=pi + asin(mu) + u - 2 >= 0, given=_path, proof=(step(pi + asin(mu) + u - 2),)
 )
 
 defect_below_flat = Claim(
-    label="defect_below_flat",
     says=2 * exp(-2 / lam) >= _by_u,
     given=_path,
     proof=(
@@ -276,7 +256,6 @@ slopes_vanish = Claim(
 )
 
 defect_is_flat = Claim(
-    label="defect_is_flat",
     says="For λ → 0 from above ε₀(u, λ, μ) and its slopes vanish faster than λ¹⁰, for "
     "0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1: at the origin they are 0, from that side.",
     proof=all_of(slopes_of_the_defect, defect_below_flat, slopes_vanish),
@@ -293,10 +272,8 @@ def _g_with(defect: Any, mu_: Any = mu) -> Any:
 _root = sqrt(1 - mu**2 * cos(epsilon) ** 2)
 
 slope_by_u = Claim(
-    label="slope_by_u",
     says=equal(
-        Subs(Derivative(_g_with(epsilon + x * u), u), u, 0),
-        1 + mu * sin(epsilon) * x / _root,
+        Subs(Derivative(_g_with(epsilon + x * u), u), u, 0), 1 + mu * sin(epsilon) * x / _root
     ),
     given=_given,
     proof=by(differentiation, roots),
@@ -304,21 +281,15 @@ slope_by_u = Claim(
 )
 
 slope_by_lambda = Claim(
-    label="slope_by_lambda",
     says=equal(
-        Subs(Derivative(_g_with(epsilon + x * lam), lam), lam, 0),
-        mu * sin(epsilon) * x / _root,
+        Subs(Derivative(_g_with(epsilon + x * lam), lam), lam, 0), mu * sin(epsilon) * x / _root
     ),
     given=_given[1:],
     proof=by(differentiation, roots),
 )
 
 slope_by_mu = Claim(
-    label="slope_by_mu",
-    says=equal(
-        Derivative(_g_with(epsilon), mu),
-        1 / sqrt(1 - mu**2) - cos(epsilon) / _root,
-    ),
+    says=equal(Derivative(_g_with(epsilon), mu), 1 / sqrt(1 - mu**2) - cos(epsilon) / _root),
     given=_given[1:],
     proof=by(differentiation, roots),
     note="For ε₀ of slope 0 in μ; a slope would enter with the factor μ sin ε₀.",
@@ -333,7 +304,6 @@ at_origin = {mu: Integer(0), epsilon: Integer(0)}
 """μ = 0, and ε₀ = 0 there because e^{−1/s} is."""
 
 G_at_origin = Claim(
-    label="G_at_origin",
     says=equal(at(_g_with(epsilon), {**at_origin, u: Integer(0)}), 0),
     proof=by(evaluating),
     where=line(367),
@@ -390,11 +360,7 @@ G_u_value, G_u_at_origin = _at_origin(
 )
 
 G_lambda_value, G_lambda_at_origin = _at_origin(
-    "G_lambda_at_origin",
-    "∂G/∂λ(0, 0, 0) = 0.",
-    slope_by_lambda,
-    0,
-    where=line(379),
+    "G_lambda_at_origin", "∂G/∂λ(0, 0, 0) = 0.", slope_by_lambda, 0, where=line(379)
 )
 
 G_mu_value, G_mu_at_origin = _at_origin(
@@ -408,7 +374,6 @@ G_mu_value, G_mu_at_origin = _at_origin(
 _mu_of_lambda = printed.mu_of_lambda(lam, b, sympy)
 
 dmu_dlambda = Claim(
-    label="dmu_dlambda",
     says=equal(Derivative(_mu_of_lambda, lam), b / sqrt(1 + lam**2 * b**2) ** 3),
     given=(b > 0,),
     proof=by(differentiation, roots),
@@ -435,7 +400,6 @@ _by_lambda, _by_mu = (Subs(Derivative(_G, of), mu, _mu_of_lambda) for of in (lam
 _inward = (b > 0, b <= 1, lam > 0)
 
 chain_rule_of_G = Claim(
-    label="chain_rule_of_G",
     says=equal(Derivative(_along, lam), _by_lambda + _by_mu * Derivative(_mu_of_lambda, lam)),
     given=_inward,
     proof=by(differentiation, roots),
@@ -444,7 +408,6 @@ chain_rule_of_G = Claim(
 )
 
 deduced_from_the_chain_rule = Claim(
-    label="deduced_from_the_chain_rule",
     says=equal(Derivative(_along, lam) - _by_lambda, _by_mu * Derivative(_mu_of_lambda, lam)),
     given=_inward,
     proof=by(substituting(chain_rule_of_G)),
@@ -461,10 +424,8 @@ chain_rule = Claim(
 )
 
 implicit_rule = Claim(
-    label="implicit_rule",
     says=Equivalent(
-        equal(dG_dlambda + dG_du * du_dlambda, 0),
-        equal(du_dlambda, -dG_dlambda / dG_du),
+        equal(dG_dlambda + dG_du * du_dlambda, 0), equal(du_dlambda, -dG_dlambda / dG_du)
     ),
     given=(dG_du > 0,),
     proof=(
@@ -483,3 +444,5 @@ implicit_slope = Claim(
     note="The implicit function theorem, on λ ≥ 0: with |λ| for λ G is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )
+
+label_claims(globals())

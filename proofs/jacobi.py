@@ -59,7 +59,6 @@ def _solves(motion: tuple[Expr, Expr, Expr], speed: Expr) -> Tuple:
 
 
 parameter_rotating = Claim(
-    label="parameter_rotating",
     says=Tuple(_m_rotating > 0, _m_rotating < 1, 1 - _m_rotating * sin(chi) ** 2 > 0),
     given=_rotating,
     proof=together(
@@ -75,7 +74,6 @@ parameter_rotating = Claim(
 )
 
 parameter_oscillating = Claim(
-    label="parameter_oscillating",
     says=Tuple(_m_oscillating > 0, _m_oscillating < 1, 1 - _m_oscillating * sin(chi) ** 2 > 0),
     given=_oscillating,
     proof=together(
@@ -91,11 +89,7 @@ parameter_oscillating = Claim(
     ),
 )
 
-rotating_motion = (
-    _first * _delta(_m_rotating),
-    _second_rotating * sin(chi),
-    _third * cos(chi),
-)
+rotating_motion = (_first * _delta(_m_rotating), _second_rotating * sin(chi), _third * cos(chi))
 
 oscillating_motion = (
     _first * cos(chi),
@@ -106,14 +100,12 @@ oscillating_motion = (
 _opening = (differentiation, roots)
 
 rotating_solution = Claim(
-    label="rotating_solution",
     says=_solves(rotating_motion, _speed_rotating * _delta(_m_rotating)),
     given=_rotating,
     proof=together(*(by(*_opening) for _ in range(3))),
 )
 
 oscillating_solution = Claim(
-    label="oscillating_solution",
     says=_solves(oscillating_motion, _speed_oscillating * _delta(_m_oscillating)),
     given=_oscillating,
     proof=together(*(by(*_opening) for _ in range(3))),
@@ -129,7 +121,6 @@ separatrix_motion = (
 )
 
 separatrix_solution = Claim(
-    label="separatrix_solution",
     says=_solves(separatrix_motion, _rate),
     given=_separatrix,
     proof=together(*(by(*_opening, exponentials) for _ in range(3))),
@@ -145,21 +136,16 @@ _first_integrals = tuple(
 )
 
 rotating_amplitudes = Claim(
-    label="rotating_amplitudes",
-    says=_first_integrals[0],
-    given=_rotating,
-    proof=together(*(by(trigonometry) for _ in range(2))),
+    says=_first_integrals[0], given=_rotating, proof=together(*(by(trigonometry) for _ in range(2)))
 )
 
 oscillating_amplitudes = Claim(
-    label="oscillating_amplitudes",
     says=_first_integrals[1],
     given=_oscillating,
     proof=together(*(by(trigonometry) for _ in range(2))),
 )
 
 separatrix_amplitudes = Claim(
-    label="separatrix_amplitudes",
     says=Tuple(
         equal(printed.energy(*separatrix_motion, I1, I2, I3), M**2 / (2 * I2)),
         equal(printed.momentum_squared(*separatrix_motion), M**2),
@@ -209,7 +195,6 @@ _off_separatrix = I1 * I3 * (2 * I2 * E - M**2) / (I2 * (I3 - I1))
 _shares = I1 * (I3 - I2) / (I2 * (I3 - I1)), I3 * (I2 - I1) / (I2 * (I3 - I1))
 
 separatrix_start = Claim(
-    label="separatrix_start",
     says=Tuple(
         equal(M1**2 - _shares[0] * (M**2 - M2**2), _off_separatrix),
         equal(M3**2 - _shares[1] * (M**2 - M2**2), -_off_separatrix),
@@ -244,7 +229,6 @@ def _coupling(factor: Expr, i: int, j: int, k: int, side: int) -> Expr:
 _rest = (1 / I2 + 1 / I3, 1 / I1 + 1 / I3, (I2 - I1) / (I1 * I2) + 2 / I3)
 
 motions_part_slowly = Claim(
-    label="motions_part_slowly",
     says=M / I1 * sum(_squares)
     - sum(e * rate for e, rate in zip(_apart, _rates_apart, strict=True))
     >= 0,
@@ -254,7 +238,7 @@ motions_part_slowly = Claim(
             _coupling((I3 - I2) / (I2 * I3), 1, 2, 0, 1)
             + _coupling((I3 - I1) / (I1 * I3), 0, 2, 1, -1)
             + _coupling((I2 - I1) / (I1 * I2), 0, 1, 2, 1)
-            + M / 2 * sum(share * square for share, square in zip(_rest, _squares, strict=True)),
+            + M / 2 * sum(share * square for share, square in zip(_rest, _squares, strict=True))
         ),
     ),
     note="N is another motion with a momentum as long as M. The square of their distance grows at "
@@ -263,7 +247,6 @@ motions_part_slowly = Claim(
 )
 
 jacobi_solutions = Claim(
-    label="jacobi_solutions",
     says="The motion of M is given by Jacobi's elliptic functions.",
     proof=all_of(
         rotating_solution,
@@ -282,7 +265,6 @@ jacobi_solutions = Claim(
 )
 
 momentum_between = Claim(
-    label="momentum_between",
     says=Tuple(2 * I3 * E - M**2 >= 0, M**2 - 2 * I1 * E >= 0),
     given=ordered_moments,
     proof=together(
@@ -302,7 +284,6 @@ momentum_between = Claim(
 )
 
 meeting_point = Claim(
-    label="meeting_point",
     says=Tuple(
         equal(printed.energy(_first, 0, _third, I1, I2, I3), E),
         equal(printed.momentum_squared(_first, 0, _third), M**2),
@@ -313,15 +294,15 @@ meeting_point = Claim(
 )
 
 intersection_condition = Claim(
-    label="intersection_condition",
     says="There is no solution unless 2I₁E ≤ M² ≤ 2I₃E, and then there is one.",
     proof=all_of(momentum_between, meeting_point),
     where=line(96),
 )
 
 solution_on_intersection = Claim(
-    label="solution_on_intersection",
     says="A solution stays on the intersection of the ellipsoid and the sphere.",
     proof=all_of(two_first_integrals),
     where=line(96),
 )
+
+label_claims(globals())

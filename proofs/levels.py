@@ -92,7 +92,6 @@ def _at(level: Expr, given: tuple[Any, ...]) -> tuple[Any, ...]:
 
 
 higher_sine = Claim(
-    label="higher_sine",
     says=b * _square - b * sin(epsilon) ** 2 >= 0,
     given=(b > 0, *_angles, psi >= epsilon, psi <= pi / 2),
     proof=(
@@ -112,7 +111,6 @@ above_turning_point, above_on_levels = (
 )
 
 fall_is_no_rise = Claim(
-    label="fall_is_no_rise",
     says=_fall >= 0,
     given=(*shape, gamma + b * _square > 0),
     proof=(step(_fall),),
@@ -136,10 +134,7 @@ def _falling(
     )
     slopes = Claim(
         label=f"{name}_slopes",
-        says=Tuple(
-            equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
-            equal(F_gamma, _by_depth),
-        ),
+        says=Tuple(equal(F_epsilon, Derivative(_turn(gamma), epsilon)), equal(F_gamma, _by_depth)),
         given=given,
         proof=Definition(claims=bounds),
         note="∂F/∂ε and ∂F/∂γ.",
@@ -194,17 +189,12 @@ def _falling(
 
 rotating_claims = _falling("rotating", rotating, rotating_rate)
 unturned_claims = _falling(
-    "unturned",
-    unturned,
-    unturned_rate,
-    (above_turning_point, fall_is_no_rise),
-    (above_on_levels,),
+    "unturned", unturned, unturned_rate, (above_turning_point, fall_is_no_rise), (above_on_levels,)
 )
 
 # -- what this says of ε(γ) -----------------------------------------------------------------------
 
 decrease_in_gamma = Claim(
-    label="decrease_in_gamma",
     says="For a > 0 and 0 < b ≤ 1 ε(γ) decreases strictly up to γ = a, from the level with "
     "Φ(π, γ) = π where it is π/2, or from −b if there is none.",
     proof=all_of(
@@ -221,7 +211,6 @@ decrease_in_gamma = Claim(
 )
 
 one_level = Claim(
-    label="one_level",
     says="A value below π/2 is taken by ε at one γ at most with Φ(2π, γ) > π, which is the "
     "largest with that value.",
     proof=all_of(decrease_in_gamma, phase_rises_in_gamma, beyond_right_angle),
@@ -229,7 +218,6 @@ one_level = Claim(
 )
 
 decrease_of_bodies = Claim(
-    label="decrease_of_bodies",
     says="ε(γ) decreases strictly on all of (−b, a] for b ≤ 1/(a+2), that is for every rigid body, "
     "and for no other shape.",
     proof=all_of(
@@ -332,10 +320,11 @@ standard_is_a_body = Claim(
 )
 
 levels_of_the_thresholds = Claim(
-    label="levels_of_the_thresholds",
     says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, where "
     "the motion turns on the way, 3.20·10⁻³ and 1.04·10⁻².",
     proof=all_of(
         decrease_of_bodies, standard_is_a_body, lower_exact, perfect_level, upper_exact_value
     ),
 )
+
+label_claims(globals())

@@ -84,7 +84,6 @@ defect_exact = number(
     rests_on=(one_flip_defect,),
 )
 d26 = Claim(
-    label="d26",
     says="ε₀ = 0.1150 rad, by the formula and by the exact equation.",
     kind="number",
     proof=all_of(defect_formula, defect_exact),
@@ -288,7 +287,6 @@ _square, _before = sin(psi) ** 2, Symbol("c", real=True)
 _roots = [sqrt(level + b * _square) for level in (_before, gamma)]
 
 slower_at_lower_level = Claim(
-    label="slower_at_lower_level",
     says=printed.integrand(psi, a, b, _before, 1, sympy)
     >= printed.integrand(psi, a, b, gamma, 1, sympy),
     given=(*shape_of_a_body, _before + b * _square > 0, gamma - _before >= 0),
@@ -333,7 +331,6 @@ lower_level_unturned = Claim(
     note="F falls as γ grows, so that it is largest in the limit γ = −b sin²(π/12).",
 )
 d29 = Claim(
-    label="d29",
     says="For the standard racket ε = −π/12 at γ = 1.09·10⁻² and ε = π/12 at γ = −4.2·10⁻³.",
     kind="number",
     proof=all_of(upper_exact, lower_exact),
@@ -409,7 +406,6 @@ larger_ab_smaller_eps0 = tuple(
 )
 
 robustness_at_fixed_b = Claim(
-    label="robustness_at_fixed_b",
     says="At fixed b the slope −1/(4bε₀) is the steeper the smaller ε₀ is, so the larger a is.",
     proof=all_of(monotonicity),
 )
@@ -435,7 +431,6 @@ larger_ab_less_robust = Claim(
 )
 
 sensitive_if_small = Claim(
-    label="sensitive_if_small",
     says=Ge(1 / (4 * b * epsilon0), 1 / (4 * epsilon0), evaluate=False),
     given=(b > 0, b <= 1, epsilon0 > 0),
     proof=(step((1 - b) / (4 * b * epsilon0)),),
@@ -486,14 +481,12 @@ colours_of_motions = Claim(
 _upper, _lower = 4 * b * epsilon0 * (epsilon0 + pi / 12), 4 * b * epsilon0 * (epsilon0 - pi / 12)
 
 linear_range = Claim(
-    label="linear_range",
     says=equal(_upper - _lower, 2 * pi / 3 * b * epsilon0),
     proof=by(),
     where=line(269),
     note="The range of γ with a flip within the tolerance; it grows with ε₀ at fixed b.",
 )
 linear_range_ends = Claim(
-    label="linear_range_ends",
     says=Tuple(
         equal(at(_linear, {gamma: _upper}), -pi / 12), equal(at(_linear, {gamma: _lower}), pi / 12)
     ),
@@ -502,7 +495,6 @@ linear_range_ends = Claim(
     note="In the linear formula the tolerance is reached at γ = 4bε₀(ε₀ ± π/12).",
 )
 close_to_separatrix = Claim(
-    label="close_to_separatrix",
     says="For small ε₀ the tolerance is met close to the separatrix, and the range of γ grows "
     "with ε₀.",
     proof=all_of(linear_range, linear_range_ends),
@@ -515,7 +507,6 @@ close_to_separatrix = Claim(
 _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
 
 angular_velocity_of_the_handle = Claim(
-    label="angular_velocity_of_the_handle",
     says=equal(W1, dphi_dt * (dpsi_dphi + cos(theta))),
     given=(dphi_dt > 0,),
     proof=by(substituting(angular_velocity, elimination_of_time)),
@@ -537,7 +528,6 @@ initial_rate_is_angular_velocity = Claim(
 )
 
 unstable_rotation_characterized = Claim(
-    label="unstable_rotation_characterized",
     says=Gt((a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2), 0, evaluate=False),
     given=shape_of_a_body,
     proof=(step((a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2)),),
@@ -549,8 +539,7 @@ unstable_rotation_characterized = Claim(
 central_symmetry = Claim(
     label="fig_rob",
     says=Tuple(
-        equal(at(_rate, {psi: -psi, S: -S}), -_rate),
-        equal(at(_rate, {psi: psi + pi}), _rate),
+        equal(at(_rate, {psi: -psi, S: -S}), -_rate), equal(at(_rate, {psi: psi + pi}), _rate)
     ),
     given=(*shape_of_a_body, gamma + b * sin(psi) ** 2 > 0),
     proof=together(by(evaluating, trigonometry), by(evaluating, trigonometry)),
@@ -602,7 +591,6 @@ slow_on_separatrix = Claim(
 )
 
 separatrix_curve = Claim(
-    label="separatrix_curve",
     says=equal(
         printed.psi_rate(psi, a, b, 0, S, sympy) ** 2,
         b * sin(psi) ** 2 * (a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2) ** 2,
@@ -614,7 +602,6 @@ separatrix_curve = Claim(
 )
 
 tre_if_eps0_small = Claim(
-    label="tre_if_eps0_small",
     says="Along the separatrix the tolerance is met if ε₀ ≤ π/12.",
     proof=all_of(eq_TRE, tre_only_if),
     where=line(291),
@@ -635,7 +622,6 @@ product_along_a_level = number(
 )
 
 nearly_hyperbolic = Claim(
-    label="nearly_hyperbolic",
     says="The level curves of ε₀ have a hyperbolic shape: on one with ab ≥ 1/4, √(ab) stays within "
     "an interval of length 0.4305.",
     proof=all_of(exponential_decay, product_along_a_level, monotonicity),
@@ -671,3 +657,5 @@ flip_of_no_flip = number(
     note="So the effect needs constraints on the moments, as the conclusion says.",
     rests_on=(one_flip_defect,),
 )
+
+label_claims(globals())

@@ -27,7 +27,6 @@ _slow, _fast = 1 - b * _square, a + b * _square
 # -- near and on the separatrix -------------------------------------------------------------------
 
 level_of_a_start = Claim(
-    label="level_of_a_start",
     says=equal(dpsi_dphi**2 * _slow**2 / _fast - b * _square, gamma),
     given=(*tilted, *moving),
     proof=by(substituting(eq_dpsidphi, sign_of_tilt), roots),
@@ -36,7 +35,6 @@ level_of_a_start = Claim(
 )
 
 near_separatrix = Claim(
-    label="near_separatrix",
     says="Roughly speaking the effect is a motion near the separatrix: it starts near an unstable "
     "point with a small rate.",
     proof=all_of(level_of_a_start),
@@ -45,7 +43,6 @@ near_separatrix = Claim(
 )
 
 separatrix_is_followed = Claim(
-    label="separatrix_is_followed",
     says="A motion that starts on the separatrix stays on it.",
     proof=all_of(gamma_conserved, separatrix_case),
     where=line(198),
@@ -56,14 +53,10 @@ _on_separatrix = _slow / (sqrt(_fast) * sqrt(b) * sin(psi))
 _cotangent = _slow * cos(psi) / (sqrt(b) * sqrt(a + b) * sin(psi))
 
 cosine_not_negative = Claim(
-    label="cosine_not_negative",
-    says=cos(psi) >= 0,
-    given=(*defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(cos(psi)),),
+    says=cos(psi) >= 0, given=(*defect, psi >= epsilon, psi <= pi / 2), proof=(step(cos(psi)),)
 )
 
 sine_to_the_middle = Claim(
-    label="sine_to_the_middle",
     says=sin(psi) > 0,
     given=(*defect, psi >= epsilon, psi <= pi / 2),
     proof=(step(sin(psi)),),
@@ -71,7 +64,6 @@ sine_to_the_middle = Claim(
 )
 
 turn_to_the_middle = Claim(
-    label="turn_to_the_middle",
     says=Integral(_on_separatrix, (psi, epsilon, pi / 2))
     >= (-log(sin(epsilon)) - b * cos(epsilon) ** 2 / 2) / (sqrt(b) * sqrt(a + b)),
     given=(*shape_of_a_body, *defect),
@@ -106,7 +98,6 @@ turn_to_the_middle = Claim(
 )
 
 time_of_a_turn = Claim(
-    label="time_of_a_turn",
     says=1 / dphi_dt >= I2 / M,
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=(
@@ -117,7 +108,6 @@ time_of_a_turn = Claim(
 )
 
 separatrix_infinite_time = Claim(
-    label="separatrix_infinite_time",
     says="On the separatrix an unstable point is reached only after infinitely many turns, and so "
     "in infinite time.",
     proof=all_of(turn_to_the_middle, time_of_a_turn),
@@ -126,7 +116,6 @@ separatrix_infinite_time = Claim(
 )
 
 cannot_cross = Claim(
-    label="cannot_cross",
     says="On the separatrix ψ cannot cross an unstable point, and S stays what it was.",
     proof=all_of(separatrix_infinite_time, separatrix_moves),
     where=line(334),
@@ -139,7 +128,6 @@ _time = sqrt(a * b) * (pi + asin(sqrt(b / (a + b)) * cos(epsilon)))
 _cotangent_of_root = sqrt(1 + b / a) * sinh(_time)
 
 cotangent_form = Claim(
-    label="cotangent_form",
     says=Equivalent(
         equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon)),
         equal(cos(epsilon) / sin(epsilon), _cotangent_of_root),
@@ -157,10 +145,8 @@ cotangent_form = Claim(
 )
 
 rest_of_the_time = Claim(
-    label="rest_of_the_time",
     says=equal(
-        3 * pi / 2 * sqrt(a * b) - _time,
-        sqrt(a * b) * acos(sqrt(b / (a + b)) * cos(epsilon)),
+        3 * pi / 2 * sqrt(a * b) - _time, sqrt(a * b) * acos(sqrt(b / (a + b)) * cos(epsilon))
     ),
     given=(*shape, *defect),
     proof=by(inverses),
@@ -169,7 +155,6 @@ rest_of_the_time = Claim(
 )
 
 hyperbolic_sine_grows = Claim(
-    label="hyperbolic_sine_grows",
     says=sinh(T + 2 * x) - sinh(T) >= 0,
     given=(T > 0, x > 0),
     proof=(step(2 * cosh(T + x) * sinh(x), exponentials),),
@@ -193,7 +178,6 @@ hyperbolic_sine_at_most = Claim(
 )
 
 angle_below_tangent = Claim(
-    label="angle_below_tangent",
     says=cos(epsilon) / sin(epsilon) - (pi / 2 - epsilon) >= 0,
     given=defect,
     proof=(
@@ -207,7 +191,6 @@ angle_below_tangent = Claim(
 )
 
 b_to_zero = Claim(
-    label="b_to_zero",
     says="ε₀ → π/2 as b → 0 at fixed a, and the flip π − 2ε₀ → 0: for ab ≤ 1 it is at most "
     "112 √(1 + b/a) √(ab).",
     proof=all_of(
@@ -224,7 +207,6 @@ b_to_zero = Claim(
 )
 
 separatrix_horizontal = Claim(
-    label="separatrix_horizontal",
     says=equal(at(printed.psi_rate(psi, a, b, 0, S, sympy), {b: 0}), 0),
     given=(a > 0,),
     proof=by(evaluating, roots),
@@ -233,7 +215,6 @@ separatrix_horizontal = Claim(
 )
 
 separatrix_equilibria = Claim(
-    label="separatrix_equilibria",
     says=Tuple(
         *(
             equal(at(rate, {theta: pi / 2, b: 0}), 0)
@@ -247,7 +228,6 @@ separatrix_equilibria = Claim(
 )
 
 only_way_half_pi = Claim(
-    label="only_way_half_pi",
     says=Equivalent(equal(pi - epsilon, epsilon), equal(pi / 2, epsilon)),
     proof=(
         step(equal(pi, 2 * epsilon), adding(epsilon)),
@@ -256,3 +236,5 @@ only_way_half_pi = Claim(
     where=line(249),
     note="At rest ψ_f = ψ₀: the symmetric motion then starts at π/2.",
 )
+
+label_claims(globals())

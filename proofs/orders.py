@@ -459,7 +459,6 @@ bend_carries = Claim(
 
 
 curve_within = Claim(
-    label="curve_within",
     says=2 * k * x**2 / (b**2 * epsilon0) <= 2 * k * epsilon0 * x / b,
     given=(b > 0, epsilon0 > 0, k > 0, x >= 0, x <= b * epsilon0**2),
     proof=(step(2 * k * x * (b * epsilon0**2 - x) / (b**2 * epsilon0)),),
@@ -467,7 +466,6 @@ curve_within = Claim(
 )
 
 bend_everywhere = Claim(
-    label="bend_everywhere",
     says="|ε − (ε₀ − γ/(4bε₀))| ≤ 5.15 √(ab) ε₀ |γ|/b for ab ≥ 1/4 and |γ| ≤ bε₀².",
     proof=all_of(tangent, slope_leading_term, curve_within),
     note="3.15 from the slope and 2 from the curve, where γ²/(b²ε₀) ≤ ε₀|γ|/b. It is a quarter of "
@@ -518,3 +516,5 @@ remark_speed = Claim(
     note="It tends to ε₀; its speed is dε/dγ, whose leading term this is.",
     fault=Fault.THEOREM,
 )
+
+label_claims(globals())

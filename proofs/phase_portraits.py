@@ -36,12 +36,7 @@ sign_constant = Claim(
     label="sign_constant_rotating",
     says=dpsi_dphi * cos(theta) > 0,
     given=(*_body, *tilted, cos(theta) ** 2 > 0),
-    proof=(
-        step(
-            (a + b * _sine) * cos(theta) ** 2 / (1 - b * _sine),
-            substituting(eq_Euler),
-        ),
-    ),
+    proof=(step((a + b * _sine) * cos(theta) ** 2 / (1 - b * _sine), substituting(eq_Euler)),),
     where=line(160),
     note="dψ/dφ has the sign of cos θ, which for γ > 0 never vanishes.",
 )
@@ -59,7 +54,6 @@ _turning = sum(
 )
 
 turning_points = Claim(
-    label="turning_points",
     says=equal(
         at(_turning, {theta: pi / 2}),
         b * (a + b * _sine) * sin(psi) * cos(psi) / (1 - b * _sine) ** 2,
@@ -79,7 +73,6 @@ sign_changes = Claim(
 )
 
 positive_beyond = Claim(
-    label="positive_beyond",
     says=equal(gamma + b * _sine, b * (_sine - Abs(gamma) / b)),
     given=(b > 0, gamma < 0),
     proof=by(roots),
@@ -103,7 +96,6 @@ extremes_by_positivity = Claim(
 )
 
 flip_bounds = Claim(
-    label="flip_bounds",
     says=equations((psi_min, psi_max), printed.psi_bounds(b, gamma, sympy)),
     given=oscillating,
     proof=Definition(),
@@ -111,7 +103,6 @@ flip_bounds = Claim(
 )
 
 flip_between = Claim(
-    label="flip_between",
     says=equal(gamma + b * _sine, b * sin(psi - psi_min) * sin(psi_max - psi)),
     given=oscillating,
     proof=by(substituting(flip_bounds), trigonometry, inverses, roots),
@@ -161,7 +152,6 @@ def _characteristic(flip: sympy.Expr) -> sympy.Expr:
 
 
 linear_at_e2 = Claim(
-    label="linear_at_e2",
     says=equal(_characteristic(Integer(0)), eigenvalue**2 - a * b),
     given=shape_of_a_body,
     proof=by(differentiation, trigonometry),
@@ -171,7 +161,6 @@ linear_at_e2 = Claim(
 )
 
 linear_at_e3 = Claim(
-    label="linear_at_e3",
     says=equal(_characteristic(pi / 2), eigenvalue**2 + b * (a + b) / (1 - b) ** 2),
     given=shape_of_a_body,
     proof=by(differentiation, trigonometry),
@@ -181,7 +170,6 @@ linear_at_e3 = Claim(
 )
 
 rest_points = Claim(
-    label="rest_points",
     says=Tuple(
         *(
             equal(at(rate, {theta: pi / 2, psi: flip}), 0)
@@ -200,7 +188,6 @@ rest_points = Claim(
 )
 
 momentum_at_rest = Claim(
-    label="momentum_at_rest",
     says=Tuple(
         *(
             equal(at(component, {theta: pi / 2, psi: flip}), value)
@@ -263,7 +250,6 @@ flip_portrait = Claim(
 )
 
 width_of_flip = Claim(
-    label="width_of_flip",
     says=(pi - asin(sqrt(-gamma / b))) - asin(sqrt(-gamma / b)) < pi,
     given=oscillating,
     proof=(step(2 * asin(sqrt(-gamma / b))),),
@@ -274,7 +260,6 @@ width_of_flip = Claim(
 _lift = Symbol("h", real=True)
 
 width_of_pendulum = Claim(
-    label="width_of_pendulum",
     says=2 * acos(-_lift) < 2 * pi,
     given=(_lift > -1, _lift < 1),
     proof=(step(4 * atan(sqrt((1 - _lift) / (1 + _lift))), inverses, roots),),
@@ -304,7 +289,6 @@ def _linear_pendulum(rest: sympy.Expr) -> sympy.Expr:
 
 
 linear_pendulum = Claim(
-    label="linear_pendulum",
     says=Tuple(
         equal(_linear_pendulum(Integer(0)), eigenvalue**2 + 1),
         equal(_linear_pendulum(pi), eigenvalue**2 - 1),
@@ -316,7 +300,6 @@ linear_pendulum = Claim(
 )
 
 similar_to_a_pendulum = Claim(
-    label="similar_to_a_pendulum",
     says="The portrait is like that of a pendulum: saddles and centres take turns, at γ = 0 and at "
     "γ = −b, with rotating motions beyond the saddles; and ψ → −ψ and its period π are symmetries.",
     proof=all_of(
@@ -332,7 +315,6 @@ similar_to_a_pendulum = Claim(
 )
 
 separatrix_moves = Claim(
-    label="separatrix_moves",
     says=printed.psi_rate(psi, a, b, 0, 1, sympy) ** 2 > 0,
     given=(*shape_of_a_body, sin(psi) ** 2 > 0),
     proof=(step((a + b * _sine) * b * _sine / (1 - b * _sine) ** 2),),
@@ -347,7 +329,6 @@ way_between = Claim(
 )
 
 sign_of_product = Claim(
-    label="sign_of_product",
     says=equal(S2, sin(psi) * cos(psi) / Abs(sin(psi) * cos(psi))),
     given=((sin(psi) * cos(psi)) ** 2 > 0,),
     proof=Definition(),
@@ -357,7 +338,6 @@ _square = cos(theta) ** 2
 _argument = (gamma + b - (a + b) * _square) * (a * _square - gamma)
 
 root_argument = Claim(
-    label="root_argument",
     says=equal(_argument, b**2 * sin(theta) ** 4 * (sin(psi) * cos(psi)) ** 2),
     given=_body,
     proof=by(substituting(eq_gamma), trigonometry),
@@ -383,21 +363,16 @@ product_of_flip = Claim(
 )
 
 denominator_of_tilt = Claim(
-    label="denominator_of_tilt",
     says=equal(gamma + 1 - (a + 1) * _square, sin(theta) ** 2 * (1 - b * _sine)),
     given=_body,
     proof=by(substituting(eq_gamma), trigonometry),
 )
 
 eq_dthetadphi = Claim(
-    label="eq_dthetadphi",
     says=equal(dtheta_dphi, printed.theta_rate(theta, a, b, gamma, S2, sympy)),
     given=_off_axes,
     proof=(
-        step(
-            -b * sin(theta) * sin(psi) * cos(psi) / (1 - b * _sine),
-            substituting(eq_Euler),
-        ),
+        step(-b * sin(theta) * sin(psi) * cos(psi) / (1 - b * _sine), substituting(eq_Euler)),
         step(
             -b
             * sin(theta)
@@ -461,7 +436,6 @@ oscillating_bounds = Claim(
 )
 
 cosines_of_bounds = Claim(
-    label="cosines_of_bounds",
     says=Tuple(_least_cosine > 0, 1 - _least_cosine >= 0, gamma / a > 0, 1 - gamma / a > 0),
     given=rotating,
     proof=together(
@@ -474,7 +448,6 @@ cosines_of_bounds = Claim(
 )
 
 tilts_in_order = Claim(
-    label="tilts_in_order",
     says=_least_cosine - gamma / a > 0,
     given=rotating,
     proof=(step(b * (a - gamma) / (a * (a + b))),),
@@ -482,14 +455,10 @@ tilts_in_order = Claim(
 )
 
 tilt_above_least = Claim(
-    label="tilt_above_least",
     says=gamma + b - (a + b) * _square >= 0,
     given=_body,
     proof=(
-        step(
-            a - sin(theta) ** 2 * (a + b * _sine) + b - (a + b) * _square,
-            substituting(eq_gamma),
-        ),
+        step(a - sin(theta) ** 2 * (a + b * _sine) + b - (a + b) * _square, substituting(eq_gamma)),
         step(b * sin(theta) ** 2 * cos(psi) ** 2, trigonometry),
     ),
 )
@@ -498,7 +467,6 @@ _above = gamma + b - (a + b) * _square
 _roots = (trigonometry, inverses, roots)
 
 oscillating_tilt_between = Claim(
-    label="oscillating_tilt_between",
     says=equal(_above, (a + b) * sin(theta - theta_min) * sin(theta_max - theta)),
     given=oscillating,
     proof=by(substituting(oscillating_bounds), *_roots),
@@ -506,21 +474,18 @@ oscillating_tilt_between = Claim(
 )
 
 rotating_tilt_between = Claim(
-    label="rotating_tilt_between",
     says=Tuple(
         equal(_above, (a + b) * sin(theta - theta_min) * sin(theta + theta_min)),
         equal(a * _square - gamma, a * sin(theta_max - theta) * sin(theta_max + theta)),
     ),
     given=rotating,
     proof=together(
-        by(substituting(rotating_bounds), *_roots),
-        by(substituting(rotating_bounds), *_roots),
+        by(substituting(rotating_bounds), *_roots), by(substituting(rotating_bounds), *_roots)
     ),
     note="For θ in [0, π/2] neither is negative exactly between θ_min and θ_max.",
 )
 
 bounds_are_reached = Claim(
-    label="bounds_are_reached",
     says=Tuple(
         equal(_above, b * sin(theta) ** 2 * cos(psi) ** 2),
         equal(a * _square - gamma, b * sin(theta) ** 2 * _sine),
@@ -555,3 +520,5 @@ handle_on_the_sphere = Claim(
     proof=all_of(tilt_is_bounded),
     where=line(193),
 )
+
+label_claims(globals())

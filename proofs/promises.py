@@ -22,14 +22,12 @@ from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
 abstract_flip = Claim(
-    label="abstract_flip",
     says="The effect is a turn of the head by π during a turn of the handle by 2π.",
     proof=all_of(perfect_flip, precession_forward),
     where=line(38),
 )
 
 planar_constraint = Claim(
-    label="planar_constraint",
     says="The case studied before, I₃ = I₁ + I₂, is that of the shapes with b = 1/(a + 2).",
     proof=all_of(shape_and_depth, realizable),
     where=line(45),
@@ -88,7 +86,6 @@ coincide_for_a_class = Claim(
 )
 
 variety_of_bodies = Claim(
-    label="variety_of_bodies",
     says="Bodies of several kinds flip within the tolerance: the standard racket and ethylene.",
     proof=all_of(str_realizable, flip_str_exact, ethylene, ethylene_flip_exact, tre_if_eps0_small),
     where=line(38),
@@ -96,7 +93,6 @@ variety_of_bodies = Claim(
 )
 
 some_bodies = Claim(
-    label="some_bodies",
     says="A body with ε₀ ≤ π/12 shows the effect on its separatrix, and not every body has that.",
     proof=all_of(tre_if_eps0_small, flip_str_exact, flip_of_no_flip),
     where=line(318),
@@ -104,7 +100,8 @@ some_bodies = Claim(
 )
 
 shapes_of_bodies = Claim(
-    label="shapes_of_bodies",
     says="Every rigid body has b ≤ 1/(a + 2) and b < 1/2, and equality in the first is a flat one.",
     proof=all_of(realizable_shape, planar_constraint),
 )
+
+label_claims(globals())

@@ -41,7 +41,6 @@ ordering = Claim(
 )
 
 energy_by_gamma = Claim(
-    label="energy_by_gamma",
     says=Tuple(
         equal(2 * I2 * E - M**2, M**2 * gamma),
         equal(2 * I3 * E - M**2, M**2 * (gamma + b) / (1 - b)),
@@ -57,7 +56,6 @@ _apart = (M**2 - 2 * I2 * E > 0, 2 * I3 * E - M**2 > 0)
 _together = (M**2 - 2 * I1 * E > 0, 2 * I2 * E - M**2 > 0)
 
 oscillating_case = Claim(
-    label="oscillating_case",
     says=Tuple(-gamma > 0, gamma + b > 0),
     given=(*ordered_moments, *_apart),
     proof=together(
@@ -68,7 +66,6 @@ oscillating_case = Claim(
 )
 
 rotating_case = Claim(
-    label="rotating_case",
     says=Tuple(gamma > 0, a - gamma > 0),
     given=(*ordered_moments, *_together),
     proof=together(
@@ -79,7 +76,6 @@ rotating_case = Claim(
 )
 
 separatrix_case = Claim(
-    label="separatrix_case",
     says=Equivalent(equal(2 * I2 * E - M**2, 0), equal(gamma, 0)),
     given=ordered_moments,
     proof=(step(equal(gamma, 0), multiplying(1 / M**2), substituting(shape_and_depth)),),
@@ -87,7 +83,6 @@ separatrix_case = Claim(
 )
 
 three_regimes = Claim(
-    label="three_regimes",
     says="γ < 0 for oscillating motions, γ > 0 for rotating ones, γ = 0 on the separatrix.",
     proof=all_of(energy_by_gamma, oscillating_case, rotating_case, separatrix_case),
     where=line(124),
@@ -108,7 +103,6 @@ spheres_and_ellipsoids = Claim(
 )
 
 ellipsoid_radii = Claim(
-    label="ellipsoid_radii",
     says=equal(
         sum(
             component**2 / radius**2
@@ -125,14 +119,12 @@ ellipsoid_radii = Claim(
 )
 
 precession_of_the_handle = Claim(
-    label="precession_of_the_handle",
     says="φ is the precession of the handle about M, and it never turns back.",
     proof=all_of(handle_in_space, precession_forward),
     where=line(70),
 )
 
 tilt_by_flip = Claim(
-    label="tilt_by_flip",
     says=equal(cos(theta) ** 2 * (a + b * _sine), gamma + b * _sine),
     given=ordered_moments,
     proof=(
@@ -145,7 +137,6 @@ _flips = Symbol("psi1", real=True), Symbol("psi2", real=True)
 _tilts = [(gamma + b * sin(p) ** 2) / (a + b * sin(p) ** 2) for p in _flips]
 
 tilt_after_flip = Claim(
-    label="tilt_after_flip",
     says=equal(at(_tilts[0], {_flips[0]: _flips[0] + pi}), _tilts[0]),
     given=shape_of_a_body,
     proof=by(evaluating, trigonometry),
@@ -154,7 +145,6 @@ tilt_after_flip = Claim(
 )
 
 tilt_near_flip = Claim(
-    label="tilt_near_flip",
     says=equal(
         _tilts[1] - _tilts[0],
         b
@@ -201,10 +191,8 @@ components_are_sufficient = Claim(
 _momentum = printed.momentum(theta, psi, M, sympy)
 
 flip_components = Claim(
-    label="flip_components",
     says=equations(
-        tuple(at(m, {psi: psi + pi}) for m in _momentum[1:]),
-        tuple(-m for m in _momentum[1:]),
+        tuple(at(m, {psi: psi + pi}) for m in _momentum[1:]), tuple(-m for m in _momentum[1:])
     ),
     proof=together(*(by(evaluating, trigonometry) for _ in range(2))),
     note="M₁ = M cos θ does not depend on ψ.",
@@ -230,7 +218,6 @@ rotating_tilt = Claim(
 )
 
 rotating_speed = Claim(
-    label="rotating_speed",
     says=printed.psi_rate(psi, a, b, gamma, 1, sympy) ** 2 >= a * gamma,
     given=rotating,
     proof=(
@@ -238,7 +225,7 @@ rotating_speed = Claim(
             b
             * _sine
             * (a + gamma + b * _sine + a * gamma * (1 + (1 - b * _sine)))
-            / (1 - b * _sine) ** 2,
+            / (1 - b * _sine) ** 2
         ),
     ),
     note="|dψ/dφ| ≥ √(aγ) > 0, with one sign.",
@@ -249,7 +236,6 @@ _per_angle = printed.integrand(psi, a, b, gamma, 1, sympy)
 _at_most = 1 / sqrt(a * gamma)
 
 rotating_time = Claim(
-    label="rotating_time",
     says=_at_most - _per_angle >= 0,
     given=rotating,
     proof=(
@@ -281,17 +267,13 @@ every_angle = Claim(
             Integral(_at_most, (psi, 0, _turned)) - Integral(_per_angle, (psi, 0, _turned)),
             integrating(_at_most * psi),
         ),
-        step(
-            Integral(_at_most - _per_angle, (psi, 0, _turned)),
-            collecting(),
-        ),
+        step(Integral(_at_most - _per_angle, (psi, 0, _turned)), collecting()),
     ),
     where=line(103),
     note="Every angle Ψ is reached, after a finite precession; with S = −1 likewise −Ψ.",
 )
 
 handle_side = Claim(
-    label="handle_side",
     says="In a rotating motion the handle stays above or below the plane (X, Y) while the "
     "racket turns about it.",
     proof=all_of(handle_in_space, rotating_tilt, rotating_speed, every_angle),
@@ -329,7 +311,6 @@ oscillating_flip = Claim(
 )
 
 handle_crosses = Claim(
-    label="handle_crosses",
     says=printed.planar_rates(pi / 2, psi, a, b, sympy)[0] ** 2 > 0,
     given=(*shape_of_a_body, sin(psi) ** 2 > 0, cos(psi) ** 2 > 0),
     proof=(step(b**2 * _sine * cos(psi) ** 2 / (1 - b * _sine) ** 2),),
@@ -366,12 +347,7 @@ realizable = Claim(
     given=_real,
     proof=together(
         (step(I2 * (I1 + I2 - I3) / (I3 * (I1 + I2)), substituting(shape_and_depth)),),
-        (
-            step(
-                ((I1 + I2 - I3) + (I2 - I1)) / I3,
-                substituting(shape_and_depth),
-            ),
-        ),
+        (step(((I1 + I2 - I3) + (I2 - I1)) / I3, substituting(shape_and_depth)),),
     ),
     note="No moment of a rigid body exceeds the sum of the others, which the paper does not use.",
 )
@@ -386,7 +362,6 @@ symmetric_tops = Claim(
 )
 
 ratios_of_moments = Claim(
-    label="ratios_of_moments",
     says=equations((I2 / I1, I3 / I2), (1 + a, 1 / (1 - b))),
     given=ordered_moments,
     proof=together(by(substituting(shape_and_depth)), by(substituting(shape_and_depth))),
@@ -405,7 +380,6 @@ a_and_b_large = Claim(
 )
 
 depth_at_e1 = Claim(
-    label="depth_at_e1",
     says=equal(a - gamma, sin(theta) ** 2 * (a + b * _sine)),
     given=ordered_moments,
     proof=by(substituting(eq_gamma)),
@@ -413,7 +387,6 @@ depth_at_e1 = Claim(
 )
 
 depth_at_e3 = Claim(
-    label="depth_at_e3",
     says=equal(gamma + b, (a + b) * cos(theta) ** 2 + b * sin(theta) ** 2 * cos(psi) ** 2),
     given=ordered_moments,
     proof=by(substituting(eq_gamma), trigonometry),
@@ -423,7 +396,6 @@ depth_at_e3 = Claim(
 _depth = printed.depth(theta, psi, a, b, sympy)
 
 depth_at_the_points = Claim(
-    label="depth_at_the_points",
     says=Tuple(
         equal(at(_depth, {theta: 0}), a), equal(at(_depth, {theta: pi / 2, psi: pi / 2}), -b)
     ),
@@ -432,7 +404,6 @@ depth_at_the_points = Claim(
 )
 
 ends_of_gamma = Claim(
-    label="ends_of_gamma",
     says="γ = a and γ = −b are the equilibria of M along e₁ and along e₃.",
     proof=all_of(depth_at_e1, depth_at_e3, permanent_rotations),
     where=line(140),
@@ -456,8 +427,9 @@ angles_rest = Claim(
 )
 
 planar_system = Claim(
-    label="planar_system",
     says="The path of θ and ψ does not depend on time, nor on φ.",
     proof=all_of(precession_forward, eq_Euler, gamma_conserved),
     where=line(126),
 )
+
+label_claims(globals())

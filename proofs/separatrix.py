@@ -24,10 +24,7 @@ _on_separatrix = _f.subs(sqrt(b * sin(psi) ** 2), sqrt(b) * sin(psi))
 _mu = sqrt(b / (a + b))
 
 separatrix_integrand = Claim(
-    label="separatrix_integrand",
-    says=equal(_f, _on_separatrix),
-    given=(*shape, *between),
-    proof=by(roots),
+    says=equal(_f, _on_separatrix), given=(*shape, *between), proof=by(roots)
 )
 
 start_in_x = Claim(
@@ -43,7 +40,6 @@ _in_x = printed.auxiliary_integrand(x, a, b, sympy)
 _on_path = (*defect, psi >= epsilon, psi <= pi - epsilon)
 
 sine_on_path = Claim(
-    label="sine_on_path",
     says=sin(psi) > 0,
     given=_on_path,
     proof=(step(sin(psi)),),
@@ -60,14 +56,10 @@ separatrix_condition = Claim(
 )
 
 pole_on_path = Claim(
-    label="pole_on_path",
-    says=1 - cos(psi) ** 2 > 0,
-    given=_on_path,
-    proof=(step(sin(psi) ** 2, trigonometry),),
+    says=1 - cos(psi) ** 2 > 0, given=_on_path, proof=(step(sin(psi) ** 2, trigonometry),)
 )
 
 root_on_path = Claim(
-    label="root_on_path",
     says=1 - _mu**2 * cos(psi) ** 2 > 0,
     given=shape,
     proof=(step((a + b * sin(psi) ** 2) / (a + b), trigonometry),),
@@ -92,7 +84,6 @@ substitution = Claim(
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 
 root_at_start = Claim(
-    label="root_at_start",
     says=1 - x0**2 > 0,
     given=(*shape, *defect),
     proof=(
@@ -102,7 +93,6 @@ root_at_start = Claim(
 )
 
 below_the_pole = Claim(
-    label="below_the_pole",
     says=b / (a + b) - x0**2 > 0,
     given=(*shape, *defect),
     proof=(
@@ -113,15 +103,9 @@ below_the_pole = Claim(
 
 _inside = ((x - x0) * (-x0 - x) >= 0,)
 
-inside_square = Claim(
-    label="inside_square",
-    says=x0**2 - x**2 >= 0,
-    given=_inside,
-    proof=(step((x - x0) * (-x0 - x)),),
-)
+inside_square = Claim(says=x0**2 - x**2 >= 0, given=_inside, proof=(step((x - x0) * (-x0 - x)),))
 
 root_in_interval = Claim(
-    label="root_in_interval",
     says=1 - x**2 > 0,
     given=(*shape, *defect, *_inside),
     proof=(step(1 - x**2, citing(root_at_start, inside_square)),),
@@ -129,7 +113,6 @@ root_in_interval = Claim(
 )
 
 pole_outside = Claim(
-    label="pole_outside",
     says=b / (a + b) - x**2 > 0,
     given=(*shape, *defect, *_inside),
     proof=(step(b / (a + b) - x**2, citing(below_the_pole, inside_square)),),
@@ -137,7 +120,6 @@ pole_outside = Claim(
 )
 
 artanh_defined = Claim(
-    label="artanh_defined",
     says=1 - (sqrt(a / b) * x / sqrt(1 - x**2)) ** 2 > 0,
     given=(*shape, *defect, *_inside),
     proof=(
@@ -149,14 +131,12 @@ artanh_defined = Claim(
 )
 
 first_factor = Claim(
-    label="first_factor",
     says=1 - (a + b) / b * x**2 > 0,
     given=(*shape, *defect, *_inside),
     proof=(step((a + b) / b * (b / (a + b) - x**2), citing(pole_outside)),),
 )
 
 artanh_at_start = Claim(
-    label="artanh_at_start",
     says=1 - (sqrt(a / b) * x0 / sqrt(1 - x0**2)) ** 2 > 0,
     given=(*shape, *defect),
     proof=(
@@ -194,7 +174,6 @@ _inverse_form = equal(atanh(_inverse), _time)
 _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 
 root_under_cosine = Claim(
-    label="root_under_cosine",
     says=1 - _mu**2 * cos(epsilon) ** 2 > 0,
     given=(*shape, *defect),
     proof=(step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),),
@@ -211,39 +190,22 @@ logarithm_of_artanh = Claim(
 _argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) ** 2)
 
 argument_below_one = Claim(
-    label="argument_below_one",
     says=1 - _argument**2 > 0,
     given=(*shape, *defect),
-    proof=(
-        step(
-            (1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2),
-            trigonometry,
-        ),
-    ),
+    proof=(step((1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2), trigonometry),),
 )
 
 ratio_below_one = Claim(
-    label="ratio_below_one",
     says=1 - (cos(epsilon) / _root) ** 2 > 0,
     given=(*shape, *defect),
-    proof=(
-        step(
-            (1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2),
-            trigonometry,
-        ),
-    ),
+    proof=(step((1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2), trigonometry),),
 )
 
 printed_left_positive = Claim(
-    label="printed_left_positive",
     says=_ratio > 0,
     given=(*shape, *defect),
     proof=(
-        step(
-            (1 + b / a) * sin(epsilon) ** 2 / (_root + cos(epsilon)) ** 2,
-            roots,
-            trigonometry,
-        ),
+        step((1 + b / a) * sin(epsilon) ** 2 / (_root + cos(epsilon)) ** 2, roots, trigonometry),
     ),
     note="The form in which the left side does not cancel.",
 )
@@ -251,24 +213,13 @@ printed_left_positive = Claim(
 exact_equation = Claim(
     label="d37",
     says=Equivalent(
-        equal(
-            printed.arctanh_left(_mu * cos(epsilon), a, b, sympy),
-            sqrt(a * b) * pi,
-        ),
+        equal(printed.arctanh_left(_mu * cos(epsilon), a, b, sympy), sqrt(a * b) * pi),
         _printed_equation,
     ),
     given=(*shape, *defect),
     proof=(
-        step(
-            _inverse_form,
-            adding(sqrt(a * b) * asin(_mu * cos(epsilon))),
-            roots,
-            trigonometry,
-        ),
-        step(
-            equal(-2 * atanh(cos(epsilon) / _root), -2 * _time),
-            multiplying(Integer(-2)),
-        ),
+        step(_inverse_form, adding(sqrt(a * b) * asin(_mu * cos(epsilon))), roots, trigonometry),
+        step(equal(-2 * atanh(cos(epsilon) / _root), -2 * _time), multiplying(Integer(-2))),
         step(
             equal((1 - _inverse) / (1 + _inverse), _printed_equation.rhs),
             applying("exp"),
@@ -281,22 +232,11 @@ exact_equation = Claim(
 )
 
 stable_equation = Claim(
-    label="stable_equation",
     says=Equivalent(_printed_equation, _stable_equation),
     given=(*shape, *defect),
     proof=(
-        step(
-            equal(log(_ratio), -2 * _time),
-            applying("log"),
-            exponentials,
-        ),
-        step(
-            _inverse_form,
-            multiplying(Rational(-1, 2)),
-            exponentials,
-            inverses,
-            roots,
-        ),
+        step(equal(log(_ratio), -2 * _time), applying("log"), exponentials),
+        step(_inverse_form, multiplying(Rational(-1, 2)), exponentials, inverses, roots),
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
             applying("sinh"),
@@ -306,9 +246,7 @@ stable_equation = Claim(
             inverses,
         ),
         step(
-            _stable_equation,
-            multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))),
-            trigonometry,
+            _stable_equation, multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))), trigonometry
         ),
     ),
 )
@@ -317,7 +255,6 @@ _map = k * (pi + atan(r * tanh(T)))
 _tilt = atan(1 / (sqrt(1 + r**2) * sinh(T)))
 
 auxiliary_angle = Claim(
-    label="auxiliary_angle",
     says=equal(asin(r / sqrt(1 + r**2) * cos(_tilt)), atan(r * tanh(T))),
     given=(*auxiliary, *later),
     proof=by(exponentials, inverses, roots),
@@ -327,15 +264,9 @@ auxiliary_angle = Claim(
 _spread = cosh(T) ** 2 + r**2 * sinh(T) ** 2
 _end = 3 * pi / 2 * k
 
-end_positive = Claim(
-    label="end_positive",
-    says=tanh(_end) > 0,
-    given=auxiliary,
-    proof=(step(tanh(_end)),),
-)
+end_positive = Claim(says=tanh(_end) > 0, given=auxiliary, proof=(step(tanh(_end)),))
 
 unique_root = Claim(
-    label="unique_root",
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
     "with 0 < T < 3π√(ab)/2.",
     given=(*auxiliary, k * r <= 1),
@@ -355,7 +286,6 @@ unique_root = Claim(
 )
 
 no_root_beyond = Claim(
-    label="no_root_beyond",
     says=_end > _map,
     given=(*auxiliary, *later),
     proof=(step(k * atan(1 / (r * tanh(T))), exponentials, inverses),),
@@ -363,7 +293,6 @@ no_root_beyond = Claim(
 )
 
 no_root_below = Claim(
-    label="no_root_below",
     says=_map > k * pi,
     given=(*auxiliary, *later),
     proof=(step(k * atan(r * tanh(T))),),
@@ -371,22 +300,13 @@ no_root_below = Claim(
 )
 
 contraction = Claim(
-    label="contraction",
     says=equal(_map.diff(T, evaluate=False), k * r * sin(_tilt) ** 2),
     given=(*auxiliary, *later),
-    proof=(
-        step(
-            k * r / _spread,
-            differentiation,
-            exponentials,
-        ),
-        step(None, exponentials),
-    ),
+    proof=(step(k * r / _spread, differentiation, exponentials), step(None, exponentials)),
     note="The derivative of the map is b sin²ε, between 0 and b.",
 )
 
 contraction_bound = Claim(
-    label="contraction_bound",
     says=Tuple(b * sin(epsilon) ** 2 > 0, b * sin(epsilon) ** 2 < 1),
     given=(*shape, *defect),
     proof=together(
@@ -396,7 +316,6 @@ contraction_bound = Claim(
 )
 
 one_flip_defect = Claim(
-    label="one_flip_defect",
     says="The exact equation has exactly one root ε₀ in (0, π/2), and the map of its stable "
     "form contracts: its derivative is b sin²ε, between 0 and 1.",
     proof=all_of(
@@ -412,9 +331,10 @@ one_flip_defect = Claim(
 )
 
 leading_defect = Claim(
-    label="leading_defect",
     says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
     given=shape,
     proof=Definition(),
     note="The formula of the theorem, without its remainder.",
 )
+
+label_claims(globals())

@@ -43,42 +43,36 @@ _square2 = M**2 * (1 / I1 - 1 / I2) * (1 / I2 - 1 / I3)
 _square3 = -(M**2) * (1 / I1 - 1 / I3) * (1 / I2 - 1 / I3)
 
 eigenvalues_e1 = Claim(
-    label="eigenvalues_e1",
     says=equal(_characteristic(M, 0, 0), eigenvalue * (eigenvalue**2 - _square1)),
     given=ordered_moments,
     proof=by(),
 )
 
 eigenvalues_e2 = Claim(
-    label="eigenvalues_e2",
     says=equal(_characteristic(0, M, 0), eigenvalue * (eigenvalue**2 - _square2)),
     given=ordered_moments,
     proof=by(),
 )
 
 eigenvalues_e3 = Claim(
-    label="eigenvalues_e3",
     says=equal(_characteristic(0, 0, M), eigenvalue * (eigenvalue**2 - _square3)),
     given=ordered_moments,
     proof=by(),
 )
 
 center_at_e1 = Claim(
-    label="center_at_e1",
     says=_square1 < 0,
     given=ordered_moments,
     proof=(step(M**2 * (I2 - I1) * (I3 - I1) / (I1**2 * I2 * I3)),),
 )
 
 saddle_at_e2 = Claim(
-    label="saddle_at_e2",
     says=_square2 > 0,
     given=ordered_moments,
     proof=(step(M**2 * (I2 - I1) * (I3 - I2) / (I1 * I2**2 * I3)),),
 )
 
 center_at_e3 = Claim(
-    label="center_at_e3",
     says=_square3 < 0,
     given=ordered_moments,
     proof=(step(M**2 * (I3 - I1) * (I3 - I2) / (I1 * I2 * I3**2)),),
@@ -88,7 +82,6 @@ _below_first = M2**2 * (I2 - I1) / (I1 * I2) + M3**2 * (I3 - I1) / (I1 * I3)
 _above_third = M1**2 * (I3 - I1) / (I1 * I3) + M2**2 * (I3 - I2) / (I2 * I3)
 
 energy_near_e1 = Claim(
-    label="energy_near_e1",
     says=equal((M1**2 + M2**2 + M3**2) / I1 - 2 * E, _below_first),
     given=ordered_moments,
     proof=by(substituting(energy_of_momentum)),
@@ -96,7 +89,6 @@ energy_near_e1 = Claim(
 )
 
 energy_near_e3 = Claim(
-    label="energy_near_e3",
     says=equal(2 * E - (M1**2 + M2**2 + M3**2) / I3, _above_third),
     given=ordered_moments,
     proof=by(substituting(energy_of_momentum)),
@@ -152,14 +144,12 @@ stays_near_e3 = _stays_near(
 _conserved = (energy_conserved, momentum_conserved)
 
 stable_e1 = Claim(
-    label="stable_e1",
     says="The rotation about the handle is stable.",
     proof=all_of(eigenvalues_e1, center_at_e1, *_conserved, energy_near_e1, stays_near_e1),
     where=line(49),
 )
 
 stable_e3 = Claim(
-    label="stable_e3",
     says="The rotation about the normal of the face is stable.",
     proof=all_of(eigenvalues_e3, center_at_e3, *_conserved, energy_near_e3, stays_near_e3),
     where=line(49),
@@ -168,7 +158,6 @@ stable_e3 = Claim(
 _first_rate, _third_rate = sqrt(1 / I1 - 1 / I2), sqrt(1 / I2 - 1 / I3)
 
 leaves_e2 = Claim(
-    label="leaves_e2",
     says=Tuple(
         *(
             -M2 * along_euler(M1 * M3) - side * 2 * _first_rate * _third_rate * M2**2 * M1 * M3 >= 0
@@ -193,7 +182,6 @@ leaves_e2 = Claim(
 )
 
 unstable_e2 = Claim(
-    label="unstable_e2",
     says="The rotation about the intermediate axis is unstable: from starts as near to it as one "
     "likes M leaves the region |M₂| ≥ m, for every m > 0.",
     proof=all_of(eigenvalues_e2, saddle_at_e2, *_conserved, leaves_e2),
@@ -202,14 +190,12 @@ unstable_e2 = Claim(
 )
 
 points_of_the_sphere = Claim(
-    label="points_of_the_sphere",
     says="p₋ is a stable rotation about e₃, and p_D an unstable one about e₂.",
     proof=all_of(stable_e3, unstable_e2),
     where=line(103),
 )
 
 sphere_at_rest = Claim(
-    label="sphere_at_rest",
     says=Tuple(*(equal(at(rate, {I2: I1, I3: I1}), 0) for rate in _rates)),
     given=(I1 > 0,),
     proof=together(*(by(evaluating) for _ in range(3))),
@@ -232,15 +218,9 @@ any_body = Claim(
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
 
-outer_moments = Claim(
-    label="outer_moments",
-    says=I3 - I1 > 0,
-    given=ordered_moments,
-    proof=(step((I3 - I2) + (I2 - I1)),),
-)
+outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=(step((I3 - I2) + (I2 - I1)),))
 
 permanent_rotations = Claim(
-    label="permanent_rotations",
     says=Tuple(
         *(
             Equivalent(equal(rate, 0), equal(product, 0))
@@ -291,14 +271,12 @@ three_equilibria = Claim(
 )
 
 three_equilibria_and_opposites = Claim(
-    label="three_equilibria_and_opposites",
     says="p₊ and p₋, where M lies along e₁ and e₃, are stable; p_D, along e₂, is unstable.",
     proof=all_of(permanent_rotations, stable_e1, stable_e3, unstable_e2),
     where=line(110),
 )
 
 transverse_velocity = Claim(
-    label="transverse_velocity",
     says=Tuple(
         M**2 * sin(theta) ** 2 / I3**2 <= W2**2 + W3**2,
         M**2 * sin(theta) ** 2 / I2**2 >= W2**2 + W3**2,
@@ -354,3 +332,5 @@ only_about_the_handle = Claim(
     amended_by=(transverse_velocity,),
     note="True at p₊; around it Ω₂ and Ω₃ are small, not zero.",
 )
+
+label_claims(globals())

@@ -30,7 +30,6 @@ _rate = Symbol("v", real=True)
 """dψ/dφ at the start."""
 
 faster_at_higher_level = Claim(
-    label="faster_at_higher_level",
     says=Derivative(printed.integrand(psi, a, b, gamma, 1, sympy), gamma) < 0,
     given=(*shape_of_a_body, gamma + b * _square > 0),
     proof=(
@@ -43,7 +42,6 @@ faster_at_higher_level = Claim(
 )
 
 level_grows_with_the_rate = Claim(
-    label="level_grows_with_the_rate",
     says=Derivative(_rate**2 * (1 - b * _square) ** 2 / (a + b * _square) - b * _square, _rate) > 0,
     given=(*shape_of_a_body, _rate > 0),
     proof=(step(2 * _rate * (1 - b * _square) ** 2 / (a + b * _square), differentiation),),
@@ -109,7 +107,6 @@ _share = _width * _height / _whole
 _whole_half = {_whole: Rational(2, 10) * Rational(3, 10)}
 
 share_of_the_rectangles = Claim(
-    label="share_of_the_rectangles",
     says=equal(
         at(_share, {_width: Rational(2, 10), _height: Rational(3, 20), **_whole_half})
         + at(_share, {_width: Rational(3, 20), _height: Rational(1, 20), **_whole_half}),
@@ -120,7 +117,6 @@ share_of_the_rectangles = Claim(
 )
 
 likely_near = Claim(
-    label="likely_near",
     says="Of the starts with |ψ₀| ≤ 1/10 and |dψ/dφ| ≤ 3/10 five in eight or more flip by π within "
     "π/6, for the standard racket.",
     proof=all_of(two_rectangles, share_of_the_rectangles, central_symmetry),
@@ -150,7 +146,6 @@ near_flip_close = Claim(
 )
 
 narrow_swing = Claim(
-    label="narrow_swing",
     says=asin(sqrt(-gamma / b)) > epsilon,
     given=(*oscillating, *defect, -gamma - b * sin(epsilon) ** 2 > 0),
     proof=(
@@ -186,7 +181,6 @@ every_start_overshoots = Claim(
 )
 
 far_from_separatrix = Claim(
-    label="far_from_separatrix",
     says="Far from the separatrix, at γ ≥ 0.0104 and at γ ≤ −0.0043, the standard racket shows no "
     "effect from any start.",
     proof=all_of(every_start_overshoots, faster_at_higher_level, narrow_swing, flip_between),
@@ -221,3 +215,5 @@ no_tre_far = Claim(
     amended_by=(far_from_separatrix, upper_exact_value, lower_exact),
     note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035.",
 )
+
+label_claims(globals())

@@ -26,7 +26,6 @@ _first = M * cos(theta)
 _third = M * sin(theta) * sin(psi)
 
 depth_b_zero = Claim(
-    label="depth_b_zero",
     says=equal(M**2 * printed.depth(theta, psi, a, 0, sympy), a * _first**2),
     proof=by(trigonometry),
     note="I₂ = I₃: γ M² = a M₁².",
@@ -98,7 +97,6 @@ spin_about_handle = Claim(
 )
 
 depth_a_zero = Claim(
-    label="depth_a_zero",
     says=equal(M**2 * at(printed.depth(theta, psi, a, b, sympy), {a: 0}), -b * _third**2),
     proof=by(evaluating),
     note="I₁ = I₂: γ M² = −b M₃².",
@@ -117,7 +115,6 @@ only_oscillation = Claim(
 _at_rest = printed.euler_equations(M1, M2, M3, I1, I2, I3)
 
 rest_on_the_circle = Claim(
-    label="rest_on_the_circle",
     says=Tuple(*(equal(at(rate, {I2: I1, M3: 0}), 0) for rate in _at_rest)),
     given=(I1 > 0, I3 > 0),
     proof=together(*(by(evaluating) for _ in range(3))),
@@ -131,3 +128,5 @@ separatrix_in_the_plane = Claim(
     where=line(112),
     note="Every point of it is an equilibrium.",
 )
+
+label_claims(globals())

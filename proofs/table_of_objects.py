@@ -194,7 +194,6 @@ racket_3_swapped_order = Claim(
 )
 
 racket_3_swapped = Claim(
-    label="racket_3_swapped",
     says="With I₃ = 8118 for the printed 1818, two digits in each other's place, racket 3 has its "
     "moments in order and b = 0.1222, printed 0.12.",
     proof=all_of(racket_3_swapped_order, racket_3_swapped_b),
@@ -237,3 +236,5 @@ racket_3 = (
 )
 
 book = tuple(_defects("book", lambda q: q, dict(zip("ab", TABLE_1["book"][3:5], strict=True))))
+
+label_claims(globals())

@@ -23,6 +23,7 @@ from tresym.ledger.claim import (
     equal,
     equations,
     formally,
+    label_claims,
     line,
     parts_of,
     step,
@@ -31,6 +32,7 @@ from tresym.ledger.claim import (
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import Premise
+from tresym.ledger.judge import judge
 from tresym.ledger.reasons import algebra, citing, substituting
 from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
@@ -92,6 +94,19 @@ def test_kind_and_expectation_are_read_off(
     if kind != "definition":
         assert (other.kind, other.expect) == ("limit", Verdict.UNDECIDED)
         assert all_of(other, A).expect is Verdict.UNDECIDED
+
+
+def test_a_part_labels_the_claims_that_it_names() -> None:
+    nameless, other = (Claim(says=equal(x, side), proof=by()) for side in (y, x))
+    with pytest.raises(ValueError, match="without a label"):
+        hash(nameless)
+    label_claims({"first": nameless, "x": x, "second": nameless, "A": other, "B": A})
+    assert (nameless.label, other.label, A.label) == ("first", "A", "A")
+    assert {nameless} == {nameless}
+
+
+def test_an_empty_claim_shows_nothing() -> None:
+    assert judge(Claim("empty"), {}).verdict is Verdict.UNDECIDED
 
 
 def test_a_place_is_a_display_or_a_line() -> None:

@@ -267,7 +267,7 @@ class Claim:
     """One statement: what it says, under which conditions, and the evidence for it.
 
     Attributes:
-        label: the paper's own ``\\label``, or a name of ours.
+        label: the paper's own ``\\label``, or a name of ours; see :func:`label_claims`.
         says: a SymPy relation, a `Tuple` of them, an `Equivalent`, or prose.
         means: for prose, and for a formula that leaves an order open, the formula that is decided.
         given: SymPy relations that hold wherever the claim is made.
@@ -286,9 +286,9 @@ class Claim:
         quotes: theorems that the evidence applies and no claim shows.
     """
 
-    label: str
-    says: Basic | str
-    proof: Evidence
+    label: str = ""
+    says: Basic | str = ""
+    proof: Evidence = ()
     kind: str = ""
     given: tuple[Basic, ...] = ()
     where: Place | None = None
@@ -309,6 +309,8 @@ class Claim:
             object.__setattr__(self, "expect", _expected(self.proof))
 
     def __hash__(self) -> int:
+        if not self.label:
+            raise ValueError("a claim without a label: the last line of its part gives it one")
         return hash(self.label)
 
     @cached_property
@@ -351,6 +353,13 @@ class Claim:
         """The theorems quoted by the claim or by anything that it rests on, each once."""
         quoted = (axiom for claim in (*self.rests_on, self) for axiom in claim.quotes)
         return tuple(dict.fromkeys(quoted))
+
+
+def label_claims(names: Mapping[str, Any]) -> None:
+    """Label each claim that has no label with its name among ``names``: the last line of a part."""
+    for name, value in names.items():
+        if isinstance(value, Claim) and not value.label:
+            object.__setattr__(value, "label", name)
 
 
 def _kind(says: Basic | str, proof: Evidence) -> str:

@@ -19,7 +19,8 @@ from sympy import (
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Fault, ImplicitFunction, Place, Printed, Reason, UniqueRoot,
-    all_of, at, by, display, equal, equations, formally, line, parts_of, step, together,
+    all_of, at, by, display, equal, equations, formally, label_claims, line, parts_of, step,
+    together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
@@ -44,7 +45,7 @@ __all__ = [
     "atan", "atanh", "box", "by", "certificate", "changing_variable", "citing", "collecting",
     "cos", "cosh", "cutting", "det", "diff", "differentiating_integral", "differentiation",
     "display", "equal", "equations", "evaluating", "exp", "exponentials", "eye", "fmpq",
-    "formally", "integrating", "inverses", "line", "log", "multiplying", "parts_of", "pi",
-    "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together",
-    "trigonometry",
+    "formally", "integrating", "inverses", "label_claims", "line", "log", "multiplying",
+    "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan",
+    "tanh", "together", "trigonometry",
 ]
