@@ -330,6 +330,51 @@ one_flip_defect = Claim(
     ),
 )
 
+_share = _inverse - tanh(_time)
+_rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
+
+defect_is_one = Claim(
+    label="defect_is_one",
+    says="Each shape has exactly one ε between 0 and π/2 with cos ε/√(1 + (b/a) sin²ε) = tanh T, "
+    "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
+    kind="statement",
+    given=shape,
+    proof=UniqueRoot(
+        variable=epsilon,
+        function=_share,
+        low=Integer(0),
+        high=pi / 2,
+        derivative=(
+            step(
+                -sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
+                differentiation,
+                exponentials,
+                roots,
+                trigonometry,
+                inverses,
+            ),
+        ),
+        at_low=(
+            step(
+                2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1),
+                exponentials,
+                roots,
+                trigonometry,
+            ),
+        ),
+        at_high=(step(-tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
+    ),
+    note="It is the stable equation with the hyperbolic functions on one side.",
+)
+
+flip_defect = Claim(
+    label="flip_defect",
+    says=Root(epsilon0, defect_is_one).says,
+    given=shape,
+    proof=Root(epsilon0, defect_is_one),
+    note="The flip defect ε₀ on the separatrix.",
+)
+
 leading_defect = Claim(
     says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
     given=shape,

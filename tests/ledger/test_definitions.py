@@ -1,6 +1,7 @@
 """Labels, definitions and what rests on what: no ledger holds a claim that breaks their order."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 
 import pytest
@@ -16,6 +17,7 @@ from sympy import (
     Rational,
     Subs,
     Symbol,
+    Tuple,
     default_sort_key,
     exp,
     expand,
@@ -29,6 +31,8 @@ from tresym.ledger.claim import (
     Definition,
     ImplicitFunction,
     Place,
+    Root,
+    UniqueRoot,
     all_of,
     by,
     equal,
@@ -409,3 +413,67 @@ def test_what_rests_on_itself_is_refused(ledger: Callable[..., None]) -> None:
     ledger(bound)
     with pytest.raises(InputError, match="d rests on itself"):
         verify()
+
+
+# -- roots ----------------------------------------------------------------------------------------
+
+POSITIVE = (x > 0,)
+ONE_ROOT = Claim(
+    label="one root",
+    says="t³ = x has exactly one root between 0 and x + 1.",
+    given=POSITIVE,
+    proof=UniqueRoot(
+        variable=t,
+        function=t**3 - x,
+        low=ZERO,
+        high=x + 1,
+        derivative=(step(3 * t**2, differentiation),),
+        at_low=(step(-x),),
+        at_high=(step(x**3 + 3 * x**2 + 2 * x + 1),),
+    ),
+)
+ROOT = Claim("root", Root(y, ONE_ROOT).says, Root(y, ONE_ROOT), given=POSITIVE)
+
+
+def finding(claim: Claim) -> Finding:
+    found: dict[str, Finding] = {}
+    for used in (*claim.rests_on, claim):
+        found[used.label] = judge(used, found)
+    return found[claim.label]
+
+
+def test_a_symbol_may_name_the_one_root() -> None:
+    assert finding(ROOT).verdict is Premise.DEFINED
+    bounded = Claim("y > 0", y + 1 > 0, (step(y + 1, citing(ROOT)),), given=POSITIVE)
+    assert finding(bounded).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        replace(ROOT, given=()),
+        replace(ROOT, given=(x < 0,)),
+        replace(ROOT, says=equal(y**3, x)),
+        replace(ROOT, says=Tuple(equal(y**3 - x, 1), *ROOT.proof.says.args[1:])),
+        replace(ROOT, says=Tuple(ROOT.proof.says.args[0], Gt(y, 1), ROOT.proof.says.args[2])),
+        replace(ROOT, says=Root(x, ONE_ROOT).says, proof=Root(x, ONE_ROOT)),
+        replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),
+        replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=all_of(ONE_ROOT)))),
+        replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=(step(x),)))),
+    ],
+)
+def test_what_is_no_name_for_the_one_root_is_refused(claim: Claim) -> None:
+    with suppress(AssertionError):
+        assert finding(claim).verdict is Verdict.UNDECIDED
+
+
+def test_a_root_is_defined_once() -> None:
+    other = new("y = 1", equal(y, ONE))
+    twin = replace(ROOT, label="twin")
+    both = Claim("both", all_of(ROOT, other).claims[0].says, all_of(ROOT, other))
+    assert conflict((ROOT, other)) is not None
+    assert conflict((ROOT, twin)) is None
+    assert finding(both).verdict is Verdict.UNDECIDED
+    square = replace(ONE_ROOT.proof, function=t**2 - x, derivative=(step(2 * t, differentiation),))
+    unlike = replace(ONE_ROOT, label="unlike", proof=square)
+    assert conflict((ROOT, replace(ROOT, label="u", proof=Root(y, unlike)))) is not None

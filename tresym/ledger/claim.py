@@ -133,6 +133,32 @@ class Definition:
 
 
 @dataclass(frozen=True)
+class Root:
+    """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
+
+    It says that the function vanishes there, and between which ends.
+    """
+
+    symbol: Symbol
+    unique: Claim
+    kind: ClassVar[str] = "definition"
+    expect: ClassVar[Ruling] = Premise.DEFINED
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What the definition rests on: that there is one root."""
+        return (self.unique,)
+
+    @property
+    def says(self) -> Tuple:
+        """The equation for the root, and the interval that it lies in."""
+        root, x = self.unique.proof, self.symbol
+        assert isinstance(root, UniqueRoot)
+        vanishes = equal(root.function.xreplace({root.variable: x}), Integer(0))
+        return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
+
+
+@dataclass(frozen=True)
 class Together:
     """One chain for each part of a statement that has several."""
 
@@ -241,6 +267,7 @@ class Counterexample:
 Evidence = (
     Chain
     | Definition
+    | Root
     | Together
     | UniqueRoot
     | ImplicitFunction
@@ -302,7 +329,7 @@ class Claim:
     means: Basic | None = None
 
     def __post_init__(self) -> None:
-        defined = isinstance(self.proof, Definition)
+        defined = isinstance(self.proof, Definition | Root)
         if defined or not self.kind:
             object.__setattr__(self, "kind", _kind(self.says, self.proof))
         if defined or self.expect is None:

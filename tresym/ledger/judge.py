@@ -25,6 +25,7 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
     parts_of,
@@ -79,7 +80,7 @@ from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-NEVER_ATTACKED = (Definition, ImplicitFunction, AllOf, UniqueRoot)
+NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -184,7 +185,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     if why is not None:
         return Finding(UNDECIDED, why)
     match claim.proof:
-        case Definition():
+        case Definition() | Root():
             return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim)
@@ -241,7 +242,7 @@ def _possible(claim: Claim) -> bool:
     if not _met_somewhere(given):
         return False
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    explicit = [entry for entry in table(behind) if entry.explicit]
     rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:

@@ -23,6 +23,7 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
     parts_of,
@@ -45,7 +46,7 @@ WITHOUT_CONDITIONS = (AllOf, Denied)
 HOLDS_FUNCTIONS = (Boxes, Asymptotics, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
-    *(tuple, Definition, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
+    *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
     *(Counterexample, Boxes, Asymptotics, Denied),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
