@@ -292,19 +292,13 @@ always_decreasing = Claim(
 )
 
 
-def _perfect_level(m: Any) -> arb:
-    """γ > 0 at which the standard racket has ε = 0."""
-    near = level_of(A, B, Angle(fmpq(0), fmpq(0)), 24)
-    return changing_sign(near, lambda gamma: rigorous(arb(0), arb(A), arb(B), gamma) - m.pi)
-
-
 perfect_level = number(
     "perfect_level",
     "The standard racket flips perfectly, ε = 0, at γ = 3.20·10⁻³.",
+    TheRoot(*one_rotating_level.statement.args),
     "3.20e-3",
-    _perfect_level,
-    {},
-    rests_on=(precession_integrand,),
+    (*moments("str"), equal(epsilon, 0)),
+    *(shape_and_depth, one_rotating_level, precession_integrand),
 )
 
 standard_is_a_body = Claim(

@@ -58,6 +58,11 @@ def number(
     )
 
 
+def share_of_pi(defect: Expr) -> Expr:
+    """The x of Δψ = π − 2ε₀ = π(1 − x)."""
+    return 2 * defect / pi
+
+
 def exact_defect(a: arb, b: arb, m: Any) -> arb:
     """ε₀ by the exact equation."""
     return defect_over(a, b, m)
@@ -66,13 +71,3 @@ def exact_defect(a: arb, b: arb, m: Any) -> arb:
 def formula_defect(a: arb, b: arb, m: Any) -> arb:
     """ε₀ by the asymptotic formula of the theorem."""
     return printed.asymptotic_defect(a, b, m)
-
-
-def share_of_pi(defect: Callable[..., arb]) -> Callable[..., arb]:
-    """The x of Δψ = π − 2ε₀ = π(1 − x)."""
-    return lambda a, b, m: 2 * defect(a, b, m) / m.pi
-
-
-def of_moments(quantity: Callable[..., arb]) -> Callable[..., arb]:
-    """A function of the shape, as a function of the moments; each occurs once in its ratio."""
-    return lambda I1, I2, I3, m: quantity(I2 / I1 - 1, 1 - I2 / I3, m)

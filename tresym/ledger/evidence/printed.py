@@ -14,11 +14,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import product
+from typing import cast
 
 from flint import arb, fmpq
 from sympy import Basic, Eq, Symbol
 
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import Claim, Root
 from tresym.ledger.finding import Finding
 from tresym.ledger.meaning import (
     DEFINING,
@@ -180,14 +181,22 @@ def _target(says: Rounds) -> Interval:
 
 def _rules(claim: Claim) -> dict[str, Rule]:
     """What symbols are by the equations that the evidence names, and the definitions behind it."""
-    behind = (c for c in claim.rests_on if isinstance(c.proof, DEFINING))
+    behind = (c for c in claim.rests_on if isinstance(c.proof, (*DEFINING, Root)))
     rules: dict[str, Rule] = {}
     for used in dict.fromkeys((*claim.uses, *behind)):
-        for left, right in definitions((used,)).items():
+        meanings = definitions((used,))
+        if isinstance(used.proof, Root):
+            meanings = {tree(used.proof.symbol): _root(used.proof.unique)}
+        for left, right in meanings.items():
             if left.op == "symbol":
                 rule = Rule(worked_out(right), conditions(used.given), used)
                 rules.setdefault(left.args[0], rule)
     return rules
+
+
+def _root(unique: Claim) -> Expr:
+    """The root of which a claim says that there is one, or one at most."""
+    return tree(TheRoot(*cast(Basic, unique.statement).args))
 
 
 def _roots(claim: Claim) -> dict[Expr, Rule]:
@@ -196,7 +205,7 @@ def _roots(claim: Claim) -> dict[Expr, Rule]:
     for used in claim.rests_on:
         says = used.statement
         if isinstance(says, ExactlyOne | AtMostOne) and isinstance(says.args[3], Eq):
-            node, bound = tree(TheRoot(*says.args)), says.args[0].name
+            node, bound = _root(used), says.args[0].name
             given = tuple(c for c in conditions(used.given) if bound not in names(c))
             found[ordered(node)] = Rule(node, given, used)
     return found
