@@ -26,10 +26,12 @@ from tresym.proofs.numbers_in_text import (
     B,
     changing_sign,
     lower_exact,
-    number,
     upper_exact_value,
 )
+from tresym.proofs.euler_angles import shape_and_depth
+from tresym.proofs.printed import moments, number
 from tresym.proofs.rigid_bodies import realizable
+from tresym.proofs.turn_integral import one_rotating_level
 from tresym.proofs.turning import (
     beyond_right_angle,
     body_stays_below,

@@ -28,6 +28,8 @@ from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
 from tresym.proofs.printed import exact_defect, formula_defect, inputs, moments, number, share_of_pi
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import flip_defect, leading_defect, one_flip_defect
+from tresym.proofs.turn_integral import one_rotating_level
+from tresym.proofs.turning import one_turned_level
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.angle import Angle

@@ -334,7 +334,6 @@ _share = _inverse - tanh(_time)
 _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
 
 defect_is_one = Claim(
-    label="defect_is_one",
     says="Each shape has exactly one ε between 0 and π/2 with cos ε/√(1 + (b/a) sin²ε) = tanh T, "
     "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
     kind="statement",
@@ -368,13 +367,13 @@ defect_is_one = Claim(
 )
 
 flip_defect = Claim(
-    label="flip_defect",
     says=Root(epsilon0, defect_is_one).says,
     given=shape,
     proof=Root(epsilon0, defect_is_one),
     note="The flip defect ε₀ on the separatrix.",
 )
 
+<<<<<<< HEAD
 leading_defect = Claim(
     says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
     given=shape,
@@ -382,4 +381,6 @@ leading_defect = Claim(
     note="The formula of the theorem, without its remainder.",
 )
 
+=======
+>>>>>>> main
 label_claims(globals())

@@ -277,4 +277,29 @@ near_right_angle = Claim(
     note="ε(γ) lies between the turning points, and tends to π/2 as γ tends to −b.",
 )
 
+# -- the level at which a flip defect is reached after a turn --------------------------------------
+
+_sine = sqrt(b * (a - c) / ((b + c) * (a + b * sin(epsilon) ** 2))) * cos(epsilon)
+_last = pi - asin(_sine)
+"""χ at which the flip angle is ε, after the motion has turned."""
+_on_level = _Unfolded(c, x)
+
+one_turned_level = Claim(
+    says="A flip defect of a motion that has turned once belongs to one γ at most.",
+    means=AtMostOne(
+        c, -b * sin(epsilon) ** 2, 0, equal(Integral(_on_level.rate, (x, 0, _last)), pi)
+    ),
+    given=(*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0),
+    proof=Monotone(
+        (
+            step(
+                Integral(_on_level.growth, (x, 0, _last))
+                + _Unfolded(c, _last).rate * Derivative(_last, c),
+                differentiating_integral(_on_level.growth),
+            ),
+        )
+    ),
+    note="Φ rises with γ, here c, and so does χ.",
+)
+
 label_claims(globals())

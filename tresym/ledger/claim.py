@@ -186,6 +186,16 @@ class UniqueRoot:
 
 
 @dataclass(frozen=True)
+class Monotone:
+    """The statement is that an equation has one root at most: its sides' difference is monotone."""
+
+    slope: Chain
+    """A chain from the derivative of the difference to a form whose sign is manifest."""
+    bounds: tuple[Claim, ...] = ()
+    """Proved inequalities that hold on the intervals of integration in the equation."""
+
+
+@dataclass(frozen=True)
 class ImplicitFunction:
     """The claim says what the slope of a function is that an earlier equation defines implicitly.
 
@@ -270,6 +280,7 @@ Evidence = (
     | Root
     | Together
     | UniqueRoot
+    | Monotone
     | ImplicitFunction
     | Printed
     | AllOf
@@ -428,7 +439,7 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
             return chains
         case UniqueRoot():
             return proof.derivative, proof.at_low, proof.at_high
-        case ImplicitFunction():
+        case ImplicitFunction() | Monotone():
             return (proof.slope,)
         case tuple():
             return (proof,)
@@ -447,7 +458,9 @@ def put_in_by(claim: Claim) -> tuple[Claim, ...]:
 def _named(proof: Evidence) -> Iterator[Claim]:
     """Every claim that a piece of evidence names."""
     if isinstance(proof, ImplicitFunction):
-        yield from (proof.equation, *proof.bounds)
+        yield proof.equation
+    if isinstance(proof, ImplicitFunction | Monotone):
+        yield from proof.bounds
     for chain in _chains(proof):
         for link in chain:
             for reason in link.reasons:

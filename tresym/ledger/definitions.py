@@ -33,6 +33,7 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.second_look import satisfiable, scalars
+from tresym.ledger.statements import Binding
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.exact import InputError
@@ -166,7 +167,7 @@ def captured(claim: Claim) -> str | None:
     entries, written = table((*claim.rests_on, claim)), [*expressions(claim)]
     bound: set[str] = set()
     for e in written:
-        binders = e.atoms(Integral, Derivative, Subs)
+        binders = e.atoms(Integral, Derivative, Subs, Binding)
         bound |= {v.name for node in binders for v in node.variables}
     if isinstance(claim.proof, UniqueRoot):
         bound.add(claim.proof.variable.name)

@@ -13,7 +13,7 @@ from dataclasses import replace
 from time import process_time
 
 from flint import arb, fmpq
-from sympy import Basic, Tuple
+from sympy import Basic, Eq, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -24,6 +24,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Monotone,
     Printed,
     Root,
     Together,
@@ -60,6 +61,7 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.reasons import citing
+from tresym.ledger.statements import AtMostOne
 from tresym.ledger.second_look import (
     contradiction,
     excluded,
@@ -71,7 +73,7 @@ from tresym.reals.advocate import STOPPED
 from tresym.reals.balls.boxes import CertificateError
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import derivative, elementary, generalised, worked_out
-from tresym.reals.language.expression import Expr, substitute, symbols
+from tresym.reals.language.expression import ZERO, Expr, differentiate, substitute, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
@@ -80,7 +82,7 @@ from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot)
+NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -197,6 +199,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_counterexample(claim, claim.proof)
         case UniqueRoot():
             return _judge_unique_root(claim, claim.proof)
+        case Monotone():
+            return _judge_at_most_one(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
         case Together(chains):
@@ -333,6 +337,33 @@ def _one_root(proof: UniqueRoot, given: Conditions) -> Finding:
         return Finding(UNDECIDED, why, steps=steps)
     why = "opposite signs at the ends, derivative of one sign"
     return Finding(PROVED, why, steps=steps)
+
+
+def _judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
+    """PROVED where the difference of the sides of the equation is smooth and monotone between."""
+    says = claim.statement
+    if not isinstance(says, AtMostOne) or not isinstance(says.args[3], Eq):
+        return Finding(UNDECIDED, "the evidence is for an equation with one root at most")
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    v, low, high, left, right = map(tree, (*says.args[:3], *says.args[3].args))
+    (name,) = symbols(v)
+    if any(name in defined(used) for used in claim.uses):
+        return Finding(UNDECIDED, f"{name} is bound, and is defined in what is used")
+    given = without(name, conditions(claim.given))
+    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
+    try:
+        need_smooth(left - right, proof.bounds, inside)
+    except NotShownError as error:
+        return Finding(UNDECIDED, str(error))
+    slope = differentiate(left - right, name)
+    for sign in ("<", ">"):
+        steps = check_chain(Relation(slope, sign, ZERO), proof.slope, inside)
+        failed = next((s for s in steps if s.verdict is not PROVED), None)
+        if steps and failed is None:
+            return Finding(PROVED, "the difference of the sides is monotone", steps=steps)
+    why = failed.why if failed else "there is nothing to prove"
+    return Finding(UNDECIDED, why, steps=steps)
 
 
 def without(name: str, given: Conditions) -> Conditions:

@@ -18,8 +18,8 @@ from sympy import (
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
-    Claim, Counterexample, Definition, Fault, ImplicitFunction, Place, Printed, Reason, Root,
-    UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line, parts_of,
+    Claim, Counterexample, Definition, Fault, ImplicitFunction, Monotone, Place, Printed,
+    Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line, parts_of,
     step, together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
@@ -30,16 +30,16 @@ from tresym.ledger.reasons import (
     differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,
     multiplying, roots, substituting, trigonometry,
 )
-from tresym.ledger.statements import Rounds, TheRoot
+from tresym.ledger.statements import AtMostOne, Rounds, TheRoot
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 __all__ = [
-    "Abs", "Asymptotics", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
+    "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
     "Denied", "Derivative", "Equivalent", "Expr", "Fault", "Function", "Ge", "Germs", "Gt",
-    "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le", "Lt", "Meant", "Ne",
+    "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne",
     "Order", "Place", "Printed", "Rational", "Reason", "Root", "Rounds", "Subs", "Symbol",
     "TheRoot", "Tuple", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of",
     "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
