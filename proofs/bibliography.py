@@ -6,6 +6,7 @@ from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.printed import MOMENTS, TABLE_1, inputs, number
 
 from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 KILOGRAM_METRES = {"I1": "0.121e-2", "I2": "1.638e-2", "I3": "1.748e-2"}
 """The moments as printed there."""

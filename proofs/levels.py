@@ -20,6 +20,7 @@ from functools import cache
 from typing import Any
 
 from tresym.proofs.conditions import shape
+from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.flip_dynamics import precession_integrand
 from tresym.proofs.numbers_in_text import (
     A,
@@ -28,7 +29,6 @@ from tresym.proofs.numbers_in_text import (
     lower_exact,
     upper_exact_value,
 )
-from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.printed import moments, number
 from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.turn_integral import one_rotating_level
@@ -48,12 +48,10 @@ from tresym.proofs.turning import (
 )
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.angle import Angle
 from tresym.racket.flip.defect import defect_on
-from tresym.racket.flip.levels import level_of
 from tresym.racket.formulas import printed
 from tresym.racket.motion.orbit import exact_level
-from tresym.racket.motion.quadrature import rigorous, rigorous_turned
+from tresym.racket.motion.quadrature import rigorous_turned
 from tresym.racket.notation import *
 from tresym.reals.numbers.arithmetic import ball_precision
 

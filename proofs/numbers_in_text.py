@@ -16,7 +16,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import acb
 from tresym.proofs.conditions import shape_of_a_body
 from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
@@ -32,10 +31,8 @@ from tresym.proofs.turn_integral import one_rotating_level
 from tresym.proofs.turning import one_turned_level
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.angle import Angle
-from tresym.racket.flip.levels import level_of
 from tresym.racket.formulas import printed
-from tresym.racket.motion.quadrature import rigorous, rigorous_turned
+from tresym.racket.motion.quadrature import rigorous_turned
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import Interval, as_rational
 

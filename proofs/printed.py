@@ -5,7 +5,6 @@ The numbers are text: nothing here is rounded, converted or corrected.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from tresym.ledger.vocabulary import *
@@ -53,9 +52,7 @@ def number(
 ) -> Claim:
     """A claim that says a printed number; the claims say what its symbols are."""
     means = Rounds(formula, text, half_units)
-    return Claim(
-        label=label, says=says, means=means, given=given, proof=Printed(claims), **rest
-    )
+    return Claim(label=label, says=says, means=means, given=given, proof=Printed(claims), **rest)
 
 
 def share_of_pi(defect: Expr) -> Expr:

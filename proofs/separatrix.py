@@ -373,7 +373,6 @@ flip_defect = Claim(
     note="The flip defect ε₀ on the separatrix.",
 )
 
-<<<<<<< HEAD
 leading_defect = Claim(
     says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
     given=shape,
@@ -381,6 +380,4 @@ leading_defect = Claim(
     note="The formula of the theorem, without its remainder.",
 )
 
-=======
->>>>>>> main
 label_claims(globals())

@@ -316,7 +316,9 @@ one_rotating_level = Claim(
     says="A flip defect, of either sign, belongs to one γ > 0 at most.",
     means=AtMostOne(_level, 0, a, equal(Integral(_on_level, (psi, epsilon, pi / 2)), pi)),
     given=(*shape, epsilon < pi / 2, 1 - b * sin(epsilon) ** 2 > 0),
-    proof=Monotone((step(Integral(_fall, (psi, epsilon, pi / 2)), differentiating_integral(-_fall)),)),
+    proof=Monotone(
+        (step(Integral(_fall, (psi, epsilon, pi / 2)), differentiating_integral(-_fall)),)
+    ),
     note="F falls as γ, here c, grows.",
 )
 

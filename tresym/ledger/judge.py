@@ -61,7 +61,6 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.reasons import citing
-from tresym.ledger.statements import AtMostOne
 from tresym.ledger.second_look import (
     contradiction,
     excluded,
@@ -69,6 +68,7 @@ from tresym.ledger.second_look import (
     satisfiable,
     violation,
 )
+from tresym.ledger.statements import AtMostOne
 from tresym.reals.advocate import STOPPED
 from tresym.reals.balls.boxes import CertificateError
 from tresym.reals.decisions.identity import decide

@@ -56,6 +56,7 @@ class TheRoot(Binding, Expr):  # type: ignore[misc]  # Expr has no types
     is_real = True
 
     def __new__(cls, *args: Any) -> TheRoot:
+        """As written."""
         made: TheRoot = Expr.__new__(cls, *map(sympify, args))
         return made
 
@@ -68,6 +69,7 @@ class Rounds(Statement):
     """
 
     def __new__(cls, term: Any, text: Any, half_units: Any = 1) -> Rounds:
+        """The text as it is printed, digits and all."""
         text = text if isinstance(text, Str) else Str(text)
         made: Rounds = Basic.__new__(cls, sympify(term), text, sympify(half_units))
         return made

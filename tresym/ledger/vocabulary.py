@@ -19,8 +19,8 @@ from sympy import (
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Fault, ImplicitFunction, Monotone, Place, Printed,
-    Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line, parts_of,
-    step, together,
+    Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims,
+    line, parts_of, step, together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
@@ -37,15 +37,15 @@ from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 __all__ = [
-    "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
-    "Denied", "Derivative", "Equivalent", "Expr", "Fault", "Function", "Ge", "Germs", "Gt",
-    "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne",
-    "Order", "Place", "Printed", "Rational", "Reason", "Root", "Rounds", "Subs", "Symbol",
-    "TheRoot", "Tuple", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of",
-    "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
-    "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
-    "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
-    "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses", "label_claims",
-    "line", "log", "multiplying", "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step",
-    "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Claim", "Counterexample",
+    "Definition", "Denied", "Derivative", "Equivalent", "Expr", "Fault", "Function", "Ge",
+    "Germs", "Gt", "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le", "Lt",
+    "Meant", "Monotone", "Ne", "Order", "Place", "Printed", "Rational", "Reason", "Root",
+    "Rounds", "Subs", "Symbol", "TheRoot", "Tuple", "UniqueRoot", "Verdict", "acos", "adding",
+    "algebra", "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by",
+    "certificate", "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det",
+    "diff", "differentiating_integral", "differentiation", "display", "equal", "equations",
+    "evaluating", "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses",
+    "label_claims", "line", "log", "multiplying", "parts_of", "pi", "roots", "sin", "sinh",
+    "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
 ]

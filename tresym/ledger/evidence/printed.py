@@ -35,7 +35,7 @@ from tresym.reals.balls.boxes import halves
 from tresym.reals.language import expression
 from tresym.reals.language.binders import ordered, outermost, worked_out
 from tresym.reals.language.expression import Expr, symbol, symbols
-from tresym.reals.language.formula import names
+from tresym.reals.language.formula import Relation, names
 from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import InputError, Interval, decimal_ball, printed
 from tresym.reals.places.unworked import At, value

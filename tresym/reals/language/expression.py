@@ -8,9 +8,9 @@ tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` as
 ``(x, y)`` in (−π, π], is defined but at the origin: ``atan2(0, x)`` is π for ``x < 0``.
 
 Integrals, derivatives, values at a point, limits and roots are nodes that bind a variable;
-binders.py makes them. The variable has no name in the tree, only a number, and the name that it was written
-with is kept for showing: trees are equal up to the names of bound variables, and what is put in
-for a symbol cannot be captured.
+binders.py makes them. The variable has no name in the tree, only a number, and the name that it was
+written with is kept for showing: trees are equal up to the names of bound variables, and what is
+put in for a symbol cannot be captured.
 """
 
 from __future__ import annotations
