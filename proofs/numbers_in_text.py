@@ -301,7 +301,7 @@ lower_level_exists = number(
     "At ψ = π/12 no motion has γ + b sin²ψ < 0: γ ≥ −b sin²(π/12) = −4.22·10⁻³.",
     -b * sin(pi / 12) ** 2,
     "-4.22e-3",
-    STR,
+    moments("str", "I2", "I3"),
     shape_and_depth,
 )
 threshold_impossible = Claim(

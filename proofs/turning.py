@@ -296,6 +296,7 @@ one_turned_level = Claim(
                 Integral(_on_level.growth, (x, 0, _last))
                 + _Unfolded(c, _last).rate * Derivative(_last, c),
                 differentiating_integral(_on_level.growth),
+                differentiation,
             ),
         )
     ),

@@ -277,10 +277,10 @@ def judge_printed(claim: Claim) -> Finding:
         there = number.value(tuple(map(arb, centre)))
         if not there.is_finite():
             return Finding(Verdict.UNDECIDED, "no value is shown at the inputs as printed")
-        value = decimal_ball(there, DIGITS)
+        value, inside = decimal_ball(there, DIGITS), _side(number, there) == 0
     # The whole box at once: cheap, and no inputs need be looked for where it misses.
-    missed = misses(number, box)
-    witness = None if missed else _find_inputs(number, box)
+    missed = not inside and misses(number, box)
+    witness = centre if inside else None if missed else _find_inputs(number, box)
     if witness is not None:
         exact = "the inputs as printed" if witness == centre else "inputs that round to them"
         why = f"{exact} give a value that {_near(number)}"
@@ -300,13 +300,13 @@ def _near(number: Number) -> str:
 
 
 def _find_inputs(number: Number, box: Box) -> Point | None:
-    """Exact inputs in the box whose value lies in the printed interval, centre first.
+    """Exact inputs in the box whose value lies in the printed interval.
 
     Where one point has its value below and another above, the segment between them is halved.
     """
     ends: dict[int, Point] = {}
     for point in _grid(box):
-        side = _side(number, point)
+        side = _side_at(number, point)
         if side == 0:
             return point
         if side is not None:
@@ -319,7 +319,7 @@ def _find_inputs(number: Number, box: Box) -> Point | None:
 def _between(number: Number, ends: dict[int, Point]) -> Point | None:
     for _ in range(HALVINGS):
         middle = tuple((p + q) / 2 for p, q in zip(*ends.values(), strict=True))
-        side = _side(number, middle)
+        side = _side_at(number, middle)
         if side == 0:
             return middle
         if side is None:
@@ -328,19 +328,21 @@ def _between(number: Number, ends: dict[int, Point]) -> Point | None:
     return None
 
 
-def _side(number: Number, point: Point) -> int | None:
+def _side_at(number: Number, point: Point) -> int | None:
+    with ball_precision(BITS):
+        return _side(number, number.value(tuple(map(arb, point))))
+
+
+def _side(number: Number, value: arb) -> int | None:
     """0 inside the printed interval, −1 below it, 1 above it, None where a ball cannot tell."""
     low, high = number.target[:2]
-    with ball_precision(BITS):
-        value = number.value(tuple(map(arb, point)))
-        if value > low and value < high:
-            return 0
-        return -1 if value < low else 1 if value > high else None
+    if value > low and value < high:
+        return 0
+    return -1 if value < low else 1 if value > high else None
 
 
 def _grid(box: Box) -> Iterator[Point]:
-    """The centre of the box, its corners, and points between."""
-    yield tuple(side.middle for side in box)
+    """The corners of the box, and points between."""
     for steps in (1, GRID if len(box) <= 2 else 4):
         sides = (
             [s.low + s.width * n / steps for n in range(steps + 1)] if s.width else [s.low]
@@ -366,7 +368,6 @@ def _excluded(number: Number, box: Box) -> bool:
 
 def misses(number: Number, cell: Box) -> bool:
     """True when the ball over a box of inputs stays outside the printed interval."""
-    low, high = number.target[:2]
     with ball_precision(BITS):
         value = number.value(tuple(side.ball() for side in cell))
-        return bool(value.is_finite() and (value > high or value < low))
+        return bool(value.is_finite() and _side(number, value) in (1, -1))

@@ -9,12 +9,11 @@ function at the two ends of a bracket, and its values inside, by which it has no
 
 from __future__ import annotations
 
-from collections import ChainMap
-from collections.abc import Callable, Mapping, MutableMapping
+from collections.abc import Callable, Mapping
 
 from flint import acb, arb, ctx, fmpq
 
-from tresym.reals.language.expression import LEAVES, Expr, opened, symbols
+from tresym.reals.language.expression import LEAVES, MINUS_ONE, Expr, opened, symbol, symbols
 from tresym.reals.numbers.arithmetic import ball_precision, balls, side
 from tresym.reals.places.values import InBalls, UndefinedError, Walker
 
@@ -35,6 +34,8 @@ ROUGH = 64
 ENDS = 24
 """It is looked for between points as near to the ends as the part 2^−ENDS of the way."""
 STEPS = 60
+EVALUATIONS = 20_000
+"""How far an integral is refined."""
 WIDER = 8
 """How often a bracket is doubled."""
 
@@ -58,42 +59,42 @@ class Enclosing(InBalls):
             return self._root(e)
         if e.names or e.op in ("O", "o"):
             raise UndefinedError
+        if e.op == "*":
+            return self._quotient(e)
         return super()._computed(e)
 
-    def _with(self, name: str, x: arb, at: At) -> Enclosing:
-        local: MutableMapping[str, arb | fmpq] = {name: x}
-        return Enclosing(ChainMap(local, at), self.unique)  # type: ignore[arg-type]
+    def _quotient(self, e: Expr) -> arb:
+        """A product, what is below divided by: a fraction of integers is rounded but once."""
+        above, below = arb(1), arb(1)
+        for factor in e.args:
+            if factor.op == "^" and factor.args[1] == MINUS_ONE:
+                below *= self.value(factor.args[0])
+            else:
+                above *= self.value(factor)
+        return above / below
 
     def _integral(self, e: Expr) -> arb:
         low, high = (acb(self.value(end)) for end in e.args[1:])
         (name,), body = opened(e)
-        known = {n: acb(arb(self.at[n])) for n in symbols(body) if n != name}
 
         def integrand(z: acb, analytic: bool) -> acb:
+            if not (analytic or z.imag.is_zero()):
+                return acb(arb.nan())
             try:
-                if analytic:
-                    return _Holomorphic(balls, {**known, name: z}).value(body)
-                if not z.imag.is_zero():
-                    return acb(arb.nan())
-                return acb(self._with(name, z.real, self.at).value(body))
+                here = _Holomorphic(self, name, z) if analytic else _Inner(self, name, z.real)
+                return acb(here.value(body))
             except UndefinedError:
                 return acb(arb.nan())
 
-        return acb.integral(integrand, low, high).real
+        return acb.integral(integrand, low, high, eval_limit=EVALUATIONS).real
 
     def _root(self, e: Expr) -> arb:
         low, high = (self.value(end) for end in e.args[1:])
         (name,), body = opened(e)
         if not self.unique(e, self.at) or _jumps(body):
             raise UndefinedError
-        middle = {n: arb(self.at[n]).mid() for n in symbols(body) if n != name}
-
-        def near(x: arb) -> arb:
-            return self._or_nan(name, x, middle, body)
-
-        def over(x: arb) -> arb:
-            return self._or_nan(name, x, self.at, body)
-
+        middle = {n: self.value(symbol(n)).mid() for n in symbols(body) if n != name}
+        near, over = (_along(name, body, at, self.unique) for at in (middle, self.at))
         x, slope = _found(near, low.mid(), high.mid())
         width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
         for _ in range(WIDER):
@@ -105,17 +106,43 @@ class Enclosing(InBalls):
             width *= 2
         raise UndefinedError
 
-    def _or_nan(self, name: str, x: arb, at: At, body: Expr) -> arb:
+
+class _Inner(Enclosing):
+    """Values where one more variable has a value, the others known from outside."""
+
+    def __init__(self, outer: Enclosing, name: str, x: arb) -> None:
+        super().__init__({name: x}, outer.unique)
+        self.outer, self.name = outer, name
+
+    def value(self, e: Expr) -> arb:
+        return super().value(e) if self.name in symbols(e) else self.outer.value(e)
+
+
+def _along(name: str, body: Expr, at: At, unique: Unique) -> Callable[[arb], arb]:
+    """``body`` as a function of one variable, NaN where it is undefined."""
+    outers: dict[int, Enclosing] = {}
+
+    def function(x: arb) -> arb:
+        outer = outers.setdefault(ctx.prec, Enclosing(at, unique))  # what is known is so precise
         try:
-            return self._with(name, x, at).value(body)
+            return _Inner(outer, name, x).value(body)
         except UndefinedError:
             return arb.nan()
+
+    return function
 
 
 class _Holomorphic(Walker):
     """Values in complex balls on which every operation is holomorphic; else what is not finite."""
 
     _number = acb
+
+    def __init__(self, outer: Enclosing, name: str, z: acb) -> None:
+        super().__init__(balls, {name: z})
+        self.outer, self.name = outer, name
+
+    def value(self, e: Expr) -> acb:
+        return super().value(e) if self.name in symbols(e) else acb(self.outer.value(e))
 
     def _power(self, base: Expr, exponent: Expr) -> acb:
         x = self.value(base)
