@@ -126,11 +126,6 @@ def exact_slope(a: arb, b: arb, m: Any) -> arb:
     return -m.sqrt(b) * sine * root / (1 - b * sine * sine) * turn
 
 
-def formula_slope(a: arb, b: arb, m: Any) -> arb:
-    """−1/(4 b ε₀) with ε₀ by the asymptotic formula."""
-    return printed.defect_slope_asymptotic(formula_defect(a, b, m), b)
-
-
 _slope = -printed.defect_per_turn(epsilon0, a, b, 1, sympy) * printed.turn_slope(
     epsilon0, a, b, 1, sympy
 )

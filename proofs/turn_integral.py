@@ -314,7 +314,7 @@ _fall = (1 - b * sin(psi) ** 2) / (
 
 one_rotating_level = Claim(
     says="A flip defect, of either sign, belongs to one γ > 0 at most.",
-    means=AtMostOne(_level, 0, a, equal(Integral(_on_level, (psi, epsilon, pi / 2)), pi)),
+    means=AtMostOne(_level, 0, a, equal(pi, Integral(_on_level, (psi, epsilon, pi / 2)))),
     given=(*shape, epsilon < pi / 2, 1 - b * sin(epsilon) ** 2 > 0),
     proof=Monotone(
         (step(Integral(_fall, (psi, epsilon, pi / 2)), differentiating_integral(-_fall)),)

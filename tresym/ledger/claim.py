@@ -187,10 +187,10 @@ class UniqueRoot:
 
 @dataclass(frozen=True)
 class Monotone:
-    """The statement is that an equation has one root at most: its sides' difference is monotone."""
+    """The statement is that an equation has one root at most: left side less right side rises."""
 
     slope: Chain
-    """A chain from the derivative of the difference to a form whose sign is manifest."""
+    """A chain from the derivative of the difference to a form that is manifestly positive."""
     bounds: tuple[Claim, ...] = ()
     """Proved inequalities that hold on the intervals of integration in the equation."""
 

@@ -48,7 +48,7 @@ class AtMostOne(Binding, Statement):
     """``AtMostOne(x, low, high, φ)``: no two x between the ends are such that φ."""
 
 
-class TheRoot(Binding, Expr):  # type: ignore[misc]  # Expr has no types
+class TheRoot(Binding, Expr):
     """``TheRoot(x, low, high, φ)``, a number: the x of which φ, an equation, is true, where there
     is one and no other. To have it takes a claim that there is one at most."""
 
