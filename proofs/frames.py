@@ -44,7 +44,7 @@ cross_product = Claim(
         equal(M3 * W1 - M1 * W3, (I3 - I1) * W3 * W1),
         equal(M1 * W2 - M2 * W1, (I1 - I2) * W1 * W2),
     ),
-    proof=together(*(by(substituting(eq_omega)) for _ in range(3))),
+    proof=by(substituting(eq_omega)),
     note="Each component of M × Ω has two factors Ω: it vanishes when only one Ω does not.",
 )
 
@@ -101,19 +101,7 @@ angles_of_the_reference = Claim(
 near_intermediate_axis = Claim(
     says=Tuple(M**2 - M2**2 >= 0, M**2 * (cos(theta) ** 2 + sin(psi) ** 2) >= M**2 - M2**2),
     given=ordered_moments,
-    proof=together(
-        (
-            step(M**2 * (1 - sin(theta) ** 2 * cos(psi) ** 2), substituting(eq_Mi)),
-            step(M**2 * (cos(theta) ** 2 + sin(theta) ** 2 * sin(psi) ** 2), trigonometry),
-        ),
-        (
-            step(
-                M**2 * (cos(theta) ** 2 + sin(psi) ** 2 - 1 + sin(theta) ** 2 * cos(psi) ** 2),
-                substituting(eq_Mi),
-            ),
-            step(M**2 * cos(theta) ** 2 * sin(psi) ** 2, trigonometry),
-        ),
-    ),
+    proof=by(substituting(eq_Mi)),
 )
 
 start = Claim(
@@ -132,7 +120,7 @@ laboratory_turned = Claim(
         equal(_turned.T * rate(_turned), spin),
         equal(_turned, about_z(phi + _turn) * about_y(theta) * about_z(psi)),
     ),
-    proof=together(by(trigonometry), by(trigonometry)),
+    proof=by(trigonometry),
     where=line(74),
     note="Turning X and Y about Z shifts φ and changes nothing else, so φ₀ = 0 is a choice.",
     shown=r"(R_z(\alpha)R)^{\mathsf T}\frac{d}{dt}(R_z(\alpha)R) = R^{\mathsf T}\dot R,\quad "

@@ -41,7 +41,7 @@ mu_by_lambda = Claim(
 small_together = Claim(
     says=b * lam - printed.mu_of_lambda(lam, b, sympy) >= 0,
     given=(b > 0, lam > 0),
-    proof=(step(b**3 * lam**3 / (sqrt(1 + lam**2 * b**2) * (1 + sqrt(1 + lam**2 * b**2))), roots),),
+    proof=manifest,
     where=line(353),
     note="0 < μ ≤ bλ ≤ λ, so μ → 0 with λ because b ≤ 1.",
 )
@@ -224,24 +224,12 @@ slopes_of_the_defect = Claim(
 
 _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
 
-exponent_above_two = Claim(
-    says=pi + asin(mu) + u - 2 >= 0, given=_path, proof=(step(pi + asin(mu) + u - 2),)
-)
+exponent_above_two = Claim(says=pi + asin(mu) + u - 2 >= 0, given=_path, proof=manifest)
 
 defect_below_flat = Claim(
     says=2 * exp(-2 / lam) >= _by_u,
     given=_path,
-    proof=(
-        step(
-            2 * exp(-2 / lam) * mu**2 / (1 + sqrt(1 - mu**2))
-            + 4
-            * sqrt(1 - mu**2)
-            * exp(-(pi + asin(mu) + u + 2) / (2 * lam))
-            * sinh((pi + asin(mu) + u - 2) / (2 * lam)),
-            exponentials,
-            roots,
-        ),
-    ),
+    proof=manifest,
 )
 
 slopes_vanish = Claim(

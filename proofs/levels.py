@@ -94,9 +94,7 @@ def _at(level: Expr, given: tuple[Any, ...]) -> tuple[Any, ...]:
 higher_sine = Claim(
     says=b * _square - b * sin(epsilon) ** 2 >= 0,
     given=(b > 0, *_angles, psi >= epsilon, psi <= pi / 2),
-    proof=(
-        step(Integral(2 * b * sin(x) * cos(x), (x, epsilon, psi)), integrating(b * sin(x) ** 2)),
-    ),
+    proof=manifest,
 )
 
 above_turning_point, above_on_levels = (
@@ -113,7 +111,7 @@ above_turning_point, above_on_levels = (
 fall_is_no_rise = Claim(
     says=_fall >= 0,
     given=(*shape, gamma + b * _square > 0),
-    proof=(step(_fall),),
+    proof=manifest,
     note="f falls in γ, or stands still where b sin²ψ = 1.",
 )
 

@@ -63,19 +63,19 @@ eigenvalues_e3 = Claim(
 center_at_e1 = Claim(
     says=_square1 < 0,
     given=ordered_moments,
-    proof=(step(M**2 * (I2 - I1) * (I3 - I1) / (I1**2 * I2 * I3)),),
+    proof=manifest,
 )
 
 saddle_at_e2 = Claim(
     says=_square2 > 0,
     given=ordered_moments,
-    proof=(step(M**2 * (I2 - I1) * (I3 - I2) / (I1 * I2**2 * I3)),),
+    proof=manifest,
 )
 
 center_at_e3 = Claim(
     says=_square3 < 0,
     given=ordered_moments,
-    proof=(step(M**2 * (I3 - I1) * (I3 - I2) / (I1 * I2 * I3**2)),),
+    proof=manifest,
 )
 
 _below_first = M2**2 * (I2 - I1) / (I1 * I2) + M3**2 * (I3 - I1) / (I1 * I3)
@@ -165,18 +165,7 @@ leaves_e2 = Claim(
         )
     ),
     given=ordered_moments,
-    proof=together(
-        *(
-            (
-                step(
-                    M2**2 * (_first_rate * M1 - side * _third_rate * M3) ** 2,
-                    substituting(eq_dMi),
-                    roots,
-                ),
-            )
-            for side in (1, -1)
-        )
-    ),
+    proof=by(substituting(eq_dMi)),
     note="Let P be −M₁M₃ where M₂ > 0 and M₁M₃ where M₂ < 0. As long as |M₂| ≥ m, a positive P "
     "grows at least as e^{2αβmt}, α² = 1/I₁ − 1/I₂ and β² = 1/I₂ − 1/I₃; but it is at most M²/2.",
 )
@@ -198,7 +187,7 @@ points_of_the_sphere = Claim(
 sphere_at_rest = Claim(
     says=Tuple(*(equal(at(rate, {I2: I1, I3: I1}), 0) for rate in _rates)),
     given=(I1 > 0,),
-    proof=together(*(by(evaluating) for _ in range(3))),
+    proof=by(evaluating),
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2=I_3} = (0, 0, 0)",
     note="With three equal moments M stays where it is in the body.",
 )
@@ -218,7 +207,7 @@ any_body = Claim(
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
 
-outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=(step((I3 - I2) + (I2 - I1)),))
+outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=manifest)
 
 permanent_rotations = Claim(
     says=Tuple(
@@ -282,30 +271,7 @@ transverse_velocity = Claim(
         M**2 * sin(theta) ** 2 / I2**2 >= W2**2 + W3**2,
     ),
     given=ordered_moments,
-    proof=together(
-        (
-            step(
-                (M2 / I2) ** 2 + (M3 / I3) ** 2 - M**2 * sin(theta) ** 2 / I3**2,
-                substituting(velocity_from_momentum),
-            ),
-            step(
-                M**2 * sin(theta) ** 2 * cos(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
-                substituting(eq_Mi),
-                trigonometry,
-            ),
-        ),
-        (
-            step(
-                M**2 * sin(theta) ** 2 / I2**2 - (M2 / I2) ** 2 - (M3 / I3) ** 2,
-                substituting(velocity_from_momentum),
-            ),
-            step(
-                M**2 * sin(theta) ** 2 * sin(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
-                substituting(eq_Mi),
-                trigonometry,
-            ),
-        ),
-    ),
+    proof=by(substituting(velocity_from_momentum, eq_Mi)),
     note="The rotation across the handle is as small as sin θ, and zero only at p₊.",
 )
 

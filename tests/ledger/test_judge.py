@@ -38,6 +38,7 @@ from tresym.ledger.claim import (
     by,
     equal,
     formally,
+    manifest,
     step,
     together,
 )
@@ -155,6 +156,14 @@ def test_bounds_need_a_manifest_sign() -> None:
     assert verdict(claim(Ge(a**2, -(b**2), evaluate=False), squares)) is Verdict.PROVED
     assert verdict(claim(Gt(a**2, -(b**2), evaluate=False), squares)) is not Verdict.PROVED
     assert verdict(claim(a**2 >= b**2, (step(a**2 - b**2),))) is Verdict.REFUTED
+
+
+def test_one_step_shows_each_part_of_a_system() -> None:
+    squares = Tuple(Ge(a**2 + 1, 2 * a), Gt(a**2 + 2, 2 * a), equal((a + b) * a, a**2 + a * b))
+    assert verdict(claim(squares, manifest)) is Verdict.PROVED
+    for false in (Gt(a**2 + 1, 3 * a), equal((a + b) ** 2, a**2 + b**2)):
+        assert verdict(claim(Tuple(*squares.args, false), manifest)) is Verdict.REFUTED
+        assert verdict(claim(Tuple(false, *squares.args), manifest)) is Verdict.REFUTED
 
 
 def test_a_cited_bound_counts_only_under_its_own_conditions() -> None:

@@ -107,9 +107,15 @@ def step(expression: Basic, *reasons: Reason) -> Step:
 
 
 def by(*reasons: Reason) -> tuple[Step, ...]:
-    """A chain of one step, straight to the right side of what the claim says."""
+    """A chain of one step, straight to the right side of what the claim says, or to its sign.
+
+    Of a system it shows each part.
+    """
     return (Step(None, reasons),)
 
+
+manifest = by()
+"""An inequality, or each of several, that the prover of signs decides as it stands."""
 
 Chain = tuple[Step, ...]
 
@@ -430,6 +436,16 @@ def expressions(claim: Claim) -> Iterator[Basic]:
             reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
             written = (link.expression, *(e for three in reasons for e in three))
             yield from (e for e in written if e is not None)
+
+
+def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain], ...] | None:
+    """What is said, part by part with its chain; None where the parts are not as many."""
+    if isinstance(proof, Together):
+        parts = parts_of(says)
+        same = len(parts) == len(proof.chains)
+        return tuple(zip(parts, proof.chains, strict=True)) if same else None
+    alike = len(proof) == 1 and proof[0].expression is None
+    return tuple((part, proof) for part in (parts_of(says) if alike else (says,)))
 
 
 def _chains(proof: Evidence) -> tuple[Chain, ...]:

@@ -13,7 +13,7 @@ from dataclasses import replace
 from time import process_time
 
 from flint import arb, fmpq
-from sympy import Basic, Eq, Tuple
+from sympy import Basic, Eq
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -29,6 +29,7 @@ from tresym.ledger.claim import (
     Root,
     Together,
     UniqueRoot,
+    chains_of,
     parts_of,
     put_in_by,
 )
@@ -203,25 +204,18 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_at_most_one(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
-        case Together(chains):
-            return _judge_together(claim, chains)
-        case tuple() if claim.statement is not None:
-            return _judge_chains(claim, ((claim.statement, claim.proof),))
+        case Together() | tuple() if claim.statement is not None:
+            return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")
 
 
-def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
-    parts = claim.statement.args if isinstance(claim.statement, Tuple) else ()
-    if len(parts) != len(chains):
-        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
-    return _judge_chains(claim, tuple(zip(parts, chains, strict=True)))
-
-
-def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
+def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -> Finding:
     """PROVED when every step of every chain is; otherwise tried at exact points."""
+    if parts is None:
+        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     given = conditions(claim.given)

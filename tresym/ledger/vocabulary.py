@@ -20,7 +20,7 @@ from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Fault, ImplicitFunction, Monotone, Place, Printed,
     Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims,
-    line, parts_of, step, together,
+    line, manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
@@ -46,6 +46,6 @@ __all__ = [
     "certificate", "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det",
     "diff", "differentiating_integral", "differentiation", "display", "equal", "equations",
     "evaluating", "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses",
-    "label_claims", "line", "log", "multiplying", "parts_of", "pi", "roots", "sin", "sinh",
-    "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "label_claims", "line", "log", "manifest", "multiplying", "parts_of", "pi", "roots", "sin",
+    "sinh", "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
 ]

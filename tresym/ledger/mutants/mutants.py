@@ -36,6 +36,7 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
     by,
+    chains_of,
     equal,
     formally,
     parts_of,
@@ -192,11 +193,10 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
         case Formally(relations=relations):
             for n, relation in enumerate(relations, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
-        case Together(chains):
-            for n, (part, chain) in enumerate(zip(parts_of(claim.says), chains, strict=True), 1):
-                yield from _chain_spots(claim, part, chain, f"part {n}: ")
-        case tuple():
-            yield from _chain_spots(claim, claim.says, claim.proof, "")
+        case Together() | tuple():
+            parts = chains_of(claim.says, claim.proof) or ()
+            for n, (part, chain) in enumerate(parts, 1):
+                yield from _chain_spots(claim, part, chain, f"part {n}: " if parts[1:] else "")
 
 
 def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim, ...]]:
