@@ -318,13 +318,12 @@ def _find_inputs(number: Number, box: Box) -> Point | None:
 
 def _between(number: Number, ends: dict[int, Point]) -> Point | None:
     for _ in range(HALVINGS):
-        middle = tuple((p + q) / 2 for p, q in zip(*ends.values(), strict=True))
+        # Not halved: the value at a half may well lie on an end of the printed interval.
+        middle = tuple((5 * p + 4 * q) / 9 for p, q in zip(*ends.values(), strict=True))
         side = _side_at(number, middle)
         if side == 0:
             return middle
-        if side is None:
-            return None
-        ends[side] = middle
+        ends[-1 if side == -1 else 1] = middle
     return None
 
 

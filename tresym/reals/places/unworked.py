@@ -3,7 +3,7 @@
 Over the balls that are given for the variables of an expression the value is enclosed for every
 choice of them. An integrand is walked over in complex balls where FLINT asks whether it is
 analytic, and in real ones, which say NaN where it is undefined, everywhere else: so it is shown to
-be real and continuous on the whole way. What finds a root may be clever; what shows it is the
+be defined on the whole way. What finds a root may be clever; what shows it is the
 function at the two ends of a bracket, and its values inside, by which it has no jump there.
 """
 
@@ -202,17 +202,16 @@ def _change(
 ) -> tuple[tuple[arb, arb], tuple[arb, arb]]:
     """Two points with values of opposite signs, from the middle towards both ends."""
     middle = ((low + high) / 2).mid()
-    below = above = (middle, f(middle))
+    last = [(middle, f(middle))] * 2
     for n in range(2, ENDS + 1):
         step = (high - low) * arb((1, -n))
-        for x, last in ((low + step, below), (high - step, above)):
+        for end, x in enumerate((low + step, high - step)):
             here = x.mid(), f(x.mid())
-            if here[1] * last[1] < 0:
-                return last, here
-            if last is below and side(here[1]):
-                below = here
-            elif side(here[1]):
-                above = here
+            for there in (last[end], last[1 - end]):
+                if here[1] * there[1] < 0:
+                    return there, here
+            if side(here[1]):
+                last[end] = here
     raise UndefinedError
 
 
