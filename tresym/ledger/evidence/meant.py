@@ -40,7 +40,7 @@ CLOSE = arb("1e-6")
 HOT = Symbol("hot", real=True)
 """Higher orders that are left out, of a size that the formula does not say."""
 
-IN_WORDS = (AllOf, Printed, Denied, UniqueRoot, Monotone)
+IN_WORDS = (AllOf, Denied, UniqueRoot)
 """Evidence for sentences: it says nothing of any formula."""
 WITHOUT_CONDITIONS = (AllOf, Denied)
 """Evidence that no condition of the claim reaches."""
