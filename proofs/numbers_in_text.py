@@ -181,7 +181,7 @@ def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
 
 
 _UPPER = (*STR, equal(epsilon, -pi / 12))
-_LOWER = (*STR, equal(epsilon, pi / 12))
+_LOWER = (*inputs(I1=1210, I2=16380, I3=17480), equal(epsilon, pi / 12))
 
 _level = 4 * b * epsilon_star * (epsilon_star - epsilon)
 """γ at which the linear formula gives ε."""
