@@ -70,11 +70,12 @@ box_of_a_shape = Claim(
     says="The box with (L/W)² = (1 + 2a − ab)/(1 + ab), (H/W)² = (1 − 2b − ab)/(1 + ab) has the "
     "shape (a, b).",
     kind="statement",
-    given=(a > 0, b > 0),
-    proof=formally(
+    means=Tuple(
         equal(_length_squared - 1, a * (1 + _height_squared)),
         equal(1 - _height_squared, b * (_length_squared + 1)),
     ),
+    given=(a > 0, b > 0),
+    proof=formally(),
 )
 
 book_length = number(
@@ -136,7 +137,8 @@ table_units = Claim(
     "unit y times as large it changes by x².",
     kind="statement",
     given=_changed,
-    proof=formally(equal(1 / (_x * _y**2), _x**2)),
+    means=equal(1 / (_x * _y**2), _x**2),
+    proof=formally(),
     where=Place(line=295),
     expect=Verdict.REFUTED,
     amended_by=(unit_of_inertia,),

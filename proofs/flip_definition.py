@@ -302,7 +302,8 @@ tre_only_if = Claim(
     says="A flip within π/6 of π has a defect between −π/12 and π/12.",
     kind="statement",
     given=(pi - 2 * epsilon >= 5 * pi / 6, pi - 2 * epsilon <= 7 * pi / 6),
-    proof=formally(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
+    means=Tuple(epsilon <= pi / 12, epsilon >= -pi / 12),
+    proof=formally(),
     where=Place(line=261),
 )
 

@@ -283,10 +283,12 @@ always_decreasing = Claim(
     label="always_decreasing",
     says="ε(γ) decreases on all of (−b, a], whatever the shape.",
     kind="statement",
-    proof=Denied((up_and_down, slope_at_turns), {"a": LONG[0], "b": LONG[1]}),
+    means=Le(parts_of(slope_at_turns.says)[1].args[0], 0, evaluate=False),
+    given=slope_at_turns.given,
+    proof=formally(slope_at_turns),
     expect=Verdict.REFUTED,
-    amended_by=(decrease_in_gamma, decrease_of_bodies),
-    note="It rises at every level with χ = 3π/2, 7π/2, …",
+    amended_by=(decrease_in_gamma, decrease_of_bodies, up_and_down),
+    note="It rises at every level with χ = 3π/2, 7π/2, …: the formula is dε/dγ at the first.",
 )
 
 

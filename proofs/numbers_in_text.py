@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tresym.proofs.conditions import shape_of_a_body
+from tresym.proofs.conditions import defect, shape, shape_of_a_body
 from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
 from tresym.proofs.flip_dynamics import precession_integrand, sign_of_tilt
@@ -392,10 +392,8 @@ each_eps0_one_a = Claim(
     says="By the theorem's formula with b = 0.1 each ε₀ belongs to one a: the formula is monotone.",
     kind="statement",
     given=(_three[0] > 0, _three[1] - _three[0] > 0, _three[2] - _three[1] > 0),
-    proof=Counterexample(
-        {"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)},
-        Lt((_at_tenth[1] - _at_tenth[0]) * (_at_tenth[2] - _at_tenth[1]), 0, evaluate=False),
-    ),
+    means=Ge((_at_tenth[1] - _at_tenth[0]) * (_at_tenth[2] - _at_tenth[1]), 0, evaluate=False),
+    proof=Counterexample({"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)}),
     where=Place(line=263),
     expect=Verdict.REFUTED,
     amended_by=(monotonicity,),
@@ -463,10 +461,8 @@ initial_rate_is_angular_velocity = Claim(
     says="dψ/dφ is the angular velocity along the handle, counted in units of dφ/dt.",
     kind="statement",
     given=(dphi_dt > 0, cos(theta) > 0),
-    proof=Counterexample(
-        {"theta": fmpq(1), "dphi_dt": fmpq(1), "dpsi_dt": fmpq(1)},
-        Gt(dphi_dt * cos(theta) + dpsi_dt, dpsi_dt, evaluate=False),
-    ),
+    means=equal(dphi_dt * cos(theta) + dpsi_dt, dpsi_dt),
+    proof=Counterexample({"theta": fmpq(1), "dphi_dt": fmpq(1), "dpsi_dt": fmpq(1)}),
     where=Place(line=283),
     expect=Verdict.REFUTED,
     amended_by=(angular_velocity_of_the_handle,),
@@ -499,12 +495,14 @@ zero_on_separatrix = Claim(
     label="zero_on_separatrix",
     says="On the separatrix the flip in one turn is approximately zero.",
     kind="statement",
-    proof=Denied((flip_str_exact,), {"gamma": fmpq(0)}),
+    means=Le(pi - 2 * epsilon, pi / 2),
+    given=(*shape, *defect[:2], printed.separatrix_residual(epsilon, a, b, sympy) > 0),
+    proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874), "epsilon": fmpq(1, 5)}),
     where=Place(line=284),
     expect=Verdict.REFUTED,
     amended_by=(flip_str_exact,),
-    note="From ψ₀ = ε₀ it is π − 2ε₀. It is small only for starts at an unstable point or running "
-    "into one.",
+    note="From ψ₀ = ε₀ it is π − 2ε₀, more than π − 2ε for ε above ε₀; and no quarter turn is near "
+    "zero. It is small only for starts at an unstable point or running into one.",
 )
 
 rate_at_the_top = number(
@@ -522,15 +520,13 @@ slow_on_separatrix = Claim(
     paper_says="On the separatrix ψ changes very slowly. Read as: near the unstable points; how "
     "slowly is not said.",
     kind="statement",
-    given=(Gt(psi, 0), Lt(psi, pi)),
-    proof=Counterexample(
-        {"psi": fmpq(3, 2)},
-        Gt(
-            printed.psi_rate(psi, Rational(1517, 121), Rational(55, 874), 0, 1, sympy),
-            Rational(1, 2),
-            evaluate=False,
-        ),
+    means=Le(
+        Abs(printed.psi_rate(psi, Rational(1517, 121), Rational(55, 874), 0, 1, sympy)),
+        Rational(1, 2),
+        evaluate=False,
     ),
+    given=(Gt(psi, 0), Lt(psi, pi)),
+    proof=Counterexample({"psi": fmpq(3, 2)}),
     where=Place(line=284),
     expect=Verdict.REFUTED,
     amended_by=(rate_at_the_top,),

@@ -84,10 +84,8 @@ extremes_by_positivity = Claim(
     says="γ + b sin²ψ is positive only if sin²ψ = |γ|/b.",
     kind="statement",
     given=(*oscillating, gamma + b * _sine > 0),
-    proof=Counterexample(
-        {"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)},
-        Ne(_sine, Abs(gamma) / b),
-    ),
+    means=equal(_sine, Abs(gamma) / b),
+    proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)}),
     where=Place(line=160),
     expect=Verdict.REFUTED,
     amended_by=(positive_beyond,),
@@ -125,10 +123,8 @@ each_trajectory = Claim(
     "ψ_max = π − ψ_min. Read as: each with 0 < ψ < π; the others are mirror images.",
     kind="statement",
     given=(*oscillating, psi > -pi, psi < pi, gamma + b * _sine > 0),
-    proof=Counterexample(
-        {"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)},
-        psi < asin(sqrt(Abs(gamma) / b)),
-    ),
+    means=Tuple(psi >= asin(sqrt(Abs(gamma) / b)), psi <= pi - asin(sqrt(Abs(gamma) / b))),
+    proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)}),
     where=Place(line=160),
     expect=Verdict.REFUTED,
     amended_by=(flip_is_bounded,),
@@ -393,7 +389,6 @@ tilt_portrait = Claim(
     where=line(179),
 )
 
-_line = Symbol("line", real=True)
 _said_at = Integer(103)
 """Where `mirror_images` is said: θ in [0, π/2] is enough for γ > 0."""
 
@@ -401,15 +396,16 @@ said_in_section_3 = Claim(
     label="said_in_section_3",
     says="That θ in [0, π/2] is enough for γ > 0 is said in Section 3, of lines 81 to 112.",
     kind="statement",
-    proof=formally(Ge(_said_at, 81, evaluate=False), Le(_said_at, 112, evaluate=False)),
+    means=Tuple(Ge(_said_at, 81, evaluate=False), Le(_said_at, 112, evaluate=False)),
+    proof=formally(),
 )
 
 reference_to_section_2 = Claim(
     label="reference_to_section_2",
     says="That θ in [0, π/2] is enough for γ > 0 is said in Section 2, of lines 48 to 80.",
     kind="statement",
-    given=(_line >= _said_at, _line <= _said_at),
-    proof=Counterexample({"line": fmpq(103)}, _line > 80),
+    means=Le(_said_at, 80, evaluate=False),
+    proof=Counterexample({"line": fmpq(103)}),
     where=Place(line=179),
     expect=Verdict.REFUTED,
     amended_by=(said_in_section_3,),

@@ -32,7 +32,8 @@ ordering = Claim(
     says="The moments may be any with 0 ≤ I₁ ≤ I₂ ≤ I₃.",
     kind="statement",
     given=(I1 >= 0, I2 - I1 >= 0, I3 - I2 >= 0),
-    proof=Counterexample({"I1": fmpq(0), "I2": fmpq(1), "I3": fmpq(1)}, Le(I1, 0)),
+    means=I1 > 0,
+    proof=Counterexample({"I1": fmpq(0), "I2": fmpq(1), "I3": fmpq(1)}),
     where=Place(line=82),
     expect=Verdict.REFUTED,
     amended_by=(eq_dMi,),
@@ -168,14 +169,11 @@ components_are_sufficient = Claim(
     paper_says="The components of M by the angles suffice to show that Δψ ≃ π gives Δθ ≃ 0, as the "
     "figure of the curves on the sphere shows. Read as: with those curves, which hold the energy.",
     kind="statement",
-    given=(M > 0, theta > 0, theta < pi, _end > 0, _end < pi),
-    proof=Counterexample(
-        {"M": fmpq(1), "theta": fmpq(3, 2), "theta_f": fmpq(3, 4), "psi": fmpq(0)},
-        Ne(
-            printed.momentum(theta, psi, M, sympy)[0],
-            printed.momentum(_end, psi + pi, M, sympy)[0],
-        ),
+    means=equal(
+        printed.momentum(theta, psi, M, sympy)[0], printed.momentum(_end, psi + pi, M, sympy)[0]
     ),
+    given=(M > 0, theta > 0, theta < pi, _end > 0, _end < pi),
+    proof=Counterexample({"M": fmpq(1), "theta": fmpq(3, 2), "theta_f": fmpq(3, 4)}),
     where=Place(line=102),
     expect=Verdict.REFUTED,
     amended_by=(tilt_comes_back,),
@@ -352,7 +350,9 @@ a_and_b_large = Claim(
     label="a_and_b_large",
     says="There is a case a ≫ 1, b ≫ 1, in which I₁ ≪ I₂ ≪ I₃.",
     kind="statement",
-    proof=Denied((strict_range,), {"b": fmpq(1)}),
+    means=ForSome(b >= 1),
+    given=ordered_moments,
+    proof=formally(shape_and_depth),
     where=Place(line=124),
     expect=Verdict.REFUTED,
     amended_by=(ratios_of_moments, strict_range),
@@ -396,10 +396,8 @@ angles_rest = Claim(
     "γ = a is at θ = 0. Read as: M rests there.",
     kind="statement",
     given=shape_of_a_body,
-    proof=Counterexample(
-        {"a": fmpq(1), "b": fmpq(1, 2), "psi": fmpq(0)},
-        Ne(printed.planar_rates(0, psi, a, b, sympy)[1], 0),
-    ),
+    means=equations(printed.planar_rates(Integer(0), psi, a, b, sympy), (0, 0)),
+    proof=Counterexample({"a": fmpq(1), "b": fmpq(1, 2), "psi": fmpq(0)}),
     where=Place(line=140),
     expect=Verdict.REFUTED,
     amended_by=(ends_of_gamma,),

@@ -249,12 +249,9 @@ end_positive = Claim(says=tanh(_end) > 0, given=auxiliary, proof=manifest)
 unique_root = Claim(
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
     "with 0 < T < 3π√(ab)/2.",
+    means=ExactlyOne(T, 0, _end, equal(T, _map)),
     given=(*auxiliary, k * r <= 1),
     proof=UniqueRoot(
-        variable=T,
-        function=T - _map,
-        low=Integer(0),
-        high=_end,
         derivative=(
             step(1 - k * r / _spread, differentiation, exponentials),
             step(((1 - k * r) + (1 + r**2) * sinh(T) ** 2) / _spread, exponentials),
@@ -314,12 +311,9 @@ defect_is_one = Claim(
     says="Each shape has exactly one ε between 0 and π/2 with cos ε/√(1 + (b/a) sin²ε) = tanh T, "
     "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
     kind="statement",
+    means=ExactlyOne(epsilon, 0, pi / 2, equal(_inverse, tanh(_time))),
     given=shape,
     proof=UniqueRoot(
-        variable=epsilon,
-        function=_share,
-        low=Integer(0),
-        high=pi / 2,
         derivative=(
             step(
                 -sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),

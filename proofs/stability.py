@@ -196,12 +196,14 @@ any_body = Claim(
     label="any_rigid_body_is_unstable",
     says="In any rigid body the rotation about the second axis is unstable.",
     kind="statement",
-    proof=Denied((sphere_at_rest,), {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1)}),
+    means=_square2 > 0,
+    given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
+    proof=Counterexample({"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1), "M": fmpq(1)}),
     where=Place(line=49),
     expect=Verdict.REFUTED,
-    amended_by=(stable_e1, stable_e3, unstable_e2),
-    note="True of three different moments; a body with three equal ones turns steadily about any "
-    "axis.",
+    amended_by=(stable_e1, stable_e3, unstable_e2, sphere_at_rest),
+    note="True of three different moments: the formula is the square of the eigenvalue. A body "
+    "with three equal ones turns steadily about any axis.",
 )
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
@@ -235,13 +237,11 @@ three_equilibria = Claim(
     paper_says="The figure shows the three equilibrium points p₊, p₋ and p_D of the dynamics. Read "
     "as: up to the sign of M.",
     kind="statement",
-    given=(
-        I1 > 0,
-        I2 - I1 > 0,
-        I3 - I2 > 0,
-        *(Le(rate**2, 0, evaluate=False) for rate in _rates),
-        Le((M1**2 + M2**2 + M3**2 - 1) ** 2, 0, evaluate=False),
+    means=Under(
+        equal(_distances[0] * _distances[1] * _distances[2], 0),
+        Tuple(*equations((*_rates,), (0, 0, 0)), equal(M1**2 + M2**2 + M3**2, 1)),
     ),
+    given=(I1 > 0, I2 - I1 > 0, I3 - I2 > 0),
     proof=Counterexample(
         {
             "I1": fmpq(1),
@@ -250,8 +250,7 @@ three_equilibria = Claim(
             "M1": fmpq(-1),
             "M2": fmpq(0),
             "M3": fmpq(0),
-        },
-        Gt(_distances[0] * _distances[1] * _distances[2], 0),
+        }
     ),
     where=Place(line=103),
     expect=Verdict.REFUTED,
@@ -281,6 +280,9 @@ only_about_the_handle = Claim(
     paper_says="Around the stable point p₊ the racket rotates only about its handle. Read as: at "
     "p₊, and nearly so close to it.",
     kind="statement",
+    means=equations(
+        (M * sin(theta) * cos(psi) / I2, M * sin(theta) * sin(psi) / I3), (Integer(0), Integer(0))
+    ),
     given=(*ordered_moments, theta > 0, theta < pi / 12),
     proof=Counterexample(
         {
@@ -290,8 +292,7 @@ only_about_the_handle = Claim(
             "M": fmpq(1),
             "theta": fmpq(1, 10),
             "psi": fmpq(0),
-        },
-        Ne(M * sin(theta) * cos(psi) / I2, 0),
+        }
     ),
     where=Place(line=103),
     expect=Verdict.REFUTED,

@@ -65,10 +65,9 @@ one_circle = Claim(
     paper_says="For I₂ = I₃ the two surfaces meet in a circle about e₁. Read as: in that on which "
     "a solution runs.",
     kind="statement",
-    given=(a > 0, M > 0, Le((a * M1**2 - a * _other**2) ** 2, 0, evaluate=False)),
-    proof=Counterexample(
-        {"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}, Ne(M1, _other)
-    ),
+    means=Under(equal(M1, _other), Tuple(equal(a * M1**2, a * _other**2))),
+    given=(a > 0, M > 0),
+    proof=Counterexample({"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}),
     where=Place(line=112),
     expect=Verdict.REFUTED,
     amended_by=(depth_b_zero, circle_about_handle),

@@ -105,7 +105,7 @@ def test_the_files_assume_nothing_and_the_index_names_every_claim(tmp_path: Path
         assert not BEYOND.search(text), path.name
         assert text.count("\nQed.") >= text.count("Print Assumptions")
     states = [row["status"] for row in index.values()]
-    assert states.count("proved") > 60
+    assert states.count("proved") > 50
 
 
 def test_an_unknown_label_is_bad_input(tmp_path: Path) -> None:

@@ -77,18 +77,18 @@ def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
     """The chains of a claim with what each must show."""
     proof = claim.proof
     if isinstance(proof, UniqueRoot):
-        slope = proof.function.diff(proof.variable, evaluate=False)
+        slope = sympy.Derivative(claim.statement.difference, claim.statement.variable)
         return [(equal(slope, proof.derivative[-1].expression), proof.derivative)]
     if isinstance(proof, ImplicitFunction):
         left = proof.equation.says.lhs.xreplace({proof.parameter: proof.at})
         slope = sympy.Derivative(left, proof.unknown)
         return [(equal(slope, proof.slope[-1].expression), proof.slope)]
-    return list(chains_of(claim.says, proof)) if isinstance(proof, tuple | Together) else []
+    return list(chains_of(claim.statement, proof)) if isinstance(proof, tuple | Together) else []
 
 
 def conditions(claim: Claim) -> Conditions:
     if isinstance(claim.proof, UniqueRoot):
-        return relations((*claim.given, claim.proof.variable > 0))
+        return relations((*claim.given, claim.statement.variable > 0))
     return relations(claim.given)
 
 

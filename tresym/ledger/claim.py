@@ -158,9 +158,10 @@ class Root:
     @property
     def says(self) -> Tuple:
         """The equation for the root, and the interval that it lies in."""
-        root, x = self.unique.proof, self.symbol
-        assert isinstance(root, UniqueRoot)
-        vanishes = equal(root.function.xreplace({root.variable: x}), Integer(0))
+        root, x = self.unique.statement, self.symbol
+        assert isinstance(root, ExactlyOne)
+        assert root.difference is not None
+        vanishes = equal(root.difference.xreplace({root.variable: x}), Integer(0))
         return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
 
 
@@ -178,14 +179,14 @@ def together(*chains: Chain) -> Together:
 
 @dataclass(frozen=True)
 class UniqueRoot:
-    """Exactly one root of ``function`` in (low, high): opposite signs at the ends, monotone."""
+    """An equation has exactly one root between two ends, where its sides differ in sign.
 
-    variable: Symbol
-    function: Expr
-    low: Expr
-    high: Expr
+    The statement is an `ExactlyOne`; the difference of the sides of its equation is continuous and
+    monotone.
+    """
+
     derivative: Chain
-    """A chain from the derivative of the function to a form whose sign is manifest."""
+    """A chain from the derivative of the difference to a form whose sign is manifest."""
     at_low: Chain
     at_high: Chain
     """Chains from the values at the ends to forms whose signs are manifest."""
@@ -253,30 +254,24 @@ def all_of(*claims: Claim) -> AllOf:
 
 @dataclass(frozen=True)
 class Formally:
-    """A sentence of the paper, quantified as written: relations under the claim's `given`.
+    """The relations of the statement, decided as they stand, by normal form and by proven signs.
 
-    It is decided by the identity procedure and by proven signs, without a chain; a false one
-    falls to an exact point at which a ball violates it.
+    ``claims`` are put in. A false relation falls to an exact point at which a ball violates it.
     """
 
-    relations: tuple[Basic, ...]
     claims: tuple[Claim, ...] = ()
 
 
-def formally(*relations: Basic, using: tuple[Claim, ...] = ()) -> Formally:
-    """Evidence for a sentence: the relations it states, with earlier equations put in."""
-    return Formally(relations, using)
+def formally(*using: Claim) -> Formally:
+    """Evidence without a chain, with earlier equations put in."""
+    return Formally(using)
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """An exact point at which every condition of the claim holds and ``violated`` does too.
-
-    ``violated`` is a strict relation (or `Ne`) that contradicts the statement.
-    """
+    """An exact point under every condition of the claim at which the statement does not hold."""
 
     point: Mapping[str, fmpq]
-    violated: Basic
     expect: ClassVar[Ruling] = Verdict.REFUTED
 
 
@@ -368,16 +363,16 @@ class Claim:
             return self.means
         if isinstance(self.says, Basic):
             return self.says
-        match self.proof:
-            case AllOf(claims):
-                parts = [(part.statement, part.given) for part in claims]
-                known = [(says, given) for says, given in parts if says is not None]
-                return together_under(known) if len(known) == len(parts) else None
-            case Formally(relations=relations):
-                return Tuple(*relations)
-            case UniqueRoot(variable=x, function=h, low=low, high=high):
-                return ExactlyOne(x, low, high, equal(h, Integer(0)))
-        return None
+        if not isinstance(self.proof, AllOf):
+            return None
+        parts = [(part.statement, part.given) for part in self.proof.claims]
+        known = [(says, given) for says, given in parts if says is not None]
+        return together_under(known) if len(known) == len(parts) else None
+
+    @property
+    def parts(self) -> tuple[Basic, ...]:
+        """What the statement consists of; nothing where there is none."""
+        return () if self.statement is None else parts_of(self.statement)
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:
@@ -424,13 +419,8 @@ def expressions(claim: Claim) -> Iterator[Basic]:
     proof = claim.proof
     yield from (e for e in (claim.says, claim.means) if isinstance(e, Basic))
     yield from claim.given
-    match proof:
-        case UniqueRoot():
-            yield from (proof.function, proof.low, proof.high)
-        case ImplicitFunction():
-            yield from (proof.unknown, proof.parameter, proof.at)
-        case Formally():
-            yield from proof.relations
+    if isinstance(proof, ImplicitFunction):
+        yield from (proof.unknown, proof.parameter, proof.at)
     for chain in _chains(proof):
         for link in chain:
             reasons = ((r.expression, r.factor, r.term) for r in link.reasons)

@@ -80,7 +80,7 @@ def test_sentences_numbers_and_conjunctions() -> None:
     number = replace(claim("a number", Printed()), means=Rounds(y, "1.25"))
     assert left_over("y = 1.25", number) == []
     assert left_over("y = 1.26", number) == ["y == 1.26"]
-    sentence = claim("in words", formally(equal(y, x)))
+    sentence = replace(claim("in words", formally()), means=equal(y, x))
     both = claim("both", all_of(sentence, number))
     assert left_over("y = x", sentence) == left_over("y = x", both) == []
     assert left_over("y = x", claim("in words", Definition())) == ["y == x"]

@@ -178,9 +178,8 @@ def test_what_is_defined_by_itself_has_no_value() -> None:
 CUBIC = Claim(
     "cubic",
     "one root",
-    UniqueRoot(
-        y, y**3 + y - x, ZERO, x, (step(3 * y**2 + 1, differentiation),), (step(-x),), (step(x**3),)
-    ),
+    UniqueRoot((step(3 * y**2 + 1, differentiation),), (step(-x),), (step(x**3),)),
+    means=ExactlyOne(y, ZERO, x, equal(y**3 + y - x, 0)),
     given=(x > 0,),
 )
 NAMED = Claim("named", Root(z, CUBIC).says, Root(z, CUBIC), given=(x > 0,))
@@ -261,6 +260,7 @@ class _Anything(dict[Any, Any]):
         (AtMostOne(y, ZERO, 3, equal(x, y**3 + y)), 3 * y**2 + 1),  # it falls
         (AtMostOne(y, -ONE, ONE, equal(-1 / y, x)), 1 / y**2),  # a pole between
         (AtMostOne(y, ZERO, pi, equal(-cos(2 * y), x)), 2 * sin(2 * y)),
+        (AtMostOne(y, ZERO, y + 3, equal(y**3 + y, x)), 3 * y**2 + 1),
         (ExactlyOne(y, ZERO, 3, equal(y**3 + y, x)), 3 * y**2 + 1),
         (AtMostOne(y, ZERO, 3, y**3 + y > x), 3 * y**2 + 1),
         (Tuple(equal(x, x)), 3 * y**2 + 1),

@@ -204,8 +204,8 @@ def _roots(claim: Claim) -> dict[Expr, Rule]:
     found = {}
     for used in claim.rests_on:
         says = used.statement
-        if isinstance(says, ExactlyOne | AtMostOne) and isinstance(says.args[3], Eq):
-            node, bound = _root(used), says.args[0].name
+        if isinstance(says, ExactlyOne | AtMostOne) and says.difference is not None:
+            node, bound = _root(used), says.variable.name
             given = tuple(c for c in conditions(used.given) if bound not in names(c))
             found[ordered(node)] = Rule(node, given, used)
     return found

@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sympy import Basic, Eq, Equivalent, Tuple
+from sympy import Basic, Derivative, Eq, Equivalent, Tuple
 
 from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, chains_of, equal
+from tresym.ledger.statements import ExactlyOne
 from tresym.report.words.latex import bracketed, expression_latex, says_latex
 
 EQUIVALENT = r"\iff{}"
@@ -45,10 +46,10 @@ def displays(claim: Claim) -> tuple[Display, ...]:
     if claim.shown is not None:
         why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
         return ((Line("", claim.shown, why),),)
-    if isinstance(proof, UniqueRoot):
-        slope = equal(
-            proof.function.diff(proof.variable, evaluate=False), proof.derivative[-1].expression
-        )
+    if isinstance(proof, UniqueRoot) and isinstance(claim.statement, ExactlyOne):
+        root = claim.statement
+        rate = Derivative(root.difference, root.variable)
+        slope = equal(rate, proof.derivative[-1].expression)
         return (_lines(slope, proof.derivative),)
     if isinstance(says, str):
         return ()

@@ -26,7 +26,7 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.printing.latex import LatexPrinter
 
-from tresym.ledger.statements import As, AtMostOne, ExactlyOne, Rounds, Under
+from tresym.ledger.statements import As, AtMostOne, ExactlyOne, ForSome, Rounds, Under
 from tresym.racket.notation import LATEX, theta
 from tresym.reals.numbers.exact import printed
 
@@ -288,6 +288,9 @@ def says_latex(says: Basic | str) -> str:
             half = printed(says.text).width / 2 * says.half_units
             within = decimal_latex(f"{Decimal(int(half.p)) / int(half.q):f}")
             return rf"{expression_latex(says.term)} = {decimal_latex(says.text)} \pm {within}"
+        case ForSome(args=(inner,)):
+            names = ", ".join(sorted(map(expression_latex, inner.free_symbols)))
+            return rf"\exists\,{names}:\ {says_latex(inner)}"
         case As(args=(inner, x, point, side)):
             mark = {1: "^+", -1: "^-"}.get(int(side), "")
             passage = rf"{expression_latex(x)} \to {expression_latex(point)}{mark}"
