@@ -282,8 +282,8 @@ def says_latex(says: Basic | str) -> str:
             return rf"\exists!\,{name} \in ({ends[0]}, {ends[1]}):\ {says_latex(inner)}"
         case AtMostOne(args=(x, low, high, inner)):
             name, *ends = map(expression_latex, (x, low, high))
-            found = rf"\#\{{{name} \in ({ends[0]}, {ends[1]}):\ {says_latex(inner)}\}}"
-            return rf"{found} \le 1"
+            between = rf"{name} \in ({ends[0]}, {ends[1]})"
+            return rf"\text{{at most one }}{between}:\ {says_latex(inner)}"
         case Rounds():
             half = printed(says.text).width / 2 * says.half_units
             within = decimal_latex(f"{Decimal(int(half.p)) / int(half.q):f}")
