@@ -12,12 +12,12 @@ the last must arrive at its right side. A step may use only the reasons it names
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any, ClassVar
 
-from flint import arb, fmpq
+from flint import fmpq
 from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
@@ -192,6 +192,14 @@ class UniqueRoot:
 
 
 @dataclass(frozen=True)
+class Monotone:
+    """The statement is that an equation has one root at most: left side less right side rises."""
+
+    slope: Chain
+    """A chain from the derivative of the difference to a form that is manifestly positive."""
+
+
+@dataclass(frozen=True)
 class ImplicitFunction:
     """The claim says what the slope of a function is that an earlier equation defines implicitly.
 
@@ -211,19 +219,13 @@ class ImplicitFunction:
 
 @dataclass(frozen=True)
 class Printed:
-    """A number as the paper prints it, from inputs as it prints them.
+    """The statement is a number as the paper prints it, under its inputs as they are printed.
 
-    ``formula`` maps balls (in the order of ``inputs``) and the arithmetic to a ball. Inputs are
-    printed decimals, hence intervals of half a unit in the last place; exact ones are rationals.
+    It is a `Rounds`; so are the conditions on the inputs, or equations for what is exact. The
+    claims say what the other symbols are, and which roots are one.
     """
 
-    text: str
-    formula: Callable[..., arb]
-    inputs: Mapping[str, str | fmpq] = field(default_factory=dict)
-    half_units: int = 1
-    """Half-width of the printed value in half units of its last place."""
     claims: tuple[Claim, ...] = ()
-    """What the formula rests on: that what it solves for exists and is one."""
     kind: ClassVar[str] = "number"
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
@@ -274,6 +276,7 @@ Evidence = (
     | Root
     | Together
     | UniqueRoot
+    | Monotone
     | ImplicitFunction
     | Printed
     | AllOf
@@ -441,7 +444,7 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
             return chains
         case UniqueRoot():
             return proof.derivative, proof.at_low, proof.at_high
-        case ImplicitFunction():
+        case ImplicitFunction() | Monotone():
             return (proof.slope,)
         case tuple():
             return (proof,)
@@ -461,7 +464,7 @@ def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Re
         case UniqueRoot():
             ends = chain(proof.at_low), chain(proof.at_high)
             return UniqueRoot(chain(proof.derivative), *ends)
-        case ImplicitFunction():
+        case ImplicitFunction() | Monotone():
             return replace(proof, slope=chain(proof.slope))
         case tuple():
             return chain(proof)
