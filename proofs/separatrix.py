@@ -279,4 +279,11 @@ flip_defect = Claim(
     note="The flip defect ε₀ on the separatrix.",
 )
 
+leading_defect = Claim(
+    says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
+    given=shape,
+    proof=Definition(),
+    note="The formula of the theorem, without its remainder.",
+)
+
 label_claims(globals())
