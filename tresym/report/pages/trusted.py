@@ -33,6 +33,7 @@ ENCLOSING = (
     "reals.decisions.ratios",
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
+    "ledger.evidence.asymptotics",
     "ledger.evidence.balls",
     "ledger.evidence.printed",
     "ledger.evidence.meant._other_meaning",
