@@ -189,7 +189,7 @@ equal_rates = Claim(
     shown=r"V(\pi-\psi) = V(\psi),\quad V = \frac{d\psi}{d\phi}",
 )
 
-_p, _q = Symbol("p", real=True), Symbol("q", real=True)
+_q = Symbol("q", real=True)
 
 
 def _by_square(square: Any) -> Any:

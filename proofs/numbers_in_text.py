@@ -284,7 +284,6 @@ lower_exact = number(
 )
 
 _square, _before = sin(psi) ** 2, Symbol("c", real=True)
-_roots = [sqrt(level + b * _square) for level in (_before, gamma)]
 
 slower_at_lower_level = Claim(
     says=printed.integrand(psi, a, b, _before, 1, sympy)

@@ -446,9 +446,7 @@ tilts_in_order = Claim(
 )
 
 tilt_above_least = Claim(
-    says=gamma + b - (a + b) * _square >= 0,
-    given=_body,
-    proof=by(substituting(eq_gamma)),
+    says=gamma + b - (a + b) * _square >= 0, given=_body, proof=by(substituting(eq_gamma))
 )
 
 _above = gamma + b - (a + b) * _square

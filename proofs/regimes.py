@@ -217,28 +217,6 @@ _turned = Symbol("Psi", real=True)
 _per_angle = printed.integrand(psi, a, b, gamma, 1, sympy)
 _at_most = 1 / sqrt(a * gamma)
 
-rotating_time = Claim(
-    says=_at_most - _per_angle >= 0,
-    given=rotating,
-    proof=(
-        step(
-            b
-            * _sine
-            * (a + gamma + b * _sine + a * gamma * (1 + (1 - b * _sine)))
-            / (
-                sqrt(a * gamma)
-                * sqrt(a + b * _sine)
-                * sqrt(gamma + b * _sine)
-                * (
-                    sqrt(a + b * _sine) * sqrt(gamma + b * _sine)
-                    + (1 - b * _sine) * sqrt(a * gamma)
-                )
-            ),
-            roots,
-        ),
-    ),
-    note="f = dφ/dψ is at most 1/√(aγ).",
-)
 
 every_angle = Claim(
     label="psi_unbounded",

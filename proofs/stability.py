@@ -60,23 +60,11 @@ eigenvalues_e3 = Claim(
     proof=by(),
 )
 
-center_at_e1 = Claim(
-    says=_square1 < 0,
-    given=ordered_moments,
-    proof=manifest,
-)
+center_at_e1 = Claim(says=_square1 < 0, given=ordered_moments, proof=manifest)
 
-saddle_at_e2 = Claim(
-    says=_square2 > 0,
-    given=ordered_moments,
-    proof=manifest,
-)
+saddle_at_e2 = Claim(says=_square2 > 0, given=ordered_moments, proof=manifest)
 
-center_at_e3 = Claim(
-    says=_square3 < 0,
-    given=ordered_moments,
-    proof=manifest,
-)
+center_at_e3 = Claim(says=_square3 < 0, given=ordered_moments, proof=manifest)
 
 _below_first = M2**2 * (I2 - I1) / (I1 * I2) + M3**2 * (I3 - I1) / (I1 * I3)
 _above_third = M1**2 * (I3 - I1) / (I1 * I3) + M2**2 * (I3 - I2) / (I2 * I3)
@@ -209,7 +197,6 @@ any_body = Claim(
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
 
-outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=manifest)
 
 permanent_rotations = Claim(
     says=Tuple(
