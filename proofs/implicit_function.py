@@ -301,7 +301,7 @@ G_is_smooth = Claim(
         equal(Derivative(printed.implicit_function(u, lam, mu, sympy), lam), O(Integer(1))),
         *_ORIGIN,
     ),
-    proof=Asymptotics({u: Integer(0), lam: -t, mu: t}, crest=printed.defect_of_u(0, -t, t, sympy)),
+    proof=Asymptotics({u: Integer(0), lam: -t, mu: t}),
     where=line(367),
     expect=Verdict.REFUTED,
     amended_by=(defect_is_flat,),

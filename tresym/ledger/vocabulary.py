@@ -34,14 +34,13 @@ from tresym.ledger.reasons import (
 from tresym.ledger.statements import ExactlyOne, ForSome, Under, order
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
-from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
     "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr", "Fault", "ForSome", "Function",
     "Ge", "Germs", "Gt", "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le",
-    "Lt", "Meant", "Ne", "Order", "Place", "Printed", "Rational", "Reason", "Root", "Subs",
+    "Lt", "Meant", "Ne", "Place", "Printed", "Rational", "Reason", "Root", "Subs",
     "Symbol", "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of",
     "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",

@@ -8,11 +8,11 @@ own; on the path it is above, or below, a candidate where the function has the s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar, NamedTuple
 
-from sympy import Basic, Eq, Expr, Symbol, Tuple, oo
+from sympy import Basic, Eq, Expr, Rational, Symbol, Tuple, oo
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
@@ -21,14 +21,12 @@ from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import conditions, defined, definitions, tree
 from tresym.ledger.statements import As, ExactlyOne
 from tresym.reals.balls.ends import sign_beside
-from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.orders import decide_order
 from tresym.reals.decisions.reading import Comparison, Path
 from tresym.reals.language.binders import worked_out
-from tresym.reals.language.expression import ONE, ZERO, replaced, substitute, symbols
+from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
 from tresym.reals.language.expression import Expr as Tree
 from tresym.reals.numbers.exact import parse_number
-from tresym.reals.places.conditions import Given
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.verdict import Verdict
 
@@ -44,13 +42,11 @@ class Asymptotics:
     Attributes:
         along: what each symbol is on the path, in the small parameter ``t`` from above.
         beside: for a symbol that is one root, on which side of a candidate it lies there.
-        crest: what grows beyond bounds on the path; it is looked at where its sine is 1.
         claims: the definition of that symbol, and equations put in for the function of the root.
     """
 
     along: Mapping[Symbol, Expr] = field(default_factory=dict)
     beside: Relational | None = None
-    crest: Expr | None = None
     claims: tuple[Claim, ...] = ()
     kind: ClassVar[str] = "order"
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
@@ -131,15 +127,15 @@ def _along(claim: Claim, proof: Asymptotics, says: As, stated: Ordered) -> Findi
     difference, gauge = (
         substitute(_tree(e), names) for e in (_beyond(proof, stated, names), stated.gauge)
     )
-    if proof.crest is not None:
-        difference, gauge = _on_crests((difference, gauge), _tree(proof.crest))
     if (symbols(difference) | symbols(gauge)) - {t.name}:
         raise NotAlongError("the path leaves a symbol open")
     found = decide_order(Comparison(difference, stated.kind, gauge), Path(t.name, ZERO, (1,)))
     if found.verdict is not Verdict.REFUTED or found.witness is None:
         return Finding(Verdict.UNDECIDED, f"the order does not fail on the path: {found.why}")
     where = ", ".join(f"{name} = {e}" for name, e in sorted(names.items()))
-    witness = {name: parse_number(value) for name, value in found.witness.items()}
+    here = {t: Rational(found.witness[t.name])}
+    point = {symbol.name: e.subs(here) for symbol, e in ((t, t), *proof.along.items())}
+    witness = {name: parse_number(str(e)) for name, e in point.items() if e.is_Rational}
     why = f"along {where} {found.why}"
     return Finding(Verdict.REFUTED, why, parameter=f"t -> 0+, {where}", witness=witness)
 
@@ -205,9 +201,11 @@ def _beyond(proof: Asymptotics, stated: Ordered, names: Mapping[str, Tree]) -> E
         if _sign(substitute(_tree(high - low), names)) != 1:
             raise NotAlongError("the candidate is not between the ends")
     vanishing = _tree(unique.difference)
-    end = {**names, unique.variable.name: _tree(unique.low if side > 0 else unique.high)}
+    end = substitute(_tree(unique.low if side > 0 else unique.high), names)
     here = _sign(substitute(_put_in(vanishing, proof, at_candidate), at_candidate))
-    if here not in (1, -1) or here != _sign(substitute(vanishing, end)):
+    if here not in (1, -1) or here != _sign(
+        substitute(vanishing, {**names, unique.variable.name: end})
+    ):
         raise NotAlongError(f"{proof.beside} is not shown on the path")
     beyond = stated.difference.xreplace({symbol: candidate})
     signs = [_sign(substitute(_tree(e), names)) for e in (slope * side, beyond)]
@@ -226,34 +224,14 @@ def _put_in(e: Tree, proof: Asymptotics, names: Mapping[str, Tree]) -> Tree:
     return e
 
 
-def _on_crests(sides: tuple[Tree, Tree], crest: Tree) -> tuple[Tree, Tree]:
-    """The sides where the sine of ``crest`` is 1, which it is as near to the end as one likes.
+def _sign(e: Tree) -> int | None:
+    """The sign of ``e`` for small t, 0 where it is 0 there; None where that is open.
 
     Raises:
-        NotAlongError: it does not grow beyond bounds.
+        NotAlongError: it speaks of more than t.
     """
-    small = decide_order(Comparison(ONE / crest, "o", ONE), Path(t.name, ZERO, (1,)))
-    if small.verdict is not Verdict.ENCLOSED or _sign(crest) != 1:
-        raise NotAlongError(f"{crest} does not grow beyond bounds on the path")
-    near = Given(((_tree(t), ">", ZERO), (ONE / 2 - _tree(t), ">", ZERO)))
-    rules = {}
-    for node in {node for side in sides for node in _waves(side)}:
-        if decide(node.args[0], crest, near).verdict is Verdict.PROVED:
-            rules[node] = ONE if node.op == "sin" else ZERO
-    first, second = (replaced(side, rules) for side in sides)
-    return first, second
-
-
-def _waves(e: Tree) -> Iterator[Tree]:
-    if e.op in ("sin", "cos"):
-        yield e
-    for arg in e.args:
-        if isinstance(arg, Tree):
-            yield from _waves(arg)
-
-
-def _sign(e: Tree) -> int | None:
-    """The sign of ``e`` for small t, 0 where it is 0 there; None where that is open."""
+    if symbols(e) - {t.name}:
+        raise NotAlongError("the path leaves a symbol open")
     found = sign_beside(e, t.name, ZERO, 1)
     return None if found is None else found[0]
 
