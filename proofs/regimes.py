@@ -166,8 +166,8 @@ components_are_sufficient = Claim(
     label="components_are_sufficient",
     says="The components of M by the angles are enough, without the energy, to show that Δψ = π "
     "gives Δθ = 0.",
-    paper_says="The components of M by the angles suffice to show that Δψ ≃ π gives Δθ ≃ 0, as the "
-    "figure of the curves on the sphere shows. Read as: with those curves, which hold the energy.",
+    paper_says="“These equations are sufficient to show that, for a flip Δψ ≃ π, the variation of "
+    "θ is Δθ ≃ 0.” Read as: with the curves of Fig. 3, which hold the energy.",
     kind="statement",
     means=equal(
         printed.momentum(theta, psi, M, sympy)[0], printed.momentum(_end, psi + pi, M, sympy)[0]
@@ -370,8 +370,8 @@ ends_of_gamma = Claim(
 angles_rest = Claim(
     label="angles_rest_at_e1",
     says="At θ = 0 the planar system is in equilibrium.",
-    paper_says="The two equilibrium points, given by γ = a and γ = −b, correspond to p₊ and p₋; "
-    "γ = a is at θ = 0. Read as: M rests there.",
+    paper_says="“The two equilibrium points, given by γ = a and γ = −b, correspond to the points "
+    "p₊ and p₋.” Read as: M rests there.",
     kind="statement",
     given=shape_of_a_body,
     means=equations(printed.planar_rates(Integer(0), psi, a, b, sympy), (0, 0)),

@@ -221,8 +221,8 @@ _distances = [sum((m - p) ** 2 for m, p in zip(_components, point, strict=True))
 three_equilibria = Claim(
     label="three_equilibria",
     says="The dynamics has three equilibrium points and no more: p₊, p₋ and p_D.",
-    paper_says="The figure shows the three equilibrium points p₊, p₋ and p_D of the dynamics. Read "
-    "as: up to the sign of M.",
+    paper_says="“Figure 3 shows the three equilibrium points p₊, p₋ and p_D of the dynamics.” "
+    "Read as: up to the sign of M.",
     kind="statement",
     means=Under(
         equal(_distances[0] * _distances[1] * _distances[2], 0),
@@ -264,8 +264,8 @@ transverse_velocity = Claim(
 only_about_the_handle = Claim(
     label="only_about_the_handle",
     says="Not only at p₊ but all around it the racket rotates about its handle alone.",
-    paper_says="Around the stable point p₊ the racket rotates only about its handle. Read as: at "
-    "p₊, and nearly so close to it.",
+    paper_says="“Around this stable equilibrium point, the racket rotates only about its handle.” "
+    "Read as: at p₊, and nearly so close to it.",
     kind="statement",
     means=equations(
         (M * sin(theta) * cos(psi) / I2, M * sin(theta) * sin(psi) / I3), (Integer(0), Integer(0))

@@ -190,6 +190,13 @@ def test_equations_are_transformed_by_one_to_one_functions_only() -> None:
     steps = (step(squared, applying("square")),)
     assert verdict(claim(Equivalent(first, squared), steps)) is Verdict.REFUTED
     assert verdict(claim(Equivalent(first, squared), steps, (a > 0, b > 0))) is Verdict.PROVED
+    assert verdict(claim(Equivalent(first, squared), steps, (a > 0, b < 0))) is Verdict.REFUTED
+    assert verdict(claim(Equivalent(first, squared), steps, (a >= 0, b >= 0))) is Verdict.PROVED
+    for name, function in (("sqrt", sqrt), ("log", log)):
+        changed = equal(function(a), function(b))
+        steps = (step(changed, applying(name)),)
+        assert verdict(claim(Equivalent(first, changed), steps, (a > 0, b > 0))) is Verdict.PROVED
+        assert verdict(claim(Equivalent(first, changed), steps)) is Verdict.UNDECIDED
     cosines = equal(cos(a), cos(b))
     assert verdict(claim(Equivalent(first, cosines), (step(cosines, applying("cos")),))) is (
         Verdict.REFUTED
@@ -233,6 +240,19 @@ def test_unique_roots() -> None:
     assert root(x**2 - 1, 2 * x, -2, 2) is Verdict.UNDECIDED
     assert root(1 / x, -1 / x**2, -1, 1) is Verdict.UNDECIDED
     assert root(x + tanh(x) - 1, 2 - tanh(x) ** 2, 0, 1) is Verdict.PROVED
+
+
+def test_a_root_needs_all_of_its_chains() -> None:
+    stated = ExactlyOne(x, Integer(0), Integer(1), equal(x**3 + x - 1, 0))
+    slope, low, high = by_hand = (
+        (step(3 * x**2 + 1, differentiation),),
+        (step(Integer(-1)),),
+        (step(Integer(1)),),
+    )
+    assert verdict(claim(stated, UniqueRoot(*by_hand))) is Verdict.PROVED
+    for chains in (((), low, high), (slope, (), high), (slope, low, by(algebra))):
+        assert verdict(claim(stated, UniqueRoot(*chains))) is Verdict.UNDECIDED
+    assert verdict(claim(stated, UniqueRoot(*by_hand), (x > 3, x < 2))) is Verdict.UNDECIDED
 
 
 def test_definitions_introduce_new_symbols_only() -> None:

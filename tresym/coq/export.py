@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tresym.coq.ledger import candidates, stamp, theorems_of
+from tresym.coq.numbers import numbers
 from tresym.coq.search import prelude, trial, version
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.claim import AllOf, Claim
@@ -142,7 +143,8 @@ def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict
     except OSError as error:
         raise InputError(f"{folder}: cannot be made ({error.strerror})") from None
     write_text(str(folder / "Tresym.v"), prelude())
-    files, index = ["Tresym.v"], {}
+    write_text(str(folder / "Numbers.v"), numbers())
+    files, index = ["Tresym.v", "Numbers.v"], {}
     entries: dict[str, Entry] = {}
     for part, (title, claims) in zip(_parts(), sections(), strict=True):
         chosen = [claim for claim in claims if not wanted or claim.label in wanted]
