@@ -73,6 +73,7 @@ RECHECKED = {
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
         *("ledger.evidence.denial", "ledger.second_look.rootless"),
+        "ledger.evidence.asymptotics._along",
     ),
     "it words refusals": (
         *("reals.language.hints", "reals.decisions.identity.no_point"),
