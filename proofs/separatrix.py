@@ -290,4 +290,11 @@ vanishing_share = Claim(
     note="The equation for the flip defect without its cancellation, where ε is small.",
 )
 
+leading_defect = Claim(
+    says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
+    given=shape,
+    proof=Definition(),
+    note="The formula of the theorem, without its remainder.",
+)
+
 label_claims(globals())

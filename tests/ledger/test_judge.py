@@ -35,7 +35,6 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
-    Printed,
     UniqueRoot,
     all_of,
     at,
@@ -260,20 +259,6 @@ def test_definitions_introduce_new_symbols_only() -> None:
     assert verdict(claim(equal(x, a + b), Definition("so it is"))) is Premise.ASSUMED
     assert verdict(claim(equal(x, x + 1), Definition())) is Verdict.UNDECIDED
     assert verdict(claim("nothing", Definition())) is Verdict.UNDECIDED
-
-
-def number(text: str, formula: object, **inputs: str) -> Verdict:
-    return verdict(claim("a number", Printed(text, formula, inputs)))
-
-
-def test_printed_numbers_are_intervals() -> None:
-    assert number("0.33", lambda p, m: 1 / p, p="3") is Verdict.ENCLOSED
-    assert number("0.3", lambda p, m: p / 3, p="0.8") is Verdict.ENCLOSED
-    assert number("0.34", lambda p, m: p / 3, p="1.000") is Verdict.REFUTED
-    assert number("0.34", lambda p, m: p / 3, p="1.0") is Verdict.ENCLOSED
-    assert number("3.141592653589794", lambda m: m.pi) is Verdict.REFUTED
-    assert number("3.141592653589793", lambda m: m.pi) is Verdict.ENCLOSED
-    assert number("0.5", lambda p, m: m.sqrt(p), p="-1.0") is Verdict.UNDECIDED
 
 
 def test_conjunctions_are_as_strong_as_their_weakest_part() -> None:

@@ -27,7 +27,7 @@ from tresym.ledger.mutants.report import MutantReport, verify_mutants
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import substituting, trigonometry
 from tresym.ledger.second_look import value, violation
-from tresym.ledger.statements import order
+from tresym.ledger.statements import Rounds, order
 from tresym.racket.notation import a, b
 from tresym.reals.verdict import Verdict
 
@@ -191,7 +191,8 @@ def test_orders_are_changed_only_to_false_ones(kind: str, power: int) -> None:
 
 
 def test_moved_digits_count_only_where_no_inputs_give_them() -> None:
-    number = Claim("n", "n", Printed("0.33", lambda p, m: p / 3, {"p": "1.0"}))
+    p = Symbol("p", real=True)
+    number = Claim("n", "n", Printed(), given=(Rounds(p, "1.0"),), means=Rounds(p / 3, "0.33"))
     changes = {m.change for m in mutants(number, 40) if m.place == "printed number"}
     assert "0.34" not in changes
     assert {"0.43", "1.33", "-0.33", "0.31"} & changes

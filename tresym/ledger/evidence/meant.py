@@ -22,6 +22,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Monotone,
     Printed,
     Root,
     Together,
@@ -40,15 +41,15 @@ CLOSE = arb("1e-6")
 HOT = Symbol("hot", real=True)
 """Higher orders that are left out, of a size that the formula does not say."""
 
-IN_WORDS = (AllOf, Printed, Denied)
+IN_WORDS = (AllOf, Denied)
 """Evidence for sentences: it says nothing of any formula."""
-WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
+WITHOUT_CONDITIONS = (AllOf, Denied)
 """Evidence that no condition of the claim reaches."""
-HOLDS_FUNCTIONS = (Boxes, Printed, Denied)
+HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
     *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
-    *(Counterexample, Boxes, Asymptotics, Denied),
+    *(Counterexample, Boxes, Asymptotics, Denied, Monotone),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
 

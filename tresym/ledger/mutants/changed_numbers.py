@@ -13,18 +13,19 @@ from functools import lru_cache
 from itertools import product
 from typing import Any, cast
 
-from flint import arb, fmpq
-from sympy import Symbol, Tuple, exp, oo
+from flint import arb
+from sympy import Basic, Symbol, Tuple, exp, oo
 from sympy.core.function import AppliedUndef
 
 from tresym.ledger.claim import Claim, Printed, equal, saying
 from tresym.ledger.evidence.asymptotics import ordered
 from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.evidence.printed import number_of
 from tresym.ledger.second_look import value
-from tresym.ledger.statements import As
+from tresym.ledger.statements import As, Rounds
 from tresym.reals.balls.boxes import Bound, Box, BoxPoint, value_at
-from tresym.reals.numbers.arithmetic import ball_precision, balls
-from tresym.reals.numbers.exact import Interval, fraction_text, printed
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError, Interval, fraction_text, printed
 
 Changes = tuple[str, Iterable[Any], Callable[[Any], Claim]]
 """A place, the changes that can be made there, and the claim that each makes."""
@@ -54,18 +55,25 @@ class Named:
 # Printed numbers
 
 
-def printed_changes(claim: Claim) -> Iterator[Changes]:
-    """Digits moved in the printed number, and in every printed input."""
-    proof = cast(Printed, claim.proof)
-    yield "printed number", moved_digits(proof.text), lambda text: _with(claim, text=text)
-    for name, text in proof.inputs.items():
-        if not isinstance(text, str):
-            continue
+def printed_changes(
+    claim: Claim, mutations: Callable[[Basic], Iterable[Basic]]
+) -> Iterator[Changes]:
+    """The term changed, and digits moved in the printed number and in every printed input."""
+    says = cast(Rounds, claim.statement)
 
-        def changed(moved: str, name: str = name) -> Claim:
-            return _with(claim, inputs={**proof.inputs, name: moved})
+    def stated(term: Basic, text: str) -> Claim:
+        return replace(claim, means=Rounds(term, text, says.half_units))
 
-        yield f"input {name}", moved_digits(text), changed
+    yield "printed number", moved_digits(says.text), lambda text: stated(says.term, text)
+    yield "term", mutations(says.term), lambda term: stated(term, says.text)
+    for n, condition in enumerate(claim.given):
+        if isinstance(condition, Rounds):
+
+            def changed(text: str, n: int = n, name: Basic = condition.term) -> Claim:
+                given = claim.given
+                return replace(claim, given=(*given[:n], Rounds(name, text), *given[n + 1 :]))
+
+            yield f"input {condition.term}", moved_digits(condition.text), changed
 
 
 def _with(claim: Claim, **changes: Any) -> Claim:
@@ -87,29 +95,30 @@ def moved_digits(text: str) -> Iterator[str]:
 
 def no_inputs_give_it(claim: Claim) -> bool:
     """Whether balls over pieces of the box of inputs all miss the printed interval."""
-    number = cast(Printed, claim.proof)
-    low, high = printed(number.text)[:2]
-    half = (high - low) / 2 * number.half_units
-    target = Interval((low + high) / 2 - half, (low + high) / 2 + half)
-    inputs = tuple(number.inputs.values())
+    says = cast(Rounds, claim.statement)
+    interval = printed(says.text)
+    half = interval.width / 2 * says.half_units
+    low, high = interval.middle - half, interval.middle + half
     for pieces in SPLITS:
-        values = _values(number.formula, inputs, pieces)
-        if values and all(v > target.high or v < target.low for v in values):
+        values = _values(says.term, claim.given, claim.proof, pieces)
+        if values and all(v > high or v < low for v in values):
             return True
     return False
 
 
 @lru_cache(maxsize=RANGES)
-def _values(
-    formula: Callable[..., arb], inputs: tuple[str | fmpq, ...], pieces: int
-) -> tuple[arb, ...]:
-    """Balls for the formula over cells that cover its inputs; none where they are too many."""
-    box = [printed(v) if isinstance(v, str) else Interval(v, v) for v in inputs]
-    sides = [_pieces(side, pieces if side.low < side.high else 1) for side in box]
+def _values(term: Basic, given: tuple[Basic, ...], proof: Printed, pieces: int) -> tuple[arb, ...]:
+    """Balls for the term over cells that cover its inputs; none where they are too many."""
+    claim = Claim("changed", "", proof, given=given, means=Rounds(term, "0"))
+    try:
+        number = number_of(claim)
+    except InputError:
+        return ()
+    sides = [_pieces(side, pieces if side.width else 1) for side in number.inputs.values()]
     if math.prod(map(len, sides)) > CELLS:
         return ()
     with ball_precision(BITS):
-        values = tuple(formula(*cell, balls) for cell in product(*sides))
+        values = tuple(map(number.value, product(*sides)))
     return values if all(v.is_finite() for v in values) else ()
 
 

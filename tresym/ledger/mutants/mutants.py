@@ -173,8 +173,8 @@ def _of_parts(
 def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
     match claim.proof:
         case Printed():
-            for name, variants, changed in printed_changes(claim):
-                tries = INPUT_TRIES if name.startswith("input") else TRIES
+            for name, variants, changed in printed_changes(claim, _mutations):
+                tries = TRIES if name == "printed number" else INPUT_TRIES
                 yield _Spot(name, variants, _one(changed), no_inputs_give_it, tries)
         case Boxes():
             for name, variants, changed in bound_changes(claim):
