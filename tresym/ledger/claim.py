@@ -399,6 +399,12 @@ def label_claims(names: Mapping[str, Any]) -> None:
             object.__setattr__(value, "label", name)
 
 
+def saying(claim: Claim, changed: Basic) -> Claim:
+    """The claim with another statement."""
+    meant = isinstance(claim.says, str) or claim.means is not None
+    return replace(claim, means=changed) if meant else replace(claim, says=changed)
+
+
 def _kind(says: Basic | str, proof: Evidence) -> str:
     """What kind of claim it is: by its evidence, where that is for one kind, else by its form."""
     if isinstance(says, str | Statement):
