@@ -3,7 +3,8 @@
 Each mutant of mutations.py is applied in a process of its own, where those quick tests run that go
 through the changed line, until one fails. What was found is in ``build/guards.jsonl``: a run that
 is interrupted goes on when it is started again, a function that has not changed is not tried
-again, but for its survivors that no reason excuses. ``show`` prints these; ``save`` writes docs/measurements/guards.json.
+again, but for its survivors that no reason excuses. ``show`` prints these; ``save`` writes
+docs/measurements/guards.json.
 """
 
 from __future__ import annotations
