@@ -1,8 +1,12 @@
 """Section 6, up to the theorem: what a flip is, and which motions are studied.
 
-- `eq_robust_gen`, `eq_psi0psif`, `eqdefect`, `eq_TRE`: the turn, the symmetric motion, the defect;
+- display (18), `eq_robust_gen`: Δφ is the integral of f, here (33), `integrand_again`; `full_turn`:
+  the turn that is studied;
 - `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
+- (20), `eq_psi0psif`: the symmetric motion; (21), `eqdefect`: its flip is π − 2ε;
 - `symmetric_is_extreme`: what is true of the symmetric motion among all with its γ;
+- (25), `without_approximation`: ε₀ by an exponential equation;
+- (28), `eq_TRE`: when a flip counts.
 """
 
 from __future__ import annotations

@@ -3,9 +3,10 @@
 - `handle_in_space`, `line_of_nodes`: e₁ and the line of nodes in the laboratory;
 - `angles_of_the_reference`: they are not the z-x-z angles of the reference named there;
 - `laboratory_turned`: X and Y may be chosen at will;
+- display (2), `start`: the flip starts with e₂ near M; `near_intermediate_axis`: how near;
+- (3), `racket_effect`: what is seen after a turn; `perfect_flip`: Δφ = 2π with Δψ = π is a half
+  turn of the body about its handle;
 - `cross_product`: a rotation about one principal axis has M along that axis;
-- `near_intermediate_axis`: how near e₂ is to M at the start;
-- `perfect_flip`: Δφ = 2π with Δψ = π is a half turn of the body about its handle;
 - `angles_from_momentum`: θ and ψ from M, and why the poles are excluded.
 """
 

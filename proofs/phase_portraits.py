@@ -1,11 +1,14 @@
 """Section 5, continued: the phase portraits of ψ and of θ.
 
 - `sign_constant_rotating`, `turning_points`: where dψ/dφ may change its sign;
-- `flip_turns`: ψ_min and ψ_max, and `flip_between`: no ψ outside them has this γ;
+- display (14), `flip_is_bounded`: the flip stays between ψ_min and ψ_max, named by
+  `flip_bounds`; `flip_between`: no ψ outside them has this γ;
 - `linear_at_e2`, `linear_at_e3`: the planar system at its equilibria;
 - `width_of_flip`, `width_of_pendulum`: how far they swing;
-- `product_of_flip`, `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of sin ψ cos ψ;
-- `tilt_turns_rotating`, `tilt_turns_oscillating`: θ_min and θ_max, and `tilt_between`.
+- (15), `product_of_flip`, and (16), `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of
+  sin ψ cos ψ;
+- (17), `tilt_is_bounded`: the tilt stays between θ_min and θ_max, which `rotating_bounds` and
+  `oscillating_bounds` name.
 """
 
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
