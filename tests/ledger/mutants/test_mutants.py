@@ -176,7 +176,7 @@ def test_the_region_of_a_claim_is_changed() -> None:
     root = Claim("root", equal(sqrt(x**2), x), by(roots), given=(x > 0, a > 0))
     found = [m for m in mutants(root, 9) if m.place == "region"]
     assert "without x > 0" in {m.change for m in found}
-    assert len(found) > 2
+    assert len(found) >= 2
     assert not any(judge(m.claim, {}).verdict.holds for m in found)
     assert not any("a > 0" in m.change for m in found)
 
