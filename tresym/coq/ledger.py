@@ -11,7 +11,6 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from hashlib import sha256
 from itertools import chain
-from typing import Any
 
 from flint import fmpq
 from sympy import Basic, Derivative, Eq, Integral, MatrixBase, Subs, Symbol
@@ -22,11 +21,12 @@ from tresym.coq.search import proofs
 from tresym.coq.statement import NotExportedError, Theorem, term
 from tresym.ledger.claim import AllOf, Claim, Counterexample, Definition, Printed, parts_of
 from tresym.ledger.evidence.denial import denied_at
-from tresym.ledger.evidence.printed import judge_printed
-from tresym.ledger.meaning import definitions
-from tresym.reals.language.expression import Expr, number, symbol, symbols, trees
+from tresym.ledger.evidence.printed import judge_printed, number_of
+from tresym.ledger.meaning import definitions, put_in
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import Expr, number, symbol, symbols
 from tresym.reals.language.sympy import from_sympy
-from tresym.reals.numbers.exact import InputError, printed
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import needs
 from tresym.reals.verdict import Verdict
@@ -61,7 +61,7 @@ def theorems_of(claim: Claim) -> list[Theorem]:
         raise NotExportedError("a definition is a premise of what speaks of it")
     try:
         if isinstance(proof, Printed):
-            return [_printed(claim, proof)]
+            return [_printed(claim)]
         if isinstance(proof, Counterexample):
             return [_counterexample(claim, proof)]
         if claim.statement is None or isinstance(proof, AllOf):
@@ -142,22 +142,17 @@ def _definitions(claim: Claim, used: list[Expr]) -> tuple[Condition, ...]:
     return tuple((symbol(name), "==", e) for name, e in found.items())
 
 
-def _printed(claim: Claim, proof: Printed) -> Theorem:
+def _printed(claim: Claim) -> Theorem:
     """That there are inputs which round to the printed ones and give what rounds to the text."""
-    names = [symbol(f"input{n}") for n, _ in enumerate(proof.inputs, 1)]
-    value = proof.formula(*names, trees)
-    if not isinstance(value, Expr):
-        raise NotExportedError("what is printed does not trace to a formula")
+    read = number_of(claim)
+    value = put_in(read.term, {symbol(name): rule.meaning for name, rule in read.rules.items()})
+    if not elementary(value):
+        raise NotExportedError("integrals and roots inside expressions are not exported yet")
     given: list[Condition] = []
-    for name, written in zip(names, proof.inputs.values(), strict=True):
-        if isinstance(written, str):
-            interval = printed(written)
-            given += [(name, ">=", number(interval.low)), (name, "<=", number(interval.high))]
-        else:
-            given.append((name, "==", number(written)))
-    target = printed(proof.text)
-    middle, half = (target.low + target.high) / 2, (target.high - target.low) / 2
-    sides = abs(value - number(middle)), number(half * proof.half_units)
+    for name, side in read.inputs.items():
+        given += [(symbol(name), ">=", number(side.low)), (symbol(name), "<=", number(side.high))]
+    half = number(read.target.width / 2)
+    sides = abs(value - number(read.target.middle)), half
     return _made(name_of(claim.label), tuple(given), needs(sides), sides, "<=", exists=True)
 
 
@@ -219,9 +214,7 @@ def _point(claim: Claim, theorem: Theorem) -> dict[str, fmpq]:
     """The point of the evidence."""
     if isinstance(claim.proof, Counterexample):
         return dict(claim.proof.point)
-    number: Any = claim.proof
-    witness = judge_printed(number).witness or {}
-    return {f"input{n}": x for n, x in enumerate(witness.values(), 1)}
+    return dict(judge_printed(claim).witness or {})
 
 
 def _at_point(theorem: Theorem, point: Mapping[str, fmpq]) -> Iterator[str]:
