@@ -35,6 +35,7 @@ ENCLOSING = (
     "reals.decisions.inequalities._shown_under",
     "ledger.evidence.balls",
     "ledger.evidence.printed",
+    "reals.places.unworked",
     "ledger.evidence.meant._other_meaning",
 )
 """Rooms and files that no PROVED comes from."""
@@ -57,6 +58,8 @@ RECHECKED = {
     "what is found is checked: factors multiplied out, boxes replayed, links of inequalities": (
         *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
+        *("reals.places.unworked._found", "reals.places.unworked._change"),
+        *("ledger.evidence.printed._find_inputs", "ledger.evidence.printed._between"),
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
