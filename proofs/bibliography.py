@@ -47,3 +47,5 @@ wilson_b = number(
     shape_and_depth,
     where=_THERE,
 )
+
+label_claims(globals())
