@@ -7,14 +7,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tresym.ledger.axioms import RULES
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.verification import Report
 from tresym.report.pages.trusted import RECHECKED, Count, trusted
 
 CALLED = {
     Boxes: "bounds on boxes: the margin, and its slopes",
-    Asymptotics: "orders: the two sides, along a path",
 }
 """Evidence that holds functions in place of formulas."""
 
