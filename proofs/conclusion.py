@@ -48,7 +48,7 @@ ethylene_flip_exact = number(
 
 ethylene_flip_formula = number(
     "By the asymptotic formula ethylene flips by π(1 − {}).",
-    share_of_pi(epsilon_star),
+    share_of_pi(epsilon_printed),
     "0.0871",
     _ETHYLENE,
     *(shape_and_depth, rotational_constants, leading_defect),
@@ -78,7 +78,7 @@ ethylene_flip = number(
 
 ethylene_flip_by_formula = number(
     "By the asymptotic formula ethylene flips by π(1 − {}) at γ = 0.",
-    share_of_pi(epsilon_star),
+    share_of_pi(epsilon_printed),
     "0.0528",
     _ETHYLENE,
     *(shape_and_depth, rotational_constants, leading_defect),

@@ -50,7 +50,7 @@ BY_FORMULA = (shape_and_depth, leading_defect)
 
 defect_formula = number(
     "By the asymptotic formula the standard racket has ε₀ = {}.",
-    epsilon_star,
+    epsilon_printed,
     "0.1150",
     STR,
     *BY_FORMULA,
@@ -90,7 +90,7 @@ flip_str_exact = number(
 )
 accuracy = number(
     "For the standard racket the formula agrees with the exact equation to an accuracy of 10⁻³.",
-    epsilon_star - epsilon0,
+    epsilon_printed - epsilon0,
     "0.000",
     STR,
     *(*EXACTLY, leading_defect),
@@ -99,7 +99,7 @@ accuracy = number(
 )
 accuracy_relative = number(
     "The same holds relative to ε₀.",
-    (epsilon_star - epsilon0) / epsilon0,
+    (epsilon_printed - epsilon0) / epsilon0,
     "0.000",
     STR,
     *(*EXACTLY, leading_defect),
@@ -127,7 +127,7 @@ _slope = closed_form.xreplace({epsilon: epsilon0})
 
 slope_of_formula = number(
     "By the asymptotic formulas the standard racket has dε/dγ = {} at γ = 0.",
-    printed.defect_slope_asymptotic(epsilon_star, b),
+    printed.defect_slope_asymptotic(epsilon_printed, b),
     "-34.5",
     STR,
     *BY_FORMULA,
@@ -181,7 +181,7 @@ def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
 _UPPER = (*STR, equal(epsilon, -pi / 12))
 _LOWER = (*inputs(I1=1210, I2=16380, I3=17480), equal(epsilon, pi / 12))
 
-_level = 4 * b * epsilon_star * (epsilon_star - epsilon)
+_level = 4 * b * epsilon_printed * (epsilon_printed - epsilon)
 """γ at which the linear formula gives ε."""
 
 upper_linear = number(

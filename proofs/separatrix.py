@@ -291,7 +291,7 @@ vanishing_share = Claim(
 )
 
 leading_defect = Claim(
-    says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
+    says=equal(epsilon_printed, printed.asymptotic_defect(a, b, sympy)),
     given=shape,
     proof=Definition(),
     note="The formula of the theorem, without its remainder.",
