@@ -330,11 +330,11 @@ one_flip_defect = Claim(
     ),
 )
 
-_share = _inverse - tanh(_time)
+_share = tanh(_time) - _inverse
 _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
 
 defect_is_one = Claim(
-    says="Each shape has exactly one ε between 0 and π/2 with cos ε/√(1 + (b/a) sin²ε) = tanh T, "
+    says="Each shape has exactly one ε between 0 and π/2 with tanh T = cos ε/√(1 + (b/a) sin²ε), "
     "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
     kind="statement",
     given=shape,
@@ -345,7 +345,7 @@ defect_is_one = Claim(
         high=pi / 2,
         derivative=(
             step(
-                -sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
+                sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
                 differentiation,
                 exponentials,
                 roots,
@@ -355,13 +355,13 @@ defect_is_one = Claim(
         ),
         at_low=(
             step(
-                2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1),
+                -2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1),
                 exponentials,
                 roots,
                 trigonometry,
             ),
         ),
-        at_high=(step(-tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
+        at_high=(step(tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
     ),
     note="It is the stable equation with the hyperbolic functions on one side.",
 )
@@ -371,6 +371,14 @@ flip_defect = Claim(
     given=shape,
     proof=Root(epsilon0, defect_is_one),
     note="The flip defect ε₀ on the separatrix.",
+)
+
+defect_range = Claim(
+    says=Tuple(sin(epsilon0) > 0, cos(epsilon0) > 0),
+    given=shape,
+    proof=together(
+        (step(sin(epsilon0), citing(flip_defect)),), (step(cos(epsilon0), citing(flip_defect)),)
+    ),
 )
 
 label_claims(globals())

@@ -18,7 +18,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
+from sympy import Add, Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
@@ -136,7 +136,8 @@ class Definition:
 class Root:
     """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
 
-    It says that the function vanishes there, and between which ends.
+    It says that the function vanishes there, what is subtracted in it on the right side, and
+    between which ends the root lies.
     """
 
     symbol: Symbol
@@ -154,8 +155,10 @@ class Root:
         """The equation for the root, and the interval that it lies in."""
         root, x = self.unique.proof, self.symbol
         assert isinstance(root, UniqueRoot)
-        vanishes = equal(root.function.xreplace({root.variable: x}), Integer(0))
-        return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
+        terms = Add.make_args(root.function)
+        right = -Add(*(term for term in terms if term.could_extract_minus_sign()))
+        sides = (e.xreplace({root.variable: x}) for e in (root.function + right, right))
+        return Tuple(equal(*sides), Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
 
 
 @dataclass(frozen=True)
@@ -270,10 +273,41 @@ class Counterexample:
     expect: ClassVar[Ruling] = Verdict.REFUTED
 
 
+@dataclass(frozen=True)
+class Instance:
+    """What ``claim`` says with these values for its variables, where its conditions hold of them.
+
+    ``cited`` are claims whose bounds show that.
+    """
+
+    claim: Claim
+    values: tuple[tuple[Symbol, Expr], ...]
+    cited: tuple[Claim, ...] = ()
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What is used."""
+        return (self.claim, *self.cited)
+
+    def put(self, relation: Basic) -> Basic:
+        """A relation with the values put in, not worked out."""
+        sides = (side.xreplace(dict(self.values)) for side in relation.args)
+        return relation.func(*sides, evaluate=False)
+
+    @property
+    def says(self) -> Basic:
+        """The instance, part by part."""
+        if isinstance(self.claim.says, Tuple):
+            return Tuple(*map(self.put, self.claim.says.args))
+        assert isinstance(self.claim.says, Basic)
+        return self.put(self.claim.says)
+
+
 Evidence = (
     Chain
     | Definition
     | Root
+    | Instance
     | Together
     | UniqueRoot
     | ImplicitFunction

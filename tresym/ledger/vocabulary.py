@@ -18,9 +18,9 @@ from sympy import (
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
-    Claim, Counterexample, Definition, Fault, ImplicitFunction, Place, Printed, Reason, Root,
-    UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line, parts_of,
-    step, together,
+    Claim, Counterexample, Definition, Fault, ImplicitFunction, Instance, Place, Printed, Reason,
+    Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line,
+    parts_of, step, together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
@@ -38,8 +38,8 @@ from tresym.reals.verdict import Verdict
 __all__ = [
     "Abs", "Asymptotics", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
     "Denied", "Derivative", "Equivalent", "Expr", "Fault", "Function", "Ge", "Germs", "Gt",
-    "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le", "Lt", "Meant", "Ne",
-    "Order", "Place", "Printed", "Rational", "Reason", "Root", "Subs", "Symbol", "Tuple",
+    "ImmutableMatrix", "ImplicitFunction", "Instance", "Integer", "Integral", "Le", "Lt", "Meant",
+    "Ne", "Order", "Place", "Printed", "Rational", "Reason", "Root", "Subs", "Symbol", "Tuple",
     "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of", "applying", "arb", "asin",
     "asinh", "at", "atan", "atanh", "box", "by", "certificate", "changing_variable", "citing",
     "collecting", "cos", "cosh", "cutting", "det", "diff", "differentiating_integral",

@@ -44,6 +44,25 @@ def searching_anew() -> bool:
     return _anew.get()
 
 
+def decisions_of(
+    bounds: tuple[Bound, ...],
+    stored: Callable[[], tuple[BoxProof, ...] | None] | None,
+    budget: int,
+) -> tuple[BoxProof | Counterexample | Open, ...]:
+    """What each bound comes to, by its stored proof where there is one.
+
+    Raises:
+        CertificateError: stored proofs that do not prove the bounds.
+    """
+    proofs = None if searching_anew() or stored is None else stored()
+    if proofs is None:
+        return tuple(decide_bound(bound, budget) for bound in bounds)
+    if len(proofs) != len(bounds):
+        raise CertificateError("stored proofs of another number of bounds")
+    pairs = zip(bounds, proofs, strict=True)
+    return tuple(decide_bound(bound, budget, proof) for bound, proof in pairs)
+
+
 @dataclass(frozen=True)
 class Boxes:
     """Every bound holds on its box.
@@ -77,13 +96,7 @@ class Boxes:
         Raises:
             CertificateError: stored proofs that do not prove the bounds.
         """
-        proofs = None if searching_anew() or self.stored is None else self.stored()
-        if proofs is None:
-            return tuple(decide_bound(bound, self.budget) for bound in self.bounds)
-        if len(proofs) != len(self.bounds):
-            raise CertificateError("stored proofs of another number of bounds")
-        pairs = zip(self.bounds, proofs, strict=True)
-        return tuple(decide_bound(bound, self.budget, proof) for bound, proof in pairs)
+        return decisions_of(self.bounds, self.stored, self.budget)
 
     def judge(self) -> Finding:
         """ENCLOSED when all bounds are, REFUTED at a point where one fails."""

@@ -22,6 +22,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Instance,
     Printed,
     Root,
     Together,
@@ -29,6 +30,7 @@ from tresym.ledger.claim import (
     parts_of,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.second_look import scalars, value
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -46,7 +48,7 @@ WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
 HOLDS_FUNCTIONS = (Boxes, Asymptotics, Printed, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
-    *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
+    *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
     *(Counterexample, Boxes, Asymptotics, Denied),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
