@@ -38,11 +38,7 @@ box_moments = Claim(
 box_order = Claim(
     says=Tuple(I1 > 0, I2 - I1 > 0, I3 - I2 > 0),
     given=_box,
-    proof=together(
-        (step(mass * (width**2 + height**2) / 12, substituting(box_moments)),),
-        (step(mass * (length - width) * (length + width) / 12, substituting(box_moments)),),
-        (step(mass * (width - height) * (width + height) / 12, substituting(box_moments)),),
-    ),
+    proof=by(substituting(box_moments)),
     where=line(291),
     note="With L > W > H the axes are in the order the paper assumes.",
 )
@@ -81,11 +77,12 @@ box_of_a_shape = Claim(
     says="The box with (L/W)² = (1 + 2a − ab)/(1 + ab), (H/W)² = (1 − 2b − ab)/(1 + ab) has the "
     "shape (a, b).",
     kind="statement",
-    given=(a > 0, b > 0),
-    proof=formally(
+    means=Tuple(
         equal(_length_squared(a, b) - 1, a * (1 + _height_squared(a, b))),
         equal(1 - _height_squared(a, b), b * (_length_squared(a, b) + 1)),
     ),
+    given=(a > 0, b > 0),
+    proof=formally(),
 )
 
 book_length = number(
@@ -147,7 +144,8 @@ table_units = Claim(
     "unit y times as large it changes by x².",
     kind="statement",
     given=_changed,
-    proof=formally(equal(1 / (_x * _y**2), _x**2)),
+    means=equal(1 / (_x * _y**2), _x**2),
+    proof=formally(),
     where=Place(line=295),
     expect=Verdict.REFUTED,
     amended_by=(unit_of_inertia,),

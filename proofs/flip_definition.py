@@ -226,7 +226,7 @@ turn_gap = Claim(
 turn_is_steep = Claim(
     says=_steepness(_starts, _ends) > 0,
     given=(*shape, b < 1, gamma > 0),
-    proof=(step(_steepness(_starts, _ends)),),
+    proof=manifest,
     note="f falls with sin²ψ: it is largest at the unstable points.",
 )
 
@@ -238,7 +238,7 @@ turn_by_ends = Claim(
         equal(Derivative(_turn, _q), _integrand.subs(psi, _q)),
     ),
     given=(*shape, b < 1, gamma > 0, _q - x > 0),
-    proof=together(*(by(differentiating_integral(Integer(0))) for _ in range(2))),
+    proof=by(differentiating_integral(Integer(0))),
     note="For a flip from x to q = x + Ψ the turn changes by f(q) − f(x) with the start: by "
     "`turn_gap` it falls up to the symmetric start and rises after it, or the other way where "
     "sin Ψ < 0.",
@@ -292,10 +292,7 @@ without_approximation = Claim(
 eq_TRE = Claim(
     says=Tuple(Ge(Delta_psi, pi - pi / 6), Le(Delta_psi, pi + pi / 6)),
     given=(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
-    proof=together(
-        (step(pi / 6 - 2 * epsilon, substituting(eqdefect)),),
-        (step(pi / 6 + 2 * epsilon, substituting(eqdefect)),),
-    ),
+    proof=by(substituting(eqdefect)),
     where=display(28),
     note="The tolerance of the paper: it holds for −π/12 ≤ ε ≤ π/12.",
 )
@@ -305,7 +302,8 @@ tre_only_if = Claim(
     says="A flip within π/6 of π has a defect between −π/12 and π/12.",
     kind="statement",
     given=(pi - 2 * epsilon >= 5 * pi / 6, pi - 2 * epsilon <= 7 * pi / 6),
-    proof=formally(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
+    means=Tuple(epsilon <= pi / 12, epsilon >= -pi / 12),
+    proof=formally(),
     where=Place(line=261),
 )
 

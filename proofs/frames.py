@@ -44,7 +44,7 @@ cross_product = Claim(
         equal(M3 * W1 - M1 * W3, (I3 - I1) * W3 * W1),
         equal(M1 * W2 - M2 * W1, (I1 - I2) * W1 * W2),
     ),
-    proof=together(*(by(substituting(eq_omega)) for _ in range(3))),
+    proof=by(substituting(eq_omega)),
     note="Each component of M × Ω has two factors Ω: it vanishes when only one Ω does not.",
 )
 
@@ -88,10 +88,11 @@ angles_of_the_reference = Claim(
     paper_says="Euler angles φ, θ, ψ, with a reference, which is followed in fixing Z along M. "
     "Read as: only that choice is the reference's.",
     kind="statement",
-    proof=formally(
+    means=Tuple(
         equal(M * _second_reading[0], -M * sin(theta) * cos(psi)),
         equal(M * _second_reading[1], M * sin(theta) * sin(psi)),
     ),
+    proof=formally(),
     where=Place(line=62),
     expect=Verdict.REFUTED,
     amended_by=(eq_Mi,),
@@ -101,19 +102,7 @@ angles_of_the_reference = Claim(
 near_intermediate_axis = Claim(
     says=Tuple(M**2 - M2**2 >= 0, M**2 * (cos(theta) ** 2 + sin(psi) ** 2) >= M**2 - M2**2),
     given=ordered_moments,
-    proof=together(
-        (
-            step(M**2 * (1 - sin(theta) ** 2 * cos(psi) ** 2), substituting(eq_Mi)),
-            step(M**2 * (cos(theta) ** 2 + sin(theta) ** 2 * sin(psi) ** 2), trigonometry),
-        ),
-        (
-            step(
-                M**2 * (cos(theta) ** 2 + sin(psi) ** 2 - 1 + sin(theta) ** 2 * cos(psi) ** 2),
-                substituting(eq_Mi),
-            ),
-            step(M**2 * cos(theta) ** 2 * sin(psi) ** 2, trigonometry),
-        ),
-    ),
+    proof=by(substituting(eq_Mi)),
 )
 
 start = Claim(
@@ -132,7 +121,7 @@ laboratory_turned = Claim(
         equal(_turned.T * rate(_turned), spin),
         equal(_turned, about_z(phi + _turn) * about_y(theta) * about_z(psi)),
     ),
-    proof=together(by(trigonometry), by(trigonometry)),
+    proof=by(trigonometry),
     where=line(74),
     note="Turning X and Y about Z shifts φ and changes nothing else, so φ₀ = 0 is a choice.",
     shown=r"(R_z(\alpha)R)^{\mathsf T}\frac{d}{dt}(R_z(\alpha)R) = R^{\mathsf T}\dot R,\quad "
@@ -189,8 +178,7 @@ angles_from_momentum = Claim(
     note="Away from the poles M determines θ, and ψ up to full turns.",
 )
 
-_psi1, _psi2 = Symbol("psi1", real=True), Symbol("psi2", real=True)
-_one, _two = (printed.momentum(theta, angle, M, sympy) for angle in (_psi1, _psi2))
+_turned = [(Symbol(f"theta{n}", real=True), Symbol(f"psi{n}", real=True), M, sympy) for n in (1, 2)]
 
 angles_are_global = Claim(
     label="globally_parameterize",
@@ -198,15 +186,17 @@ angles_are_global = Claim(
     paper_says="The angles are chosen to parametrize the effect globally. Read as: the motions "
     "that show it, whose handle is never along M.",
     kind="statement",
+    means=Under(
+        equations(*((tilt, flip) for tilt, flip, *_ in _turned)),
+        equations(*(printed.momentum(*turned) for turned in _turned)),
+    ),
     given=(
         M > 0,
-        theta >= 0,
-        theta <= pi,
-        _psi2 - _psi1 < 2 * pi,
-        Le(sum((p - q) ** 2 for p, q in zip(_one, _two, strict=True)), 0, evaluate=False),
+        *(end for tilt, *_ in _turned for end in (tilt >= 0, tilt <= pi)),
+        *(end for _, flip, *_ in _turned for end in (flip >= 0, flip < 2 * pi)),
     ),
     proof=Counterexample(
-        {"M": fmpq(1), "theta": fmpq(0), "psi1": fmpq(0), "psi2": fmpq(1)}, _psi2 > _psi1
+        {"M": fmpq(1), "theta1": fmpq(0), "theta2": fmpq(0), "psi1": fmpq(0), "psi2": fmpq(1)}
     ),
     where=Place(line=47),
     expect=Verdict.REFUTED,

@@ -41,7 +41,7 @@ mu_by_lambda = Claim(
 small_together = Claim(
     says=b * lam - printed.mu_of_lambda(lam, b, sympy) >= 0,
     given=(b > 0, lam > 0),
-    proof=(step(b**3 * lam**3 / (sqrt(1 + lam**2 * b**2) * (1 + sqrt(1 + lam**2 * b**2))), roots),),
+    proof=manifest,
     where=line(353),
     note="0 < μ ≤ bλ ≤ λ, so μ → 0 with λ because b ≤ 1.",
 )
@@ -140,13 +140,16 @@ equation_for_u = Claim(
 )
 
 _twice = [(Symbol(f"lambda{n}", real=True), Symbol(f"mu{n}", real=True)) for n in (1, 2)]
-_one_product = sympy.Mul(*_twice[0]) - sympy.Mul(*_twice[1])
 
 defect_of_a_product = Claim(
     label="defect_of_a_product",
     says="ε₀ depends on u and on the product λμ: it is written ε₀(u, λμ).",
     kind="statement",
-    given=(*(part > 0 for pair in _twice for part in pair), Le(_one_product**2, 0, evaluate=False)),
+    means=Under(
+        equal(*(printed.defect_of_u(u, *pair, sympy) for pair in _twice)),
+        Tuple(equal(*(sympy.Mul(*pair) for pair in _twice))),
+    ),
+    given=tuple(part > 0 for pair in _twice for part in pair),
     proof=Counterexample(
         {
             "u": fmpq(0),
@@ -154,8 +157,7 @@ defect_of_a_product = Claim(
             "mu1": fmpq(1, 4),
             "lambda2": fmpq(1, 4),
             "mu2": fmpq(1, 2),
-        },
-        Ne(*(printed.defect_of_u(u, *pair, sympy) for pair in _twice), evaluate=False),
+        }
     ),
     where=Place(display=43),
     expect=Verdict.REFUTED,
@@ -224,24 +226,12 @@ slopes_of_the_defect = Claim(
 
 _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
 
-exponent_above_two = Claim(
-    says=pi + asin(mu) + u - 2 >= 0, given=_path, proof=(step(pi + asin(mu) + u - 2),)
-)
+exponent_above_two = Claim(says=pi + asin(mu) + u - 2 >= 0, given=_path, proof=manifest)
 
 defect_below_flat = Claim(
     says=2 * exp(-2 / lam) >= _by_u,
     given=_path,
-    proof=(
-        step(
-            2 * exp(-2 / lam) * mu**2 / (1 + sqrt(1 - mu**2))
-            + 4
-            * sqrt(1 - mu**2)
-            * exp(-(pi + asin(mu) + u + 2) / (2 * lam))
-            * sinh((pi + asin(mu) + u - 2) / (2 * lam)),
-            exponentials,
-            roots,
-        ),
-    ),
+    proof=manifest,
 )
 
 slopes_vanish = Claim(
@@ -385,7 +375,8 @@ dmu_dlambda_zero = Claim(
     says="∂μ/∂λ = 0 at the origin.",
     kind="statement",
     given=(b > 0,),
-    proof=formally(equal(parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0), 0)),
+    means=equal(parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0), 0),
+    proof=formally(),
     where=Place(line=379),
     expect=Verdict.REFUTED,
     amended_by=(dmu_dlambda, G_mu_at_origin),

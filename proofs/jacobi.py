@@ -61,32 +61,13 @@ def _solves(motion: tuple[Expr, Expr, Expr], speed: Expr) -> Tuple:
 parameter_rotating = Claim(
     says=Tuple(_m_rotating > 0, _m_rotating < 1, 1 - _m_rotating * sin(chi) ** 2 > 0),
     given=_rotating,
-    proof=together(
-        (step(_m_rotating),),
-        (step((I3 - I1) * (2 * I2 * E - M**2) / ((I2 - I1) * up)),),
-        (
-            step(
-                (I3 - I1) * (2 * I2 * E - M**2) / ((I2 - I1) * up) + _m_rotating * cos(chi) ** 2,
-                trigonometry,
-            ),
-        ),
-    ),
+    proof=manifest,
 )
 
 parameter_oscillating = Claim(
     says=Tuple(_m_oscillating > 0, _m_oscillating < 1, 1 - _m_oscillating * sin(chi) ** 2 > 0),
     given=_oscillating,
-    proof=together(
-        (step(_m_oscillating),),
-        (step((I3 - I1) * (M**2 - 2 * I2 * E) / ((I3 - I2) * down)),),
-        (
-            step(
-                (I3 - I1) * (M**2 - 2 * I2 * E) / ((I3 - I2) * down)
-                + _m_oscillating * cos(chi) ** 2,
-                trigonometry,
-            ),
-        ),
-    ),
+    proof=manifest,
 )
 
 rotating_motion = (_first * _delta(_m_rotating), _second_rotating * sin(chi), _third * cos(chi))
@@ -102,13 +83,13 @@ _opening = (differentiation, roots)
 rotating_solution = Claim(
     says=_solves(rotating_motion, _speed_rotating * _delta(_m_rotating)),
     given=_rotating,
-    proof=together(*(by(*_opening) for _ in range(3))),
+    proof=by(*_opening),
 )
 
 oscillating_solution = Claim(
     says=_solves(oscillating_motion, _speed_oscillating * _delta(_m_oscillating)),
     given=_oscillating,
-    proof=together(*(by(*_opening) for _ in range(3))),
+    proof=by(*_opening),
 )
 
 _separatrix = (*ordered_moments, I3 - I1 > 0)
@@ -123,7 +104,7 @@ separatrix_motion = (
 separatrix_solution = Claim(
     says=_solves(separatrix_motion, _rate),
     given=_separatrix,
-    proof=together(*(by(*_opening, exponentials) for _ in range(3))),
+    proof=by(*_opening, exponentials),
     note="M comes from −e₂ and ends at +e₂, each in infinite time.",
 )
 
@@ -135,14 +116,12 @@ _first_integrals = tuple(
     for motion in (rotating_motion, oscillating_motion)
 )
 
-rotating_amplitudes = Claim(
-    says=_first_integrals[0], given=_rotating, proof=together(*(by(trigonometry) for _ in range(2)))
-)
+rotating_amplitudes = Claim(says=_first_integrals[0], given=_rotating, proof=by(trigonometry))
 
 oscillating_amplitudes = Claim(
     says=_first_integrals[1],
     given=_oscillating,
-    proof=together(*(by(trigonometry) for _ in range(2))),
+    proof=by(trigonometry),
 )
 
 separatrix_amplitudes = Claim(
@@ -151,7 +130,7 @@ separatrix_amplitudes = Claim(
         equal(printed.momentum_squared(*separatrix_motion), M**2),
     ),
     given=_separatrix,
-    proof=together(by(exponentials), by(exponentials)),
+    proof=by(exponentials),
 )
 
 _by_integrals = by(substituting(energy_of_momentum, eq_first_int))
@@ -267,20 +246,7 @@ jacobi_solutions = Claim(
 momentum_between = Claim(
     says=Tuple(2 * I3 * E - M**2 >= 0, M**2 - 2 * I1 * E >= 0),
     given=ordered_moments,
-    proof=together(
-        (
-            step(
-                M1**2 * (I3 - I1) / I1 + M2**2 * (I3 - I2) / I2,
-                substituting(energy_of_momentum, eq_first_int),
-            ),
-        ),
-        (
-            step(
-                M2**2 * (I2 - I1) / I2 + M3**2 * (I3 - I1) / I3,
-                substituting(energy_of_momentum, eq_first_int),
-            ),
-        ),
-    ),
+    proof=by(substituting(energy_of_momentum, eq_first_int)),
 )
 
 meeting_point = Claim(
@@ -289,7 +255,7 @@ meeting_point = Claim(
         equal(printed.momentum_squared(_first, 0, _third), M**2),
     ),
     given=(*ordered_moments, I3 - I1 > 0, up >= 0, down >= 0),
-    proof=together(by(), by()),
+    proof=by(),
     note="Between the two bounds the surfaces meet in the plane of e₁ and e₃.",
 )
 

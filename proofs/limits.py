@@ -57,7 +57,7 @@ arcsine_grows = Claim(
     label="cosine_below_one",
     says=sqrt(b / (a + b)) - sqrt(b / (a + b)) * cos(epsilon) >= 0,
     given=(*shape, *defect),
-    proof=(step(sqrt(b / (a + b)) * (1 - cos(epsilon))),),
+    proof=manifest,
 )
 
 dominant_exponential = Claim(

@@ -117,11 +117,7 @@ momentum_along_z = Claim(
 eq_Mi = Claim(
     says=equations((M1, M2, M3), printed.momentum(theta, psi, M, sympy)),
     given=ordered_moments,
-    proof=together(
-        by(substituting(momentum_along_z)),
-        by(substituting(momentum_along_z)),
-        by(substituting(momentum_along_z)),
-    ),
+    proof=by(substituting(momentum_along_z)),
     where=display(6),
 )
 

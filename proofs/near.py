@@ -8,7 +8,6 @@
 """
 
 from tresym.proofs.conditions import shape
-from tresym.proofs.exponent import logarithmic_equation
 from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.evidence.charted import Reading
@@ -47,7 +46,7 @@ phase_equation = Claim(
 _beside = asin(_mu * _cosine), pi / 2 - asin(_mu * _cosine)
 
 phase_range = Claim(
-    says=Tuple(P >= pi, P <= 3 * pi / 2),
+    says=Tuple(pi <= P, 3 * pi / 2 >= P),
     given=shape,
     proof=together(
         *((step(e, substituting(phase), citing(flip_defect, defect_range)),) for e in _beside)

@@ -17,7 +17,7 @@ from collections.abc import Callable
 from typing import Any
 
 from flint import acb
-from tresym.proofs.conditions import shape_of_a_body
+from tresym.proofs.conditions import defect, shape, shape_of_a_body
 from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
 from tresym.proofs.flip_dynamics import precession_integrand, sign_of_tilt
@@ -290,14 +290,7 @@ slower_at_lower_level = Claim(
     says=printed.integrand(psi, a, b, _before, 1, sympy)
     >= printed.integrand(psi, a, b, gamma, 1, sympy),
     given=(*shape_of_a_body, _before + b * _square > 0, gamma - _before >= 0),
-    proof=(
-        step(
-            (1 - b * _square)
-            * (gamma - _before)
-            / (sqrt(a + b * _square) * _roots[0] * _roots[1] * (_roots[0] + _roots[1])),
-            roots,
-        ),
-    ),
+    proof=manifest,
     note="f is largest at the least γ, here called c.",
 )
 
@@ -433,7 +426,7 @@ larger_ab_less_robust = Claim(
 sensitive_if_small = Claim(
     says=Ge(1 / (4 * b * epsilon0), 1 / (4 * epsilon0), evaluate=False),
     given=(b > 0, b <= 1, epsilon0 > 0),
-    proof=(step((1 - b) / (4 * b * epsilon0)),),
+    proof=manifest,
     where=line(254),
     note="The second term grows without bound as ε₀ → 0.",
 )
@@ -446,10 +439,8 @@ each_eps0_one_a = Claim(
     says="By the theorem's formula with b = 0.1 each ε₀ belongs to one a: the formula is monotone.",
     kind="statement",
     given=(_three[0] > 0, _three[1] - _three[0] > 0, _three[2] - _three[1] > 0),
-    proof=Counterexample(
-        {"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)},
-        Lt((_at_tenth[1] - _at_tenth[0]) * (_at_tenth[2] - _at_tenth[1]), 0, evaluate=False),
-    ),
+    means=Ge((_at_tenth[1] - _at_tenth[0]) * (_at_tenth[2] - _at_tenth[1]), 0, evaluate=False),
+    proof=Counterexample({"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)}),
     where=Place(line=263),
     expect=Verdict.REFUTED,
     amended_by=(monotonicity,),
@@ -491,7 +482,7 @@ linear_range_ends = Claim(
         equal(at(_linear, {gamma: _upper}), -pi / 12), equal(at(_linear, {gamma: _lower}), pi / 12)
     ),
     given=(b > 0, epsilon0 > 0),
-    proof=together(by(evaluating), by(evaluating)),
+    proof=by(evaluating),
     note="In the linear formula the tolerance is reached at γ = 4bε₀(ε₀ ± π/12).",
 )
 close_to_separatrix = Claim(
@@ -517,10 +508,8 @@ initial_rate_is_angular_velocity = Claim(
     says="dψ/dφ is the angular velocity along the handle, counted in units of dφ/dt.",
     kind="statement",
     given=(dphi_dt > 0, cos(theta) > 0),
-    proof=Counterexample(
-        {"theta": fmpq(1), "dphi_dt": fmpq(1), "dpsi_dt": fmpq(1)},
-        Gt(dphi_dt * cos(theta) + dpsi_dt, dpsi_dt, evaluate=False),
-    ),
+    means=equal(dphi_dt * cos(theta) + dpsi_dt, dpsi_dt),
+    proof=Counterexample({"theta": fmpq(1), "dphi_dt": fmpq(1), "dpsi_dt": fmpq(1)}),
     where=Place(line=283),
     expect=Verdict.REFUTED,
     amended_by=(angular_velocity_of_the_handle,),
@@ -530,7 +519,7 @@ initial_rate_is_angular_velocity = Claim(
 unstable_rotation_characterized = Claim(
     says=Gt((a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2), 0, evaluate=False),
     given=shape_of_a_body,
-    proof=(step((a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2)),),
+    proof=manifest,
     where=line(283),
     note="The factor of cos θ in dψ/dφ: the rate is 0 only at θ = π/2, where M is along e₂ if ψ is "
     "a multiple of π.",
@@ -542,7 +531,7 @@ central_symmetry = Claim(
         equal(at(_rate, {psi: -psi, S: -S}), -_rate), equal(at(_rate, {psi: psi + pi}), _rate)
     ),
     given=(*shape_of_a_body, gamma + b * sin(psi) ** 2 > 0),
-    proof=together(by(evaluating, trigonometry), by(evaluating, trigonometry)),
+    proof=by(evaluating, trigonometry),
     where=line(283),
     note="(ψ, dψ/dφ) → (−ψ, −dψ/dφ) takes motions to motions and Δψ to −Δψ; so about every π.",
     shown=r"V(-\psi, -S) = -V(\psi, S),\quad V(\psi+\pi, S) = V(\psi, S),\quad "
@@ -553,12 +542,14 @@ zero_on_separatrix = Claim(
     label="zero_on_separatrix",
     says="On the separatrix the flip in one turn is approximately zero.",
     kind="statement",
-    proof=Denied((flip_str_exact,), {"gamma": fmpq(0)}),
+    means=Le(pi - 2 * epsilon, pi / 2),
+    given=(*shape, *defect[:2], printed.separatrix_residual(epsilon, a, b, sympy) > 0),
+    proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874), "epsilon": fmpq(1, 5)}),
     where=Place(line=284),
     expect=Verdict.REFUTED,
     amended_by=(flip_str_exact,),
-    note="From ψ₀ = ε₀ it is π − 2ε₀. It is small only for starts at an unstable point or running "
-    "into one.",
+    note="From ψ₀ = ε₀ it is π − 2ε₀, more than π − 2ε for ε above ε₀; and no quarter turn is near "
+    "zero. It is small only for starts at an unstable point or running into one.",
 )
 
 rate_at_the_top = number(
@@ -575,15 +566,13 @@ slow_on_separatrix = Claim(
     paper_says="On the separatrix ψ changes very slowly. Read as: near the unstable points; how "
     "slowly is not said.",
     kind="statement",
-    given=(Gt(psi, 0), Lt(psi, pi)),
-    proof=Counterexample(
-        {"psi": fmpq(3, 2)},
-        Gt(
-            printed.psi_rate(psi, Rational(1517, 121), Rational(55, 874), 0, 1, sympy),
-            Rational(1, 2),
-            evaluate=False,
-        ),
+    means=Le(
+        Abs(printed.psi_rate(psi, Rational(1517, 121), Rational(55, 874), 0, 1, sympy)),
+        Rational(1, 2),
+        evaluate=False,
     ),
+    given=(Gt(psi, 0), Lt(psi, pi)),
+    proof=Counterexample({"psi": fmpq(3, 2)}),
     where=Place(line=284),
     expect=Verdict.REFUTED,
     amended_by=(rate_at_the_top,),

@@ -36,7 +36,7 @@ sign_constant = Claim(
     label="sign_constant_rotating",
     says=dpsi_dphi * cos(theta) > 0,
     given=(*_body, *tilted, cos(theta) ** 2 > 0),
-    proof=(step((a + b * _sine) * cos(theta) ** 2 / (1 - b * _sine), substituting(eq_Euler)),),
+    proof=by(substituting(eq_Euler)),
     where=line(160),
     note="dψ/dφ has the sign of cos θ, which for γ > 0 never vanishes.",
 )
@@ -84,10 +84,8 @@ extremes_by_positivity = Claim(
     says="γ + b sin²ψ is positive only if sin²ψ = |γ|/b.",
     kind="statement",
     given=(*oscillating, gamma + b * _sine > 0),
-    proof=Counterexample(
-        {"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)},
-        Ne(_sine, Abs(gamma) / b),
-    ),
+    means=equal(_sine, Abs(gamma) / b),
+    proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)}),
     where=Place(line=160),
     expect=Verdict.REFUTED,
     amended_by=(positive_beyond,),
@@ -125,10 +123,8 @@ each_trajectory = Claim(
     "ψ_max = π − ψ_min. Read as: each with 0 < ψ < π; the others are mirror images.",
     kind="statement",
     given=(*oscillating, psi > -pi, psi < pi, gamma + b * _sine > 0),
-    proof=Counterexample(
-        {"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)},
-        psi < asin(sqrt(Abs(gamma) / b)),
-    ),
+    means=Tuple(psi >= asin(sqrt(Abs(gamma) / b)), psi <= pi - asin(sqrt(Abs(gamma) / b))),
+    proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)}),
     where=Place(line=160),
     expect=Verdict.REFUTED,
     amended_by=(flip_is_bounded,),
@@ -178,7 +174,7 @@ rest_points = Claim(
         )
     ),
     given=shape_of_a_body,
-    proof=together(*(by(evaluating, trigonometry) for _ in range(6))),
+    proof=by(evaluating, trigonometry),
     where=line(179),
     note="The planar system rests at θ = π/2 with ψ = 0, π/2 or π. In the portrait of θ all of "
     "them are the one point (π/2, 0).",
@@ -197,7 +193,7 @@ momentum_at_rest = Claim(
             )
         )
     ),
-    proof=together(*(by(evaluating, trigonometry) for _ in range(9))),
+    proof=by(evaluating, trigonometry),
     shown=r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, 0\right) = (0, -M, 0),\quad "
     r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \pi\right) = (0, M, 0),\quad "
     r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = (0, 0, M)",
@@ -237,7 +233,7 @@ separatrix_passes = Claim(
             for flip in (Integer(0), pi)
         )
     ),
-    proof=together(*(by(evaluating, trigonometry) for _ in range(2))),
+    proof=by(evaluating, trigonometry),
     note="γ = 0 at the two unstable points.",
 )
 
@@ -252,7 +248,7 @@ flip_portrait = Claim(
 width_of_flip = Claim(
     says=(pi - asin(sqrt(-gamma / b))) - asin(sqrt(-gamma / b)) < pi,
     given=oscillating,
-    proof=(step(2 * asin(sqrt(-gamma / b))),),
+    proof=manifest,
     where=line(164),
     note="From turning point to turning point, below π and as near to it as γ to 0.",
 )
@@ -262,7 +258,7 @@ _lift = Symbol("h", real=True)
 width_of_pendulum = Claim(
     says=2 * acos(-_lift) < 2 * pi,
     given=(_lift > -1, _lift < 1),
-    proof=(step(4 * atan(sqrt((1 - _lift) / (1 + _lift))), inverses, roots),),
+    proof=manifest,
     note="A pendulum with energy v²/2 − cos q = h turns at q = ±arccos(−h).",
 )
 
@@ -293,7 +289,7 @@ linear_pendulum = Claim(
         equal(_linear_pendulum(Integer(0)), eigenvalue**2 + 1),
         equal(_linear_pendulum(pi), eigenvalue**2 - 1),
     ),
-    proof=together(*(by(differentiation, trigonometry) for _ in range(2))),
+    proof=by(differentiation, trigonometry),
     note="A centre below and a saddle above, once in every turn of 2π.",
     shown=r"\ddot q = -\sin q:\quad \det(\lambda-A)|_{q=0} = \lambda^2+1,\quad "
     r"\det(\lambda-A)|_{q=\pi} = \lambda^2-1",
@@ -317,7 +313,7 @@ similar_to_a_pendulum = Claim(
 separatrix_moves = Claim(
     says=printed.psi_rate(psi, a, b, 0, 1, sympy) ** 2 > 0,
     given=(*shape_of_a_body, sin(psi) ** 2 > 0),
-    proof=(step((a + b * _sine) * b * _sine / (1 - b * _sine) ** 2),),
+    proof=manifest,
 )
 
 way_between = Claim(
@@ -393,7 +389,6 @@ tilt_portrait = Claim(
     where=line(179),
 )
 
-_line = Symbol("line", real=True)
 _said_at = Integer(103)
 """Where `mirror_images` is said: θ in [0, π/2] is enough for γ > 0."""
 
@@ -401,15 +396,16 @@ said_in_section_3 = Claim(
     label="said_in_section_3",
     says="That θ in [0, π/2] is enough for γ > 0 is said in Section 3, of lines 81 to 112.",
     kind="statement",
-    proof=formally(Ge(_said_at, 81, evaluate=False), Le(_said_at, 112, evaluate=False)),
+    means=Tuple(Ge(_said_at, 81, evaluate=False), Le(_said_at, 112, evaluate=False)),
+    proof=formally(),
 )
 
 reference_to_section_2 = Claim(
     label="reference_to_section_2",
     says="That θ in [0, π/2] is enough for γ > 0 is said in Section 2, of lines 48 to 80.",
     kind="statement",
-    given=(_line >= _said_at, _line <= _said_at),
-    proof=Counterexample({"line": fmpq(103)}, _line > 80),
+    means=Le(_said_at, 80, evaluate=False),
+    proof=Counterexample({"line": fmpq(103)}),
     where=Place(line=179),
     expect=Verdict.REFUTED,
     amended_by=(said_in_section_3,),
@@ -438,29 +434,21 @@ oscillating_bounds = Claim(
 cosines_of_bounds = Claim(
     says=Tuple(_least_cosine > 0, 1 - _least_cosine >= 0, gamma / a > 0, 1 - gamma / a > 0),
     given=rotating,
-    proof=together(
-        (step(_least_cosine),),
-        (step((a - gamma) / (a + b)),),
-        (step(gamma / a),),
-        (step((a - gamma) / a),),
-    ),
+    proof=manifest,
     note="Both arc cosines are defined.",
 )
 
 tilts_in_order = Claim(
     says=_least_cosine - gamma / a > 0,
     given=rotating,
-    proof=(step(b * (a - gamma) / (a * (a + b))),),
+    proof=manifest,
     note="θ_min < θ_max for every rotating motion.",
 )
 
 tilt_above_least = Claim(
     says=gamma + b - (a + b) * _square >= 0,
     given=_body,
-    proof=(
-        step(a - sin(theta) ** 2 * (a + b * _sine) + b - (a + b) * _square, substituting(eq_gamma)),
-        step(b * sin(theta) ** 2 * cos(psi) ** 2, trigonometry),
-    ),
+    proof=by(substituting(eq_gamma)),
 )
 
 _above = gamma + b - (a + b) * _square
@@ -479,9 +467,7 @@ rotating_tilt_between = Claim(
         equal(a * _square - gamma, a * sin(theta_max - theta) * sin(theta_max + theta)),
     ),
     given=rotating,
-    proof=together(
-        by(substituting(rotating_bounds), *_roots), by(substituting(rotating_bounds), *_roots)
-    ),
+    proof=by(substituting(rotating_bounds), *_roots),
     note="For θ in [0, π/2] neither is negative exactly between θ_min and θ_max.",
 )
 
@@ -491,9 +477,7 @@ bounds_are_reached = Claim(
         equal(a * _square - gamma, b * sin(theta) ** 2 * _sine),
     ),
     given=_body,
-    proof=together(
-        by(substituting(eq_gamma), trigonometry), by(substituting(eq_gamma), trigonometry)
-    ),
+    proof=by(substituting(eq_gamma), trigonometry),
     note="Zero at ψ = π/2 and at ψ = 0: there the tilt is at a bound.",
 )
 

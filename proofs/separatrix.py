@@ -42,7 +42,7 @@ _on_path = (*defect, psi >= epsilon, psi <= pi - epsilon)
 sine_on_path = Claim(
     says=sin(psi) > 0,
     given=_on_path,
-    proof=(step(sin(psi)),),
+    proof=manifest,
     note="From ε to π − ε the flip angle stays between the unstable points.",
 )
 
@@ -55,14 +55,12 @@ separatrix_condition = Claim(
     note="The condition for the flip defect on the separatrix: one ε meets it (`one_flip_defect`).",
 )
 
-pole_on_path = Claim(
-    says=1 - cos(psi) ** 2 > 0, given=_on_path, proof=(step(sin(psi) ** 2, trigonometry),)
-)
+pole_on_path = Claim(says=1 - cos(psi) ** 2 > 0, given=_on_path, proof=manifest)
 
 root_on_path = Claim(
     says=1 - _mu**2 * cos(psi) ** 2 > 0,
     given=shape,
-    proof=(step((a + b * sin(psi) ** 2) / (a + b), trigonometry),),
+    proof=manifest,
 )
 
 substitution = Claim(
@@ -86,65 +84,49 @@ _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 root_at_start = Claim(
     says=1 - x0**2 > 0,
     given=(*shape, *defect),
-    proof=(
-        step(1 - b / (a + b) * cos(epsilon) ** 2, substituting(start_in_x), roots),
-        step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),
-    ),
+    proof=by(substituting(start_in_x)),
 )
 
 below_the_pole = Claim(
     says=b / (a + b) - x0**2 > 0,
     given=(*shape, *defect),
-    proof=(
-        step(b / (a + b) * (1 - cos(epsilon) ** 2), substituting(start_in_x), roots),
-        step(b / (a + b) * sin(epsilon) ** 2, trigonometry),
-    ),
+    proof=by(substituting(start_in_x)),
 )
 
 _inside = ((x - x0) * (-x0 - x) >= 0,)
 
-inside_square = Claim(says=x0**2 - x**2 >= 0, given=_inside, proof=(step((x - x0) * (-x0 - x)),))
+inside_square = Claim(says=x0**2 - x**2 >= 0, given=_inside, proof=manifest)
 
 root_in_interval = Claim(
     says=1 - x**2 > 0,
     given=(*shape, *defect, *_inside),
-    proof=(step(1 - x**2, citing(root_at_start, inside_square)),),
+    proof=by(citing(root_at_start, inside_square)),
     note="The sum of the two bounds it cites.",
 )
 
 pole_outside = Claim(
     says=b / (a + b) - x**2 > 0,
     given=(*shape, *defect, *_inside),
-    proof=(step(b / (a + b) - x**2, citing(below_the_pole, inside_square)),),
+    proof=by(citing(below_the_pole, inside_square)),
     note="The sum of the two bounds it cites.",
 )
 
 artanh_defined = Claim(
     says=1 - (sqrt(a / b) * x / sqrt(1 - x**2)) ** 2 > 0,
     given=(*shape, *defect, *_inside),
-    proof=(
-        step(
-            (a + b) * (b / (a + b) - x**2) / (b * (1 - x**2)),
-            citing(root_in_interval, pole_outside),
-        ),
-    ),
+    proof=by(citing(root_in_interval, pole_outside)),
 )
 
 first_factor = Claim(
     says=1 - (a + b) / b * x**2 > 0,
     given=(*shape, *defect, *_inside),
-    proof=(step((a + b) / b * (b / (a + b) - x**2), citing(pole_outside)),),
+    proof=by(citing(pole_outside)),
 )
 
 artanh_at_start = Claim(
     says=1 - (sqrt(a / b) * x0 / sqrt(1 - x0**2)) ** 2 > 0,
     given=(*shape, *defect),
-    proof=(
-        step(
-            (a + b) * (b / (a + b) - x0**2) / (b * (1 - x0**2)),
-            citing(root_at_start, below_the_pole),
-        ),
-    ),
+    proof=by(citing(root_at_start, below_the_pole)),
 )
 
 integrated = Claim(
@@ -176,7 +158,7 @@ _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 root_under_cosine = Claim(
     says=1 - _mu**2 * cos(epsilon) ** 2 > 0,
     given=(*shape, *defect),
-    proof=(step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),),
+    proof=manifest,
 )
 
 logarithm_of_artanh = Claim(
@@ -192,21 +174,19 @@ _argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) *
 argument_below_one = Claim(
     says=1 - _argument**2 > 0,
     given=(*shape, *defect),
-    proof=(step((1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2), trigonometry),),
+    proof=manifest,
 )
 
 ratio_below_one = Claim(
     says=1 - (cos(epsilon) / _root) ** 2 > 0,
     given=(*shape, *defect),
-    proof=(step((1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2), trigonometry),),
+    proof=manifest,
 )
 
 printed_left_positive = Claim(
     says=_ratio > 0,
     given=(*shape, *defect),
-    proof=(
-        step((1 + b / a) * sin(epsilon) ** 2 / (_root + cos(epsilon)) ** 2, roots, trigonometry),
-    ),
+    proof=manifest,
     note="The form in which the left side does not cancel.",
 )
 
@@ -264,17 +244,14 @@ auxiliary_angle = Claim(
 _spread = cosh(T) ** 2 + r**2 * sinh(T) ** 2
 _end = 3 * pi / 2 * k
 
-end_positive = Claim(says=tanh(_end) > 0, given=auxiliary, proof=(step(tanh(_end)),))
+end_positive = Claim(says=tanh(_end) > 0, given=auxiliary, proof=manifest)
 
 unique_root = Claim(
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
     "with 0 < T < 3π√(ab)/2.",
+    means=ExactlyOne(T, 0, _end, equal(T, _map)),
     given=(*auxiliary, k * r <= 1),
     proof=UniqueRoot(
-        variable=T,
-        function=T - _map,
-        low=Integer(0),
-        high=_end,
         derivative=(
             step(1 - k * r / _spread, differentiation, exponentials),
             step(((1 - k * r) + (1 + r**2) * sinh(T) ** 2) / _spread, exponentials),
@@ -288,14 +265,14 @@ unique_root = Claim(
 no_root_beyond = Claim(
     says=_end > _map,
     given=(*auxiliary, *later),
-    proof=(step(k * atan(1 / (r * tanh(T))), exponentials, inverses),),
+    proof=manifest,
     note="The map stays below 3π√(ab)/2, so no root lies there or beyond.",
 )
 
 no_root_below = Claim(
     says=_map > k * pi,
     given=(*auxiliary, *later),
-    proof=(step(k * atan(r * tanh(T))),),
+    proof=manifest,
     note="The phase T/√(ab) of the root is between π and 3π/2.",
 )
 
@@ -309,10 +286,7 @@ contraction = Claim(
 contraction_bound = Claim(
     says=Tuple(b * sin(epsilon) ** 2 > 0, b * sin(epsilon) ** 2 < 1),
     given=(*shape, *defect),
-    proof=together(
-        (step(b * sin(epsilon) ** 2, algebra),),
-        (step(cos(epsilon) ** 2 + (1 - b) * sin(epsilon) ** 2, trigonometry),),
-    ),
+    proof=manifest,
 )
 
 one_flip_defect = Claim(
@@ -330,19 +304,15 @@ one_flip_defect = Claim(
     ),
 )
 
-_share = tanh(_time) - _inverse
 _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
 
 defect_is_one = Claim(
     says="Each shape has exactly one ε between 0 and π/2 with tanh T = cos ε/√(1 + (b/a) sin²ε), "
     "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
     kind="statement",
+    means=ExactlyOne(epsilon, 0, pi / 2, equal(tanh(_time), _inverse)),
     given=shape,
     proof=UniqueRoot(
-        variable=epsilon,
-        function=_share,
-        low=Integer(0),
-        high=pi / 2,
         derivative=(
             step(
                 sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),

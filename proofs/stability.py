@@ -63,19 +63,19 @@ eigenvalues_e3 = Claim(
 center_at_e1 = Claim(
     says=_square1 < 0,
     given=ordered_moments,
-    proof=(step(M**2 * (I2 - I1) * (I3 - I1) / (I1**2 * I2 * I3)),),
+    proof=manifest,
 )
 
 saddle_at_e2 = Claim(
     says=_square2 > 0,
     given=ordered_moments,
-    proof=(step(M**2 * (I2 - I1) * (I3 - I2) / (I1 * I2**2 * I3)),),
+    proof=manifest,
 )
 
 center_at_e3 = Claim(
     says=_square3 < 0,
     given=ordered_moments,
-    proof=(step(M**2 * (I3 - I1) * (I3 - I2) / (I1 * I2 * I3**2)),),
+    proof=manifest,
 )
 
 _below_first = M2**2 * (I2 - I1) / (I1 * I2) + M3**2 * (I3 - I1) / (I1 * I3)
@@ -165,18 +165,7 @@ leaves_e2 = Claim(
         )
     ),
     given=ordered_moments,
-    proof=together(
-        *(
-            (
-                step(
-                    M2**2 * (_first_rate * M1 - side * _third_rate * M3) ** 2,
-                    substituting(eq_dMi),
-                    roots,
-                ),
-            )
-            for side in (1, -1)
-        )
-    ),
+    proof=by(substituting(eq_dMi)),
     note="Let P be −M₁M₃ where M₂ > 0 and M₁M₃ where M₂ < 0. As long as |M₂| ≥ m, a positive P "
     "grows at least as e^{2αβmt}, α² = 1/I₁ − 1/I₂ and β² = 1/I₂ − 1/I₃; but it is at most M²/2.",
 )
@@ -198,7 +187,7 @@ points_of_the_sphere = Claim(
 sphere_at_rest = Claim(
     says=Tuple(*(equal(at(rate, {I2: I1, I3: I1}), 0) for rate in _rates)),
     given=(I1 > 0,),
-    proof=together(*(by(evaluating) for _ in range(3))),
+    proof=by(evaluating),
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2=I_3} = (0, 0, 0)",
     note="With three equal moments M stays where it is in the body.",
 )
@@ -207,18 +196,20 @@ any_body = Claim(
     label="any_rigid_body_is_unstable",
     says="In any rigid body the rotation about the second axis is unstable.",
     kind="statement",
-    proof=Denied((sphere_at_rest,), {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1)}),
+    means=_square2 > 0,
+    given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
+    proof=Counterexample({"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1), "M": fmpq(1)}),
     where=Place(line=49),
     expect=Verdict.REFUTED,
-    amended_by=(stable_e1, stable_e3, unstable_e2),
-    note="True of three different moments; a body with three equal ones turns steadily about any "
-    "axis.",
+    amended_by=(stable_e1, stable_e3, unstable_e2, sphere_at_rest),
+    note="True of three different moments: the formula is the square of the eigenvalue. A body "
+    "with three equal ones turns steadily about any axis.",
 )
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
 
-outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=(step((I3 - I2) + (I2 - I1)),))
+outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=manifest)
 
 permanent_rotations = Claim(
     says=Tuple(
@@ -246,13 +237,11 @@ three_equilibria = Claim(
     paper_says="The figure shows the three equilibrium points p₊, p₋ and p_D of the dynamics. Read "
     "as: up to the sign of M.",
     kind="statement",
-    given=(
-        I1 > 0,
-        I2 - I1 > 0,
-        I3 - I2 > 0,
-        *(Le(rate**2, 0, evaluate=False) for rate in _rates),
-        Le((M1**2 + M2**2 + M3**2 - 1) ** 2, 0, evaluate=False),
+    means=Under(
+        equal(_distances[0] * _distances[1] * _distances[2], 0),
+        Tuple(*equations((*_rates,), (0, 0, 0)), equal(M1**2 + M2**2 + M3**2, 1)),
     ),
+    given=(I1 > 0, I2 - I1 > 0, I3 - I2 > 0),
     proof=Counterexample(
         {
             "I1": fmpq(1),
@@ -261,8 +250,7 @@ three_equilibria = Claim(
             "M1": fmpq(-1),
             "M2": fmpq(0),
             "M3": fmpq(0),
-        },
-        Gt(_distances[0] * _distances[1] * _distances[2], 0),
+        }
     ),
     where=Place(line=103),
     expect=Verdict.REFUTED,
@@ -282,30 +270,7 @@ transverse_velocity = Claim(
         M**2 * sin(theta) ** 2 / I2**2 >= W2**2 + W3**2,
     ),
     given=ordered_moments,
-    proof=together(
-        (
-            step(
-                (M2 / I2) ** 2 + (M3 / I3) ** 2 - M**2 * sin(theta) ** 2 / I3**2,
-                substituting(velocity_from_momentum),
-            ),
-            step(
-                M**2 * sin(theta) ** 2 * cos(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
-                substituting(eq_Mi),
-                trigonometry,
-            ),
-        ),
-        (
-            step(
-                M**2 * sin(theta) ** 2 / I2**2 - (M2 / I2) ** 2 - (M3 / I3) ** 2,
-                substituting(velocity_from_momentum),
-            ),
-            step(
-                M**2 * sin(theta) ** 2 * sin(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
-                substituting(eq_Mi),
-                trigonometry,
-            ),
-        ),
-    ),
+    proof=by(substituting(velocity_from_momentum, eq_Mi)),
     note="The rotation across the handle is as small as sin θ, and zero only at p₊.",
 )
 
@@ -315,6 +280,9 @@ only_about_the_handle = Claim(
     paper_says="Around the stable point p₊ the racket rotates only about its handle. Read as: at "
     "p₊, and nearly so close to it.",
     kind="statement",
+    means=equations(
+        (M * sin(theta) * cos(psi) / I2, M * sin(theta) * sin(psi) / I3), (Integer(0), Integer(0))
+    ),
     given=(*ordered_moments, theta > 0, theta < pi / 12),
     proof=Counterexample(
         {
@@ -324,8 +292,7 @@ only_about_the_handle = Claim(
             "M": fmpq(1),
             "theta": fmpq(1, 10),
             "psi": fmpq(0),
-        },
-        Ne(M * sin(theta) * cos(psi) / I2, 0),
+        }
     ),
     where=Place(line=103),
     expect=Verdict.REFUTED,

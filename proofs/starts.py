@@ -32,19 +32,14 @@ _rate = Symbol("v", real=True)
 faster_at_higher_level = Claim(
     says=Derivative(printed.integrand(psi, a, b, gamma, 1, sympy), gamma) < 0,
     given=(*shape_of_a_body, gamma + b * _square > 0),
-    proof=(
-        step(
-            (1 - b * _square) / (2 * sqrt(a + b * _square) * sqrt(gamma + b * _square) ** 3),
-            differentiation,
-        ),
-    ),
+    proof=by(differentiation),
     note="The flip angle turns faster, at every ψ, the larger γ is.",
 )
 
 level_grows_with_the_rate = Claim(
     says=Derivative(_rate**2 * (1 - b * _square) ** 2 / (a + b * _square) - b * _square, _rate) > 0,
     given=(*shape_of_a_body, _rate > 0),
-    proof=(step(2 * _rate * (1 - b * _square) ** 2 / (a + b * _square), differentiation),),
+    proof=by(differentiation),
     note="γ of a start, by `level_of_a_start`.",
 )
 

@@ -35,7 +35,7 @@ no_oscillation = Claim(
     label="no_oscillating_I2_I3",
     says=printed.depth(theta, psi, a, 0, sympy) >= 0,
     given=(a > 0,),
-    proof=(step(a * cos(theta) ** 2, trigonometry),),
+    proof=manifest,
     where=line(112),
     note="I₂ = I₃: γ is never negative.",
 )
@@ -65,10 +65,9 @@ one_circle = Claim(
     paper_says="For I₂ = I₃ the two surfaces meet in a circle about e₁. Read as: in that on which "
     "a solution runs.",
     kind="statement",
-    given=(a > 0, M > 0, Le((a * M1**2 - a * _other**2) ** 2, 0, evaluate=False)),
-    proof=Counterexample(
-        {"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}, Ne(M1, _other)
-    ),
+    means=Under(equal(M1, _other), Tuple(equal(a * M1**2, a * _other**2))),
+    given=(a > 0, M > 0),
+    proof=Counterexample({"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}),
     where=Place(line=112),
     expect=Verdict.REFUTED,
     amended_by=(depth_b_zero, circle_about_handle),
@@ -107,7 +106,7 @@ only_oscillation = Claim(
     label="only_oscillating_I1_I2",
     says=printed.depth(theta, psi, 0, b, sympy) <= 0,
     given=(b > 0,),
-    proof=(step(b * sin(theta) ** 2 * sin(psi) ** 2),),
+    proof=manifest,
     where=line(112),
     note="I₁ = I₂: γ is never positive.",
 )
@@ -117,7 +116,7 @@ _at_rest = printed.euler_equations(M1, M2, M3, I1, I2, I3)
 rest_on_the_circle = Claim(
     says=Tuple(*(equal(at(rate, {I2: I1, M3: 0}), 0) for rate in _at_rest)),
     given=(I1 > 0, I3 > 0),
-    proof=together(*(by(evaluating) for _ in range(3))),
+    proof=by(evaluating),
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2,\,M_3=0} = (0, 0, 0)",
 )
 

@@ -72,13 +72,13 @@ level_line = Claim(
 cosine_to_the_middle = Claim(
     says=sqrt(a) * cos(psi) >= 0,
     given=(a > 0, *defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(sqrt(a) * cos(psi)),),
+    proof=manifest,
 )
 
 logarithm_to_the_middle = Claim(
     says=sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2) > 0,
     given=(*shape, *defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2)),),
+    proof=manifest,
     note="The antiderivative of d55 is smooth up to π/2.",
 )
 
@@ -192,7 +192,7 @@ excess_by_end = Claim(
 )
 
 excess_falls = Claim(
-    says=excess_epsilon < 0, given=_one_motion, proof=(step(_at_end, substituting(excess_by_end)),)
+    says=excess_epsilon < 0, given=_one_motion, proof=by(substituting(excess_by_end))
 )
 
 defect_by_excess = Claim(

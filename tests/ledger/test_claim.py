@@ -50,10 +50,10 @@ RESTS = [
     (by(substituting(A, B), citing(A)), [A, B]),
     ((step(x, substituting(B)), step(y, citing(A))), [B, A]),
     (together(by(substituting(A)), by(citing(B))), [A, B]),
-    (UniqueRoot(x, x, Integer(0), y, by(citing(A)), by(citing(B)), by(citing(C))), [A, B, C]),
+    (UniqueRoot(by(citing(A)), by(citing(B)), by(citing(C))), [A, B, C]),
     (ImplicitFunction(A, x, y, Integer(0), by(citing(C)), (B,)), [A, B, C]),
     (all_of(A, B), [A, B]),
-    (formally(x > 0, using=(A,)), [A]),
+    (formally(A), [A]),
     (Definition(), []),
 ]
 
@@ -72,13 +72,13 @@ KINDS = [
     ("x is y", all_of(A, B), "statement", Premise.DEFINED),
     ("x is y", all_of(A, named("E", by())), "statement", Verdict.PROVED),
     ("x is y", all_of(), "statement", Verdict.PROVED),
-    ("x is y", formally(equal(x, y)), "statement", Verdict.PROVED),
+    ("x is y", formally(), "statement", Verdict.PROVED),
     ("x is 1", Printed("1", lambda m: arb(1)), "number", Verdict.ENCLOSED),
     ("x is 1", Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (x > y, Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (equal(x, y), Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (equal(x, y), Asymptotics(Order("O", sin, cos), ""), "order", Verdict.ENCLOSED),
-    ("x is y", Counterexample({"x": fmpq(1)}, x > 0), "statement", Verdict.REFUTED),
+    ("x is y", Counterexample({"x": fmpq(1)}), "statement", Verdict.REFUTED),
     ("x is y", Denied((A,), {"x": fmpq(1)}), "statement", Verdict.REFUTED),
     (equal(x, y), Definition("a law"), "definition", Premise.ASSUMED),
 ]

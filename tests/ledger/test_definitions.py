@@ -53,6 +53,7 @@ from tresym.ledger.reasons import (
     substituting,
 )
 from tresym.ledger.second_look import scalars
+from tresym.ledger.statements import ExactlyOne
 from tresym.ledger.verification import verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -93,8 +94,8 @@ def test_a_claim_is_its_value_and_not_its_label() -> None:
     assert twin != right
     assert replace(right) == right
     found = {row.claim.label: row.finding for row in verify(["eq_gamma"]).rows}
-    for proof in (by(substituting(twin)), formally(equal(x, 7), using=(twin,)), all_of(twin)):
-        says = "x = 7" if not isinstance(proof, tuple) else equal(x, 7)
+    for proof in (by(substituting(twin)), formally(twin), all_of(twin)):
+        says = "x = 7" if proof == all_of(twin) else equal(x, 7)
         assert not judge(Claim("user", says, proof), found).verdict.holds
 
 
@@ -147,7 +148,7 @@ def test_symbols_are_defined_once(claims: tuple[Claim, ...], ledger: Callable[..
     steps = (step(left, substituting(claims[0])), step(sides[1], substituting(claims[1])))
     for user in (
         Claim("user", says, steps, given=claims[1].given),
-        Claim("user", "…", formally(says, using=claims), given=claims[1].given),
+        Claim("user", says, formally(*claims), given=claims[1].given),
         Claim("user", "…", all_of(*claims)),
     ):
         assert not judged(user).holds or claims == TWICE["implicit"]
@@ -420,13 +421,9 @@ def test_what_rests_on_itself_is_refused(ledger: Callable[..., None]) -> None:
 POSITIVE = (x > 0,)
 ONE_ROOT = Claim(
     label="one root",
-    says="t³ = x has exactly one root between 0 and x + 1.",
+    says=ExactlyOne(t, 0, x + 1, equal(t**3, x)),
     given=POSITIVE,
     proof=UniqueRoot(
-        variable=t,
-        function=t**3 - x,
-        low=ZERO,
-        high=x + 1,
         derivative=(step(3 * t**2, differentiation),),
         at_low=(step(-x),),
         at_high=(step(x**3 + 3 * x**2 + 2 * x + 1),),
@@ -460,6 +457,7 @@ def test_a_symbol_may_name_the_one_root() -> None:
         replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),
         replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=all_of(ONE_ROOT)))),
         replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=(step(x),)))),
+        replace(ROOT, proof=Root(y, replace(ONE_ROOT, says=equal(t**3, x)))),
     ],
 )
 def test_what_is_no_name_for_the_one_root_is_refused(claim: Claim) -> None:
@@ -474,6 +472,7 @@ def test_a_root_is_defined_once() -> None:
     assert conflict((ROOT, other)) is not None
     assert conflict((ROOT, twin)) is None
     assert finding(both).verdict is Verdict.UNDECIDED
-    square = replace(ONE_ROOT.proof, function=t**2 - x, derivative=(step(2 * t, differentiation),))
-    unlike = replace(ONE_ROOT, label="unlike", proof=square)
+    square = replace(ONE_ROOT.proof, derivative=(step(2 * t, differentiation),))
+    says = ExactlyOne(t, 0, x + 1, equal(t**2, x))
+    unlike = replace(ONE_ROOT, label="unlike", says=says, proof=square)
     assert conflict((ROOT, replace(ROOT, label="u", proof=Root(y, unlike)))) is not None

@@ -20,7 +20,8 @@ from sympy.core.relational import Relational
 from tresym.coq.equations import exchanged
 from tresym.coq.search import proofs
 from tresym.coq.statement import NotExportedError, Theorem, term
-from tresym.ledger.claim import Claim, Counterexample, Definition, Formally, Printed, parts_of
+from tresym.ledger.claim import AllOf, Claim, Counterexample, Definition, Printed, parts_of
+from tresym.ledger.evidence.denial import denied_at
 from tresym.ledger.evidence.printed import judge_printed
 from tresym.ledger.meaning import definitions
 from tresym.reals.language.expression import Expr, number, symbol, symbols, trees
@@ -63,13 +64,9 @@ def theorems_of(claim: Claim) -> list[Theorem]:
             return [_printed(claim, proof)]
         if isinstance(proof, Counterexample):
             return [_counterexample(claim, proof)]
-        if isinstance(proof, Formally):
-            relations: tuple[Basic, ...] = proof.relations
-        elif isinstance(claim.says, Basic):
-            relations = parts_of(claim.says)
-        else:
+        if claim.statement is None or isinstance(proof, AllOf):
             raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
-        found = list(chain.from_iterable(map(_entries, relations)))
+        found = list(chain.from_iterable(map(_entries, parts_of(claim.statement))))
         return [
             _theorem(claim, relation, name_of(claim.label) + (f"_{n}" if len(found) > 1 else ""))
             for n, relation in enumerate(found, 1)
@@ -166,12 +163,13 @@ def _printed(claim: Claim, proof: Printed) -> Theorem:
 
 def _counterexample(claim: Claim, proof: Counterexample) -> Theorem:
     """That there is a point which satisfies the conditions and not the statement."""
-    violated = proof.violated
+    denied = denied_at(claim.statement, proof.point) if claim.statement is not None else None
+    if denied is None or denied[1].has(*BOUND):
+        raise NotExportedError("that the point denies is not exported yet")
+    above, violated = denied[0], denied[1].negated
     kind = type(violated).__name__
-    if kind not in RELATIONS or violated.has(*BOUND):
-        raise NotExportedError(f"{kind} is not exported yet")
     sides = from_sympy(violated.lhs), from_sympy(violated.rhs)
-    given = Given.from_sympy(*claim.given).comparisons
+    given = Given.from_sympy(*claim.given, *above).comparisons
     return _made(
         name_of(claim.label),
         given,

@@ -18,7 +18,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Add, Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
@@ -107,9 +107,15 @@ def step(expression: Basic, *reasons: Reason) -> Step:
 
 
 def by(*reasons: Reason) -> tuple[Step, ...]:
-    """A chain of one step, straight to the right side of what the claim says."""
+    """A chain of one step, straight to the right side of what the claim says, or to its sign.
+
+    Of a system it shows each part.
+    """
     return (Step(None, reasons),)
 
+
+manifest = by()
+"""An inequality, or each of several, that the prover of signs decides as it stands."""
 
 Chain = tuple[Step, ...]
 
@@ -153,11 +159,9 @@ class Root:
     @property
     def says(self) -> Tuple:
         """The equation for the root, and the interval that it lies in."""
-        root, x = self.unique.proof, self.symbol
-        assert isinstance(root, UniqueRoot)
-        terms = Add.make_args(root.function)
-        right = -Add(*(term for term in terms if term.could_extract_minus_sign()))
-        sides = (e.xreplace({root.variable: x}) for e in (root.function + right, right))
+        root, x = self.unique.statement, self.symbol
+        assert isinstance(root, ExactlyOne)
+        sides = (side.xreplace({root.variable: x}) for side in root.args[3].args)
         return Tuple(equal(*sides), Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
 
 
@@ -175,14 +179,14 @@ def together(*chains: Chain) -> Together:
 
 @dataclass(frozen=True)
 class UniqueRoot:
-    """Exactly one root of ``function`` in (low, high): opposite signs at the ends, monotone."""
+    """An equation has exactly one root between two ends, where its sides differ in sign.
 
-    variable: Symbol
-    function: Expr
-    low: Expr
-    high: Expr
+    The statement is an `ExactlyOne`; the difference of the sides of its equation is continuous and
+    monotone.
+    """
+
     derivative: Chain
-    """A chain from the derivative of the function to a form whose sign is manifest."""
+    """A chain from the derivative of the difference to a form whose sign is manifest."""
     at_low: Chain
     at_high: Chain
     """Chains from the values at the ends to forms whose signs are manifest."""
@@ -246,30 +250,24 @@ def all_of(*claims: Claim) -> AllOf:
 
 @dataclass(frozen=True)
 class Formally:
-    """A sentence of the paper, quantified as written: relations under the claim's `given`.
+    """The relations of the statement, decided as they stand, by normal form and by proven signs.
 
-    It is decided by the identity procedure and by proven signs, without a chain; a false one
-    falls to an exact point at which a ball violates it.
+    ``claims`` are put in. A false relation falls to an exact point at which a ball violates it.
     """
 
-    relations: tuple[Basic, ...]
     claims: tuple[Claim, ...] = ()
 
 
-def formally(*relations: Basic, using: tuple[Claim, ...] = ()) -> Formally:
-    """Evidence for a sentence: the relations it states, with earlier equations put in."""
-    return Formally(relations, using)
+def formally(*using: Claim) -> Formally:
+    """Evidence without a chain, with earlier equations put in."""
+    return Formally(using)
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """An exact point at which every condition of the claim holds and ``violated`` does too.
-
-    ``violated`` is a strict relation (or `Ne`) that contradicts the statement.
-    """
+    """An exact point under every condition of the claim at which the statement does not hold."""
 
     point: Mapping[str, fmpq]
-    violated: Basic
     expect: ClassVar[Ruling] = Verdict.REFUTED
 
 
@@ -391,16 +389,16 @@ class Claim:
             return self.means
         if isinstance(self.says, Basic):
             return self.says
-        match self.proof:
-            case AllOf(claims):
-                parts = [(part.statement, part.given) for part in claims]
-                known = [(says, given) for says, given in parts if says is not None]
-                return together_under(known) if len(known) == len(parts) else None
-            case Formally(relations=relations):
-                return Tuple(*relations)
-            case UniqueRoot(variable=x, function=h, low=low, high=high):
-                return ExactlyOne(x, low, high, equal(h, Integer(0)))
-        return None
+        if not isinstance(self.proof, AllOf):
+            return None
+        parts = [(part.statement, part.given) for part in self.proof.claims]
+        known = [(says, given) for says, given in parts if says is not None]
+        return together_under(known) if len(known) == len(parts) else None
+
+    @property
+    def parts(self) -> tuple[Basic, ...]:
+        """What the statement consists of; nothing where there is none."""
+        return () if self.statement is None else parts_of(self.statement)
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:
@@ -447,18 +445,23 @@ def expressions(claim: Claim) -> Iterator[Basic]:
     proof = claim.proof
     yield from (e for e in (claim.says, claim.means) if isinstance(e, Basic))
     yield from claim.given
-    match proof:
-        case UniqueRoot():
-            yield from (proof.function, proof.low, proof.high)
-        case ImplicitFunction():
-            yield from (proof.unknown, proof.parameter, proof.at)
-        case Formally():
-            yield from proof.relations
+    if isinstance(proof, ImplicitFunction):
+        yield from (proof.unknown, proof.parameter, proof.at)
     for chain in _chains(proof):
         for link in chain:
             reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
             written = (link.expression, *(e for three in reasons for e in three))
             yield from (e for e in written if e is not None)
+
+
+def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain], ...] | None:
+    """What is said, part by part with its chain; None where the parts are not as many."""
+    if isinstance(proof, Together):
+        parts = parts_of(says)
+        same = len(parts) == len(proof.chains)
+        return tuple(zip(parts, proof.chains, strict=True)) if same else None
+    alike = len(proof) == 1 and proof[0].expression is None
+    return tuple((part, proof) for part in (parts_of(says) if alike else (says,)))
 
 
 def _chains(proof: Evidence) -> tuple[Chain, ...]:

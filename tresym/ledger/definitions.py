@@ -33,6 +33,7 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.second_look import satisfiable, scalars
+from tresym.ledger.statements import ExactlyOne
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.exact import InputError
@@ -79,9 +80,10 @@ def _equations(claim: Claim) -> Iterator[Eq]:
     A root is put beside the function that vanishes at it, of a variable that nothing binds.
     """
     if isinstance(claim.proof, Root):
-        new, root = claim.proof.symbol, claim.proof.unique.proof
-        assert isinstance(root, UniqueRoot)
-        yield equal(new, root.function.xreplace({root.variable: Symbol(f"[{new}]", real=True)}))
+        new, root = claim.proof.symbol, claim.proof.unique.statement
+        if isinstance(root, ExactlyOne) and root.difference is not None:
+            stand_in = Symbol(f"[{new}]", real=True)
+            yield equal(new, root.difference.xreplace({root.variable: stand_in}))
         return
     parts = (part for part in parts_of(claim.says) if isinstance(part, Eq))
     yield from (entry for part in parts for entry in scalars(part))
@@ -146,12 +148,13 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
 
 def _no_root(claim: Claim, proof: Root) -> str | None:
     """Why the symbol is no name for the one root: another is said to be meant, or it is not new."""
-    unique = proof.unique.proof
-    if not isinstance(unique, UniqueRoot) or proof.unique.given != claim.given:
+    unique = proof.unique.statement
+    shown = isinstance(proof.unique.proof, UniqueRoot) and proof.unique.given == claim.given
+    if not shown or not isinstance(unique, ExactlyOne) or unique.difference is None:
         return "that there is one root is not shown, or under other conditions"
     if claim.says != proof.says:
         return "what is said is not what the root is"
-    asked = (unique.function, unique.low, unique.high, *claim.given)
+    asked = (unique.difference, unique.low, unique.high, *claim.given)
     if proof.symbol == unique.variable or any(proof.symbol in e.free_symbols for e in asked):
         return f"{proof.symbol} is not a new symbol"
     earlier = {entry.symbol for entry in table(claim.rests_on)}
@@ -168,12 +171,16 @@ def captured(claim: Claim) -> str | None:
     for e in written:
         binders = e.atoms(Integral, Derivative, Subs)
         bound |= {v.name for node in binders for v in node.variables}
-    if isinstance(claim.proof, UniqueRoot):
-        bound.add(claim.proof.variable.name)
+        bound |= {root.variable.name for root in e.atoms(ExactlyOne)}
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
     behind = _behind(entries)
+    roots = [root for e in written for root in e.atoms(ExactlyOne)]
+    for root in roots:
+        for symbol in sorted(root.free_symbols, key=str):
+            if root.variable.name in behind.get(symbol.name, ()):
+                return f"{symbol} stands where what it is defined by is bound"
     found = next((name for e in written if bound for name in _misread(e, behind)), None)
     return None if found is None else f"{found} stands where what it is defined by is bound"
 

@@ -20,9 +20,10 @@ from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Fault, ImplicitFunction, Instance, Place, Printed, Reason,
     Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line,
-    parts_of, step, together,
+    manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.charted import Charted, On, Reading, Shown
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import (
@@ -30,21 +31,22 @@ from tresym.ledger.reasons import (
     differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,
     multiplying, roots, substituting, trigonometry,
 )
+from tresym.ledger.statements import ExactlyOne, ForSome, Under
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 __all__ = [
-    "Abs", "Asymptotics", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
-    "Denied", "Derivative", "Equivalent", "Expr", "Fault", "Function", "Ge", "Germs", "Gt",
-    "ImmutableMatrix", "ImplicitFunction", "Instance", "Integer", "Integral", "Le", "Lt", "Meant",
-    "Ne", "Order", "Place", "Printed", "Rational", "Reason", "Root", "Subs", "Symbol", "Tuple",
-    "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of", "applying", "arb", "asin",
-    "asinh", "at", "atan", "atanh", "box", "by", "certificate", "changing_variable", "citing",
-    "collecting", "cos", "cosh", "cutting", "det", "diff", "differentiating_integral",
-    "differentiation", "display", "equal", "equations", "evaluating", "exp", "exponentials", "eye",
-    "fmpq", "formally", "integrating", "inverses", "label_claims", "line", "log", "multiplying",
-    "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan",
-    "tanh", "together", "trigonometry",
+    "Abs", "Asymptotics", "Basic", "Bound", "Boxes", "Charted", "Claim", "Counterexample",
+    "Definition", "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr", "Fault", "ForSome",
+    "Function", "Ge", "Germs", "Gt", "ImmutableMatrix", "ImplicitFunction", "Instance", "Integer",
+    "Integral", "Le", "Lt", "Meant", "Ne", "On", "Order", "Place", "Printed", "Rational", "Reading",
+    "Reason", "Root", "Shown", "Subs", "Symbol", "Tuple", "Under", "UniqueRoot", "Verdict", "acos",
+    "adding", "algebra", "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box",
+    "by", "certificate", "changing_variable", "citing", "collecting", "cos", "cosh", "cutting",
+    "det", "diff", "differentiating_integral", "differentiation", "display", "equal", "equations",
+    "evaluating", "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses",
+    "label_claims", "line", "log", "manifest", "multiplying", "parts_of", "pi", "roots", "sin",
+    "sinh", "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
 ]
