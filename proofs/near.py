@@ -7,6 +7,9 @@
   charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
 """
 
+from collections.abc import Callable
+from typing import Any
+
 from tresym.proofs.conditions import shape
 from tresym.proofs.separatrix import defect_range, flip_defect
 
@@ -180,6 +183,7 @@ first_coefficient = Claim(
 
 ROOT = (flip_defect, defect_range)
 BY_KAPPA = (b, 1 / sqrt(a * b))
+"""The chart (b, κ): a = 1/(bκ²)."""
 AT_ROOT = (epsilon0, b, sqrt(b / a))
 
 phase_in_kappa = Reading(
@@ -194,7 +198,42 @@ defect_in_kappa = Reading(
     (phase_range,),
     (phase_in_kappa,),
 )
-rate = Reading(charts.exponent_rate, AT_ROOT, Q / epsilon0**2, shape, (exponent_of_defect,), ROOT)
-READINGS = (phase_in_kappa, defect_in_kappa, rate)
+rate_at_root = Reading(
+    charts.exponent_rate, AT_ROOT, Q / epsilon0**2, shape, (exponent_of_defect,), ROOT
+)
+bend_at_root = Reading(
+    charts.exponent_bend,
+    AT_ROOT,
+    (Q / epsilon0**2 - c1) / epsilon0**2,
+    shape,
+    (exponent_of_defect, first_coefficient),
+    ROOT,
+)
+READINGS = (phase_in_kappa, defect_in_kappa, rate_at_root, bend_at_root)
+
+quarter = (*shape, a * b >= Rational(1, 4))
+"""ab ≥ 1/4, 0 < b ≤ 1."""
+KAPPA = box((0, 1), (0, 2))
+"""The chart (b, κ) of it."""
+
+
+def within(error: Callable[..., Any], limit: fmpq, over: Expr) -> tuple[Shown, ...]:
+    """The two margins of |error| ≤ limit, times ``over``."""
+    return (
+        Shown(lambda *at: limit - error(*at), over),
+        Shown(lambda *at: limit + error(*at), over),
+    )
+
+
+def bound(
+    label: str,
+    says: Basic,
+    on: tuple[On, ...],
+    put: tuple[Claim, ...] = (leading_by_defect,),
+    **rest: Any,
+) -> Claim:
+    """A bound that the charts ``on`` show, with what ``put`` says put in."""
+    proof = Charted(on, READINGS, put, (*ROOT, phase_range), certificate(label))
+    return Claim(label=label, says=says, proof=proof, **rest)
 
 label_claims(globals())

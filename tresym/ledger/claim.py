@@ -265,9 +265,13 @@ def formally(*using: Claim) -> Formally:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """An exact point under every condition of the claim at which the statement does not hold."""
+    """An exact point under every condition of the claim at which the statement does not hold.
+
+    ``claims`` define the symbols that have no value at the point itself.
+    """
 
     point: Mapping[str, fmpq]
+    claims: tuple[Claim, ...] = ()
     expect: ClassVar[Ruling] = Verdict.REFUTED
 
 

@@ -91,7 +91,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Shown:
-    """One side of what is said, as ``over`` times a margin in the coordinates, and ``spare``.
+    """A side of what is said, as ``over`` times a margin in the coordinates, and ``spare``.
 
     Attributes:
         margin: a function of the coordinates and the arithmetic.
@@ -114,7 +114,7 @@ class On:
     Attributes:
         coordinates: in the claim's symbols.
         box: a closed box.
-        shown: for each side of what is said, in order, a margin.
+        shown: margins, one for each side of what is said.
         where: the part of the region that the chart is for; with none, all of it.
     """
 
@@ -205,13 +205,9 @@ def _gap(claim: Claim, proof: Charted) -> str | None:
     if not _covered(given, proof.on):
         return "the charts do not cover the region"
     for on in proof.on:
-        if len(on.shown) != len(sides):
-            return "a chart shows another number of sides than are said"
         here = (*given, *conditions(on.where))
-        place = _Place(on, proof.readings, here)
-        why = place.outside()
-        for side, shown in zip(sides, on.shown, strict=True):
-            why = why or place.gap(side, shown)
+        place = _Place(on, proof.readings, here, rules)
+        why = place.outside() or next(filter(None, map(place.gap, sides)), None)
         if why is not None:
             return why
     return None
@@ -259,7 +255,10 @@ def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
 class _Place:
     """The region of a chart: what its coordinates and the steps of its margins are there."""
 
-    def __init__(self, on: On, readings: tuple[Reading, ...], given: Conditions) -> None:
+    def __init__(
+        self, on: On, readings: tuple[Reading, ...], given: Conditions, rules: Rules
+    ) -> None:
+        self.rules = rules
         self.on, self.readings, self.given = on, readings, given
         self.coordinates = tuple(map(tree, on.coordinates))
 
@@ -273,10 +272,18 @@ class _Place:
                     return f"{x} {sign} {end} is not shown"
         return None
 
-    def gap(self, side: Expr, shown: Shown) -> str | None:
-        """Why the margin does not show this side, or None."""
+    def gap(self, side: Expr) -> str | None:
+        """Why no margin shows this side, or None."""
+        gaps = []
+        for shown in self.on.shown:
+            gaps.append(self._gap(side, shown))
+            if gaps[-1] is None:
+                return None
+        return gaps[0] if gaps else "no margin is given"
+
+    def _gap(self, side: Expr, shown: Shown) -> str | None:
         program = traced(shown.margin, len(self.coordinates))
-        over, spare = tree(shown.over), tree(shown.spare)
+        over, spare = (put_in(tree(e), self.rules) for e in (shown.over, shown.spare))
         if not is_manifest(Relation(over, ">", ZERO), self.given):
             return f"{over} is not shown to be positive"
         if not is_manifest(Relation(spare, ">=", ZERO), self.given):
@@ -284,11 +291,13 @@ class _Place:
         if not _divides_somewhere(program, self.on.box):
             return "a quotient has no value anywhere in the box"
         margin = program.meaning(self.coordinates, self.step)
-        return _different(side, over * margin + spare, self.given)
+        return _different(side, put_in(over * margin + spare, self.rules), self.given)
 
-    def step(self, op: Any, args: tuple[Expr, ...]) -> Expr:
+    def step(
+        self, op: Any, args: tuple[Expr, ...], body: Callable[[], Expr] | None = None
+    ) -> Expr:
         """What a named step is at these arguments."""
-        return _meaning(op, args, self.readings, self.given)
+        return _meaning(op, args, body, self.readings, self.given)
 
 
 def _different(left: Expr, right: Expr, given: Conditions) -> str | None:
@@ -299,22 +308,25 @@ def _different(left: Expr, right: Expr, given: Conditions) -> str | None:
 
 
 def _meaning(
-    op: Any, args: tuple[Expr, ...], readings: tuple[Reading, ...], given: Conditions
+    op: Any,
+    args: tuple[Expr, ...],
+    body: Callable[[], Expr] | None,
+    readings: tuple[Reading, ...],
+    given: Conditions,
 ) -> Expr:
     """What a named step is: by a reading, or as it says itself.
 
     Raises:
         NotShownError: an argument is not shown to be where the step means anything.
     """
-    arguments = args[1:] if isinstance(op, Part) else args
     for reading in readings:
         if reading.step is op and all(
-            _same(x, tree(y), given) for x, y in zip(arguments, reading.at, strict=True)
+            _same(x, tree(y), given) for x, y in zip(args, reading.at, strict=True)
         ):
             _need(reading, given)
             return tree(reading.value)
-    if isinstance(op, Part):
-        return args[0]
+    if body is not None:
+        return body()
     if op.meaning is None:
         raise NotShownError("nothing says which root is meant")
     for room in op.asks(*args) if isinstance(op, Named) else ():
@@ -352,7 +364,9 @@ def _unread(reading: Reading) -> str | None:
     if isinstance(reading.step, Part):
         rules, meant = instantiated(reading.claims, given)
         program = traced(reading.step.formula, len(at))
-        found = program.meaning(at, lambda op, args: _meaning(op, args, reading.inner, given))
+        found = program.meaning(
+            at, lambda op, args, body=None: _meaning(op, args, body, reading.inner, given)
+        )
         return _different(put_in(found, rules), put_in(value, rules), meant)
     step = reading.step
     if step.image is None or step.between is None:

@@ -22,7 +22,12 @@ from flint import fmpq
 
 from tresym.reals.language.expression import FUNCTIONS, Expr, trees
 
-RECORDED = FUNCTIONS | {"sqrt", "expm1", "log1p"}
+RECORDED = (FUNCTIONS | {"sqrt", "expm1", "log1p"}) - {"abs", "sign", "cbrt"}
+"""The functions that formulas may apply: they are analytic inside of where they are defined."""
+OPERATORS = {
+    *(operator.add, operator.sub, operator.mul, operator.truediv, operator.pow, operator.neg)
+}
+Meaning = Callable[..., Expr]
 
 
 class Traced:
@@ -151,26 +156,42 @@ class Program:
         *numbers, m = point
         return self.run(numbers, m, _in_balls)
 
-    def meaning(
-        self, numbers: Sequence[Expr], special: Callable[[Any, tuple[Expr, ...]], Expr]
-    ) -> Expr:
-        """What the value is, as a tree; ``special`` says it of steps that are named."""
-        found: Expr = self.run(numbers, trees, special)
+    def meaning(self, numbers: Sequence[Expr], special: Meaning) -> Expr:
+        """What the value is, as a tree; ``special`` says it of steps that are named.
+
+        It gets the step, its arguments and, for a part, what gives the meaning of its formula.
+        """
+        known = dict(enumerate(numbers))
+
+        def at(operand: tuple[bool, Any]) -> Any:
+            inner, x = operand
+            if not inner:
+                return x
+            if x not in known:
+                op, operands = self.steps[x - self.count]
+                if isinstance(op, Part):
+                    args = tuple(map(at, operands[1:]))
+                    known[x] = special(op, args, lambda: at(operands[0]))
+                else:
+                    known[x] = _done(op, tuple(map(at, operands)), trees, special)
+            return known[x]
+
+        found: Expr = at((True, self.end))
         return found
 
     def run(self, numbers: Sequence[Any], m: Any, special: Callable[..., Any]) -> Any:
         """The value in an arithmetic, with ``special`` for the steps that have names."""
         values = list(numbers)
         for op, operands in self.steps:
-            args = [values[x] if inner else x for inner, x in operands]
-            if isinstance(op, str):
-                value = m.pi if op == "pi" else _function(m, op)(*args)
-            elif isinstance(op, Part | Named) or not op.__module__ == "_operator":
-                value = special(op, tuple(args))
-            else:
-                value = op(*args)
-            values.append(value)
+            args = tuple([values[x] if inner else x for inner, x in operands])
+            values.append(_done(op, args, m, special))
         return values[self.end]
+
+
+def _done(op: Any, args: tuple[Any, ...], m: Any, special: Callable[..., Any]) -> Any:
+    if isinstance(op, str):
+        return m.pi if op == "pi" else _function(m, op)(*args)
+    return op(*args) if op in OPERATORS else special(op, args)
 
 
 def _in_balls(op: Any, args: tuple[Any, ...]) -> Any:
