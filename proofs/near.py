@@ -17,6 +17,7 @@ from tresym.ledger.evidence.charted import Reading
 from tresym.ledger.vocabulary import *
 from tresym.racket.near import charts
 from tresym.racket.notation import *
+from tresym.reals.numbers.exact import as_rational
 
 _mu = sqrt(b / (a + b))
 _ratio = sqrt(b / a)
@@ -82,6 +83,32 @@ defect_by_phase = Claim(
             trigonometry,
         ),
         step(None, citing(phase_range), exponentials, roots, inverses),
+    ),
+)
+
+_sinh = _tangent / sqrt(1 - _tangent**2)
+_share = _cosine / _root
+
+phase_by_defect = Claim(
+    says=equal(P, asinh(sqrt(a / (a + b)) * _cosine / _sine) / sqrt(a * b)),
+    given=shape,
+    proof=(
+        step(
+            asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b),
+            citing(phase_range),
+            exponentials,
+            inverses,
+            roots,
+        ),
+        step(asinh(_sinh) / sqrt(a * b), citing(phase_range), exponentials, roots),
+        step(
+            asinh(_share / sqrt(1 - _share**2)) / sqrt(a * b),
+            substituting(phase, flip_defect),
+            citing(flip_defect, defect_range),
+            roots,
+            trigonometry,
+        ),
+        step(None, citing(flip_defect, defect_range), roots, trigonometry),
     ),
 )
 
@@ -181,6 +208,12 @@ first_coefficient = Claim(
     says=equal(c1, (6 * b - 1 + 3 * b / a) / 12), given=shape, proof=Definition()
 )
 
+exponent_is_logarithm = Claim(
+    says=equal(Q, log(epsilon0 / epsilon_star)),
+    given=shape,
+    proof=by(substituting(leading_by_defect), citing(flip_defect), exponentials),
+)
+
 ROOT = (flip_defect, defect_range)
 BY_KAPPA = (b, 1 / sqrt(a * b))
 """The chart (b, κ): a = 1/(bκ²)."""
@@ -209,7 +242,14 @@ bend_at_root = Reading(
     (exponent_of_defect, first_coefficient),
     ROOT,
 )
-READINGS = (phase_in_kappa, defect_in_kappa, rate_at_root, bend_at_root)
+leading_in_kappa = Reading(
+    charts.leading_square_over,
+    BY_KAPPA,
+    epsilon_star**2 * a * b,
+    (*shape, a * b >= Rational(1, 9)),
+    (leading_term,),
+)
+READINGS = (phase_in_kappa, defect_in_kappa, rate_at_root, bend_at_root, leading_in_kappa)
 
 quarter = (*shape, a * b >= Rational(1, 4))
 """ab ≥ 1/4, 0 < b ≤ 1."""
@@ -217,23 +257,58 @@ KAPPA = box((0, 1), (0, 2))
 """The chart (b, κ) of it."""
 
 
-def within(error: Callable[..., Any], limit: fmpq, over: Expr) -> tuple[Shown, ...]:
+def within(
+    error: Callable[..., Any], limit: fmpq, over: Expr, slopes: bool = False
+) -> tuple[Shown, ...]:
     """The two margins of |error| ≤ limit, times ``over``."""
     return (
-        Shown(lambda *at: limit - error(*at), over),
-        Shown(lambda *at: limit + error(*at), over),
+        Shown(lambda *at: limit - error(*at), over, slopes=slopes),
+        Shown(lambda *at: limit + error(*at), over, slopes=slopes),
     )
 
 
 def bound(
     label: str,
     says: Basic,
-    on: tuple[On, ...],
+    *on: On,
     put: tuple[Claim, ...] = (leading_by_defect,),
+    also: tuple[Claim, ...] = (),
     **rest: Any,
 ) -> Claim:
     """A bound that the charts ``on`` show, with what ``put`` says put in."""
-    proof = Charted(on, READINGS, put, (*ROOT, phase_range), certificate(label))
+    proof = Charted(on, READINGS, put, (*ROOT, phase_range), certificate(label), also=also)
     return Claim(label=label, says=says, proof=proof, **rest)
+
+
+def below(
+    label: str,
+    size: Expr,
+    limit: str,
+    gauge: Expr,
+    error: Callable[..., Any],
+    given: tuple[Basic, ...] = quarter,
+    chart: tuple[tuple[Expr, ...], Any] = (BY_KAPPA, KAPPA),
+    slopes: bool = False,
+    **rest: Any,
+) -> Claim:
+    """|size| ≤ limit · gauge: ``error`` is size/gauge in the chart."""
+    shown = within(error, as_rational(limit), gauge, slopes)
+    says = Abs(size) <= Rational(limit) * gauge
+    return bound(label, says, On(*chart, shown), given=given, **rest)
+
+
+def too_small(
+    amended: Claim, limit: str, says: Callable[[Expr], Basic], label: str = "", **point: Any
+) -> Claim:
+    """``says`` of a smaller constant, which fails at a shape."""
+    at = {name: as_rational(x) for name, x in point.items()}
+    return Claim(
+        label=label or f"{amended.label}_too_small",
+        says=says(Rational(limit)),
+        given=amended.given,
+        proof=Counterexample(at, (flip_defect, leading_term, first_coefficient)),
+        amended_by=(amended,),
+    )
+
 
 label_claims(globals())

@@ -22,9 +22,9 @@ from typing import Any
 
 from flint import acb
 from tresym.proofs.asymptotics import (
-    BY_KAPPA,
-    KAPPA,
+    NAMES,
     QUARTER,
+    SIDES,
     boxed,
     printed_error,
     printed_leading_term,
@@ -32,7 +32,7 @@ from tresym.proofs.asymptotics import (
     repaired,
     slope_by_phase,
     slope_leading_term,
-    within,
+    within_numbers,
 )
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
@@ -100,7 +100,7 @@ quadratic_left = boxed(
         (1 + b / a) * epsilon0**2 / 4 + hot,
         exp(-2 * sqrt(a * b) * _exponent),
     ),
-    within(_square_rest, "1.84"),
+    within_numbers(_square_rest, "1.84"),
     WIDE,
     ("R", "epsilon0"),
     "b/a <= 4, epsilon0 <= 1/4",
@@ -115,7 +115,7 @@ quadratic_left = boxed(
 linear_left = boxed(
     "eqnew",
     equal(epsilon0 + hot, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent)),
-    within(_left_side_rest, "0.92"),
+    within_numbers(_left_side_rest, "0.92"),
     WIDE,
     ("R", "epsilon0"),
     "b/a <= 4, epsilon0 <= 1/4",
@@ -142,9 +142,9 @@ def _quadratic_u(b: Any, kappa: Any, m: Any) -> Any:
 u_exponentially_small = boxed(
     "u_exponentially_small",
     "|u| ≤ 1.44 λ ε*², so that u is smaller than every power of λ.",
-    within(_log_ratio, "1.44"),
-    KAPPA,
-    BY_KAPPA,
+    within_numbers(_log_ratio, "1.44"),
+    SIDES,
+    NAMES,
     QUARTER,
     "1.44",
     note="u = −λ log(ε₀/ε*) is defined by ε₀ = 2√(1−μ²) exp(−(π + arcsin μ + u)/λ).",
@@ -153,9 +153,9 @@ u_exponentially_small = boxed(
 u_flat_order = boxed(
     "u_flat_order",
     "u = O(λ²): |u| ≤ 0.009 λ².",
-    within(_quadratic_u, "0.009"),
-    KAPPA,
-    BY_KAPPA,
+    within_numbers(_quadratic_u, "0.009"),
+    SIDES,
+    NAMES,
     QUARTER,
     "0.009",
     where=display(46),
@@ -198,7 +198,7 @@ def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     # (c√(1 + Rs²)/s² − 1/e²): the differences c − 1, √ − 1 and e²/s² − 1, each over e².
     cosine, stretched = -half * half / 2, r * r * sinc * sinc / (1 + root)
     algebraic = (m.cos(e) * stretched + cosine - charts.sine_rest(e) * (1 + sinc)) / (sinc * sinc)
-    return kappa * algebraic + (1 - r * r - 2 * b) * charts.phase_by_kappa(b, kappa, m)
+    return kappa * algebraic + (1 - r * r - 2 * b) * charts.phase_by_kappa(b, kappa)
 
 
 def _turn_slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
@@ -224,12 +224,12 @@ def _printed_order(
     return boxed(
         label,
         equal(left, right),
-        within(error, constant),
-        KAPPA,
-        BY_KAPPA,
+        within_numbers(error, constant),
+        SIDES,
+        NAMES,
         QUARTER,
         constant,
-        meant=Meant(in_chart(BY_KAPPA, {left: value}), gauge),
+        meant=Meant(in_chart(NAMES, {left: value}), gauge),
         given=(*shape, S**2 > 0),
         where=display(number),
         **k,
@@ -249,7 +249,7 @@ def _true_order(
             lambda b, kappa, m: arb(most) - rest(b, kappa, m),
         ),
         ((b0, 1), (0, 2)),
-        BY_KAPPA,
+        NAMES,
         f"ab >= 1/4, {b0} <= b <= 1",
         high,
     )
@@ -498,8 +498,8 @@ exponential_decay = boxed(
         lambda b, kappa, m: _decay(b, kappa, m) - arb("0.52"),
         lambda b, kappa, m: arb("2.01") - _decay(b, kappa, m),
     ),
-    KAPPA,
-    BY_KAPPA,
+    SIDES,
+    NAMES,
     QUARTER,
     "2.01",
     where=line(243),

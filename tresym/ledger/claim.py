@@ -18,7 +18,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
@@ -162,7 +162,9 @@ class Root:
         root, x = self.unique.statement, self.symbol
         assert isinstance(root, ExactlyOne)
         sides = (side.xreplace({root.variable: x}) for side in root.args[3].args)
-        return Tuple(equal(*sides), Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
+        return Tuple(
+            equal(*sides), Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False)
+        )
 
 
 @dataclass(frozen=True)

@@ -40,8 +40,8 @@ from tresym.ledger.definitions import (
     table,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
-from tresym.ledger.evidence.charted import Charted, judge_charted
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
+from tresym.ledger.evidence.charted import Charted, judge_charted
 from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, judge_counterexample
 from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
@@ -53,7 +53,6 @@ from tresym.ledger.meaning import (
     CircularError,
     Conditions,
     conditions,
-    conjuncts,
     defined,
     definitions,
     formula,
@@ -76,7 +75,7 @@ from tresym.reals.balls.boxes import CertificateError
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import derivative, elementary, generalised
 from tresym.reals.language.expression import Expr, substitute, symbols
-from tresym.reals.language.formula import Relation
+from tresym.reals.language.formula import Relation, relations
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -371,7 +370,8 @@ def _judge_instance(claim: Claim, proof: Instance) -> Finding:
     for condition in conditions(tuple(map(proof.put, general.given))):
         if condition not in given and not is_manifest(condition, given):
             return Finding(UNDECIDED, f"{condition} is not shown, but the instance needs it")
-    sides = (side for part in conjuncts(formula(claim.says)) for side in (part.left, part.right))
+    says = relations(formula(claim.says))
+    sides = (side for part in says for side in (part.left, part.right))
     gap = next((gap for side in sides if (gap := undefined(side, given)) is not None), None)
     if gap is not None:
         return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")

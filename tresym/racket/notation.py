@@ -11,9 +11,9 @@ from sympy import Symbol
 # fmt: off
 __all__ = [
     "I1", "I2", "I3", "M1", "M2", "M3", "S2", "W1", "W2", "W3", "Delta_phi", "Delta_psi", "E",
-    "F", "M", "P", "Q", "S", "T", "a", "b", "c1", "c2", "epsilon_star", "dM1_dt", "dM2_dt",
-    "dM3_dt", "depsilon_dgamma", "dphi_dt", "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt",
-    "epsilon", "epsilon0", "gamma", "k", "lam", "mu", "partialF_partialgamma",
+    "F", "M", "P", "Q", "S", "T", "a", "b", "c1", "c2", "dM1_dt", "dM2_dt", "dM3_dt",
+    "depsilon_dgamma", "dphi_dt", "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon",
+    "epsilon0", "epsilon_star", "gamma", "k", "lam", "mu", "partialF_partialgamma",
     "partialepsilon_partialF", "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f",
     "psi_max", "psi_min", "r", "theta", "theta_max", "theta_min", "u", "x", "x0",
 ]

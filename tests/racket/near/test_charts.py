@@ -124,7 +124,7 @@ BY_KAPPA: dict[str, tuple[Callable[[arb, arb], arb], Callable[[Exact], arb]]] = 
 BY_ROOT: dict[str, tuple[Callable[[Any, Any, Any], Any], Callable[[Exact], arb]]] = {
     "leading": (lambda b, k, m: c.by_root(b, k, m).leading, lambda x: x.star),
     "phase": (c.phase_over, lambda x: x.phase),
-    "cotangent": (lambda b, k, m: c.cotangent(b, k, c.phase_over(b, k, m), m), lambda x: x.e.cot()),
+    "cotangent": (lambda b, k, m: c.cotangent(b, k, c.phase_over(b, k), m), lambda x: x.e.cot()),
     "gap": (lambda b, k, m: c.cubic_gap(b, k, m)[0], lambda x: x.e - x.star),
     "cube": (
         lambda b, k, m: c.cubic_gap(b, k, m)[1],

@@ -21,7 +21,7 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Integer, Rational
+from sympy import Basic, S
 from sympy import Expr as Expression
 
 from tresym.ledger.claim import Claim, parts_of
@@ -40,7 +40,6 @@ from tresym.ledger.meaning import (
     formula,
     known,
     put_in,
-    put_into,
     tree,
 )
 from tresym.ledger.reasons import citing
@@ -48,7 +47,7 @@ from tresym.reals.balls.boxes import Bound, Box, BoxProof
 from tresym.reals.balls.boxes import Counterexample as Point
 from tresym.reals.balls.traced import Named, Part, Program, traced
 from tresym.reals.decisions.identity import decide
-from tresym.reals.language.expression import ZERO, Expr, number, symbol
+from tresym.reals.language.expression import ZERO, Expr, number
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.numbers.exact import InputError
@@ -101,8 +100,8 @@ class Shown:
     """
 
     margin: Callable[..., Any]
-    over: Expression = Integer(1)
-    spare: Expression = Integer(0)
+    over: Expression = S.One
+    spare: Expression = S.Zero
     slopes: bool = False
     precision: int = 64
 
@@ -198,15 +197,15 @@ def _gap(claim: Claim, proof: Charted) -> str | None:
     stated = known(conditions(claim.given))
     if stated.satisfying_point() is None or not (is_regular(stated) and has_inside(stated)):
         return "the region is not shown to be the closure of its inside"
-    rules, given = instantiated(proof.put, given)
-    sides = tuple(_sides(statement, rules, given))
+    rules, meant = instantiated(proof.put, given)
+    sides = tuple(_sides(statement, rules, meant))
     if not sides or not proof.on:
         return "there is nothing to show"
     if not _covered(given, proof.on):
         return "the charts do not cover the region"
     for on in proof.on:
-        here = (*given, *conditions(on.where))
-        place = _Place(on, proof.readings, here, rules)
+        where = conditions(on.where)
+        place = _Place(on, proof.readings, rules, (*given, *where), (*meant, *where))
         why = place.outside() or next(filter(None, map(place.gap, sides)), None)
         if why is not None:
             return why
@@ -245,9 +244,9 @@ def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
         return any(is_manifest(condition.negated, given) for condition in given)
     first, *others = charts
     for condition in conditions(first.where):
-        if not is_manifest(condition, given) and condition not in given:
-            if not _covered((*given, condition.negated), tuple(others)):
-                return False
+        here = condition in given or is_manifest(condition, given)
+        if not here and not _covered((*given, condition.negated), tuple(others)):
+            return False
         given = (*given, condition)
     return True
 
@@ -256,10 +255,16 @@ class _Place:
     """The region of a chart: what its coordinates and the steps of its margins are there."""
 
     def __init__(
-        self, on: On, readings: tuple[Reading, ...], given: Conditions, rules: Rules
+        self,
+        on: On,
+        readings: tuple[Reading, ...],
+        rules: Rules,
+        region: Conditions,
+        given: Conditions,
     ) -> None:
-        self.rules = rules
-        self.on, self.readings, self.given = on, readings, given
+        """``given`` are the conditions of the region, and what they come to by the rules."""
+        self.on, self.readings, self.rules = on, readings, rules
+        self.region, self.given = region, given
         self.coordinates = tuple(map(tree, on.coordinates))
 
     def outside(self) -> str | None:
@@ -268,7 +273,7 @@ class _Place:
             return "the box has another number of sides than there are coordinates"
         for x, side in zip(self.coordinates, self.on.box, strict=True):
             for end, sign in ((side.low, ">="), (side.high, "<=")):
-                if not is_manifest(Relation(x, sign, number(end)), self.given):
+                if not is_manifest(Relation(x, sign, number(end)), self.region):
                     return f"{x} {sign} {end} is not shown"
         return None
 
@@ -293,9 +298,7 @@ class _Place:
         margin = program.meaning(self.coordinates, self.step)
         return _different(side, put_in(over * margin + spare, self.rules), self.given)
 
-    def step(
-        self, op: Any, args: tuple[Expr, ...], body: Callable[[], Expr] | None = None
-    ) -> Expr:
+    def step(self, op: Any, args: tuple[Expr, ...], body: Callable[[], Expr] | None = None) -> Expr:
         """What a named step is at these arguments."""
         return _meaning(op, args, body, self.readings, self.given)
 

@@ -22,7 +22,7 @@ from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
-BITS = 256
+BITS = 256, 2048
 Point = Mapping[str, fmpq]
 Values = Mapping[str, fmpq | arb]
 
@@ -31,15 +31,26 @@ def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
     """REFUTED when balls confirm the conditions, and exclude the statement, at the exact point."""
     if claim.statement is None:
         return Finding(Verdict.UNDECIDED, "a point denies a formula, and none is stated")
-    with ball_precision(BITS):
-        point = values_at(proof.point, claim.rests_on)
-        for condition in claim.given:
-            if not _holds_at(condition, point):
-                return Finding(Verdict.UNDECIDED, f"{condition} is not shown at the point")
-        if denied_at(claim.statement, point) is None:
-            return Finding(Verdict.UNDECIDED, "the statement is not shown to fail at the point")
+    why = None
+    for bits in BITS:
+        with ball_precision(bits):
+            why = _not_denied(claim, claim.statement, values_at(proof.point, claim.rests_on))
+        if why is None:
+            break
+    if why is not None:
+        return Finding(Verdict.UNDECIDED, why)
     where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
     return Finding(Verdict.REFUTED, f"violated at {where}", witness=proof.point)
+
+
+def _not_denied(claim: Claim, says: Basic, point: Values) -> str | None:
+    """Why the point does not deny what the claim says, or None."""
+    for condition in claim.given:
+        if not _holds_at(condition, point):
+            return f"{condition} is not shown at the point"
+    if denied_at(says, point) is None:
+        return "the statement is not shown to fail at the point"
+    return None
 
 
 def denied_at(says: Basic, point: Values) -> tuple[tuple[Basic, ...], Relational] | None:

@@ -47,7 +47,19 @@ WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
 HOLDS_FUNCTIONS = (Boxes, Asymptotics, Printed, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
-    *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
+    *(
+        tuple,
+        Definition,
+        Root,
+        Instance,
+        Charted,
+        Together,
+        UniqueRoot,
+        ImplicitFunction,
+        Printed,
+        AllOf,
+        Formally,
+    ),
     *(Counterexample, Boxes, Asymptotics, Denied),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
