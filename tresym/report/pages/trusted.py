@@ -55,11 +55,12 @@ RECHECKED = {
         *("reals.places.windows", "reals.places.descent"),
     ),
     "what is found is checked: factors multiplied out, boxes replayed, links of inequalities": (
-        *("reals.normal.denested", "reals.balls.boxes._found"),
+        *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
+        "reals.normal.written.numerator",
     ),
     "it spares a search that would find nothing, or says how much room one needs": (
         *("reals.normal.ranges.ProvingRing._changes_sign", "reals.signs.cones._fails_at_vertex"),
