@@ -8,6 +8,7 @@
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from tresym.proofs.conditions import shape
@@ -273,10 +274,13 @@ def bound(
     *on: On,
     put: tuple[Claim, ...] = (leading_by_defect,),
     also: tuple[Claim, ...] = (),
+    constant: str | None = None,
     **rest: Any,
 ) -> Claim:
     """A bound that the charts ``on`` show, with what ``put`` says put in."""
     proof = Charted(on, READINGS, put, (*ROOT, phase_range), certificate(label), also=also)
+    if constant is not None:
+        proof = replace(proof, constant=as_rational(constant))
     return Claim(label=label, says=says, proof=proof, **rest)
 
 
@@ -294,7 +298,7 @@ def below(
     """|size| ≤ limit · gauge: ``error`` is size/gauge in the chart."""
     shown = within(error, as_rational(limit), gauge, slopes)
     says = Abs(size) <= Rational(limit) * gauge
-    return bound(label, says, On(*chart, shown), given=given, **rest)
+    return bound(label, says, On(*chart, shown), given=given, constant=limit, **rest)
 
 
 def too_small(

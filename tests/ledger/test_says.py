@@ -201,6 +201,7 @@ FORMAL: dict[str, tuple[Basic, tuple[Basic, ...]]] = {
 }
 """What the sentence says: a gauge, and one relation for each margin, which is the difference of
 its sides over the gauge."""
+FORMAL = {label: said for label, said in FORMAL.items() if isinstance(CLAIMS[label].proof, Boxes)}
 
 
 LEAST = ("1/10", "1/4", "1/2", "1", "2", "5", "10")
@@ -271,7 +272,6 @@ def test_a_planted_discrepancy_is_noticed() -> None:
         first = relations[0]
         other = first.func(first.lhs, first.rhs + gauge / 1000, evaluate=False)
         assert disagreements(label, gauge, (other, *relations[1:])), label
-    assert disagreements("repaired", FORMAL["repaired"][0], FORMAL["repaired_too_small"][1])
 
 
 _s = Symbol("s", real=True)

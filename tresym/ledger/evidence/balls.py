@@ -106,7 +106,7 @@ class Boxes:
             if why is not None:
                 return Finding(Verdict.UNDECIDED, why)
         decisions = self.decisions()
-        constant = None if self.constant is None else _decimal(self.constant)
+        constant = None if self.constant is None else decimal(self.constant)
         for found in decisions:
             if isinstance(found, Counterexample):
                 point = dict(zip(self.names, found.point, strict=True))
@@ -164,6 +164,7 @@ def _why(found: Judgement) -> str:
     return f"the ratio is {found.ratio.text()} and the true order {found.true_order.text()}"
 
 
-def _decimal(x: fmpq) -> Decimal:
+def decimal(x: fmpq) -> Decimal:
+    """An exact constant, as it is shown."""
     with ball_precision(64):
         return decimal_ball(Interval(x, x).ball(), 12)

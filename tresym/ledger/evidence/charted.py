@@ -25,7 +25,7 @@ from sympy import Basic, S
 from sympy import Expr as Expression
 
 from tresym.ledger.claim import Claim, parts_of
-from tresym.ledger.evidence.balls import decisions_of
+from tresym.ledger.evidence.balls import decimal, decisions_of
 from tresym.ledger.evidence.chain import instantiated, unmet_condition
 from tresym.ledger.evidence.defined import undefined
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
@@ -134,6 +134,8 @@ class Charted:
         cited: earlier claims whose bounds are used.
         stored: gives the stored proofs, or None where there are none.
         budget: boxes a search may look at, for each margin.
+        constant: the constant of the bound, where it has one.
+        also: what the programs of the margins rest on beside.
     """
 
     on: tuple[On, ...]
@@ -183,8 +185,10 @@ def judge_charted(claim: Claim, proof: Charted) -> Finding:
         return Finding(Verdict.UNDECIDED, why)
     return Finding(
         Verdict.ENCLOSED,
-        f"closed in {sum(proof.leaves for proof in proofs)} boxes",
-        trees=tuple(proof.tree for proof in proofs),
+        f"closed in {sum(found.leaves for found in proofs)} boxes",
+        constant=None if proof.constant is None else decimal(proof.constant),
+        region=", ".join(map(str, claim.given)),
+        trees=tuple(found.tree for found in proofs),
     )
 
 
