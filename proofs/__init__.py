@@ -30,6 +30,7 @@ PARTS = (
     "turn_integral",
     "monotonicity",
     "exponent",
+    "near",
     "power_series",
     "asymptotics",
     "constants",

@@ -28,6 +28,18 @@ from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
 from tresym.proofs.exponent import arctangent_concave, logarithmic_equation, residual_increases
 from tresym.proofs.monotonicity import slope_in_T_positive
+from tresym.proofs.near import (
+    BY_KAPPA,
+    below,
+    bound,
+    exponent_is_logarithm,
+    first_coefficient,
+    flip_defect,
+    leading_by_defect,
+    leading_term,
+    phase_by_defect,
+    too_small,
+)
 from tresym.proofs.power_series import (
     coefficient_sizes,
     geometric_tail,
@@ -124,7 +136,7 @@ def boxed(
     return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
 
 
-def within(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
+def within_numbers(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
     """The two margins of |error| < constant."""
     limit = as_rational(constant)
     return (
@@ -133,18 +145,20 @@ def within(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any]
     )
 
 
-KAPPA = ((0, 1), (0, 2))
+SIDES = ((0, 1), (0, 2))
 """The chart (b, κ) of ab ≥ 1/4."""
-BY_KAPPA = ("b", "kappa")
+NAMES = ("b", "kappa")
 
-printed_error = boxed(
+_printed = printed.asymptotic_defect(a, b, sympy)
+_BY_LEADING = (exponent_is_logarithm, leading_term)
+
+printed_error = below(
     "printed_error",
-    "|log(printed leading term/ε₀)| ≤ 0.17/(ab).",
-    within(_printed_error, "17/100"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "17/100",
+    log(_printed / epsilon0),
+    "0.17",
+    1 / (a * b),
+    _printed_error,
+    put=_BY_LEADING,
     note="The printed formula's own relative error; b²/(6a) = b³/(6ab) is its leading term.",
 )
 
@@ -157,16 +171,12 @@ printed_leading_term = Claim(
     note="No rigid body has ab ≥ 1: for bodies the bound says more than the limit.",
 )
 
-printed_error_too_small = boxed(
-    "printed_error_too_small",
-    "|log(printed leading term/ε₀)| ≤ 0.166/(ab).",
-    within(_printed_error, "166/1000"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "166/1000",
-    expect=Verdict.REFUTED,
-    amended_by=(printed_error,),
+printed_error_too_small = too_small(
+    printed_error,
+    "0.166",
+    lambda limit: Abs(log(_printed / epsilon0)) <= limit / (a * b),
+    a=400,
+    b=1,
 )
 
 
@@ -178,30 +188,32 @@ def _printed_relative(b: Any, kappa: Any, m: Any) -> Any:
     return scaled * charts.expm1_over(cube * kappa * kappa * scaled)
 
 
-printed_relative_error = boxed(
+_relative, _gauge = _printed / epsilon0 - 1, b**2 / a
+_BESIDE = (*shape, a * b >= 4, b >= Rational(1, 4))
+
+printed_relative_error = bound(
     "printed_relative_error",
-    "0.133 b²/a < printed leading term/ε₀ − 1 < 0.168 b²/a for b ≥ 1/4, ab ≥ 4.",
-    (
-        lambda b, kappa, m: _printed_relative(b, kappa, m) - arb(fmpq(133, 1000)),
-        lambda b, kappa, m: arb(fmpq(168, 1000)) - _printed_relative(b, kappa, m),
+    Tuple(_relative > Rational("0.133") * _gauge, _relative < Rational("0.168") * _gauge),
+    On(
+        BY_KAPPA,
+        box(("1/4", 1), (0, "1/2")),
+        (
+            Shown(lambda *at: _printed_relative(*at) - fmpq(133, 1000), _gauge),
+            Shown(lambda *at: fmpq(168, 1000) - _printed_relative(*at), _gauge),
+        ),
     ),
-    (("1/4", 1), (0, "1/2")),
-    BY_KAPPA,
-    "ab >= 4, 1/4 <= b <= 1",
-    "0.168",
+    put=_BY_LEADING,
+    given=_BESIDE,
     note="It is too large there, by b²/(6a) in the limit. As b → 0 at fixed a it is too small.",
 )
 
-printed_relative_too_small = boxed(
-    "printed_relative_too_small",
-    "printed leading term/ε₀ − 1 < 0.166 b²/a for b ≥ 1/4, ab ≥ 4.",
-    (lambda b, kappa, m: arb(fmpq(166, 1000)) - _printed_relative(b, kappa, m),),
-    (("1/4", 1), (0, "1/2")),
-    BY_KAPPA,
-    "ab >= 4, 1/4 <= b <= 1",
+printed_relative_too_small = too_small(
+    printed_relative_error,
     "0.166",
-    expect=Verdict.REFUTED,
-    amended_by=(printed_relative_error,),
+    lambda limit: _relative < limit * _gauge,
+    "printed_relative_too_small",
+    a=400,
+    b=1,
 )
 
 
@@ -246,35 +258,45 @@ EXCESS: tuple[Callable[..., Any], ...] = (
 """(ε₀/ε* − Σ_{n≤N} c_n ε*^{2n})/ε*^{2N+2} for N = 0, 1, 2, in the chart (b, κ)."""
 
 
-def _repaired(label: str, order: int, constant: str, **rest: Any) -> Claim:
-    """|ε₀/ε* − Σ_{n≤order} c_n ε*^{2n}| ≤ constant · ε*^{2·order+2} on ab ≥ 1/4."""
-    terms = " − ".join(["1", "c₁ε*²", "c₂ε*⁴", "c₃ε*⁶"][: order + 1])
-    return boxed(
-        label,
-        f"|ε₀/ε* − {terms}| ≤ {constant} ε*^{2 * order + 2}.",
-        within(EXCESS[order], constant),
-        KAPPA,
-        BY_KAPPA,
-        QUARTER,
-        constant,
-        **rest,
-    )
+_series = epsilon0 / epsilon_star - 1
 
 
-def _refuted(amended: Claim) -> dict[str, Any]:
-    return {"expect": Verdict.REFUTED, "amended_by": (amended,)}
+def _too_small(amended: Claim, limit: str, size: Expr, gauge: Expr, **point: Any) -> Claim:
+    return too_small(amended, limit, lambda c: Abs(size) <= c * gauge, **point)
 
+
+repaired = below("repaired", _series, "1.451", epsilon_star**2, EXCESS[0])
+repaired_too_small = _too_small(repaired, "1.45", _series, epsilon_star**2, a="1/4", b=1)
+
+_second = _series - c1 * epsilon_star**2
+_BY_COEFFICIENT = (leading_by_defect, first_coefficient)
+
+second_order = below(
+    "second_order", _second, "2.98", epsilon_star**4, EXCESS[1], put=_BY_COEFFICIENT
+)
+second_order_too_small = _too_small(second_order, "2.96", _second, epsilon_star**4, a="1/4", b=1)
 
 _BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIES,)}
 """The bounds whose margins hold what a power series of Q leaves out."""
 
-repaired = _repaired("repaired", 0, "1.451")
-repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repaired))
-second_order = _repaired("second_order", 1, "2.98")
-second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
-third_order = _repaired("third_order", 2, "7.36", **_BY_SERIES)
-third_order_too_small = _repaired(
-    "third_order_too_small", 2, "7.33", **_refuted(third_order), **_BY_SERIES
+
+def _third(label: str, constant: str, **rest: Any) -> Claim:
+    return boxed(
+        label,
+        f"|ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴| ≤ {constant} ε*⁶.",
+        within_numbers(EXCESS[2], constant),
+        SIDES,
+        NAMES,
+        QUARTER,
+        constant,
+        **rest,
+        **_BY_SERIES,
+    )
+
+
+third_order = _third("third_order", "7.36")
+third_order_too_small = _third(
+    "third_order_too_small", "7.33", expect=Verdict.REFUTED, amended_by=(third_order,)
 )
 
 
@@ -285,8 +307,8 @@ every_order = boxed(
         lambda b, kappa, m: arb(fmpq(1, 4)) - charts.growth(b, kappa, m)[0],
         lambda b, kappa, m: arb(fmpq(26, 10)) - charts.growth(b, kappa, m)[1],
     ),
-    KAPPA,
-    BY_KAPPA,
+    SIDES,
+    NAMES,
     QUARTER,
     also=(*coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
     note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
@@ -361,22 +383,12 @@ everywhere = Claim(
 )
 
 
-def _cubic_ratio(b: Any, kappa: Any, m: Any) -> Any:
-    """(ε₀ − ε*)/q³ = 8 cos³θ (ε₀/ε* − 1)/ε*²."""
-    root = charts.root_by_kappa(b, kappa, m)
-    square = 1 + root.r * root.r
-    return 8 / (m.sqrt(square) * square) * charts.first_excess(root, m)
-
-
-everywhere_too_small = boxed(
-    "everywhere_too_small",
-    "|ε₀ − ε*| ≤ 3.33 e^{−3√(ab)(π + arcsin √(b/(a+b)))}.",
-    within(_cubic_ratio, "3.33"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "3.33",
-    expect=Verdict.REFUTED,
+everywhere_too_small = Claim(
+    label="everywhere_too_small",
+    says=Abs(epsilon0 - epsilon_star)
+    <= Rational("3.33") * exp(-3 * sqrt(a * b) * (pi + asin(sqrt(b / (a + b))))),
+    given=shape,
+    proof=Counterexample({"a": fmpq(1600), "b": fmpq(1)}, (flip_defect, leading_term)),
     amended_by=(everywhere,),
 )
 
@@ -538,7 +550,9 @@ def _error_of(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
 def _far_margins(difference: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
     """|ε/ε₀ − 1| < constant from the starts π and 4."""
     return tuple(
-        margin for start in ("pi", "4") for margin in within(_error_of(difference, start), constant)
+        margin
+        for start in ("pi", "4")
+        for margin in within_numbers(_error_of(difference, start), constant)
     )
 
 
@@ -547,7 +561,7 @@ uniform_tail = boxed(
     "For √(ab) ≥ 7/4 the sweeps from π and from 4 err by at most 0.004 % of ε₀.",
     _far_margins(charts.far_difference, "4e-5"),
     FAR,
-    BY_KAPPA,
+    NAMES,
     "ab >= 49/16, 0 < b <= 1",
     "4e-5",
     also=(arctangent_concave,),
@@ -558,7 +572,7 @@ newton_tail = boxed(
     "For √(ab) ≥ 7/4 a Newton step after such a sweep errs by at most 0.0004 % of ε₀.",
     _far_margins(charts.far_newton_difference, "4e-6"),
     FAR,
-    BY_KAPPA,
+    NAMES,
     "ab >= 49/16, 0 < b <= 1",
     "4e-6",
     also=(arctangent_concave, newton_remainder, newton_from_below, newton_from_above),
@@ -615,29 +629,33 @@ slope_by_phase = Claim(
     note="−4bε dε/dγ at γ = 0 for an ε = ε₀; at the root the arsinh is T.",
 )
 
-slope_leading_term = boxed(
+DEFECT_SLOPE = -printed.defect_per_turn(epsilon0, a, b, 1, sympy) * printed.turn_slope(
+    epsilon0, a, b, 1, sympy
+)
+"""dε/dγ at γ = 0, S = +1."""
+
+_beside_slope = DEFECT_SLOPE + 1 / (4 * b * epsilon0)
+_unit = sqrt(a * b) * epsilon0 / (4 * b)
+
+slope_leading_term = below(
     "slope_leading_term",
-    "|dε/dγ + 1/(4bε₀)| ≤ 3.15 √(ab) ε₀/b at γ = 0.",
-    within(charts.slope_rest, "12.6"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "3.15",
+    _beside_slope,
+    "12.6",
+    _unit,
+    charts.slope_rest,
+    put=(phase_by_defect,),
     also=(slope_by_phase,),
     note="The remainder is of order ε₀ log(1/ε₀) at fixed b, where the paper prints O(1).",
 )
 
-slope_constant_too_small = boxed(
-    "slope_constant_too_small",
-    "|dε/dγ + 1/(4bε₀)| ≤ 3.1 √(ab) ε₀/b at γ = 0.",
-    within(charts.slope_rest, "12.4"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "3.1",
-    expect=Verdict.REFUTED,
-    also=(slope_by_phase,),
-    amended_by=(slope_leading_term,),
+slope_constant_too_small = _too_small(
+    slope_leading_term,
+    "12.4",
+    _beside_slope,
+    _unit,
+    label="slope_constant_too_small",
+    a="1/4",
+    b=1,
 )
 
 bend = Claim(

@@ -247,15 +247,15 @@ one_flip_defect = Claim(
 _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
 
 defect_is_one = Claim(
-    says="Each shape has exactly one ε between 0 and π/2 with cos ε/√(1 + (b/a) sin²ε) = tanh T, "
+    says="Each shape has exactly one ε between 0 and π/2 with tanh T = cos ε/√(1 + (b/a) sin²ε), "
     "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
     kind="statement",
-    means=ExactlyOne(epsilon, 0, pi / 2, equal(_inverse, tanh(_time))),
+    means=ExactlyOne(epsilon, 0, pi / 2, equal(tanh(_time), _inverse)),
     given=shape,
     proof=UniqueRoot(
         derivative=(
             step(
-                -sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
+                sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
                 differentiation,
                 exponentials,
                 roots,
@@ -264,10 +264,13 @@ defect_is_one = Claim(
         ),
         at_low=(
             step(
-                2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1), exponentials, roots, trigonometry
+                -2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1),
+                exponentials,
+                roots,
+                trigonometry,
             ),
         ),
-        at_high=(step(-tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
+        at_high=(step(tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
     ),
     note="It is the stable equation with the hyperbolic functions on one side.",
 )
@@ -280,10 +283,18 @@ flip_defect = Claim(
 )
 
 leading_defect = Claim(
-    says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
+    says=equal(epsilon_printed, printed.asymptotic_defect(a, b, sympy)),
     given=shape,
     proof=Definition(),
     note="The formula of the theorem, without its remainder.",
+)
+
+defect_range = Claim(
+    says=Tuple(sin(epsilon0) > 0, cos(epsilon0) > 0),
+    given=shape,
+    proof=together(
+        (step(sin(epsilon0), citing(flip_defect)),), (step(cos(epsilon0), citing(flip_defect)),)
+    ),
 )
 
 label_claims(globals())

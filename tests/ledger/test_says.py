@@ -14,7 +14,6 @@ from flint import arb, fmpq
 from sympy import Basic, Function, Symbol, sqrt
 from tresym.proofs.printed import exact_defect
 
-from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.paper import all_claims
 from tresym.ledger.second_look import value
@@ -53,49 +52,6 @@ def same(x: arb, y: arb) -> bool:
     return abs(x - y) < TINY * (1 + abs(x))
 
 
-def measured(claim: Claim, point: Values) -> arb:
-    """What the two margins C − e and C + e of a claim bound."""
-    names = {"b": point[b], "kappa": point[lam], "R": point[b] / point[a]}
-    at = [names.get(name, point[epsilon0]) for name in claim.proof.names]
-    first, second = (bound.margin(*at, balls) for bound in claim.proof.bounds)
-    return (second - first) / 2
-
-
-def per_turn(point: Values) -> arb:
-    return printed.defect_per_turn(point[epsilon0], point[a], point[b], 1, balls)
-
-
-def turn_slope(point: Values) -> arb:
-    return printed.turn_slope(point[epsilon0], point[a], point[b], 1, balls)
-
-
-def slope(point: Values) -> arb:
-    return -per_turn(point) * turn_slope(point)
-
-
-ORDERS: dict[str, tuple[Callable[[Values], arb] | None, Basic]] = {
-    "d38": (None, (1 + b / a) * epsilon0**4 / 4),
-    "eqnew": (None, epsilon0**3),
-    "d52": (per_turn, sqrt(a * b) * epsilon0**2),
-    "d56": (turn_slope, 1 / (4 * b * sqrt(a * b) * epsilon0)),
-    "d57": (slope, 1 / b),
-}
-"""What the left side is at γ = 0, where it is a symbol, and the gauge with its factor."""
-
-
-@pytest.mark.parametrize("label", ORDERS)
-def test_the_margins_bound_the_remainder_of_the_formula(label: str) -> None:
-    claim, (left, gauge) = CLAIMS[label], ORDERS[label]
-    for shape in SHAPES:
-        with ball_precision(BITS):
-            point = at_shape(*shape)
-            sides = [without_orders(side) for side in claim.says.args]
-            known = value(sides[0], point) if left is None else left(point)
-            remainder = (known - value(sides[1], point)) / value(gauge, point)
-            found = measured(claim, point)
-            assert same(found, remainder) or same(found, -remainder)
-
-
 def test_the_reduced_equation_is_the_one_that_its_margin_denies() -> None:
     claim = CLAIMS["equation"]
     (bound,) = claim.proof.bounds
@@ -117,12 +73,6 @@ def test_the_remainder_of_the_theorem_is_the_one_that_is_judged(label: str) -> N
             rest = point[epsilon0] * growth - value(without_orders(bracket), point)
             ratio = order.function(arb(t), balls) / order.gauge(arb(t), balls)
             assert same(ratio, rest * growth)
-
-
-def test_a_slip_of_the_formula_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(ORDERS, "d52", (per_turn, 2 * sqrt(a * b) * epsilon0**2))
-    with pytest.raises(AssertionError):
-        test_the_margins_bound_the_remainder_of_the_formula("d52")
 
 
 # -- bounds that are said in words ----------------------------------------------------------------
@@ -201,6 +151,7 @@ FORMAL: dict[str, tuple[Basic, tuple[Basic, ...]]] = {
 }
 """What the sentence says: a gauge, and one relation for each margin, which is the difference of
 its sides over the gauge."""
+FORMAL = {label: said for label, said in FORMAL.items() if isinstance(CLAIMS[label].proof, Boxes)}
 
 
 LEAST = ("1/10", "1/4", "1/2", "1", "2", "5", "10")
@@ -271,7 +222,6 @@ def test_a_planted_discrepancy_is_noticed() -> None:
         first = relations[0]
         other = first.func(first.lhs, first.rhs + gauge / 1000, evaluate=False)
         assert disagreements(label, gauge, (other, *relations[1:])), label
-    assert disagreements("repaired", FORMAL["repaired"][0], FORMAL["repaired_too_small"][1])
 
 
 _s = Symbol("s", real=True)

@@ -12,6 +12,7 @@ from tresym.commands import main
 from tresym.ledger import certificates, verification
 from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Asymptotics, Boxes, finding_anew
+from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.racket.compared.constants import CONSTANTS, excesses
@@ -48,7 +49,7 @@ SIX = [shape for shape in SHAPES if shape[0] * shape[1] >= fmpq(1, 4)]
 def stated(module):
     values = [v if isinstance(v, tuple) else (v,) for v in vars(module).values()]
     claims = dict.fromkeys(v for several in values for v in several if isinstance(v, Claim))
-    return [c for c in claims if isinstance(c.proof, Boxes | Asymptotics)]
+    return [c for c in claims if isinstance(c.proof, Boxes | Asymptotics | Charted)]
 
 
 PARTS = (asymptotics, constants, exponent, monotonicity, orders, rigid_bodies)
@@ -68,7 +69,7 @@ def test_every_claim_gets_its_verdict_when_found_anew(claim):
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.label)
 def test_stored_proofs_are_those_of_the_enclosed_bounds(claim):
-    if not isinstance(claim.proof, Boxes) or claim.proof.stored is None:
+    if not isinstance(claim.proof, Boxes | Charted) or claim.proof.stored is None:
         return
     proofs = claim.proof.stored()
     assert (proofs is not None) is (claim.expect is Verdict.ENCLOSED)
@@ -173,21 +174,22 @@ def test_the_printed_error_is_as_enclosed(a, b):
         assert abs(true - asymptotics._printed_error(b_, 1 / k, balls)) < 1e-9
 
 
+WIDE = ((0, 4), (0, "1/4"))
 WRONG = [
-    (asymptotics.within(asymptotics.EXCESS[0], "1.4506"), asymptotics.KAPPA),
-    (asymptotics.within(asymptotics.EXCESS[1], "2.97"), asymptotics.KAPPA),
-    (asymptotics.within(asymptotics.EXCESS[0], "0.083"), ((0, "1/2"), (0, "1/4"))),
+    (asymptotics.within_numbers(asymptotics.EXCESS[0], "1.4506"), asymptotics.SIDES),
+    (asymptotics.within_numbers(asymptotics.EXCESS[1], "2.97"), asymptotics.SIDES),
+    (asymptotics.within_numbers(asymptotics.EXCESS[0], "0.083"), ((0, "1/2"), (0, "1/4"))),
     ((asymptotics._sweep("pi", "0.0272", 1),), asymptotics.CHART),
     ((asymptotics._sweep("4", "0.006", 1),), asymptotics.CHART),
     ((asymptotics._sweep("4", "0.006", -1),), asymptotics.CHART),
     ((asymptotics._newton("pi", "7e-5"),), asymptotics.CHART),
     ((asymptotics._newton("4", "2.5e-6"),), asymptotics.CHART),
-    (asymptotics.within(orders._quadratic_u, "0.0086"), asymptotics.KAPPA),
-    (asymptotics.within(orders._per_turn_square, "0.3"), asymptotics.KAPPA),
-    (asymptotics.within(orders._turn_slope_times_defect, "0.95"), asymptotics.KAPPA),
-    (asymptotics.within(orders._slope_times_defect, "0.17"), asymptotics.KAPPA),
-    (asymptotics.within(orders._square_rest, "1.83"), orders.WIDE),
-    (asymptotics.within(orders._left_side_rest, "0.91"), orders.WIDE),
+    (asymptotics.within_numbers(orders._quadratic_u, "0.0086"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._per_turn_square, "0.3"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._turn_slope_times_defect, "0.95"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._slope_times_defect, "0.17"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._square_rest, "1.83"), WIDE),
+    (asymptotics.within_numbers(orders._left_side_rest, "0.91"), WIDE),
 ]
 
 
@@ -201,7 +203,7 @@ def test_constants_beyond_the_supremum_are_never_enclosed(margins_, sides):
 
 def test_a_range_too_long_is_never_enclosed():
     """The constant of ab ≥ 1/4 fails on ab ≥ 1/5."""
-    parts = asymptotics.within(asymptotics.EXCESS[0], "1.451")
+    parts = asymptotics.within_numbers(asymptotics.EXCESS[0], "1.451")
     verdicts = {decide_bound(Bound(p, box((0, 1), (0, "9/4"))), budget=1500).verdict for p in parts}
     assert verdicts != {Verdict.ENCLOSED}
 
@@ -437,7 +439,7 @@ def _wrong_exponent(order, power, constant):
 
 @pytest.mark.parametrize("order", [0, 1])
 @pytest.mark.parametrize("power", [1, 2])
-@pytest.mark.parametrize("sides", [asymptotics.KAPPA, (("9/10", 1), (0, "1/10")), ((0, 1), (0, 0))])
+@pytest.mark.parametrize("sides", [asymptotics.SIDES, (("9/10", 1), (0, "1/10")), ((0, 1), (0, 0))])
 def test_a_wrong_exponent_at_the_flat_edge_is_refuted(order, power, sides):
     """At κ = 0 every power of ε* vanishes while the excess tends to c₁ or c₂."""
     found = decide_bound(Bound(_wrong_exponent(order, power, 1000), box(*sides)), budget=400)

@@ -11,12 +11,12 @@ from sympy import Symbol
 # fmt: off
 __all__ = [
     "I1", "I2", "I3", "M1", "M2", "M3", "S2", "W1", "W2", "W3", "Delta_phi", "Delta_psi", "E",
-    "F", "M", "S", "T", "a", "b", "dM1_dt", "dM2_dt", "dM3_dt", "depsilon_dgamma", "dphi_dt",
-    "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon", "epsilon0", "epsilon_star",
-    "gamma", "k",
-    "lam", "mu", "partialF_partialgamma", "partialepsilon_partialF",
-    "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f", "psi_max", "psi_min", "r",
-    "theta", "theta_max", "theta_min", "u", "x", "x0",
+    "F", "M", "P", "Q", "S", "T", "a", "b", "c1", "c2", "dM1_dt", "dM2_dt", "dM3_dt",
+    "depsilon_dgamma", "dphi_dt", "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon",
+    "epsilon0", "epsilon_printed", "epsilon_star", "gamma", "k", "lam", "mu",
+    "partialF_partialgamma", "partialepsilon_partialF", "partialepsilon_partialgamma", "phi",
+    "psi", "psi0", "psi_f", "psi_max", "psi_min", "r", "theta", "theta_max", "theta_min", "u",
+    "x", "x0",
 ]
 # fmt: on
 
@@ -46,7 +46,7 @@ psi_min, psi_max = _real("psi_min"), _real("psi_max")
 """Bounds of the tilt and of the flip on one trajectory."""
 gamma = _real("gamma")
 """Distance from the separatrix: γ = 2 I₂ E/M² − 1."""
-epsilon, epsilon0, epsilon_star = _real("epsilon"), _real("epsilon0"), _real("epsilon_star")
+epsilon, epsilon0, epsilon_printed = _real("epsilon"), _real("epsilon0"), _real("epsilon_printed")
 """Flip defect, the flip defect on the separatrix, and what the theorem's formula gives for it."""
 depsilon_dgamma, partialepsilon_partialgamma = (
     _real("depsilon_dgamma"),
@@ -66,6 +66,10 @@ x, x0 = _real("x"), _real("x0")
 """Auxiliary variable √(b/(a+b)) cos ψ, and its value at the start."""
 T, k, r = _real("T"), _real("k"), _real("r")
 """Auxiliary variable of the stable form; k = √(ab), r = √(b/a)."""
+P, Q, epsilon_star = _real("P"), _real("Q"), _real("epsilon_star")
+"""The phase T/√(ab), log(ε₀/ε*), and the leading term ε* of ε₀."""
+c1, c2 = _real("c1"), _real("c2")
+"""Coefficients of ε₀ = ε*(1 + c₁ε*² + c₂ε*⁴ + …)."""
 F = _real("F")
 """The integral of f from the flip defect to π/2."""
 u, lam, mu = _real("u"), _real("lambda"), _real("mu")
@@ -85,7 +89,10 @@ LATEX = {
     partialepsilon_partialF: r"\frac{\partial\epsilon}{\partial F}",
     partialF_partialgamma: r"\frac{\partial F}{\partial\gamma}",
     epsilon0: r"\epsilon_0",
+    epsilon_printed: r"\epsilon_{\mathrm p}",
     epsilon_star: r"\epsilon_*",
+    c1: "c_1",
+    c2: "c_2",
     psi_f: r"\psi_f",
     Delta_psi: r"\Delta\psi",
     Delta_phi: r"\Delta\phi",

@@ -175,7 +175,8 @@ def need_value(
         body, near, put = _near(node, given)
         need(body, bounds, near, {**bound, **put})
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
-    gap = undefined(replaced(e, variables), given)
+    known = with_bounds(given, (Reason("citing", claims=bounds),), bound)
+    gap = undefined(replaced(e, variables), known)
     if gap is not None:
         raise NotShownError(f"nothing shows that {gap} allows its operation")
 

@@ -22,6 +22,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Instance,
     Monotone,
     Printed,
     Root,
@@ -29,6 +30,7 @@ from tresym.ledger.claim import (
     UniqueRoot,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.second_look import value
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -46,8 +48,8 @@ WITHOUT_CONDITIONS = (AllOf, Denied)
 HOLDS_FUNCTIONS = (Boxes, Asymptotics, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
-    *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
-    *(Counterexample, Boxes, Asymptotics, Denied, Monotone),
+    *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
+    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Monotone),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
 
