@@ -12,7 +12,7 @@ the last must arrive at its right side. A step may use only the reasons it names
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any, ClassVar
@@ -436,6 +436,12 @@ def label_claims(names: Mapping[str, Any]) -> None:
     for name, value in names.items():
         if isinstance(value, Claim) and not value.label:
             object.__setattr__(value, "label", name)
+
+
+def saying(claim: Claim, changed: Basic) -> Claim:
+    """The claim with another statement."""
+    meant = isinstance(claim.says, str) or claim.means is not None
+    return replace(claim, means=changed) if meant else replace(claim, says=changed)
 
 
 def _kind(says: Basic | str, proof: Evidence) -> str:

@@ -40,7 +40,8 @@ from tresym.ledger.definitions import (
     restrictions,
     table,
 )
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.asymptotics import Asymptotics, judge_asymptotics
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.charted import Charted, judge_charted
 from tresym.ledger.evidence.defined import continuous_on, undefined
@@ -82,7 +83,7 @@ from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone)
+NEVER_ATTACKED = (*(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics),)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -198,7 +199,9 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Charted():
             return judge_charted(claim, claim.proof)
-        case Boxes() | Asymptotics() | Denied():
+        case Asymptotics():
+            return judge_asymptotics(claim, claim.proof)
+        case Boxes() | Denied():
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")

@@ -119,14 +119,18 @@ class ForSome(Statement):
 
 
 class As(Statement):
-    """``As(φ, x, p, side)``: the order φ as x tends to p: from above (1), below (−1), or both (0).
+    """``As(φ, e, p, side)``: the order φ as e tends to p: from above (1), below (−1), or both (0).
 
-    φ is an equation that ends in O(…) or o(…); what else is free in it is held.
+    φ is an equation with one O(…) or o(…); it holds uniformly in what else is free under the
+    conditions of the claim.
     """
 
 
-def order(relation: Basic, x: Symbol, point: Any = 0, side: int = 1) -> As:
-    """``relation``, an equation that ends in O(…) or o(…), as ``x`` tends to ``point``."""
+def order(relation: Basic, x: Basic, point: Any = 0, side: int = 1) -> As:
+    """``relation``, an equation with one O(…) or o(…), as ``x`` tends to ``point``.
+
+    Several things may tend at once: then both are tuples. Infinity is reached from below.
+    """
     return As(relation, x, point, Integer(side))
 
 

@@ -13,7 +13,7 @@ from flint import arb, fmpq
 from sympy import (
     Abs, Basic, Derivative, Equivalent, Expr, Function, Ge, Gt, ImmutableMatrix, Integer, Integral,
     Le, Lt, Ne, Rational, Subs, Symbol, Tuple, acos, asin, asinh, atan, atanh, cos, cosh, det,
-    diff, exp, eye, log, pi, sin, sinh, sqrt, tan, tanh,
+    diff, exp, eye, log, oo, pi, sin, sinh, sqrt, tan, tanh,
 )
 
 from tresym.ledger.certificates import certificate
@@ -22,7 +22,8 @@ from tresym.ledger.claim import (
     Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims,
     line, manifest, parts_of, step, together,
 )
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted, On, Reading, Shown
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.evidence.meant import Meant
@@ -31,23 +32,23 @@ from tresym.ledger.reasons import (
     differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,
     multiplying, roots, substituting, trigonometry,
 )
-from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome, Rounds, TheRoot, Under
+from tresym.ledger.statements import (
+    AtMostOne, ExactlyOne, ForSome, Rounds, TheRoot, Under, order,
+)
 from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.balls.germ import Germs
-from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Charted", "Claim",
     "Counterexample", "Definition", "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr",
-    "Fault", "ForSome", "Function", "Ge", "Germs", "Gt", "ImmutableMatrix", "ImplicitFunction",
-    "Instance", "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "On", "Order",
-    "Place", "Printed", "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Subs",
-    "Symbol", "TheRoot", "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra",
-    "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
-    "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
-    "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
-    "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses", "label_claims",
-    "line", "log", "manifest", "multiplying", "parts_of", "pi", "roots", "sin", "sinh", "sqrt",
-    "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "Fault", "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction", "Instance",
+    "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "On", "Place", "Printed",
+    "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Subs", "Symbol", "TheRoot",
+    "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of", "applying",
+    "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate", "changing_variable",
+    "citing", "collecting", "cos", "cosh", "cutting", "det", "diff", "differentiating_integral",
+    "differentiation", "display", "equal", "equations", "evaluating", "exp", "exponentials", "eye",
+    "fmpq", "formally", "integrating", "inverses", "label_claims", "line", "log", "manifest",
+    "multiplying", "oo", "order", "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step",
+    "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
 ]

@@ -40,8 +40,10 @@ from tresym.ledger.claim import (
     equal,
     formally,
     parts_of,
+    saying,
 )
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.judge import judge, refute
 from tresym.ledger.mutants.changed_numbers import (
@@ -206,12 +208,6 @@ def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim
 
 def _is_violated(claim: Claim) -> bool:
     return claim.statement is not None and refute(claim.statement, claim) is not None
-
-
-def saying(claim: Claim, changed: Basic) -> Claim:
-    """The claim with another statement."""
-    meant = isinstance(claim.says, str) or claim.means is not None
-    return replace(claim, means=changed) if meant else replace(claim, says=changed)
 
 
 def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
