@@ -275,7 +275,13 @@ leading_in_kappa = Reading(
     (*shape, a * b >= Rational(1, 9)),
     (leading_term,),
 )
-READINGS = (phase_in_kappa, defect_in_kappa, rate_at_root, bend_at_root, leading_in_kappa)
+BY_K = (b, sqrt(a * b))
+"""The chart (b, k): a = k²/b."""
+phase_in_k = Reading(charts.phase_over, BY_K, P, shape, (phase_equation,), (phase_range,))
+defect_in_k = Reading(
+    charts.defect_by_k, BY_K, epsilon0, shape, (defect_by_phase,), (phase_range,), (phase_in_k,)
+)
+READINGS = (phase_in_k, defect_in_k, phase_in_kappa, defect_in_kappa, rate_at_root, bend_at_root, leading_in_kappa)
 
 quarter = (*shape, a * b >= Rational(1, 4))
 """ab ≥ 1/4, 0 < b ≤ 1."""

@@ -248,9 +248,10 @@ def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
         return any(is_manifest(condition.negated, given) for condition in given)
     first, *others = charts
     for condition in conditions(first.where):
-        here = condition in given or is_manifest(condition, given)
-        if not here and not _covered((*given, condition.negated), tuple(others)):
-            return False
+        if condition not in given:
+            left = (*given, condition.negated)
+            if not (others and _covered(left, tuple(others)) or is_manifest(condition, given)):
+                return False
         given = (*given, condition)
     return True
 

@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from flint import fmpq
+from flint import arb, fmpq
 
-from tresym.reals.language.expression import FUNCTIONS, Expr, trees
+from tresym.reals.language.expression import FUNCTIONS, Expr, number, trees
 
 RECORDED = (FUNCTIONS | {"sqrt", "expm1", "log1p"}) - {"abs", "sign", "cbrt"}
 """The functions that formulas may apply: they are analytic inside of where they are defined."""
@@ -190,8 +190,15 @@ class Program:
 
 def _done(op: Any, args: tuple[Any, ...], m: Any, special: Callable[..., Any]) -> Any:
     if isinstance(op, str):
-        return m.pi if op == "pi" else _function(m, op)(*args)
+        return m.pi if op == "pi" else _function(m, op)(*(_number(x, m) for x in args))
     return op(*args) if op in OPERATORS else special(op, args)
+
+
+def _number(x: Any, m: Any) -> Any:
+    """An exact number as the arithmetic has it."""
+    if not isinstance(x, int | fmpq):
+        return x
+    return number(x) if m is trees else arb(x)
 
 
 def _in_balls(op: Any, args: tuple[Any, ...]) -> Any:
