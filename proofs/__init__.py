@@ -32,6 +32,7 @@ PARTS = (
     "exponent",
     "near",
     "power_series",
+    "sweeps",
     "asymptotics",
     "constants",
     "moments",
