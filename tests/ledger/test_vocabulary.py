@@ -41,4 +41,4 @@ def test_a_symbol_of_the_notation_is_exported() -> None:
     targets = (t for node in tree.body if isinstance(node, ast.Assign) for t in node.targets)
     names = (n for t in targets for n in (t.elts if isinstance(t, ast.Tuple) else [t]))
     assigned = {n.id for n in names if isinstance(n, ast.Name)}
-    assert assigned - {"LATEX", "__all__"} == {*notation.__all__}
+    assert assigned - {"LATEX", "WORDS", "__all__"} == {*notation.__all__}
