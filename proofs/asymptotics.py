@@ -26,18 +26,27 @@ from typing import Any
 
 from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
-from tresym.proofs.exponent import arctangent_concave, logarithmic_equation, residual_increases
+from tresym.proofs.exponent import (
+    arctangent_concave,
+    exponent,
+    logarithmic_equation,
+    residual_increases,
+)
 from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.near import (
     BY_KAPPA,
+    BY_K,
     below,
     bound,
     exponent_is_logarithm,
     first_coefficient,
     leading_by_defect,
     leading_term,
+    misses_from_four,
+    misses_from_pi,
     phase_by_defect,
     too_small,
+    turn_in_general,
 )
 from tresym.proofs.power_series import (
     coefficient_sizes,
@@ -45,6 +54,7 @@ from tresym.proofs.power_series import (
     lagrange_step,
     stays_inside,
 )
+from tresym.proofs.sweeps import sweep_from_pi
 from tresym.proofs.separatrix import (
     flip_defect,
     one_flip_defect,
@@ -299,13 +309,18 @@ every_order = boxed(
     quotes=(DOUBLE_SERIES,),
 )
 
-exponent_below = boxed(
+_tail = (*shape, b <= a, epsilon > 0, epsilon <= Rational(1, 4))
+
+exponent_below = bound(
     "exponent_below",
-    "Q(e) < c₁e² for b/a ≤ 1 and 0 < e ≤ 1/4.",
-    (lambda b, r, e, m: -charts.exponent_bend(e, b, r, m),),
-    ((0, 1), (0, 1), (0, "1/4")),
-    ("b", "sqrt(b/a)", "e"),
-    "b/a <= 1, 0 < b <= 1, 0 < e <= 1/4",
+    exponent < c1 * epsilon**2,
+    On(
+        (b, sqrt(b / a), epsilon),
+        box((0, 1), (0, 1), (0, "1/4")),
+        (Shown(lambda b, r, e, m: -charts.exponent_bend(e, b, r, m), epsilon**4),),
+    ),
+    put=(first_coefficient, turn_in_general),
+    given=_tail,
     note="So ε₀/ε* < exp(c₁ε₀²), which is what the corner b = 1, κ = 0 of `everywhere` needs.",
 )
 
@@ -380,19 +395,13 @@ everywhere_too_small = Claim(
 
 CHART = ((0, 1), (0, "7/4"))
 """The chart (b, k); beyond k = 7/4 the tail bounds take over."""
-BY_K = ("b", "k")
+BY_K_NAMES = ("b", "k")
 BELOW = "ab <= 49/16, 0 < b <= 1"
+_below = (*shape, a * b <= Rational(49, 16))
 
 
 def _start(text: str) -> arb:
     return balls.pi if text == "pi" else arb(as_rational(text))
-
-
-def _sweep(start: str, constant: str, side: int) -> Callable[..., Any]:
-    def margin(b: Any, k: Any, m: Any) -> Any:
-        return arb(as_rational(constant)) - side * charts.sweep_error(b, k, _start(start), m)
-
-    return margin
 
 
 def _newton(start: str, constant: str) -> Callable[..., Any]:
@@ -402,40 +411,49 @@ def _newton(start: str, constant: str) -> Callable[..., Any]:
     return margin
 
 
-one_line = boxed(
+def _from_pi(b: Any, k: Any, m: Any) -> Any:
+    return charts.sweep_error(b, k, m.pi, m)
+
+
+def _from_four(b: Any, k: Any, m: Any) -> Any:
+    return charts.sweep_error(b, k, fmpq(4), m)
+
+
+_sweep_error = epsilon_pi / epsilon0 - 1
+
+one_line = bound(
     "one_line",
-    "The sweep from π errs by at most 2.8 % of ε₀ for √(ab) ≤ 7/4.",
-    (_sweep("pi", "0.028", 1),),
-    CHART,
-    BY_K,
-    BELOW,
-    "0.028",
-    slopes=True,
-    note="It errs on the side of too large an ε₀, as the phase exceeds π.",
+    _sweep_error <= Rational("0.028"),
+    On(
+        BY_K,
+        box(*CHART),
+        (Shown(lambda *at: fmpq(28, 1000) - _from_pi(*at), slopes=True),),
+    ),
+    put=misses_from_pi[-1:],
+    given=_below,
+    constant="0.028",
+    note="It errs on the side of too large an ε₀, as the phase exceeds π (`one_line_side`).",
 )
 
-one_line_too_small = boxed(
-    "one_line_too_small",
-    "The sweep from π errs by at most 2.7 % of ε₀ for √(ab) ≤ 7/4.",
-    (_sweep("pi", "0.027", 1),),
-    CHART,
-    BY_K,
-    BELOW,
+one_line_too_small = too_small(
+    one_line,
     "0.027",
-    expect=Verdict.REFUTED,
-    slopes=True,
-    amended_by=(one_line,),
+    lambda limit: _sweep_error <= limit,
+    using=(flip_defect, sweep_from_pi),
+    a="1/800",
+    b="1/2",
 )
 
-balanced_line = boxed(
+balanced_line = below(
     "balanced_line",
-    "The sweep from 4 errs by at most 0.65 % of ε₀, on either side, for √(ab) ≤ 7/4.",
-    (_sweep("4", "0.0065", 1), _sweep("4", "0.0065", -1)),
-    CHART,
-    BY_K,
-    BELOW,
+    epsilon_4 / epsilon0 - 1,
     "0.0065",
+    Integer(1),
+    _from_four,
+    given=_below,
+    chart=(BY_K, box(*CHART)),
     slopes=True,
+    put=misses_from_four[-1:],
 )
 
 _D = cosh(T) ** 2 + r**2 * sinh(T) ** 2
@@ -500,7 +518,7 @@ newton_line = boxed(
     "One Newton step after the sweep from π errs by at most 0.01 % of ε₀ for √(ab) ≤ 7/4.",
     (_newton("pi", "1e-4"),),
     CHART,
-    BY_K,
+    BY_K_NAMES,
     BELOW,
     "1e-4",
     also=(newton_remainder, newton_from_below),
@@ -512,7 +530,7 @@ balanced_newton = boxed(
     "One Newton step after the sweep from 4 errs by at most 0.0004 % of ε₀ for √(ab) ≤ 7/4.",
     (_newton("4", "4e-6"),),
     CHART,
-    BY_K,
+    BY_K_NAMES,
     BELOW,
     "4e-6",
     also=(newton_remainder, newton_from_below, newton_from_above),
@@ -658,18 +676,27 @@ def _beyond_turning(defect: Any, m: Any) -> Any:
     return -charts.sine_rest(2 * defect) * (1 + sinc)
 
 
-bend_leaves = boxed(
+_past = 4 * b * epsilon0**2 - b * sin(2 * epsilon0) ** 2
+
+bend_leaves = bound(
     "bend_leaves",
-    "At γ = −4bε₀² the linear formula, ε = 2ε₀, lies where γ < −b sin²ε, by 3.5 to 6 times bε₀⁴.",
-    (
-        lambda e, m: 16 * _beyond_turning(e, m) - arb(fmpq(7, 2)),
-        lambda e, m: 6 - 16 * _beyond_turning(e, m),
+    Tuple(
+        _past > Rational(7, 2) * b * epsilon0**4,
+        _past < 6 * b * epsilon0**4,
     ),
-    ((0, "3/4"),),
-    ("epsilon0",),
-    "0 < epsilon0 <= 3/4",
-    "6",
-    note="There is no such trajectory: √(γ + b sin²ε) is not real.",
+    On(
+        (epsilon0,),
+        box((0, "3/4")),
+        (
+            Shown(lambda e, m: 16 * _beyond_turning(e, m) - fmpq(7, 2), b * epsilon0**4),
+            Shown(lambda e, m: 6 - 16 * _beyond_turning(e, m), b * epsilon0**4),
+        ),
+    ),
+    put=(),
+    given=(*shape, epsilon0 <= Rational(3, 4)),
+    constant="6",
+    note="At γ = −4bε₀² the linear formula gives ε = 2ε₀, and γ + b sin²ε is less than 0 by this "
+    "much. There is no such trajectory: √(γ + b sin²ε) is not real.",
 )
 
 label_claims(globals())

@@ -13,7 +13,9 @@ from typing import Any
 
 from sympy import Pow
 from tresym.proofs.conditions import shape
+from tresym.proofs.exponent import exponent
 from tresym.proofs.separatrix import defect_range, flip_defect
+from tresym.proofs.sweeps import sweep_from_four, sweep_from_pi
 
 from tresym.ledger.evidence.charted import Reading
 from tresym.ledger.vocabulary import *
@@ -142,6 +144,12 @@ turn_by_cosine = Claim(
     ),
     given=(*shape, x > 0, x < 1),
     proof=by(inverses, roots),
+)
+
+below_one_in_general = Claim(
+    says=cos(epsilon) < 1,
+    given=(epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0),
+    proof=(step(2 * sin(epsilon / 2) ** 2, trigonometry),),
 )
 
 below_one = Claim(
@@ -281,7 +289,116 @@ phase_in_k = Reading(charts.phase_over, BY_K, P, shape, (phase_equation,), (phas
 defect_in_k = Reading(
     charts.defect_by_k, BY_K, epsilon0, shape, (defect_by_phase,), (phase_range,), (phase_in_k,)
 )
-READINGS = (phase_in_k, defect_in_k, phase_in_kappa, defect_in_kappa, rate_at_root, bend_at_root, leading_in_kappa)
+_all = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0)
+_general_root = sqrt(1 + b / a * sin(epsilon) ** 2)
+_general_turn = asin(_ratio * sin(epsilon) ** 2 / (cos(epsilon) + _general_root))
+_general = Instance(turn_by_cosine, ((x, cos(epsilon)),), (below_one_in_general,))
+turn_at = Claim(says=_general.says, given=_all, proof=_general)
+
+turn_in_general = Claim(
+    says=equal(asin(_mu), asin(_mu * cos(epsilon)) + _general_turn),
+    given=_all,
+    proof=by(substituting(turn_at), trigonometry),
+)
+
+bend_at = Reading(
+    charts.exponent_bend,
+    (epsilon, b, sqrt(b / a)),
+    (exponent.xreplace({asin(_mu): asin(_mu * cos(epsilon)) + _general_turn}) / epsilon**2 - c1)
+    / epsilon**2,
+    _all,
+    (first_coefficient,),
+)
+
+_sweep_turn = atan(_ratio * tanh(sqrt(a * b) * P))
+_w = sqrt(1 + b / a) * sinh(sqrt(a * b) * P)
+
+turn_of_phase = Claim(
+    says=equal(_sweep_turn, P - pi),
+    given=shape,
+    proof=(
+        step(
+            atan(_ratio * (_cosine / _root)),
+            substituting(phase, flip_defect),
+            citing(flip_defect, defect_range),
+        ),
+        step(
+            asin(_mu * _cosine),
+            citing(flip_defect, defect_range),
+            inverses,
+            roots,
+            trigonometry,
+        ),
+        step(None, substituting(phase)),
+    ),
+)
+
+difference_of_turns = Claim(
+    says=equal(atan((x - x0) / (1 + x * x0)), atan(x) - atan(x0)),
+    given=(x > 0, x0 > 0),
+    proof=by(inverses),
+)
+
+cotangent_in_k = Reading(charts.cotangent, (*BY_K, P), _w, shape, cited=(phase_range,))
+angle_in_k = Reading(charts.angle_of, (_w,), epsilon0, shape, (defect_by_phase,), (phase_range,))
+
+
+def _sweep(start: Expr, swept: Claim) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
+    """What the steps of the error of a sweep are, and the differences of angles in it."""
+    k_ = sqrt(a * b)
+    turn = _ratio * tanh(k_ * start)
+    known: dict[str, Any] = {"given": shape, "cited": (phase_range,)}
+    turns = Instance(difference_of_turns, ((x, _ratio * _tangent), (x0, turn)), (phase_range,))
+    one = Claim(f"turns_from_{start}", turns.says, turns, given=shape)
+    left = turns.says.args[0]
+    gained = Claim(
+        f"sweep_from_{start}_misses",
+        equal(left, P - pi - atan(turn)),
+        (
+            step(_sweep_turn - atan(turn), substituting(one), citing(phase_range)),
+            step(None, substituting(turn_of_phase), citing(phase_range)),
+        ),
+        given=shape,
+    )
+    end = sqrt(1 + b / a) * sinh(k_ * (pi + atan(turn)))
+    angles = Instance(difference_of_turns, ((x, 1 / end), (x0, 1 / _w)), (phase_range,))
+    two = Claim(f"angles_from_{start}", angles.says, angles, given=shape)
+    apart = angles.says.args[0]
+    beyond = Claim(
+        f"sweep_from_{start}_exceeds",
+        equal(apart, swept.says.args[0] - epsilon0),
+        (
+            step(atan(1 / end) - atan(1 / _w), substituting(two), citing(phase_range)),
+            step(None, substituting(swept, defect_by_phase), citing(phase_range)),
+        ),
+        given=shape,
+    )
+    error = sinh(k_ * P) / sinh(k_ * (pi + atan(turn))) - 1
+    readings = (
+        Reading(charts.sweep_difference, (*BY_K, P, start), left, **known),
+        Reading(charts.tangent_error, (left, P, k_), error, claims=(gained,), **known),
+        Reading(charts.angle_difference, (error, _w), apart, **known),
+    )
+    return readings, (one, gained, two, beyond)
+
+
+_from_pi, misses_from_pi = _sweep(pi, sweep_from_pi)
+_from_four, misses_from_four = _sweep(Integer(4), sweep_from_four)
+
+READINGS = (
+    bend_at,
+    cotangent_in_k,
+    angle_in_k,
+    *_from_pi,
+    *_from_four,
+    phase_in_k,
+    defect_in_k,
+    phase_in_kappa,
+    defect_in_kappa,
+    rate_at_root,
+    bend_at_root,
+    leading_in_kappa,
+)
 
 quarter = (*shape, a * b >= Rational(1, 4))
 """ab ≥ 1/4, 0 < b ≤ 1."""
@@ -360,7 +477,12 @@ def between(
 
 
 def too_small(
-    amended: Claim, limit: str, says: Callable[[Expr], Basic], label: str = "", **point: Any
+    amended: Claim,
+    limit: str,
+    says: Callable[[Expr], Basic],
+    label: str = "",
+    using: tuple[Claim, ...] = (flip_defect, leading_term, first_coefficient),
+    **point: Any,
 ) -> Claim:
     """``says`` of a smaller constant, which fails at a shape."""
     at = {name: as_rational(x) for name, x in point.items()}
@@ -368,7 +490,7 @@ def too_small(
         label=label or f"{amended.label}_too_small",
         says=says(Rational(limit)),
         given=amended.given,
-        proof=Counterexample(at, (flip_defect, leading_term, first_coefficient)),
+        proof=Counterexample(at, using),
         amended_by=(amended,),
     )
 

@@ -360,10 +360,21 @@ def cotangent(b: Any, k: Any, phase: Any, m: Any) -> Any:
 
 
 @Part
-def angle_error(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀: the difference of two arctangents is one."""
+def angle_difference(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
+    """ε − ε₀ from tan ε/tan ε₀ − 1 and cot ε₀: the difference of two arctangents is one."""
     w, e = cotangent_, tangent_error
-    return m.atan(e * w / (w * w + 1 + e)) / (m.pi / 2 - m.atan(w))
+    return m.atan(e * w / (w * w + 1 + e))
+
+
+@Part
+def angle_of(cotangent_: Any, m: Any) -> Any:
+    """The angle between 0 and π/2 that has this cotangent."""
+    return m.pi / 2 - m.atan(cotangent_)
+
+
+def angle_error(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀."""
+    return angle_difference(tangent_error, cotangent_, m) / angle_of(cotangent_, m)
 
 
 @Part
@@ -374,7 +385,8 @@ def tangent_error(difference: Any, phase: Any, k: Any, m: Any) -> Any:
     return difference / other * ratio * m.cosh(k * (phase + other) / 2)
 
 
-def sweep_difference(b: Any, k: Any, phase: Any, start: arb, m: Any) -> Any:
+@Part
+def sweep_difference(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
     """P − P₁ for P₁ = π + arctan(r tanh(start·k)): one arctangent with the factor P − start."""
     gap = phase - start
     x = b * phase * hyperbolic_tangent_over(k * phase)
@@ -383,7 +395,7 @@ def sweep_difference(b: Any, k: Any, phase: Any, start: arb, m: Any) -> Any:
     return m.atan(top / (m.cosh(k * phase) * m.cosh(k * start) * (1 + x * y)))
 
 
-def sweep_error(b: Any, k: Any, start: arb, m: Any) -> Any:
+def sweep_error(b: Any, k: Any, start: Any, m: Any) -> Any:
     """ε/ε₀ − 1 of one sweep from ``start``."""
     phase = phase_over(b, k)
     error = tangent_error(sweep_difference(b, k, phase, start, m), phase, k, m)

@@ -166,7 +166,7 @@ class Program:
         def at(operand: tuple[bool, Any]) -> Any:
             inner, x = operand
             if not inner:
-                return x
+                return number(x)
             if x not in known:
                 op, operands = self.steps[x - self.count]
                 if isinstance(op, Part):
