@@ -34,8 +34,8 @@ from tresym.proofs.exponent import (
 )
 from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.near import (
-    BY_KAPPA,
     BY_K,
+    BY_KAPPA,
     below,
     bound,
     exponent_is_logarithm,
@@ -54,13 +54,13 @@ from tresym.proofs.power_series import (
     lagrange_step,
     stays_inside,
 )
-from tresym.proofs.sweeps import sweep_from_pi
 from tresym.proofs.separatrix import (
     flip_defect,
     one_flip_defect,
     stable_equation,
     vanishing_share,
 )
+from tresym.proofs.sweeps import sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *

@@ -343,7 +343,9 @@ cotangent_in_k = Reading(charts.cotangent, (*BY_K, P), _w, shape, cited=(phase_r
 angle_in_k = Reading(charts.angle_of, (_w,), epsilon0, shape, (defect_by_phase,), (phase_range,))
 
 
-def _sweep(start: Expr, swept: Claim) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
+def _sweep(
+    start: Expr, swept: Claim, ends: Symbol
+) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
     """What the steps of the error of a sweep are, and the differences of angles in it."""
     k_ = sqrt(a * b)
     turn = _ratio * tanh(k_ * start)
@@ -366,7 +368,7 @@ def _sweep(start: Expr, swept: Claim) -> tuple[tuple[Reading, ...], tuple[Claim,
     apart = angles.says.args[0]
     beyond = Claim(
         f"sweep_from_{start}_exceeds",
-        equal(apart, swept.says.args[0] - epsilon0),
+        equal(apart, ends - epsilon0),
         (
             step(atan(1 / end) - atan(1 / _w), substituting(two), citing(phase_range)),
             step(None, substituting(swept, defect_by_phase), citing(phase_range)),
@@ -382,8 +384,8 @@ def _sweep(start: Expr, swept: Claim) -> tuple[tuple[Reading, ...], tuple[Claim,
     return readings, (one, gained, two, beyond)
 
 
-_from_pi, misses_from_pi = _sweep(pi, sweep_from_pi)
-_from_four, misses_from_four = _sweep(Integer(4), sweep_from_four)
+_from_pi, misses_from_pi = _sweep(pi, sweep_from_pi, epsilon_pi)
+_from_four, misses_from_four = _sweep(Integer(4), sweep_from_four, epsilon_4)
 
 READINGS = (
     bend_at,

@@ -51,15 +51,6 @@ def same(x: arb, y: arb) -> bool:
     return abs(x - y) < TINY * (1 + abs(x))
 
 
-def test_the_reduced_equation_is_the_one_that_its_margin_denies() -> None:
-    claim = CLAIMS["equation"]
-    (bound,) = claim.proof.bounds
-    with ball_precision(BITS):
-        point = at_shape(*(side.low for side in bound.box))
-        left, right = (value(side, point) for side in claim.says.args)
-        assert same(bound.margin(point[a], point[b], balls), -abs(right / left - 1))
-
-
 # -- bounds that are said in words ----------------------------------------------------------------
 
 star = 2 * sqrt(a / (a + b)) * sympy.exp(-sqrt(a * b) * (sympy.pi + sympy.asin(sqrt(b / (a + b)))))

@@ -250,7 +250,7 @@ def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
     for condition in conditions(first.where):
         if condition not in given:
             left = (*given, condition.negated)
-            if not (others and _covered(left, tuple(others)) or is_manifest(condition, given)):
+            if not ((others and _covered(left, tuple(others))) or is_manifest(condition, given)):
                 return False
         given = (*given, condition)
     return True
