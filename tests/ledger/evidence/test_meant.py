@@ -236,7 +236,8 @@ def test_what_is_meant_is_what_the_evidence_must_show() -> None:
 
 
 def test_numbers_fall_with_what_they_rest_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    found = {"unique_root": Finding(Verdict.UNDECIDED, "broken")}
+    broken = Finding(Verdict.UNDECIDED, "broken")
+    found = {"unique_root": broken, "defect_is_one": broken}
     for label in ("table_str_epsilon0", "d27", "equation", "larger_ab_smaller_eps0"):
         claim = CLAIMS[label]
         for used in claim.rests_on:
