@@ -33,7 +33,7 @@ _tangent = tanh(sqrt(a * b) * P)
 phase = Claim(
     says=equal(P, pi + asin(_mu * _cosine)),
     given=shape,
-    proof=Definition(claims=(flip_defect, defect_range)),
+    proof=Definition(),
 )
 
 phase_equation = Claim(
@@ -124,18 +124,10 @@ leading_term = Claim(
     proof=Definition(),
 )
 
-turn_is_defined = Claim(
-    says=_ratio * _sine**2 / (_cosine + _root) < 1,
-    given=shape,
-    proof=(
-        step(1 - _ratio * _sine**2 / (_cosine + _root), citing(flip_defect, defect_range), algebra),
-    ),
-)
-
 exponent_of_defect = Claim(
     says=equal(Q, log(epsilon0 / _sine) + log((_cosine + _root) / 2) + sqrt(a * b) * _turn),
-    given=shape,
-    proof=Definition(claims=(flip_defect, defect_range, turn_is_defined)),
+    given=(*shape, epsilon0 > 0, epsilon0 < pi / 2, _sine > 0, _cosine > 0),
+    proof=Definition(),
 )
 turn_by_cosine = Claim(
     says=equal(

@@ -192,7 +192,7 @@ UNREAD = {
     "an integral, at points or along a line": (
         *("symmetric_maximum", "bend_carries", "threshold_impossible", "no_tre_far"),
         *("two_rectangles", "near_flip_likely", "every_start_overshoots", "larger_ab_less_robust"),
-        *("up_and_down"),
+        "up_and_down",
         "lower_level_unturned",
     ),
     "two shapes at once": (
