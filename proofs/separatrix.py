@@ -256,8 +256,8 @@ flip_defect = Claim(
 
 vanishing_share = Claim(
     says=equal(
-        _inverse - tanh(_time),
-        (1 / cosh(_time) ** 2 - (a + b) * sin(epsilon) ** 2 / (a + b * sin(epsilon) ** 2))
+        tanh(_time) - _inverse,
+        ((a + b) * sin(epsilon) ** 2 / (a + b * sin(epsilon) ** 2) - 1 / cosh(_time) ** 2)
         / (_inverse + tanh(_time)),
     ),
     given=(*shape, *defect),
