@@ -1,11 +1,14 @@
 """Appendix: the argument for the leading term of ε₀ by an implicit function, step by step.
 
-- `d40`, `u`, `equ`: the parameters λ and μ, the unknown u, and the equation G = 0;
-- `flat_function`: e^{−1/s} is flat from one side only, and so ε₀(u, λ, μ) is smooth for λ ≥ 0;
+- display (40), `d40`, `mu_by_lambda`: the parameters λ and μ; (41), `reduced_equation`: ε₀ by them;
+- (42), `defect_by_unknown`, `unknown_flat`: ε₀ by the unknown u; `flat_function`: e^{−1/s} is flat
+  from one side only, and so ε₀(u, λ, μ) is smooth for λ ≥ 0;
+- (43), `equation_for_u`: the equation G = 0; `defect_of_a_product`: the arguments of ε₀ as printed;
 - `slope_by_u`, `slope_by_lambda`, `slope_by_mu`: the derivatives of G where ε₀ is e + p·(…), with
   the slope p of ε₀ a symbol; at the origin they are 1, 0 and 0;
-- `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; dG/dλ = 0 follows from ∂G/∂μ = 0 instead (`d45`),
-  and with it du/dλ = 0, which `dudlam` in `orders` shows of u itself.
+- (44), `implicit_rule`, `implicit_slope`: du/dλ by the implicit function theorem;
+- (45), `chain_rule`, `chain_rule_of_G`: `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; dG/dλ = 0
+  follows from ∂G/∂μ = 0 instead, and with it du/dλ = 0, which (46) shows of u itself.
 """
 
 from __future__ import annotations
@@ -14,13 +17,11 @@ from typing import Any
 
 from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import shape
-from tresym.proofs.printed import exact_defect
-from tresym.proofs.separatrix import one_flip_defect, stable_equation
+from tresym.proofs.separatrix import flip_defect, stable_equation
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.near.samples import RACKET, in_chart
 from tresym.racket.notation import *
 
 _small = (mu > -1, mu < 1)
@@ -59,27 +60,16 @@ right_sides = Claim(
 )
 
 
-def _reduced_residual(a: Any, b: Any, m: Any) -> Any:
-    """−|right side/ε₀ − 1| of the reduced equation at the exact ε₀."""
-    defect = exact_defect(a, b, m)
-    return -abs(printed.implicit_right(defect, a, b, m) / defect - 1)
-
-
 reduced_equation = Claim(
     label="equation",
     says=equal(epsilon0, printed.implicit_right_reduced(epsilon0, lam, mu, sympy)),
     kind="bound",
-    proof=Boxes(
-        (Bound(_reduced_residual, box(("1517/121",) * 2, ("55/874",) * 2)),),
-        ("a", "b"),
-        "the standard racket",
-        claims=(one_flip_defect,),
-        meant=Meant(in_chart(("a", "b"), shapes=(RACKET,)), epsilon0),
-    ),
-    where=Place(display=41),
-    expect=Verdict.REFUTED,
+    given=shape,
+    proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874)}, (flip_defect, d40)),
+    where=display(41),
     amended_by=(stable_equation, right_sides),
-    note="The higher orders of the equation before are dropped, one part in a thousand here.",
+    note="The higher orders of the equation before are dropped, one part in a thousand for the "
+    "standard racket.",
     fault=Fault.ROUNDING,
 )
 
