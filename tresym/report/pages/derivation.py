@@ -205,6 +205,7 @@ def _entry(row: Row, known: Collection[str]) -> str:
     if claim.paper_says:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
     lines += [rf"{{\raggedright {words}\par}}" for words in _in_words(claim, _code)]
+    lines += [rf"\textsf{{\small Decided as}} \fitted{{{body}}}" for body in said(claim).means]
     lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
