@@ -2,6 +2,7 @@
 
 A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along them.
 
+- display (30), `book_shape`: the a and b of a book;
 - `box_a`, `box_b`: the shape of a box; `box_order`: its moments are in the paper's order;
 - `book_length`, `book_height`: the proportions that the printed a and b need, a box that exists;
 - `table_units`: the printed unit is none of a moment of inertia;
