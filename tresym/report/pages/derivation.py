@@ -109,7 +109,7 @@ def article(report: Report) -> str:
 def _symbols(known: Collection[str]) -> Iterator[str]:
     """The table of the symbols that have words, each with the claim that defines it."""
     yield rf"\section*{{{SYMBOLS}}}" + "\n"
-    yield r"\begin{longtable}{@{}lp{0.68\linewidth}l@{}}"
+    yield r"\begin{longtable}{@{}lp{0.56\linewidth}l@{}}"
     named = {row.name: row for row in table_of_symbols() if row.words}
     for row in named.values():
         by = _reference(row.entry.claim, known) if row.entry else ""
