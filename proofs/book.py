@@ -80,16 +80,14 @@ box_of_a_shape = Claim(
 )
 
 book_length = number(
-    "book_length",
-    "The printed a and b need a book with L/W = 1.46.",
+    "The printed a and b need a book with L/W = {}.",
     sqrt(_length_squared),
     "1.46",
     _PRINTED,
 )
 
 book_height = number(
-    "book_height",
-    "The printed a and b need a book with H/W = 0.16.",
+    "The printed a and b need a book with H/W = {}.",
     sqrt(_height_squared),
     "0.16",
     _PRINTED,
@@ -98,16 +96,14 @@ book_height = number(
 _PROPORTIONS = (Rounds(length, "1.46"), Rounds(height, "0.16"), equal(width, 1))
 
 book_a = number(
-    "book_a",
-    "A book with L/W = 1.46 and H/W = 0.16 has a = 1.11.",
+    "A book with L/W = 1.46 and H/W = 0.16 has a = {}.",
     _a_of_box,
     "1.11",
     _PROPORTIONS,
 )
 
 book_b = number(
-    "book_b",
-    "A book with L/W = 1.46 and H/W = 0.16 has b = 0.31.",
+    "A book with L/W = 1.46 and H/W = 0.16 has b = {}.",
     _b_of_box,
     "0.31",
     _PROPORTIONS,

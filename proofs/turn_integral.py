@@ -265,6 +265,24 @@ implicit_derivative = Claim(
     where=display(50),
 )
 
+closed_form = -printed.defect_per_turn(epsilon, a, b, 1, sympy) * printed.turn_slope(
+    epsilon, a, b, 1, sympy
+)
+
+closed_slope = Claim(
+    says=equal(defect_gamma, closed_form),
+    given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
+    proof=(
+        step(-defect_F * F_gamma, substituting(implicit_derivative)),
+        step(
+            1 / _at_end * (_primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
+            substituting(defect_by_turn, turn_symbol, slope_of_turn),
+        ),
+        step(None, roots),
+    ),
+    note="∂ε/∂γ at γ = 0, in closed form.",
+)
+
 S_drops_out = Claim(
     says=equal(
         printed.defect_per_turn(epsilon, a, b, S, sympy)
