@@ -572,3 +572,41 @@ Ltac numeric :=
       | |- _ <= _ => apply not_below; interval with (i_prec 90)
       | |- _ = _ => first [field; lra | base_value]
       end ].
+
+(* One-to-one functions, for equations of which both sides are put into one. *)
+
+Section Injective.
+Variable f : R -> R.
+Hypothesis increasing : forall x y, x < y -> f x < f y.
+Lemma injective x y : f x = f y -> x = y.
+Proof.
+  intros E; destruct (Rtotal_order x y) as [L|[L|L]]; [| exact L |];
+  apply increasing in L; lra.
+Qed.
+End Injective.
+Lemma sinh_injective x y : sinh x = sinh y -> x = y.
+Proof. apply injective; exact sinh_lt. Qed.
+Lemma arcsinh_injective x y : arcsinh x = arcsinh y -> x = y.
+Proof. apply injective; exact arcsinh_lt. Qed.
+Lemma atan_injective x y : atan x = atan y -> x = y.
+Proof. apply injective; exact atan_increasing. Qed.
+Lemma tanh_injective x y : tanh x = tanh y -> x = y.
+Proof.
+  apply injective; clear x y; intros x y L; rewrite !tanh_law.
+  pose proof (exp_pos x); pose proof (exp_increasing x y L).
+  apply Rminus_gt_0_lt.
+  replace (_ - _) with (2 * (exp y ^ 2 - exp x ^ 2) / ((exp x ^ 2 + 1) * (exp y ^ 2 + 1))).
+  - apply Rdiv_lt_0_compat; [nra | apply Rmult_lt_0_compat; nra].
+  - field; repeat split; nra.
+Qed.
+Lemma ln_injective x y : ln x = ln y -> 0 < x -> 0 < y -> x = y.
+Proof. intros; now apply ln_inv. Qed.
+Lemma sqrt_injective x y : sqrt x = sqrt y -> 0 <= x -> 0 <= y -> x = y.
+Proof. intros; now apply sqrt_inj. Qed.
+Lemma square_injective x y : x ^ 2 = y ^ 2 -> 0 <= x -> 0 <= y -> x = y.
+Proof. intros E P Q; nra. Qed.
+
+(* The premises of a lemma, or of a theorem that is applied, from those at hand. *)
+Ltac give :=
+  cbv beta;
+  first [ assumption | reflexivity | lra | nonzero | positive | apply Rgt_lt; positive | nra ].

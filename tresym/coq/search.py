@@ -24,6 +24,12 @@ from tresym.reals.numbers.exact import InputError
 
 SENTENCE_SECONDS = 8
 AT_ONCE = 4
+HEAD = """Require Import Reals Lra Lia Psatz.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+Require Import Tresym.
+Open Scope R_scope.
+"""
 MISSING = "coqc is not installed here, so that Coq has not been asked"
 _REALS = {
     "ClassicalDedekindReals.sig_not_dec",
@@ -112,15 +118,23 @@ def _first(theorem: Theorem, deadline: float) -> str | None:
 
 
 def trial(items: Sequence[tuple[Theorem, str]], seconds: float) -> list[bool]:
-    """For each theorem whether Coq accepts the proof, in one dialogue that goes on after errors."""
-    lines = [prelude(), f"Set Default Timeout {SENTENCE_SECONDS}."]
-    for n, (theorem, proof) in enumerate(items):
-        named = replace(theorem, name=f"trial_{n}")
-        lines += [named.text, "Proof.", proof, "Qed.", "Abort All.", f"Check trial_{n}."]
+    """For each theorem whether Coq accepts the proof."""
+    texts = [
+        f"{replace(theorem, name=f'trial_{n}').text}\nProof.\n{proof}\nQed."
+        for n, (theorem, proof) in enumerate(items)
+    ]
+    return dialogue(texts, seconds)
+
+
+def dialogue(texts: Sequence[str], seconds: float) -> list[bool]:
+    """Whether Coq accepts each text, which proves ``trial_n``; it goes on after errors."""
+    lines = [HEAD, f"Set Default Timeout {SENTENCE_SECONDS}."]
+    for n, text in enumerate(texts):
+        lines += [text, "Abort All.", f"Check trial_{n}."]
     with (
         tempfile.TemporaryDirectory() as folder,  # for the caches of its arithmetic
         subprocess.Popen(
-            ["coqtop", "-q"],
+            ["coqtop", "-q", "-Q", library().name, ""],
             cwd=folder,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -134,7 +148,18 @@ def trial(items: Sequence[tuple[Theorem, str]], seconds: float) -> list[bool]:
             coq.kill()
             said, _ = coq.communicate()
     held = set(re.findall(r"trial_(\d+)\s*\n? +: ", said))
-    return [str(n) in held for n in range(len(items))]
+    return [str(n) in held for n in range(len(texts))]
+
+
+@cache
+def library() -> tempfile.TemporaryDirectory[str]:
+    """A folder that holds Tresym.v, compiled."""
+    folder = tempfile.TemporaryDirectory()
+    (Path(folder.name) / "Tresym.v").write_text(prelude(), encoding="utf-8")
+    subprocess.run(
+        ["coqc", "-q", "Tresym.v"], cwd=folder.name, capture_output=True, check=True, timeout=600
+    )
+    return folder
 
 
 def run(text: str, seconds: float) -> tuple[bool, str, float]:
