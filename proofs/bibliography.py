@@ -9,7 +9,7 @@ from tresym.ledger.vocabulary import *
 KILOGRAM_METRES = {"I1": "0.121e-2", "I2": "1.638e-2", "I3": "1.748e-2"}
 """The moments as printed there."""
 
-_THERE = Place(line=461)
+_THERE = line(461)
 
 moments = tuple(
     number(

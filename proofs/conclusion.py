@@ -26,24 +26,18 @@ _a, _b = (at(ratio, _moments) for ratio in printed.shape(I1, I2, I3))
 CONSTANTS = {"B1": "4.64", "B2": "1.001", "B3": "0.828"}
 
 rotational_constants = Claim(
-    label="rotational_constants",
     says=Tuple(equal(_a, B1 / B2 - 1), equal(_b, 1 - B3 / B2)),
     given=_ordered,
-    proof=together(by(evaluating), by(evaluating)),
-    where=Place(line=320),
+    proof=by(evaluating),
+    where=line(320),
     note="The constants are inversely proportional to the moments; the factor drops out.",
     shown=r"\frac{I_2}{I_1}-1 = \frac{B_1}{B_2}-1,\quad 1-\frac{I_2}{I_3} = 1-\frac{B_3}{B_2}",
 )
 
 rotational_order = Claim(
-    label="rotational_order",
     says=Tuple(1 / B2 - 1 / B1 > 0, 1 / B3 - 1 / B2 > 0),
-    kind="bound",
     given=_ordered,
-    proof=together(
-        (step((B1 - B2) / (B1 * B2)),),
-        (step((B2 - B3) / (B2 * B3)),),
-    ),
+    proof=manifest,
 )
 
 
@@ -92,7 +86,7 @@ ethylene_flip = number(
     "0.0528",
     _of_constants(share_of_pi(exact_defect)),
     CONSTANTS,
-    where=Place(line=320),
+    where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
     rests_on=(rotational_constants, one_flip_defect),
@@ -105,7 +99,7 @@ ethylene_flip_by_formula = number(
     "0.0528",
     _of_constants(share_of_pi(formula_defect)),
     CONSTANTS,
-    where=Place(line=320),
+    where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
     rests_on=(rotational_constants,),
@@ -121,10 +115,9 @@ ethylene_plane = number(
 )
 
 ethylene = Claim(
-    label="ethylene",
     says="From its rotational constants ethylene is a body as the paper considers it.",
-    kind="statement",
     proof=all_of(rotational_constants, rotational_order, ethylene_plane),
-    where=Place(line=320),
-    expect=Verdict.ENCLOSED,
+    where=line(320),
 )
+
+label_claims(globals())

@@ -17,7 +17,6 @@ from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
 eq_euler_angle = Claim(
-    label="eq_euler_angle",
     says=equations(
         (dtheta_dt, dphi_dt, dpsi_dt), printed.angle_rates(theta, psi, M, I1, I2, I3, sympy)
     ),
@@ -53,7 +52,7 @@ eq_euler_angle = Claim(
             step(None, substituting(eq_Mi)),
         ),
     ),
-    where=Place(display=7),
+    where=display(7),
 )
 
 shape_and_depth = Claim(
@@ -63,11 +62,10 @@ shape_and_depth = Claim(
     ),
     given=ordered_moments,
     proof=Definition(),
-    where=Place(display=8),
+    where=display(8),
 )
 
 precession_rate = Claim(
-    label="precession_rate",
     says=equal(dphi_dt, M * (1 - b * sin(psi) ** 2) / I2),
     given=(*ordered_moments, *tilted),
     proof=(
@@ -77,39 +75,27 @@ precession_rate = Claim(
 )
 
 precession_forward = Claim(
-    label="precession_forward",
     says=dphi_dt > 0,
-    kind="bound",
     given=(*ordered_moments, *tilted, *shape_of_a_body),
-    proof=(step(M * (1 - b * sin(psi) ** 2) / I2, substituting(precession_rate)),),
+    proof=by(substituting(precession_rate)),
     note="The handle always precesses forward, so φ can take the place of time.",
 )
 
 elimination_of_time = Claim(
-    label="elimination_of_time",
-    says=Tuple(
-        equal(dtheta_dphi, dtheta_dt / dphi_dt),
-        equal(dpsi_dphi, dpsi_dt / dphi_dt),
-    ),
+    says=Tuple(equal(dtheta_dphi, dtheta_dt / dphi_dt), equal(dpsi_dphi, dpsi_dt / dphi_dt)),
     given=(dphi_dt > 0,),
     proof=Definition(),
 )
 
 eq_Euler = Claim(
-    label="eq_Euler",
     says=equations((dtheta_dphi, dpsi_dphi), printed.planar_rates(theta, psi, a, b, sympy)),
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=together(
         (
             step(
-                dtheta_dt / dphi_dt,
-                substituting(elimination_of_time),
-                citing(precession_forward),
+                dtheta_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)
             ),
-            step(
-                dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(precession_rate),
-            ),
+            step(dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
             step(
                 M
                 * (1 / I3 - 1 / I2)
@@ -122,15 +108,8 @@ eq_Euler = Claim(
             step(None, substituting(shape_and_depth)),
         ),
         (
-            step(
-                dpsi_dt / dphi_dt,
-                substituting(elimination_of_time),
-                citing(precession_forward),
-            ),
-            step(
-                dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(precession_rate),
-            ),
+            step(dpsi_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)),
+            step(dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
             step(
                 M
                 * (1 / I1 - sin(psi) ** 2 / I3 - cos(psi) ** 2 / I2)
@@ -141,11 +120,10 @@ eq_Euler = Claim(
             step(None, substituting(shape_and_depth), trigonometry),
         ),
     ),
-    where=Place(display=9),
+    where=display(9),
 )
 
 eq_gamma = Claim(
-    label="eq_gamma",
     says=equal(gamma, printed.depth(theta, psi, a, b, sympy)),
     given=ordered_moments,
     proof=(
@@ -161,56 +139,38 @@ eq_gamma = Claim(
         ),
         step(a - sin(theta) ** 2 * (a + b * sin(psi) ** 2), trigonometry),
     ),
-    where=Place(display=10),
+    where=display(10),
 )
 
 _gamma_of_angles = printed.depth(theta, psi, a, b, sympy)
 
 gamma_conserved = Claim(
-    label="gamma_conserved",
     says=equal(
-        diff(_gamma_of_angles, theta) * dtheta_dphi + diff(_gamma_of_angles, psi) * dpsi_dphi,
-        0,
+        diff(_gamma_of_angles, theta) * dtheta_dphi + diff(_gamma_of_angles, psi) * dpsi_dphi, 0
     ),
     given=(*ordered_moments, *tilted, *shape_of_a_body),
     proof=by(substituting(eq_Euler)),
-    where=Place(line=134),
+    where=line(134),
     note="The second route to the constant of motion: its derivative along the flow.",
 )
 
 range_of_shape = Claim(
-    label="range_of_shape",
     says=Tuple(a >= 0, b >= 0, b <= 1),
-    kind="bound",
     given=ordered_moments,
-    proof=together(
-        (step((I2 - I1) / I1, substituting(shape_and_depth)),),
-        (step((I3 - I2) / I3, substituting(shape_and_depth)),),
-        (step(I2 / I3, substituting(shape_and_depth)),),
-    ),
+    proof=by(substituting(shape_and_depth)),
 )
 
 range_of_gamma = Claim(
-    label="range_of_gamma",
     says=Tuple(gamma >= -b, gamma <= a),
-    kind="bound",
     given=(*ordered_moments, *shape),
-    proof=together(
-        (
-            step(a - sin(theta) ** 2 * (a + b * sin(psi) ** 2) + b, substituting(eq_gamma)),
-            step(
-                (a + b) * cos(theta) ** 2 + b * sin(theta) ** 2 * cos(psi) ** 2,
-                trigonometry,
-            ),
-        ),
-        (step(sin(theta) ** 2 * (a + b * sin(psi) ** 2), substituting(eq_gamma)),),
-    ),
+    proof=by(substituting(eq_gamma)),
 )
 
 ranges = Claim(
     label="d11",
     says="0 ≤ b ≤ 1, 0 ≤ a < ∞ and −b ≤ γ ≤ a.",
-    kind="statement",
     proof=all_of(range_of_shape, range_of_gamma),
-    where=Place(display=11),
+    where=display(11),
 )
+
+label_claims(globals())

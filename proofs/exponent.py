@@ -33,10 +33,8 @@ exponent = log(epsilon / sin(epsilon)) + log((cos(epsilon) + _root) / 2) + sqrt(
 """Q(e)."""
 
 logarithmic_equation = Claim(
-    label="logarithmic_equation",
     says=Equivalent(
-        equal(_cosine / sinh(_time), tan(epsilon)),
-        equal(exponent, log(epsilon / _leading)),
+        equal(_cosine / sinh(_time), tan(epsilon)), equal(exponent, log(epsilon / _leading))
     ),
     given=(*shape, *defect),
     proof=(
@@ -69,7 +67,6 @@ logarithmic_equation = Claim(
 )
 
 exponent_gap = Claim(
-    label="exponent_gap",
     says=equal(
         exponent - log(epsilon / _leading), asinh(_cosine * cos(epsilon) / sin(epsilon)) - _time
     ),
@@ -80,7 +77,6 @@ exponent_gap = Claim(
 )
 
 sine_of_turn = Claim(
-    label="sine_of_turn",
     says=equal(sin(_turn), sqrt(b / a) * sin(epsilon) ** 2 / (cos(epsilon) + _root)),
     given=(*shape, *defect),
     proof=by(inverses, roots, trigonometry),
@@ -88,9 +84,7 @@ sine_of_turn = Claim(
 )
 
 residual_increases = Claim(
-    label="residual_increases",
     says=Derivative(log(epsilon) - exponent, epsilon) > 0,
-    kind="bound",
     given=(*shape, *defect),
     proof=(
         step(
@@ -104,7 +98,6 @@ residual_increases = Claim(
 )
 
 half_exponent = Claim(
-    label="half_exponent",
     says=equal(
         exponent + log(2 * sin(epsilon) / (epsilon * (1 + cos(epsilon)))),
         log((cos(epsilon) + _root) / (1 + cos(epsilon))) + sqrt(a * b) * _turn,
@@ -114,32 +107,21 @@ half_exponent = Claim(
 )
 
 half_tangent = Claim(
-    label="half_tangent",
     says=equal(tan(epsilon / 2), sin(epsilon) / (1 + cos(epsilon))),
     given=defect,
     proof=by(trigonometry),
 )
 
 root_above_one = Claim(
-    label="root_above_one",
     says=_root > 1,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(step(b / a * sin(epsilon) ** 2 / (1 + _root), roots),),
+    proof=manifest,
 )
 
 turn_increases = Claim(
-    label="turn_increases",
     says=Derivative(_turn, epsilon) > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(
-        step(
-            _mu * sin(epsilon) / sqrt(1 - _mu**2 * cos(epsilon) ** 2),
-            differentiation,
-            roots,
-        ),
-    ),
+    proof=by(differentiation),
 )
 
 arctangent_above = Claim(
@@ -163,20 +145,9 @@ _share = Symbol("c", real=True)
 _part = (x > 0, _share > 0, _share <= 1)
 
 arctangent_concave = Claim(
-    label="arctangent_concave",
     says=atan(_share * x) - _share * atan(x) >= 0,
-    kind="bound",
     given=_part,
-    proof=(
-        step(
-            Integral(
-                _share * (1 - _share**2) * psi**2 / ((1 + _share**2 * psi**2) * (1 + psi**2)),
-                (psi, 0, x),
-            ),
-            integrating(atan(_share * psi) - _share * atan(psi)),
-            inverses,
-        ),
-    ),
+    proof=manifest,
     note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
 )
 
@@ -184,23 +155,13 @@ _roots = sqrt(1 + _share**2 * psi**2), sqrt(1 + psi**2)
 _bend = _share * (1 - _share**2) * psi**2 / (_roots[0] * _roots[1] * (_roots[0] + _roots[1]))
 
 arsinh_concave = Claim(
-    label="arsinh_concave",
     says=asinh(_share * x) - _share * asinh(x) >= 0,
-    kind="bound",
     given=_part,
-    proof=(
-        step(
-            Integral(_bend, (psi, 0, x)),
-            integrating(asinh(_share * psi) - _share * asinh(psi)),
-            inverses,
-        ),
-    ),
+    proof=manifest,
 )
 
 leading_below = Claim(
-    label="leading_below",
     says="ε₀ > 2 arctan(ε*/2), and therefore ε₀/ε* > 1 − ε*²/12, for a > 0, 0 < b ≤ 1.",
-    kind="statement",
     proof=all_of(
         stable_equation,
         one_flip_defect,
@@ -211,6 +172,7 @@ leading_below = Claim(
         turn_increases,
         arctangent_above,
     ),
-    expect=Verdict.ENCLOSED,
     note="Equality would be the limit b → 0, b/a → 0, where tan(ε₀/2) = e^{−π√(ab)}.",
 )
+
+label_claims(globals())

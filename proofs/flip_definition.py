@@ -24,34 +24,26 @@ _square = sin(psi) ** 2
 _slow, _fast = 1 - b * _square, a + b * _square
 
 eq_robust_gen = Claim(
-    label="eq_robust_gen",
     says=equal(Delta_phi, Integral(_integrand, (psi, psi0, psi_f))),
     given=(*shape, gamma > 0),
     proof=Definition(),
-    where=Place(display=18),
+    where=display(18),
     note="For γ ≤ 0 it is so while the flip angle does not turn back; d19 is its integrand.",
 )
 
 full_turn = Claim(
-    label="full_turn",
     says=equal(Delta_phi, 2 * pi),
     proof=Definition(assumes="the turn that is studied"),
-    where=Place(display=18),
+    where=display(18),
     note="The turn that is studied: one of the handle.",
 )
 
-flip_angle = Claim(
-    label="flip_angle",
-    says=equal(Delta_psi, psi_f - psi0),
-    proof=Definition(),
-)
+flip_angle = Claim(says=equal(Delta_psi, psi_f - psi0), proof=Definition())
 
 integrand_of_the_turn = Claim(
-    label="integrand_of_the_turn",
     says="The integrand of the turn is dφ/dψ, with the sign S that the motion has.",
-    kind="statement",
     proof=all_of(eq_dpsidphi, precession_integrand),
-    where=Place(line=201),
+    where=line(201),
 )
 
 # -- integration in elementary functions ----------------------------------------------------------
@@ -61,18 +53,13 @@ _inside = (psi > -pi / 2, psi < pi / 2, cos(psi) > 0)
 integrand_again = Claim(
     label="d33",
     says="f, as the appendix repeats it, is dφ/dψ.",
-    kind="statement",
     proof=all_of(precession_integrand),
-    where=Place(display=33),
+    where=display(33),
 )
 
 elementary_at_the_top = Claim(
-    label="elementary_at_the_top",
     says=equal(
-        Derivative(
-            (1 + a) / sqrt(a * (a + b)) * atan(sqrt((a + b) / a) * tan(psi)) - psi,
-            psi,
-        ),
+        Derivative((1 + a) / sqrt(a * (a + b)) * atan(sqrt((a + b) / a) * tan(psi)) - psi, psi),
         _slow / _fast,
     ),
     given=(*shape, *_inside),
@@ -81,7 +68,6 @@ elementary_at_the_top = Claim(
 )
 
 integrand_at_the_top = Claim(
-    label="integrand_at_the_top",
     says=equal(at(_integrand, {gamma: a, S: 1}), _slow / _fast),
     given=shape,
     proof=by(evaluating, roots),
@@ -90,10 +76,8 @@ integrand_at_the_top = Claim(
 )
 
 elementary_levels = Claim(
-    label="elementary_levels",
     says="For γ = 0 and for γ = a the equation of the flip angle is integrated by elementary "
     "functions.",
-    kind="statement",
     proof=all_of(integrated, integrand_at_the_top, elementary_at_the_top),
 )
 
@@ -113,21 +97,18 @@ not_elementary = Claim(
 # -- the symmetric motion -------------------------------------------------------------------------
 
 eq_psi0psif = Claim(
-    label="eq_psi0psif",
     says=Tuple(equal(psi0, epsilon), equal(psi_f, pi - epsilon)),
     proof=Definition(),
-    where=Place(display=20),
+    where=display(20),
 )
 
 eqdefect = Claim(
-    label="eqdefect",
     says=equal(Delta_psi, pi - 2 * epsilon),
     proof=by(substituting(flip_angle, eq_psi0psif)),
-    where=Place(display=21),
+    where=display(21),
 )
 
 symmetric_turn = Claim(
-    label="symmetric_turn",
     says=equal(Integral(_integrand, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, gamma > 0),
     proof=(
@@ -135,26 +116,24 @@ symmetric_turn = Claim(
         step(Delta_phi, substituting(eq_robust_gen)),
         step(None, substituting(full_turn)),
     ),
-    where=Place(line=213),
+    where=line(213),
     note="What ε is: in one turn of the handle the symmetric motion goes from ε to π − ε.",
 )
 
 symmetric_curves = Claim(
     label="fig_symtraj",
     says="The symmetric curves, from ε to π − ε, are those of one full turn of the handle.",
-    kind="statement",
     proof=all_of(symmetric_turn, eqdefect),
-    where=Place(line=227),
+    where=line(227),
 )
 
 perfect_is_zero = Claim(
-    label="perfect_is_zero",
     says=Equivalent(equal(epsilon, 0), equal(pi - 2 * epsilon, pi)),
     proof=(
         step(equal(-2 * epsilon, 0), multiplying(Integer(-2))),
         step(equal(pi - 2 * epsilon, pi), adding(pi)),
     ),
-    where=Place(line=217),
+    where=line(217),
 )
 
 _start, _turned = Symbol("psi_start", real=True), Symbol("Psi", real=True)
@@ -177,7 +156,7 @@ every_start_flips = Claim(
         ),
         step(None, cutting(_start)),
     ),
-    where=Place(line=272),
+    where=line(272),
     note="At a γ > 0 for which one motion flips by exactly π in one turn, all do; near it, nearly.",
 )
 
@@ -204,11 +183,7 @@ def _points(*values: object) -> tuple[tuple[object, object], ...]:
 _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
 
 equal_rates = Claim(
-    label="equal_rates",
-    says=equal(
-        at(_rate, {psi: pi - psi}),
-        _rate,
-    ),
+    says=equal(at(_rate, {psi: pi - psi}), _rate),
     given=(*shape, b < 1, gamma + b * _square > 0),
     proof=by(evaluating, trigonometry),
     shown=r"V(\pi-\psi) = V(\psi),\quad V = \frac{d\psi}{d\phi}",
@@ -237,50 +212,41 @@ def _steepness(p: Any, q: Any) -> Any:
 _starts, _ends = sin(x) ** 2, sin(x + _turned) ** 2
 
 turn_gap = Claim(
-    label="turn_gap",
     says=equal(
         _by_square(_starts) - _by_square(_ends),
         sin(2 * x + _turned) * sin(_turned) * _steepness(_starts, _ends),
     ),
     given=(*shape, b < 1, gamma > 0),
-    proof=(
-        step((_ends - _starts) * _steepness(_starts, _ends), roots),
-        step(None, trigonometry),
-    ),
+    proof=(step((_ends - _starts) * _steepness(_starts, _ends), roots), step(None, trigonometry)),
     note="f where a flip by Ψ starts, less f where it ends. At a symmetric start 2x + Ψ is an odd "
     "multiple of π; up to π/2 before it the sine of 2x + Ψ is positive and up to π/2 after it "
     "negative.",
 )
 
 turn_is_steep = Claim(
-    label="turn_is_steep",
     says=_steepness(_starts, _ends) > 0,
-    kind="bound",
     given=(*shape, b < 1, gamma > 0),
-    proof=(step(_steepness(_starts, _ends)),),
+    proof=manifest,
     note="f falls with sin²ψ: it is largest at the unstable points.",
 )
 
 _turn = Integral(_integrand, (psi, x, _q))
 
 turn_by_ends = Claim(
-    label="turn_by_ends",
     says=Tuple(
         equal(Derivative(_turn, x), -_integrand.subs(psi, x)),
         equal(Derivative(_turn, _q), _integrand.subs(psi, _q)),
     ),
     given=(*shape, b < 1, gamma > 0, _q - x > 0),
-    proof=together(*(by(differentiating_integral(Integer(0))) for _ in range(2))),
+    proof=by(differentiating_integral(Integer(0))),
     note="For a flip from x to q = x + Ψ the turn changes by f(q) − f(x) with the start: by "
     "`turn_gap` it falls up to the symmetric start and rises after it, or the other way where "
     "sin Ψ < 0.",
 )
 
 symmetric_is_extreme = Claim(
-    label="symmetric_is_extreme",
     says="At fixed γ > 0 the symmetric start flips most in a given turn of the handle where its "
     "flip is below π, and least where it is between π and 2π, among all starts.",
-    kind="statement",
     proof=all_of(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
     note="A flip by Ψ < π needs the least turn from there, and one by π < Ψ < 2π the most; and "
     "every turn grows with its flip.",
@@ -309,35 +275,25 @@ symmetric_maximum = Claim(
 )
 
 eps0_shape_only = Claim(
-    label="eps0_shape_only",
-    says="ε₀ depends on a and b only.",
-    kind="statement",
-    proof=all_of(one_flip_defect),
-    where=Place(line=222),
+    says="ε₀ depends on a and b only.", proof=all_of(one_flip_defect), where=line(222)
 )
 
 without_approximation = Claim(
     label="d25",
     says="The flip defect on the separatrix is given, without any approximation, by the "
     "exponential equation of d37: it is equivalent to the condition of one turn.",
-    kind="statement",
     proof=all_of(exact_equation, stable_equation, one_flip_defect),
-    where=Place(display=25),
+    where=display(25),
     note="ε₀ (here ε) is its only root.",
 )
 
 # -- when a flip counts ---------------------------------------------------------------------------
 
 eq_TRE = Claim(
-    label="eq_TRE",
     says=Tuple(Ge(Delta_psi, pi - pi / 6), Le(Delta_psi, pi + pi / 6)),
-    kind="bound",
     given=(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
-    proof=together(
-        (step(pi / 6 - 2 * epsilon, substituting(eqdefect)),),
-        (step(pi / 6 + 2 * epsilon, substituting(eqdefect)),),
-    ),
-    where=Place(display=28),
+    proof=by(substituting(eqdefect)),
+    where=display(28),
     note="The tolerance of the paper: it holds for −π/12 ≤ ε ≤ π/12.",
 )
 
@@ -346,6 +302,9 @@ tre_only_if = Claim(
     says="A flip within π/6 of π has a defect between −π/12 and π/12.",
     kind="statement",
     given=(pi - 2 * epsilon >= 5 * pi / 6, pi - 2 * epsilon <= 7 * pi / 6),
-    proof=formally(2 * epsilon <= pi / 6, 2 * epsilon >= -pi / 6),
+    means=Tuple(epsilon <= pi / 12, epsilon >= -pi / 12),
+    proof=formally(),
     where=Place(line=261),
 )
+
+label_claims(globals())

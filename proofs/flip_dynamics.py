@@ -17,17 +17,11 @@ moving = (*ordered_moments, *shape_of_a_body, cos(theta) ** 2 > 0, gamma + b * s
 """Away from the turning points, where cos θ ≠ 0; the two conditions mean the same."""
 
 sign_of_tilt = Claim(
-    label="sign_of_tilt",
-    says=equal(S, cos(theta) / Abs(cos(theta))),
-    given=(cos(theta) ** 2 > 0,),
-    proof=Definition(),
+    says=equal(S, cos(theta) / Abs(cos(theta))), given=(cos(theta) ** 2 > 0,), proof=Definition()
 )
 
 sign_squared = Claim(
-    label="sign_squared",
-    says=equal(S**2, 1),
-    given=(cos(theta) ** 2 > 0,),
-    proof=by(substituting(sign_of_tilt), roots),
+    says=equal(S**2, 1), given=(cos(theta) ** 2 > 0,), proof=by(substituting(sign_of_tilt), roots)
 )
 
 cosine_of_tilt = Claim(
@@ -38,18 +32,16 @@ cosine_of_tilt = Claim(
         step(S * sqrt(cos(theta) ** 2), substituting(sign_of_tilt)),
         step(None, substituting(eq_gamma), trigonometry, roots),
     ),
-    where=Place(display=12),
+    where=display(12),
 )
 
 
 eq_dpsidphi = Claim(
-    label="eq_dpsidphi",
     says=equal(dpsi_dphi, printed.psi_rate(psi, a, b, gamma, S, sympy)),
     given=(*tilted, *moving),
     proof=(
         step(
-            (a + b * sin(psi) ** 2) * cos(theta) / (1 - b * sin(psi) ** 2),
-            substituting(eq_Euler),
+            (a + b * sin(psi) ** 2) * cos(theta) / (1 - b * sin(psi) ** 2), substituting(eq_Euler)
         ),
         step(
             (a + b * sin(psi) ** 2)
@@ -60,7 +52,7 @@ eq_dpsidphi = Claim(
         ),
         step(None, roots),
     ),
-    where=Place(display=13),
+    where=display(13),
 )
 
 precession_integrand = Claim(
@@ -76,5 +68,7 @@ precession_integrand = Claim(
         ),
         step(None, substituting(sign_of_tilt), roots),
     ),
-    where=Place(display=19),
+    where=display(19),
 )
+
+label_claims(globals())

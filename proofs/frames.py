@@ -33,55 +33,47 @@ handle = ImmutableMatrix([sin(theta) * cos(phi), sin(theta) * sin(phi), cos(thet
 """e₁ along (X, Y, Z)."""
 
 no_external_moment = Claim(
-    label="no_external_moment",
     says="Without external moment the length of M does not change.",
-    kind="statement",
     proof=all_of(momentum_conserved),
-    where=Place(line=56),
+    where=line(56),
 )
 
 cross_product = Claim(
-    label="cross_product",
     says=Tuple(
         equal(M2 * W3 - M3 * W2, (I2 - I3) * W2 * W3),
         equal(M3 * W1 - M1 * W3, (I3 - I1) * W3 * W1),
         equal(M1 * W2 - M2 * W1, (I1 - I2) * W1 * W2),
     ),
-    proof=together(*(by(substituting(eq_omega)) for _ in range(3))),
+    proof=by(substituting(eq_omega)),
     note="Each component of M × Ω has two factors Ω: it vanishes when only one Ω does not.",
 )
 
 one_component_is_parallel = Claim(
-    label="one_component_is_parallel",
     says="A rotation about a principal axis alone has M along that axis.",
-    kind="statement",
     proof=all_of(eq_omega, cross_product),
-    where=Place(line=61),
+    where=line(61),
 )
 
 axes_of_the_racket = Claim(
     label="fig_racket",
     says="The three axes of the racket are perpendicular unit vectors, in every position.",
-    kind="statement",
     proof=all_of(rotation_orthogonal),
-    where=Place(line=53),
+    where=line(53),
 )
 
 handle_in_space = Claim(
-    label="handle_in_space",
     says=equal(rotation * upright, handle),
     proof=by(),
-    where=Place(line=67),
+    where=line(67),
     note="φ is the angle from X to the projection of the handle on the plane (X, Y).",
     shown=r"R\,(0, 0, 1)^{\mathsf T} = "
     r"(\sin\theta\cos\phi, \sin\theta\sin\phi, \cos\theta)^{\mathsf T}",
 )
 
 line_of_nodes = Claim(
-    label="line_of_nodes",
     says=equal(upright.cross(handle), sin(theta) * ImmutableMatrix([-sin(phi), cos(phi), 0])),
     proof=by(),
-    where=Place(line=67),
+    where=line(67),
     note="The line N is perpendicular to Z and to the handle, at the angle φ from Y.",
     shown=r"\vec Z\times\vec e_1 = \sin\theta\,(-\sin\phi, \cos\phi, 0)^{\mathsf T}",
 )
@@ -96,10 +88,11 @@ angles_of_the_reference = Claim(
     paper_says="Euler angles φ, θ, ψ, with a reference, which is followed in fixing Z along M. "
     "Read as: only that choice is the reference's.",
     kind="statement",
-    proof=formally(
+    means=Tuple(
         equal(M * _second_reading[0], -M * sin(theta) * cos(psi)),
         equal(M * _second_reading[1], M * sin(theta) * sin(psi)),
     ),
+    proof=formally(),
     where=Place(line=62),
     expect=Verdict.REFUTED,
     amended_by=(eq_Mi,),
@@ -107,31 +100,16 @@ angles_of_the_reference = Claim(
 )
 
 near_intermediate_axis = Claim(
-    label="near_intermediate_axis",
     says=Tuple(M**2 - M2**2 >= 0, M**2 * (cos(theta) ** 2 + sin(psi) ** 2) >= M**2 - M2**2),
-    kind="bound",
     given=ordered_moments,
-    proof=together(
-        (
-            step(M**2 * (1 - sin(theta) ** 2 * cos(psi) ** 2), substituting(eq_Mi)),
-            step(M**2 * (cos(theta) ** 2 + sin(theta) ** 2 * sin(psi) ** 2), trigonometry),
-        ),
-        (
-            step(
-                M**2 * (cos(theta) ** 2 + sin(psi) ** 2 - 1 + sin(theta) ** 2 * cos(psi) ** 2),
-                substituting(eq_Mi),
-            ),
-            step(M**2 * cos(theta) ** 2 * sin(psi) ** 2, trigonometry),
-        ),
-    ),
+    proof=by(substituting(eq_Mi)),
 )
 
 start = Claim(
     label="d02",
     says="At θ = π/2 and ψ = 0 the intermediate axis lies along M, and near there it is near M.",
-    kind="statement",
     proof=all_of(eq_Mi, near_intermediate_axis),
-    where=Place(display=2),
+    where=display(2),
     note="The same holds at ψ = π, with e₂ along M instead of against it.",
 )
 
@@ -139,20 +117,18 @@ _turn = Symbol("alpha", real=True)
 _turned = about_z(_turn) * rotation
 
 laboratory_turned = Claim(
-    label="laboratory_turned",
     says=Tuple(
         equal(_turned.T * rate(_turned), spin),
         equal(_turned, about_z(phi + _turn) * about_y(theta) * about_z(psi)),
     ),
-    proof=together(by(trigonometry), by(trigonometry)),
-    where=Place(line=74),
+    proof=by(trigonometry),
+    where=line(74),
     note="Turning X and Y about Z shifts φ and changes nothing else, so φ₀ = 0 is a choice.",
     shown=r"(R_z(\alpha)R)^{\mathsf T}\frac{d}{dt}(R_z(\alpha)R) = R^{\mathsf T}\dot R,\quad "
     r"R_z(\alpha)\,R = R_z(\phi+\alpha)\,R_y(\theta)\,R_z(\psi)",
 )
 
 perfect_flip = Claim(
-    label="perfect_flip",
     says=equal(
         about_z(phi + 2 * pi) * about_y(theta) * about_z(psi + pi),
         rotation * ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]),
@@ -163,10 +139,9 @@ perfect_flip = Claim(
 )
 
 flip_about_the_handle = Claim(
-    label="flip_about_the_handle",
     says=equal(rotation.subs(psi, psi + _turn), rotation * about_z(_turn)),
     proof=by(trigonometry),
-    where=Place(line=70),
+    where=line(70),
     note="Turning ψ further turns the body about its own axis e₁.",
     shown=r"R_z(\phi)\,R_y(\theta)\,R_z(\psi+\alpha) = "
     r"R_z(\phi)\,R_y(\theta)\,R_z(\psi)\,R_z(\alpha)",
@@ -175,22 +150,19 @@ flip_about_the_handle = Claim(
 racket_effect = Claim(
     label="d03",
     says="A full turn of the handle with Δψ = π turns the racket by half a turn about its handle.",
-    kind="statement",
     proof=all_of(rotation_orthogonal, handle_in_space, perfect_flip),
-    where=Place(display=3),
+    where=display(3),
 )
 
 flip_is_observed = Claim(
     label="flip_observed",
     says="After a full turn of the handle and a half turn about it, the two faces have changed "
     "places.",
-    kind="statement",
     proof=all_of(perfect_flip),
-    where=Place(line=49),
+    where=line(49),
 )
 
 angles_from_momentum = Claim(
-    label="angles_from_momentum",
     says=Tuple(
         equal(cos(theta), M1 / M),
         equal(cos(psi), -M2 / sqrt(M2**2 + M3**2)),
@@ -202,12 +174,11 @@ angles_from_momentum = Claim(
         by(substituting(eq_Mi), trigonometry, roots),
         by(substituting(eq_Mi), trigonometry, roots),
     ),
-    where=Place(line=62),
+    where=line(62),
     note="Away from the poles M determines θ, and ψ up to full turns.",
 )
 
-_psi1, _psi2 = Symbol("psi1", real=True), Symbol("psi2", real=True)
-_one, _two = (printed.momentum(theta, angle, M, sympy) for angle in (_psi1, _psi2))
+_turned = [(Symbol(f"theta{n}", real=True), Symbol(f"psi{n}", real=True), M, sympy) for n in (1, 2)]
 
 angles_are_global = Claim(
     label="globally_parameterize",
@@ -215,18 +186,22 @@ angles_are_global = Claim(
     paper_says="The angles are chosen to parametrize the effect globally. Read as: the motions "
     "that show it, whose handle is never along M.",
     kind="statement",
+    means=Under(
+        equations(*((tilt, flip) for tilt, flip, *_ in _turned)),
+        equations(*(printed.momentum(*turned) for turned in _turned)),
+    ),
     given=(
         M > 0,
-        theta >= 0,
-        theta <= pi,
-        _psi2 - _psi1 < 2 * pi,
-        Le(sum((p - q) ** 2 for p, q in zip(_one, _two, strict=True)), 0, evaluate=False),
+        *(end for tilt, *_ in _turned for end in (tilt >= 0, tilt <= pi)),
+        *(end for _, flip, *_ in _turned for end in (flip >= 0, flip < 2 * pi)),
     ),
     proof=Counterexample(
-        {"M": fmpq(1), "theta": fmpq(0), "psi1": fmpq(0), "psi2": fmpq(1)}, _psi2 > _psi1
+        {"M": fmpq(1), "theta1": fmpq(0), "theta2": fmpq(0), "psi1": fmpq(0), "psi2": fmpq(1)}
     ),
     where=Place(line=47),
     expect=Verdict.REFUTED,
     amended_by=(angles_from_momentum,),
     note="With the handle along M, every ψ gives the same M, and φ has no meaning.",
 )
+
+label_claims(globals())

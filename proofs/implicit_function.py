@@ -25,45 +25,35 @@ from tresym.racket.notation import *
 _small = (mu > -1, mu < 1)
 
 d40 = Claim(
-    label="d40",
     says=Tuple(equal(lam, 1 / sqrt(a * b)), equal(mu, sqrt(b / (a + b)))),
     given=shape,
     proof=Definition(),
-    where=Place(display=40),
+    where=display(40),
 )
 
 mu_by_lambda = Claim(
-    label="mu_by_lambda",
     says=equal(sqrt(b / (a + b)), printed.mu_of_lambda(lam, b, sympy)),
     given=shape,
     proof=by(substituting(d40), roots),
-    where=Place(display=40),
+    where=display(40),
 )
 
 small_together = Claim(
-    label="small_together",
     says=b * lam - printed.mu_of_lambda(lam, b, sympy) >= 0,
-    kind="bound",
     given=(b > 0, lam > 0),
-    proof=(
-        step(
-            b**3 * lam**3 / (sqrt(1 + lam**2 * b**2) * (1 + sqrt(1 + lam**2 * b**2))),
-            roots,
-        ),
-    ),
-    where=Place(line=353),
+    proof=manifest,
+    where=line(353),
     note="0 < μ ≤ bλ ≤ λ, so μ → 0 with λ because b ≤ 1.",
 )
 
 right_sides = Claim(
-    label="right_sides",
     says=equal(
         printed.implicit_right_reduced(epsilon0, lam, mu, sympy),
         printed.implicit_right(epsilon0, a, b, sympy),
     ),
     given=shape,
     proof=by(substituting(d40), roots),
-    where=Place(line=354),
+    where=line(354),
     note="Only the right side of the equation before is rewritten.",
 )
 
@@ -98,7 +88,6 @@ _by_u = printed.defect_of_u(u, lam, mu, sympy)
 _known_defect = (epsilon0 > 0, lam > 0, *_small)
 
 unknown = Claim(
-    label="unknown",
     says=equal(u, -lam * log(epsilon0 / _in_front) - pi - asin(mu)),
     given=_known_defect,
     proof=Definition(),
@@ -110,18 +99,17 @@ defect_by_unknown = Claim(
     says=equal(epsilon0, _by_u),
     given=_known_defect,
     proof=by(substituting(unknown), exponentials, roots),
-    where=Place(display=42),
+    where=display(42),
 )
 
 unknown_flat = Claim(
     label="u_flat",
     says=equal(
-        _by_u,
-        _in_front * at(printed.flat_function(x, sympy), {x: lam / (pi + asin(mu) + u)}),
+        _by_u, _in_front * at(printed.flat_function(x, sympy), {x: lam / (pi + asin(mu) + u)})
     ),
     given=(lam > 0, mu > 0, mu < 1, u > -1, pi + asin(mu) + u > 0),
     proof=by(evaluating),
-    where=Place(display=42),
+    where=display(42),
     shown=r"2\sqrt{1-\mu^2}\,e^{-(\pi+u+\arcsin\mu)/\lambda} = "
     r"2\sqrt{1-\mu^2}\,g\left(\frac{\lambda}{\pi+u+\arcsin\mu}\right),\quad g(s) = e^{-1/s}",
 )
@@ -142,27 +130,26 @@ equation_for_u = Claim(
             multiplying(1 / _in_front),
             roots,
         ),
-        step(
-            equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam),
-            applying("log"),
-            exponentials,
-        ),
+        step(equal(-(pi + asin(mu) + u) / lam, -(pi + _arc) / lam), applying("log"), exponentials),
         step(equal(pi + asin(mu) + u, pi + _arc), multiplying(-lam)),
         step(equal(u + asin(mu) - _arc, 0), adding(-pi - _arc)),
     ),
-    where=Place(display=43),
+    where=display(43),
     note="Exact for the reduced equation, with no higher orders; ε₀ depends on (u, λ, μ), where "
     "the paper prints a product: `defect_of_a_product`.",
 )
 
 _twice = [(Symbol(f"lambda{n}", real=True), Symbol(f"mu{n}", real=True)) for n in (1, 2)]
-_one_product = sympy.Mul(*_twice[0]) - sympy.Mul(*_twice[1])
 
 defect_of_a_product = Claim(
     label="defect_of_a_product",
     says="ε₀ depends on u and on the product λμ: it is written ε₀(u, λμ).",
     kind="statement",
-    given=(*(part > 0 for pair in _twice for part in pair), Le(_one_product**2, 0, evaluate=False)),
+    means=Under(
+        equal(*(printed.defect_of_u(u, *pair, sympy) for pair in _twice)),
+        Tuple(equal(*(sympy.Mul(*pair) for pair in _twice))),
+    ),
+    given=tuple(part > 0 for pair in _twice for part in pair),
     proof=Counterexample(
         {
             "u": fmpq(0),
@@ -170,8 +157,7 @@ defect_of_a_product = Claim(
             "mu1": fmpq(1, 4),
             "lambda2": fmpq(1, 4),
             "mu2": fmpq(1, 2),
-        },
-        Ne(*(printed.defect_of_u(u, *pair, sympy) for pair in _twice), evaluate=False),
+        }
     ),
     where=Place(display=43),
     expect=Verdict.REFUTED,
@@ -228,7 +214,6 @@ smooth_at_origin = Claim(
 )
 
 slopes_of_the_defect = Claim(
-    label="slopes_of_the_defect",
     says=Tuple(
         equal(Derivative(_by_u, u), -_by_u / lam),
         equal(Derivative(_by_u, lam), _by_u * (pi + asin(mu) + u) / lam**2),
@@ -241,30 +226,12 @@ slopes_of_the_defect = Claim(
 
 _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
 
-exponent_above_two = Claim(
-    label="exponent_above_two",
-    says=pi + asin(mu) + u - 2 >= 0,
-    kind="bound",
-    given=_path,
-    proof=(step(pi + asin(mu) + u - 2),),
-)
+exponent_above_two = Claim(says=pi + asin(mu) + u - 2 >= 0, given=_path, proof=manifest)
 
 defect_below_flat = Claim(
-    label="defect_below_flat",
     says=2 * exp(-2 / lam) >= _by_u,
-    kind="bound",
     given=_path,
-    proof=(
-        step(
-            2 * exp(-2 / lam) * mu**2 / (1 + sqrt(1 - mu**2))
-            + 4
-            * sqrt(1 - mu**2)
-            * exp(-(pi + asin(mu) + u + 2) / (2 * lam))
-            * sinh((pi + asin(mu) + u - 2) / (2 * lam)),
-            exponentials,
-            roots,
-        ),
-    ),
+    proof=manifest,
 )
 
 slopes_vanish = Claim(
@@ -279,12 +246,9 @@ slopes_vanish = Claim(
 )
 
 defect_is_flat = Claim(
-    label="defect_is_flat",
     says="For λ → 0 from above ε₀(u, λ, μ) and its slopes vanish faster than λ¹⁰, for "
     "0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1: at the origin they are 0, from that side.",
-    kind="statement",
     proof=all_of(slopes_of_the_defect, defect_below_flat, slopes_vanish),
-    expect=Verdict.ENCLOSED,
 )
 
 # -- the derivatives of G -------------------------------------------------------------------------
@@ -298,10 +262,8 @@ def _g_with(defect: Any, mu_: Any = mu) -> Any:
 _root = sqrt(1 - mu**2 * cos(epsilon) ** 2)
 
 slope_by_u = Claim(
-    label="slope_by_u",
     says=equal(
-        Subs(Derivative(_g_with(epsilon + x * u), u), u, 0),
-        1 + mu * sin(epsilon) * x / _root,
+        Subs(Derivative(_g_with(epsilon + x * u), u), u, 0), 1 + mu * sin(epsilon) * x / _root
     ),
     given=_given,
     proof=by(differentiation, roots),
@@ -309,21 +271,15 @@ slope_by_u = Claim(
 )
 
 slope_by_lambda = Claim(
-    label="slope_by_lambda",
     says=equal(
-        Subs(Derivative(_g_with(epsilon + x * lam), lam), lam, 0),
-        mu * sin(epsilon) * x / _root,
+        Subs(Derivative(_g_with(epsilon + x * lam), lam), lam, 0), mu * sin(epsilon) * x / _root
     ),
     given=_given[1:],
     proof=by(differentiation, roots),
 )
 
 slope_by_mu = Claim(
-    label="slope_by_mu",
-    says=equal(
-        Derivative(_g_with(epsilon), mu),
-        1 / sqrt(1 - mu**2) - cos(epsilon) / _root,
-    ),
+    says=equal(Derivative(_g_with(epsilon), mu), 1 / sqrt(1 - mu**2) - cos(epsilon) / _root),
     given=_given[1:],
     proof=by(differentiation, roots),
     note="For ε₀ of slope 0 in μ; a slope would enter with the factor μ sin ε₀.",
@@ -338,10 +294,9 @@ at_origin = {mu: Integer(0), epsilon: Integer(0)}
 """μ = 0, and ε₀ = 0 there because e^{−1/s} is."""
 
 G_at_origin = Claim(
-    label="G_at_origin",
     says=equal(at(_g_with(epsilon), {**at_origin, u: Integer(0)}), 0),
     proof=by(evaluating),
-    where=Place(line=367),
+    where=line(367),
     shown=r"G(0, 0, 0) = 0",
 )
 
@@ -356,9 +311,7 @@ def _at_origin(
     shown = rf"\frac{{\partial G}}{{\partial {letter}}}(0, 0, 0) = {value}"
     proof = by(evaluating, *reasons)
     found = Claim(label=f"{label}_value", says=says_value, proof=proof, shown=shown)
-    return found, Claim(
-        label=label, says=says, kind="statement", proof=all_of(slope, found), **rest
-    )
+    return found, Claim(label=label, says=says, proof=all_of(slope, found), **rest)
 
 
 def steep_path(defect: Any, m: Any) -> tuple[Any, Any]:
@@ -393,15 +346,11 @@ G_u_value, G_u_at_origin = _at_origin(
     "∂G/∂u(0, 0, 0) = 1, so the implicit function theorem applies.",
     slope_by_u,
     1,
-    where=Place(line=375),
+    where=line(375),
 )
 
 G_lambda_value, G_lambda_at_origin = _at_origin(
-    "G_lambda_at_origin",
-    "∂G/∂λ(0, 0, 0) = 0.",
-    slope_by_lambda,
-    0,
-    where=Place(line=379),
+    "G_lambda_at_origin", "∂G/∂λ(0, 0, 0) = 0.", slope_by_lambda, 0, where=line(379)
 )
 
 G_mu_value, G_mu_at_origin = _at_origin(
@@ -415,7 +364,6 @@ G_mu_value, G_mu_at_origin = _at_origin(
 _mu_of_lambda = printed.mu_of_lambda(lam, b, sympy)
 
 dmu_dlambda = Claim(
-    label="dmu_dlambda",
     says=equal(Derivative(_mu_of_lambda, lam), b / sqrt(1 + lam**2 * b**2) ** 3),
     given=(b > 0,),
     proof=by(differentiation, roots),
@@ -427,7 +375,8 @@ dmu_dlambda_zero = Claim(
     says="∂μ/∂λ = 0 at the origin.",
     kind="statement",
     given=(b > 0,),
-    proof=formally(equal(parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0), 0)),
+    means=equal(parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0), 0),
+    proof=formally(),
     where=Place(line=379),
     expect=Verdict.REFUTED,
     amended_by=(dmu_dlambda, G_mu_at_origin),
@@ -442,54 +391,49 @@ _by_lambda, _by_mu = (Subs(Derivative(_G, of), mu, _mu_of_lambda) for of in (lam
 _inward = (b > 0, b <= 1, lam > 0)
 
 chain_rule_of_G = Claim(
-    label="chain_rule_of_G",
     says=equal(Derivative(_along, lam), _by_lambda + _by_mu * Derivative(_mu_of_lambda, lam)),
     given=_inward,
     proof=by(differentiation, roots),
-    where=Place(display=45),
+    where=display(45),
     note="Along μ = μ(λ), at every λ > 0.",
 )
 
 deduced_from_the_chain_rule = Claim(
-    label="deduced_from_the_chain_rule",
     says=equal(Derivative(_along, lam) - _by_lambda, _by_mu * Derivative(_mu_of_lambda, lam)),
     given=_inward,
     proof=by(substituting(chain_rule_of_G)),
-    where=Place(line=379),
+    where=line(379),
     note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
 )
 
 chain_rule = Claim(
     label="d45",
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
-    kind="statement",
     proof=all_of(chain_rule_of_G, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
-    where=Place(display=45),
+    where=display(45),
     note="Both terms vanish, the second because ∂G/∂μ does.",
 )
 
 implicit_rule = Claim(
-    label="implicit_rule",
     says=Equivalent(
-        equal(dG_dlambda + dG_du * du_dlambda, 0),
-        equal(du_dlambda, -dG_dlambda / dG_du),
+        equal(dG_dlambda + dG_du * du_dlambda, 0), equal(du_dlambda, -dG_dlambda / dG_du)
     ),
     given=(dG_du > 0,),
     proof=(
         step(equal(dG_dlambda / dG_du + du_dlambda, 0), multiplying(1 / dG_du)),
         step(equal(du_dlambda, -dG_dlambda / dG_du), adding(-dG_dlambda / dG_du)),
     ),
-    where=Place(display=44),
+    where=display(44),
     note="On the left G(u(λ), λ, μ(λ)) = 0, differentiated.",
 )
 
 implicit_slope = Claim(
     label="d44",
     says="du/dλ = −(dG/dλ)/(dG/du) at the origin, where dG/du is not 0.",
-    kind="statement",
     proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
-    where=Place(display=44),
-    expect=Verdict.ENCLOSED,
+    where=display(44),
     note="The implicit function theorem, on λ ≥ 0: with |λ| for λ G is smooth on both sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )
+
+label_claims(globals())

@@ -59,45 +59,18 @@ def _solves(motion: tuple[Expr, Expr, Expr], speed: Expr) -> Tuple:
 
 
 parameter_rotating = Claim(
-    label="parameter_rotating",
     says=Tuple(_m_rotating > 0, _m_rotating < 1, 1 - _m_rotating * sin(chi) ** 2 > 0),
-    kind="bound",
     given=_rotating,
-    proof=together(
-        (step(_m_rotating),),
-        (step((I3 - I1) * (2 * I2 * E - M**2) / ((I2 - I1) * up)),),
-        (
-            step(
-                (I3 - I1) * (2 * I2 * E - M**2) / ((I2 - I1) * up) + _m_rotating * cos(chi) ** 2,
-                trigonometry,
-            ),
-        ),
-    ),
+    proof=manifest,
 )
 
 parameter_oscillating = Claim(
-    label="parameter_oscillating",
     says=Tuple(_m_oscillating > 0, _m_oscillating < 1, 1 - _m_oscillating * sin(chi) ** 2 > 0),
-    kind="bound",
     given=_oscillating,
-    proof=together(
-        (step(_m_oscillating),),
-        (step((I3 - I1) * (M**2 - 2 * I2 * E) / ((I3 - I2) * down)),),
-        (
-            step(
-                (I3 - I1) * (M**2 - 2 * I2 * E) / ((I3 - I2) * down)
-                + _m_oscillating * cos(chi) ** 2,
-                trigonometry,
-            ),
-        ),
-    ),
+    proof=manifest,
 )
 
-rotating_motion = (
-    _first * _delta(_m_rotating),
-    _second_rotating * sin(chi),
-    _third * cos(chi),
-)
+rotating_motion = (_first * _delta(_m_rotating), _second_rotating * sin(chi), _third * cos(chi))
 
 oscillating_motion = (
     _first * cos(chi),
@@ -108,17 +81,15 @@ oscillating_motion = (
 _opening = (differentiation, roots)
 
 rotating_solution = Claim(
-    label="rotating_solution",
     says=_solves(rotating_motion, _speed_rotating * _delta(_m_rotating)),
     given=_rotating,
-    proof=together(*(by(*_opening) for _ in range(3))),
+    proof=by(*_opening),
 )
 
 oscillating_solution = Claim(
-    label="oscillating_solution",
     says=_solves(oscillating_motion, _speed_oscillating * _delta(_m_oscillating)),
     given=_oscillating,
-    proof=together(*(by(*_opening) for _ in range(3))),
+    proof=by(*_opening),
 )
 
 _separatrix = (*ordered_moments, I3 - I1 > 0)
@@ -131,10 +102,9 @@ separatrix_motion = (
 )
 
 separatrix_solution = Claim(
-    label="separatrix_solution",
     says=_solves(separatrix_motion, _rate),
     given=_separatrix,
-    proof=together(*(by(*_opening, exponentials) for _ in range(3))),
+    proof=by(*_opening, exponentials),
     note="M comes from −e₂ and ends at +e₂, each in infinite time.",
 )
 
@@ -146,28 +116,21 @@ _first_integrals = tuple(
     for motion in (rotating_motion, oscillating_motion)
 )
 
-rotating_amplitudes = Claim(
-    label="rotating_amplitudes",
-    says=_first_integrals[0],
-    given=_rotating,
-    proof=together(*(by(trigonometry) for _ in range(2))),
-)
+rotating_amplitudes = Claim(says=_first_integrals[0], given=_rotating, proof=by(trigonometry))
 
 oscillating_amplitudes = Claim(
-    label="oscillating_amplitudes",
     says=_first_integrals[1],
     given=_oscillating,
-    proof=together(*(by(trigonometry) for _ in range(2))),
+    proof=by(trigonometry),
 )
 
 separatrix_amplitudes = Claim(
-    label="separatrix_amplitudes",
     says=Tuple(
         equal(printed.energy(*separatrix_motion, I1, I2, I3), M**2 / (2 * I2)),
         equal(printed.momentum_squared(*separatrix_motion), M**2),
     ),
     given=_separatrix,
-    proof=together(by(exponentials), by(exponentials)),
+    proof=by(exponentials),
 )
 
 _by_integrals = by(substituting(energy_of_momentum, eq_first_int))
@@ -211,7 +174,6 @@ _off_separatrix = I1 * I3 * (2 * I2 * E - M**2) / (I2 * (I3 - I1))
 _shares = I1 * (I3 - I2) / (I2 * (I3 - I1)), I3 * (I2 - I1) / (I2 * (I3 - I1))
 
 separatrix_start = Claim(
-    label="separatrix_start",
     says=Tuple(
         equal(M1**2 - _shares[0] * (M**2 - M2**2), _off_separatrix),
         equal(M3**2 - _shares[1] * (M**2 - M2**2), -_off_separatrix),
@@ -246,18 +208,16 @@ def _coupling(factor: Expr, i: int, j: int, k: int, side: int) -> Expr:
 _rest = (1 / I2 + 1 / I3, 1 / I1 + 1 / I3, (I2 - I1) / (I1 * I2) + 2 / I3)
 
 motions_part_slowly = Claim(
-    label="motions_part_slowly",
     says=M / I1 * sum(_squares)
     - sum(e * rate for e, rate in zip(_apart, _rates_apart, strict=True))
     >= 0,
-    kind="bound",
     given=(*ordered_moments, *(2 * M + side * s >= 0 for s in _sums for side in (1, -1))),
     proof=(
         step(
             _coupling((I3 - I2) / (I2 * I3), 1, 2, 0, 1)
             + _coupling((I3 - I1) / (I1 * I3), 0, 2, 1, -1)
             + _coupling((I2 - I1) / (I1 * I2), 0, 1, 2, 1)
-            + M / 2 * sum(share * square for share, square in zip(_rest, _squares, strict=True)),
+            + M / 2 * sum(share * square for share, square in zip(_rest, _squares, strict=True))
         ),
     ),
     note="N is another motion with a momentum as long as M. The square of their distance grows at "
@@ -266,9 +226,7 @@ motions_part_slowly = Claim(
 )
 
 jacobi_solutions = Claim(
-    label="jacobi_solutions",
     says="The motion of M is given by Jacobi's elliptic functions.",
-    kind="statement",
     proof=all_of(
         rotating_solution,
         rotating_amplitudes,
@@ -281,54 +239,36 @@ jacobi_solutions = Claim(
         separatrix_start,
         motions_part_slowly,
     ),
-    where=Place(line=90),
+    where=line(90),
     note="On the separatrix they are hyperbolic functions. Two signs may be changed together.",
 )
 
 momentum_between = Claim(
-    label="momentum_between",
     says=Tuple(2 * I3 * E - M**2 >= 0, M**2 - 2 * I1 * E >= 0),
-    kind="bound",
     given=ordered_moments,
-    proof=together(
-        (
-            step(
-                M1**2 * (I3 - I1) / I1 + M2**2 * (I3 - I2) / I2,
-                substituting(energy_of_momentum, eq_first_int),
-            ),
-        ),
-        (
-            step(
-                M2**2 * (I2 - I1) / I2 + M3**2 * (I3 - I1) / I3,
-                substituting(energy_of_momentum, eq_first_int),
-            ),
-        ),
-    ),
+    proof=by(substituting(energy_of_momentum, eq_first_int)),
 )
 
 meeting_point = Claim(
-    label="meeting_point",
     says=Tuple(
         equal(printed.energy(_first, 0, _third, I1, I2, I3), E),
         equal(printed.momentum_squared(_first, 0, _third), M**2),
     ),
     given=(*ordered_moments, I3 - I1 > 0, up >= 0, down >= 0),
-    proof=together(by(), by()),
+    proof=by(),
     note="Between the two bounds the surfaces meet in the plane of e₁ and e₃.",
 )
 
 intersection_condition = Claim(
-    label="intersection_condition",
     says="There is no solution unless 2I₁E ≤ M² ≤ 2I₃E, and then there is one.",
-    kind="statement",
     proof=all_of(momentum_between, meeting_point),
-    where=Place(line=96),
+    where=line(96),
 )
 
 solution_on_intersection = Claim(
-    label="solution_on_intersection",
     says="A solution stays on the intersection of the ellipsoid and the sphere.",
-    kind="statement",
     proof=all_of(two_first_integrals),
-    where=Place(line=96),
+    where=line(96),
 )
+
+label_claims(globals())

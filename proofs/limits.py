@@ -32,19 +32,13 @@ from tresym.ledger.vocabulary import *
 from tresym.racket.notation import *
 
 zero_asymptotic = Claim(
-    label="zero_asymptotic",
     says="As ab → ∞ the root of the exact equation tends to 0.",
-    kind="statement",
     proof=all_of(one_flip_defect, exponential_decay),
-    where=Place(line=342),
-    expect=Verdict.ENCLOSED,
+    where=line(342),
 )
 
 arcsine_by_arctangent = Claim(
-    label="arcsine_by_arctangent",
-    says=equal(asin(sqrt(b / (a + b))), atan(sqrt(b / a))),
-    given=shape,
-    proof=by(inverses, roots),
+    says=equal(asin(sqrt(b / (a + b))), atan(sqrt(b / a))), given=shape, proof=by(inverses, roots)
 )
 
 arctangent_below = Claim(
@@ -62,96 +56,73 @@ arctangent_below = Claim(
 arcsine_grows = Claim(
     label="cosine_below_one",
     says=sqrt(b / (a + b)) - sqrt(b / (a + b)) * cos(epsilon) >= 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(step(sqrt(b / (a + b)) * (1 - cos(epsilon))),),
+    proof=manifest,
 )
 
 dominant_exponential = Claim(
-    label="dominant_exponential",
     says="For large ab the exponential dominates: its exponent is −2π√(ab) and a part that stays "
     "between −2b and 0.",
-    kind="statement",
     proof=all_of(arcsine_by_arctangent, arctangent_below, arcsine_grows),
-    where=Place(line=342),
-    expect=Verdict.ENCLOSED,
+    where=line(342),
     note="The two sides of the equation are equal at the root, so neither is larger there.",
 )
 
 # -- the implicit function ------------------------------------------------------------------------
 
 implicit_solution = Claim(
-    label="implicit_solution",
     says="The implicit function theorem gives a solution u with u(0, 0) = 0, on λ ≥ 0.",
-    kind="statement",
     proof=all_of(G_at_origin, G_u_at_origin, defect_is_flat, u_exponentially_small),
-    where=Place(line=368),
-    expect=Verdict.ENCLOSED,
+    where=line(368),
     note="Not for λ < 0, where e^{−1/s} is not flat. With |λ| for λ the equation is smooth on both "
     "sides.",
     quotes=(IMPLICIT_FUNCTION,),
 )
 
 solution_in_that_form = Claim(
-    label="solution_in_that_form",
     says="So the reduced equation has a solution of the form that is searched.",
-    kind="statement",
     proof=all_of(implicit_solution, equation_for_u),
-    where=Place(line=369),
-    expect=Verdict.ENCLOSED,
+    where=line(369),
 )
 
 limit_of_eps0 = Claim(
-    label="limit_of_eps0",
     says="As λ → 0, u and μ tend to 0 and so does ε₀.",
-    kind="statement",
     proof=all_of(small_together, u_exponentially_small, exponential_decay),
-    where=Place(line=370),
-    expect=Verdict.ENCLOSED,
+    where=line(370),
 )
 
 _of_the_logarithm = S * (a - b - 2 * a * b) / (4 * sqrt(a * b) ** 3)
 _delta = Symbol("delta", real=True)
 
 factor_that_vanishes = Claim(
-    label="factor_that_vanishes",
     says=equal(exp(-pi / lam), exp(-(pi - _delta) / lam) * exp(-_delta / lam)),
     given=(lam > 0, _delta > 0),
     proof=by(exponentials),
 )
 
 any_delta = Claim(
-    label="any_delta",
     says="For every δ > 0, ε₀ = o(e^{−(π − δ)/λ}) as λ → 0.",
-    kind="statement",
     proof=all_of(exponential_decay, factor_that_vanishes, flat_from_above),
-    where=Place(line=370),
-    expect=Verdict.ENCLOSED,
+    where=line(370),
     note="ε₀ ≤ 2.01 e^{−π/λ}, and the factor e^{−δ/λ} tends to 0.",
 )
 
 # -- remarks on the slope -------------------------------------------------------------------------
 
 slope_is_variation = Claim(
-    label="slope_is_variation",
     says="Near the separatrix dε/dγ at γ = 0 describes how ε varies with γ.",
-    kind="statement",
     proof=all_of(tangent, implicit_derivative),
-    where=Place(line=222),
-    expect=Verdict.ENCLOSED,
+    where=line(222),
 )
 
 uniform_convergence = Claim(
-    label="uniform_convergence",
     says="F may be differentiated by γ under the integral sign at γ = 0.",
-    kind="statement",
     proof=all_of(derivative_under_the_integral),
-    where=Place(line=407),
+    where=line(407),
     note="The reason named is the convergence of F; what is needed is a smooth ∂f/∂γ on [ε₀, π/2].",
 )
 
 logarithm_stays = Claim(
-    label="logarithm_stays",
     says=Equivalent(equal(_of_the_logarithm, 0), equal(a - b - 2 * a * b, 0)),
     given=(*shape, S > 0),
     proof=(step(equal(a - b - 2 * a * b, 0), multiplying(4 * sqrt(a * b) ** 3 / S), roots),),
@@ -159,23 +130,18 @@ logarithm_stays = Claim(
 )
 
 more_difficult = Claim(
-    label="more_difficult",
     says="∂F/∂γ is the more difficult one: ∂ε/∂F is algebraic in sin ε₀, and ∂F/∂γ is an integral "
     "with a logarithm in it, but for the shapes with a = b(1 + 2a).",
-    kind="statement",
     proof=all_of(inverse_slope, slope_of_turn, logarithm_stays),
-    where=Place(line=407),
+    where=line(407),
     note="Difficult is read as: needs an integration, and more than algebraic functions.",
 )
 
 terms_dominant = Claim(
-    label="terms_dominant",
     says="For small ε₀ the term of order 1/ε₀² dominates ∂F/∂γ: for ab ≥ 1/4, 0 < b ≤ 1 all the "
     "rest is at most 0.96 ε₀ times as large.",
-    kind="statement",
     proof=all_of(d56),
-    where=Place(line=413),
-    expect=Verdict.ENCLOSED,
+    where=line(413),
     note="The term is −1/(4b√(ab) ε₀²), the rest by `d56` at most 0.96/(4b√(ab) ε₀).",
 )
 
@@ -190,3 +156,5 @@ remainder_constant = Claim(
     note="With dε/dγ itself it does.",
     fault=Fault.THEOREM,
 )
+
+label_claims(globals())

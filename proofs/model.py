@@ -32,8 +32,7 @@ def rate(expression: Basic) -> Basic:
     """Time derivative by the chain rule, with the rates of the angles as symbols."""
     rates = {phi: dphi_dt, theta: dtheta_dt, psi: dpsi_dt}
     return sum(
-        (diff(expression, angle) * speed for angle, speed in rates.items()),
-        start=0 * expression,
+        (diff(expression, angle) * speed for angle, speed in rates.items()), start=0 * expression
     )
 
 
@@ -50,21 +49,18 @@ momentum = ImmutableMatrix([M2, M3, M1])
 """M in the order e₂, e₃, e₁."""
 
 rotation_orthogonal = Claim(
-    label="rotation_orthogonal",
     shown=r"R^{\mathsf T}R = 1,\qquad R = R_z(\phi)\,R_y(\theta)\,R_z(\psi)",
     says=equal(rotation.T * rotation, ImmutableMatrix(eye(3))),
     proof=by(trigonometry),
 )
 
 spin_antisymmetric = Claim(
-    label="spin_antisymmetric",
     shown=r"(R^{\mathsf T}\dot R)^{\mathsf T} = -R^{\mathsf T}\dot R",
     says=equal(spin.T, -spin),
     proof=by(trigonometry),
 )
 
 spin_matrix = Claim(
-    label="spin_matrix",
     shown=(
         r"\Omega_1 = (R^{\mathsf T}\dot R)_{21},\quad "
         r"\Omega_2 = (R^{\mathsf T}\dot R)_{32},\quad \Omega_3 = (R^{\mathsf T}\dot R)_{13}"
@@ -75,7 +71,6 @@ spin_matrix = Claim(
 )
 
 angular_velocity = Claim(
-    label="angular_velocity",
     says=equal(
         ImmutableMatrix([W1, W2, W3]),
         ImmutableMatrix(
@@ -90,7 +85,6 @@ angular_velocity = Claim(
 )
 
 spin_is_velocity = Claim(
-    label="spin_is_velocity",
     shown=(
         r"R^{\mathsf T}\dot R = \begin{pmatrix}0 & -\Omega_1 & \Omega_3\\"
         r"\Omega_1 & 0 & -\Omega_2\\-\Omega_3 & \Omega_2 & 0\end{pmatrix}"
@@ -101,25 +95,19 @@ spin_is_velocity = Claim(
 )
 
 eq_omega = Claim(
-    label="eq_omega",
     says=Tuple(equal(M1, I1 * W1), equal(M2, I2 * W2), equal(M3, I3 * W3)),
     proof=Definition(),
-    where=Place(display=1),
+    where=display(1),
     note="The axes are principal axes of inertia.",
 )
 
 velocity_from_momentum = Claim(
-    label="velocity_from_momentum",
-    says=equal(
-        ImmutableMatrix([W1, W2, W3]),
-        ImmutableMatrix([M1 / I1, M2 / I2, M3 / I3]),
-    ),
+    says=equal(ImmutableMatrix([W1, W2, W3]), ImmutableMatrix([M1 / I1, M2 / I2, M3 / I3])),
     given=ordered_moments,
     proof=by(substituting(eq_omega)),
 )
 
 momentum_along_z = Claim(
-    label="momentum_along_z",
     shown=r"(M_2, M_3, M_1)^{\mathsf T} = M\,R^{\mathsf T}(0, 0, 1)^{\mathsf T}",
     says=equal(momentum, M * rotation.T * ImmutableMatrix([0, 0, 1])),
     proof=Definition(assumes="the choice of axes in space"),
@@ -127,19 +115,13 @@ momentum_along_z = Claim(
 )
 
 eq_Mi = Claim(
-    label="eq_Mi",
     says=equations((M1, M2, M3), printed.momentum(theta, psi, M, sympy)),
     given=ordered_moments,
-    proof=together(
-        by(substituting(momentum_along_z)),
-        by(substituting(momentum_along_z)),
-        by(substituting(momentum_along_z)),
-    ),
-    where=Place(display=6),
+    proof=by(substituting(momentum_along_z)),
+    where=display(6),
 )
 
 torque_free = Claim(
-    label="torque_free",
     shown=(
         r"(\dot M_2, \dot M_3, \dot M_1)^{\mathsf T} = "
         r"-R^{\mathsf T}\dot R\,(M_2, M_3, M_1)^{\mathsf T}"
@@ -150,7 +132,6 @@ torque_free = Claim(
 )
 
 momentum_transport = Claim(
-    label="momentum_transport",
     shown=r"\dot{\vec M} = \vec M\times\vec\Omega",
     says=equal(
         ImmutableMatrix([dM1_dt, dM2_dt, dM3_dt]),
@@ -158,9 +139,10 @@ momentum_transport = Claim(
     ),
     proof=(
         step(
-            ImmutableMatrix([(-spin * momentum)[n] for n in (2, 0, 1)]),
-            substituting(torque_free),
+            ImmutableMatrix([(-spin * momentum)[n] for n in (2, 0, 1)]), substituting(torque_free)
         ),
         step(None, substituting(spin_matrix), trigonometry),
     ),
 )
+
+label_claims(globals())

@@ -23,25 +23,21 @@ _on_the_way = (*_falling, y >= 0, y <= c)
 _ends = (y, 0, c)
 
 mean_below_the_first = Claim(
-    label="mean_below_the_first",
     says=c * asin(c) - (1 - sqrt(1 - c**2)) >= 0,
-    kind="bound",
     given=(c > 0, c < 1),
-    proof=(step(Integral(asin(y), _ends), integrating(y * asin(y) + sqrt(1 - y**2)), roots),),
+    proof=manifest,
     note="The mean of cos ψ from e to π/2 is at most cos e.",
 )
 
 mean_is_positive = Claim(
-    label="mean_is_positive",
     says=1 - sqrt(1 - c**2) > 0,
-    kind="bound",
     given=(c > 0, c < 1),
-    proof=(step(c**2 / (1 + sqrt(1 - c**2)), roots),),
+    proof=manifest,
 )
 
 
 def _room(label: str, room: Expr, given: tuple, parts: Expr) -> Claim:
-    return Claim(label=label, says=room > 0, kind="bound", given=given, proof=(step(parts),))
+    return Claim(label=label, says=room > 0, given=given, proof=(step(parts),))
 
 
 _below_one = (1 - c) * (1 + c)
@@ -64,10 +60,7 @@ def _moment(root: Expr) -> Expr:
 
 
 moment_by_powers = Claim(
-    label="moment_by_powers",
-    says=equal((1 - y**2) ** 2 / _root**5, _moment(_root)),
-    given=_on_the_way,
-    proof=by(roots),
+    says=equal((1 - y**2) ** 2 / _root**5, _moment(_root)), given=_on_the_way, proof=by(roots)
 )
 
 
@@ -77,13 +70,8 @@ _less = sum(factor * (1 / _root**power - 1 / _mean_root**power) for power, facto
 _steep = (y - z) ** 2 * (y + z) / (_root * _mean_root * (_root + _mean_root))
 
 moment_falls = Claim(
-    label="moment_falls",
     says=_less * (y - z) * _cosecant >= 0,
-    kind="bound",
-    given=(
-        *(y >= 0, z > 0, u <= 0, 1 - y**2 > 0),
-        *(u + 1 - y**2 > 0, u + 1 - z**2 > 0),
-    ),
+    given=(*(y >= 0, z > 0, u <= 0, 1 - y**2 > 0), *(u + 1 - y**2 > 0, u + 1 - z**2 > 0)),
     proof=(
         step(
             _steep
@@ -103,9 +91,7 @@ _weighted = Integral(_moment(_root) * (y - z) * _cosecant, _ends)
 _at_mean = _moment(_mean_root)
 
 mean_of_the_product = Claim(
-    label="mean_of_the_product",
     says=_weighted - _at_mean * (1 - sqrt(1 - c**2) - z * asin(c)) >= 0,
-    kind="bound",
     given=_falling,
     proof=(
         step(
@@ -128,7 +114,6 @@ _sum = sqrt(u + x**2)
 _primitive = log(x + _sum) - x / _sum - x**3 / (3 * _sum**3)
 
 moment_over_sine = Claim(
-    label="moment_over_sine",
     says=equal(
         Integral(x**4 / _sum**5, (x, x0, 1)), _primitive.subs(x, 1) - _primitive.subs(x, x0)
     ),
@@ -138,13 +123,9 @@ moment_over_sine = Claim(
 )
 
 moment_below_cosecant = Claim(
-    label="moment_below_cosecant",
     says=1 / x - x**4 / _sum**5 >= 0,
-    kind="bound",
     given=(x > 0, u > 0),
-    proof=(
-        step(u * sum(_sum**i * x ** (4 - i) for i in range(5)) / ((_sum + x) * x * _sum**5), roots),
-    ),
+    proof=manifest,
 )
 
 _sine_root, _cosine = sqrt(1 + b / a * x**2), sqrt(1 - x**2)
@@ -154,7 +135,6 @@ _at_zero = Rational(1, 2) - b - b / a / 2
 _inside = (x > 0, x < 1)
 
 split_integrand = Claim(
-    label="split_integrand",
     says=equal((1 - b * x**2) / _sine_root, _cosine + x**2 * _bounded),
     given=(*shape, *_inside),
     proof=by(roots),
@@ -163,7 +143,6 @@ split_integrand = Claim(
 _gap = (1 - b / a + b / a * x**2) / (1 + _sine_root * _cosine)
 
 split_rest = Claim(
-    label="split_rest",
     says=equal(
         _bounded - _at_zero * _cosine,
         x**2
@@ -182,7 +161,6 @@ split_rest = Claim(
 )
 
 split_logarithm = Claim(
-    label="split_logarithm",
     says=equal(Integral(1 / _sum, (x, x0, 1)), log((1 + sqrt(1 + u)) / (x0 + sqrt(u + x0**2)))),
     given=(x0 > 0, x0 < 1, u + x0**2 > 0),
     proof=by(integrating(log(x + _sum)), exponentials),
@@ -200,3 +178,5 @@ fourth_moment = (
     moment_below_cosecant,
 )
 """What the enclosure of the second derivative rests on."""
+
+label_claims(globals())

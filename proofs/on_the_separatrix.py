@@ -27,30 +27,25 @@ _slow, _fast = 1 - b * _square, a + b * _square
 # -- near and on the separatrix -------------------------------------------------------------------
 
 level_of_a_start = Claim(
-    label="level_of_a_start",
     says=equal(dpsi_dphi**2 * _slow**2 / _fast - b * _square, gamma),
     given=(*tilted, *moving),
     proof=by(substituting(eq_dpsidphi, sign_of_tilt), roots),
-    where=Place(line=198),
+    where=line(198),
     note="γ tends to 0 with ψ₀ and the initial rate: such starts are close to the separatrix.",
 )
 
 near_separatrix = Claim(
-    label="near_separatrix",
     says="Roughly speaking the effect is a motion near the separatrix: it starts near an unstable "
     "point with a small rate.",
-    kind="statement",
     proof=all_of(level_of_a_start),
-    where=Place(line=164),
+    where=line(164),
     note="γ is small with the square of the rate and with sin²ψ₀.",
 )
 
 separatrix_is_followed = Claim(
-    label="separatrix_is_followed",
     says="A motion that starts on the separatrix stays on it.",
-    kind="statement",
     proof=all_of(gamma_conserved, separatrix_case),
-    where=Place(line=198),
+    where=line(198),
     note="γ is constant along it, and 0.",
 )
 
@@ -58,27 +53,19 @@ _on_separatrix = _slow / (sqrt(_fast) * sqrt(b) * sin(psi))
 _cotangent = _slow * cos(psi) / (sqrt(b) * sqrt(a + b) * sin(psi))
 
 cosine_not_negative = Claim(
-    label="cosine_not_negative",
-    says=cos(psi) >= 0,
-    kind="bound",
-    given=(*defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(cos(psi)),),
+    says=cos(psi) >= 0, given=(*defect, psi >= epsilon, psi <= pi / 2), proof=manifest
 )
 
 sine_to_the_middle = Claim(
-    label="sine_to_the_middle",
     says=sin(psi) > 0,
-    kind="bound",
     given=(*defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(sin(psi)),),
+    proof=manifest,
     note="From ε to π/2 the flip angle is away from the unstable point.",
 )
 
 turn_to_the_middle = Claim(
-    label="turn_to_the_middle",
     says=Integral(_on_separatrix, (psi, epsilon, pi / 2))
     >= (-log(sin(epsilon)) - b * cos(epsilon) ** 2 / 2) / (sqrt(b) * sqrt(a + b)),
-    kind="bound",
     given=(*shape_of_a_body, *defect),
     proof=(
         step(
@@ -111,33 +98,24 @@ turn_to_the_middle = Claim(
 )
 
 time_of_a_turn = Claim(
-    label="time_of_a_turn",
     says=1 / dphi_dt >= I2 / M,
-    kind="bound",
     given=(*ordered_moments, *tilted, *shape_of_a_body),
-    proof=(
-        step(I2 / (M * _slow) - I2 / M, substituting(precession_rate)),
-        step(I2 * b * _square / (M * _slow)),
-    ),
+    proof=by(substituting(precession_rate)),
     note="Infinitely many turns take infinite time.",
 )
 
 separatrix_infinite_time = Claim(
-    label="separatrix_infinite_time",
     says="On the separatrix an unstable point is reached only after infinitely many turns, and so "
     "in infinite time.",
-    kind="statement",
     proof=all_of(turn_to_the_middle, time_of_a_turn),
-    where=Place(line=198),
+    where=line(198),
     note="From ε to π/2, and so back, it takes at least log(1/sin ε)/√(b(a+b)) − 1, whatever ε.",
 )
 
 cannot_cross = Claim(
-    label="cannot_cross",
     says="On the separatrix ψ cannot cross an unstable point, and S stays what it was.",
-    kind="statement",
     proof=all_of(separatrix_infinite_time, separatrix_moves),
-    where=Place(line=334),
+    where=line(334),
     note="In between the rate is not 0.",
 )
 
@@ -147,7 +125,6 @@ _time = sqrt(a * b) * (pi + asin(sqrt(b / (a + b)) * cos(epsilon)))
 _cotangent_of_root = sqrt(1 + b / a) * sinh(_time)
 
 cotangent_form = Claim(
-    label="cotangent_form",
     says=Equivalent(
         equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon)),
         equal(cos(epsilon) / sin(epsilon), _cotangent_of_root),
@@ -165,10 +142,8 @@ cotangent_form = Claim(
 )
 
 rest_of_the_time = Claim(
-    label="rest_of_the_time",
     says=equal(
-        3 * pi / 2 * sqrt(a * b) - _time,
-        sqrt(a * b) * acos(sqrt(b / (a + b)) * cos(epsilon)),
+        3 * pi / 2 * sqrt(a * b) - _time, sqrt(a * b) * acos(sqrt(b / (a + b)) * cos(epsilon))
     ),
     given=(*shape, *defect),
     proof=by(inverses),
@@ -177,11 +152,9 @@ rest_of_the_time = Claim(
 )
 
 hyperbolic_sine_grows = Claim(
-    label="hyperbolic_sine_grows",
     says=sinh(T + 2 * x) - sinh(T) >= 0,
-    kind="bound",
     given=(T > 0, x > 0),
-    proof=(step(2 * cosh(T + x) * sinh(x), exponentials),),
+    proof=manifest,
 )
 
 hyperbolic_sine_at_most = Claim(
@@ -202,9 +175,7 @@ hyperbolic_sine_at_most = Claim(
 )
 
 angle_below_tangent = Claim(
-    label="angle_below_tangent",
     says=cos(epsilon) / sin(epsilon) - (pi / 2 - epsilon) >= 0,
-    kind="bound",
     given=defect,
     proof=(
         step(
@@ -217,10 +188,8 @@ angle_below_tangent = Claim(
 )
 
 b_to_zero = Claim(
-    label="b_to_zero",
     says="ε₀ → π/2 as b → 0 at fixed a, and the flip π − 2ε₀ → 0: for ab ≤ 1 it is at most "
     "112 √(1 + b/a) √(ab).",
-    kind="statement",
     proof=all_of(
         stable_equation,
         unique_root,
@@ -230,22 +199,19 @@ b_to_zero = Claim(
         hyperbolic_sine_at_most,
         angle_below_tangent,
     ),
-    where=Place(line=249),
-    expect=Verdict.ENCLOSED,
+    where=line(249),
     note="0 < π/2 − ε₀ ≤ cot ε₀ ≤ √(1 + b/a) sinh(3π√(ab)/2) ≤ 56 √(1 + b/a) √(ab).",
 )
 
 separatrix_horizontal = Claim(
-    label="separatrix_horizontal",
     says=equal(at(printed.psi_rate(psi, a, b, 0, S, sympy), {b: 0}), 0),
     given=(a > 0,),
     proof=by(evaluating, roots),
-    where=Place(line=249),
+    where=line(249),
     note="On γ = 0, for b = 0: the line dψ/dφ = 0.",
 )
 
 separatrix_equilibria = Claim(
-    label="separatrix_equilibria",
     says=Tuple(
         *(
             equal(at(rate, {theta: pi / 2, b: 0}), 0)
@@ -254,17 +220,18 @@ separatrix_equilibria = Claim(
     ),
     given=(a > 0,),
     proof=together(by(evaluating), by(evaluating, trigonometry)),
-    where=Place(line=249),
+    where=line(249),
     note="For b = 0 every point of the separatrix, θ = π/2, is an equilibrium.",
 )
 
 only_way_half_pi = Claim(
-    label="only_way_half_pi",
     says=Equivalent(equal(pi - epsilon, epsilon), equal(pi / 2, epsilon)),
     proof=(
         step(equal(pi, 2 * epsilon), adding(epsilon)),
         step(equal(pi / 2, epsilon), multiplying(sympy.Rational(1, 2))),
     ),
-    where=Place(line=249),
+    where=line(249),
     note="At rest ψ_f = ψ₀: the symmetric motion then starts at π/2.",
 )
+
+label_claims(globals())

@@ -108,7 +108,7 @@ quadratic_left = boxed(
     slopes=True,
     meant=Meant(in_chart(("R", "epsilon0")), (1 + b / a) * epsilon0**4 / 4),
     given=shape,
-    where=Place(display=38),
+    where=display(38),
     note="The higher orders are at most 1.84 ε₀² times the term before them.",
 )
 
@@ -123,7 +123,7 @@ linear_left = boxed(
     slopes=True,
     meant=Meant(in_chart(("R", "epsilon0")), epsilon0**3),
     given=shape,
-    where=Place(display=39),
+    where=display(39),
     note="The higher orders are at most 0.92 ε₀³.",
 )
 
@@ -158,7 +158,7 @@ u_flat_order = boxed(
     BY_KAPPA,
     QUARTER,
     "0.009",
-    where=Place(display=46),
+    where=display(46),
     note="True, and far from sharp: u is exponentially small.",
 )
 
@@ -166,10 +166,8 @@ u_flat_order = boxed(
 slope_of_u = Claim(
     label="dudlam",
     says="du/dλ(0, 0, 0) = 0, from λ ≥ 0: |u/λ| ≤ 0.009 λ uniformly in b, where u(0, 0) = 0.",
-    kind="statement",
     proof=all_of(u_flat_order),
-    where=Place(display=46),
-    expect=Verdict.ENCLOSED,
+    where=display(46),
     note="The paper has it by the implicit function theorem (`d44`), with a reason that must be "
     "mended (`dmu_dlambda_zero`).",
 )
@@ -213,7 +211,7 @@ def _slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
 
 def _printed_order(
     label: str,
-    display: int,
+    number: int,
     left: Any,
     value: Callable[..., Any],
     right: Any,
@@ -233,7 +231,7 @@ def _printed_order(
         constant,
         meant=Meant(in_chart(BY_KAPPA, {left: value}), gauge),
         given=(*shape, S**2 > 0),
-        where=Place(display=display),
+        where=display(number),
         **k,
     )
 
@@ -461,20 +459,15 @@ bend_carries = Claim(
 
 
 curve_within = Claim(
-    label="curve_within",
     says=2 * k * x**2 / (b**2 * epsilon0) <= 2 * k * epsilon0 * x / b,
-    kind="bound",
     given=(b > 0, epsilon0 > 0, k > 0, x >= 0, x <= b * epsilon0**2),
-    proof=(step(2 * k * x * (b * epsilon0**2 - x) / (b**2 * epsilon0)),),
+    proof=manifest,
     note="x is |γ|, and k is √(ab).",
 )
 
 bend_everywhere = Claim(
-    label="bend_everywhere",
     says="|ε − (ε₀ − γ/(4bε₀))| ≤ 5.15 √(ab) ε₀ |γ|/b for ab ≥ 1/4 and |γ| ≤ bε₀².",
-    kind="statement",
     proof=all_of(tangent, slope_leading_term, curve_within),
-    expect=Verdict.ENCLOSED,
     note="3.15 from the slope and 2 from the curve, where γ²/(b²ε₀) ≤ ε₀|γ|/b. It is a quarter of "
     "the way to −4bε₀², where the formula leaves what is possible.",
 )
@@ -482,10 +475,8 @@ bend_everywhere = Claim(
 theorem = Claim(
     label="prop1",
     says="The theorem: both formulas, each with its remainder, for every body.",
-    kind="statement",
     proof=all_of(pavao, theorem_remainder),
-    where=Place(line=231),
-    expect=Verdict.REFUTED,
+    where=line(231),
     amended_by=(printed_leading_term, printed_error, repaired, tangent, slope_leading_term),
     note="The leading terms of ε₀ and of dε/dγ are right; neither remainder is.",
     fault=Fault.THEOREM,
@@ -511,7 +502,7 @@ exponential_decay = boxed(
     BY_KAPPA,
     QUARTER,
     "2.01",
-    where=Place(line=243),
+    where=line(243),
 )
 
 remark_speed = Claim(
@@ -525,3 +516,5 @@ remark_speed = Claim(
     note="It tends to ε₀; its speed is dε/dγ, whose leading term this is.",
     fault=Fault.THEOREM,
 )
+
+label_claims(globals())

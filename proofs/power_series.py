@@ -43,7 +43,6 @@ def _along(rate: Expr, rate_of_slope: Expr, power: Expr) -> Derivative:
 
 
 lagrange_step = Claim(
-    label="lagrange_step",
     says=equal(_along(phi * W_x, phi_slope * W_x**2 + phi * W_xx, n), _along(W_x, W_xx, n + 1)),
     given=(phi > 0,),
     proof=by(differentiation, exponentials),
@@ -58,7 +57,6 @@ _u, _v = 1 / x - cos(x) / sin(x), 1 / sin(x) - 1 / x
 _half_turn = (x > 0, x < pi, sin(x) > 0)
 
 cotangent_series = Claim(
-    label="cotangent_series",
     says=equal(x * Derivative(_u, x) + 2 * _u, x + x * _u**2),
     given=_half_turn,
     proof=by(differentiation),
@@ -66,7 +64,6 @@ cotangent_series = Claim(
 )
 
 cosecant_series = Claim(
-    label="cosecant_series",
     says=equal(x * Derivative(_v, x) + _v, _u + x * _u * _v),
     given=_half_turn,
     proof=by(differentiation),
@@ -74,7 +71,6 @@ cosecant_series = Claim(
 )
 
 exponent_slope = Claim(
-    label="exponent_slope",
     says=equal(
         epsilon * Derivative(exponent, epsilon),
         1
@@ -90,20 +86,18 @@ exponent_slope = Claim(
 _quarter = (x > 0, x <= Rational(1, 4))
 
 stays_inside = Claim(
-    label="stays_inside",
     says=1 - x / (1 - x) > 0,
-    kind="bound",
     given=_quarter,
-    proof=(step((2 * (Rational(1, 4) - x) + Rational(1, 2)) / (1 - x)),),
+    proof=manifest,
 )
 
 geometric_tail = Claim(
-    label="geometric_tail",
     says=1 - Rational(13, 5) * x / (1 - x) > 0,
-    kind="bound",
     given=_quarter,
-    proof=(step((Rational(18, 5) * (Rational(1, 4) - x) + Rational(1, 10)) / (1 - x)),),
+    proof=manifest,
 )
 
 coefficient_sizes = (cotangent_series, cosecant_series, exponent_slope)
 """What bounds the coefficients of Q."""
+
+label_claims(globals())

@@ -28,7 +28,6 @@ from tresym.reals.balls.gradient import coordinates, gradients
 from tresym.reals.numbers.arithmetic import balls
 
 realizable = Claim(
-    label="realizable",
     says=equal(1 - (1 - I2 / I3) * ((I2 / I1 - 1) + 2), I2 * (I1 + I2 - I3) / (I1 * I3)),
     given=ordered_moments,
     proof=by(algebra),
@@ -36,11 +35,9 @@ realizable = Claim(
 )
 
 product_below_one = Claim(
-    label="product_below_one",
     says=1 - a * b > 0,
-    kind="bound",
     given=(*shape, 1 - b * (a + 2) >= 0),
-    proof=(step((1 - b * (a + 2)) + 2 * b, algebra),),
+    proof=manifest,
     note="b ≤ 1/(a + 2) for rigid bodies.",
 )
 
@@ -64,7 +61,6 @@ _a, _b = 1 / _u - 1, _u / (1 + _u)
 _some = (_u > 0, _u < 1)
 
 planar_shape = Claim(
-    label="planar_shape",
     says=Tuple(
         equal(1 / (_a + 2), _b),
         equal(sqrt(_a / (_a + _b)), _c),
@@ -79,16 +75,14 @@ planar_shape = Claim(
 _angle = 2 * atan(exp(-pi))
 
 floor_angle = Claim(
-    label="floor_angle",
     says=Tuple(equal(cos(_angle) / sin(_angle), sinh(pi)), equal(cos(_angle), tanh(pi))),
-    proof=together(*(by(exponentials, inverses, trigonometry) for _ in range(2))),
+    proof=by(exponentials, inverses, trigonometry),
     note="The candidate for the floor.",
 )
 
 _turned = asin(_u * tanh(pi))
 
 floor_split = Claim(
-    label="floor_split",
     says=equal(
         asinh(_c * sinh(pi)) - _c / (1 + _u) * (pi + _turned),
         asinh(_c * sinh(pi)) - _c * asinh(sinh(pi)) + _c * _u / (1 + _u) * (pi - _turned / _u),
@@ -105,14 +99,7 @@ def _floor_margin(u: Any, m: Any) -> Any:
     return balls.pi - tangent * arcsine_over(u * tangent)
 
 
-_planar = (
-    one_flip_defect,
-    realizable,
-    residual_increases,
-    exponent_gap,
-    planar_shape,
-    floor_angle,
-)
+_planar = (one_flip_defect, realizable, residual_increases, exponent_gap, planar_shape, floor_angle)
 
 rigid_body_floor = Claim(
     label="rigid_body_floor",
@@ -134,7 +121,6 @@ _above = _angle + _u
 _excess = _c / (1 + _u) * (pi + asin(_u * cos(_above))) - asinh(_c * cos(_above) / sin(_above))
 
 excess_at_infinity = Claim(
-    label="excess_at_infinity",
     says=equal(at(_excess, {_u: 0}), 0),
     proof=by(evaluating, exponentials, inverses, roots, trigonometry),
     shown=r"\left.\log(e/\epsilon_*) - Q(e)\right|_{e = 2\arctan e^{-\pi},\, u = 0} = 0",
@@ -172,10 +158,9 @@ floor_is_approached = Claim(
 )
 
 floor_of_every_body = Claim(
-    label="floor_of_every_body",
     says="2 arctan e^{−π} is the infimum of ε₀ over all rigid bodies, and none attains it.",
-    kind="statement",
     proof=all_of(realizable, monotonicity, rigid_body_floor, floor_is_approached),
-    expect=Verdict.ENCLOSED,
     note="Of the bodies with one a, ε₀ decreases in b up to the planar b = 1/(a + 2).",
 )
+
+label_claims(globals())

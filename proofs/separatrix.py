@@ -24,10 +24,7 @@ _on_separatrix = _f.subs(sqrt(b * sin(psi) ** 2), sqrt(b) * sin(psi))
 _mu = sqrt(b / (a + b))
 
 separatrix_integrand = Claim(
-    label="separatrix_integrand",
-    says=equal(_f, _on_separatrix),
-    given=(*shape, *between),
-    proof=by(roots),
+    says=equal(_f, _on_separatrix), given=(*shape, *between), proof=by(roots)
 )
 
 start_in_x = Claim(
@@ -35,7 +32,7 @@ start_in_x = Claim(
     says=equal(x0, printed.auxiliary_variable(epsilon, a, b, sympy)),
     given=(*shape, *defect),
     proof=Definition(),
-    where=Place(display=34),
+    where=display(34),
 )
 
 _in_x = printed.auxiliary_integrand(x, a, b, sympy)
@@ -43,11 +40,9 @@ _in_x = printed.auxiliary_integrand(x, a, b, sympy)
 _on_path = (*defect, psi >= epsilon, psi <= pi - epsilon)
 
 sine_on_path = Claim(
-    label="sine_on_path",
     says=sin(psi) > 0,
-    kind="bound",
     given=_on_path,
-    proof=(step(sin(psi)),),
+    proof=manifest,
     note="From ε to π − ε the flip angle stays between the unstable points.",
 )
 
@@ -56,24 +51,16 @@ separatrix_condition = Claim(
     says=equal(Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, *defect),
     proof=Definition("one turn of the handle on the separatrix", (sine_on_path,)),
-    where=Place(display=32),
+    where=display(32),
     note="The condition for the flip defect on the separatrix: one ε meets it (`one_flip_defect`).",
 )
 
-pole_on_path = Claim(
-    label="pole_on_path",
-    says=1 - cos(psi) ** 2 > 0,
-    kind="bound",
-    given=_on_path,
-    proof=(step(sin(psi) ** 2, trigonometry),),
-)
+pole_on_path = Claim(says=1 - cos(psi) ** 2 > 0, given=_on_path, proof=manifest)
 
 root_on_path = Claim(
-    label="root_on_path",
     says=1 - _mu**2 * cos(psi) ** 2 > 0,
-    kind="bound",
     given=shape,
-    proof=(step((a + b * sin(psi) ** 2) / (a + b), trigonometry),),
+    proof=manifest,
 )
 
 substitution = Claim(
@@ -89,93 +76,57 @@ substitution = Claim(
         step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), roots),
         step(None, substituting(separatrix_condition)),
     ),
-    where=Place(display=35),
+    where=display(35),
 )
 
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 
 root_at_start = Claim(
-    label="root_at_start",
     says=1 - x0**2 > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(
-        step(1 - b / (a + b) * cos(epsilon) ** 2, substituting(start_in_x), roots),
-        step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),
-    ),
+    proof=by(substituting(start_in_x)),
 )
 
 below_the_pole = Claim(
-    label="below_the_pole",
     says=b / (a + b) - x0**2 > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(
-        step(b / (a + b) * (1 - cos(epsilon) ** 2), substituting(start_in_x), roots),
-        step(b / (a + b) * sin(epsilon) ** 2, trigonometry),
-    ),
+    proof=by(substituting(start_in_x)),
 )
 
 _inside = ((x - x0) * (-x0 - x) >= 0,)
 
-inside_square = Claim(
-    label="inside_square",
-    says=x0**2 - x**2 >= 0,
-    kind="bound",
-    given=_inside,
-    proof=(step((x - x0) * (-x0 - x)),),
-)
+inside_square = Claim(says=x0**2 - x**2 >= 0, given=_inside, proof=manifest)
 
 root_in_interval = Claim(
-    label="root_in_interval",
     says=1 - x**2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
-    proof=(step(1 - x**2, citing(root_at_start, inside_square)),),
+    proof=by(citing(root_at_start, inside_square)),
     note="The sum of the two bounds it cites.",
 )
 
 pole_outside = Claim(
-    label="pole_outside",
     says=b / (a + b) - x**2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
-    proof=(step(b / (a + b) - x**2, citing(below_the_pole, inside_square)),),
+    proof=by(citing(below_the_pole, inside_square)),
     note="The sum of the two bounds it cites.",
 )
 
 artanh_defined = Claim(
-    label="artanh_defined",
     says=1 - (sqrt(a / b) * x / sqrt(1 - x**2)) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
-    proof=(
-        step(
-            (a + b) * (b / (a + b) - x**2) / (b * (1 - x**2)),
-            citing(root_in_interval, pole_outside),
-        ),
-    ),
+    proof=by(citing(root_in_interval, pole_outside)),
 )
 
 first_factor = Claim(
-    label="first_factor",
     says=1 - (a + b) / b * x**2 > 0,
-    kind="bound",
     given=(*shape, *defect, *_inside),
-    proof=(step((a + b) / b * (b / (a + b) - x**2), citing(pole_outside)),),
+    proof=by(citing(pole_outside)),
 )
 
 artanh_at_start = Claim(
-    label="artanh_at_start",
     says=1 - (sqrt(a / b) * x0 / sqrt(1 - x0**2)) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(
-        step(
-            (a + b) * (b / (a + b) - x0**2) / (b * (1 - x0**2)),
-            citing(root_at_start, below_the_pole),
-        ),
-    ),
+    proof=by(citing(root_at_start, below_the_pole)),
 )
 
 integrated = Claim(
@@ -193,7 +144,7 @@ integrated = Claim(
         step(-sqrt(a / b) / 2 * (-2 * pi * b), substituting(substitution)),
         step(None, roots),
     ),
-    where=Place(display=36),
+    where=display(36),
 )
 
 _root = sqrt(1 + b / a * sin(epsilon) ** 2)
@@ -205,11 +156,9 @@ _inverse_form = equal(atanh(_inverse), _time)
 _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 
 root_under_cosine = Claim(
-    label="root_under_cosine",
     says=1 - _mu**2 * cos(epsilon) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(step((a + b * sin(epsilon) ** 2) / (a + b), trigonometry),),
+    proof=manifest,
 )
 
 logarithm_of_artanh = Claim(
@@ -217,73 +166,40 @@ logarithm_of_artanh = Claim(
     says=equal(atanh(x), log((1 + x) / (1 - x)) / 2),
     given=(x > -1, x < 1),
     proof=by(exponentials, inverses),
-    where=Place(line=340),
+    where=line(340),
 )
 
 _argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) ** 2)
 
 argument_below_one = Claim(
-    label="argument_below_one",
     says=1 - _argument**2 > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(
-        step(
-            (1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2),
-            trigonometry,
-        ),
-    ),
+    proof=manifest,
 )
 
 ratio_below_one = Claim(
-    label="ratio_below_one",
     says=1 - (cos(epsilon) / _root) ** 2 > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(
-        step(
-            (1 + b / a) * sin(epsilon) ** 2 / (1 + b / a * sin(epsilon) ** 2),
-            trigonometry,
-        ),
-    ),
+    proof=manifest,
 )
 
 printed_left_positive = Claim(
-    label="printed_left_positive",
     says=_ratio > 0,
-    kind="bound",
     given=(*shape, *defect),
-    proof=(
-        step(
-            (1 + b / a) * sin(epsilon) ** 2 / (_root + cos(epsilon)) ** 2,
-            roots,
-            trigonometry,
-        ),
-    ),
+    proof=manifest,
     note="The form in which the left side does not cancel.",
 )
 
 exact_equation = Claim(
     label="d37",
     says=Equivalent(
-        equal(
-            printed.arctanh_left(_mu * cos(epsilon), a, b, sympy),
-            sqrt(a * b) * pi,
-        ),
+        equal(printed.arctanh_left(_mu * cos(epsilon), a, b, sympy), sqrt(a * b) * pi),
         _printed_equation,
     ),
     given=(*shape, *defect),
     proof=(
-        step(
-            _inverse_form,
-            adding(sqrt(a * b) * asin(_mu * cos(epsilon))),
-            roots,
-            trigonometry,
-        ),
-        step(
-            equal(-2 * atanh(cos(epsilon) / _root), -2 * _time),
-            multiplying(Integer(-2)),
-        ),
+        step(_inverse_form, adding(sqrt(a * b) * asin(_mu * cos(epsilon))), roots, trigonometry),
+        step(equal(-2 * atanh(cos(epsilon) / _root), -2 * _time), multiplying(Integer(-2))),
         step(
             equal((1 - _inverse) / (1 + _inverse), _printed_equation.rhs),
             applying("exp"),
@@ -292,26 +208,15 @@ exact_equation = Claim(
         ),
         step(_printed_equation, roots),
     ),
-    where=Place(display=37),
+    where=display(37),
 )
 
 stable_equation = Claim(
-    label="stable_equation",
     says=Equivalent(_printed_equation, _stable_equation),
     given=(*shape, *defect),
     proof=(
-        step(
-            equal(log(_ratio), -2 * _time),
-            applying("log"),
-            exponentials,
-        ),
-        step(
-            _inverse_form,
-            multiplying(Rational(-1, 2)),
-            exponentials,
-            inverses,
-            roots,
-        ),
+        step(equal(log(_ratio), -2 * _time), applying("log"), exponentials),
+        step(_inverse_form, multiplying(Rational(-1, 2)), exponentials, inverses, roots),
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
             applying("sinh"),
@@ -321,9 +226,7 @@ stable_equation = Claim(
             inverses,
         ),
         step(
-            _stable_equation,
-            multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))),
-            trigonometry,
+            _stable_equation, multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))), trigonometry
         ),
     ),
 )
@@ -332,7 +235,6 @@ _map = k * (pi + atan(r * tanh(T)))
 _tilt = atan(1 / (sqrt(1 + r**2) * sinh(T)))
 
 auxiliary_angle = Claim(
-    label="auxiliary_angle",
     says=equal(asin(r / sqrt(1 + r**2) * cos(_tilt)), atan(r * tanh(T))),
     given=(*auxiliary, *later),
     proof=by(exponentials, inverses, roots),
@@ -342,25 +244,14 @@ auxiliary_angle = Claim(
 _spread = cosh(T) ** 2 + r**2 * sinh(T) ** 2
 _end = 3 * pi / 2 * k
 
-end_positive = Claim(
-    label="end_positive",
-    says=tanh(_end) > 0,
-    kind="bound",
-    given=auxiliary,
-    proof=(step(tanh(_end)),),
-)
+end_positive = Claim(says=tanh(_end) > 0, given=auxiliary, proof=manifest)
 
 unique_root = Claim(
-    label="unique_root",
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
     "with 0 < T < 3π√(ab)/2.",
-    kind="statement",
+    means=ExactlyOne(T, 0, _end, equal(T, _map)),
     given=(*auxiliary, k * r <= 1),
     proof=UniqueRoot(
-        variable=T,
-        function=T - _map,
-        low=Integer(0),
-        high=_end,
         derivative=(
             step(1 - k * r / _spread, differentiation, exponentials),
             step(((1 - k * r) + (1 + r**2) * sinh(T) ** 2) / _spread, exponentials),
@@ -372,54 +263,35 @@ unique_root = Claim(
 )
 
 no_root_beyond = Claim(
-    label="no_root_beyond",
     says=_end > _map,
-    kind="bound",
     given=(*auxiliary, *later),
-    proof=(step(k * atan(1 / (r * tanh(T))), exponentials, inverses),),
+    proof=manifest,
     note="The map stays below 3π√(ab)/2, so no root lies there or beyond.",
 )
 
 no_root_below = Claim(
-    label="no_root_below",
     says=_map > k * pi,
-    kind="bound",
     given=(*auxiliary, *later),
-    proof=(step(k * atan(r * tanh(T))),),
+    proof=manifest,
     note="The phase T/√(ab) of the root is between π and 3π/2.",
 )
 
 contraction = Claim(
-    label="contraction",
     says=equal(_map.diff(T, evaluate=False), k * r * sin(_tilt) ** 2),
     given=(*auxiliary, *later),
-    proof=(
-        step(
-            k * r / _spread,
-            differentiation,
-            exponentials,
-        ),
-        step(None, exponentials),
-    ),
+    proof=(step(k * r / _spread, differentiation, exponentials), step(None, exponentials)),
     note="The derivative of the map is b sin²ε, between 0 and b.",
 )
 
 contraction_bound = Claim(
-    label="contraction_bound",
     says=Tuple(b * sin(epsilon) ** 2 > 0, b * sin(epsilon) ** 2 < 1),
-    kind="bound",
     given=(*shape, *defect),
-    proof=together(
-        (step(b * sin(epsilon) ** 2, algebra),),
-        (step(cos(epsilon) ** 2 + (1 - b) * sin(epsilon) ** 2, trigonometry),),
-    ),
+    proof=manifest,
 )
 
 one_flip_defect = Claim(
-    label="one_flip_defect",
     says="The exact equation has exactly one root ε₀ in (0, π/2), and the map of its stable "
     "form contracts: its derivative is b sin²ε, between 0 and 1.",
-    kind="statement",
     proof=all_of(
         exact_equation,
         stable_equation,
@@ -431,3 +303,45 @@ one_flip_defect = Claim(
         contraction_bound,
     ),
 )
+
+_share = _inverse - tanh(_time)
+_rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
+
+defect_is_one = Claim(
+    says="Each shape has exactly one ε between 0 and π/2 with cos ε/√(1 + (b/a) sin²ε) = tanh T, "
+    "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
+    kind="statement",
+    means=ExactlyOne(epsilon, 0, pi / 2, equal(_inverse, tanh(_time))),
+    given=shape,
+    proof=UniqueRoot(
+        derivative=(
+            step(
+                -sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
+                differentiation,
+                exponentials,
+                roots,
+                trigonometry,
+                inverses,
+            ),
+        ),
+        at_low=(
+            step(
+                2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1),
+                exponentials,
+                roots,
+                trigonometry,
+            ),
+        ),
+        at_high=(step(-tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
+    ),
+    note="It is the stable equation with the hyperbolic functions on one side.",
+)
+
+flip_defect = Claim(
+    says=Root(epsilon0, defect_is_one).says,
+    given=shape,
+    proof=Root(epsilon0, defect_is_one),
+    note="The flip defect ε₀ on the separatrix.",
+)
+
+label_claims(globals())

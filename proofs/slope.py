@@ -31,7 +31,7 @@ slope_of_integrand = Claim(
         ),
         step(None, roots),
     ),
-    where=Place(display=54),
+    where=display(54),
 )
 
 
@@ -43,7 +43,7 @@ slope_of_integral = Claim(
     ),
     given=(*shape, psi > 0, psi < pi / 2, sin(psi) > 0, cos(psi) > 0),
     proof=by(differentiation, trigonometry, roots),
-    where=Place(display=55),
+    where=display(55),
 )
 
 inverse_slope = Claim(
@@ -54,5 +54,5 @@ inverse_slope = Claim(
     ),
     given=(*shape, *defect, cos(theta) ** 2 > 0),
     proof=by(substituting(sign_of_tilt), roots),
-    where=Place(display=51),
+    where=display(51),
 )

@@ -43,55 +43,45 @@ _square2 = M**2 * (1 / I1 - 1 / I2) * (1 / I2 - 1 / I3)
 _square3 = -(M**2) * (1 / I1 - 1 / I3) * (1 / I2 - 1 / I3)
 
 eigenvalues_e1 = Claim(
-    label="eigenvalues_e1",
     says=equal(_characteristic(M, 0, 0), eigenvalue * (eigenvalue**2 - _square1)),
     given=ordered_moments,
     proof=by(),
 )
 
 eigenvalues_e2 = Claim(
-    label="eigenvalues_e2",
     says=equal(_characteristic(0, M, 0), eigenvalue * (eigenvalue**2 - _square2)),
     given=ordered_moments,
     proof=by(),
 )
 
 eigenvalues_e3 = Claim(
-    label="eigenvalues_e3",
     says=equal(_characteristic(0, 0, M), eigenvalue * (eigenvalue**2 - _square3)),
     given=ordered_moments,
     proof=by(),
 )
 
 center_at_e1 = Claim(
-    label="center_at_e1",
     says=_square1 < 0,
-    kind="bound",
     given=ordered_moments,
-    proof=(step(M**2 * (I2 - I1) * (I3 - I1) / (I1**2 * I2 * I3)),),
+    proof=manifest,
 )
 
 saddle_at_e2 = Claim(
-    label="saddle_at_e2",
     says=_square2 > 0,
-    kind="bound",
     given=ordered_moments,
-    proof=(step(M**2 * (I2 - I1) * (I3 - I2) / (I1 * I2**2 * I3)),),
+    proof=manifest,
 )
 
 center_at_e3 = Claim(
-    label="center_at_e3",
     says=_square3 < 0,
-    kind="bound",
     given=ordered_moments,
-    proof=(step(M**2 * (I3 - I1) * (I3 - I2) / (I1 * I2 * I3**2)),),
+    proof=manifest,
 )
 
 _below_first = M2**2 * (I2 - I1) / (I1 * I2) + M3**2 * (I3 - I1) / (I1 * I3)
 _above_third = M1**2 * (I3 - I1) / (I1 * I3) + M2**2 * (I3 - I2) / (I2 * I3)
 
 energy_near_e1 = Claim(
-    label="energy_near_e1",
     says=equal((M1**2 + M2**2 + M3**2) / I1 - 2 * E, _below_first),
     given=ordered_moments,
     proof=by(substituting(energy_of_momentum)),
@@ -99,7 +89,6 @@ energy_near_e1 = Claim(
 )
 
 energy_near_e3 = Claim(
-    label="energy_near_e3",
     says=equal(2 * E - (M1**2 + M2**2 + M3**2) / I3, _above_third),
     given=ordered_moments,
     proof=by(substituting(energy_of_momentum)),
@@ -129,7 +118,6 @@ def _stays_near(
     return Claim(
         label=label,
         says=distance <= high / low * distance.xreplace(start),
-        kind="bound",
         given=(*ordered_moments, conserved >= 0),
         proof=(step((conserved + gap * (first.xreplace(start) ** 2 + second**2)) / low),),
         note="N is where M began, with as much energy and momentum. The distance stays as small "
@@ -156,72 +144,50 @@ stays_near_e3 = _stays_near(
 _conserved = (energy_conserved, momentum_conserved)
 
 stable_e1 = Claim(
-    label="stable_e1",
     says="The rotation about the handle is stable.",
-    kind="statement",
     proof=all_of(eigenvalues_e1, center_at_e1, *_conserved, energy_near_e1, stays_near_e1),
-    where=Place(line=49),
+    where=line(49),
 )
 
 stable_e3 = Claim(
-    label="stable_e3",
     says="The rotation about the normal of the face is stable.",
-    kind="statement",
     proof=all_of(eigenvalues_e3, center_at_e3, *_conserved, energy_near_e3, stays_near_e3),
-    where=Place(line=49),
+    where=line(49),
 )
 
 _first_rate, _third_rate = sqrt(1 / I1 - 1 / I2), sqrt(1 / I2 - 1 / I3)
 
 leaves_e2 = Claim(
-    label="leaves_e2",
     says=Tuple(
         *(
             -M2 * along_euler(M1 * M3) - side * 2 * _first_rate * _third_rate * M2**2 * M1 * M3 >= 0
             for side in (1, -1)
         )
     ),
-    kind="bound",
     given=ordered_moments,
-    proof=together(
-        *(
-            (
-                step(
-                    M2**2 * (_first_rate * M1 - side * _third_rate * M3) ** 2,
-                    substituting(eq_dMi),
-                    roots,
-                ),
-            )
-            for side in (1, -1)
-        )
-    ),
+    proof=by(substituting(eq_dMi)),
     note="Let P be −M₁M₃ where M₂ > 0 and M₁M₃ where M₂ < 0. As long as |M₂| ≥ m, a positive P "
     "grows at least as e^{2αβmt}, α² = 1/I₁ − 1/I₂ and β² = 1/I₂ − 1/I₃; but it is at most M²/2.",
 )
 
 unstable_e2 = Claim(
-    label="unstable_e2",
     says="The rotation about the intermediate axis is unstable: from starts as near to it as one "
     "likes M leaves the region |M₂| ≥ m, for every m > 0.",
-    kind="statement",
     proof=all_of(eigenvalues_e2, saddle_at_e2, *_conserved, leaves_e2),
-    where=Place(line=49),
+    where=line(49),
     note="Shown without linearisation: such are the starts with M₁M₂M₃ < 0, by `leaves_e2`.",
 )
 
 points_of_the_sphere = Claim(
-    label="points_of_the_sphere",
     says="p₋ is a stable rotation about e₃, and p_D an unstable one about e₂.",
-    kind="statement",
     proof=all_of(stable_e3, unstable_e2),
-    where=Place(line=103),
+    where=line(103),
 )
 
 sphere_at_rest = Claim(
-    label="sphere_at_rest",
     says=Tuple(*(equal(at(rate, {I2: I1, I3: I1}), 0) for rate in _rates)),
     given=(I1 > 0,),
-    proof=together(*(by(evaluating) for _ in range(3))),
+    proof=by(evaluating),
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2=I_3} = (0, 0, 0)",
     note="With three equal moments M stays where it is in the body.",
 )
@@ -230,27 +196,22 @@ any_body = Claim(
     label="any_rigid_body_is_unstable",
     says="In any rigid body the rotation about the second axis is unstable.",
     kind="statement",
-    proof=Denied((sphere_at_rest,), {"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1)}),
+    means=_square2 > 0,
+    given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
+    proof=Counterexample({"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1), "M": fmpq(1)}),
     where=Place(line=49),
     expect=Verdict.REFUTED,
-    amended_by=(stable_e1, stable_e3, unstable_e2),
-    note="True of three different moments; a body with three equal ones turns steadily about any "
-    "axis.",
+    amended_by=(stable_e1, stable_e3, unstable_e2, sphere_at_rest),
+    note="True of three different moments: the formula is the square of the eigenvalue. A body "
+    "with three equal ones turns steadily about any axis.",
 )
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
 
-outer_moments = Claim(
-    label="outer_moments",
-    says=I3 - I1 > 0,
-    kind="bound",
-    given=ordered_moments,
-    proof=(step((I3 - I2) + (I2 - I1)),),
-)
+outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=manifest)
 
 permanent_rotations = Claim(
-    label="permanent_rotations",
     says=Tuple(
         *(
             Equivalent(equal(rate, 0), equal(product, 0))
@@ -276,13 +237,11 @@ three_equilibria = Claim(
     paper_says="The figure shows the three equilibrium points p₊, p₋ and p_D of the dynamics. Read "
     "as: up to the sign of M.",
     kind="statement",
-    given=(
-        I1 > 0,
-        I2 - I1 > 0,
-        I3 - I2 > 0,
-        *(Le(rate**2, 0, evaluate=False) for rate in _rates),
-        Le((M1**2 + M2**2 + M3**2 - 1) ** 2, 0, evaluate=False),
+    means=Under(
+        equal(_distances[0] * _distances[1] * _distances[2], 0),
+        Tuple(*equations((*_rates,), (0, 0, 0)), equal(M1**2 + M2**2 + M3**2, 1)),
     ),
+    given=(I1 > 0, I2 - I1 > 0, I3 - I2 > 0),
     proof=Counterexample(
         {
             "I1": fmpq(1),
@@ -291,8 +250,7 @@ three_equilibria = Claim(
             "M1": fmpq(-1),
             "M2": fmpq(0),
             "M3": fmpq(0),
-        },
-        Gt(_distances[0] * _distances[1] * _distances[2], 0),
+        }
     ),
     where=Place(line=103),
     expect=Verdict.REFUTED,
@@ -301,45 +259,18 @@ three_equilibria = Claim(
 )
 
 three_equilibria_and_opposites = Claim(
-    label="three_equilibria_and_opposites",
     says="p₊ and p₋, where M lies along e₁ and e₃, are stable; p_D, along e₂, is unstable.",
-    kind="statement",
     proof=all_of(permanent_rotations, stable_e1, stable_e3, unstable_e2),
-    where=Place(line=110),
+    where=line(110),
 )
 
 transverse_velocity = Claim(
-    label="transverse_velocity",
     says=Tuple(
         M**2 * sin(theta) ** 2 / I3**2 <= W2**2 + W3**2,
         M**2 * sin(theta) ** 2 / I2**2 >= W2**2 + W3**2,
     ),
-    kind="bound",
     given=ordered_moments,
-    proof=together(
-        (
-            step(
-                (M2 / I2) ** 2 + (M3 / I3) ** 2 - M**2 * sin(theta) ** 2 / I3**2,
-                substituting(velocity_from_momentum),
-            ),
-            step(
-                M**2 * sin(theta) ** 2 * cos(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
-                substituting(eq_Mi),
-                trigonometry,
-            ),
-        ),
-        (
-            step(
-                M**2 * sin(theta) ** 2 / I2**2 - (M2 / I2) ** 2 - (M3 / I3) ** 2,
-                substituting(velocity_from_momentum),
-            ),
-            step(
-                M**2 * sin(theta) ** 2 * sin(psi) ** 2 * (I3 - I2) * (I3 + I2) / (I2 * I3) ** 2,
-                substituting(eq_Mi),
-                trigonometry,
-            ),
-        ),
-    ),
+    proof=by(substituting(velocity_from_momentum, eq_Mi)),
     note="The rotation across the handle is as small as sin θ, and zero only at p₊.",
 )
 
@@ -349,6 +280,9 @@ only_about_the_handle = Claim(
     paper_says="Around the stable point p₊ the racket rotates only about its handle. Read as: at "
     "p₊, and nearly so close to it.",
     kind="statement",
+    means=equations(
+        (M * sin(theta) * cos(psi) / I2, M * sin(theta) * sin(psi) / I3), (Integer(0), Integer(0))
+    ),
     given=(*ordered_moments, theta > 0, theta < pi / 12),
     proof=Counterexample(
         {
@@ -358,11 +292,12 @@ only_about_the_handle = Claim(
             "M": fmpq(1),
             "theta": fmpq(1, 10),
             "psi": fmpq(0),
-        },
-        Ne(M * sin(theta) * cos(psi) / I2, 0),
+        }
     ),
     where=Place(line=103),
     expect=Verdict.REFUTED,
     amended_by=(transverse_velocity,),
     note="True at p₊; around it Ω₂ and Ω₃ are small, not zero.",
 )
+
+label_claims(globals())

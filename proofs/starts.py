@@ -30,25 +30,16 @@ _rate = Symbol("v", real=True)
 """dψ/dφ at the start."""
 
 faster_at_higher_level = Claim(
-    label="faster_at_higher_level",
     says=Derivative(printed.integrand(psi, a, b, gamma, 1, sympy), gamma) < 0,
-    kind="bound",
     given=(*shape_of_a_body, gamma + b * _square > 0),
-    proof=(
-        step(
-            (1 - b * _square) / (2 * sqrt(a + b * _square) * sqrt(gamma + b * _square) ** 3),
-            differentiation,
-        ),
-    ),
+    proof=by(differentiation),
     note="The flip angle turns faster, at every ψ, the larger γ is.",
 )
 
 level_grows_with_the_rate = Claim(
-    label="level_grows_with_the_rate",
     says=Derivative(_rate**2 * (1 - b * _square) ** 2 / (a + b * _square) - b * _square, _rate) > 0,
-    kind="bound",
     given=(*shape_of_a_body, _rate > 0),
-    proof=(step(2 * _rate * (1 - b * _square) ** 2 / (a + b * _square), differentiation),),
+    proof=by(differentiation),
     note="γ of a start, by `level_of_a_start`.",
 )
 
@@ -111,7 +102,6 @@ _share = _width * _height / _whole
 _whole_half = {_whole: Rational(2, 10) * Rational(3, 10)}
 
 share_of_the_rectangles = Claim(
-    label="share_of_the_rectangles",
     says=equal(
         at(_share, {_width: Rational(2, 10), _height: Rational(3, 20), **_whole_half})
         + at(_share, {_width: Rational(3, 20), _height: Rational(1, 20), **_whole_half}),
@@ -122,13 +112,10 @@ share_of_the_rectangles = Claim(
 )
 
 likely_near = Claim(
-    label="likely_near",
     says="Of the starts with |ψ₀| ≤ 1/10 and |dψ/dφ| ≤ 3/10 five in eight or more flip by π within "
     "π/6, for the standard racket.",
-    kind="statement",
     proof=all_of(two_rectangles, share_of_the_rectangles, central_symmetry),
-    expect=Verdict.ENCLOSED,
-    where=Place(line=283),
+    where=line(283),
     note="A rectangle about the unstable point, such as the figure marks; likely is read as the "
     "share of its area.",
 )
@@ -154,9 +141,7 @@ near_flip_close = Claim(
 )
 
 narrow_swing = Claim(
-    label="narrow_swing",
     says=asin(sqrt(-gamma / b)) > epsilon,
-    kind="bound",
     given=(*oscillating, *defect, -gamma - b * sin(epsilon) ** 2 > 0),
     proof=(
         step(
@@ -191,13 +176,10 @@ every_start_overshoots = Claim(
 )
 
 far_from_separatrix = Claim(
-    label="far_from_separatrix",
     says="Far from the separatrix, at γ ≥ 0.0104 and at γ ≤ −0.0043, the standard racket shows no "
     "effect from any start.",
-    kind="statement",
     proof=all_of(every_start_overshoots, faster_at_higher_level, narrow_swing, flip_between),
-    where=Place(line=272),
-    expect=Verdict.ENCLOSED,
+    where=line(272),
     note="Both are near the 10⁻² of the paper, which says approximately; b sin²(π/12) is 0.00422.",
 )
 
@@ -228,3 +210,5 @@ no_tre_far = Claim(
     amended_by=(far_from_separatrix, upper_exact_value, lower_exact),
     note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035.",
 )
+
+label_claims(globals())

@@ -18,7 +18,7 @@ sphere = Claim(
     ),
     given=(I1 > 0,),
     proof=by(),
-    where=Place(line=112),
+    where=line(112),
     note="For three equal moments the energy surface is a sphere.",
 )
 
@@ -26,7 +26,6 @@ _first = M * cos(theta)
 _third = M * sin(theta) * sin(psi)
 
 depth_b_zero = Claim(
-    label="depth_b_zero",
     says=equal(M**2 * printed.depth(theta, psi, a, 0, sympy), a * _first**2),
     proof=by(trigonometry),
     note="I₂ = I₃: γ M² = a M₁².",
@@ -35,19 +34,17 @@ depth_b_zero = Claim(
 no_oscillation = Claim(
     label="no_oscillating_I2_I3",
     says=printed.depth(theta, psi, a, 0, sympy) >= 0,
-    kind="bound",
     given=(a > 0,),
-    proof=(step(a * cos(theta) ** 2, trigonometry),),
-    where=Place(line=112),
+    proof=manifest,
+    where=line(112),
     note="I₂ = I₃: γ is never negative.",
 )
 
 separatrix_on_the_equator = Claim(
     label="separatrix_equator",
     says="For I₂ = I₃ the separatrix is the equator M₁ = 0.",
-    kind="statement",
     proof=all_of(depth_b_zero, no_oscillation),
-    where=Place(line=112),
+    where=line(112),
 )
 
 circle_about_handle = Claim(
@@ -55,7 +52,7 @@ circle_about_handle = Claim(
     says=equal(at(printed.euler_equations(M1, M2, M3, I1, I2, I3)[0], {I3: I2}), 0),
     given=_moments,
     proof=by(evaluating),
-    where=Place(line=112),
+    where=line(112),
     note="I₂ = I₃: M₁ is constant, and M runs on a circle about e₁.",
     shown=r"\dot M_1 = M_2M_3\left(\frac{1}{I_2}-\frac{1}{I_2}\right) = 0",
 )
@@ -68,10 +65,9 @@ one_circle = Claim(
     paper_says="For I₂ = I₃ the two surfaces meet in a circle about e₁. Read as: in that on which "
     "a solution runs.",
     kind="statement",
-    given=(a > 0, M > 0, Le((a * M1**2 - a * _other**2) ** 2, 0, evaluate=False)),
-    proof=Counterexample(
-        {"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}, Ne(M1, _other)
-    ),
+    means=Under(equal(M1, _other), Tuple(equal(a * M1**2, a * _other**2))),
+    given=(a > 0, M > 0),
+    proof=Counterexample({"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}),
     where=Place(line=112),
     expect=Verdict.REFUTED,
     amended_by=(depth_b_zero, circle_about_handle),
@@ -86,7 +82,7 @@ handle_keeps_its_tilt = Claim(
     says=equal(at(_rates[0], {I3: I2}), 0),
     given=_moments,
     proof=by(evaluating),
-    where=Place(line=112),
+    where=line(112),
     shown=r"\dot\theta = M\left(\frac{1}{I_2}-\frac{1}{I_2}\right)\sin\theta\sin\psi\cos\psi = 0",
 )
 
@@ -95,12 +91,11 @@ spin_about_handle = Claim(
     says=equal(at(_rates[2], {I3: I2}), M * (1 / I1 - 1 / I2) * cos(theta)),
     given=_moments,
     proof=by(evaluating, trigonometry),
-    where=Place(line=112),
+    where=line(112),
     note="I₂ = I₃: θ is constant, so ψ grows at a constant rate.",
 )
 
 depth_a_zero = Claim(
-    label="depth_a_zero",
     says=equal(M**2 * at(printed.depth(theta, psi, a, b, sympy), {a: 0}), -b * _third**2),
     proof=by(evaluating),
     note="I₁ = I₂: γ M² = −b M₃².",
@@ -110,28 +105,27 @@ depth_a_zero = Claim(
 only_oscillation = Claim(
     label="only_oscillating_I1_I2",
     says=printed.depth(theta, psi, 0, b, sympy) <= 0,
-    kind="bound",
     given=(b > 0,),
-    proof=(step(b * sin(theta) ** 2 * sin(psi) ** 2),),
-    where=Place(line=112),
+    proof=manifest,
+    where=line(112),
     note="I₁ = I₂: γ is never positive.",
 )
 
 _at_rest = printed.euler_equations(M1, M2, M3, I1, I2, I3)
 
 rest_on_the_circle = Claim(
-    label="rest_on_the_circle",
     says=Tuple(*(equal(at(rate, {I2: I1, M3: 0}), 0) for rate in _at_rest)),
     given=(I1 > 0, I3 > 0),
-    proof=together(*(by(evaluating) for _ in range(3))),
+    proof=by(evaluating),
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2,\,M_3=0} = (0, 0, 0)",
 )
 
 separatrix_in_the_plane = Claim(
     label="separatrix_circle_e1e2",
     says="For I₁ = I₂ the separatrix is the circle M₃ = 0.",
-    kind="statement",
     proof=all_of(depth_a_zero, only_oscillation, rest_on_the_circle),
-    where=Place(line=112),
+    where=line(112),
     note="Every point of it is an equilibrium.",
 )
+
+label_claims(globals())

@@ -87,7 +87,8 @@ def _order(row: str) -> Claim:
         says=f"Table 1, {row}: I₁ < I₂ < I₃.",
         kind="statement",
         given=as_printed(**moments),
-        proof=formally(I1 < I2, I2 < I3),
+        means=Tuple(I1 < I2, I2 < I3),
+        proof=formally(),
         where=Place(line=ROW_LINES[row], cell="I1, I2, I3"),
     )
 
@@ -130,7 +131,8 @@ def _realizable(row: str, label: str, **rest: Any) -> Claim:
         says=f"Table 1, {row}: a rigid body can have these moments.",
         kind="statement",
         given=as_printed(**moments),
-        proof=formally(I3 <= I1 + I2, I2 <= I1 + I3, I1 <= I2 + I3),
+        means=Tuple(I3 <= I1 + I2, I2 <= I1 + I3, I1 <= I2 + I3),
+        proof=formally(),
         where=Place(line=ROW_LINES[row], cell="I1, I2, I3"),
         **rest,
     )
@@ -145,7 +147,8 @@ def _excess(row: str, least: int, relation: Basic) -> Claim:
         f"{least} or more.",
         kind="bound",
         given=as_printed(**moments),
-        proof=formally(relation),
+        means=relation,
+        proof=formally(),
     )
 
 
@@ -174,7 +177,8 @@ racket_3_third_moment = Claim(
     says="With the printed I₂, the printed b = 0.12 needs an I₃ between 8051 and 8145, not 1818.",
     kind="bound",
     given=_needed,
-    proof=formally(8051 * (1 - b) < I2, 8145 * (1 - b) > I2),
+    means=Tuple(8051 * (1 - b) < I2, 8145 * (1 - b) > I2),
+    proof=formally(),
 )
 
 racket_3_swapped_b = Claim(
@@ -190,16 +194,14 @@ racket_3_swapped_order = Claim(
     says="With I₃ = 8118 racket 3 has I₁ < I₂ < I₃, and I₃ exceeds the sum of the others.",
     kind="statement",
     given=as_printed(I1=_third["I1"], I2=_third["I2"]),
-    proof=formally(I1 < I2, I2 < 8118, I1 + I2 < 8118),
+    means=Tuple(I1 < I2, I2 < 8118, I1 + I2 < 8118),
+    proof=formally(),
 )
 
 racket_3_swapped = Claim(
-    label="racket_3_swapped",
     says="With I₃ = 8118 for the printed 1818, two digits in each other's place, racket 3 has its "
     "moments in order and b = 0.1222, printed 0.12.",
-    kind="statement",
     proof=all_of(racket_3_swapped_order, racket_3_swapped_b),
-    expect=Verdict.ENCLOSED,
     note="No rigid body has these moments either.",
 )
 
@@ -239,3 +241,5 @@ racket_3 = (
 )
 
 book = tuple(_defects("book", lambda q: q, dict(zip("ab", TABLE_1["book"][3:5], strict=True))))
+
+label_claims(globals())

@@ -44,61 +44,47 @@ half_turn = Claim(
     given=_rotating,
     proof=(
         step(_turn(gamma) + Integral(_f, (psi, pi / 2, pi - epsilon)), cutting(pi / 2)),
-        step(
-            _turn(gamma) + Integral(_mirrored, (x, epsilon, pi / 2)),
-            changing_variable(pi - psi),
-        ),
+        step(_turn(gamma) + Integral(_mirrored, (x, epsilon, pi / 2)), changing_variable(pi - psi)),
     ),
-    where=Place(display=48),
+    where=display(48),
     note="The second half is the first, run backwards.",
 )
 
 half_integral = Claim(
-    label="d49",
-    says=equal(F, _turn(gamma)),
-    given=_rotating,
-    proof=Definition(),
-    where=Place(display=49),
+    label="d49", says=equal(F, _turn(gamma)), given=_rotating, proof=Definition(), where=display(49)
 )
 
 one_turn = Claim(
-    label="one_turn",
     says=equal(_turn(gamma), pi),
     given=(*shape, b < 1, *defect, gamma >= 0),
     proof=Definition("one turn of the handle, before the motion turns back", (sine_to_the_middle,)),
-    where=Place(display=49),
+    where=display(49),
     note="What one turn of the handle means, by d48, while the motion has not turned.",
 )
 
 level_line = Claim(
-    label="level_line",
     says=equal(F, pi),
     given=_rotating,
     proof=(step(_turn(gamma), substituting(half_integral)), step(None, substituting(one_turn))),
-    where=Place(display=49),
+    where=display(49),
 )
 
 cosine_to_the_middle = Claim(
-    label="cosine_to_the_middle",
     says=sqrt(a) * cos(psi) >= 0,
-    kind="bound",
     given=(a > 0, *defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(sqrt(a) * cos(psi)),),
+    proof=manifest,
 )
 
 logarithm_to_the_middle = Claim(
-    label="logarithm_to_the_middle",
     says=sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2) > 0,
-    kind="bound",
     given=(*shape, *defect, psi >= epsilon, psi <= pi / 2),
-    proof=(step(sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2)),),
+    proof=manifest,
     note="The antiderivative of d55 is smooth up to π/2.",
 )
 
 # -- the derivative by the end --------------------------------------------------------------------
 
 slope_symbol = Claim(
-    label="slope_symbol",
     says=equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
     given=(*shape, *defect, gamma > 0),
     proof=Definition(claims=(sine_to_the_middle,)),
@@ -106,7 +92,6 @@ slope_symbol = Claim(
 )
 
 slope_symbol_at_zero = Claim(
-    label="slope_symbol_at_zero",
     says=equal(F_epsilon0, Derivative(_turn(Integer(0)), epsilon)),
     given=(*shape, *defect),
     proof=Definition(claims=(sine_to_the_middle,)),
@@ -114,24 +99,22 @@ slope_symbol_at_zero = Claim(
 )
 
 slope_by_end = Claim(
-    label="slope_by_end",
     says=equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
     given=(*shape, b < 1, *defect, gamma > 0),
     proof=by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
-    where=Place(display=51),
+    where=display(51),
     note="F is an integral from ε.",
 )
 
 _at_end = printed.integrand(epsilon, a, b, 0, S, sympy)
 
 slope_by_end_at_zero = Claim(
-    label="slope_by_end_at_zero",
     says=equal(F_epsilon0, -_at_end),
     given=(*shape, b < 1, *defect),
     proof=by(
         substituting(slope_symbol_at_zero), differentiating_integral(Integer(0), sine_to_the_middle)
     ),
-    where=Place(display=51),
+    where=display(51),
     note="At γ = 0.",
 )
 
@@ -143,7 +126,6 @@ _excess = Integral(
 _one_motion = (*shape, b < 1, *defect, S > 0)
 
 value_at_zero = Claim(
-    label="value_at_zero",
     says=equal(_turn(Integer(0)), _value),
     given=_one_motion,
     proof=Definition("the motion on the separatrix on which F is F0", (sine_to_the_middle,)),
@@ -151,7 +133,6 @@ value_at_zero = Claim(
 )
 
 value_reached = Claim(
-    label="value_reached",
     says=equal(_excess, 0),
     given=_one_motion,
     proof=(
@@ -174,7 +155,6 @@ _opened = (
 )
 
 inverse_symbol = Claim(
-    label="inverse_symbol",
     says=equal(defect_F, -_by_value / _by_end),
     given=_one_motion,
     proof=ImplicitFunction(
@@ -189,7 +169,6 @@ inverse_symbol = Claim(
 )
 
 slopes_of_the_excess = Claim(
-    label="slopes_of_the_excess",
     says=Tuple(equal(excess_value, _by_value), equal(excess_epsilon, _by_end)),
     given=_one_motion,
     proof=Definition(claims=(sine_to_the_middle,)),
@@ -197,7 +176,6 @@ slopes_of_the_excess = Claim(
 )
 
 excess_by_value = Claim(
-    label="excess_by_value",
     says=equal(excess_value, -1),
     given=_one_motion,
     proof=by(
@@ -208,40 +186,32 @@ excess_by_value = Claim(
 )
 
 excess_by_end = Claim(
-    label="excess_by_end",
     says=equal(excess_epsilon, -_at_end),
     given=_one_motion,
     proof=by(substituting(slopes_of_the_excess), *_opened),
 )
 
 excess_falls = Claim(
-    label="excess_falls",
-    says=excess_epsilon < 0,
-    kind="bound",
-    given=_one_motion,
-    proof=(step(_at_end, substituting(excess_by_end)),),
+    says=excess_epsilon < 0, given=_one_motion, proof=by(substituting(excess_by_end))
 )
 
 defect_by_excess = Claim(
-    label="defect_by_excess",
     says=equal(defect_F, -excess_value / excess_epsilon),
     given=_one_motion,
     proof=by(substituting(inverse_symbol, slopes_of_the_excess), citing(excess_falls)),
 )
 
 defect_by_turn = Claim(
-    label="defect_by_turn",
     says=equal(defect_F, -1 / _at_end),
     given=_one_motion,
     proof=(
         step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
         step(None, substituting(excess_by_value, excess_by_end), roots),
     ),
-    where=Place(display=51),
+    where=display(51),
 )
 
 inverse_of_slope = Claim(
-    label="inverse_of_slope",
     says=equal(defect_F, 1 / F_epsilon0),
     given=_one_motion,
     proof=(
@@ -261,12 +231,11 @@ derivative_under_the_integral = Claim(
     says=equal(_slope, Integral(_slope_of_f, (psi, epsilon, pi / 2))),
     given=(*shape, *defect),
     proof=by(differentiating_integral(_slope_of_f, sine_to_the_middle)),
-    where=Place(display=53),
+    where=display(53),
     note="On [ε₀, π/2] the integrand is smooth in ψ and γ; that F itself converges is not enough.",
 )
 
 slope_of_turn = Claim(
-    label="slope_of_turn",
     says=equal(_slope, _primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
     given=(*shape, *defect),
     proof=(
@@ -275,16 +244,13 @@ slope_of_turn = Claim(
             substituting(derivative_under_the_integral),
         ),
         step(
-            None,
-            integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle),
-            trigonometry,
+            None, integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle), trigonometry
         ),
     ),
-    where=Place(display=55),
+    where=display(55),
 )
 
 turn_symbol = Claim(
-    label="turn_symbol",
     says=equal(F_gamma, _slope),
     given=(*shape, *defect),
     proof=Definition(claims=(sine_to_the_middle,)),
@@ -292,7 +258,6 @@ turn_symbol = Claim(
 )
 
 implicit_defect = Claim(
-    label="implicit_defect",
     says=equal(defect_gamma, -_slope / Derivative(_turn(Integer(0)), epsilon)),
     given=(*shape, b < 1, *defect, S > 0),
     proof=ImplicitFunction(
@@ -309,7 +274,7 @@ implicit_defect = Claim(
         ),
         bounds=(sine_to_the_middle,),
     ),
-    where=Place(display=50),
+    where=display(50),
     note="∂ε/∂γ at γ = 0, where F(ε(γ), γ) = π; the sign S is 1 there.",
 )
 
@@ -323,11 +288,10 @@ implicit_derivative = Claim(
         ),
         step(None, substituting(inverse_of_slope)),
     ),
-    where=Place(display=50),
+    where=display(50),
 )
 
 S_drops_out = Claim(
-    label="S_drops_out",
     says=equal(
         printed.defect_per_turn(epsilon, a, b, S, sympy)
         * printed.turn_slope_asymptotic(epsilon, a, b, S, sympy),
@@ -336,5 +300,7 @@ S_drops_out = Claim(
     ),
     given=(*shape, b < 1, *defect, cos(theta) ** 2 > 0),
     proof=by(substituting(sign_of_tilt), roots),
-    where=Place(line=417),
+    where=line(417),
 )
+
+label_claims(globals())

@@ -60,28 +60,22 @@ half_time = (chi > 0, chi < pi, sin(chi) > 0)
 _share = (a + b) * (b + gamma) * sin(x) ** 2 / _here.Q
 
 clock_quickens = Claim(
-    label="clock_quickens",
     says=_share >= 0,
-    kind="bound",
     given=oscillating,
-    proof=(step(_share),),
+    proof=manifest,
     note="b cos²ψ on the curve, by which 1 − b sin²ψ is above 1 − b.",
 )
 
 clock_runs = Claim(
-    label="clock_runs",
     says=1 - b * sin(_here.flip) ** 2 > 0,
-    kind="bound",
     given=(*oscillating, b < 1),
-    proof=(step((1 - b) + _share, trigonometry),),
+    proof=manifest,
 )
 
 handle_tilts = Claim(
-    label="handle_tilts",
     says=1 - cos(_here.tilt) ** 2 > 0,
-    kind="bound",
     given=oscillating,
-    proof=(step(_here.Q / (a + b), trigonometry),),
+    proof=manifest,
     note="sin²θ on the curve: the handle is never along M.",
 )
 
@@ -89,7 +83,6 @@ _rates = printed.planar_rates(_here.tilt, _here.flip, a, b, sympy)
 _solving = by(differentiation, trigonometry, roots)
 
 unfolded_motion = Claim(
-    label="unfolded_motion",
     says=Tuple(
         equal(Derivative(_here.tilt, x), -_here.rate * _rates[0]),
         equal(Derivative(_here.flip, x), -_here.rate * _rates[1]),
@@ -103,31 +96,21 @@ unfolded_motion = Claim(
 before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
 
 tilt_before_the_turn = Claim(
-    label="tilt_before_the_turn",
-    says=cos(x) > 0,
-    kind="bound",
-    given=(*before_the_turn, x >= 0, x <= chi),
-    proof=(step(cos(x)),),
+    says=cos(x) > 0, given=(*before_the_turn, x >= 0, x <= chi), proof=manifest
 )
 
 _tilted = (a - gamma) * (b + gamma) * cos(x) ** 2 / _here.Q
 
 flip_before_the_turn = Claim(
-    label="flip_before_the_turn",
     says=Tuple(a + b * sin(_here.flip) ** 2 > 0, gamma + b * sin(_here.flip) ** 2 > 0),
-    kind="bound",
     given=(*before_the_turn, x >= 0, x <= chi),
-    proof=together(
-        (step((a + b) * (a - gamma) / _here.Q, trigonometry),),
-        (step(_tilted, trigonometry),),
-    ),
+    proof=manifest,
 )
 
 phase = Integral(_here.rate, (x, 0, chi))
 """Φ(χ, γ), the precession from χ to ψ = π/2."""
 
 unfolded_turn = Claim(
-    label="unfolded_turn",
     says=equal(
         Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, _end.flip, pi / 2)), phase
     ),
@@ -144,28 +127,20 @@ def _phase(level: Expr, end: Expr = chi) -> Integral:
 _phase_by_depth = Subs(Derivative(_phase(c), c), c, gamma)
 
 phase_slopes = Claim(
-    label="phase_slopes",
-    says=Tuple(
-        equal(Phi_chi, Derivative(_phase(gamma), chi)),
-        equal(Phi_gamma, _phase_by_depth),
-    ),
+    says=Tuple(equal(Phi_chi, Derivative(_phase(gamma), chi)), equal(Phi_gamma, _phase_by_depth)),
     given=(*shape, gamma < 0),
     proof=Definition(),
     note="∂Φ/∂χ and ∂Φ/∂γ.",
 )
 
 phase_rises_in_time = Claim(
-    label="phase_rises_in_time",
     says=Phi_chi > 0,
-    kind="bound",
     given=(*oscillating, *half_time),
     proof=(step(_end.rate, substituting(phase_slopes), differentiating_integral(Integer(0))),),
 )
 
 phase_rises_in_gamma = Claim(
-    label="phase_rises_in_gamma",
     says=Phi_gamma > 0,
-    kind="bound",
     given=(*oscillating, *half_time),
     proof=(
         step(
@@ -177,7 +152,6 @@ phase_rises_in_gamma = Claim(
 )
 
 half_a_turn_before = Claim(
-    label="half_a_turn_before",
     says=equal(_phase(c), pi),
     given=(*shape, c > -b, c < 0, *half_time),
     proof=Definition(assumes="half a turn of the handle, at the time chi before psi = pi/2"),
@@ -185,7 +159,6 @@ half_a_turn_before = Claim(
 )
 
 unfolded_slope = Claim(
-    label="unfolded_slope",
     says=equal(chi_rate, -_phase_by_depth / Derivative(_phase(gamma), chi)),
     given=(*oscillating, *half_time),
     proof=ImplicitFunction(
@@ -198,9 +171,7 @@ unfolded_slope = Claim(
 )
 
 unfolded_decrease = Claim(
-    label="unfolded_decrease",
     says=chi_rate < 0,
-    kind="bound",
     given=(*oscillating, *half_time),
     proof=(
         step(
@@ -225,10 +196,9 @@ _slopes_of_flip = Tuple(
 )
 
 flip_slopes = Claim(
-    label="flip_slopes",
     says=_slopes_of_flip,
     given=oscillating,
-    proof=together(*(by(differentiation, trigonometry, roots) for _ in range(2))),
+    proof=by(differentiation, trigonometry, roots),
     note="ε by γ at fixed χ, and by χ.",
 )
 
@@ -240,38 +210,25 @@ turned = (*oscillating, chi >= pi / 2, chi < pi, sin(chi) > 0, cos(chi) <= 0, ch
 _by_level, _by_time = (-part.rhs for part in _slopes_of_flip.args)
 
 turned_decrease = Claim(
-    label="turned_decrease",
     says=_total < 0,
-    kind="bound",
     given=turned,
-    proof=(
-        step(
-            _by_level + _by_time * chi_rate,
-            differentiation,
-            trigonometry,
-            roots,
-            citing(unfolded_decrease),
-        ),
-    ),
+    proof=by(differentiation, citing(unfolded_decrease)),
 )
 
 beyond_right_angle = Claim(
-    label="beyond_right_angle",
     says=_end.flip - pi / 2 > 0,
-    kind="bound",
     given=(*oscillating, sin(chi) < 0),
-    proof=(step(-atan(sqrt(a + b) * sqrt(b + gamma) * sin(chi) / sqrt(_end.R))),),
+    proof=manifest,
 )
 
 _steep = 1 / (2 * sqrt(-gamma) * sqrt(b + gamma))
 
 slope_at_turns = Claim(
-    label="slope_at_turns",
     says=Tuple(
         equal(at(_total, {chi: pi / 2}), -_steep), equal(at(_total, {chi: 3 * pi / 2}), _steep)
     ),
     given=oscillating,
-    proof=together(*(by(differentiation, trigonometry, roots) for _ in range(2))),
+    proof=by(differentiation, trigonometry, roots),
 )
 
 # -- near the bottom ------------------------------------------------------------------------------
@@ -279,7 +236,6 @@ slope_at_turns = Claim(
 _slow = pi * (1 - b) / sqrt(b * (a + b))
 
 phase_at_bottom = Claim(
-    label="phase_at_bottom",
     says=equal(_phase(-b, pi), _slow),
     given=shape,
     proof=(
@@ -289,36 +245,22 @@ phase_at_bottom = Claim(
 )
 
 body_stays_below = Claim(
-    label="body_stays_below",
     says=_slow - pi >= 0,
-    kind="bound",
     given=(*shape, 1 - b * (a + 2) >= 0),
-    proof=(
-        step(
-            pi * (1 - b * (a + 2)) / (sqrt(b * (a + b)) * ((1 - b) + sqrt(b * (a + b)))),
-            roots,
-        ),
-    ),
+    proof=manifest,
 )
 
 others_do_not = Claim(
-    label="others_do_not",
     says=_slow - pi < 0,
-    kind="bound",
     given=(*shape, b * (a + 2) - 1 > 0),
-    proof=(
-        step(
-            pi * (b * (a + 2) - 1) / (sqrt(b * (a + b)) * ((1 - b) + sqrt(b * (a + b)))),
-            roots,
-        ),
-    ),
+    proof=manifest,
 )
 
 near_right_angle = Claim(
-    label="near_right_angle",
     says=(b + gamma) / -gamma - tan(pi / 2 - _end.flip) ** 2 >= 0,
-    kind="bound",
     given=oscillating,
-    proof=(step(b * (a - gamma) * (b + gamma) * cos(chi) ** 2 / (-gamma * _end.R), trigonometry),),
+    proof=manifest,
     note="ε(γ) lies between the turning points, and tends to π/2 as γ tends to −b.",
 )
+
+label_claims(globals())

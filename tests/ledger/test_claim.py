@@ -5,25 +5,36 @@ from __future__ import annotations
 from dataclasses import FrozenInstanceError
 
 import pytest
-from sympy import Derivative, Integer, Subs, Symbol, Tuple, sin
+from flint import arb, fmpq
+from sympy import Derivative, Integer, Ne, Subs, Symbol, Tuple, cos, sin
 
 from tresym.ledger.claim import (
     Claim,
+    Counterexample,
     Definition,
     ImplicitFunction,
+    Place,
+    Printed,
     UniqueRoot,
     all_of,
     at,
     by,
+    display,
     equal,
     equations,
     formally,
+    label_claims,
+    line,
     parts_of,
     step,
     together,
 )
+from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import Premise
+from tresym.ledger.judge import judge
 from tresym.ledger.reasons import algebra, citing, substituting
+from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 x, y = (Symbol(name, real=True) for name in "xy")
@@ -39,10 +50,10 @@ RESTS = [
     (by(substituting(A, B), citing(A)), [A, B]),
     ((step(x, substituting(B)), step(y, citing(A))), [B, A]),
     (together(by(substituting(A)), by(citing(B))), [A, B]),
-    (UniqueRoot(x, x, Integer(0), y, by(citing(A)), by(citing(B)), by(citing(C))), [A, B, C]),
+    (UniqueRoot(by(citing(A)), by(citing(B)), by(citing(C))), [A, B, C]),
     (ImplicitFunction(A, x, y, Integer(0), by(citing(C)), (B,)), [A, B, C]),
     (all_of(A, B), [A, B]),
-    (formally(x > 0, using=(A,)), [A]),
+    (formally(A), [A]),
     (Definition(), []),
 ]
 
@@ -50,6 +61,56 @@ RESTS = [
 @pytest.mark.parametrize(("proof", "uses"), RESTS, ids=[type(p).__name__ for p, _ in RESTS])
 def test_every_kind_of_evidence_names_what_it_uses(proof: object, uses: list[Claim]) -> None:
     assert list(named("E", proof).uses) == uses
+
+
+KINDS = [
+    (equal(x, y), by(), "identity", Verdict.PROVED),
+    (Tuple(x < y, equal(x, y)), together(by(), by()), "identity", Verdict.PROVED),
+    (Tuple(x < y, y >= x), together(by(), by()), "bound", Verdict.PROVED),
+    (x > y, by(), "bound", Verdict.PROVED),
+    (Ne(x, y), by(), "identity", Verdict.PROVED),
+    ("x is y", all_of(A, B), "statement", Premise.DEFINED),
+    ("x is y", all_of(A, named("E", by())), "statement", Verdict.PROVED),
+    ("x is y", all_of(), "statement", Verdict.PROVED),
+    ("x is y", formally(), "statement", Verdict.PROVED),
+    ("x is 1", Printed("1", lambda m: arb(1)), "number", Verdict.ENCLOSED),
+    ("x is 1", Boxes((), (), ""), "bound", Verdict.ENCLOSED),
+    (x > y, Boxes((), (), ""), "bound", Verdict.ENCLOSED),
+    (equal(x, y), Boxes((), (), ""), "bound", Verdict.ENCLOSED),
+    (equal(x, y), Asymptotics(Order("O", sin, cos), ""), "order", Verdict.ENCLOSED),
+    ("x is y", Counterexample({"x": fmpq(1)}), "statement", Verdict.REFUTED),
+    ("x is y", Denied((A,), {"x": fmpq(1)}), "statement", Verdict.REFUTED),
+    (equal(x, y), Definition("a law"), "definition", Premise.ASSUMED),
+]
+
+
+@pytest.mark.parametrize(("says", "proof", "kind", "expect"), KINDS)
+def test_kind_and_expectation_are_read_off(
+    says: object, proof: object, kind: str, expect: object
+) -> None:
+    claim = Claim("F", says, proof)
+    assert (claim.kind, claim.expect) == (kind, expect)
+    other = Claim("F", says, proof, kind="limit", expect=Verdict.UNDECIDED)
+    if kind != "definition":
+        assert (other.kind, other.expect) == ("limit", Verdict.UNDECIDED)
+        assert all_of(other, A).expect is Verdict.UNDECIDED
+
+
+def test_a_part_labels_the_claims_that_it_names() -> None:
+    nameless, other = (Claim(says=equal(x, side), proof=by()) for side in (y, x))
+    with pytest.raises(ValueError, match="without a label"):
+        hash(nameless)
+    label_claims({"first": nameless, "x": x, "second": nameless, "A": other, "B": A})
+    assert (nameless.label, other.label, A.label) == ("first", "A", "A")
+    assert {nameless} == {nameless}
+
+
+def test_an_empty_claim_shows_nothing() -> None:
+    assert judge(Claim("empty"), {}).verdict is Verdict.UNDECIDED
+
+
+def test_a_place_is_a_display_or_a_line() -> None:
+    assert (display(10), line(40)) == (Place(10, None, None), Place(None, 40, None))
 
 
 def test_foundations_come_first_and_once() -> None:

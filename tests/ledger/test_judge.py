@@ -1,17 +1,21 @@
 """Every checker of claims rejects the falsehoods planted for it."""
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from flint import arb
 from sympy import (
     Abs,
     Derivative,
+    Equivalent,
     Ge,
     Gt,
     Integer,
     Integral,
+    Le,
     Rational,
+    S,
     Subs,
     Symbol,
     Tuple,
@@ -38,6 +42,7 @@ from tresym.ledger.claim import (
     by,
     equal,
     formally,
+    manifest,
     step,
     together,
 )
@@ -58,6 +63,7 @@ from tresym.ledger.reasons import (
     substituting,
     trigonometry,
 )
+from tresym.ledger.statements import ExactlyOne, ForSome, Under
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.verdict import Verdict
 
@@ -157,6 +163,14 @@ def test_bounds_need_a_manifest_sign() -> None:
     assert verdict(claim(a**2 >= b**2, (step(a**2 - b**2),))) is Verdict.REFUTED
 
 
+def test_one_step_shows_each_part_of_a_system() -> None:
+    squares = Tuple(Ge(a**2 + 1, 2 * a), Gt(a**2 + 2, 2 * a), equal((a + b) * a, a**2 + a * b))
+    assert verdict(claim(squares, manifest)) is Verdict.PROVED
+    for false in (Gt(a**2 + 1, 3 * a), equal((a + b) ** 2, a**2 + b**2)):
+        assert verdict(claim(Tuple(*squares.args, false), manifest)) is Verdict.REFUTED
+        assert verdict(claim(Tuple(false, *squares.args), manifest)) is Verdict.REFUTED
+
+
 def test_a_cited_bound_counts_only_under_its_own_conditions() -> None:
     lemma = claim(a - b > 0, (step(a - b),), (a - b > 0, b > 0))
     held = {"planted": judge(lemma, {})}
@@ -208,8 +222,8 @@ def test_a_change_of_variable_needs_its_factor_and_its_limits() -> None:
 def root(function: object, slope: object, low: object, high: object, *given: object) -> Verdict:
     chain = (step(slope, differentiation, exponentials, trigonometry),)
     ends = [(step(function.subs(x, end), exponentials),) for end in (low, high)]
-    proof = UniqueRoot(x, function, Integer(low), Integer(high), chain, *ends)
-    return verdict(claim("one root", proof, given))
+    stated = ExactlyOne(x, low, high, equal(function, 0))
+    return verdict(claim(stated, UniqueRoot(chain, *ends), given))
 
 
 def test_unique_roots() -> None:
@@ -261,37 +275,55 @@ def test_conjunctions_are_as_strong_as_their_weakest_part() -> None:
 
 
 def test_counterexamples_must_satisfy_the_conditions() -> None:
-    inside = Counterexample({"x": parse_number("0.5")}, sin(x) > x / 2)
-    assert verdict(claim("sin x ≤ x/2", inside, (x > 0,))) is Verdict.REFUTED
-    outside = Counterexample({"x": parse_number("-0.5")}, sin(x) < x / 2)
-    assert verdict(claim("sin x ≥ x/2", outside, (x > 0,))) is Verdict.UNDECIDED
-    untrue = Counterexample({"x": parse_number("0.5")}, sin(x) > x)
-    assert verdict(claim("sin x ≤ x", untrue, (x > 0,))) is Verdict.UNDECIDED
+    inside, outside = (Counterexample({"x": parse_number(p)}) for p in ("0.5", "-0.5"))
+    assert verdict(claim(sin(x) <= x / 2, inside, (x > 0,))) is Verdict.REFUTED
+    assert verdict(claim(sin(x) >= x / 2, outside)) is Verdict.REFUTED
+    assert verdict(claim(sin(x) >= x / 2, outside, (x > 0,))) is Verdict.UNDECIDED
+    assert verdict(claim(sin(x) <= x, inside, (x > 0,))) is Verdict.UNDECIDED
+    assert verdict(claim("sin x ≤ x/2", inside, (x > 0,))) is Verdict.UNDECIDED
 
 
 def test_a_counterexample_must_be_one_to_a_formal_statement() -> None:
-    at_one = {"x": parse_number("1")}
-    beside = Counterexample(at_one, Gt(x**2, 0, evaluate=False))
+    at_one = Counterexample({"x": parse_number("1")})
     for says in (Ge(x**2, 0, evaluate=False), equal(x, x)):
-        assert verdict(claim(says, beside)) is Verdict.UNDECIDED
-    denied = Counterexample(at_one, x**2 < 2)
-    assert verdict(claim(x**2 > 2, denied)) is Verdict.REFUTED
+        assert verdict(claim(says, at_one)) is Verdict.UNDECIDED
+    assert verdict(claim(x**2 > 2, at_one)) is Verdict.REFUTED
+    assert verdict(claim(Tuple(equal(x, x), x**2 > 2), at_one)) is Verdict.REFUTED
+    assert verdict(claim(y > 2, at_one)) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("statement", [Under, lambda says, given: Equivalent(*given, says)])
+def test_what_a_point_denies_of_an_implication(statement: Any) -> None:
+    at_one = Counterexample({"x": parse_number("1")})
+    for held, verdict_there in ((equal(x**2, 1), Verdict.REFUTED), (x > 1, Verdict.UNDECIDED)):
+        says = statement(x < 0, Tuple(held))
+        assert verdict(claim(says, at_one)) is verdict_there
+    assert verdict(claim(statement(x > 0, Tuple(equal(x, 1))), at_one)) is Verdict.UNDECIDED
+
+
+def test_that_something_is_somewhere_is_denied_by_its_contrary_everywhere() -> None:
+    nowhere = claim(ForSome(Le(x**2 + 1, 0, evaluate=False)), formally())
+    assert judge(nowhere, {}).verdict is Verdict.REFUTED
+    for says in (ForSome(x**2 <= 0), ForSome(x > 5), ForSome(ForSome(x > 5)), ForSome(S.false)):
+        assert verdict(claim(says, formally())) is Verdict.UNDECIDED
+    assert verdict(replace(nowhere, given=(x > 1, x < 0))) is Verdict.UNDECIDED
 
 
 def test_sentences_are_decided_as_written() -> None:
-    assert verdict(claim("…", formally(Gt(x**2, -1, evaluate=False)))) is Verdict.PROVED
-    assert verdict(claim("…", formally(x**2 > x))) is Verdict.REFUTED
-    assert verdict(claim("…", formally(x**2 > 0), (x > 0,))) is Verdict.PROVED
-    assert verdict(claim("…", formally(equal(sqrt(x**2), x)), (x > 0,))) is Verdict.PROVED
+    assert verdict(claim(Gt(x**2, -1, evaluate=False), formally())) is Verdict.PROVED
+    assert verdict(claim(x**2 > x, formally())) is Verdict.REFUTED
+    assert verdict(claim(x**2 > 0, formally(), (x > 0,))) is Verdict.PROVED
+    assert verdict(claim(equal(sqrt(x**2), x), formally(), (x > 0,))) is Verdict.PROVED
+    assert verdict(claim("x² > x", formally())) is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize("n", range(3))
 def test_a_sentence_needs_each_of_its_relations(n: int) -> None:
     true = [Gt(x**2 + k, -1, evaluate=False) for k in range(3)]
-    assert verdict(claim("…", formally(*true))) is Verdict.PROVED
-    for false in (equal(x, Integer(1)), x**2 > x):
-        parts = [*true[:n], false, *true[n + 1 :]]
-        assert not verdict(claim("…", formally(*parts))).holds
+    assert verdict(claim(Tuple(*true), formally())) is Verdict.PROVED
+    for wrong in (equal(x, Integer(1)), x**2 > x):
+        parts = [*true[:n], wrong, *true[n + 1 :]]
+        assert not verdict(claim(Tuple(*parts), formally())).holds
 
 
 def test_systems_need_a_chain_for_every_part() -> None:
@@ -345,14 +377,14 @@ def test_an_equation_is_put_in_only_under_its_own_conditions() -> None:
     assert not judge(Claim("user", says, by(substituting(lemma))), held).verdict.holds
     user = Claim("user", says, by(substituting(lemma)), given=(x > 2,))
     assert judge(user, held).verdict is Verdict.PROVED
-    sentence = Claim("sentence", "√x² = x", formally(says, using=(lemma,)))
+    sentence = Claim("sentence", "√x² = x", formally(lemma), means=says)
     assert not judge(sentence, held).verdict.holds
 
 
 def test_the_conditions_of_what_is_used_are_in_the_finding() -> None:
     root = Claim("root", equal(sqrt(a**2), a), by(roots), given=(a > 0, b > 0))
     user = Claim("user", equal(sqrt(a**2), a), by(substituting(root)), given=(a > 1, b > 1))
-    said = Claim("said", "…", formally(equal(sqrt(a**2), a), using=(root,)), given=(a > 1, b > 1))
+    said = Claim("said", equal(sqrt(a**2), a), formally(root), given=(a > 1, b > 1))
     found: dict[str, Finding] = {}
     for c in (root, user, said):
         found[c.label] = judge(c, found)
@@ -404,7 +436,7 @@ def test_nothing_is_proved_by_nothing() -> None:
     assert verdict(claim(Equivalent(equal(x, 1), equal(x, 2)), ())) is not Verdict.PROVED
     assert verdict(claim(Tuple(), together())) is Verdict.UNDECIDED
     assert verdict(claim("nothing", all_of())) is Verdict.UNDECIDED
-    assert verdict(claim("nothing", formally())) is Verdict.UNDECIDED
+    assert verdict(claim(Tuple(), formally())) is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize(
@@ -459,8 +491,8 @@ def test_coefficients_of_any_size_are_answered() -> None:
 
 def test_the_sign_of_zero_is_not_one() -> None:
     assert verdict(claim(equal(sign(x), 1), by(*EVERYTHING), (x >= 0,))) is not Verdict.PROVED
-    assert verdict(claim("…", formally(equal(sign(x) ** 2, 1)))) is not Verdict.PROVED
-    assert verdict(claim("…", formally(equal(sign(x) ** 2, 1)), (x < 0,))) is Verdict.PROVED
+    assert verdict(claim(equal(sign(x) ** 2, 1), formally())) is not Verdict.PROVED
+    assert verdict(claim(equal(sign(x) ** 2, 1), formally(), (x < 0,))) is Verdict.PROVED
 
 
 def test_only_inequalities_are_cited() -> None:
@@ -538,7 +570,7 @@ def test_a_stored_proof_that_does_not_hold_leaves_its_claim_undecided() -> None:
 def test_a_definition_that_contradicts_a_condition_proves_nothing() -> None:
     nought = Claim("nought", equal(x, 0), Definition())
     held = {"nought": judge(nought, {})}
-    for proof in (by(substituting(nought)), formally(equal(1 / x, 2), using=(nought,))):
+    for proof in (by(substituting(nought)), formally(nought)):
         user = Claim("user", equal(1 / x, 2), proof, given=(x > 0,))
         assert not judge(user, held).verdict.holds
 
@@ -560,7 +592,7 @@ def test_what_a_claim_rests_on_is_shown_whether_spoken_of_or_not() -> None:
     assert held["other"].verdict is Verdict.PROVED
     for proof in (
         by(substituting(other), substituting(hidden)),
-        formally(equal(sqrt(y**2), y), using=(other, hidden)),
+        formally(other, hidden),
     ):
         says = equal(sqrt(y**2), y)
         assert not judge(Claim("up", says, proof, given=(y < 0,)), held).verdict.holds
@@ -579,10 +611,25 @@ def test_a_condition_against_a_definition_or_a_cited_bound_proves_nothing() -> N
     third = Claim("third", equal(y, x + 1), by(substituting(half)))
     held["third"] = Finding(Verdict.PROVED, "assumed")
     third = replace(third, says=equal(y, Rational(3, 2)))
-    sentence = formally(Gt(y + x, 6, evaluate=False), using=(third,))
-    assert not judge(Claim("…", "…", sentence, given=(x > 5,)), held).verdict.holds
+    says = Gt(y + x, 6, evaluate=False)
+    assert not judge(Claim("…", says, formally(third), given=(x > 5,)), held).verdict.holds
     chain = (step(3 * x**2 + a, differentiation),)
     ends = [(step((x**3 + a * x - a).subs(x, end)),) for end in (0, 1)]
-    root = UniqueRoot(x, x**3 + a * x - a, Integer(0), Integer(1), chain, *ends)
-    assert verdict(claim("one root", root, (a > 0,))) is Verdict.PROVED
-    assert not verdict(claim("one root", root, (a > 0, a < 0))).holds
+    root, says = UniqueRoot(chain, *ends), ExactlyOne(x, 0, 1, equal(x**3 + a * x, a))
+    assert verdict(claim(says, root, (a > 0,))) is Verdict.PROVED
+    assert not verdict(claim(says, root, (a > 0, a < 0))).holds
+    assert not verdict(claim("one root", root, (a > 0,))).holds
+    for other in (equal(x**3 + a * x, a), ExactlyOne(x, 0, 1, x**3 + a * x > a)):
+        assert verdict(claim(other, root, (a > 0,))) is Verdict.UNDECIDED
+
+
+def test_the_ends_do_not_depend_on_the_unknown() -> None:
+    """Nothing is between x − 1 and x + 1 but for some x: the name would be caught."""
+    chain, ends = (step(Integer(1), differentiation),), [(step(Integer(n)),) for n in (-1, 1)]
+    root = UniqueRoot(chain, *ends)
+    assert verdict(claim(ExactlyOne(y, -1, 1, equal(y, 0)), root)) is Verdict.PROVED
+    caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, y)), root)
+    assert verdict(caught) is Verdict.UNDECIDED
+    ends = [(step(y - 1),), (step(y + 1),)]
+    caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, 0)), UniqueRoot(chain, *ends))
+    assert "the ends depend" in judge(caught, {}).why

@@ -22,6 +22,7 @@ from tresym.ledger.claim import (
     Step,
     Together,
     UniqueRoot,
+    chains_of,
     equal,
     parts_of,
 )
@@ -75,21 +76,19 @@ def test_a_claim_is_listed_where_it_is_stated() -> None:
 def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
     """The chains of a claim with what each must show."""
     proof = claim.proof
-    if isinstance(proof, Together):
-        return list(zip(claim.says.args, proof.chains, strict=True))
     if isinstance(proof, UniqueRoot):
-        slope = proof.function.diff(proof.variable, evaluate=False)
+        slope = sympy.Derivative(claim.statement.difference, claim.statement.variable)
         return [(equal(slope, proof.derivative[-1].expression), proof.derivative)]
     if isinstance(proof, ImplicitFunction):
         left = proof.equation.says.lhs.xreplace({proof.parameter: proof.at})
         slope = sympy.Derivative(left, proof.unknown)
         return [(equal(slope, proof.slope[-1].expression), proof.slope)]
-    return [(claim.says, proof)] if isinstance(proof, tuple) else []
+    return list(chains_of(claim.statement, proof)) if isinstance(proof, tuple | Together) else []
 
 
 def conditions(claim: Claim) -> Conditions:
     if isinstance(claim.proof, UniqueRoot):
-        return relations((*claim.given, claim.proof.variable > 0))
+        return relations((*claim.given, claim.statement.variable > 0))
     return relations(claim.given)
 
 

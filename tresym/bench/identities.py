@@ -34,7 +34,7 @@ from tresym.bench.run import (
     interleave,
 )
 from tresym.ledger import paper
-from tresym.ledger.claim import Chain, Claim, Together, parts_of
+from tresym.ledger.claim import Chain, Claim, Together, chains_of
 from tresym.ledger.evidence.manifest import manifest_sign
 from tresym.ledger.meaning import conditions, known, tree
 from tresym.ledger.mutants.changes import mutations
@@ -125,12 +125,9 @@ def identities() -> Iterator[Identity]:
 
 def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:
     """The chains of a claim between numbers, with what each shows."""
-    pairs: Any = ()
-    if isinstance(claim.proof, tuple):
-        pairs = [(claim.says, claim.proof)]
-    elif isinstance(claim.proof, Together):
-        pairs = zip(parts_of(claim.says), claim.proof.chains, strict=True)
-    for says, chain in pairs:
+    proof: Any = claim.proof
+    pairs: Any = chains_of(claim.says, proof) if isinstance(proof, tuple | Together) else None
+    for says, chain in pairs or ():
         if isinstance(says, sympy.Eq) and chain and not says.has(sympy.MatrixBase):
             yield says, chain
 

@@ -439,7 +439,7 @@ Ltac nonzero :=
               | |- / _ <> 0 => apply Rinv_neq_0_compat; nonzero
               end
             | same_nonzero
-            | apply Rgt_not_eq; positive ]
+            | apply Rgt_not_eq, Rlt_gt; positive ]
   | |- True => exact I
   end.
 Ltac side := cbv beta; first [assumption | lra | nonzero | positive].
@@ -573,39 +573,636 @@ Ltac numeric :=
       | |- _ = _ => first [field; lra | base_value]
       end ].
 
-(* One-to-one functions, for equations of which both sides are put into one. *)
+(* Integrals: each rule with the conditions under which it holds. *)
 
-Section Injective.
-Variable f : R -> R.
-Hypothesis increasing : forall x y, x < y -> f x < f y.
-Lemma injective x y : f x = f y -> x = y.
+(* An equation of integrals is one of real numbers. *)
+Ltac over_reals := match goal with |- @eq _ ?x ?y => change (@eq R x y) end.
+
+Section Integrals.
+Implicit Types (f g h dg F : R -> R) (a b c d u v x y : R).
+
+Definition continuous_on (f : R -> R) (a b : R) : Prop :=
+  forall x, Rmin a b <= x <= Rmax a b -> continuous f x.
+
+Lemma on_interval (P : R -> Prop) a b : a <= b ->
+  (forall x, a <= x <= b -> P x) -> forall x, Rmin a b <= x <= Rmax a b -> P x.
+Proof. intros H D x; rewrite Rmin_left, Rmax_right by exact H; apply D. Qed.
+Lemma continuous_derive (f : R -> R) (df x : R) : is_derive f x df -> continuous f x.
+Proof. intros H; apply (ex_derive_continuous f); now exists df. Qed.
+Lemma continuous_part f a b c d :
+  Rmin a b <= Rmin c d -> Rmax c d <= Rmax a b -> continuous_on f a b -> continuous_on f c d.
+Proof. intros L U C x X; apply C; lra. Qed.
+
+Lemma integral_exists f a b : continuous_on f a b -> ex_RInt f a b.
+Proof. intros C; apply (ex_RInt_continuous f); exact C. Qed.
+Lemma integral_correct f a b : continuous_on f a b -> is_RInt f a b (RInt f a b).
+Proof. intros C; now apply (RInt_correct f), integral_exists. Qed.
+Lemma integral_value f a b v : is_RInt f a b v -> RInt f a b = v.
+Proof. exact (is_RInt_unique f a b v). Qed.
+Lemma integral_point f a : RInt f a a = 0.
+Proof. exact (RInt_point a f). Qed.
+Lemma integral_flip f a b : continuous_on f a b -> RInt f b a = - RInt f a b.
+Proof.
+  intros C; apply (is_RInt_unique f b a (- RInt f a b)), (is_RInt_swap f b a), integral_correct, C.
+Qed.
+
+(* Under a binder: the two integrands agree strictly inside. *)
+Lemma integral_under f g a b :
+  (forall x, Rmin a b < x < Rmax a b -> f x = g x) -> RInt f a b = RInt g a b.
+Proof. exact (RInt_ext f g a b). Qed.
+
+Lemma continuous_hull f a b c : continuous_on f a b -> continuous_on f b c -> continuous_on f a c.
+Proof.
+  intros L U x X; unfold Rmin, Rmax in X; destruct (Rle_dec a c).
+  - destruct (Rle_or_lt x b).
+    + apply L; unfold Rmin, Rmax; destruct (Rle_dec a b); lra.
+    + apply U; unfold Rmin, Rmax; destruct (Rle_dec b c); lra.
+  - destruct (Rle_or_lt x b).
+    + apply U; unfold Rmin, Rmax; destruct (Rle_dec b c); lra.
+    + apply L; unfold Rmin, Rmax; destruct (Rle_dec a b); lra.
+Qed.
+Lemma integral_cut f a b c : continuous_on f a b -> continuous_on f b c ->
+  RInt f a c = RInt f a b + RInt f b c.
+Proof. intros L U; symmetry; apply (RInt_Chasles f); now apply integral_exists. Qed.
+
+Lemma integral_plus f g a b : continuous_on f a b -> continuous_on g a b ->
+  RInt (fun x => f x + g x) a b = RInt f a b + RInt g a b.
+Proof. intros F G; apply (RInt_plus f g); now apply integral_exists. Qed.
+Lemma integral_minus f g a b : continuous_on f a b -> continuous_on g a b ->
+  RInt (fun x => f x - g x) a b = RInt f a b - RInt g a b.
+Proof. intros F G; apply (RInt_minus f g); now apply integral_exists. Qed.
+Lemma integral_scale c f a b : continuous_on f a b ->
+  RInt (fun x => c * f x) a b = c * RInt f a b.
+Proof. intros F; apply (RInt_scal f a b c); now apply integral_exists. Qed.
+Lemma integral_opp f a b : continuous_on f a b -> RInt (fun x => - f x) a b = - RInt f a b.
+Proof. intros F; apply (RInt_opp f); now apply integral_exists. Qed.
+Lemma integral_const c a b : RInt (fun _ => c) a b = (b - a) * c.
+Proof. exact (RInt_const a b c). Qed.
+
+(* A new variable x = g(u). *)
+Lemma integral_new_variable f g dg a b :
+  (forall u, Rmin a b <= u <= Rmax a b -> is_derive g u (dg u)) ->
+  continuous_on dg a b -> (forall u, Rmin a b <= u <= Rmax a b -> continuous f (g u)) ->
+  RInt f (g a) (g b) = RInt (fun u => f (g u) * dg u) a b.
+Proof.
+  intros D C F; rewrite <- (RInt_comp f g dg a b F).
+  - apply RInt_ext; intros; unfold scal; simpl; unfold mult; simpl; ring.
+  - intros u U; split; [now apply D | now apply C].
+Qed.
+
+(* The fundamental theorem: the antiderivative is continuous on the closed interval and has the
+   integrand for its derivative strictly inside. *)
+Lemma constant_inside h a b : a < b -> (forall x, a <= x <= b -> continuous h x) ->
+  (forall x, a < x < b -> is_derive h x 0) -> h b = h a.
+Proof.
+  intros H C D; destruct (MVT_gen h a b (fun _ => 0)) as [c [_ E]].
+  - rewrite Rmin_left, Rmax_right by lra; exact D.
+  - rewrite Rmin_left, Rmax_right by lra; intros x X.
+    now apply continuity_pt_filterlim, C.
+  - lra.
+Qed.
+
+(* f on [a, b], and its values at the ends beyond them. *)
+Definition beyond (f : R -> R) (a b : R) : R -> R := extension_C0 f a b.
+Lemma beyond_inside f a b x : a <= x <= b -> beyond f a b x = f x.
+Proof. intros X; apply (extension_C0_ext f); simpl; lra. Qed.
+Lemma beyond_continuous f a b : a <= b -> (forall x, a <= x <= b -> continuous f x) ->
+  forall x, continuous (beyond f a b) x.
+Proof.
+  intros H C; apply (extension_C0_continuous f a b); simpl; [exact H |].
+  intros x L U; apply C; split; [exact L | exact U].
+Qed.
+
+Lemma upper_end g a x : (forall t, continuous g t) -> is_derive (fun t => RInt g a t) x (g x).
+Proof.
+  intros C; apply (is_derive_RInt g (fun t => RInt g a t) a x); [| apply C].
+  apply filter_forall; intros y; apply integral_correct; intros z _; apply C.
+Qed.
+
+Lemma fundamental_up f F a b : a <= b -> (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a <= x <= b -> continuous F x) -> (forall x, a < x < b -> is_derive F x (f x)) ->
+  RInt f a b = F b - F a.
+Proof.
+  intros [H|H] C CF D; [| subst; rewrite integral_point; over_reals; ring].
+  assert (G := beyond_continuous f a b (Rlt_le _ _ H) C).
+  rewrite (RInt_ext f (beyond f a b)).
+  2: { rewrite Rmin_left, Rmax_right by lra; intros; symmetry; apply beyond_inside; lra. }
+  assert (E : F b - RInt (beyond f a b) a b = F a - RInt (beyond f a b) a a).
+  { apply (constant_inside (fun x => F x - RInt (beyond f a b) a x)); [exact H | |].
+    - intros x X; apply (continuous_minus F (fun t => RInt (beyond f a b) a t));
+        [now apply CF |].
+      exact (continuous_derive _ _ _ (upper_end (beyond f a b) a x G)).
+    - intros x X; apply (d_eq _ _ (f x - beyond f a b x)).
+      + apply (d_minus F (fun t => RInt (beyond f a b) a t)); [now apply D | now apply upper_end].
+      + rewrite beyond_inside by lra; apply Rminus_diag_eq; reflexivity. }
+  rewrite integral_point in E; lra.
+Qed.
+Lemma fundamental f F a b : continuous_on f a b -> continuous_on F a b ->
+  (forall x, Rmin a b < x < Rmax a b -> is_derive F x (f x)) -> RInt f a b = F b - F a.
+Proof.
+  intros C CF D; destruct (Rle_or_lt a b) as [H|H].
+  - unfold continuous_on in *; rewrite Rmin_left, Rmax_right in * by lra.
+    now apply fundamental_up.
+  - assert (X : continuous_on f b a).
+    { intros x X; apply C; rewrite Rmin_comm, Rmax_comm; exact X. }
+    rewrite (integral_flip f b a X), (fundamental_up f F b a); [over_reals; ring | lra | | |];
+      unfold continuous_on in *; rewrite Rmin_right, Rmax_left in * by lra; assumption.
+Qed.
+Lemma fundamental_closed f F a b : continuous_on f a b ->
+  (forall x, Rmin a b <= x <= Rmax a b -> is_derive F x (f x)) -> RInt f a b = F b - F a.
+Proof.
+  intros C D; apply fundamental; [exact C | |].
+  - intros x X; exact (continuous_derive _ _ _ (D x X)).
+  - intros x X; apply D; lra.
+Qed.
+
+(* Comparison. *)
+Lemma integral_le f g a b : a <= b -> continuous_on f a b -> continuous_on g a b ->
+  (forall x, a < x < b -> f x <= g x) -> RInt f a b <= RInt g a b.
+Proof. intros H F G L; apply RInt_le; trivial; now apply integral_exists. Qed.
+Lemma integral_nonnegative f a b : a <= b -> continuous_on f a b ->
+  (forall x, a < x < b -> 0 <= f x) -> 0 <= RInt f a b.
+Proof. intros H C P; apply RInt_ge_0; [exact H | now apply integral_exists | exact P]. Qed.
+Lemma integral_positive f a b : a < b -> continuous_on f a b ->
+  (forall x, a < x < b -> 0 < f x) -> 0 < RInt f a b.
+Proof.
+  intros H C P; apply RInt_gt_0; [exact H | exact P |].
+  intros x X; apply C; rewrite Rmin_left, Rmax_right; lra.
+Qed.
+Lemma integral_lt f g a b : a < b -> continuous_on f a b -> continuous_on g a b ->
+  (forall x, a < x < b -> f x < g x) -> RInt f a b < RInt g a b.
+Proof.
+  intros H F G P; apply Rminus_gt_0_lt; rewrite <- integral_minus by assumption.
+  apply integral_positive; [exact H | |].
+  - intros x X; apply (continuous_minus g f); [now apply G | now apply F].
+  - intros x X; specialize (P x X); lra.
+Qed.
+
+(* Symmetry about the middle, and about 0. *)
+Lemma integral_mirror f a b : continuous_on f a b ->
+  RInt f a b = RInt (fun x => f (a + b - x)) a b.
+Proof.
+  intros C.
+  assert (E : RInt f b a = RInt (fun u => f (a + b - u) * -1) a b).
+  { pose proof (integral_new_variable f (fun u => a + b - u) (fun _ => -1) a b) as E.
+    cbv beta in E; replace (a + b - a) with b in E by ring.
+    replace (a + b - b) with a in E by ring; apply E.
+    - intros u _; apply (d_eq _ _ (0 - 1)); [| ring].
+      apply (d_minus (fun _ => a + b) (fun u => u)); [apply d_const | apply d_id].
+    - intros u _; apply continuous_const.
+    - intros u U; apply C; unfold Rmin, Rmax in *; destruct (Rle_dec a b); lra. }
+  rewrite (integral_flip f a b C) in E.
+  rewrite (RInt_ext (fun u => f (a + b - u) * -1) (fun u => - f (a + b - u))) in E
+    by (intros; over_reals; ring).
+  rewrite (integral_opp (fun u => f (a + b - u))) in E; [lra |].
+  intros x X; apply (continuous_comp (fun u => a + b - u) f).
+  - apply (continuous_minus (fun _ : R => a + b) (fun u => u)); [apply continuous_const |].
+    apply continuous_id.
+  - apply C; unfold Rmin, Rmax in *; destruct (Rle_dec a b); lra.
+Qed.
+Lemma integral_halves f a b : a <= b -> continuous_on f a b ->
+  (forall x, a <= x <= b -> f (a + b - x) = f x) -> RInt f a b = 2 * RInt f a ((a + b) / 2).
+Proof.
+  intros H C S; set (m := (a + b) / 2).
+  assert (L : continuous_on f a m).
+  { apply (continuous_part f a b); [| | exact C]; unfold m;
+    [rewrite !Rmin_left by lra | rewrite !Rmax_right by lra]; lra. }
+  assert (U : continuous_on f m b).
+  { apply (continuous_part f a b); [| | exact C]; unfold m;
+    [rewrite !Rmin_left by lra | rewrite !Rmax_right by lra]; lra. }
+  rewrite (integral_cut f a m b L U).
+  enough (E : RInt f m b = RInt f a m) by lra.
+  assert (V : continuous_on f b m).
+  { intros x X; apply U; rewrite Rmin_comm, Rmax_comm; exact X. }
+  assert (E : RInt f b m = RInt (fun u => f (a + b - u) * -1) a m).
+  { pose proof (integral_new_variable f (fun u => a + b - u) (fun _ => -1) a m) as E.
+    cbv beta in E; replace (a + b - a) with b in E by ring.
+    replace (a + b - m) with m in E by (unfold m; field); apply E.
+    - intros u _; apply (d_eq _ _ (0 - 1)); [| ring].
+      apply (d_minus (fun _ => a + b) (fun u => u)); [apply d_const | apply d_id].
+    - intros u _; apply continuous_const.
+    - intros u T; apply C; unfold m in T; rewrite Rmin_left, Rmax_right in * by lra; lra. }
+  rewrite (integral_flip f m b U) in E.
+  rewrite (RInt_ext (fun u => f (a + b - u) * -1) (fun u => - f u)) in E.
+  - rewrite (integral_opp f a m L) in E; lra.
+  - unfold m; rewrite Rmin_left, Rmax_right by lra; intros x X; rewrite S by lra; over_reals; ring.
+Qed.
+
+(* The derivative by an end. *)
+Lemma d_upper_end f a u v x : Rmin a x > u -> Rmax a x < v ->
+  (forall t, u < t < v -> continuous f t) -> is_derive (fun t => RInt f a t) x (f x).
+Proof.
+  intros L U C; pose proof (Rmin_l a x); pose proof (Rmin_r a x).
+  pose proof (Rmax_l a x); pose proof (Rmax_r a x).
+  apply (is_derive_RInt f (fun t => RInt f a t) a x); [| apply C; lra].
+  assert (P : 0 < Rmin (x - u) (v - x)) by (apply Rmin_pos; lra).
+  exists (mkposreal _ P); intros y Y; change (Rabs (y - x) < Rmin (x - u) (v - x)) in Y.
+  apply Rabs_def2 in Y; pose proof (Rmin_l (x - u) (v - x)); pose proof (Rmin_r (x - u) (v - x)).
+  apply integral_correct; intros z Z; apply C.
+  unfold Rmin, Rmax in Z; destruct (Rle_dec a y); lra.
+Qed.
+Lemma d_lower_end f b u v x : Rmin x b > u -> Rmax x b < v ->
+  (forall t, u < t < v -> continuous f t) -> is_derive (fun t => RInt f t b) x (- f x).
+Proof.
+  intros L U C; pose proof (Rmin_l x b); pose proof (Rmin_r x b).
+  pose proof (Rmax_l x b); pose proof (Rmax_r x b).
+  apply (is_derive_RInt' f (fun t => RInt f t b) x b); [| apply C; lra].
+  assert (P : 0 < Rmin (x - u) (v - x)) by (apply Rmin_pos; lra).
+  exists (mkposreal _ P); intros y Y; change (Rabs (y - x) < Rmin (x - u) (v - x)) in Y.
+  apply Rabs_def2 in Y; pose proof (Rmin_l (x - u) (v - x)); pose proof (Rmin_r (x - u) (v - x)).
+  apply integral_correct; intros z Z; apply C.
+  unfold Rmin, Rmax in Z; destruct (Rle_dec y b); lra.
+Qed.
+
+(* The derivative by a parameter: Leibniz's rule. *)
+Definition clamp (a b v : R) : R := Rmax (Rmin a b) (Rmin (Rmax a b) v).
+Lemma clamp_between a b v : Rmin a b <= clamp a b v <= Rmax a b.
+Proof.
+  unfold clamp; pose proof (Rmin_l a b); pose proof (Rmax_l a b); split; [apply Rmax_l |].
+  apply Rmax_lub; [lra | apply Rmin_l].
+Qed.
+Lemma clamp_inside a b v : Rmin a b <= v <= Rmax a b -> clamp a b v = v.
+Proof. intros [L U]; unfold clamp; rewrite (Rmin_right (Rmax a b)), Rmax_right; lra. Qed.
+Lemma clamp_near a b t v : Rmin a b <= t <= Rmax a b -> Rabs (clamp a b v - t) <= Rabs (v - t).
+Proof.
+  intros [L U]; unfold clamp; set (l := Rmin a b) in *; set (u := Rmax a b) in *.
+  unfold Rmin, Rmax, Rabs; repeat first [destruct (Rle_dec _ _) | destruct (Rcase_abs _)]; lra.
+Qed.
+
+Lemma leibniz (f df : R -> R -> R) a b (p p1 p2 : R) : p1 < p < p2 ->
+  (forall q t, p1 < q < p2 -> Rmin a b <= t <= Rmax a b -> is_derive (fun u => f u t) q (df q t)) ->
+  (forall t, Rmin a b <= t <= Rmax a b -> continuity_2d_pt df p t) ->
+  (forall q, p1 < q < p2 -> continuous_on (f q) a b) ->
+  is_derive (fun q => RInt (f q) a b) p (RInt (df p) a b).
+Proof.
+  intros P D C E.
+  pose (g := fun u v => f u (clamp a b v)).
+  assert (N : 0 < Rmin (p - p1) (p2 - p)) by (apply Rmin_pos; lra).
+  set (d := mkposreal _ N).
+  assert (near : forall q, Rabs (q - p) < d -> p1 < q < p2).
+  { intros q Q; change (Rabs (q - p) < Rmin (p - p1) (p2 - p)) in Q; apply Rabs_def2 in Q.
+    pose proof (Rmin_l (p - p1) (p2 - p)); pose proof (Rmin_r (p - p1) (p2 - p)); lra. }
+  assert (G : forall q v, p1 < q < p2 -> is_derive (fun u => g u v) q (df q (clamp a b v))).
+  { intros q v Q; apply D; [exact Q | apply clamp_between]. }
+  assert (same : forall q, RInt (f q) a b = RInt (g q) a b).
+  { intros q; apply RInt_ext; intros x X; unfold g; rewrite clamp_inside; [reflexivity | lra]. }
+  apply (is_derive_ext (fun q => RInt (g q) a b)); [intros q; symmetry; apply same |].
+  rewrite (RInt_ext (df p) (fun t => Derive (fun u => g u t) p)).
+  2: { intros x X; symmetry.
+       replace (df p x) with (df p (clamp a b x)) by (rewrite clamp_inside by lra; reflexivity).
+       apply is_derive_unique, G, P. }
+  apply (is_derive_RInt_param g a b p).
+  - exists d; intros q Q t T; exists (df q (clamp a b t)); apply G, near, Q.
+  - intros t T; apply (continuity_2d_pt_ext_loc (fun u v => df u (clamp a b v))).
+    + exists d; intros u v U V; symmetry; apply is_derive_unique, G, near, U.
+    + intros e; destruct (C t T e) as [r R]; exists r; intros u v U V.
+      rewrite (clamp_inside a b t) by exact T; apply R; [exact U |].
+      apply Rle_lt_trans with (2 := V), clamp_near, T.
+  - exists d; intros q Q; apply (ex_RInt_ext (f q)).
+    + intros x X; unfold g; rewrite clamp_inside; [reflexivity | lra].
+    + apply integral_exists, E, near, Q.
+Qed.
+
+(* By both ends and a parameter, all of it on an open rectangle. *)
+Lemma leibniz_ends (f df : R -> R -> R) (a b : R -> R) (da db p p1 p2 t1 t2 : R) : p1 < p < p2 ->
+  t1 < a p < t2 -> t1 < b p < t2 -> is_derive a p da -> is_derive b p db ->
+  (forall q t, p1 < q < p2 -> t1 < t < t2 -> is_derive (fun u => f u t) q (df q t)) ->
+  (forall q t, p1 < q < p2 -> t1 < t < t2 -> continuity_2d_pt df q t) ->
+  (forall q t, p1 < q < p2 -> t1 < t < t2 -> continuous (f q) t) ->
+  is_derive (fun q => RInt (f q) (a q) (b q)) p
+    (RInt (df p) (a p) (b p) + - f p (a p) * da + f p (b p) * db).
+Proof.
+  intros P A B DA DB D C E.
+  assert (N : 0 < Rmin (p - p1) (p2 - p)) by (apply Rmin_pos; lra).
+  assert (near : forall q, Rabs (q - p) < mkposreal _ N -> p1 < q < p2).
+  { intros q Q; change (Rabs (q - p) < Rmin (p - p1) (p2 - p)) in Q; apply Rabs_def2 in Q.
+    pose proof (Rmin_l (p - p1) (p2 - p)); pose proof (Rmin_r (p - p1) (p2 - p)); lra. }
+  assert (N2 : 0 < Rmin (Rmin (a p - t1) (t2 - a p)) (Rmin (b p - t1) (t2 - b p)) / 2).
+  { apply Rdiv_lt_0_compat; [| lra]; repeat apply Rmin_pos; lra. }
+  set (m := Rmin (Rmin (a p - t1) (t2 - a p)) (Rmin (b p - t1) (t2 - b p)) / 2) in *.
+  assert (M : t1 < a p - m /\ a p + m < t2 /\ t1 < b p - m /\ b p + m < t2).
+  { pose proof (Rmin_l (Rmin (a p - t1) (t2 - a p)) (Rmin (b p - t1) (t2 - b p))).
+    pose proof (Rmin_r (Rmin (a p - t1) (t2 - a p)) (Rmin (b p - t1) (t2 - b p))).
+    pose proof (Rmin_l (a p - t1) (t2 - a p)); pose proof (Rmin_r (a p - t1) (t2 - a p)).
+    pose proof (Rmin_l (b p - t1) (t2 - b p)); pose proof (Rmin_r (b p - t1) (t2 - b p)).
+    unfold m in *; lra. }
+  assert (inner : forall q c d t, p1 < q < p2 -> t1 < c < t2 -> t1 < d < t2 ->
+    Rmin c d <= t <= Rmax c d -> t1 < t < t2).
+  { intros q c d t _ X Y Z; unfold Rmin, Rmax in Z; destruct (Rle_dec c d); lra. }
+  assert (whole : forall q c d, p1 < q < p2 -> t1 < c < t2 -> t1 < d < t2 ->
+    ex_RInt (fun t => f q t) c d).
+  { intros q c d Q X Y; apply integral_exists; intros t T; apply E; [exact Q |].
+    now apply (inner q c d). }
+  assert (C' : forall q t, p1 < q < p2 -> t1 < t < t2 ->
+    continuity_2d_pt (fun u v => Derive (fun z => f z v) u) q t).
+  { intros q t Q T; apply (continuity_2d_pt_ext_loc df); [| now apply C].
+    assert (W : 0 < Rmin (Rmin (q - p1) (p2 - q)) (Rmin (t - t1) (t2 - t)))
+      by (repeat apply Rmin_pos; lra).
+    exists (mkposreal _ W); intros u v U V; symmetry; apply is_derive_unique.
+    change (Rabs (u - q) < Rmin (Rmin (q - p1) (p2 - q)) (Rmin (t - t1) (t2 - t))) in U.
+    change (Rabs (v - t) < Rmin (Rmin (q - p1) (p2 - q)) (Rmin (t - t1) (t2 - t))) in V.
+    apply Rabs_def2 in U; apply Rabs_def2 in V.
+    pose proof (Rmin_l (Rmin (q - p1) (p2 - q)) (Rmin (t - t1) (t2 - t))).
+    pose proof (Rmin_r (Rmin (q - p1) (p2 - q)) (Rmin (t - t1) (t2 - t))).
+    pose proof (Rmin_l (q - p1) (p2 - q)); pose proof (Rmin_r (q - p1) (p2 - q)).
+    pose proof (Rmin_l (t - t1) (t2 - t)); pose proof (Rmin_r (t - t1) (t2 - t)).
+    apply D; lra. }
+  assert (beside : forall c, t1 < c < t2 -> locally_2d (fun x' t =>
+    continuity_2d_pt (fun u v => Derive (fun z => f z v) u) x' t) p c).
+  { intros c T.
+    assert (W : 0 < Rmin (Rmin (p - p1) (p2 - p)) (Rmin (c - t1) (t2 - c)))
+      by (repeat apply Rmin_pos; lra).
+    exists (mkposreal _ W); intros u v U V.
+    change (Rabs (u - p) < Rmin (Rmin (p - p1) (p2 - p)) (Rmin (c - t1) (t2 - c))) in U.
+    change (Rabs (v - c) < Rmin (Rmin (p - p1) (p2 - p)) (Rmin (c - t1) (t2 - c))) in V.
+    apply Rabs_def2 in U; apply Rabs_def2 in V.
+    pose proof (Rmin_l (Rmin (p - p1) (p2 - p)) (Rmin (c - t1) (t2 - c))).
+    pose proof (Rmin_r (Rmin (p - p1) (p2 - p)) (Rmin (c - t1) (t2 - c))).
+    pose proof (Rmin_l (p - p1) (p2 - p)); pose proof (Rmin_r (p - p1) (p2 - p)).
+    pose proof (Rmin_l (c - t1) (t2 - c)); pose proof (Rmin_r (c - t1) (t2 - c)).
+    apply C'; lra. }
+  assert (R : RInt (df p) (a p) (b p) = RInt (fun t => Derive (fun u => f u t) p) (a p) (b p)).
+  { apply RInt_ext; intros t T; symmetry; apply is_derive_unique, D; [exact P |].
+    apply (inner p (a p) (b p)); trivial; lra. }
+  rewrite R; apply is_derive_RInt_param_bound_comp; trivial.
+  - exists (mkposreal _ N); intros q Q; apply whole; trivial; apply near, Q.
+  - exists (mkposreal _ N2); exists (mkposreal _ N); intros q Q; apply whole; simpl; try lra.
+    apply near, Q.
+  - exists (mkposreal _ N2); exists (mkposreal _ N); intros q Q; apply whole; simpl; try lra.
+    apply near, Q.
+  - exists (mkposreal _ N2); exists (mkposreal _ N); intros q Q t T; exists (df q t).
+    apply D; [apply near, Q |]; simpl in T; revert T.
+    unfold Rmin, Rmax; destruct (Rle_dec _ _); destruct (Rle_dec _ _); lra.
+  - intros t T; apply C'; [exact P |]; apply (inner p (a p) (b p)); trivial.
+  - now apply beside.
+  - now apply beside.
+  - apply continuity_pt_filterlim, E; trivial.
+  - apply continuity_pt_filterlim, E; trivial.
+Qed.
+
+(* Continuity by structure; of a term by its variable, and of one by two variables. *)
+Lemma c_mult f g x : continuous f x -> continuous g x -> continuous (fun t => f t * g t) x.
+Proof. exact (continuous_mult f g x). Qed.
+Lemma c_inv f x : continuous f x -> f x <> 0 -> continuous (fun t => / f t) x.
+Proof. exact (continuous_Rinv_comp f x). Qed.
+Lemma c_div f g x : continuous f x -> continuous g x -> g x <> 0 ->
+  continuous (fun t => f t / g t) x.
+Proof. intros F G H; apply c_mult; [exact F | now apply c_inv]. Qed.
+Lemma c_pow f n x : continuous f x -> continuous (fun t => f t ^ n) x.
+Proof.
+  intros F; induction n; simpl; [apply continuous_const | now apply c_mult].
+Qed.
+Lemma c_comp h f x : continuous f x -> continuous h (f x) -> continuous (fun t => h (f t)) x.
+Proof. exact (continuous_comp f h x). Qed.
+Lemma c_outer h d f x : is_derive h (f x) d -> continuous f x -> continuous (fun t => h (f t)) x.
+Proof. intros H F; apply c_comp; [exact F | exact (continuous_derive _ _ _ H)]. Qed.
+Lemma c_exp f x : continuous f x -> continuous (fun t => exp (f t)) x.
+Proof. apply c_outer with (1 := d_exp (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_sin f x : continuous f x -> continuous (fun t => sin (f t)) x.
+Proof. apply c_outer with (1 := d_sin (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_cos f x : continuous f x -> continuous (fun t => cos (f t)) x.
+Proof. apply c_outer with (1 := d_cos (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_atan f x : continuous f x -> continuous (fun t => atan (f t)) x.
+Proof. apply c_outer with (1 := d_atan (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_sinh f x : continuous f x -> continuous (fun t => sinh (f t)) x.
+Proof. apply c_outer with (1 := d_sinh (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_cosh f x : continuous f x -> continuous (fun t => cosh (f t)) x.
+Proof. apply c_outer with (1 := d_cosh (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_tanh f x : continuous f x -> continuous (fun t => tanh (f t)) x.
+Proof. apply c_outer with (1 := d_tanh (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_arcsinh f x : continuous f x -> continuous (fun t => arcsinh (f t)) x.
+Proof. apply c_outer with (1 := d_arcsinh (fun t => t) _ _ (d_id _)). Qed.
+Lemma c_ln f x : continuous f x -> 0 < f x -> continuous (fun t => ln (f t)) x.
+Proof. intros F H; apply c_outer with (1 := d_ln (fun t => t) _ _ (d_id _) H); exact F. Qed.
+Lemma c_tan f x : continuous f x -> cos (f x) <> 0 -> continuous (fun t => tan (f t)) x.
+Proof. intros F H; apply c_outer with (1 := d_tan (fun t => t) _ _ (d_id _) H); exact F. Qed.
+Lemma c_asin f x : continuous f x -> 0 < 1 - f x -> 0 < 1 + f x ->
+  continuous (fun t => asin (f t)) x.
+Proof. intros F H K; apply c_outer with (1 := d_asin (fun t => t) _ _ (d_id _) H K); exact F. Qed.
+Lemma c_acos f x : continuous f x -> 0 < 1 - f x -> 0 < 1 + f x ->
+  continuous (fun t => acos (f t)) x.
+Proof. intros F H K; apply c_outer with (1 := d_acos (fun t => t) _ _ (d_id _) H K); exact F. Qed.
+Lemma c_atanh f x : continuous f x -> 0 < 1 - f x -> 0 < 1 + f x ->
+  continuous (fun t => atanh (f t)) x.
+Proof. intros F H K; apply c_outer with (1 := d_atanh (fun t => t) _ _ (d_id _) H K); exact F. Qed.
+Lemma c_sqrt f x : continuous f x -> continuous (fun t => sqrt (f t)) x.
+Proof. exact (continuous_sqrt_comp f x). Qed.
+Lemma c_Rabs f x : continuous f x -> continuous (fun t => Rabs (f t)) x.
+Proof. exact (continuous_Rabs_comp f x). Qed.
+
+End Integrals.
+
+Ltac continues :=
+  cbv beta;
+  lazymatch goal with
+  | |- continuous (fun _ : R => ?c) _ => apply (continuous_const c)
+  | |- continuous (fun t : R => t) _ => apply continuous_id
+  | |- continuous (fun t : R => @?f t + @?g t) _ => apply (continuous_plus f g); continues
+  | |- continuous (fun t : R => @?f t - @?g t) _ => apply (continuous_minus f g); continues
+  | |- continuous (fun t : R => - @?f t) _ => apply (continuous_opp f); continues
+  | |- continuous (fun t : R => @?f t * @?g t) _ => apply (c_mult f g); continues
+  | |- continuous (fun t : R => @?f t / @?g t) _ => apply (c_div f g); [continues | continues |]
+  | |- continuous (fun t : R => / @?f t) _ => apply (c_inv f); [continues |]
+  | |- continuous (fun t : R => @?f t ^ ?n) _ => apply (c_pow f n); continues
+  | |- continuous (fun t : R => exp (@?f t)) _ => apply (c_exp f); continues
+  | |- continuous (fun t : R => sin (@?f t)) _ => apply (c_sin f); continues
+  | |- continuous (fun t : R => cos (@?f t)) _ => apply (c_cos f); continues
+  | |- continuous (fun t : R => atan (@?f t)) _ => apply (c_atan f); continues
+  | |- continuous (fun t : R => sinh (@?f t)) _ => apply (c_sinh f); continues
+  | |- continuous (fun t : R => cosh (@?f t)) _ => apply (c_cosh f); continues
+  | |- continuous (fun t : R => tanh (@?f t)) _ => apply (c_tanh f); continues
+  | |- continuous (fun t : R => arcsinh (@?f t)) _ => apply (c_arcsinh f); continues
+  | |- continuous (fun t : R => sqrt (@?f t)) _ => apply (c_sqrt f); continues
+  | |- continuous (fun t : R => Rabs (@?f t)) _ => apply (c_Rabs f); continues
+  | |- continuous (fun t : R => ln (@?f t)) _ => apply (c_ln f); [continues |]
+  | |- continuous (fun t : R => tan (@?f t)) _ => apply (c_tan f); [continues |]
+  | |- continuous (fun t : R => asin (@?f t)) _ => apply (c_asin f); [continues | |]
+  | |- continuous (fun t : R => acos (@?f t)) _ => apply (c_acos f); [continues | |]
+  | |- continuous (fun t : R => atanh (@?f t)) _ => apply (c_atanh f); [continues | |]
+  | |- continuous ?f _ => first [assumption | unfold f; continues]
+  end.
+
+Lemma c2_comp (h : R -> R) (d : R) (f : R -> R -> R) (x y : R) : is_derive h (f x y) d ->
+  continuity_2d_pt f x y -> continuity_2d_pt (fun u v => h (f u v)) x y.
+Proof.
+  intros H F; apply (continuity_1d_2d_pt_comp h); [| exact F].
+  apply continuity_pt_filterlim; exact (continuous_derive _ _ _ H).
+Qed.
+Lemma c2_sqrt (f : R -> R -> R) (x y : R) :
+  continuity_2d_pt f x y -> continuity_2d_pt (fun u v => sqrt (f u v)) x y.
+Proof.
+  intros F; apply (continuity_1d_2d_pt_comp sqrt); [| exact F].
+  apply continuity_pt_filterlim, continuous_sqrt.
+Qed.
+Lemma c2_pow n (f : R -> R -> R) (x y : R) :
+  continuity_2d_pt f x y -> continuity_2d_pt (fun u v => f u v ^ n) x y.
+Proof.
+  intros F; induction n; simpl; [apply continuity_2d_pt_const | now apply continuity_2d_pt_mult].
+Qed.
+Lemma c2_div (f g : R -> R -> R) (x y : R) : continuity_2d_pt f x y -> continuity_2d_pt g x y ->
+  g x y <> 0 -> continuity_2d_pt (fun u v => f u v / g u v) x y.
+Proof. intros F G H; apply continuity_2d_pt_mult; [exact F | now apply continuity_2d_pt_inv]. Qed.
+
+Ltac continues_2d :=
+  cbv beta;
+  lazymatch goal with
+  | |- continuity_2d_pt (fun _ _ : R => ?c) _ _ => apply (continuity_2d_pt_const _ _ c)
+  | |- continuity_2d_pt (fun u _ : R => u) _ _ => apply continuity_2d_pt_id1
+  | |- continuity_2d_pt (fun _ v : R => v) _ _ => apply continuity_2d_pt_id2
+  | |- continuity_2d_pt (fun u v : R => @?f u v + @?g u v) _ _ =>
+      apply (continuity_2d_pt_plus f g); continues_2d
+  | |- continuity_2d_pt (fun u v : R => @?f u v - @?g u v) _ _ =>
+      apply (continuity_2d_pt_minus f g); continues_2d
+  | |- continuity_2d_pt (fun u v : R => - @?f u v) _ _ =>
+      apply (continuity_2d_pt_opp f); continues_2d
+  | |- continuity_2d_pt (fun u v : R => @?f u v * @?g u v) _ _ =>
+      apply (continuity_2d_pt_mult f g); continues_2d
+  | |- continuity_2d_pt (fun u v : R => / @?f u v) _ _ =>
+      apply (continuity_2d_pt_inv f); [continues_2d |]
+  | |- continuity_2d_pt (fun u v : R => @?f u v / @?g u v) _ _ =>
+      apply (c2_div f g); [continues_2d | continues_2d |]
+  | |- continuity_2d_pt (fun u v : R => @?f u v ^ ?n) _ _ => apply (c2_pow n f); continues_2d
+  | |- continuity_2d_pt (fun u v : R => sqrt (@?f u v)) _ _ => apply (c2_sqrt f); continues_2d
+  | |- continuity_2d_pt (fun u v : R => ?h (@?f u v)) _ _ =>
+      eapply (c2_comp h _ f);
+        [lazymatch goal with |- is_derive _ ?z ?d => change (is_derive (fun t : R => h t) z d) end;
+         derive | .. | continues_2d]
+  | |- continuity_2d_pt ?f _ _ => first [assumption | unfold f; continues_2d]
+  end.
+
+Section Limits.
+Implicit Types (f g h dg F : R -> R) (a b c d u v x y : R).
+
+(* Limits. *)
+Lemma lim_value f x : continuous f x -> is_lim f x (f x).
+Proof. intros C; apply is_lim_continuity, continuity_pt_filterlim, C. Qed.
+Lemma lim_beside f g (p l : Rbar) : Rbar_locally' p (fun y => f y = g y) ->
+  is_lim f p l -> is_lim g p l.
+Proof. exact (is_lim_ext_loc f g p l). Qed.
+Lemma lim_between f g h (p l : Rbar) : Rbar_locally' p (fun y => f y <= h y <= g y) ->
+  is_lim f p l -> is_lim g p l -> is_lim h p l.
+Proof. exact (is_lim_le_le_loc f g h p l). Qed.
+Lemma lim_only f (p l m : Rbar) : is_lim f p l -> is_lim f p m -> l = m.
+Proof. intros L M; now rewrite <- (is_lim_unique f p l L), <- (is_lim_unique f p m M). Qed.
+
+(* Exactly one root: it exists by the signs at the ends, and it is the only one by direction. *)
+Lemma root_exists f a b : a <= b -> (forall x, a <= x <= b -> continuous f x) ->
+  f a * f b <= 0 -> exists x, a <= x <= b /\ f x = 0.
+Proof.
+  intros H C S; assert (G := beyond_continuous f a b H C).
+  destruct (IVT_gen_consistent (beyond f a b) a b 0 G) as [x [X E]].
+  - rewrite !beyond_inside by lra; unfold Rmin, Rmax; destruct (Rle_dec (f a) (f b)); nra.
+  - rewrite Rmin_left, Rmax_right in X by lra; exists x; split; [exact X |].
+    now rewrite beyond_inside in E by exact X.
+Qed.
+Lemma increasing f df a b : (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a < x < b -> is_derive f x (df x)) -> (forall x, a < x < b -> 0 < df x) ->
+  forall x y, a <= x -> x < y -> y <= b -> f x < f y.
+Proof.
+  intros C D P x y X L Y.
+  assert (pr : forall c, x < c < y -> derivable_pt f c).
+  { intros c I; exists (df c); apply is_derive_Reals, D; lra. }
+  destruct (MVT f id x y pr (fun c _ => derivable_pt_id c) L) as [c [I E]].
+  - intros t T; apply continuity_pt_filterlim, C; lra.
+  - intros t _; apply derivable_continuous_pt, derivable_pt_id.
+  - assert (V : derive_pt f c (pr c I) = df c).
+    { apply derive_pt_eq_0, is_derive_Reals, D; lra. }
+    assert (U : derive_pt id c (derivable_pt_id c) = 1) by apply derive_pt_id.
+    rewrite V, U in E; unfold id in E.
+    assert (0 < df c) by (apply P; lra); nra.
+Qed.
+Lemma exactly_one f df a b : a < b -> (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a < x < b -> is_derive f x (df x)) -> (forall x, a < x < b -> 0 < df x) ->
+  f a < 0 < f b -> exists! x, a < x < b /\ f x = 0.
+Proof.
+  intros H C D P [A B]; assert (M := increasing f df a b C D P).
+  destruct (root_exists f a b (Rlt_le _ _ H) C) as [x [X E]]; [nra |].
+  exists x; split.
+  - split; [| exact E]; split.
+    + destruct (proj1 X) as [L|L]; [exact L | subst; lra].
+    + destruct (proj2 X) as [L|L]; [exact L | subst; lra].
+  - intros y [Y Z]; destruct (Rtotal_order x y) as [L|[L|L]]; [| exact L |].
+    + assert (f x < f y) by (apply M; lra); lra.
+    + assert (f y < f x) by (apply M; lra); lra.
+Qed.
+Lemma exactly_one_down f df a b : a < b -> (forall x, a <= x <= b -> continuous f x) ->
+  (forall x, a < x < b -> is_derive f x (df x)) -> (forall x, a < x < b -> df x < 0) ->
+  f b < 0 < f a -> exists! x, a < x < b /\ f x = 0.
+Proof.
+  intros H C D P [A B].
+  destruct (exactly_one (fun x => - f x) (fun x => - df x) a b H) as [x [[X E] U]].
+  - intros x X; apply (continuous_opp f), C, X.
+  - intros x X; apply (d_opp f), D, X.
+  - intros x X; specialize (P x X); lra.
+  - lra.
+  - exists x; split; [split; [exact X | lra] |]; intros y [Y Z]; apply U; split; [exact Y | lra].
+Qed.
+
+(* Locally constant: derivative 0 on an interval, and the value at one point of it. *)
+Lemma locally_constant f c : forall x, (forall t, Rmin c x <= t <= Rmax c x -> is_derive f t 0) ->
+  f x = f c.
+Proof.
+  intros x D; destruct (MVT_gen f c x (fun _ => 0)) as [y [_ E]].
+  - intros t T; apply D; lra.
+  - intros t T; apply continuity_pt_filterlim; exact (continuous_derive _ _ _ (D t T)).
+  - lra.
+Qed.
+
+(* Both sides: functions that are one to one, where they are. *)
+Lemma same_exp x y : exp x = exp y -> x = y.
+Proof. apply exp_inv. Qed.
+Lemma same_ln x y : 0 < x -> 0 < y -> ln x = ln y -> x = y.
+Proof. apply ln_inv. Qed.
+Lemma same_sqrt x y : 0 <= x -> 0 <= y -> sqrt x = sqrt y -> x = y.
+Proof. apply sqrt_inj. Qed.
+Lemma same_square x y : 0 <= x -> 0 <= y -> x ^ 2 = y ^ 2 -> x = y.
+Proof. intros; nra. Qed.
+Lemma same_factor c x y : c <> 0 -> c * x = c * y -> x = y.
+Proof. intros; now apply (Rmult_eq_reg_l c). Qed.
+Lemma same_inverse x y : / x = / y -> x = y.
+Proof. intros E; rewrite <- (Rinv_inv x), E; apply Rinv_inv. Qed.
+Lemma same_atan x y : atan x = atan y -> x = y.
+Proof. intros E; rewrite <- (tan_atan x), E; apply tan_atan. Qed.
+Lemma same_tan x y : - PI / 2 < x < PI / 2 -> - PI / 2 < y < PI / 2 -> tan x = tan y -> x = y.
+Proof. intros X Y E; rewrite <- (atan_tan x), E by lra; apply atan_tan; lra. Qed.
+Lemma same_sin x y : - PI / 2 <= x <= PI / 2 -> - PI / 2 <= y <= PI / 2 -> sin x = sin y -> x = y.
+Proof. intros X Y E; rewrite <- (asin_sin x), E by lra; apply asin_sin; lra. Qed.
+Lemma same_cos x y : 0 <= x <= PI -> 0 <= y <= PI -> cos x = cos y -> x = y.
+Proof. intros X Y E; rewrite <- (acos_cos x), E by lra; apply acos_cos; lra. Qed.
+Lemma same_sinh x y : sinh x = sinh y -> x = y.
+Proof. intros E; rewrite <- (arcsinh_sinh x), E; apply arcsinh_sinh. Qed.
+Lemma increasing_tanh x y : x < y -> tanh x < tanh y.
+Proof.
+  intros L; apply (increasing tanh (fun t => 1 * / (cosh t * cosh t)) x y); try lra.
+  - intros t _; apply (c_tanh (fun t => t)), continuous_id.
+  - intros t _; apply (d_tanh (fun t => t)), d_id.
+  - intros t _; pose proof (cosh_pos t); rewrite Rmult_1_l; apply Rinv_0_lt_compat; nra.
+Qed.
+Lemma same_tanh x y : tanh x = tanh y -> x = y.
 Proof.
   intros E; destruct (Rtotal_order x y) as [L|[L|L]]; [| exact L |];
-  apply increasing in L; lra.
+    apply increasing_tanh in L; lra.
 Qed.
-End Injective.
-Lemma sinh_injective x y : sinh x = sinh y -> x = y.
-Proof. apply injective; exact sinh_lt. Qed.
-Lemma arcsinh_injective x y : arcsinh x = arcsinh y -> x = y.
-Proof. apply injective; exact arcsinh_lt. Qed.
-Lemma atan_injective x y : atan x = atan y -> x = y.
-Proof. apply injective; exact atan_increasing. Qed.
-Lemma tanh_injective x y : tanh x = tanh y -> x = y.
-Proof.
-  apply injective; clear x y; intros x y L; rewrite !tanh_law.
-  pose proof (exp_pos x); pose proof (exp_increasing x y L).
-  apply Rminus_gt_0_lt.
-  replace (_ - _) with (2 * (exp y ^ 2 - exp x ^ 2) / ((exp x ^ 2 + 1) * (exp y ^ 2 + 1))).
-  - apply Rdiv_lt_0_compat; [nra | apply Rmult_lt_0_compat; nra].
-  - field; repeat split; nra.
-Qed.
-Lemma ln_injective x y : ln x = ln y -> 0 < x -> 0 < y -> x = y.
-Proof. intros; now apply ln_inv. Qed.
-Lemma sqrt_injective x y : sqrt x = sqrt y -> 0 <= x -> 0 <= y -> x = y.
-Proof. intros; now apply sqrt_inj. Qed.
-Lemma square_injective x y : x ^ 2 = y ^ 2 -> 0 <= x -> 0 <= y -> x = y.
-Proof. intros E P Q; nra. Qed.
 
+(* The slope of what an equation defines: h(x(p), p) = 0 along a curve that has a slope. *)
+Lemma implicit_slope (h : R -> R -> R) (x : R -> R) (dx p lx lp : R) :
+  locally p (fun q => h (x q) q = 0) -> is_derive x p dx ->
+  differentiable_pt_lim h (x p) p lx lp -> lx <> 0 -> dx = - lp / lx.
+Proof.
+  intros Z X D N.
+  assert (K : derivable_pt_lim (fun q => h (x q) q) p (lx * dx + lp * 1)).
+  { apply (derivable_pt_lim_comp_2d h x (fun q => q)); [exact D | now apply is_derive_Reals |].
+    apply derivable_pt_lim_id. }
+  apply is_derive_Reals in K.
+  assert (E : lx * dx + lp * 1 = 0).
+  { rewrite <- (is_derive_unique _ _ _ K); apply is_derive_unique.
+    apply (is_derive_ext_loc (fun _ => 0)); [| apply d_const].
+    revert Z; apply filter_imp; intros q Q; symmetry; exact Q. }
+  apply (Rmult_eq_reg_l lx); [| exact N].
+  replace (lx * (- lp / lx)) with (- lp) by (field; exact N).
+  lra.
+Qed.
+End Limits.
 (* The premises of a lemma, or of a theorem that is applied, from those at hand. *)
 Ltac give :=
   cbv beta;

@@ -1,4 +1,4 @@
-"""Integrals, derivatives and values inside expressions: what is in them, and where it is defined."""
+"""Integrals, derivatives and values inside expressions: what they bind, and where it is defined."""
 
 from __future__ import annotations
 

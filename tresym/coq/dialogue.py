@@ -93,7 +93,7 @@ class Dialogue:
         self.process.stdin.write(f"{sentence}\n{_DONE}\n".encode())
         self.process.stdin.flush()
         deadline, found = time.monotonic() + seconds, b""
-        while not b"v_done : Prop =>" in found:
+        while b"v_done : Prop =>" not in found:
             left = deadline - time.monotonic()
             ready, _, _ = select.select([self.process.stdout], [], [], max(left, 0))
             piece = os.read(self.process.stdout.fileno(), 65536) if ready else b""

@@ -10,18 +10,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping
-from functools import lru_cache
 from hashlib import sha256
-from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from tresym.coq.dialogue import Dialogue, prelude
 from tresym.coq.ledger import Joint, name_of, stamp, stem, theorem_of
 from tresym.coq.proving import Plan, candidates, plans
-from tresym.coq.search import HEAD, dialogue, prelude, version
+from tresym.coq.search import version
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.claim import Claim
-from tresym.ledger.paper import PAPER, all_claims, file_of, sections
+from tresym.ledger.paper import all_claims, file_of
 from tresym.output import write_text
 from tresym.reals.numbers.exact import InputError
 
@@ -105,6 +104,8 @@ class Memory:
     def __init__(self, path: Path | None) -> None:
         self.path = path
         self.known: dict[str, bool] = {}
+        self.coq: Dialogue | None = None
+        self.count = 0
         if path is not None and path.is_file():
             self.known = json.loads(path.read_text(encoding="utf-8"))
 
@@ -119,17 +120,15 @@ class Memory:
             elif losing + key in self.known:
                 known[name] = False
         todo = [name for name in texts if name not in known]
-        for start in range(0, len(todo), AT_ONCE):
-            some = todo[start : start + AT_ONCE]
-            held = dialogue(
-                [texts[name].replace("@", str(n)) for n, name in enumerate(some)], SECONDS
-            )
-            for name, ok in zip(some, held, strict=True):
-                known[name] = ok
-                self.known[keys[name] if ok else losing + keys[name]] = ok
-            if self.path is not None:
-                self.path.parent.mkdir(parents=True, exist_ok=True)
-                self.path.write_text(json.dumps(self.known), encoding="utf-8")
+        self.coq = self.coq or Dialogue()
+        for name in todo:
+            self.count += 1
+            ok = self.coq.accepts(texts[name].replace("@", str(self.count)))
+            known[name] = ok
+            self.known[keys[name] if ok else losing + keys[name]] = ok
+        if self.path is not None and todo:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            self.path.write_text(json.dumps(self.known), encoding="utf-8")
         return known
 
 

@@ -26,6 +26,7 @@ from tresym.coq.statement import (
     Wherever,
 )
 from tresym.ledger.claim import AllOf, Claim, Counterexample, Definition, ImplicitFunction
+from tresym.ledger.evidence.denial import denied_at
 from tresym.ledger.meaning import conditions, conjuncts
 from tresym.reals.language import sympy as door
 from tresym.reals.language.expression import ZERO, symbols
@@ -76,8 +77,6 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
     if isinstance(proof, AllOf) and claim.expect is not Verdict.REFUTED:
         return Joint(name_of(claim.label), tuple(p for p in proof.claims if not _assumed(p)))
     statement = claim.statement
-    if statement is None and isinstance(proof, Counterexample):
-        statement = proof.violated
     if statement is None:
         raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
     try:
@@ -85,12 +84,20 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
         if isinstance(proof, Definition):
             return existence(claim, says)
         if claim.expect is Verdict.REFUTED:
-            if statement is not getattr(proof, "violated", None):
-                says = denied(says)
-            return theorem(claim, says, exists=True)
+            above: tuple[Basic, ...] = ()
+            if isinstance(proof, Counterexample):
+                found = denied_at(statement, proof.point)
+                above, says = (found[0], read(found[1])) if found else ((), says)
+            return theorem(claim, denied(says), above, exists=True)
         return theorem(claim, says)
     except (InputError, TypeError, AttributeError, ValueError) as error:
         raise NotExportedError(f"what is said is not read as real expressions ({error})") from None
+
+
+def _conditions(given: Iterable[Basic]) -> list[Relation]:
+    """Conditions, equations among them."""
+    parts = (part for e in given for part in conjuncts(read(e)))
+    return [part for part in parts if isinstance(part, Relation)]
 
 
 def _assumed(claim: Claim) -> bool:
@@ -105,7 +112,7 @@ def read(says: Basic) -> Formula:
     if kind == "Equivalent" and len(says.args) == 2:
         return Equivalence(*map(read, says.args))  # type: ignore[arg-type]
     if kind == "Under":
-        return Wherever(conditions(tuple(says.args[1].args)), read(says.args[0]))
+        return Wherever(tuple(map(tuple, _conditions(says.args[1].args))), read(says.args[0]))
     if kind == "ExactlyOne":
         x, low, high = map(door.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
@@ -160,9 +167,11 @@ def asked(says: Formula) -> Iterator[Part]:
             yield from (*asked(says.first), *asked(says.second))
 
 
-def theorem(claim: Claim, says: Formula, exists: bool = False) -> Theorem:
+def theorem(
+    claim: Claim, says: Formula, above: tuple[Basic, ...] = (), exists: bool = False
+) -> Theorem:
     """The claim's definitions, conditions, what makes it defined, and what it says."""
-    given = tuple(dict.fromkeys(map(tuple, conditions(claim.given))))
+    given = tuple(dict.fromkeys(map(tuple, _conditions((*claim.given, *above)))))
     sides = [e for x, _, y in given for e in (x, y)]
     parts = [*asked(says), *(part for e in sides for part in defined(e))]
     parts = [part for part in dict.fromkeys(parts) if symbols(part[0])]

@@ -160,7 +160,7 @@ class _Planner:
                 text = self.bare(equal, chain, entry)
                 return f"apply (d_eq _ _ ({term(values[name])})).\n{{ {scripts[0]} }}\n{{ {text} }}"
         text = self.bare(related, chain, entry)
-        for script, (_, name) in zip(reversed(scripts), reversed(names.items()), strict=True):
+        for script in reversed(scripts):
             text = f"split.\n{{ {script} }}\n{{ {text} }}"
         given = ", ".join(f"({term(values[name])})" for name in names.values())
         return f"exists {given}.\n{text}"
@@ -414,14 +414,13 @@ class _Planner:
 
 
 INJECTIVE = {
-    "exp": ("exp_inv", ""),
-    "sinh": ("sinh_injective", ""),
-    "tanh": ("tanh_injective", ""),
-    "asinh": ("arcsinh_injective", ""),
-    "atan": ("atan_injective", ""),
-    "log": ("ln_injective", ">"),
-    "sqrt": ("sqrt_injective", ">="),
-    "square": ("square_injective", ">="),
+    "exp": ("same_exp", ""),
+    "sinh": ("same_sinh", ""),
+    "tanh": ("same_tanh", ""),
+    "atan": ("same_atan", ""),
+    "log": ("same_ln", ">"),
+    "sqrt": ("same_sqrt", ">="),
+    "square": ("same_square", ">="),
 }
 """That a function is one-to-one, and the sign that both sides must have."""
 

@@ -14,9 +14,9 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from importlib.resources import files
 from pathlib import Path
 
+from tresym.coq.dialogue import accepted, prelude
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
@@ -24,12 +24,6 @@ from tresym.reals.numbers.exact import InputError
 
 SENTENCE_SECONDS = 8
 AT_ONCE = 4
-HEAD = """Require Import Reals Lra Lia Psatz.
-From Coquelicot Require Import Coquelicot.
-From Interval Require Import Tactic.
-Require Import Tresym.
-Open Scope R_scope.
-"""
 MISSING = "coqc is not installed here, so that Coq has not been asked"
 _REALS = {
     "ClassicalDedekindReals.sig_not_dec",
@@ -52,12 +46,6 @@ class Outcome:
     accepted: bool | None
     says: str
     text: str
-
-
-@cache
-def prelude() -> str:
-    """The text of Tresym.v."""
-    return files("tresym.coq").joinpath("Tresym.v").read_text(encoding="utf-8")
 
 
 def proofs(theorem: Theorem) -> Iterator[str]:
@@ -123,43 +111,7 @@ def trial(items: Sequence[tuple[Theorem, str]], seconds: float) -> list[bool]:
         f"{replace(theorem, name=f'trial_{n}').text}\nProof.\n{proof}\nQed."
         for n, (theorem, proof) in enumerate(items)
     ]
-    return dialogue(texts, seconds)
-
-
-def dialogue(texts: Sequence[str], seconds: float) -> list[bool]:
-    """Whether Coq accepts each text, which proves ``trial_n``; it goes on after errors."""
-    lines = [HEAD, f"Set Default Timeout {SENTENCE_SECONDS}."]
-    for n, text in enumerate(texts):
-        lines += [text, "Abort All.", f"Check trial_{n}."]
-    with (
-        tempfile.TemporaryDirectory() as folder,  # for the caches of its arithmetic
-        subprocess.Popen(
-            ["coqtop", "-q", "-Q", library().name, ""],
-            cwd=folder,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-        ) as coq,
-    ):
-        try:
-            said, _ = coq.communicate("\n".join(lines) + "\n", timeout=seconds)
-        except subprocess.TimeoutExpired:
-            coq.kill()
-            said, _ = coq.communicate()
-    held = set(re.findall(r"trial_(\d+)\s*\n? +: ", said))
-    return [str(n) in held for n in range(len(texts))]
-
-
-@cache
-def library() -> tempfile.TemporaryDirectory[str]:
-    """A folder that holds Tresym.v, compiled."""
-    folder = tempfile.TemporaryDirectory()
-    (Path(folder.name) / "Tresym.v").write_text(prelude(), encoding="utf-8")
-    subprocess.run(
-        ["coqc", "-q", "Tresym.v"], cwd=folder.name, capture_output=True, check=True, timeout=600
-    )
-    return folder
+    return accepted(texts)
 
 
 def run(text: str, seconds: float) -> tuple[bool, str, float]:

@@ -15,14 +15,14 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Eq, Expr, Integer, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
-from tresym.ledger.finding import Premise, Ruling
-from tresym.ledger.statements import ExactlyOne, together_under
+from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
+from tresym.ledger.statements import ExactlyOne, Statement, together_under
 from tresym.reals.verdict import Verdict
 
 
@@ -64,6 +64,16 @@ class Place:
     cell: str | None = None
 
 
+def display(number: int) -> Place:
+    """A display of the paper, by its number."""
+    return Place(display=number)
+
+
+def line(number: int) -> Place:
+    """A line of the paper's source."""
+    return Place(line=number)
+
+
 @dataclass(frozen=True)
 class Reason:
     """Why one expression equals the next: theories that may be used, and claims it rests on."""
@@ -97,9 +107,15 @@ def step(expression: Basic, *reasons: Reason) -> Step:
 
 
 def by(*reasons: Reason) -> tuple[Step, ...]:
-    """A chain of one step, straight to the right side of what the claim says."""
+    """A chain of one step, straight to the right side of what the claim says, or to its sign.
+
+    Of a system it shows each part.
+    """
     return (Step(None, reasons),)
 
+
+manifest = by()
+"""An inequality, or each of several, that the prover of signs decides as it stands."""
 
 Chain = tuple[Step, ...]
 
@@ -114,11 +130,39 @@ class Definition:
 
     assumes: str = ""
     claims: tuple[Claim, ...] = ()
+    kind: ClassVar[str] = "definition"
 
     @property
-    def premise(self) -> Premise:
+    def expect(self) -> Premise:
         """What the claim is: a definition, or assumed."""
         return Premise.ASSUMED if self.assumes else Premise.DEFINED
+
+
+@dataclass(frozen=True)
+class Root:
+    """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
+
+    It says that the function vanishes there, and between which ends.
+    """
+
+    symbol: Symbol
+    unique: Claim
+    kind: ClassVar[str] = "definition"
+    expect: ClassVar[Ruling] = Premise.DEFINED
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What the definition rests on: that there is one root."""
+        return (self.unique,)
+
+    @property
+    def says(self) -> Tuple:
+        """The equation for the root, and the interval that it lies in."""
+        root, x = self.unique.statement, self.symbol
+        assert isinstance(root, ExactlyOne)
+        assert root.difference is not None
+        vanishes = equal(root.difference.xreplace({root.variable: x}), Integer(0))
+        return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
 
 
 @dataclass(frozen=True)
@@ -135,14 +179,14 @@ def together(*chains: Chain) -> Together:
 
 @dataclass(frozen=True)
 class UniqueRoot:
-    """Exactly one root of ``function`` in (low, high): opposite signs at the ends, monotone."""
+    """An equation has exactly one root between two ends, where its sides differ in sign.
 
-    variable: Symbol
-    function: Expr
-    low: Expr
-    high: Expr
+    The statement is an `ExactlyOne`; the difference of the sides of its equation is continuous and
+    monotone.
+    """
+
     derivative: Chain
-    """A chain from the derivative of the function to a form whose sign is manifest."""
+    """A chain from the derivative of the difference to a form whose sign is manifest."""
     at_low: Chain
     at_high: Chain
     """Chains from the values at the ends to forms whose signs are manifest."""
@@ -183,6 +227,8 @@ class Printed:
     """Half-width of the printed value in half units of its last place."""
     claims: tuple[Claim, ...] = ()
     """What the formula rests on: that what it solves for exists and is one."""
+    kind: ClassVar[str] = "number"
+    expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
 
 @dataclass(frozen=True)
@@ -190,6 +236,11 @@ class AllOf:
     """The statement is the conjunction of formal claims."""
 
     claims: tuple[Claim, ...]
+
+    @property
+    def expect(self) -> Ruling:
+        """As strong as the weakest part."""
+        return min((c.expect for c in self.claims), key=WEAKEST_FIRST.index, default=Verdict.PROVED)
 
 
 def all_of(*claims: Claim) -> AllOf:
@@ -199,35 +250,31 @@ def all_of(*claims: Claim) -> AllOf:
 
 @dataclass(frozen=True)
 class Formally:
-    """A sentence of the paper, quantified as written: relations under the claim's `given`.
+    """The relations of the statement, decided as they stand, by normal form and by proven signs.
 
-    It is decided by the identity procedure and by proven signs, without a chain; a false one
-    falls to an exact point at which a ball violates it.
+    ``claims`` are put in. A false relation falls to an exact point at which a ball violates it.
     """
 
-    relations: tuple[Basic, ...]
     claims: tuple[Claim, ...] = ()
 
 
-def formally(*relations: Basic, using: tuple[Claim, ...] = ()) -> Formally:
-    """Evidence for a sentence: the relations it states, with earlier equations put in."""
-    return Formally(relations, using)
+def formally(*using: Claim) -> Formally:
+    """Evidence without a chain, with earlier equations put in."""
+    return Formally(using)
 
 
 @dataclass(frozen=True)
 class Counterexample:
-    """An exact point at which every condition of the claim holds and ``violated`` does too.
-
-    ``violated`` is a strict relation (or `Ne`) that contradicts the statement.
-    """
+    """An exact point under every condition of the claim at which the statement does not hold."""
 
     point: Mapping[str, fmpq]
-    violated: Basic
+    expect: ClassVar[Ruling] = Verdict.REFUTED
 
 
 Evidence = (
     Chain
     | Definition
+    | Root
     | Together
     | UniqueRoot
     | ImplicitFunction
@@ -254,16 +301,18 @@ class Claim:
     """One statement: what it says, under which conditions, and the evidence for it.
 
     Attributes:
-        label: the paper's own ``\\label``, or a name of ours.
+        label: the paper's own ``\\label``, or a name of ours; see :func:`label_claims`.
         says: a SymPy relation, a `Tuple` of them, an `Equivalent`, or prose.
         means: for prose, and for a formula that leaves an order open, the formula that is decided.
         given: SymPy relations that hold wherever the claim is made.
         proof: the evidence; its type decides how the claim is judged.
         where: the place in the paper; None for a lemma of ours.
-        expect: the verdict this claim must get; of a definition, what its evidence says.
+        expect: the verdict this claim must get, where it is not the one for which evidence of its
+            type is given; of a definition, what its evidence says.
         amended_by: for a claim expected REFUTED, the claims that are true instead.
         note: one or two sentences for the reader.
-        kind: identity, number, bound, order, limit or statement; of a definition, definition.
+        kind: identity, number, bound, order, limit, statement or definition, where the evidence
+            and the form of what is said do not tell.
         shown: LaTeX for reports, where the statement written out would hide what it says.
         paper_says: what the paper prints, with all its hedges, in our words, and how that is read;
             where ``says`` is a sharper reading, which is ours.
@@ -271,13 +320,13 @@ class Claim:
         quotes: theorems that the evidence applies and no claim shows.
     """
 
-    label: str
-    says: Basic | str
-    proof: Evidence
-    kind: str = "identity"
+    label: str = ""
+    says: Basic | str = ""
+    proof: Evidence = ()
+    kind: str = ""
     given: tuple[Basic, ...] = ()
     where: Place | None = None
-    expect: Ruling = Verdict.PROVED
+    expect: Ruling = None  # type: ignore[assignment]
     amended_by: tuple[Claim, ...] = ()
     note: str = ""
     shown: str | None = None
@@ -287,11 +336,15 @@ class Claim:
     means: Basic | None = None
 
     def __post_init__(self) -> None:
-        if isinstance(self.proof, Definition):
-            object.__setattr__(self, "kind", "definition")
-            object.__setattr__(self, "expect", self.proof.premise)
+        defined = isinstance(self.proof, Definition | Root)
+        if defined or not self.kind:
+            object.__setattr__(self, "kind", _kind(self.says, self.proof))
+        if defined or self.expect is None:
+            object.__setattr__(self, "expect", _expected(self.proof))
 
     def __hash__(self) -> int:
+        if not self.label:
+            raise ValueError("a claim without a label: the last line of its part gives it one")
         return hash(self.label)
 
     @cached_property
@@ -305,16 +358,16 @@ class Claim:
             return self.means
         if isinstance(self.says, Basic):
             return self.says
-        match self.proof:
-            case AllOf(claims):
-                parts = [(part.statement, part.given) for part in claims]
-                known = [(says, given) for says, given in parts if says is not None]
-                return together_under(known) if len(known) == len(parts) else None
-            case Formally(relations=relations):
-                return Tuple(*relations)
-            case UniqueRoot(variable=x, function=h, low=low, high=high):
-                return ExactlyOne(x, low, high, equal(h, Integer(0)))
-        return None
+        if not isinstance(self.proof, AllOf):
+            return None
+        parts = [(part.statement, part.given) for part in self.proof.claims]
+        known = [(says, given) for says, given in parts if says is not None]
+        return together_under(known) if len(known) == len(parts) else None
+
+    @property
+    def parts(self) -> tuple[Basic, ...]:
+        """What the statement consists of; nothing where there is none."""
+        return () if self.statement is None else parts_of(self.statement)
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:
@@ -336,23 +389,48 @@ class Claim:
         return tuple(dict.fromkeys(quoted))
 
 
+def label_claims(names: Mapping[str, Any]) -> None:
+    """Label each claim that has no label with its name among ``names``: the last line of a part."""
+    for name, value in names.items():
+        if isinstance(value, Claim) and not value.label:
+            object.__setattr__(value, "label", name)
+
+
+def _kind(says: Basic | str, proof: Evidence) -> str:
+    """What kind of claim it is: by its evidence, where that is for one kind, else by its form."""
+    if isinstance(says, str | Statement):
+        return getattr(proof, "kind", "statement")
+    inequalities = all(isinstance(part, Ge | Gt | Le | Lt) for part in parts_of(says))
+    return getattr(proof, "kind", "bound" if inequalities else "identity")
+
+
+def _expected(proof: Evidence) -> Ruling:
+    """The verdict that evidence of its type is given for."""
+    return getattr(proof, "expect", Verdict.PROVED)
+
+
 def expressions(claim: Claim) -> Iterator[Basic]:
     """Everything that the claim and its evidence write down: what is said, given, and each step."""
     proof = claim.proof
     yield from (e for e in (claim.says, claim.means) if isinstance(e, Basic))
     yield from claim.given
-    match proof:
-        case UniqueRoot():
-            yield from (proof.function, proof.low, proof.high)
-        case ImplicitFunction():
-            yield from (proof.unknown, proof.parameter, proof.at)
-        case Formally():
-            yield from proof.relations
+    if isinstance(proof, ImplicitFunction):
+        yield from (proof.unknown, proof.parameter, proof.at)
     for chain in _chains(proof):
         for link in chain:
             reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
             written = (link.expression, *(e for three in reasons for e in three))
             yield from (e for e in written if e is not None)
+
+
+def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain], ...] | None:
+    """What is said, part by part with its chain; None where the parts are not as many."""
+    if isinstance(proof, Together):
+        parts = parts_of(says)
+        same = len(parts) == len(proof.chains)
+        return tuple(zip(parts, proof.chains, strict=True)) if same else None
+    alike = len(proof) == 1 and proof[0].expression is None
+    return tuple((part, proof) for part in (parts_of(says) if alike else (says,)))
 
 
 def _chains(proof: Evidence) -> tuple[Chain, ...]:

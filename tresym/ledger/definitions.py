@@ -13,9 +13,9 @@ from functools import lru_cache
 from itertools import combinations
 from typing import NamedTuple
 
-from sympy import Basic, Derivative, Eq, Integral, Subs
+from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
 
-from tresym.ledger.claim import Claim, Definition, UniqueRoot, expressions, parts_of
+from tresym.ledger.claim import Claim, Definition, Root, UniqueRoot, equal, expressions, parts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_value
 from tresym.ledger.evidence.manifest import is_manifest
 from tresym.ledger.finding import Finding
@@ -33,12 +33,15 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.second_look import satisfiable, scalars
+from tresym.ledger.statements import ExactlyOne
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 UNDECIDED = Verdict.UNDECIDED
+INTRODUCING = (*DEFINING, Root)
+"""Evidence that puts symbols on the table."""
 
 
 class Entry(NamedTuple):
@@ -51,6 +54,11 @@ class Entry(NamedTuple):
     written: Eq
 
     @property
+    def explicit(self) -> bool:
+        """Whether the symbol stands for its meaning; else that is what vanishes at it."""
+        return self.symbol.op == "symbol" and not isinstance(self.claim.proof, Root)
+
+    @property
     def names(self) -> frozenset[str]:
         """The symbols of both sides."""
         return symbols(self.symbol) | symbols(self.meaning)
@@ -61,13 +69,22 @@ def table(claims: Iterable[Claim]) -> tuple[Entry, ...]:
     return tuple(
         Entry(tree(e.lhs), tree(e.rhs), claim, e)
         for claim in claims
-        if isinstance(claim.proof, DEFINING)
+        if isinstance(claim.proof, INTRODUCING)
         for e in _equations(claim)
     )
 
 
 def _equations(claim: Claim) -> Iterator[Eq]:
-    """The equations of a claim, entry by entry, as they are written."""
+    """The equations of a claim, entry by entry, as they are written.
+
+    A root is put beside the function that vanishes at it, of a variable that nothing binds.
+    """
+    if isinstance(claim.proof, Root):
+        new, root = claim.proof.symbol, claim.proof.unique.statement
+        if isinstance(root, ExactlyOne) and root.difference is not None:
+            stand_in = Symbol(f"[{new}]", real=True)
+            yield equal(new, root.difference.xreplace({root.variable: stand_in}))
+        return
     parts = (part for part in parts_of(claim.says) if isinstance(part, Eq))
     yield from (entry for part in parts for entry in scalars(part))
 
@@ -88,18 +105,19 @@ def restrictions(claims: Iterable[Claim]) -> tuple[Eq, ...]:
     return tuple(e.written for e in entries if e.symbol.op != "symbol" and not own(e))
 
 
-def judge_definition(claim: Claim, proof: Definition) -> Finding:
+def judge_definition(claim: Claim, proof: Definition | Root) -> Finding:
     """A definition holds when its symbols are new, each defined once, by what has a value.
 
     An equation for an integral defines a symbol in it only where it is assumed, by name, that there
     is one; a point is looked for that satisfies it.
     """
-    why = _ill_defined(claim, proof)
+    why = _ill_defined(claim, proof) if isinstance(proof, Definition) else _no_root(claim, proof)
     if why is not None:
         return Finding(UNDECIDED, why)
     names = ", ".join(sorted(str(entry.symbol) for entry in table((claim,))))
-    why = f"assumed: {proof.assumes}" if proof.assumes else f"introduces {names}"
-    return Finding(proof.premise, why)
+    assumes = proof.assumes if isinstance(proof, Definition) else ""
+    why = f"assumed: {assumes}" if assumes else f"introduces {names}"
+    return Finding(proof.expect, why)
 
 
 def _ill_defined(claim: Claim, proof: Definition) -> str | None:
@@ -128,6 +146,21 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
     return None
 
 
+def _no_root(claim: Claim, proof: Root) -> str | None:
+    """Why the symbol is no name for the one root: another is said to be meant, or it is not new."""
+    unique = proof.unique.statement
+    shown = isinstance(proof.unique.proof, UniqueRoot) and proof.unique.given == claim.given
+    if not shown or not isinstance(unique, ExactlyOne) or unique.difference is None:
+        return "that there is one root is not shown, or under other conditions"
+    if claim.says != proof.says:
+        return "what is said is not what the root is"
+    asked = (unique.difference, unique.low, unique.high, *claim.given)
+    if proof.symbol == unique.variable or any(proof.symbol in e.free_symbols for e in asked):
+        return f"{proof.symbol} is not a new symbol"
+    earlier = {entry.symbol for entry in table(claim.rests_on)}
+    return f"{proof.symbol} is not a new symbol" if tree(proof.symbol) in earlier else None
+
+
 def captured(claim: Claim) -> str | None:
     """Why the claim does not keep its symbols apart: one is bound, and defined.
 
@@ -138,12 +171,16 @@ def captured(claim: Claim) -> str | None:
     for e in written:
         binders = e.atoms(Integral, Derivative, Subs)
         bound |= {v.name for node in binders for v in node.variables}
-    if isinstance(claim.proof, UniqueRoot):
-        bound.add(claim.proof.variable.name)
+        bound |= {root.variable.name for root in e.atoms(ExactlyOne)}
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
     behind = _behind(entries)
+    roots = [root for e in written for root in e.atoms(ExactlyOne)]
+    for root in roots:
+        for symbol in sorted(root.free_symbols, key=str):
+            if root.variable.name in behind.get(symbol.name, ()):
+                return f"{symbol} stands where what it is defined by is bound"
     found = next((name for e in written if bound for name in _misread(e, behind)), None)
     return None if found is None else f"{found} stands where what it is defined by is bound"
 
@@ -170,7 +207,7 @@ def _behind(entries: Iterable[Entry]) -> Behind:
 
 def conflict(claims: Iterable[Claim]) -> str | None:
     """Why the definitions among ``claims`` are no table: two of one symbol, or a circle."""
-    return _conflict(tuple(c for c in claims if isinstance(c.proof, DEFINING)))
+    return _conflict(tuple(c for c in claims if isinstance(c.proof, INTRODUCING)))
 
 
 @lru_cache(maxsize=4096)
@@ -181,7 +218,7 @@ def _conflict(claims: tuple[Claim, ...]) -> str | None:
     circle = _circle(meanings)
     if circle is not None:
         return circle
-    once = tuple(f[0].written for s, f in meanings.items() if s.op == "symbol" and len(f) == 1)
+    once = tuple(f[0].written for f in meanings.values() if f[0].explicit and len(f) == 1)
     for name, found in meanings.items():
         for one, two in combinations(found, 2):
             if one.meaning != two.meaning and not _agree(one, two, once):

@@ -33,6 +33,11 @@ class Premise(Enum):
 Ruling = Verdict | Premise
 RULINGS: tuple[Ruling, ...] = (*Verdict, *Premise)
 """All that the ledger says of claims, in the order in which it is counted."""
+WEAKEST_FIRST: tuple[Ruling, ...] = (
+    *(Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED),
+    *(Premise.ASSUMED, Premise.DEFINED),
+)
+"""Claims said together are what the weakest is: what premises alone say is no more than they."""
 
 
 @dataclass(frozen=True)

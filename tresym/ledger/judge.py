@@ -12,8 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from time import process_time
 
-from flint import arb, fmpq
-from sympy import Basic, Tuple
+from sympy import Basic
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -25,8 +24,10 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
+    chains_of,
     parts_of,
     put_in_by,
 )
@@ -40,12 +41,12 @@ from tresym.ledger.definitions import (
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.defined import continuous_on, undefined
-from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.denial import Denied, judge_counterexample
 from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
-from tresym.ledger.finding import Finding, Premise, StepFinding
+from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
 from tresym.ledger.meaning import (
     CircularError,
     Conditions,
@@ -61,28 +62,24 @@ from tresym.ledger.meaning import (
 from tresym.ledger.reasons import citing
 from tresym.ledger.second_look import (
     contradiction,
-    excluded,
     rootless,
     satisfiable,
+    scalars,
     violation,
 )
+from tresym.ledger.statements import ExactlyOne, ForSome
 from tresym.reals.advocate import STOPPED
 from tresym.reals.balls.boxes import CertificateError
 from tresym.reals.decisions.identity import decide
-from tresym.reals.language.binders import derivative, elementary, generalised, worked_out
+from tresym.reals.language.binders import derivative, elementary, generalised
 from tresym.reals.language.expression import Expr, substitute, symbols
 from tresym.reals.language.formula import Relation
-from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, fraction_text
-from tresym.reals.places.values import evaluate
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-_WEAKEST_FIRST = (Verdict.ENCLOSED, Verdict.PROVED, Premise.ASSUMED, Premise.DEFINED)
-"""What a conjunction of claims that hold is: what premises alone say is no more than they are."""
-
-NEVER_ATTACKED = (Definition, ImplicitFunction, AllOf, UniqueRoot)
+NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -187,39 +184,32 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     if why is not None:
         return Finding(UNDECIDED, why)
     match claim.proof:
-        case Definition():
+        case Definition() | Root():
             return judge_definition(claim, claim.proof)
         case Printed():
             return judge_printed(claim.proof)
         case AllOf(claims):
             return _judge_all(claims, found)
-        case Formally(relations=relations):
-            return _judge_relations(relations, claim)
+        case Formally():
+            return _judge_relations(claim)
         case Counterexample():
-            return _judge_counterexample(claim, claim.proof)
+            return judge_counterexample(claim, claim.proof)
         case UniqueRoot():
             return _judge_unique_root(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
-        case Together(chains):
-            return _judge_together(claim, chains)
-        case tuple() if claim.statement is not None:
-            return _judge_chains(claim, ((claim.statement, claim.proof),))
+        case Together() | tuple() if claim.statement is not None:
+            return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Boxes() | Asymptotics() | Denied():
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")
 
 
-def _judge_together(claim: Claim, chains: tuple[Chain, ...]) -> Finding:
-    parts = claim.statement.args if isinstance(claim.statement, Tuple) else ()
-    if len(parts) != len(chains):
-        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
-    return _judge_chains(claim, tuple(zip(parts, chains, strict=True)))
-
-
-def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
+def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -> Finding:
     """PROVED when every step of every chain is; otherwise tried at exact points."""
+    if parts is None:
+        return Finding(UNDECIDED, "the statement has another number of parts than the proof")
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     given = conditions(claim.given)
@@ -244,7 +234,7 @@ def _possible(claim: Claim) -> bool:
     if not _met_somewhere(given):
         return False
     behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    explicit = [entry for entry in table(behind) if entry.symbol.op == "symbol"]
+    explicit = [entry for entry in table(behind) if entry.explicit]
     rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:
@@ -294,38 +284,44 @@ def _judge_all(claims: tuple[Claim, ...], found: Findings) -> Finding:
             return Finding(REFUTED, why, witness=finding.witness)
         if finding.verdict is UNDECIDED:
             return Finding(UNDECIDED, f"{claim.label} is undecided")
-    verdicts = {found[c.label].verdict for c in claims}
-    weakest = next(v for v in _WEAKEST_FIRST if v in verdicts)
+    weakest = min((found[c.label].verdict for c in claims), key=WEAKEST_FIRST.index)
     return Finding(weakest, "follows from " + ", ".join(c.label for c in claims))
 
 
 def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
     """PROVED by its evidence, or REFUTED where balls show that there is no root at all."""
+    root = claim.statement
+    if not isinstance(root, ExactlyOne) or root.difference is None:
+        return Finding(UNDECIDED, "the statement is not that an equation has exactly one root")
+    if root.variable in root.low.free_symbols | root.high.free_symbols:
+        return Finding(UNDECIDED, f"{root.variable} is bound, and the ends depend on it")
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    if any(proof.variable.name in defined(used) for used in claim.uses):
-        return Finding(UNDECIDED, f"{proof.variable} is bound, and is defined in what is used")
-    finding = _one_root(proof, conditions(claim.given))
+    if any(root.variable.name in defined(used) for used in claim.uses):
+        return Finding(UNDECIDED, f"{root.variable} is bound, and is defined in what is used")
+    stated = root.variable, root.difference, root.low, root.high
+    finding = _one_root(proof, stated, conditions(claim.given))
     if finding.verdict is PROVED:
         return finding
-    none = rootless(proof.function, proof.variable, (proof.low, proof.high), claim.given)
+    none = rootless(root.difference, root.variable, (root.low, root.high), claim.given)
     return Finding(REFUTED, none.why, witness=none.point, steps=finding.steps) if none else finding
 
 
-def _one_root(proof: UniqueRoot, given: Conditions) -> Finding:
+def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -> Finding:
     """Continuity, a derivative of one sign inside, and opposite signs at the ends."""
-    v, h, low, high = map(tree, (proof.variable, proof.function, proof.low, proof.high))
+    v, h, low, high = map(tree, stated)
+    name = str(v)
     # The root is looked for in the whole interval, whatever is assumed of the symbol.
-    given = without(proof.variable.name, given)
+    given = without(name, given)
     gap = continuous_on(h, (*given, Relation(v, ">=", low), Relation(v, "<=", high)))
     if gap is not None:
         return Finding(UNDECIDED, f"nothing shows that {gap} stays off its singularity")
     inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
-    start = derivative(h, proof.variable.name)
+    start = derivative(h, name)
     steps, slope = _chain_to_sign(start, proof.derivative, inside)
     signs = []
     for end, chain in ((low, proof.at_low), (high, proof.at_high)):
-        found, sign = _chain_to_sign(substitute(h, {proof.variable.name: end}), chain, given)
+        found, sign = _chain_to_sign(substitute(h, {name: end}), chain, given)
         steps += found
         signs.append(sign)
     failed = next((s for s in steps if s.verdict is not PROVED), None)
@@ -398,10 +394,21 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     return Finding(PROVED, why, steps=steps)
 
 
-def _judge_relations(relations: tuple[Basic, ...], claim: Claim) -> Finding:
-    """All relations hold, or the first that does not decides."""
+def _judge_relations(claim: Claim) -> Finding:
+    """All relations of the statement hold, or the first that does not decides.
+
+    That there is a point is refuted by what holds at none.
+    """
+    says = claim.statement
+    if isinstance(says, ForSome):
+        (some,) = says.args
+        never = some.negated if isinstance(some, Relational) else None
+        if not isinstance(never, Relational) or _without_chain(never, claim).verdict is not PROVED:
+            return Finding(UNDECIDED, "nothing shows that it holds nowhere")
+        where = known(conditions(claim.given)).satisfying_point()
+        return Finding(REFUTED, f"{never} everywhere, as at the witness", witness=where)
     finding = Finding(UNDECIDED, "there is no relation to decide")
-    for relation in relations:
+    for relation in (entry for part in claim.parts for entry in scalars(part)):
         if not isinstance(relation, Relational):
             return Finding(UNDECIDED, f"{relation} is not a relation")
         finding = _settle(relation, claim)
@@ -446,42 +453,3 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
     if gap is not None:
         return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
     return Finding(PROVED if shown else UNDECIDED, why)
-
-
-def _judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
-    """REFUTED when balls confirm the conditions and the violation at the exact point.
-
-    Where the statement is a relation, balls must exclude it there too; of prose, that the violation
-    contradicts it is for the reader.
-    """
-    with ball_precision(256):
-        for condition in (*claim.given, proof.violated):
-            if not _true_at(condition, proof.point):
-                return Finding(UNDECIDED, f"{condition} is not shown at the point")
-        says = claim.statement
-        if isinstance(says, Relational) and not excluded(
-            _difference_at(says, proof.point), says.rel_op
-        ):
-            return Finding(UNDECIDED, "the statement is not shown to fail at the point")
-    where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
-    return Finding(REFUTED, f"violated at {where}", witness=proof.point)
-
-
-def _difference_at(relation: Basic, point: Mapping[str, fmpq]) -> arb:
-    left, right = map(worked_out, map(tree, relation.args))
-    at = {name: arb(v) for name, v in point.items()}
-    return evaluate(left - right, at) if elementary(left, right) else arb.nan()
-
-
-def _true_at(relation: Basic, point: Mapping[str, fmpq]) -> bool:
-    difference = _difference_at(relation, point)
-    return bool(
-        {
-            ">": difference > 0,
-            ">=": difference >= 0,
-            "<": difference < 0,
-            "<=": difference <= 0,
-            "!=": not difference.contains(0),
-            "==": difference.is_zero(),
-        }[relation.rel_op]
-    )

@@ -13,7 +13,7 @@ from functools import lru_cache
 from sympy import Basic, MatrixBase
 from sympy import Expr as Expression
 
-from tresym.ledger.claim import Claim, Definition, ImplicitFunction
+from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
 from tresym.reals.language import sympy as door
 from tresym.reals.language.binders import elementary, ordered
 from tresym.reals.language.expression import (
@@ -131,8 +131,10 @@ def defined(claim: Claim) -> frozenset[str]:
 
     An equation for an integral may define any symbol in it.
     """
-    behind = (c for c in (claim, *claim.rests_on) if isinstance(c.proof, DEFINING))
-    return frozenset().union(*(symbols(left) for c in behind for left in definitions((c,))))
+    claims = (claim, *claim.rests_on)
+    roots = (c.proof.symbol.name for c in claims if isinstance(c.proof, Root))
+    behind = (c for c in claims if isinstance(c.proof, DEFINING))
+    return frozenset(roots).union(*(symbols(left) for c in behind for left in definitions((c,))))
 
 
 def put_in(e: Expr, rules: Rules) -> Expr:

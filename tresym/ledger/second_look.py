@@ -217,8 +217,8 @@ def _violated_at(place: Mapping[Symbol, Interval]) -> Violation:
 
 
 def scalars(equation: Basic) -> list[Basic]:
-    """The entries of an equation of matrices; a scalar relation is its own."""
-    left, right = equation.args
+    """The entries of an equation of matrices; anything else is its own."""
+    left, right = equation.args if isinstance(equation, Relational) else (None, None)
     if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
         return [equal(p, q) for p, q in zip(left, right, strict=True)]
     return [equation]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from sympy import Basic, Integer, Symbol, Tuple, sympify
+from sympy import Basic, Eq, Expr, Integer, Symbol, Tuple, sympify
 
 
 class Statement(Basic):
@@ -30,12 +30,37 @@ class ExactlyOne(Statement):
     @property
     def free_symbols(self) -> set[Basic]:
         """The symbols of which it speaks."""
-        x, low, high, inner = self.args
-        return low.free_symbols | high.free_symbols | (inner.free_symbols - {x})
+        inner: Basic = self.args[3]
+        return self.low.free_symbols | self.high.free_symbols | inner.free_symbols - {self.variable}
+
+    @property
+    def variable(self) -> Symbol:
+        """What is bound."""
+        return self.args[0]
+
+    @property
+    def low(self) -> Expr:
+        """The end below."""
+        return self.args[1]
+
+    @property
+    def high(self) -> Expr:
+        """The end above."""
+        return self.args[2]
+
+    @property
+    def difference(self) -> Expr | None:
+        """What vanishes at the one, where φ is an equation."""
+        inner = self.args[3]
+        return inner.lhs - inner.rhs if isinstance(inner, Eq) else None
 
 
 class Under(Statement):
     """``Under(φ, (condition, …))``: φ wherever the conditions hold; a part of a conjunction."""
+
+
+class ForSome(Statement):
+    """``ForSome(φ)``: φ at one point at least under the conditions of the claim."""
 
 
 class As(Statement):

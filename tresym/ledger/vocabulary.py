@@ -18,8 +18,9 @@ from sympy import (
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
-    Claim, Counterexample, Definition, Fault, ImplicitFunction, Place, Printed, Reason, UniqueRoot,
-    all_of, at, by, equal, equations, formally, parts_of, step, together,
+    Claim, Counterexample, Definition, Fault, ImplicitFunction, Place, Printed, Reason, Root,
+    UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims, line, manifest,
+    parts_of, step, together,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
@@ -29,6 +30,7 @@ from tresym.ledger.reasons import (
     differentiating_integral, differentiation, evaluating, exponentials, integrating, inverses,
     multiplying, roots, substituting, trigonometry,
 )
+from tresym.ledger.statements import ExactlyOne, ForSome, Under
 from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Order
@@ -36,13 +38,14 @@ from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "Basic", "Bound", "Boxes", "Claim", "Counterexample", "Definition",
-    "Denied", "Derivative", "Equivalent", "Expr", "Fault", "Function", "Ge", "Germs", "Gt",
-    "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le", "Lt", "Meant", "Ne",
-    "Order", "Place", "Printed", "Rational", "Reason", "Subs", "Symbol", "Tuple", "UniqueRoot",
-    "Verdict", "acos", "adding", "algebra", "all_of", "applying", "arb", "asin", "asinh", "at",
-    "atan", "atanh", "box", "by", "certificate", "changing_variable", "citing", "collecting",
-    "cos", "cosh", "cutting", "det", "diff", "differentiating_integral", "differentiation",
-    "equal", "equations", "evaluating", "exp", "exponentials", "eye", "fmpq", "formally",
-    "integrating", "inverses", "log", "multiplying", "parts_of", "pi", "roots", "sin", "sinh",
-    "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr", "Fault", "ForSome", "Function",
+    "Ge", "Germs", "Gt", "ImmutableMatrix", "ImplicitFunction", "Integer", "Integral", "Le",
+    "Lt", "Meant", "Ne", "Order", "Place", "Printed", "Rational", "Reason", "Root", "Subs",
+    "Symbol", "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of",
+    "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
+    "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
+    "differentiating_integral", "differentiation", "display", "equal", "equations",
+    "evaluating", "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses",
+    "label_claims", "line", "log", "manifest", "multiplying", "parts_of", "pi", "roots", "sin",
+    "sinh", "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
 ]

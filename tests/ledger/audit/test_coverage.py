@@ -251,7 +251,8 @@ def test_a_sentence_counts_by_its_formal_relations() -> None:
     said = Claim(
         "energy",
         "The energy",
-        formally(equal(h, dq_dt**2 / 2 - w**2 * cos(q))),
+        formally(),
+        means=equal(h, dq_dt**2 / 2 - w**2 * cos(q)),
         where=Place(display=1),
     )
     others = [c for c in claims() if c.label != "energy"]

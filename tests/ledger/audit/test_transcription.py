@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from sympy import Basic, Eq, Equivalent, Matrix, Symbol, Tuple, cos, sin, sqrt
 
@@ -77,7 +79,7 @@ def test_sentences_numbers_and_conjunctions() -> None:
     number = claim("a number", Printed("1.25", lambda m: m.pi))
     assert left_over("y = 1.25", number) == []
     assert left_over("y = 1.26", number) == ["y == 1.26"]
-    sentence = claim("in words", formally(equal(y, x)))
+    sentence = replace(claim("in words", formally()), means=equal(y, x))
     both = claim("both", all_of(sentence, number))
     assert left_over("y = x", sentence) == left_over("y = x", both) == []
     assert left_over("y = x", claim("in words", Definition())) == ["y == x"]

@@ -1,15 +1,16 @@
-"""A denial is worth what the claims it rests on are worth."""
+"""What a point denies, and that a denial is worth what the claims it rests on are worth."""
 
 from flint import fmpq
-from sympy import Symbol, sqrt
+from sympy import Equivalent, Symbol, Tuple, sqrt
 
 from tresym.ledger.claim import Claim, by, equal
-from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.denial import Denied, denied_at
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import roots
+from tresym.ledger.statements import ExactlyOne, Under
 from tresym.reals.verdict import Verdict
 
-x = Symbol("x", real=True)
+x, y = (Symbol(name, real=True) for name in "xy")
 CASE = {"x": fmpq(1)}
 RIGHT = Claim("right", equal(sqrt(x**2), x), by(roots), given=(x > 0,))
 WRONG = Claim("wrong", equal(sqrt(x**2), x), by(roots))
@@ -33,3 +34,19 @@ def test_nothing_is_denied_by_what_does_not_hold() -> None:
 def test_a_denial_needs_a_claim_and_a_case() -> None:
     assert verdict() is Verdict.UNDECIDED
     assert verdict(RIGHT, case={}) is Verdict.UNDECIDED
+
+
+def test_a_point_denies_the_part_that_fails_after_what_holds_there() -> None:
+    over = Under(x > 3, Tuple(equal(x, 1)))
+    assert denied_at(over, CASE) == ((equal(x, 1),), x > 3)
+    assert denied_at(Tuple(x > 0, over), CASE) == ((equal(x, 1),), x > 3)
+    assert denied_at(Equivalent(x > 0, x > 3), CASE) == ((x > 0,), x > 3)
+    assert denied_at(Equivalent(x > 3, x > 0), CASE) == ((x > 0,), x > 3)
+    for held in (x > 0, Under(x > 3, Tuple(x > 2)), Equivalent(x > 3, x > 4), Tuple()):
+        assert denied_at(held, CASE) is None
+
+
+def test_a_point_denies_nothing_of_other_symbols_nor_of_what_has_no_value() -> None:
+    for says in (y > 2, Tuple(x > 0, y > x), Under(x > 3, Tuple(y > 0)), sqrt(-x) > 5):
+        assert denied_at(says, CASE) is None
+    assert denied_at(ExactlyOne(x, 0, 1, equal(x, 2)), CASE) is None

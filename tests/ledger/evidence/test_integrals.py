@@ -50,6 +50,7 @@ from tresym.ledger.reasons import (
     substituting,
 )
 from tresym.ledger.second_look import value
+from tresym.ledger.statements import ExactlyOne
 from tresym.reals.verdict import Verdict
 
 a, r, t, x, y = (Symbol(name, real=True) for name in "artxy")
@@ -457,8 +458,8 @@ def test_no_root_is_looked_for_where_a_symbol_is_defined() -> None:
     half, _, held = defined_bound()
     slope = (step(3 * t**2 - 1, differentiation), step(Rational(-1, 4), substituting(half)))
     ends = [(step((t**3 - t).subs(t, end)),) for end in (Rational(-1, 2), Rational(1, 2))]
-    proof = UniqueRoot(t, t**3 - t, Rational(-1, 2), Rational(1, 2), slope, *ends)
-    assert not judge(Claim("root", "one root", proof), held).verdict.holds
+    says = ExactlyOne(t, Rational(-1, 2), Rational(1, 2), equal(t**3, t))
+    assert not judge(Claim("root", says, UniqueRoot(slope, *ends)), held).verdict.holds
 
 
 def test_rules_are_not_applied_where_another_node_binds_a_symbol() -> None:

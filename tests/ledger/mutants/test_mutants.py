@@ -140,16 +140,16 @@ def test_a_conjunction_has_its_parts_changed() -> None:
 
 
 def test_a_refuted_sentence_is_changed_and_stays_refuted() -> None:
-    point = Counterexample({"x": fmpq(1, 2)}, sin(x) > x / 2)
-    false = Claim("false", "sin x ≤ x/2", point, given=(x > 0,))
+    point = Counterexample({"x": fmpq(1, 2)})
+    false = Claim("false", "sin x ≤ x/2", point, given=(x > 0,), means=sin(x) <= x / 2)
     found = list(mutants(false, 4))
     assert found
     assert all(judge(m.claim, {}).verdict is not Verdict.PROVED for m in found)
 
 
 def test_a_sentence_denied_at_a_point_has_its_conditions_changed() -> None:
-    point = Counterexample({"x": fmpq(1, 2)}, sin(x) > x / 2)
-    false = Claim("false", "sin x ≤ x/2", point, given=(x > 0, x < 3))
+    point = Counterexample({"x": fmpq(1, 2)})
+    false = Claim("false", sin(x) <= x / 2, point, given=(x > 0, x < 3))
     found = [m for m in mutants(false, 9) if m.place.startswith("condition")]
     assert {m.place for m in found} == {"condition 1", "condition 2"}
     assert all(judge(m.claim, {}).verdict is Verdict.REFUTED for m in found)
@@ -261,7 +261,8 @@ def test_integrals_are_enclosed() -> None:
 
 
 def test_sentences_without_a_chain_have_mutants() -> None:
-    sentence = Claim("s", "x² + y > 0", formally(x**2 + y > 0, y**2 + x > 1), given=(y > 1, x > 1))
+    says = Tuple(x**2 + y > 0, y**2 + x > 1)
+    sentence = Claim("s", "x² + y > 0, …", formally(), given=(y > 1, x > 1), means=says)
     assert {m.place for m in mutants(sentence, 4)} == {"relation 1", "relation 2"}
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
+from tresym.reals.decisions import reading
 from tresym.reals.decisions.reading import MAX_CHARACTERS, read, read_as, read_path
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
@@ -162,3 +163,18 @@ def test_what_was_read_is_read_as_the_same(claim: str) -> None:
 
 def test_nothing_is_said_of_what_is_not_read() -> None:
     assert read_as("x > 0 given x > 1 given y > 1") == ""
+
+
+@pytest.mark.parametrize("claim", ["x > 1 given y >= 2", "sin(x) == O(x) as x -> 0", "a < b < c"])
+def test_what_is_decided_is_read_from_what_is_shown(
+    monkeypatch: pytest.MonkeyPatch, claim: str
+) -> None:
+    """A reader that takes one sign for another shows the other, too."""
+    good = read(claim)
+    wrong = str.maketrans({"x": "z", ">": "<", "b": "a"})
+    monkeypatch.setattr(reading, "plain", lambda text: text.translate(wrong).replace("-<", "->"))
+    bad = read(claim)
+    assert bad.read_as != good.read_as
+    monkeypatch.undo()
+    again = read(bad.read_as)
+    assert (bad.comparisons, bad.given, bad.path) == (again.comparisons, again.given, again.path)

@@ -83,6 +83,12 @@ CLAIMS = [
     ("sign(x)*sqrt(x - 1) == sqrt(x - 1)", "", PROVED),
     ("sign(x)*sqrt(x + 1) == sqrt(x + 1)", "x >= 0", REFUTED),
     ("sign(x*y) == sign(x)*sign(y)", "", PROVED),
+    ("sign(x)**2 == 1", "x != 1", REFUTED),
+    ("sign(x)**2 == 1", "x != -1", REFUTED),
+    ("sign(x**2*(x - 1)) == sign(x - 1)", "x != 3", REFUTED),
+    ("sign(abs(x - sin(1))) == 1", "x != 1", UNDECIDED),  # false at x = sin(1)
+    ("sign(abs(x - sin(1))) == 1", "x != sin(1)", PROVED),
+    ("sign(abs(x - sin(1))) == 1", "x > sin(1)", PROVED),
     ("sign(x**3 - x)**2 == 1", "x > 0", REFUTED),
     ("sign(x**3 - x)**2 == 1", "x > 1", PROVED),
     ("sign(tan(atan(x)))*cbrt(x**3) == abs(x)", "", PROVED),

@@ -156,7 +156,7 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
     if isinstance(claim.proof, Printed):
         numbers = [claim.proof.text]
     if isinstance(claim.says, str):
-        says = list(claim.proof.relations) if isinstance(claim.proof, Formally) else []
+        says = [claim.means] if isinstance(claim.proof, Formally) else []
         if isinstance(claim.proof, AllOf):
             for part in claim.proof.claims:
                 yield from _statements(part)

@@ -6,12 +6,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from flint import fmpq
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import Finding, Ruling
 from tresym.reals.balls.boxes import (
     Bound,
     BoxProof,
@@ -68,6 +68,8 @@ class Boxes:
     stored: Callable[[], tuple[BoxProof, ...] | None] | None = None
     budget: int = 20_000
     meant: Any = None
+    kind: ClassVar[str] = "bound"
+    expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
     def decisions(self) -> tuple[BoxProof | Counterexample | Open, ...]:
         """What each bound came to, by its stored proof where there is one.
@@ -123,6 +125,8 @@ class Asymptotics:
     parameter: str
     claims: tuple[Claim, ...] = ()
     meant: Any = None
+    kind: ClassVar[str] = "order"
+    expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
     def judge(self) -> Finding:
         """The verdict of the order machinery, with the true order for what is refuted."""

@@ -72,17 +72,28 @@ def check_chain(says: Formula, chain: Chain, given: Conditions) -> tuple[StepFin
     for link in chain:
         after = goal if link.expression is None else stage(link.expression)
         began = time.perf_counter()
-        if after is None:
-            finding = _undecided("an inequality needs a form whose sign is manifest")
-        else:
-            finding = _check_step(before, after, link.reasons, given)
-            before = after
+        after = _as_meant(before, link.reasons, given) if after is None else after
+        finding = _check_step(before, after, link.reasons, given)
+        before = after
         findings.append(replace(finding, seconds=time.perf_counter() - began))
     if all(f.verdict is Verdict.PROVED for f in findings):
         arrival = _arrives(says, before, goal, chain[-1].reasons, given)
         if arrival.verdict is not Verdict.PROVED:
             findings.append(arrival)
     return tuple(findings)
+
+
+def _as_meant(before: Stage, reasons: tuple[Reason, ...], given: Conditions) -> Stage:
+    """What a step leads to that names no form: all put in and worked out by which it has a sign."""
+    used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
+    try:
+        rules, _ = instantiated(used, with_bounds(given, reasons))
+    except NotShownError:
+        return before
+    assert not isinstance(before, Relation)
+    meant = tuple(put_in(e, rules) for e in before)
+    opened = any(reason.name in OPENING for reason in reasons)
+    return tuple(map(worked_out, meant)) if opened else meant
 
 
 def _ends(

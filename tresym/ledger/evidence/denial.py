@@ -1,27 +1,103 @@
-"""A general statement denied by an instance: what claims that hold say of it contradicts it."""
+"""A general statement denied: by a point at which it fails, or by claims that contradict it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
-from flint import fmpq
+from flint import arb, fmpq
+from sympy import Basic, Equivalent, Tuple
+from sympy.core.relational import Relational
 
-from tresym.ledger.claim import Claim
-from tresym.ledger.finding import Finding
+from tresym.ledger.claim import Claim, Counterexample
+from tresym.ledger.finding import Finding, Ruling
+from tresym.ledger.meaning import tree
+from tresym.ledger.second_look import excluded, scalars
+from tresym.ledger.statements import Under
+from tresym.reals.language.binders import elementary, worked_out
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import fraction_text
+from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
+
+BITS = 256
+Point = Mapping[str, fmpq]
+
+
+def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
+    """REFUTED when balls confirm the conditions, and exclude the statement, at the exact point."""
+    if claim.statement is None:
+        return Finding(Verdict.UNDECIDED, "a point denies a formula, and none is stated")
+    with ball_precision(BITS):
+        for condition in claim.given:
+            if not _holds_at(condition, proof.point):
+                return Finding(Verdict.UNDECIDED, f"{condition} is not shown at the point")
+        if denied_at(claim.statement, proof.point) is None:
+            return Finding(Verdict.UNDECIDED, "the statement is not shown to fail at the point")
+    where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
+    return Finding(Verdict.REFUTED, f"violated at {where}", witness=proof.point)
+
+
+def denied_at(says: Basic, point: Point) -> tuple[tuple[Basic, ...], Relational] | None:
+    """The relation in ``says`` that balls exclude at ``point``, after what holds there, or None."""
+    match says:
+        case Tuple():
+            return next((d for part in says.args if (d := denied_at(part, point))), None)
+        case Under(args=(inner, given)):
+            denied = denied_at(inner, point) if _all_hold(given.args, point) else None
+            return denied and ((*given.args, *denied[0]), denied[1])
+        case Equivalent(args=(first, second)):
+            for one, other in ((first, second), (second, first)):
+                denied = denied_at(other, point) if _all_hold((one,), point) else None
+                if denied is not None:
+                    return (one, *denied[0]), denied[1]
+        case Relational():
+            for entry in scalars(says):
+                if excluded(_difference_at(entry, point), entry.rel_op):
+                    return (), entry
+    return None
+
+
+def _all_hold(conditions: tuple[Basic, ...], point: Point) -> bool:
+    return all(_holds_at(entry, point) for part in conditions for entry in scalars(part))
+
+
+def _holds_at(relation: Basic, point: Point) -> bool:
+    """Whether balls show that a relation holds at ``point``; an equation only where they are 0."""
+    difference = _difference_at(relation, point)
+    return bool(
+        {
+            ">": difference > 0,
+            ">=": difference >= 0,
+            "<": difference < 0,
+            "<=": difference <= 0,
+            "!=": not difference.contains(0),
+            "==": difference.is_zero(),
+        }[relation.rel_op]
+    )
+
+
+def _difference_at(relation: Basic, point: Point) -> arb:
+    """The difference of the sides; not finite where a symbol has no value, or a side none."""
+    if not {symbol.name for symbol in relation.free_symbols} <= {*point}:
+        return arb.nan()
+    left, right = map(worked_out, map(tree, relation.args))
+    at = {name: arb(v) for name, v in point.items()}
+    return evaluate(left - right, at) if elementary(left, right) else arb.nan()
 
 
 @dataclass(frozen=True)
 class Denied:
-    """None, "never" and "every", denied by ``claims`` that exhibit the case ``witness``.
+    """A sentence without a formula, denied by ``claims`` that exhibit the case ``witness``.
 
-    That the claims contradict the statement is for the reader to see, as with a conjunction; that
-    they hold is not: a denial whose claims do not all hold is UNDECIDED.
+    That the claims contradict the sentence is for the reader to see; that they hold is not: a
+    denial whose claims do not all hold is UNDECIDED.
     """
 
     claims: tuple[Claim, ...]
-    witness: Mapping[str, fmpq]
+    witness: Point
+    expect: ClassVar[Ruling] = Verdict.REFUTED
 
     def judge(self) -> Finding:
         """REFUTED; only asked when every claim named is found to hold."""

@@ -23,13 +23,13 @@ from tresym.ledger.claim import (
     Formally,
     ImplicitFunction,
     Printed,
+    Root,
     Together,
     UniqueRoot,
-    parts_of,
 )
 from tresym.ledger.evidence.balls import Asymptotics, Boxes
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.second_look import scalars, value
+from tresym.ledger.second_look import value
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 
 BITS = 400
@@ -38,14 +38,14 @@ CLOSE = arb("1e-6")
 HOT = Symbol("hot", real=True)
 """Higher orders that are left out, of a size that the formula does not say."""
 
-IN_WORDS = (AllOf, Printed, Denied, UniqueRoot)
+IN_WORDS = (AllOf, Printed, Denied)
 """Evidence for sentences: it says nothing of any formula."""
 WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
 """Evidence that no condition of the claim reaches."""
 HOLDS_FUNCTIONS = (Boxes, Asymptotics, Printed, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
-    *(tuple, Definition, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
+    *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
     *(Counterexample, Boxes, Asymptotics, Denied),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
@@ -97,11 +97,6 @@ def unfit(claim: Claim) -> str | None:
             return "the evidence is for a sentence and mentions no formula"
         case _ if isinstance(proof, WITHOUT_CONDITIONS) and claim.given:
             return "the conditions decide nothing here"
-        case Formally(relations=relations) if not in_words:
-            parts = {entry for part in parts_of(says) for entry in scalars(part)}
-            return None if parts <= {*relations} else "the relations shown are not those stated"
-        case Counterexample() if not in_words and not isinstance(says, Relational):
-            return "a point denies a relation"
         case Counterexample() | Denied() if in_words and LOCAL.search(says):
             return "one point tells nothing of smoothness or of a limit"
         case Boxes() | Asymptotics() if in_words and claim.given:

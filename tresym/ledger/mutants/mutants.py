@@ -36,6 +36,7 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
     by,
+    chains_of,
     equal,
     formally,
     parts_of,
@@ -53,7 +54,8 @@ from tresym.ledger.mutants.changed_numbers import (
 )
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.reasons import substituting
-from tresym.ledger.second_look import rootless, scalars
+from tresym.ledger.second_look import rootless
+from tresym.ledger.statements import ExactlyOne
 from tresym.reals.verdict import Verdict
 
 Variant = Any
@@ -183,20 +185,19 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
                 yield _definition_spot(claim, dependent)
             for dependent in islice(_sloping(dependents), DEPENDENTS):
                 yield _equation_spot(claim, dependent)
-        case UniqueRoot():
-            yield from _root_spots(claim, claim.proof)
+        case UniqueRoot() if isinstance(claim.statement, ExactlyOne):
+            yield from _root_spots(claim, claim.proof, claim.statement)
         case Counterexample():
-            yield _counterexample_spot(claim, claim.proof)
+            yield _counterexample_spot(claim)
             for n, condition in enumerate(claim.given, 1):
                 yield _condition_spot(claim, n, condition)
-        case Formally(relations=relations):
-            for n, relation in enumerate(relations, 1):
+        case Formally():
+            for n, relation in enumerate(claim.parts, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
-        case Together(chains):
-            for n, (part, chain) in enumerate(zip(parts_of(claim.says), chains, strict=True), 1):
-                yield from _chain_spots(claim, part, chain, f"part {n}: ")
-        case tuple():
-            yield from _chain_spots(claim, claim.says, claim.proof, "")
+        case Together() | tuple() if claim.statement is not None:
+            parts = chains_of(claim.statement, claim.proof) or ()
+            for n, (part, chain) in enumerate(parts, 1):
+                yield from _chain_spots(claim, part, chain, f"part {n}: " if parts[1:] else "")
 
 
 def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim, ...]]:
@@ -204,30 +205,36 @@ def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim
 
 
 def _is_violated(claim: Claim) -> bool:
-    says = claim.proof.relations[0] if isinstance(claim.proof, Formally) else claim.says
-    return refute(says, claim) is not None
+    return claim.statement is not None and refute(claim.statement, claim) is not None
+
+
+def saying(claim: Claim, changed: Basic) -> Claim:
+    """The claim with another statement."""
+    meant = isinstance(claim.says, str) or claim.means is not None
+    return replace(claim, means=changed) if meant else replace(claim, says=changed)
 
 
 def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
     def claims(changed: Variant) -> tuple[Claim, ...]:
-        return (replace(claim, proof=formally(changed, using=claim.uses)),)
+        return (saying(claim, changed),)
 
     return _Spot(name, _mutations(relation), claims, _is_violated)
 
 
-def _counterexample_spot(claim: Claim, proof: Counterexample) -> _Spot:
+def _counterexample_spot(claim: Claim) -> _Spot:
     """What is denied at the point, changed; also decided without the point."""
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
-        at_point = replace(claim, proof=replace(proof, violated=changed))
+        at_point = saying(claim, changed)
         if sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
             return (at_point,)
-        return at_point, replace(claim, proof=formally(changed.negated))
+        return at_point, replace(at_point, proof=formally())
 
     def violated(mutated: Claim) -> bool:
         return judge(mutated, {}).verdict is Verdict.REFUTED
 
-    return _Spot("what the point violates", _mutations(proof.violated), claims, violated)
+    variants = () if claim.statement is None else _mutations(claim.statement)
+    return _Spot("statement", variants, claims, violated)
 
 
 def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
@@ -250,11 +257,10 @@ def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
 
 def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
     def claims(changed: Variant) -> tuple[Claim, ...]:
-        follows = replace(claim, says=changed, proof=_following(chain, says, changed))
+        follows = replace(saying(claim, changed), proof=_following(chain, says, changed))
         if isinstance(changed, Equivalent):
             return (follows,)
-        alone = formally(*scalars(changed), using=claim.uses)
-        return follows, replace(claim, says=changed, proof=alone)
+        return follows, replace(follows, proof=formally(*claim.uses))
 
     yield _Spot(prefix + "statement", _mutations(says), claims, _is_violated)
     yield from _step_spots(claim, _start(says), chain, prefix)
@@ -283,30 +289,29 @@ def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterat
         def claims(changed: Variant, before: Basic = before, link: Step = link) -> tuple[Claim]:
             relate = Equivalent if isinstance(changed, Eq) else equal
             says, proof = relate(before, changed), (Step(changed, link.reasons),)
-            return (replace(claim, says=says, proof=proof),)
+            return (replace(saying(claim, says), proof=proof),)
 
         yield _Spot(f"{prefix}step {n}", _mutations(link.expression), claims, _is_violated)
         before = link.expression
 
 
-def _root_spots(claim: Claim, proof: UniqueRoot) -> Iterator[_Spot]:
-    """The function, the ends, and the chain of the derivative."""
+def _root_spots(claim: Claim, proof: UniqueRoot, root: ExactlyOne) -> Iterator[_Spot]:
+    """The equation, the ends, and the chain of the derivative."""
 
     def violated(mutated: Claim) -> bool:
-        root: Any = mutated.proof
-        ends = root.low, root.high
-        return rootless(root.function, root.variable, ends, mutated.given) is not None
+        other: Any = mutated.statement
+        ends = other.low, other.high
+        return rootless(other.difference, root.variable, ends, mutated.given) is not None
 
-    for name in ("function", "low", "high"):
+    for n, name in enumerate(("low", "high", "equation"), 1):
 
-        def claims(changed: Variant, name: str = name) -> tuple[Claim, ...]:
-            change: Any = {name: changed}
-            return (replace(claim, proof=replace(proof, **change)),)
+        def claims(changed: Variant, n: int = n) -> tuple[Claim, ...]:
+            return (saying(claim, ExactlyOne(*root.args[:n], changed, *root.args[n + 1 :])),)
 
-        yield _Spot(name, _mutations(getattr(proof, name)), claims, violated)
-    v = proof.variable
-    inside = replace(claim, given=(*claim.given, v > proof.low, v < proof.high))
-    slope = proof.function.diff(v, evaluate=False)
+        yield _Spot(name, _mutations(root.args[n]), claims, violated)
+    between = root.variable > root.low, root.variable < root.high
+    inside = replace(claim, given=(*claim.given, *between))
+    slope = Derivative(root.difference, root.variable)
     yield from _step_spots(inside, slope, proof.derivative, "derivative: ")
 
 
@@ -371,8 +376,7 @@ def _other_meanings(says: Basic) -> Iterator[Basic]:
 
 def _falls(claim: Claim) -> bool:
     """Whether what the claim proves is violated where all that it uses holds."""
-    relations = claim.proof.relations if isinstance(claim.proof, Formally) else (claim.says,)
-    return any(refute(relation, claim) is not None for relation in relations)
+    return any(refute(relation, claim) is not None for relation in claim.parts)
 
 
 def _resting_on(claim: Claim, other: Claim) -> Claim:
@@ -388,10 +392,8 @@ def _resting_on(claim: Claim, other: Claim) -> Claim:
     match proof:
         case Together(chains):
             proof = Together(tuple(tuple(step(link) for link in c) for c in chains))
-        case Formally(relations=relations, claims=claims):
-            proof = Formally(
-                relations, tuple(other if c.label == other.label else c for c in claims)
-            )
+        case Formally(claims):
+            proof = formally(*(other if c.label == other.label else c for c in claims))
         case _:
             proof = tuple(step(link) for link in proof)
     return replace(claim, proof=proof)

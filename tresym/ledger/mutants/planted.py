@@ -93,12 +93,14 @@ def _of_definitions() -> Iterator[Claim]:
 
 def _of_evidence() -> Iterator[Claim]:
     false = equal(Integer(0), Integer(1))
-    yield Claim("planted: another formula", false, formally(Gt(t**2 + 1, 0, evaluate=False)))
+    true = Gt(t**2 + 1, 0, evaluate=False)
+    yield Claim("planted: another formula", false, formally(), means=true)
     square = Bound(lambda x, m: x * x, box(("1", "2")))
     yield Claim("planted: another bound", Gt(u, 100, evaluate=False), Boxes((square,), ("u",), "…"))
     always = Bound(lambda x, m: arb(1), box(("1", "2")))
     yield Claim("planted: no bound", "x < 0 for 1 <= x <= 2", Boxes((always,), ("x",), "…"))
     wide = Printed("4.00", lambda m: m.pi, half_units=1000)
     yield Claim("planted: nearly π", "π = 4.00", wide)
-    point = Counterexample({"t": fmpq(1, 10)}, Gt(400 * t**2, 1, evaluate=False))
-    yield Claim("planted: no smoothness", "400t² is smooth at 0", point, given=(t**2 <= 1,))
+    point, below = Counterexample({"t": fmpq(1, 10)}), 400 * t**2 <= 1
+    says = "400t² is smooth at 0"
+    yield Claim("planted: no smoothness", says, point, given=(t**2 <= 1,), means=below)

@@ -11,7 +11,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tresym.reals.language import expression
 from tresym.reals.language.binders import elementary, outermost, worked_out
 from tresym.reals.language.expression import ONE, Expr, add, instantiate, opened, symbol, symbols
-from tresym.reals.language.parsing import INFINITY, Compared, condition, parse, parse_claim
+from tresym.reals.language.parsing import (
+    INFINITY,
+    Compared,
+    condition,
+    parse,
+    parse_claim,
+    parse_conditions,
+)
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.typography import plain
 from tresym.reals.numbers.exact import InputError
@@ -23,6 +30,7 @@ if TYPE_CHECKING:
 ORDERS = ("O", "o", "~")
 MAX_CHARACTERS = 30_000
 MAX_PATH = 200
+NO_CHAIN = "an order claim is one relation, and no chain"
 
 _WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as)\s(?!\s*\})")
 _LATEX = re.compile(r"[\\{}]")
@@ -161,13 +169,24 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     """
     written = _written(claim, given, path)
     text = _split(claim)[0] if isinstance(claim, str) else str(claim)
-    parts, end = written.comparisons, written.path
+    for _, relation, _ in written.comparisons:
+        if relation not in (*RELATIONS.values(), *ORDERS):
+            raise InputError(f"{relation} is no claim: one is made with == != > >= < <= or ~")
+        if relation in ORDERS and len(written.comparisons) > 1:
+            raise InputError(NO_CHAIN)
+    return _checked(_stated(str(written), text))
+
+
+def _stated(shown: str, text: str) -> Statement:
+    """What is decided: just what is read from the text that is shown."""
+    claim, _, end = shown.partition(" as ")
+    claim, _, under = claim.partition(" given ")
+    parts, path = tuple(parse_claim(claim)), read_path(end) if end else None
+    given = Given(tuple(parse_conditions(under)))
     if len(parts) == 1 and parts[0][0].op == "limit" and parts[0][1] == "==":
-        part, end = _limit(parts[0][0], parts[0][2], end)
-        comparisons: tuple[Comparison, ...] = (part,)
-    else:
-        comparisons = tuple(_comparison(*part) for part in parts)
-    return _checked(Statement(comparisons, written.given, end, text, str(written)))
+        comparison, path = _limit(parts[0][0], parts[0][2], path)
+        return Statement((comparison,), given, path, text, shown)
+    return Statement(tuple(_comparison(*part) for part in parts), given, path, text, shown)
 
 
 def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
@@ -219,8 +238,6 @@ def _split(text: str) -> tuple[str, str, str]:
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
-    if relation not in (*RELATIONS.values(), *ORDERS):
-        raise InputError(f"{relation} is no claim: one is made with == != > >= < <= or ~")
     terms = right.args if right.op == "+" else (right,)
     orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
@@ -365,7 +382,7 @@ def _checked(statement: Statement) -> Statement:
     """The statement, if its parts belong together."""
     orders = [c for c in statement.comparisons if c.relation in ORDERS]
     if orders and len(statement.comparisons) > 1:
-        raise InputError("an order claim is one relation, and no chain")
+        raise InputError(NO_CHAIN)
     if not orders:
         if statement.path is not None:
             raise InputError("a path belongs to O, o and ~ alone; use given for conditions")

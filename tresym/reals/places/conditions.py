@@ -288,7 +288,7 @@ def _sum_of(e: Expr, even: bool) -> dict[str, fmpq] | None:
         elif term.op == "number":
             form[""] += scale * term.args[0]
         elif _is_even_power(term) if even else term.op == "symbol":
-            key = str(term)
+            key = "**".join(str(part.args[0]) for part in (term.args if even else (term,)))
             form[key] = form.get(key, fmpq(0)) + scale
         else:
             return None

@@ -110,6 +110,8 @@ def _cases(node: Expr, given: Given) -> Iterator[tuple[dict[Expr, Expr], dict[st
 
 
 EMPTY = Given(((ZERO, ">", ZERO),))
+_EXCLUDING = {">": ("-", "0"), ">=": ("-",), "!=": ("0",)}
+"""The signs of a constant with which it does not have its relation to zero."""
 
 
 def _critical(node: Expr) -> Expr:
@@ -170,12 +172,13 @@ def _remaining(given: Given, values: dict[str, Expr]) -> Given | None:
         (condition,) = Given((comparison,)).conditions
         e = condition.expression
         found = None if singularities(e) and symbols(e) else sign(e, Given())
-        if symbols(e) and found not in PROVING[condition.relation]:
-            kept.append(comparison)
+        if found in PROVING[condition.relation]:
             continue
-        if found == "-" or (found == "0" and condition.relation != ">="):
+        if symbols(e):
+            kept.append(comparison)
+        elif found in _EXCLUDING[condition.relation]:
             return EMPTY
-        if found not in PROVING[condition.relation]:
+        else:
             return None
     remaining = Given(tuple(kept))
     beyond = values and any(c.relation == ">=" for c in remaining.beyond_box)

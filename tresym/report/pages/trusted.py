@@ -1,7 +1,8 @@
 """What must be right for a pass: the code that the deciding functions reach, counted.
 
-A piece is a function, class or constant at the top of a file. It is reached when a piece that is
-reached names it; what only finds, and is rechecked, is left out by name and with the reason.
+A piece is a function, method, class or constant. It is reached when a piece that is reached names
+it, a method when its class is reached and anything reached has an attribute of its name; what only
+finds, and is rechecked, is left out by name and with the reason.
 ``python -m tresym.report.pages.trusted`` shows the count.
 """
 
@@ -30,6 +31,8 @@ ENCLOSING = (
     "reals.decisions.region",
     "reals.decisions.orders",
     "reals.decisions.ratios",
+    *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
+    "reals.decisions.inequalities._shown_under",
     "ledger.evidence.balls",
     "ledger.evidence.printed",
     "ledger.evidence.meant._other_meaning",
@@ -37,10 +40,12 @@ ENCLOSING = (
 """Rooms and files that no PROVED comes from."""
 
 RECHECKED = {
-    "what was read is shown in the text grammar": (
+    "what was read is written out in the text grammar and shown; that text is read and decided": (
         *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
         *("reals.language.latex_reach", "reals.language.latex_tokens"),
-        "reals.language.typography",
+        *("reals.language.typography", "reals.decisions.reading._written"),
+        *("reals.language.expression._text", "reals.language.expression.Expr.__str__"),
+        "reals.language.expression.Expr.__repr__",
     ),
     "the advocate takes passes away and gives none": (
         *("reals.decisions.attack", "reals.advocate", "ledger.judge._attacked"),
@@ -55,12 +60,21 @@ RECHECKED = {
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
     ),
+    "it spares a search that would find nothing, or says how much room one needs": (
+        *("reals.normal.ranges.ProvingRing._changes_sign", "reals.signs.cones._fails_at_vertex"),
+        "reals.decisions.identity._generator_count",
+    ),
     "it refutes alone": (
+        *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
+        *("reals.signs.jumps.Case.point", "reals.decisions.statement._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
         *("ledger.judge._judge_counterexample", "ledger.second_look.rootless"),
     ),
-    "it words refusals": ("reals.language.hints", "reals.decisions.identity.no_point"),
+    "it words refusals": (
+        *("reals.language.hints", "reals.decisions.identity.no_point"),
+        *("reals.decisions.identity._obstacle", "reals.decisions.statement._mistaken"),
+    ),
 }
 """Rooms, files and pieces that are left out, by the reason."""
 
@@ -89,15 +103,44 @@ def trusted() -> tuple[Count, Count]:
 
 def reached(without: Collection[str]) -> set[Piece]:
     """All pieces that the deciding functions reach past none of those ``without``."""
+    seen: set[Piece] = set()
     found: set[Piece] = set()
-    stack: list[Piece] = [(file, name) for file, _, name in (r.rpartition(".") for r in ROOTS)]
-    while stack:
-        piece = stack.pop()
-        if piece in found or any(_within(".".join(piece), room) for room in without):
-            continue
-        found.add(piece)
-        stack += _named_in(*piece)
+    attributes: set[str] = set()
+    waiting = [piece_of(name) for name in ROOTS]
+    while waiting:
+        while waiting:
+            piece = waiting.pop()
+            if piece in seen:
+                continue
+            seen.add(piece)
+            if not any(_within(".".join(piece), room) for room in without):
+                found.add(piece)
+                waiting += _named_in(*piece)
+                nodes = _nodes(_file(piece[0]).pieces[piece[1]])
+                attributes |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+        waiting = [m for m in {*_methods(found)} - seen if _is_meant(m[1], attributes)]
     return found
+
+
+def _methods(found: Collection[Piece]) -> Iterator[Piece]:
+    """The methods of the classes among the pieces."""
+    for file, owner in found:
+        yield from ((file, name) for name in _file(file).pieces if name.startswith(f"{owner}."))
+
+
+def _is_meant(method: str, attributes: Collection[str]) -> bool:
+    """Whether a method may be called: by its name, or by Python itself."""
+    name = method.rpartition(".")[2]
+    return name in attributes or name.startswith("__")
+
+
+def piece_of(name: str) -> Piece:
+    """A piece by its whole name."""
+    file, _, rest = name.rpartition(".")
+    while not _is_file(file):
+        file, _, more = file.rpartition(".")
+        rest = f"{more}.{rest}"
+    return file, rest
 
 
 def counted(pieces: Collection[Piece]) -> Count:
@@ -108,13 +151,19 @@ def counted(pieces: Collection[Piece]) -> Count:
     for file, name in pieces:
         source = _file(file)
         node = source.pieces[name]
-        first = min(n.lineno for n in (node, *getattr(node, "decorator_list", ())))
-        whole = set(range(first, (node.end_lineno or first) + 1))
+        whole = _lines(node)
+        for _, method in _methods({(file, name)}):
+            whole -= _lines(source.pieces[method])
         lines.setdefault(file, set()).update(whole & source.code)
         flint_names |= _flint_names(node, source)
         sympy_names |= {n for n in _names(node) if source.imported.get(n, "").startswith("sympy.")}
     per_file = {file: len(found) for file, found in sorted(lines.items())}
     return Count(per_file, tuple(sorted(flint_names)), tuple(sorted(sympy_names)))
+
+
+def _lines(node: ast.stmt) -> set[int]:
+    first = min(n.lineno for n in (node, *getattr(node, "decorator_list", ())))
+    return set(range(first, (node.end_lineno or first) + 1))
 
 
 class _File(NamedTuple):
@@ -134,6 +183,8 @@ def _file(name: str) -> _File:
     pieces: dict[str, ast.stmt] = {}
     for node in tree.body:
         pieces |= dict.fromkeys(_given_by(node), node)
+        if isinstance(node, ast.ClassDef):
+            pieces |= {f"{node.name}.{m.name}": m for m in _functions(node)}
     imported: dict[str, str] = {}
     for inner in ast.walk(tree):
         if isinstance(inner, ast.ImportFrom):
@@ -148,6 +199,21 @@ def _file(name: str) -> _File:
     rows = enumerate(map(str.strip, text.splitlines()), 1)
     code = {n for n, row in rows if row and not row.startswith("#")} - notes
     return _File(pieces, imported, code)
+
+
+def _functions(owner: ast.AST) -> list[ast.FunctionDef]:
+    """The methods of a class."""
+    body = owner.body if isinstance(owner, ast.ClassDef) else []
+    return [node for node in body if isinstance(node, ast.FunctionDef)]
+
+
+def _nodes(piece: ast.AST) -> Iterator[ast.AST]:
+    """What a piece consists of, a class without its methods."""
+    yield piece
+    methods = _functions(piece)
+    for inner in ast.iter_child_nodes(piece):
+        if inner not in methods:
+            yield from ast.walk(inner)
 
 
 def _given_by(node: ast.stmt) -> Iterator[str]:
@@ -184,7 +250,7 @@ def _piece(file: str, name: str) -> Piece | None:
 
 def _names(node: ast.AST) -> Iterator[str]:
     """Every name in ``node``, and ``name.attribute``."""
-    for inner in ast.walk(node):
+    for inner in _nodes(node):
         if isinstance(inner, ast.Name):
             yield inner.id
         elif isinstance(inner, ast.Attribute) and isinstance(inner.value, ast.Name):
@@ -194,7 +260,7 @@ def _names(node: ast.AST) -> Iterator[str]:
 def _flint_names(node: ast.stmt, source: _File) -> set[str]:
     """Types of python-flint that are named, and functions of them called under their names."""
     types = {n for n in _names(node) if source.imported.get(n, "").startswith("flint.")}
-    methods = {n.attr for n in ast.walk(node) if isinstance(n, ast.Attribute)}
+    methods = {n.attr for n in _nodes(node) if isinstance(n, ast.Attribute)}
     return types | {f".{name}" for name in methods & _flint_methods()}
 
 

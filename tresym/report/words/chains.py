@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sympy import Basic, Eq, Equivalent, Tuple
+from sympy import Basic, Derivative, Eq, Equivalent, Tuple
 
-from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, equal
+from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, chains_of, equal
+from tresym.ledger.statements import ExactlyOne
 from tresym.report.words.latex import bracketed, expression_latex, says_latex
 
 EQUIVALENT = r"\iff{}"
@@ -45,18 +46,15 @@ def displays(claim: Claim) -> tuple[Display, ...]:
     if claim.shown is not None:
         why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
         return ((Line("", claim.shown, why),),)
-    if isinstance(proof, UniqueRoot):
-        slope = equal(
-            proof.function.diff(proof.variable, evaluate=False), proof.derivative[-1].expression
-        )
+    if isinstance(proof, UniqueRoot) and isinstance(claim.statement, ExactlyOne):
+        root = claim.statement
+        rate = Derivative(root.difference, root.variable)
+        slope = equal(rate, proof.derivative[-1].expression)
         return (_lines(slope, proof.derivative),)
     if isinstance(says, str):
         return ()
-    if isinstance(proof, Together) and isinstance(says, Tuple):
-        pairs = zip(says.args, proof.chains, strict=True)
-        return tuple(_lines(part, chain) for part, chain in pairs)
-    if isinstance(proof, tuple):
-        return (_lines(says, proof),)
+    if isinstance(proof, Together | tuple):
+        return tuple(_lines(part, chain) for part, chain in chains_of(says, proof) or ())
     parts = says.args if isinstance(says, Tuple) else (says,)
     return tuple((Line("", says_latex(part)),) for part in parts)
 
@@ -67,6 +65,8 @@ def _lines(says: Basic, chain: Chain) -> Display:
         return tuple(_equivalence(says, chain))
     sign = _STRICT.get(getattr(says, "rel_op", ""))
     if sign is not None:
+        if chain[0].expression is None:
+            return (Line("", says_latex(says), _reasons(chain[0], "manifest")),)
         difference = expression_latex(says.gts - says.lts)
         end = " > 0" if sign in "<>" else r" \ge 0"
         return tuple(_equations(difference, chain, None, end))
@@ -93,9 +93,9 @@ def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
         yield Line(EQUIVALENT, says_latex(link.expression), _reasons(link))
 
 
-def _reasons(link: Step) -> tuple[Said, ...]:
+def _reasons(link: Step, otherwise: str = "algebra") -> tuple[Said, ...]:
     said = tuple(_said(reason) for reason in link.reasons if reason.name != "algebra")
-    return said or (Said("algebra"),)
+    return said or (Said(otherwise),)
 
 
 def _said(reason: Reason) -> Said:

@@ -25,7 +25,7 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.printing.latex import LatexPrinter
 
-from tresym.ledger.statements import As, ExactlyOne, Under
+from tresym.ledger.statements import As, ExactlyOne, ForSome, Under
 from tresym.racket.notation import LATEX, theta
 
 _RELATIONS = {"==": "=", ">": ">", ">=": r"\ge", "<": "<", "<=": r"\le", "!=": r"\ne"}
@@ -274,6 +274,9 @@ def says_latex(says: Basic | str) -> str:
         case ExactlyOne(args=(x, low, high, inner)):
             name, *ends = map(expression_latex, (x, low, high))
             return rf"\exists!\,{name} \in ({ends[0]}, {ends[1]}):\ {says_latex(inner)}"
+        case ForSome(args=(inner,)):
+            names = ", ".join(sorted(map(expression_latex, inner.free_symbols)))
+            return rf"\exists\,{names}:\ {says_latex(inner)}"
         case As(args=(inner, x, point, side)):
             mark = {1: "^+", -1: "^-"}.get(int(side), "")
             passage = rf"{expression_latex(x)} \to {expression_latex(point)}{mark}"
