@@ -13,8 +13,8 @@ from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
-SENTENCE_SECONDS = 6
-TEXT_SECONDS = 25.0
+SENTENCE_SECONDS = 8
+TEXT_SECONDS = 20.0
 HEAD = """Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
@@ -63,7 +63,7 @@ class Dialogue:
             self.process.communicate()
         self.process = None
 
-    def accepts(self, text: str, seconds: float = TEXT_SECONDS) -> bool:
+    def accepts(self, text: str, seconds: float) -> bool:
         """Whether Coq reads the text without an error; what it defines stays defined."""
         if self.process is None:
             self.process = subprocess.Popen(
@@ -106,4 +106,4 @@ class Dialogue:
 def accepted(texts: Sequence[str]) -> list[bool]:
     """Of each text whether Coq accepts it."""
     with Dialogue() as coq:
-        return [coq.accepts(text) for text in texts]
+        return [coq.accepts(text, TEXT_SECONDS) for text in texts]

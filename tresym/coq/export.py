@@ -9,23 +9,28 @@ part.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+import signal
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from hashlib import sha256
+from importlib import import_module
+from itertools import islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tresym.coq.dialogue import Dialogue, prelude
+from tresym.coq.dialogue import HEAD, TEXT_SECONDS, Dialogue, prelude
 from tresym.coq.ledger import Joint, name_of, stamp, stem, theorem_of
 from tresym.coq.proving import Plan, candidates, plans
 from tresym.coq.search import version
-from tresym.coq.statement import NotExportedError, Theorem
+from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
 from tresym.ledger.claim import Claim
-from tresym.ledger.paper import all_claims, file_of
+from tresym.ledger.meaning import conditions, known
+from tresym.ledger.paper import PAPER, all_claims, file_of, sections
 from tresym.output import write_text
+from tresym.reals.language.expression import number, symbols
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
-MOST, AT_ONCE, SECONDS = 8, 30, 900.0
+MOST, WRITING_SECONDS = 6, 3.0
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
 
@@ -93,6 +98,9 @@ def entries(store: Mapping[str, Any]) -> dict[str, Entry]:
                 whole, "", None, (), "its proof applies what is not exported"
             )
             continue
+        if isinstance(whole, Joint) and len(open_) == len(whole.parts):
+            found[claim.label] = Entry(whole, "", None, (), "none of its parts is proved")
+            continue
         why = f"{', '.join(open_)} not proved" if open_ else ""
         found[claim.label] = Entry(whole, kept["lemmas"], kept["script"], open_, why)
     return found
@@ -101,8 +109,9 @@ def entries(store: Mapping[str, Any]) -> dict[str, Entry]:
 class Memory:
     """What Coq said before of these very texts, kept in a file: a search can be taken up again."""
 
-    def __init__(self, path: Path | None) -> None:
+    def __init__(self, path: Path | None, seconds: float = TEXT_SECONDS, most: int = MOST) -> None:
         self.path = path
+        self.seconds, self.most = seconds, most
         self.known: dict[str, bool] = {}
         self.coq: Dialogue | None = None
         self.count = 0
@@ -112,7 +121,7 @@ class Memory:
     def ask(self, texts: Mapping[str, str]) -> dict[str, bool]:
         """Of each text, by name, whether Coq accepts it."""
         keys = {name: _hash(text) for name, text in texts.items()}
-        losing = _hash(prelude())
+        losing = _hash(f"{prelude()}{self.seconds}")
         known = {}
         for name, key in keys.items():
             if key in self.known:
@@ -123,13 +132,16 @@ class Memory:
         self.coq = self.coq or Dialogue()
         for name in todo:
             self.count += 1
-            ok = self.coq.accepts(texts[name].replace("@", str(self.count)))
+            ok = self.coq.accepts(texts[name].replace("@", str(self.count)), self.seconds)
             known[name] = ok
             self.known[keys[name] if ok else losing + keys[name]] = ok
-        if self.path is not None and todo:
+        return known
+
+    def keep(self) -> None:
+        """Write it down."""
+        if self.path is not None:
             self.path.parent.mkdir(parents=True, exist_ok=True)
             self.path.write_text(json.dumps(self.known), encoding="utf-8")
-        return known
 
 
 def _hash(text: str) -> str:
@@ -137,7 +149,7 @@ def _hash(text: str) -> str:
 
 
 def search(
-    claims: Iterable[Claim],
+    claims: Sequence[Claim],
     say: Callable[[str], object] = lambda _: None,
     memory: Memory | None = None,
 ) -> dict[str, Any]:
@@ -176,31 +188,73 @@ def search(
                     "uses": list(plan.uses),
                 }
         say(f"plan {n + 1}: {len(rest)} claims, {len(ready)} of all lemmas, {len(kept)} kept")
-    return {"coq": version(), "claims": kept}
+    return {"coq": version(), "claims": kept, "possible": witnesses(claims, memory)}
+
+
+def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
+    """A point for each set of conditions, and the proof that they hold there."""
+    found: dict[str, Any] = {}
+    for claim in claims:
+        given = conditions(claim.given)
+        names = sorted(frozenset().union(*(symbols(c.left) | symbols(c.right) for c in given)))
+        body = " /\\\n".join(f"  {comparison(*c)}" for c in given)
+        body = f"  exists {' '.join(map(variable, names))} : R,\n{body}"
+        key = _hash(body)
+        if not names or key in found:
+            continue
+        point = known(given).satisfying_point()
+        if point is None:
+            continue
+        script = f"exists {', '.join(f'({term(number(point[name]))})' for name in names)}. "
+        script += "repeat split; numeric."
+        if memory.ask({key: f"Theorem trial_@ :\n{body}.\nProof.\n{script}\nQed."})[key]:
+            found[key] = {"name": f"possible_{len(found) + 1}", "body": body, "script": script}
+    return found
+
+
+def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
+    """The proofs that are written in a few seconds of the processor each."""
+
+    def late(*_: object) -> None:
+        raise OverflowError("a proof takes too long to write")
+
+    before = signal.signal(signal.SIGVTALRM, late)
+    try:
+        while True:
+            signal.setitimer(signal.ITIMER_VIRTUAL, WRITING_SECONDS)
+            proof = next(proofs, None)
+            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+            if proof is None:
+                return
+            yield proof
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
 
 
 def lemmas_proved(
     lemmas: Iterable[Theorem], memory: Memory, say: Callable[[str], object]
 ) -> dict[str, str]:
     """The proofs of lemmas, by their statements."""
-    jobs: dict[str, tuple[Theorem, list[str]]] = {}
+    won: dict[str, str] = {}
+    asked: dict[str, None] = {}
     for lemma in lemmas:
         try:
-            lemma.text  # noqa: B018
-            jobs.setdefault(lemma.body, (lemma, list(candidates(lemma))[:MOST]))
+            body = lemma.body
+            if body in asked:
+                continue
+            asked[body] = None
+            for proof in islice(_found_soon(candidates(lemma)), memory.most):
+                text = f"Theorem trial_@ :\n{body}.\nProof.\n{proof}\nQed."
+                if memory.ask({body: text})[body]:
+                    won[body] = proof
+                    break
         except (InputError, OverflowError, RecursionError, NotExportedError):
             continue  # an expression on the way grew too large
-    won: dict[str, str] = {}
-    bodies = list(jobs)
-    for start in range(0, len(bodies), AT_ONCE):
-        some = bodies[start : start + AT_ONCE]
-        for n in range(MOST):
-            open_ = {b: jobs[b][1][n] for b in some if b not in won and len(jobs[b][1]) > n}
-            texts = {
-                b: f"Theorem trial_@ :\n{b}.\nProof.\n{proof}\nQed." for b, proof in open_.items()
-            }
-            won |= {b: open_[b] for b, ok in memory.ask(texts).items() if ok}
-        say(f"{len(won)} of {min(start + AT_ONCE, len(bodies))} lemmas of {len(bodies)}")
+        if len(asked) % 10 == 0:
+            memory.keep()
+            say(f"{len(won)} of {len(asked)} lemmas; last {lemma.name}")
+    memory.keep()
     return won
 
 
@@ -232,3 +286,131 @@ def _trial(
 def save(store: Mapping[str, Any]) -> None:
     """Keep the proofs beside the claims."""
     write_text(str(file_of(STORE)), json.dumps(store, indent=0, ensure_ascii=False) + "\n")
+
+
+def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict[str, Any]:
+    """Write the files into ``folder``; returns the index.
+
+    ``Statements.v`` holds what the claims say, the files of the parts their proofs, each from the
+    theorems that it applies, and ``Ledger.v`` puts these together.
+
+    Raises:
+        InputError: an unknown label, or a folder that cannot be written.
+    """
+    wanted = set(labels)
+    claims = {claim.label: claim for claim in all_claims()}
+    if wanted - claims.keys():
+        raise InputError(f"no claim is called {', '.join(sorted(wanted - claims.keys()))}")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{folder}: cannot be made ({error.strerror})") from None
+    found = entries(store)
+    wanted = _behind(wanted, found, store) if wanted else set(claims)
+    chosen = {label: e for label, e in found.items() if label in wanted}
+    files = {
+        "Tresym.v": prelude(),
+        "Statements.v": statements(chosen),
+        "Possible.v": possible(store),
+    }
+    names = dict.fromkeys(chosen, "")
+    for part, (title, stated) in zip(_parts(), sections(), strict=True):
+        name = part.title().replace("_", "") + ".v"
+        texts = [_text(c.label, chosen[c.label], store) for c in stated if c.label in chosen]
+        if any(texts):
+            files[name] = f"(* {title} *)\n\n{HEAD}Require Import Statements.\n\n" + "\n".join(
+                texts
+            )
+        names |= {claim.label: name for claim in stated if claim.label in chosen}
+    parts = [name.removesuffix(".v") for name in files if name != "Tresym.v"]
+    files["Ledger.v"] = closed(chosen, parts, store)
+    files["_CoqProject"] = "\n".join(['-Q . ""', *(n for n in files if n.endswith(".v"))]) + "\n"
+    files["Makefile"] = MAKEFILE
+    index = {label: _row(label, e, names[label], store) for label, e in chosen.items()}
+    files["index.json"] = json.dumps(index, indent=1, ensure_ascii=False) + "\n"
+    for name, text in files.items():
+        write_text(str(folder / name), text)
+    return index
+
+
+def _parts() -> tuple[str, ...]:
+    found: tuple[str, ...] = import_module(PAPER).PARTS
+    return found
+
+
+def _behind(wanted: set[str], found: Mapping[str, Entry], store: Mapping[str, Any]) -> set[str]:
+    """The claims and all whose theorems they apply or speak of."""
+    whole, stack = set(), [*wanted]
+    while stack:
+        label = stack.pop()
+        if label not in whole:
+            whole.add(label)
+            entry = found[label]
+            stack += store["claims"].get(label, {}).get("uses", ()) if entry.script else ()
+            if isinstance(entry.theorem, Joint):
+                stack += [part.label for part in entry.theorem.parts]
+    return whole
+
+
+def statements(chosen: Mapping[str, Entry]) -> str:
+    """What every claim says, proved or not."""
+    lines = [f"(* What the claims say. *)\n\n{HEAD}"]
+    for label, entry in chosen.items():
+        if entry.theorem is not None:
+            lines.append(f"Definition says_{stem(label)} : Prop :=\n{entry.theorem.body}.\n")
+    return "\n".join(lines)
+
+
+def _text(label: str, entry: Entry, store: Mapping[str, Any]) -> str:
+    """The lemmas of a claim, and its theorem from those that it applies."""
+    if entry.script is None:
+        return ""
+    uses = store["claims"][label]["uses"]
+    says = " -> ".join(f"says_{stem(name)}" for name in (*uses, label))
+    taken = f"intros {' '.join(map(name_of, uses))}.\n" if uses else ""
+    unfold = "" if isinstance(entry.theorem, Joint) else f"unfold says_{stem(label)}.\n"
+    name = f"from_{stem(label)}" if uses else name_of(label)
+    lemmas = f"{entry.lemmas}\n" if entry.lemmas else ""
+    return f"{lemmas}Theorem {name} :\n  {says}.\nProof.\n{taken}{unfold}{entry.script}\nQed.\n"
+
+
+def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str, Any]) -> str:
+    """The theorems whose premises are all proved, put together, and what each rests on."""
+    lines = [f"(* The theorems put together. *)\n\n{HEAD}Require Import {' '.join(parts)}.\n"]
+    for label, entry in chosen.items():
+        if entry.script is None:
+            continue
+        uses = store["claims"][label]["uses"]
+        if uses and not entry.premises:
+            whole = " ".join([f"from_{stem(label)}", *map(name_of, uses)])
+            lines.append(
+                f"Theorem {name_of(label)} : says_{stem(label)}.\nProof.\nexact ({whole}).\nQed."
+            )
+        lines.append(f"Print Assumptions {_theorem(label, entry)}.")
+    return "\n".join(lines) + "\n"
+
+
+def _theorem(label: str, entry: Entry) -> str:
+    return f"from_{stem(label)}" if entry.premises else name_of(label)
+
+
+def possible(store: Mapping[str, Any]) -> str:
+    """A point for each set of conditions, so that nothing is said of no point."""
+    lines = [f"(* Points at which the conditions of the claims hold. *)\n\n{HEAD}"]
+    for row in store.get("possible", {}).values():
+        lines.append(f"Theorem {row['name']} :\n{row['body']}.\nProof.\n{row['script']}\nQed.\n")
+    return "\n".join(lines)
+
+
+def _row(label: str, entry: Entry, file: str, store: Mapping[str, Any]) -> dict[str, Any]:
+    """The claim in the index."""
+    told = entry.theorem
+    return {
+        "file": file if entry.script else "",
+        "theorem": None if told is None else told.name,
+        "statement": None if told is None else stamp(told),
+        "status": entry.status,
+        "premises": list(entry.premises),
+        "assumptions": store["claims"][label].get("assumptions") if entry.script else None,
+        "why": entry.why,
+    }

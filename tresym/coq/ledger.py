@@ -25,9 +25,9 @@ from tresym.coq.statement import (
     Theorem,
     Wherever,
 )
-from tresym.ledger.claim import AllOf, Claim, Counterexample, Definition, ImplicitFunction
+from tresym.ledger.claim import AllOf, Claim, Counterexample, Definition, ImplicitFunction, Root
 from tresym.ledger.evidence.denial import denied_at
-from tresym.ledger.meaning import conditions, conjuncts
+from tresym.ledger.meaning import conditions
 from tresym.reals.language import sympy as door
 from tresym.reals.language.expression import ZERO, symbols
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
@@ -72,6 +72,8 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
     proof = claim.proof
     if isinstance(proof, ImplicitFunction):
         raise NotExportedError("the implicit function theorem is not exported yet")
+    if isinstance(proof, Root):
+        raise NotExportedError("a root that is given a name is a premise of what speaks of it")
     if isinstance(proof, Definition) and proof.assumes:
         raise NotExportedError("what is assumed is a premise of what rests on it")
     if isinstance(proof, AllOf) and claim.expect is not Verdict.REFUTED:
@@ -96,8 +98,16 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
 
 def _conditions(given: Iterable[Basic]) -> list[Relation]:
     """Conditions, equations among them."""
-    parts = (part for e in given for part in conjuncts(read(e)))
-    return [part for part in parts if isinstance(part, Relation)]
+    return [part for e in given for part in relations(read(e))]
+
+
+def relations(says: Formula) -> Iterator[Relation]:
+    """The relations that a conjunction consists of."""
+    if isinstance(says, Relation):
+        yield says
+    elif isinstance(says, Conjunction):
+        for part in says.parts:
+            yield from relations(part)
 
 
 def _assumed(claim: Claim) -> bool:
@@ -112,7 +122,7 @@ def read(says: Basic) -> Formula:
     if kind == "Equivalent" and len(says.args) == 2:
         return Equivalence(*map(read, says.args))  # type: ignore[arg-type]
     if kind == "Under":
-        return Wherever(tuple(map(tuple, _conditions(says.args[1].args))), read(says.args[0]))
+        return Wherever(tuple(_conditions(says.args[1].args)), read(says.args[0]))
     if kind == "ExactlyOne":
         x, low, high = map(door.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
@@ -171,7 +181,7 @@ def theorem(
     claim: Claim, says: Formula, above: tuple[Basic, ...] = (), exists: bool = False
 ) -> Theorem:
     """The claim's definitions, conditions, what makes it defined, and what it says."""
-    given = tuple(dict.fromkeys(map(tuple, _conditions((*claim.given, *above)))))
+    given = tuple(dict.fromkeys(_conditions((*claim.given, *above))))
     sides = [e for x, _, y in given for e in (x, y)]
     parts = [*asked(says), *(part for e in sides for part in defined(e))]
     parts = [part for part in dict.fromkeys(parts) if symbols(part[0])]
@@ -195,11 +205,11 @@ def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], fro
     the symbols, too.
     """
     table = [
-        (tuple(map(tuple, conditions(used.given))), part)
+        (conditions(used.given), part)
         for used in claim.rests_on
-        if isinstance(used.proof, Definition | ImplicitFunction) and used.statement is not None
-        for part in conjuncts(read(used.statement))
-        if isinstance(part, Relation)
+        if isinstance(used.proof, Definition | ImplicitFunction | Root)
+        and used.statement is not None
+        for part in relations(read(used.statement))
     ]
     found: set[int] = set()
     while True:
@@ -221,17 +231,16 @@ def _speaks(part: Relation, names: frozenset[str]) -> bool:
 
 def existence(claim: Claim, says: Formula) -> Theorem:
     """That under the conditions of a definition there is what it defines."""
-    parts = [part for part in conjuncts(says) if isinstance(part, Relation)]
+    parts = [*relations(says)]
     new = [part.left.args[0] for part in parts if part.left.op == "symbol"]
-    made = Some(
-        tuple(dict.fromkeys(new)), Conjunction(tuple(parts)) if len(parts) > 1 else parts[0]
-    )
+    inner = Conjunction(tuple(parts)) if len(parts) > 1 else parts[0]
+    made = Some(tuple(dict.fromkeys(new)), inner)
     whole = theorem(claim, made)
     needs = [part for p in parts for part in defined(p.right) if symbols(part[0])]
     shown = [Relation(e, sign, ZERO) for e, sign in dict.fromkeys(needs) if not symbols(e) & {*new}]
     kept = tuple(part for part in whole.defined if (part[0], part[1]) not in set(needs))
-    says = Conjunction((*shown, made)) if shown else made
-    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, kept, says)
+    every: Formula = Conjunction((*shown, made)) if shown else made  # type: ignore[arg-type]
+    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, kept, every)
 
 
 def stamp(found: Theorem | Joint) -> str:

@@ -15,7 +15,7 @@ from flint import fmpq
 
 from tresym.coq.binders import defined, inside, put_at, values_of
 from tresym.coq.equations import exchanged
-from tresym.coq.ledger import Joint, free, name_of, read, stem, theorem_of
+from tresym.coq.ledger import Joint, free, name_of, read, relations, stem, theorem_of
 from tresym.coq.search import proofs
 from tresym.coq.statement import (
     FUNCTIONS,
@@ -29,7 +29,7 @@ from tresym.coq.statement import (
 )
 from tresym.ledger.claim import Chain, Claim, Counterexample, Definition, Reason, Together
 from tresym.ledger.judge import judge_evidence
-from tresym.ledger.meaning import conjuncts, stage, tree
+from tresym.ledger.meaning import stage, tree
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import (
     ZERO,
@@ -205,7 +205,7 @@ class _Planner:
                 if meaning.left.op == "symbol" and elementary(meaning.left, meaning.right)
             ]
         once = {rule.left: rule for rule in reversed([*rules])}
-        given = tuple(dict.fromkeys((*map(tuple, more), *whole.given)))
+        given = tuple(dict.fromkeys((*more, *whole.given)))
         parts = tuple(dict.fromkeys((*(p for p in extra if symbols(p[0])), *whole.defined)))
         sides = [e for x, _, y in given for e in (x, y)] + [e for e, _ in parts]
         used = frozenset().union(free(says), *map(symbols, sides))
@@ -297,7 +297,7 @@ class _Planner:
             parts = [
                 meaning
                 for _, meaning in self.whole.definitions
-                if meaning in [*conjuncts(read(used.statement))]  # type: ignore[arg-type]
+                if used.statement is not None and meaning in [*relations(read(used.statement))]
             ]
             self.facts[used.label] = tuple(parts)
             return self.facts[used.label]
@@ -307,10 +307,8 @@ class _Planner:
             return ()
         if isinstance(told, Joint) or told.exists:
             return ()
-        says = [part for part in conjuncts(told.says) if isinstance(part, Relation)]
-        if not isinstance(told.says, Relation) and not all(
-            isinstance(p, Relation) for p in conjuncts(told.says)
-        ):
+        says = [*relations(told.says)]
+        if not says:
             return ()
         known = {*self.whole.variables, *self.posed}
         for name in told.variables:
@@ -339,7 +337,8 @@ class _Planner:
         last = chain[-1].expression
         turned = last is not None and stage(last) == first
         current, goal = (second, first) if turned else (first, second)
-        lines, names = [], []
+        lines: list[str] = []
+        names: list[str] = []
         steps = [(link.reasons, link.expression) for link in chain]
         if turned or steps[-1][1] is None or stage(steps[-1][1]) == goal:
             pass
