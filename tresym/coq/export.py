@@ -30,7 +30,7 @@ from tresym.reals.language.expression import number, symbols
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
-MOST, WRITING_SECONDS = 6, 3.0
+MOST, WRITING_SECONDS = 6, 1.5
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
 
@@ -262,25 +262,22 @@ def _trial(
     whole: Theorem | Joint, plan: Plan, known: Mapping[str, tuple[Theorem | Joint, list[Plan]]]
 ) -> str | None:
     """The claim's theorem with its lemmas, and the theorems that it applies, as premises."""
-    lines = ["Module Trial_@.", "Section Trial."]
-    spoken: dict[str, None] = {}
-    stack = [*plan.uses]
-    while stack:
-        label = stack.pop()
-        if label not in known:
-            return None
-        spoken.pop(label, None)
-        spoken[label] = None
-        told = known[label][0]
-        if isinstance(told, Joint):
-            stack += [part.label for part in told.parts]
-    for label in reversed(spoken):
-        lines.append(f"Definition says_{stem(label)} : Prop :=\n{known[label][0].body}.")
-    lines += [f"Hypothesis {name_of(label)} : says_{stem(label)}." for label in plan.uses]
-    lines += [f"Hypothesis {lemma.name} :\n{lemma.body}." for lemma in plan.lemmas]
-    lines += [f"Theorem trial :\n{whole.body}.\nProof.\n{plan.script}\nQed.", "End Trial."]
-    lines += ["End Trial_@.", "Definition trial_@ := Trial_@.trial."]
-    return "\n".join(lines)
+
+    def whole_of(told: Theorem | Joint) -> str:
+        if isinstance(told, Theorem):
+            return f"({told.body})"
+        return f"({' /\\ '.join(whole_of(known[part.label][0]) for part in told.parts)})"
+
+    try:
+        used = [whole_of(known[label][0]) for label in plan.uses]
+        says = whole_of(whole)
+    except KeyError:
+        return None
+    premises = [*used, *(f"({lemma.body})" for lemma in plan.lemmas)]
+    names = [*map(name_of, plan.uses), *(lemma.name for lemma in plan.lemmas)]
+    lines = ["Theorem trial_@ :", " ->\n".join([*premises, says]) + ".", "Proof."]
+    lines += [f"intros {' '.join(names)}."] if names else []
+    return "\n".join([*lines, plan.script, "Qed."])
 
 
 def save(store: Mapping[str, Any]) -> None:
