@@ -47,11 +47,7 @@ from tresym.reals.numbers.exact import as_rational
 
 _flat = exp(-k / x)
 
-flat_rises = Claim(
-    says=Derivative(_flat, x) > 0,
-    given=(k > 0, x > 0),
-    proof=by(differentiation),
-)
+flat_rises = Claim(says=Derivative(_flat, x) > 0, given=(k > 0, x > 0), proof=by(differentiation))
 
 flat_bends = Claim(
     says=Tuple(
@@ -578,9 +574,7 @@ uniform_formulas = Claim(
 
 
 sweep_below = Claim(
-    says=tanh(T + x) - tanh(T) > 0,
-    given=(T > 0, x > 0, exp(x) - 1 > 0, exp(T) > 0),
-    proof=manifest,
+    says=tanh(T + x) - tanh(T) > 0, given=(T > 0, x > 0, exp(x) - 1 > 0, exp(T) > 0), proof=manifest
 )
 
 one_line_side = Claim(
@@ -654,15 +648,6 @@ bend = Claim(
     given=(b > 0, epsilon0 > 0),
     proof=by(algebra),
     note="The linear formula solves ε + √(ε² + γ/b) = 2ε₀ exactly, as long as ε ≤ 2ε₀.",
-)
-
-_linear = epsilon0 - gamma / (4 * b * epsilon0)
-
-bend_allowed = Claim(
-    says=_linear**2 + gamma / b >= 0,
-    given=(b > 0, epsilon0 > 0),
-    proof=manifest,
-    note="With sin ε ≈ ε the linear formula never leaves γ ≥ −bε²; it touches at γ = −4bε₀².",
 )
 
 

@@ -35,9 +35,7 @@ rotational_constants = Claim(
 )
 
 rotational_order = Claim(
-    says=Tuple(1 / B2 - 1 / B1 > 0, 1 / B3 - 1 / B2 > 0),
-    given=_ordered,
-    proof=manifest,
+    says=Tuple(1 / B2 - 1 / B1 > 0, 1 / B3 - 1 / B2 > 0), given=_ordered, proof=manifest
 )
 
 

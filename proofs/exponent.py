@@ -112,16 +112,10 @@ half_tangent = Claim(
     proof=by(trigonometry),
 )
 
-root_above_one = Claim(
-    says=_root > 1,
-    given=(*shape, *defect),
-    proof=manifest,
-)
+root_above_one = Claim(says=_root > 1, given=(*shape, *defect), proof=manifest)
 
 turn_increases = Claim(
-    says=Derivative(_turn, epsilon) > 0,
-    given=(*shape, *defect),
-    proof=by(differentiation),
+    says=Derivative(_turn, epsilon) > 0, given=(*shape, *defect), proof=by(differentiation)
 )
 
 arctangent_above = Claim(
@@ -151,14 +145,8 @@ arctangent_concave = Claim(
     note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
 )
 
-_roots = sqrt(1 + _share**2 * psi**2), sqrt(1 + psi**2)
-_bend = _share * (1 - _share**2) * psi**2 / (_roots[0] * _roots[1] * (_roots[0] + _roots[1]))
 
-arsinh_concave = Claim(
-    says=asinh(_share * x) - _share * asinh(x) >= 0,
-    given=_part,
-    proof=manifest,
-)
+arsinh_concave = Claim(says=asinh(_share * x) - _share * asinh(x) >= 0, given=_part, proof=manifest)
 
 leading_below = Claim(
     says="ε₀ > 2 arctan(ε*/2), and therefore ε₀/ε* > 1 − ε*²/12, for a > 0, 0 < b ≤ 1.",

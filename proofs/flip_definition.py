@@ -84,8 +84,8 @@ elementary_levels = Claim(
 not_elementary = Claim(
     label="not_elementary",
     says="For no γ can the equation of the flip angle be integrated by elementary functions.",
-    paper_says="The equation of the flip angle cannot be integrated by elementary functions. Read "
-    "as: not for every γ, of which nothing is proved here.",
+    paper_says="“Eq. (10) cannot be integrated in terms of elementary functions.” Read as: not "
+    "for every γ, of which nothing is proved here.",
     kind="statement",
     proof=Denied((elementary_levels,), {"gamma": fmpq(0)}),
     where=Place(line=198),
@@ -189,7 +189,7 @@ equal_rates = Claim(
     shown=r"V(\pi-\psi) = V(\psi),\quad V = \frac{d\psi}{d\phi}",
 )
 
-_p, _q = Symbol("p", real=True), Symbol("q", real=True)
+_q = Symbol("q", real=True)
 
 
 def _by_square(square: Any) -> Any:

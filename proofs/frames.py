@@ -85,8 +85,8 @@ angles_of_the_reference = Claim(
     label="angles_of_the_reference",
     says="The angles themselves are those of the reference that the section follows, which turns "
     "about the axes z, x and z.",
-    paper_says="Euler angles φ, θ, ψ, with a reference, which is followed in fixing Z along M. "
-    "Read as: only that choice is the reference's.",
+    paper_says="“Following Ref. [3], we fix the Z- axis of the laboratory frame along M.” Read "
+    "as: only that choice is the reference's.",
     kind="statement",
     means=Tuple(
         equal(M * _second_reading[0], -M * sin(theta) * cos(psi)),
@@ -183,8 +183,8 @@ _turned = [(Symbol(f"theta{n}", real=True), Symbol(f"psi{n}", real=True), M, sym
 angles_are_global = Claim(
     label="globally_parameterize",
     says="The angles describe every motion: different θ, ψ (up to full turns) give different M.",
-    paper_says="The angles are chosen to parametrize the effect globally. Read as: the motions "
-    "that show it, whose handle is never along M.",
+    paper_says="“A suitable set of Euler angles is proposed to globally parameterize the TRE.” "
+    "Read as: the motions that show it, whose handle is never along M.",
     kind="statement",
     means=Under(
         equations(*((tilt, flip) for tilt, flip, *_ in _turned)),

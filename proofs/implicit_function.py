@@ -226,13 +226,8 @@ slopes_of_the_defect = Claim(
 
 _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
 
-exponent_above_two = Claim(says=pi + asin(mu) + u - 2 >= 0, given=_path, proof=manifest)
 
-defect_below_flat = Claim(
-    says=2 * exp(-2 / lam) >= _by_u,
-    given=_path,
-    proof=manifest,
-)
+defect_below_flat = Claim(says=2 * exp(-2 / lam) >= _by_u, given=_path, proof=manifest)
 
 slopes_vanish = Claim(
     label="slopes_vanish",

@@ -58,18 +58,6 @@ def _solves(motion: tuple[Expr, Expr, Expr], speed: Expr) -> Tuple:
     )
 
 
-parameter_rotating = Claim(
-    says=Tuple(_m_rotating > 0, _m_rotating < 1, 1 - _m_rotating * sin(chi) ** 2 > 0),
-    given=_rotating,
-    proof=manifest,
-)
-
-parameter_oscillating = Claim(
-    says=Tuple(_m_oscillating > 0, _m_oscillating < 1, 1 - _m_oscillating * sin(chi) ** 2 > 0),
-    given=_oscillating,
-    proof=manifest,
-)
-
 rotating_motion = (_first * _delta(_m_rotating), _second_rotating * sin(chi), _third * cos(chi))
 
 oscillating_motion = (
@@ -118,11 +106,7 @@ _first_integrals = tuple(
 
 rotating_amplitudes = Claim(says=_first_integrals[0], given=_rotating, proof=by(trigonometry))
 
-oscillating_amplitudes = Claim(
-    says=_first_integrals[1],
-    given=_oscillating,
-    proof=by(trigonometry),
-)
+oscillating_amplitudes = Claim(says=_first_integrals[1], given=_oscillating, proof=by(trigonometry))
 
 separatrix_amplitudes = Claim(
     says=Tuple(

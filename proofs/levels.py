@@ -91,50 +91,19 @@ def _at(level: Expr, given: tuple[Any, ...]) -> tuple[Any, ...]:
     return tuple(condition.xreplace({gamma: level}) for condition in given)
 
 
-higher_sine = Claim(
-    says=b * _square - b * sin(epsilon) ** 2 >= 0,
-    given=(b > 0, *_angles, psi >= epsilon, psi <= pi / 2),
-    proof=manifest,
-)
-
-above_turning_point, above_on_levels = (
-    Claim(
-        label=label,
-        says=level + b * _square > 0,
-        given=(*_at(level, unturned), psi >= epsilon, psi <= pi / 2),
-        proof=(step(level + b * _square),),
-        note="From ε to π/2 the motion does not turn.",
-    )
-    for label, level in (("above_turning_point", gamma), ("above_on_levels", c))
-)
-
-fall_is_no_rise = Claim(
-    says=_fall >= 0,
-    given=(*shape, gamma + b * _square > 0),
-    proof=manifest,
-    note="f falls in γ, or stands still where b sin²ψ = 1.",
-)
-
-
-def _falling(
-    name: str,
-    given: tuple[Any, ...],
-    rate: Symbol,
-    bounds: tuple[Claim, ...] = (),
-    on_levels: tuple[Claim, ...] = (),
-) -> tuple[Claim, ...]:
+def _falling(name: str, given: tuple[Any, ...], rate: Symbol) -> tuple[Claim, ...]:
     """F(ε, γ) = π where ``given`` holds, both slopes of F, and dε/dγ with its sign."""
     turn = Claim(
         label=f"{name}_turn",
         says=equal(_turn(c), pi),
         given=_at(c, given),
-        proof=Definition("half a turn of the handle from epsilon to the middle", on_levels),
+        proof=Definition("half a turn of the handle from epsilon to the middle"),
     )
     slopes = Claim(
         label=f"{name}_slopes",
         says=Tuple(equal(F_epsilon, Derivative(_turn(gamma), epsilon)), equal(F_gamma, _by_depth)),
         given=given,
-        proof=Definition(claims=bounds),
+        proof=Definition(),
         note="∂F/∂ε and ∂F/∂γ.",
     )
     by_defect = Claim(
@@ -142,11 +111,7 @@ def _falling(
         says=F_epsilon < 0,
         given=given,
         proof=(
-            step(
-                _f(gamma, epsilon),
-                substituting(slopes),
-                differentiating_integral(Integer(0), *bounds),
-            ),
+            step(_f(gamma, epsilon), substituting(slopes), differentiating_integral(Integer(0))),
         ),
     )
     by_depth = Claim(
@@ -157,7 +122,7 @@ def _falling(
             step(
                 Integral(_fall, (psi, epsilon, pi / 2)),
                 substituting(slopes),
-                differentiating_integral(-_fall, *bounds),
+                differentiating_integral(-_fall),
             ),
         ),
     )
@@ -170,8 +135,7 @@ def _falling(
             unknown=epsilon,
             parameter=c,
             at=gamma,
-            slope=(step(-_f(gamma, epsilon), differentiating_integral(Integer(0), *bounds)),),
-            bounds=bounds,
+            slope=(step(-_f(gamma, epsilon), differentiating_integral(Integer(0))),),
         ),
     )
     decrease = Claim(
@@ -186,9 +150,7 @@ def _falling(
 
 
 rotating_claims = _falling("rotating", rotating, rotating_rate)
-unturned_claims = _falling(
-    "unturned", unturned, unturned_rate, (above_turning_point, fall_is_no_rise), (above_on_levels,)
-)
+unturned_claims = _falling("unturned", unturned, unturned_rate)
 
 # -- what this says of ε(γ) -----------------------------------------------------------------------
 

@@ -4,7 +4,7 @@ The body axes (x, y, z) are (e₂, e₃, e₁), the angles are z-y-z, and Z lies
 momentum. Shown here:
 
 - `rotation_orthogonal`: R = R_z(φ) R_y(θ) R_z(ψ) is a rotation;
-- `spin_antisymmetric`: RᵀṘ is antisymmetric, so it has three entries: the angular velocity;
+- `spin_is_velocity`: RᵀṘ is antisymmetric, and its three entries are the angular velocity;
 - `angular_velocity`: its components along e₁, e₂, e₃;
 - `eq_omega`: M_i = I_i Ω_i, and `velocity_from_momentum`, the same solved for Ω;
 - `eq_Mi`: the components of M from the direction of Z in the body;
@@ -54,11 +54,6 @@ rotation_orthogonal = Claim(
     proof=by(trigonometry),
 )
 
-spin_antisymmetric = Claim(
-    shown=r"(R^{\mathsf T}\dot R)^{\mathsf T} = -R^{\mathsf T}\dot R",
-    says=equal(spin.T, -spin),
-    proof=by(trigonometry),
-)
 
 spin_matrix = Claim(
     shown=(

@@ -29,11 +29,7 @@ mean_below_the_first = Claim(
     note="The mean of cos ψ from e to π/2 is at most cos e.",
 )
 
-mean_is_positive = Claim(
-    says=1 - sqrt(1 - c**2) > 0,
-    given=(c > 0, c < 1),
-    proof=manifest,
-)
+mean_is_positive = Claim(says=1 - sqrt(1 - c**2) > 0, given=(c > 0, c < 1), proof=manifest)
 
 
 def _room(label: str, room: Expr, given: tuple, parts: Expr) -> Claim:
@@ -123,9 +119,7 @@ moment_over_sine = Claim(
 )
 
 moment_below_cosecant = Claim(
-    says=1 / x - x**4 / _sum**5 >= 0,
-    given=(x > 0, u > 0),
-    proof=manifest,
+    says=1 / x - x**4 / _sum**5 >= 0, given=(x > 0, u > 0), proof=manifest
 )
 
 _sine_root, _cosine = sqrt(1 + b / a * x**2), sqrt(1 - x**2)

@@ -28,11 +28,7 @@ slope_in_T = Claim(
     proof=by(differentiation, exponentials, roots),
 )
 
-slope_in_T_positive = Claim(
-    says=_slope > 0,
-    given=(*shape, *later),
-    proof=manifest,
-)
+slope_in_T_positive = Claim(says=_slope > 0, given=(*shape, *later), proof=manifest)
 
 slope_in_a = Claim(
     says=equal(-Derivative(_g, a), (T - _g) / (2 * a) - b * _share / (2 * a)),
@@ -74,11 +70,7 @@ tangent_below = Claim(
     expect=Verdict.ENCLOSED,
 )
 
-increase_of_T = Claim(
-    says=T / (2 * b) + _share / 2 > 0,
-    given=(*shape, *later),
-    proof=manifest,
-)
+increase_of_T = Claim(says=T / (2 * b) + _share / 2 > 0, given=(*shape, *later), proof=manifest)
 
 monotonicity = Claim(
     says="ε₀ decreases strictly in a for fixed b, and in b for fixed a, for a > 0, 0 < b ≤ 1.",

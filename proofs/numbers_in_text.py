@@ -284,7 +284,6 @@ lower_exact = number(
 )
 
 _square, _before = sin(psi) ** 2, Symbol("c", real=True)
-_roots = [sqrt(level + b * _square) for level in (_before, gamma)]
 
 slower_at_lower_level = Claim(
     says=printed.integrand(psi, a, b, _before, 1, sympy)
@@ -343,8 +342,8 @@ threshold_impossible = Claim(
     label="threshold_impossible",
     says="At the γ of the linear formula for ε = π/12, with all its digits, a motion passes "
     "ψ = π/12.",
-    paper_says="For the standard racket γ = −4.2·10⁻³ where ε = π/12, by the formula. Read as: to "
-    "the digits that are printed.",
+    paper_says="“γ|_{ε = π/12} = −4.2 × 10^{−3}.” Read as: by the formula, to the digits that are "
+    "printed.",
     kind="bound",
     proof=Boxes(
         (
@@ -563,8 +562,8 @@ rate_at_the_top = number(
 slow_on_separatrix = Claim(
     label="slow_on_separatrix",
     says="Everywhere on the separatrix |dψ/dφ| ≤ 1/2 for the standard racket.",
-    paper_says="On the separatrix ψ changes very slowly. Read as: near the unstable points; how "
-    "slowly is not said.",
+    paper_says="“the time evolution of ψ on this line is very slow.” Read as: near the unstable "
+    "points; how slow is not said.",
     kind="statement",
     means=Le(
         Abs(printed.psi_rate(psi, Rational(1517, 121), Rational(55, 874), 0, 1, sympy)),
@@ -622,7 +621,7 @@ nearly_hyperbolic = Claim(
 hyperbolic_levels = Claim(
     label="hyperbolic_levels",
     says="The level curves of ε₀ are the hyperbolas ab = const.",
-    paper_says="The level curves of ε₀ have a hyperbolic shape. Read as: nearly ab = const.",
+    paper_says="“Note the hyperbolic shape of the ε₀- level curves.” Read as: nearly ab = const.",
     kind="bound",
     proof=Boxes(
         (Bound(_same_product, box(*((v, v) for v in ("1", "3/10", "10", "3/100")))),),

@@ -52,16 +52,6 @@ separatrix_is_followed = Claim(
 _on_separatrix = _slow / (sqrt(_fast) * sqrt(b) * sin(psi))
 _cotangent = _slow * cos(psi) / (sqrt(b) * sqrt(a + b) * sin(psi))
 
-cosine_not_negative = Claim(
-    says=cos(psi) >= 0, given=(*defect, psi >= epsilon, psi <= pi / 2), proof=manifest
-)
-
-sine_to_the_middle = Claim(
-    says=sin(psi) > 0,
-    given=(*defect, psi >= epsilon, psi <= pi / 2),
-    proof=manifest,
-    note="From ε to π/2 the flip angle is away from the unstable point.",
-)
 
 turn_to_the_middle = Claim(
     says=Integral(_on_separatrix, (psi, epsilon, pi / 2))
@@ -71,9 +61,7 @@ turn_to_the_middle = Claim(
         step(
             Integral(_on_separatrix, (psi, epsilon, pi / 2))
             - Integral(_cotangent, (psi, epsilon, pi / 2)),
-            integrating(
-                (log(sin(psi)) - b * _square / 2) / (sqrt(b) * sqrt(a + b)), sine_to_the_middle
-            ),
+            integrating((log(sin(psi)) - b * _square / 2) / (sqrt(b) * sqrt(a + b))),
             trigonometry,
             exponentials,
         ),
@@ -90,7 +78,7 @@ turn_to_the_middle = Claim(
                 ),
                 (psi, epsilon, pi / 2),
             ),
-            collecting(sine_to_the_middle, cosine_not_negative),
+            collecting(),
         ),
     ),
     note="f is at least (1 − b sin²ψ) cot ψ/√(b(a+b)) on the separatrix. The turn exceeds every "
@@ -152,9 +140,7 @@ rest_of_the_time = Claim(
 )
 
 hyperbolic_sine_grows = Claim(
-    says=sinh(T + 2 * x) - sinh(T) >= 0,
-    given=(T > 0, x > 0),
-    proof=manifest,
+    says=sinh(T + 2 * x) - sinh(T) >= 0, given=(T > 0, x > 0), proof=manifest
 )
 
 hyperbolic_sine_at_most = Claim(
@@ -180,7 +166,7 @@ angle_below_tangent = Claim(
     proof=(
         step(
             Integral(cos(psi) ** 2 / sin(psi) ** 2, (psi, epsilon, pi / 2)),
-            integrating(-cos(psi) / sin(psi) - psi, sine_to_the_middle),
+            integrating(-cos(psi) / sin(psi) - psi),
             trigonometry,
         ),
     ),

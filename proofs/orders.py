@@ -389,8 +389,8 @@ linear = Claim(
     expect=Verdict.REFUTED,
     amended_by=(tangent,),
     note="A tangent, not the curve.",
-    paper_says="The idea is to express ε close to γ = 0 as the sum of two terms; elsewhere O(γ²) "
-    "is added. Read as: up to O(γ²).",
+    paper_says="“the idea is to express the angle ε close to γ = 0 as the sum of two terms.” Read "
+    "as: up to O(γ²), as it is printed elsewhere.",
 )
 
 

@@ -119,8 +119,8 @@ each_trajectory = Claim(
     label="each_oscillating_trajectory",
     says="Each oscillating motion, with −π < ψ < 0 too, has ψ between arcsin √(|γ|/b) and "
     "π − arcsin √(|γ|/b).",
-    paper_says="Each oscillating trajectory is bounded by ψ_min = arcsin √(|γ|/b) and "
-    "ψ_max = π − ψ_min. Read as: each with 0 < ψ < π; the others are mirror images.",
+    paper_says="“each oscillating trajectory is bounded by: ψ_min = arcsin √(|γ|/b), ψ_max = π − "
+    "arcsin √(|γ|/b).” Read as: each with 0 < ψ < π; the others are mirror images.",
     kind="statement",
     given=(*oscillating, psi > -pi, psi < pi, gamma + b * _sine > 0),
     means=Tuple(psi >= asin(sqrt(Abs(gamma) / b)), psi <= pi - asin(sqrt(Abs(gamma) / b))),
@@ -394,7 +394,7 @@ _said_at = Integer(103)
 
 said_in_section_3 = Claim(
     label="said_in_section_3",
-    says="That θ in [0, π/2] is enough for γ > 0 is said in Section 3, of lines 81 to 112.",
+    says="That θ in [0, π/2] is enough for γ > 0 is said in Section 3.",
     kind="statement",
     means=Tuple(Ge(_said_at, 81, evaluate=False), Le(_said_at, 112, evaluate=False)),
     proof=formally(),
@@ -402,7 +402,7 @@ said_in_section_3 = Claim(
 
 reference_to_section_2 = Claim(
     label="reference_to_section_2",
-    says="That θ in [0, π/2] is enough for γ > 0 is said in Section 2, of lines 48 to 80.",
+    says="That θ in [0, π/2] is enough for γ > 0 is said in Section 2.",
     kind="statement",
     means=Le(_said_at, 80, evaluate=False),
     proof=Counterexample({"line": fmpq(103)}),
@@ -446,9 +446,7 @@ tilts_in_order = Claim(
 )
 
 tilt_above_least = Claim(
-    says=gamma + b - (a + b) * _square >= 0,
-    given=_body,
-    proof=by(substituting(eq_gamma)),
+    says=gamma + b - (a + b) * _square >= 0, given=_body, proof=by(substituting(eq_gamma))
 )
 
 _above = gamma + b - (a + b) * _square

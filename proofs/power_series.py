@@ -85,17 +85,9 @@ exponent_slope = Claim(
 
 _quarter = (x > 0, x <= Rational(1, 4))
 
-stays_inside = Claim(
-    says=1 - x / (1 - x) > 0,
-    given=_quarter,
-    proof=manifest,
-)
+stays_inside = Claim(says=1 - x / (1 - x) > 0, given=_quarter, proof=manifest)
 
-geometric_tail = Claim(
-    says=1 - Rational(13, 5) * x / (1 - x) > 0,
-    given=_quarter,
-    proof=manifest,
-)
+geometric_tail = Claim(says=1 - Rational(13, 5) * x / (1 - x) > 0, given=_quarter, proof=manifest)
 
 coefficient_sizes = (cotangent_series, cosecant_series, exponent_slope)
 """What bounds the coefficients of Q."""

@@ -49,8 +49,8 @@ general_formula = Claim(
     label="abstract_general_formula",
     says="The closed formula estimates the flip defect of every body: it is never 100 times too "
     "small.",
-    paper_says="A simple formula estimates the effect in the general case. Read as: for large ab, "
-    "where it is derived; no accuracy is printed.",
+    paper_says="“A simple analytical formula is derived to estimate the twisting effect in the "
+    "general case.” Read as: for large ab, where it is derived; no accuracy is printed.",
     kind="statement",
     means=_not_too_small,
     given=_below_root,
@@ -65,8 +65,9 @@ general_formula = Claim(
 formula_for_any_body = Claim(
     label="intro_any_body",
     says="The closed formula gives the flip of any rigid body: it is never 100 times too small.",
-    paper_says="An asymptotic formula evaluates the flip of any three-dimensional rigid body. Read "
-    "as: as closely as an asymptotic formula does; no accuracy is printed.",
+    paper_says="“A simple asymptotic formula is derived to evaluate the value of the flip for any "
+    "three-dimensional rigid body.” Read as: as closely as an asymptotic formula does; no "
+    "accuracy is printed.",
     kind="statement",
     means=_not_too_small,
     given=_below_root,

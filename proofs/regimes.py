@@ -166,8 +166,8 @@ components_are_sufficient = Claim(
     label="components_are_sufficient",
     says="The components of M by the angles are enough, without the energy, to show that Δψ = π "
     "gives Δθ = 0.",
-    paper_says="The components of M by the angles suffice to show that Δψ ≃ π gives Δθ ≃ 0, as the "
-    "figure of the curves on the sphere shows. Read as: with those curves, which hold the energy.",
+    paper_says="“These equations are sufficient to show that, for a flip Δψ ≃ π, the variation of "
+    "θ is Δθ ≃ 0.” Read as: with the curves of Fig. 3, which hold the energy.",
     kind="statement",
     means=equal(
         printed.momentum(theta, psi, M, sympy)[0], printed.momentum(_end, psi + pi, M, sympy)[0]
@@ -217,28 +217,6 @@ _turned = Symbol("Psi", real=True)
 _per_angle = printed.integrand(psi, a, b, gamma, 1, sympy)
 _at_most = 1 / sqrt(a * gamma)
 
-rotating_time = Claim(
-    says=_at_most - _per_angle >= 0,
-    given=rotating,
-    proof=(
-        step(
-            b
-            * _sine
-            * (a + gamma + b * _sine + a * gamma * (1 + (1 - b * _sine)))
-            / (
-                sqrt(a * gamma)
-                * sqrt(a + b * _sine)
-                * sqrt(gamma + b * _sine)
-                * (
-                    sqrt(a + b * _sine) * sqrt(gamma + b * _sine)
-                    + (1 - b * _sine) * sqrt(a * gamma)
-                )
-            ),
-            roots,
-        ),
-    ),
-    note="f = dφ/dψ is at most 1/√(aγ).",
-)
 
 every_angle = Claim(
     label="psi_unbounded",
@@ -392,8 +370,8 @@ ends_of_gamma = Claim(
 angles_rest = Claim(
     label="angles_rest_at_e1",
     says="At θ = 0 the planar system is in equilibrium.",
-    paper_says="The two equilibrium points, given by γ = a and γ = −b, correspond to p₊ and p₋; "
-    "γ = a is at θ = 0. Read as: M rests there.",
+    paper_says="“The two equilibrium points, given by γ = a and γ = −b, correspond to the points "
+    "p₊ and p₋.” Read as: M rests there.",
     kind="statement",
     given=shape_of_a_body,
     means=equations(printed.planar_rates(Integer(0), psi, a, b, sympy), (0, 0)),

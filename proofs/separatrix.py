@@ -23,9 +23,6 @@ _f = printed.integrand(psi, a, b, 0, 1, sympy)
 _on_separatrix = _f.subs(sqrt(b * sin(psi) ** 2), sqrt(b) * sin(psi))
 _mu = sqrt(b / (a + b))
 
-separatrix_integrand = Claim(
-    says=equal(_f, _on_separatrix), given=(*shape, *between), proof=by(roots)
-)
 
 start_in_x = Claim(
     label="d34",
@@ -37,31 +34,16 @@ start_in_x = Claim(
 
 _in_x = printed.auxiliary_integrand(x, a, b, sympy)
 
-_on_path = (*defect, psi >= epsilon, psi <= pi - epsilon)
-
-sine_on_path = Claim(
-    says=sin(psi) > 0,
-    given=_on_path,
-    proof=manifest,
-    note="From ε to π − ε the flip angle stays between the unstable points.",
-)
 
 separatrix_condition = Claim(
     label="d32",
     says=equal(Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, *defect),
-    proof=Definition("one turn of the handle on the separatrix", (sine_on_path,)),
+    proof=Definition("one turn of the handle on the separatrix"),
     where=display(32),
     note="The condition for the flip defect on the separatrix: one ε meets it (`one_flip_defect`).",
 )
 
-pole_on_path = Claim(says=1 - cos(psi) ** 2 > 0, given=_on_path, proof=manifest)
-
-root_on_path = Claim(
-    says=1 - _mu**2 * cos(psi) ** 2 > 0,
-    given=shape,
-    proof=manifest,
-)
 
 substitution = Claim(
     label="d35",
@@ -71,7 +53,7 @@ substitution = Claim(
         step(
             Integral(-b * _on_separatrix, (psi, epsilon, pi - epsilon)),
             substituting(start_in_x),
-            changing_variable(_mu * cos(psi), sine_on_path, pole_on_path, root_on_path),
+            changing_variable(_mu * cos(psi)),
         ),
         step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), roots),
         step(None, substituting(separatrix_condition)),
@@ -82,40 +64,23 @@ substitution = Claim(
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 
 root_at_start = Claim(
-    says=1 - x0**2 > 0,
-    given=(*shape, *defect),
-    proof=by(substituting(start_in_x)),
+    says=1 - x0**2 > 0, given=(*shape, *defect), proof=by(substituting(start_in_x))
 )
 
 below_the_pole = Claim(
-    says=b / (a + b) - x0**2 > 0,
-    given=(*shape, *defect),
-    proof=by(substituting(start_in_x)),
+    says=b / (a + b) - x0**2 > 0, given=(*shape, *defect), proof=by(substituting(start_in_x))
 )
 
 _inside = ((x - x0) * (-x0 - x) >= 0,)
 
-inside_square = Claim(says=x0**2 - x**2 >= 0, given=_inside, proof=manifest)
-
-root_in_interval = Claim(
-    says=1 - x**2 > 0,
-    given=(*shape, *defect, *_inside),
-    proof=by(citing(root_at_start, inside_square)),
-    note="The sum of the two bounds it cites.",
-)
 
 pole_outside = Claim(
     says=b / (a + b) - x**2 > 0,
     given=(*shape, *defect, *_inside),
-    proof=by(citing(below_the_pole, inside_square)),
+    proof=by(citing(below_the_pole)),
     note="The sum of the two bounds it cites.",
 )
 
-artanh_defined = Claim(
-    says=1 - (sqrt(a / b) * x / sqrt(1 - x**2)) ** 2 > 0,
-    given=(*shape, *defect, *_inside),
-    proof=by(citing(root_in_interval, pole_outside)),
-)
 
 first_factor = Claim(
     says=1 - (a + b) / b * x**2 > 0,
@@ -126,7 +91,7 @@ first_factor = Claim(
 artanh_at_start = Claim(
     says=1 - (sqrt(a / b) * x0 / sqrt(1 - x0**2)) ** 2 > 0,
     given=(*shape, *defect),
-    proof=by(citing(root_at_start, below_the_pole)),
+    proof=by(citing(below_the_pole)),
 )
 
 integrated = Claim(
@@ -136,7 +101,7 @@ integrated = Claim(
     proof=(
         step(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
-            integrating(_primitive, root_in_interval, pole_outside, artanh_defined, first_factor),
+            integrating(_primitive, first_factor),
             citing(root_at_start, artanh_at_start),
             inverses,
             roots,
@@ -155,11 +120,6 @@ _inverse = cos(epsilon) / _root
 _inverse_form = equal(atanh(_inverse), _time)
 _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 
-root_under_cosine = Claim(
-    says=1 - _mu**2 * cos(epsilon) ** 2 > 0,
-    given=(*shape, *defect),
-    proof=manifest,
-)
 
 logarithm_of_artanh = Claim(
     label="artanh_by_logarithm",
@@ -169,26 +129,6 @@ logarithm_of_artanh = Claim(
     where=line(340),
 )
 
-_argument = sqrt(a / b) * (_mu * cos(epsilon)) / sqrt(1 - (_mu * cos(epsilon)) ** 2)
-
-argument_below_one = Claim(
-    says=1 - _argument**2 > 0,
-    given=(*shape, *defect),
-    proof=manifest,
-)
-
-ratio_below_one = Claim(
-    says=1 - (cos(epsilon) / _root) ** 2 > 0,
-    given=(*shape, *defect),
-    proof=manifest,
-)
-
-printed_left_positive = Claim(
-    says=_ratio > 0,
-    given=(*shape, *defect),
-    proof=manifest,
-    note="The form in which the left side does not cancel.",
-)
 
 exact_equation = Claim(
     label="d37",
@@ -304,7 +244,6 @@ one_flip_defect = Claim(
     ),
 )
 
-_share = _inverse - tanh(_time)
 _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
 
 defect_is_one = Claim(
@@ -321,15 +260,11 @@ defect_is_one = Claim(
                 exponentials,
                 roots,
                 trigonometry,
-                inverses,
             ),
         ),
         at_low=(
             step(
-                2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1),
-                exponentials,
-                roots,
-                trigonometry,
+                2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1), exponentials, roots, trigonometry
             ),
         ),
         at_high=(step(-tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),

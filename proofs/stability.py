@@ -60,23 +60,11 @@ eigenvalues_e3 = Claim(
     proof=by(),
 )
 
-center_at_e1 = Claim(
-    says=_square1 < 0,
-    given=ordered_moments,
-    proof=manifest,
-)
+center_at_e1 = Claim(says=_square1 < 0, given=ordered_moments, proof=manifest)
 
-saddle_at_e2 = Claim(
-    says=_square2 > 0,
-    given=ordered_moments,
-    proof=manifest,
-)
+saddle_at_e2 = Claim(says=_square2 > 0, given=ordered_moments, proof=manifest)
 
-center_at_e3 = Claim(
-    says=_square3 < 0,
-    given=ordered_moments,
-    proof=manifest,
-)
+center_at_e3 = Claim(says=_square3 < 0, given=ordered_moments, proof=manifest)
 
 _below_first = M2**2 * (I2 - I1) / (I1 * I2) + M3**2 * (I3 - I1) / (I1 * I3)
 _above_third = M1**2 * (I3 - I1) / (I1 * I3) + M2**2 * (I3 - I2) / (I2 * I3)
@@ -209,7 +197,6 @@ any_body = Claim(
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
 
-outer_moments = Claim(says=I3 - I1 > 0, given=ordered_moments, proof=manifest)
 
 permanent_rotations = Claim(
     says=Tuple(
@@ -234,8 +221,8 @@ _distances = [sum((m - p) ** 2 for m, p in zip(_components, point, strict=True))
 three_equilibria = Claim(
     label="three_equilibria",
     says="The dynamics has three equilibrium points and no more: p₊, p₋ and p_D.",
-    paper_says="The figure shows the three equilibrium points p₊, p₋ and p_D of the dynamics. Read "
-    "as: up to the sign of M.",
+    paper_says="“Figure 3 shows the three equilibrium points p₊, p₋ and p_D of the dynamics.” "
+    "Read as: up to the sign of M.",
     kind="statement",
     means=Under(
         equal(_distances[0] * _distances[1] * _distances[2], 0),
@@ -277,8 +264,8 @@ transverse_velocity = Claim(
 only_about_the_handle = Claim(
     label="only_about_the_handle",
     says="Not only at p₊ but all around it the racket rotates about its handle alone.",
-    paper_says="Around the stable point p₊ the racket rotates only about its handle. Read as: at "
-    "p₊, and nearly so close to it.",
+    paper_says="“Around this stable equilibrium point, the racket rotates only about its handle.” "
+    "Read as: at p₊, and nearly so close to it.",
     kind="statement",
     means=equations(
         (M * sin(theta) * cos(psi) / I2, M * sin(theta) * sin(psi) / I3), (Integer(0), Integer(0))

@@ -124,8 +124,8 @@ near_flip_close = Claim(
     label="near_flip_likely",
     says="However near the unstable point the starts are, a near flip may happen: within 1/100 of "
     "it the standard racket flips by 5π/6 or more from some.",
-    paper_says="From starts close to the unstable point a near flip is very likely. Read as: from "
-    "most starts in a rectangle about it.",
+    paper_says="“When we consider initial conditions close to this point, Fig. 10 shows that a "
+    "near flip is very likely to happen.” Read as: from most starts in a rectangle about it.",
     kind="bound",
     proof=Boxes(
         (Bound(_can_flip, box(("1/100", "1/100")), precision=128),),
@@ -196,8 +196,8 @@ def _misses(gamma: Any, m: Any) -> Any:
 no_tre_far = Claim(
     label="no_tre_far",
     says="The standard racket shows no effect where |γ| > 10⁻², exactly.",
-    paper_says="In the figure the effect does not occur far from the separatrix, approximately "
-    "where |γ| > 10⁻². Read as: where |γ| is larger by 4 % or more.",
+    paper_says="“the TRE does not occur far from the separatrix, approximately when |γ| > "
+    "10^{−2}.” Read as: where |γ| is larger by 4 % or more.",
     kind="bound",
     proof=Boxes(
         (Bound(_misses, box(("51/5000", "51/5000"))),),

@@ -62,8 +62,8 @@ _other = Symbol("N1", real=True)
 one_circle = Claim(
     label="one_circle_e1",
     says="For I₂ = I₃ the two surfaces meet in one circle and no more.",
-    paper_says="For I₂ = I₃ the two surfaces meet in a circle about e₁. Read as: in that on which "
-    "a solution runs.",
+    paper_says="“The intersection of the two surfaces is a circle centered on e₁.” Read as: the "
+    "one on which a solution runs.",
     kind="statement",
     means=Under(equal(M1, _other), Tuple(equal(a * M1**2, a * _other**2))),
     given=(a > 0, M > 0),

@@ -10,7 +10,6 @@
 
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.flip_dynamics import sign_of_tilt
-from tresym.proofs.on_the_separatrix import sine_to_the_middle
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -57,7 +56,7 @@ half_integral = Claim(
 one_turn = Claim(
     says=equal(_turn(gamma), pi),
     given=(*shape, b < 1, *defect, gamma >= 0),
-    proof=Definition("one turn of the handle, before the motion turns back", (sine_to_the_middle,)),
+    proof=Definition("one turn of the handle, before the motion turns back"),
     where=display(49),
     note="What one turn of the handle means, by d48, while the motion has not turned.",
 )
@@ -69,39 +68,27 @@ level_line = Claim(
     where=display(49),
 )
 
-cosine_to_the_middle = Claim(
-    says=sqrt(a) * cos(psi) >= 0,
-    given=(a > 0, *defect, psi >= epsilon, psi <= pi / 2),
-    proof=manifest,
-)
-
-logarithm_to_the_middle = Claim(
-    says=sqrt(a) * cos(psi) + sqrt(a + b * sin(psi) ** 2) > 0,
-    given=(*shape, *defect, psi >= epsilon, psi <= pi / 2),
-    proof=manifest,
-    note="The antiderivative of d55 is smooth up to π/2.",
-)
 
 # -- the derivative by the end --------------------------------------------------------------------
 
 slope_symbol = Claim(
     says=equal(F_epsilon, Derivative(_turn(gamma), epsilon)),
     given=(*shape, *defect, gamma > 0),
-    proof=Definition(claims=(sine_to_the_middle,)),
+    proof=Definition(),
     note="∂F/∂ε.",
 )
 
 slope_symbol_at_zero = Claim(
     says=equal(F_epsilon0, Derivative(_turn(Integer(0)), epsilon)),
     given=(*shape, *defect),
-    proof=Definition(claims=(sine_to_the_middle,)),
+    proof=Definition(),
     note="∂F/∂ε at γ = 0.",
 )
 
 slope_by_end = Claim(
     says=equal(F_epsilon, -printed.integrand(epsilon, a, b, gamma, S, sympy)),
     given=(*shape, b < 1, *defect, gamma > 0),
-    proof=by(substituting(slope_symbol), differentiating_integral(Integer(0), sine_to_the_middle)),
+    proof=by(substituting(slope_symbol), differentiating_integral(Integer(0))),
     where=display(51),
     note="F is an integral from ε.",
 )
@@ -111,9 +98,7 @@ _at_end = printed.integrand(epsilon, a, b, 0, S, sympy)
 slope_by_end_at_zero = Claim(
     says=equal(F_epsilon0, -_at_end),
     given=(*shape, b < 1, *defect),
-    proof=by(
-        substituting(slope_symbol_at_zero), differentiating_integral(Integer(0), sine_to_the_middle)
-    ),
+    proof=by(substituting(slope_symbol_at_zero), differentiating_integral(Integer(0))),
     where=display(51),
     note="At γ = 0.",
 )
@@ -128,7 +113,7 @@ _one_motion = (*shape, b < 1, *defect, S > 0)
 value_at_zero = Claim(
     says=equal(_turn(Integer(0)), _value),
     given=_one_motion,
-    proof=Definition("the motion on the separatrix on which F is F0", (sine_to_the_middle,)),
+    proof=Definition("the motion on the separatrix on which F is F0"),
     note="An equation for ε; in one turn F₀ is π.",
 )
 
@@ -136,10 +121,7 @@ value_reached = Claim(
     says=equal(_excess, 0),
     given=_one_motion,
     proof=(
-        step(
-            _turn(Integer(0)) - Integral(_value / _length, (psi, epsilon, pi / 2)),
-            collecting(sine_to_the_middle),
-        ),
+        step(_turn(Integer(0)) - Integral(_value / _length, (psi, epsilon, pi / 2)), collecting()),
         step(_turn(Integer(0)) - _value, integrating(_value * psi / _length)),
         step(None, substituting(value_at_zero)),
     ),
@@ -149,10 +131,7 @@ value_reached = Claim(
 _by_value = Subs(Derivative(_excess, _value), _value, pi)
 _by_end = Derivative(_excess.xreplace({_value: pi}), epsilon)
 _spread_slope = -pi / _length**2
-_opened = (
-    differentiating_integral(_spread_slope, sine_to_the_middle),
-    integrating(_spread_slope * psi),
-)
+_opened = (differentiating_integral(_spread_slope), integrating(_spread_slope * psi))
 
 inverse_symbol = Claim(
     says=equal(defect_F, -_by_value / _by_end),
@@ -163,7 +142,6 @@ inverse_symbol = Claim(
         parameter=_value,
         at=pi,
         slope=(step(-_at_end, *_opened),),
-        bounds=(sine_to_the_middle,),
     ),
     note="∂ε/∂F at γ = 0: the slope of the inverse function, where F = π.",
 )
@@ -171,7 +149,7 @@ inverse_symbol = Claim(
 slopes_of_the_excess = Claim(
     says=Tuple(equal(excess_value, _by_value), equal(excess_epsilon, _by_end)),
     given=_one_motion,
-    proof=Definition(claims=(sine_to_the_middle,)),
+    proof=Definition(),
     note="The slopes of F − F₀ by F₀ and by ε.",
 )
 
@@ -180,7 +158,7 @@ excess_by_value = Claim(
     given=_one_motion,
     proof=by(
         substituting(slopes_of_the_excess),
-        differentiating_integral(-1 / _length, sine_to_the_middle),
+        differentiating_integral(-1 / _length),
         integrating(-psi / _length),
     ),
 )
@@ -230,7 +208,7 @@ derivative_under_the_integral = Claim(
     label="d53",
     says=equal(_slope, Integral(_slope_of_f, (psi, epsilon, pi / 2))),
     given=(*shape, *defect),
-    proof=by(differentiating_integral(_slope_of_f, sine_to_the_middle)),
+    proof=by(differentiating_integral(_slope_of_f)),
     where=display(53),
     note="On [ε₀, π/2] the integrand is smooth in ψ and γ; that F itself converges is not enough.",
 )
@@ -243,18 +221,13 @@ slope_of_turn = Claim(
             Integral(_slope_of_f, (psi, epsilon, pi / 2)),
             substituting(derivative_under_the_integral),
         ),
-        step(
-            None, integrating(_primitive, sine_to_the_middle, logarithm_to_the_middle), trigonometry
-        ),
+        step(None, integrating(_primitive), trigonometry),
     ),
     where=display(55),
 )
 
 turn_symbol = Claim(
-    says=equal(F_gamma, _slope),
-    given=(*shape, *defect),
-    proof=Definition(claims=(sine_to_the_middle,)),
-    note="∂F/∂γ at γ = 0.",
+    says=equal(F_gamma, _slope), given=(*shape, *defect), proof=Definition(), note="∂F/∂γ at γ = 0."
 )
 
 implicit_defect = Claim(
@@ -268,11 +241,10 @@ implicit_defect = Claim(
         slope=(
             step(
                 -printed.integrand(epsilon, a, b, 0, S, sympy),
-                differentiating_integral(Integer(0), sine_to_the_middle),
+                differentiating_integral(Integer(0)),
                 roots,
             ),
         ),
-        bounds=(sine_to_the_middle,),
     ),
     where=display(50),
     note="∂ε/∂γ at γ = 0, where F(ε(γ), γ) = π; the sign S is 1 there.",

@@ -57,27 +57,6 @@ oscillating = (*shape, gamma > -b, gamma < 0)
 half_time = (chi > 0, chi < pi, sin(chi) > 0)
 """Before the motion is back at ψ = π/2; the last condition says it to the sign procedure."""
 
-_share = (a + b) * (b + gamma) * sin(x) ** 2 / _here.Q
-
-clock_quickens = Claim(
-    says=_share >= 0,
-    given=oscillating,
-    proof=manifest,
-    note="b cos²ψ on the curve, by which 1 − b sin²ψ is above 1 − b.",
-)
-
-clock_runs = Claim(
-    says=1 - b * sin(_here.flip) ** 2 > 0,
-    given=(*oscillating, b < 1),
-    proof=manifest,
-)
-
-handle_tilts = Claim(
-    says=1 - cos(_here.tilt) ** 2 > 0,
-    given=oscillating,
-    proof=manifest,
-    note="sin²θ on the curve: the handle is never along M.",
-)
 
 _rates = printed.planar_rates(_here.tilt, _here.flip, a, b, sympy)
 _solving = by(differentiation, trigonometry, roots)
@@ -95,11 +74,6 @@ unfolded_motion = Claim(
 
 before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
 
-tilt_before_the_turn = Claim(
-    says=cos(x) > 0, given=(*before_the_turn, x >= 0, x <= chi), proof=manifest
-)
-
-_tilted = (a - gamma) * (b + gamma) * cos(x) ** 2 / _here.Q
 
 flip_before_the_turn = Claim(
     says=Tuple(a + b * sin(_here.flip) ** 2 > 0, gamma + b * sin(_here.flip) ** 2 > 0),
@@ -115,7 +89,7 @@ unfolded_turn = Claim(
         Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, _end.flip, pi / 2)), phase
     ),
     given=before_the_turn,
-    proof=by(changing_variable(_here.flip, tilt_before_the_turn, flip_before_the_turn)),
+    proof=by(changing_variable(_here.flip, flip_before_the_turn)),
     note="Before the motion has turned Φ is F.",
 )
 
@@ -184,41 +158,18 @@ unfolded_decrease = Claim(
 
 # -- once it has turned ---------------------------------------------------------------------------
 
-_slopes_of_flip = Tuple(
-    equal(
-        Derivative(_end.flip, gamma),
-        -(sqrt(a + b) ** 3) * sin(chi) / (2 * sqrt(b + gamma) * _end.Q * sqrt(_end.R)),
-    ),
-    equal(
-        Derivative(_end.flip, chi),
-        -sqrt(a + b) * sqrt(b + gamma) * (a - gamma) * cos(chi) / (_end.Q * sqrt(_end.R)),
-    ),
-)
-
-flip_slopes = Claim(
-    says=_slopes_of_flip,
-    given=oscillating,
-    proof=by(differentiation, trigonometry, roots),
-    note="ε by γ at fixed χ, and by χ.",
-)
-
 _total = Derivative(_end.flip, gamma) + Derivative(_end.flip, chi) * chi_rate
 """dε/dγ, as ε = ψ(χ(γ), γ)."""
 turned = (*oscillating, chi >= pi / 2, chi < pi, sin(chi) > 0, cos(chi) <= 0, chi > 0)
 """The motion has turned once, and is not yet back at ψ = π/2."""
 
-_by_level, _by_time = (-part.rhs for part in _slopes_of_flip.args)
 
 turned_decrease = Claim(
-    says=_total < 0,
-    given=turned,
-    proof=by(differentiation, citing(unfolded_decrease)),
+    says=_total < 0, given=turned, proof=by(differentiation, citing(unfolded_decrease))
 )
 
 beyond_right_angle = Claim(
-    says=_end.flip - pi / 2 > 0,
-    given=(*oscillating, sin(chi) < 0),
-    proof=manifest,
+    says=_end.flip - pi / 2 > 0, given=(*oscillating, sin(chi) < 0), proof=manifest
 )
 
 _steep = 1 / (2 * sqrt(-gamma) * sqrt(b + gamma))
@@ -244,17 +195,9 @@ phase_at_bottom = Claim(
     ),
 )
 
-body_stays_below = Claim(
-    says=_slow - pi >= 0,
-    given=(*shape, 1 - b * (a + 2) >= 0),
-    proof=manifest,
-)
+body_stays_below = Claim(says=_slow - pi >= 0, given=(*shape, 1 - b * (a + 2) >= 0), proof=manifest)
 
-others_do_not = Claim(
-    says=_slow - pi < 0,
-    given=(*shape, b * (a + 2) - 1 > 0),
-    proof=manifest,
-)
+others_do_not = Claim(says=_slow - pi < 0, given=(*shape, b * (a + 2) - 1 > 0), proof=manifest)
 
 near_right_angle = Claim(
     says=(b + gamma) / -gamma - tan(pi / 2 - _end.flip) ** 2 >= 0,

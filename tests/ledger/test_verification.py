@@ -69,7 +69,7 @@ def test_a_claim_is_listed_where_it_is_stated() -> None:
             c for v in here for c in (v if isinstance(v, tuple) else (v,)) if isinstance(c, Claim)
         }
         assert set(claims) <= several, part
-    assert "sine_to_the_middle" in {c.label for c in stated["on_the_separatrix"]}
+    assert "turn_to_the_middle" in {c.label for c in stated["on_the_separatrix"]}
     assert sum(map(len, stated.values())) == len(CLAIMS)
 
 

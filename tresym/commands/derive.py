@@ -38,7 +38,7 @@ def run(args: argparse.Namespace) -> int:
     from tresym.report.pages import derivation
 
     report = verify(args.labels, workers=cores())
-    asked = [row for row in report.rows if row.requested]
+    asked = [report[label] for label in dict.fromkeys(args.labels)]
     refused = derivation.refused(asked) if args.labels and not args.refuted else ()
     if refused:
         print("\n".join(refused), file=sys.stderr)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rich.console import Console
@@ -22,6 +23,7 @@ from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
 
 if TYPE_CHECKING:
+    from tresym.ledger.claim import Claim
     from tresym.ledger.mutants.report import MutantReport, MutantRow
     from tresym.ledger.verification import Report, Row
 
@@ -122,7 +124,7 @@ STYLES: dict[Ruling, str] = {
 LABEL_WIDTH = 30
 
 
-PLACE_WIDTH = 22
+PLACE_WIDTH = 24
 
 
 def show_verification(labels: tuple[str, ...], console: Console, workers: int = 1) -> Report:
@@ -137,7 +139,7 @@ def show_verification(labels: tuple[str, ...], console: Console, workers: int = 
         task = progress.add_task("claims", total=total)
 
         def show(row: Row) -> None:
-            for line in _row_lines(row):
+            for line in _row_lines(row, bool(labels)):
                 console.print(line, soft_wrap=True)
             progress.advance(task)
 
@@ -209,13 +211,15 @@ def _headings() -> Text:
     return line
 
 
-def _row_lines(row: Row) -> list[Text]:
+def _row_lines(row: Row, named: bool) -> list[Text]:
     from tresym.report.words.place import place_text
 
     claim, finding = row.claim, row.finding
     verdict = Text(finding.verdict.value, style=STYLES[finding.verdict])
     time = f"{1000 * finding.seconds:.1f} ms"
     lines = [_columns(claim.label, place_text(claim), verdict, time)]
+    if row.requested and named:
+        lines += [Text(f"    {line}") for line in _stated(claim)]
     if not row.as_expected:
         lines.append(Text(f"    expected {claim.expect.value}: {finding.why}", style="bold red"))
     elif finding.verdict is Verdict.REFUTED:
@@ -227,6 +231,16 @@ def _row_lines(row: Row) -> list[Text]:
             names = ", ".join(c.label for c in claim.amended_by)
             lines.append(Text(f"    true instead: {names}", style="dim"))
     return lines
+
+
+def _stated(claim: Claim) -> Iterator[str]:
+    """What the claim says, under which conditions, and which formula is decided."""
+    from tresym.report.words.plain import plain
+    from tresym.report.words.said import in_plain_text, said
+
+    found = said(claim)
+    yield in_plain_text(found)
+    yield from (f"decided as {plain(formula)}" for formula in found.means)
 
 
 def _summary(report: Report) -> Table:

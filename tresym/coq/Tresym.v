@@ -88,6 +88,15 @@ Proof.
   now apply not_0_INR.
 Qed.
 
+Lemma root_unique_le n x y : (n <> 0)%nat -> 0 <= y -> y ^ n = x -> root n x = y.
+Proof.
+  intros N [H|H] E; [now apply root_unique |]; subst; rewrite pow_i by lia; apply root_zero.
+Qed.
+Lemma some_root n x : (n <> 0)%nat -> 0 <= x -> exists y, 0 <= y /\ x = y ^ n.
+Proof. intros N H; exists (root n x); split; [now apply root_le | now rewrite root_pow]. Qed.
+Lemma some_root_lt n x : (n <> 0)%nat -> 0 < x -> exists y, 0 < y /\ x = y ^ n.
+Proof. intros N H; exists (root n x); split; [now apply root_lt | rewrite root_pow; lra || trivial]. Qed.
+
 (* Derivatives, one rule for each operation: [derive] leaves the conditions. *)
 
 Lemma d_eq (f : R -> R) (x l m : R) : is_derive f x l -> l = m -> is_derive f x m.
@@ -421,6 +430,17 @@ with sum :=
         | apply Rplus_lt_le_0_compat; positive
         | apply Rplus_le_lt_0_compat; positive ].
 
+(* A sum of products of powers of what is known not to be negative. *)
+Ltac cone :=
+  first
+    [ assumption
+    | lazymatch goal with
+      | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; cone
+      | |- 0 <= _ * _ => apply Rmult_le_pos; cone
+      | |- 0 <= _ ^ _ => apply pow_le; cone
+      end
+    | lra ].
+
 (* The conditions that [field] and [derive] leave. *)
 Ltac same_nonzero :=
   match goal with
@@ -518,7 +538,7 @@ Ltac equals := first [ring | field; side | field_simplify; lra].
 Ltac worth f u y c law :=
   replace (f u) with c by (replace u with y by equals; symmetry; apply law).
 Ltac base_value :=
-  cbv beta; rewrite ?ln_exp; rewrite ?exp_ln by side;
+  cbv beta; repeat rewrite ln_Rinv by positive; rewrite ?ln_exp; rewrite ?exp_ln by side;
   repeat match goal with
   | |- context [exp ?u] => worth exp u 0 1 exp_0
   | |- context [ln ?u] => worth ln u 1 0 ln_1
@@ -553,6 +573,69 @@ Ltac logs :=
 Ltac trigonometric := repeat match goal with
   | |- context [sin ?u ^ 2] => rewrite (sin_square u)
   end.
+
+(* An inequality from one that implies it. *)
+Lemma from_ln_le x y : 0 < x -> 0 < y -> ln x <= ln y -> x <= y.
+Proof. intros X Y [H|H]; [left; now apply ln_lt_inv | right; now apply ln_inv]. Qed.
+Lemma from_ln_lt x y : 0 < x -> 0 < y -> ln x < ln y -> x < y.
+Proof. apply ln_lt_inv. Qed.
+Lemma ln_rises x y : 0 < x -> x <= y -> ln x <= ln y.
+Proof. intros X [H|H]; [left; now apply ln_increasing | subst; right; reflexivity]. Qed.
+Lemma exp_rises x y : x <= y -> exp x <= exp y.
+Proof. intros [H|H]; [left; now apply exp_increasing | subst; right; reflexivity]. Qed.
+Lemma below_sqrt x y : x ^ 2 <= y -> x <= sqrt y.
+Proof.
+  intros H; destruct (Rle_or_lt x 0); [pose proof (sqrt_pos y); lra |].
+  rewrite <- (sqrt_pow2 x) by lra; apply sqrt_le_1_alt, H.
+Qed.
+Lemma above_sqrt x y : 0 <= y -> x <= y ^ 2 -> sqrt x <= y.
+Proof. intros Y H; rewrite <- (sqrt_pow2 y) by exact Y; apply sqrt_le_1_alt, H. Qed.
+Lemma from_quotient p q : 0 <= p -> 0 < q -> 0 <= p / q.
+Proof. intros; now apply Rdiv_le_0_compat. Qed.
+
+(* Concave between two points at which it is not negative. *)
+Lemma concave f df ddf a b x : a <= x <= b ->
+  (forall t, a <= t <= b -> is_derive f t (df t)) ->
+  (forall t, a <= t <= b -> is_derive df t (ddf t)) -> (forall t, a <= t <= b -> ddf t <= 0) ->
+  0 <= f a -> 0 <= f b -> 0 <= f x.
+Proof.
+  intros X D E S A B; destruct (Rle_or_lt 0 (f x)) as [H|H]; [exact H | exfalso].
+  destruct (mean_value f df a x) as [p [P U]]; [lra | intros; apply D; lra |].
+  destruct (mean_value f df x b) as [q [Q V]]; [lra | intros; apply D; lra |].
+  destruct (mean_value df ddf p q) as [r [R W]]; [lra | intros; apply E; lra |].
+  assert (Z := S r ltac:(lra)).
+  assert (a < x) by (destruct (Req_dec a x) as [<-|]; lra).
+  assert (x < b) by (destruct (Req_dec x b) as [->|]; lra).
+  assert (df p < 0) by (apply (Rmult_lt_reg_r (x - a)); lra).
+  assert (0 < df q) by (apply (Rmult_lt_reg_r (b - x)); lra).
+  assert (ddf r * (q - p) <= 0) by (apply Rmult_le_0_r; lra || trivial); lra.
+Qed.
+
+(* Logarithms of products, powers and exponentials, by positive factors. *)
+Lemma ln_pow_ x n : 0 < x -> ln (x ^ n) = INR n * ln x.
+Proof.
+  intros X; induction n; [simpl; rewrite ln_1; ring |].
+  rewrite S_INR; simpl; rewrite ln_mult, IHn; [ring | exact X | now apply pow_lt].
+Qed.
+Lemma ln_sqrt_ x : 0 < x -> ln (sqrt x) = / 2 * ln x.
+Proof.
+  intros X; assert (S := sqrt_lt_R0 x X).
+  enough (ln x = 2 * ln (sqrt x)) by lra.
+  rewrite <- (pow2_sqrt x) at 1 by lra; rewrite ln_pow_ by exact S; simpl; ring.
+Qed.
+Lemma ln_root_ n x : (n <> 0)%nat -> 0 < x -> ln (root n x) = / INR n * ln x.
+Proof. intros N X; rewrite root_pos by exact X; unfold Rpower; apply ln_exp. Qed.
+Ltac log_parts :=
+  repeat first
+    [ rewrite ln_mult by positive
+    | rewrite ln_div by positive
+    | rewrite ln_Rinv by positive
+    | rewrite ln_pow_ by positive
+    | rewrite ln_sqrt_ by positive
+    | rewrite ln_root_ by (first [lia | positive])
+    | rewrite ln_exp
+    | rewrite ln_1 ];
+  rewrite ?INR_IZR_INZ; cbn [Z.of_nat Pos.of_succ_nat Pos.succ].
 
 (* Relations of numbers. *)
 Lemma above x y : 0 < y - x -> x < y.
@@ -1095,7 +1178,7 @@ Proof.
   - rewrite Rmin_left, Rmax_right in X by lra; exists x; split; [exact X |].
     now rewrite beyond_inside in E by exact X.
 Qed.
-Lemma increasing f df a b : (forall x, a <= x <= b -> continuous f x) ->
+Lemma rising f df a b : (forall x, a <= x <= b -> continuous f x) ->
   (forall x, a < x < b -> is_derive f x (df x)) -> (forall x, a < x < b -> 0 < df x) ->
   forall x y, a <= x -> x < y -> y <= b -> f x < f y.
 Proof.
@@ -1115,7 +1198,7 @@ Lemma exactly_one f df a b : a < b -> (forall x, a <= x <= b -> continuous f x) 
   (forall x, a < x < b -> is_derive f x (df x)) -> (forall x, a < x < b -> 0 < df x) ->
   f a < 0 < f b -> exists! x, a < x < b /\ f x = 0.
 Proof.
-  intros H C D P [A B]; assert (M := increasing f df a b C D P).
+  intros H C D P [A B]; assert (M := rising f df a b C D P).
   destruct (root_exists f a b (Rlt_le _ _ H) C) as [x [X E]]; [nra |].
   exists x; split.
   - split; [| exact E]; split.
@@ -1173,7 +1256,7 @@ Lemma same_sinh x y : sinh x = sinh y -> x = y.
 Proof. intros E; rewrite <- (arcsinh_sinh x), E; apply arcsinh_sinh. Qed.
 Lemma increasing_tanh x y : x < y -> tanh x < tanh y.
 Proof.
-  intros L; apply (increasing tanh (fun t => 1 * / (cosh t * cosh t)) x y); try lra.
+  intros L; apply (rising tanh (fun t => 1 * / (cosh t * cosh t)) x y); try lra.
   - intros t _; apply (c_tanh (fun t => t)), continuous_id.
   - intros t _; apply (d_tanh (fun t => t)), d_id.
   - intros t _; pose proof (cosh_pos t); rewrite Rmult_1_l; apply Rinv_0_lt_compat; nra.

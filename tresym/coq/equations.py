@@ -300,7 +300,7 @@ class Script:
 
     def roots(self, found: list[Expr]) -> None:
         """Every root by those of a few radicands, and what binds these."""
-        asked = [_as_root(e) for e in found]
+        asked = [as_root(e) for e in found]
         if len(dict.fromkeys(asked)) == 1 and quotient(asked[0][0])[1].op == "number":
             u, q, _ = asked[0]
             self.canonical(u, q, asked[0][2])
@@ -492,7 +492,7 @@ def _root(u: Expr, q: int) -> Expr:
     return Expr("^", (u, number(Fraction(1, q))))
 
 
-def _as_root(e: Expr) -> tuple[Expr, int, bool]:
+def as_root(e: Expr) -> tuple[Expr, int, bool]:
     """Radicand, degree, and whether it is the root of any number."""
     return (e.args[0], 3, True) if e.op == "cbrt" else (e.args[0], int(e.args[1].args[0].q), False)
 

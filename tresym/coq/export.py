@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 from tresym.coq.dialogue import HEAD, TEXT_SECONDS, Dialogue, prelude
 from tresym.coq.ledger import Joint, name_of, stamp, stem, theorem_of
+from tresym.coq.numbers import numbers
 from tresym.coq.proving import Plan, candidates, plans
 from tresym.coq.search import version
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
@@ -308,6 +309,7 @@ def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict
     files = {
         "Tresym.v": prelude(),
         "Statements.v": statements(chosen),
+        "Numbers.v": numbers(),
         "Possible.v": possible(store),
     }
     names = dict.fromkeys(chosen, "")

@@ -2,53 +2,101 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations, permutations
+from fractions import Fraction
+from itertools import combinations, islice, product
+from math import lcm
 
-from tresym.coq.equations import Script, quotient, unfolded
+from tresym.coq.cones import Span, cone_lines
+from tresym.coq.equations import (
+    LEAVES,
+    Script,
+    as_root,
+    exchanged,
+    is_root,
+    nodes,
+    quotient,
+    unfolded,
+)
 from tresym.coq.linear import as_expression, expanded
+from tresym.coq.reductions import Reduction, reductions
 from tresym.coq.statement import Theorem, term, variable
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
-    add,
     differentiate,
     multiply,
     number,
+    power,
     substitute,
     symbol,
     symbols,
 )
 from tresym.reals.language.inverted import solutions
+from tresym.reals.normal.written import numerator
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import with_domain
 from tresym.reals.places.points import Range
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.inside import sign_inside
+from tresym.reals.signs.sign import directly, sign
+from tresym.reals.signs.taylor import opened
 
 MAX_ORDER = 5
 MAX_SIZE = 300
 MAX_BASES = 6
 MAX_EXPANSIONS = 2
+QUICK = "intros; saturate; absolute; facts; first [lra | nra]."
 POINT = symbol("point")
 UP, DOWN = ("+", ">=0", "0"), ("-", "<=0", "0")
 
 
-def inequality_proofs(theorem: Theorem) -> Iterator[str]:
-    """Proofs to try, the likeliest first."""
+def inequality_proofs(theorem: Theorem, depth: int = 3) -> Iterator[str]:
+    """Proofs to try: as the prover of signs goes, by what implies it, and by what Coq finds."""
     left, right, relation = theorem.left, theorem.right, theorem.relation
     d = left - right if relation in (">", ">=", "!=") else right - left
     strict = relation in (">", "<", "!=")
     given = with_domain(Given(theorem.given), left, right)
     for difference in (d, -d) if relation == "!=" else (d,):
-        yield "intros; saturate; absolute; facts; first [lra | nra]."
+        yield from expected(theorem, difference, strict, given)
+    if relation != "!=" and depth:
+        for way in reductions(theorem):
+            yield from _reduced(way, depth - 1)
+    for difference in (d, -d) if relation == "!=" else (d,):
         yield from by_taylor(theorem, difference, given)
-        if not strict:
-            yield from by_cones(theorem, difference)
-        yield by_polynomials(theorem, difference, strict, hints=False)
-        yield by_polynomials(theorem, difference, strict, hints=True)
+        yield from (by_polynomials(theorem, difference, strict, hints) for hints in (False, True))
         yield from by_intervals(theorem, given)
+
+
+def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[str]:
+    """The proofs that the prover of signs goes."""
+    said = directly(d, ">" if strict else ">=", given)
+    if said is None:
+        yield QUICK
+    elif "concave" in said:
+        yield from by_concavity(theorem, d, given)
+    elif "about" in said:
+        yield from by_taylor(theorem, d, given)
+    else:
+        yield QUICK
+        if not strict:
+            yield from cone_proofs(theorem, d)
+        if d.size < MAX_SIZE:
+            yield by_polynomials(theorem, d, strict, hints=False)
+            yield by_polynomials(theorem, d, strict, hints=True)
+
+
+def _reduced(way: Reduction, depth: int) -> Iterator[str]:
+    """The proofs of what is left, put in."""
+    most = 5 if len(way.steps) == 1 else 3
+    found = [list(islice(inequality_proofs(step, depth), most)) for step in way.steps]
+    for proofs in product(*found):
+        lines = ["intros; saturate.", way.before] if way.before else ["intros; saturate."]
+        for n, (step, proof) in enumerate(zip(way.steps, proofs, strict=True), 1):
+            only = f"{way.only[n - 1]} -> " if way.only else ""
+            lines.append(f"assert (step_{n} : {only}{step.says}).\n{{ {proof} }}")
+        yield "\n".join([*lines, way.after])
 
 
 def order(strict: bool) -> str:
@@ -92,61 +140,212 @@ def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = T
     return lines
 
 
-def by_cones(theorem: Theorem, d: Expr) -> Iterator[str]:
-    """By the order of the variables: the coefficients in their differences have one sign."""
-    top, bottom = quotient(d)
+def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
+    """By a tree of orders, roots of variables put in for them."""
+    lines = ["intros; saturate."]
+    roots = [e for e in nodes([d]) if is_root(e)]
+    put: dict[Expr, Expr] = {}
+    degrees: dict[Expr, int] = {}
+    for e in roots:
+        u, q, _ = as_root(e)
+        factors = u.args if u.op == "*" else (u,)
+        if all(f.op == "symbol" or _is_power(f) for f in factors):
+            for f in factors:
+                x = f if f.op == "symbol" else f.args[0]
+                degrees[x] = lcm(degrees.get(x, 1), q)
+    known = with_domain(Given(theorem.given), theorem.left, theorem.right)
+    for x, q in sorted(degrees.items(), key=str):
+        found = sign(x, known)
+        if found not in ("+", ">=0"):
+            return
+        new = symbol(f"root{x.args[0]}")
+        law = "some_root_lt" if found == "+" else "some_root"
+        put[x] = Expr("^", (new, number(q)))
+        lines.append(
+            f"destruct ({law} {q} {term(x)} ltac:(lia) ltac:(lra)) as "
+            f"[{term(new)} [pos_{term(new)} eq_{term(new)}]]; subst {term(x)}."
+        )
+    values: dict[Expr, Expr] = {}
+    for e in roots:
+        u, q, odd = as_root(e)
+        if u.op != "symbol" and not all(
+            f.op == "symbol" or _is_power(f) for f in (u.args if u.op == "*" else (u,))
+        ):
+            continue
+        shape = (
+            Expr("cbrt", (exchanged(u, put),))
+            if odd
+            else Expr("^", (exchanged(u, put), number(Fraction(1, q))))
+        )
+        value = _root_value(u, q, put)
+        if value is None:
+            return
+        law = "sqrt_unique" if q == 2 else "root_unique_le"
+        lines.append(
+            f"rewrite ({law} {'' if q == 2 else q} {term(exchanged(u, put), 3)} {term(value, 3)} "
+            f"{'' if q == 2 else 'ltac:(lia) '}ltac:(positive) ltac:(ring)) in *."
+        )
+        values[shape] = value
+    e = exchanged(unfolded(exchanged(d, put)), values)
+    e = _roots_out(e, values)
+    top, bottom = quotient(e)
+    lines.append("laws.")
+    spans: dict[Expr, Span] = {}
+    names: dict[Expr, Expr] = {}
     try:
-        terms = expanded(top)
+        parts = sorted(
+            {part for m in expanded(top) for part, _ in m}, key=lambda p: (-p.size, str(p))
+        )
     except OverflowError:
         return
-    names = sorted({part for m in terms for part, _ in m}, key=str)
-    if (
-        not 2 <= len(names) <= 4
-        or any(e.op != "symbol" for e in names)
-        or symbols(bottom) - {e.args[0] for e in names}
-    ):
+    for part in parts:
+        low, high = _span(part, known, put)
+        if part.op != "symbol":
+            name = symbol(f"part{len(names)}")
+            fact = FACTS.get("sqrt" if is_root(part) else part.op)
+            if fact is None:
+                return
+            lines.append(f"pose proof ({fact.format(term(part.args[0], 3))}).")
+            lines.append(f"set ({term(name)} := {term(part)}) in *; clearbody {term(name)}.")
+            names[part] = name
+            part = name
+        spans[part] = Span(low, high)
+    top, bottom, e = (exchanged(x, names) for x in (top, bottom, e))
+    total = _total(theorem, put)
+    tree = cone_lines(top, spans, total) or (cone_lines(top, spans) if total else None)
+    if tree is None:
         return
-    leaves = []
-    for ordering in permutations(names):
-        steps = [ordering[0]] + [symbol(f" {k}") for k in range(1, len(ordering))]
-        values = {e.args[0]: add(*steps[: k + 1]) for k, e in enumerate(ordering)}
-        try:
-            cone = expanded(substitute(as_expression(terms), values))
-        except OverflowError:
-            return
-        if any(c < 0 for c in cone.values()):
-            return
-        back = {f" {k}": ordering[k] - ordering[k - 1] for k in range(1, len(ordering))}
-        text = " + ".join(
-            term(
-                multiply(
-                    number(c),
-                    *(
-                        Expr("^", (substitute(part, back), number(n)))
-                        for part, n in sorted(m, key=str)
-                    ),
-                ),
-                1,
+    lines += [f"assert (main : 0 <= {term(top)}).", "{", *tree, "}"]
+    if bottom == ONE:
+        yield "\n".join([*lines, "first [lra | nra]."])
+        return
+    lines += [
+        f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]).",
+        f"assert (0 <= {term(e)}).",
+        f"{{ replace ({term(e)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
+        "now apply from_quotient. }",
+        "lra.",
+    ]
+    yield "\n".join(lines)
+
+
+FACTS = {
+    "exp": "exp_pos {}",
+    "sin": "SIN_bound {}",
+    "cos": "COS_bound {}",
+    "sqrt": "sqrt_pos {}",
+    "abs": "Rabs_pos {}",
+}
+
+
+def _is_power(e: Expr) -> bool:
+    """Whether it is a whole power of a symbol."""
+    whole = e.op == "^" and e.args[1].op == "number" and e.args[1].args[0].q == 1
+    return whole and e.args[0].op == "symbol" and bool(e.args[1].args[0] > 0)
+
+
+def _root_value(u: Expr, q: int, put: Mapping[Expr, Expr]) -> Expr | None:
+    """The root of a product of powers of what was put in."""
+    factors = []
+    for f in u.args if u.op == "*" else (u,):
+        x, n = (f, 1) if f.op == "symbol" else (f.args[0], int(f.args[1].args[0].p))
+        new, degree = put[x].args[0], int(put[x].args[1].args[0].p)
+        if degree * n % q:
+            return None
+        factors.append(power(new, number(degree * n // q)))
+    return multiply(*factors)
+
+
+def _roots_out(e: Expr, values: Mapping[Expr, Expr]) -> Expr:
+    """Powers of roots as powers of their values."""
+    if e.op in LEAVES:
+        return e
+    if is_root(e) and e.op == "^":
+        p, q = int(e.args[1].args[0].p), int(e.args[1].args[0].q)
+        value = values.get(Expr("^", (e.args[0], number(Fraction(1, q)))))
+        if value is not None:
+            return Expr("^", (value, number(p))) if p != 1 else value
+    return Expr(e.op, tuple(_roots_out(arg, values) for arg in e.args))
+
+
+def _span(
+    part: Expr, known: Given, put: Mapping[Expr, Expr]
+) -> tuple[Fraction | None, Fraction | None]:
+    """Numbers between which a part lies."""
+    if part.op == "exp" or part.op == "abs" or is_root(part):
+        return Fraction(0), None
+    if part.op in ("sin", "cos"):
+        return Fraction(-1), Fraction(1)
+    if any(part == value.args[0] for value in put.values()):
+        return Fraction(0), None
+    where = known.box.get(part.args[0] if part.op == "symbol" else "", Range())
+    ends = [
+        None if c is None or c.q > 2**40 else Fraction(int(c.p), int(c.q))
+        for c in (where.low, where.high)
+    ]
+    if ends[0] is None and sign(part, known) in ("+", ">=0"):
+        ends[0] = Fraction(0)
+    return ends[0], ends[1]
+
+
+def _total(theorem: Theorem, put: Mapping[Expr, Expr]) -> Expr | None:
+    """What is left of 1 by a condition 1 >= x + y + z."""
+    if put:
+        return None
+    for x, relation, y in theorem.given:
+        e = y - x if relation in ("<", "<=") else x - y
+        if relation in ("<", "<=", ">", ">=") and len(symbols(e)) > 1:
+            try:
+                terms = expanded(e)
+            except OverflowError:
+                continue
+            linear = all(sum(n for _, n in m) <= 1 for m in terms)
+            c = terms.get(frozenset(), Fraction(0))
+            if linear and c > 0 and all(v < 0 for m, v in terms.items() if m):
+                return e / number(c)
+    return None
+
+
+def by_concavity(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
+    """Concave between two ends at which it is not negative."""
+    names = symbols(d)
+    if len(names) != 1:
+        return
+    (name,) = names
+    ends: list[Expr | None] = [None, None]
+    for left, relation, right in theorem.given:
+        if right == symbol(name):
+            left, relation, right = (
+                right,
+                {"<": ">", "<=": ">=", ">": "<", ">=": "<="}.get(relation, relation),
+                left,
             )
-            for m, c in cone.items()
-        )
-        leaves.append(f"(replace ({term(top)}) with ({text}) by ring; positive)")
-    pairs = "; ".join(
-        f"destruct (Rle_or_lt {variable(x.args[0])} {variable(y.args[0])})"
-        for x, y in combinations(names, 2)
-    )
-    yield "\n".join(
-        [
-            "intros; saturate.",
-            f"assert (main : 0 <= {term(top)}).",
-            f"{{ {pairs}; first [exfalso; lra | {' | '.join(leaves)}]. }}",
-            f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]).",
-            f"assert (0 <= {term(d)}).",
-            f"{{ replace ({term(d)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
-            "now apply Rdiv_le_0_compat. }",
-            "lra.",
+        if left == symbol(name) and not symbols(right):
+            if relation in (">", ">="):
+                ends[0] = right
+            elif relation in ("<", "<="):
+                ends[1] = right
+    low, high = ends
+    if low is None or high is None:
+        return
+    x, chain = variable(name), [d, differentiate(d, name)]
+    chain.append(differentiate(chain[1], name))
+    a, b = term(low, 3), term(high, 3)
+    for mode in range(2):
+        lines = ["intros; saturate; pose proof pi_between."]
+        lines += [f"pose (fun_{k} := (fun {x} : R => {term(f)}))." for k, f in enumerate(chain)]
+        between = ((POINT, ">=", low), (POINT, "<=", high))
+        last = last_step(theorem, chain[2], name, False, mode, between)
+        lines += [
+            f"assert (sig_0 : 0 <= fun_0 {x}).",
+            f"{{ apply (concave fun_0 fun_1 fun_2 {a} {b} {x}); "
+            "[lra | | | | unfold fun_0; base_value | unfold fun_0; base_value].",
+            "{ intros v_next ?; unfold fun_0, fun_1; eapply d_eq; [derive; hard | tidy; slope]. }",
+            "{ intros v_next ?; unfold fun_1, fun_2; eapply d_eq; [derive; hard | tidy; slope]. }",
+            f"intros v_point ?; unfold fun_2; saturate. {last} }}",
+            "unfold fun_0 in sig_0; lra.",
         ]
-    )
+        yield "\n".join(lines)
 
 
 def squares(texts: Sequence[str], theorem: Theorem) -> str:
@@ -203,8 +402,9 @@ def by_taylor(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
         where = given.box.get(name, Range())
         bases = [number(c) for c in (where.low, where.high) if c is not None and c.q < 2**64]
         bases += [ZERO, ONE, *map(symbol, sorted(symbols(d) - {name}))]
-        bases += solutions(differentiate(d, name), name)
-        for c in list(dict.fromkeys(bases))[:MAX_BASES]:
+        slope = differentiate(d, name)
+        bases += solutions(slope, name) or solutions(numerator(slope, given), name)
+        for c in list(dict.fromkeys(map(_by_e, bases)))[:MAX_BASES]:
             found = _about(theorem, d, given, name, c)
             yield from found
             count += bool(found)
@@ -212,16 +412,24 @@ def by_taylor(theorem: Theorem, d: Expr, given: Given) -> Iterator[str]:
                 return
 
 
+def _by_e(c: Expr) -> Expr:
+    """A point exp(r) as a power of e."""
+    if c.op == "exp" and c.args[0].op == "number" and c.args[0].args[0].q == 1:
+        return power(Expr("exp", (ONE,)), c.args[0])
+    return c
+
+
 def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[str]:
     """The proofs about ``name = c``, where the signs are as they need them."""
-    beside = sign(symbol(name) - c, given)
+    beside = sign_inside(symbol(name) - c, given)
+    inside = opened(Given(tuple(c for c in given.comparisons if c[1] != "!=")), name)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     chain = [d]
     for k in range(MAX_ORDER + 1):
         fit = [UP if side > 0 or k % 2 == 0 else DOWN for side in sides]
-        if k and all(sign(chain[k], given) in signs for signs in fit):
-            return [_chain(theorem, chain, mode, name, c, sides) for mode in range(3)]
-        at = sign(substitute(chain[k], {name: c}), given)
+        if k and all(sign_inside(chain[k], inside) in signs for signs in fit):
+            return [_chain(theorem, chain, mode, name, c, sides) for mode in range(4)]
+        at = sign_inside(substitute(chain[k], {name: c}), inside)
         if not all(at in signs for signs in fit):
             return []
         chain.append(differentiate(chain[k], name))
@@ -243,6 +451,13 @@ def last_step(
         return "facts; first [positive | lra | nra]."
     theorem = replace(theorem, given=(*theorem.given, *between))
     moved = substitute(e if up else -e, {name: POINT})
+    if mode == 3:
+        t = replace(theorem, left=ZERO, relation="<=", right=moved)
+        proof = next(cone_proofs(t, moved), None) or next(
+            (p for way in reductions(t) for p in _reduced(way, 0)), "fail."
+        )
+        goal = f"assert (last : 0 <= {term(moved)})."
+        return f"{goal} {{ {proof} }} lra."
     return " ".join(["laws.", *shown(theorem, moved, False, mode == 2), "lra."])
 
 

@@ -456,6 +456,16 @@ def put_in_by(claim: Claim) -> tuple[Claim, ...]:
     return tuple(dict.fromkeys(c for r in reasons if r.name == "substituting" for c in r.claims))
 
 
+def asked_by(claim: Claim) -> dict[str, tuple[Basic, ...]]:
+    """By label, under which conditions what is said together, or is put in, holds."""
+    conjoined = isinstance(claim.proof, AllOf)
+    asked: dict[str, tuple[Basic, ...]] = {}
+    for part in claim.uses if conjoined else put_in_by(claim):
+        asked |= asked_by(part) if isinstance(part.proof, AllOf) and conjoined else {}
+        asked |= {part.label: part.given} if part.given else {}
+    return asked
+
+
 def _named(proof: Evidence) -> Iterator[Claim]:
     """Every claim that a piece of evidence names."""
     if isinstance(proof, ImplicitFunction):

@@ -27,9 +27,9 @@ from tresym.ledger.claim import (
     Root,
     Together,
     UniqueRoot,
+    asked_by,
     chains_of,
     parts_of,
-    put_in_by,
 )
 from tresym.ledger.definitions import (
     captured,
@@ -97,18 +97,7 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
     seconds = before + time.perf_counter() - began
-    return replace(finding, seconds=seconds, of=claim, conditions=_conditions(claim, found))
-
-
-def _conditions(claim: Claim, found: Findings) -> dict[str, tuple[Basic, ...]]:
-    """Under which conditions what is put in, or what is said together, holds."""
-    if isinstance(claim.proof, AllOf):
-        asked: dict[str, tuple[Basic, ...]] = {}
-        for part in claim.uses:
-            asked |= found[part.label].conditions if isinstance(part.proof, AllOf) else {}
-            asked |= {part.label: part.given} if part.given else {}
-        return asked
-    return {used.label: used.given for used in put_in_by(claim) if used.given}
+    return replace(finding, seconds=seconds, of=claim, conditions=asked_by(claim))
 
 
 def judge_evidence(claim: Claim) -> Finding | None:

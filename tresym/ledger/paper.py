@@ -10,7 +10,7 @@ from functools import lru_cache
 from importlib import import_module
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from sympy import Symbol
 
@@ -32,6 +32,24 @@ def sections() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
     """The parts of the proofs in the paper's order: a title and the claims stated there."""
     stated: tuple[tuple[str, tuple[Claim, ...]], ...] = import_module(PAPER).parts()
     return stated
+
+
+class Correction(NamedTuple):
+    """What the paper prints and does not hold, once, wherever it is printed."""
+
+    title: str
+    quote: str
+    """The paper's own words, short."""
+    labels: tuple[str, ...]
+    """The refuted claims that say it; the first leads."""
+    why: str = ""
+    """Why it does not hold, where the note of the leading claim does not say it."""
+
+
+def corrections() -> tuple[Correction, ...]:
+    """What the paper prints and does not hold, the weightiest first."""
+    found: tuple[Correction, ...] = import_module(f"{PAPER}.corrections").CORRECTIONS
+    return found
 
 
 def alike() -> tuple[Symbol, Symbol]:

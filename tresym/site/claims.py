@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from tresym.report.words.markdown import finding, sentence
-from tresym.site.markdown import badge, chain, display, inline, link, statement
+from tresym.report.words.said import conditions, display, in_dollars, of_record, stated
+from tresym.site.markdown import badge, chain, inline, link, statement
 
 Record = dict[str, Any]
 
@@ -92,13 +93,12 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         f"---\norphan: true\n---\n\n# `{label}`",
         _heading(claim, title),
         *_printed(claim),
-        statement(claim),
-        *_conditions(claim),
+        *_decided(claim),
+        *_axioms(claim, ledger["axioms"]),
         *_proof(claim),
         *_numbers(claim),
         *_truth(claim, claims),
         *_relations(claim, claims),
-        *_axioms(claim, ledger["axioms"]),
         *_cost(claim, seconds),
         f"```sh\ntresym verify {label}\ntresym derive {_if_refuted(claim)}{label}\n```",
     ]
@@ -107,33 +107,45 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
 
 def _heading(claim: Record, title: str | None) -> str:
     where = f"the paper's {claim['place']}" if claim["place"] else "a lemma of the proofs"
-    if claim["line"] and "line" not in (claim["place"] or ""):
-        where += f" (line {claim['line']} of its source)"
     part = f"\\\n[{sentence(title)}](index.md)" if title else ""
-    return f"{badge(claim['verdict'])} {claim['kind']}, {where}{part}"
+    return f"{claim['kind'].capitalize()}, {where}{part}"
 
 
 def _printed(claim: Record) -> Iterator[str]:
-    """What the paper prints, where the claim is a sharper reading of it."""
+    """The paper's own words, where it is refuted, or read more sharply than it is printed."""
     if claim["paper_says"]:
         yield f"The paper: {sentence(claim['paper_says'])} Read more sharply, which is ours:"
+    elif claim["quote"]:
+        yield f"The paper: “{sentence(claim['quote'])}”."
+
+
+def _decided(claim: Record) -> Iterator[str]:
+    """What it says, the formula that is decided, the verdict, and where that holds."""
+    found = of_record(claim)
+    yield from stated(found)
+    if found.means:
+        yield "Decided as"
+        yield from map(display, found.means)
+    elif claim["conjunction"]:
+        yield f"Decided as the conjunction of {', '.join(map(link, claim['conjunction']))}."
+    elif found.says and not claim["formal"]:
+        yield "That the evidence is for this sentence is left to the reader."
+    given = conditions(found, in_dollars, sentence, link)
+    yield f"{badge(claim['verdict'])} {given}".strip()
+    yield from _uses_where_it_holds(claim)
 
 
 def _if_refuted(claim: Record) -> str:
     return "--refuted " if claim["verdict"] == "REFUTED" else ""
 
 
-def _conditions(claim: Record) -> Iterator[str]:
-    if claim["given"]:
-        yield "Given " + _formulas(claim["given"]) + "."
+def _uses_where_it_holds(claim: Record) -> Iterator[str]:
+    """The conditions of what is put in, which were shown; a conjunction has said them."""
     asked = [
         f"{link(label)} for {_formulas(given)}" for label, given in claim["conditions"].items()
     ]
-    if asked:
-        start = (
-            "What it uses is shown to be used where it holds:" if claim["chains"] else "It holds as"
-        )
-        yield f"{start} {'; '.join(asked)}."
+    if asked and not claim["parts"] and claim["chains"]:
+        yield f"What it uses is shown to be used where it holds: {'; '.join(asked)}."
 
 
 def _formulas(conditions: list[str]) -> str:
@@ -174,11 +186,7 @@ def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 
 
 def _named(label: str, claims: dict[str, Record]) -> str:
-    claim = claims[label]
-    said = sentence(claim["says"]) if claim["says"] else ""
-    shown = display(claim["formula"]) if claim["formula"] else ""
-    head = f"{link(label)} {badge(claim['verdict'])}"
-    return "\n\n".join(part for part in (f"{head}\\\n{said}" if said else head, shown) if part)
+    return f"{link(label)} {badge(claims[label]['verdict'])}\n\n{statement(claims[label])}"
 
 
 def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
@@ -186,7 +194,7 @@ def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
         if claim[key]:
             yield f"## {title}"
             items = (
-                f"- {link(n)} {badge(claims[n]['verdict'])} {_brief(claims[n])}" for n in claim[key]
+                f"- {link(n)} {badge(claims[n]['verdict'])} {inline(claims[n])}" for n in claim[key]
             )
             yield "\n".join(items)
 
@@ -194,15 +202,12 @@ def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 def _axioms(claim: Record, known: dict[str, Record]) -> Iterator[str]:
     """The theorems that it rests on, directly or not, with their sources."""
     if claim["axioms"]:
-        yield f"## [Quoted theorems]({AXIOMS}) that it rests on"
+        yield f"It rests on [theorems that are quoted]({AXIOMS}):"
         yield "\n".join(
             f"- {sentence(name)}: {sentence(known[name]['source'])}" for name in claim["axioms"]
         )
-
-
-def _brief(claim: Record) -> str:
-    said = inline(claim)
-    return said if claim["says"] or len(claim["formula"]) < 90 else ""
+    elif claim["kind"] != "definition":
+        yield "It rests on no theorem that is quoted."
 
 
 def _cost(claim: Record, seconds: float | None) -> Iterator[str]:

@@ -5,12 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.report.words.chains import EQUIVALENT
-from tresym.report.words.markdown import sentence
-
-LONGEST_IN_A_LINE = 60
-"""Systems of more LaTeX characters than this are set one equation below the other."""
-LONGEST_IN_A_LIST = 220
-"""Formulas of more LaTeX characters than this stand on the page of their claim only."""
+from tresym.report.words.said import display, in_line, of_record, on_lines
 
 
 def badge(verdict: str) -> str:
@@ -24,34 +19,13 @@ def link(label: str, folder: str = "/claims/") -> str:
 
 
 def statement(claim: dict[str, Any]) -> str:
-    """What a claim says, on a line of its own: a sentence, a formula, or both."""
-    parts = [sentence(claim["says"])] if claim["says"] else []
-    parts += [display(claim["formula"])] if claim["formula"] else []
-    return "\n\n".join(parts)
+    """What a claim says, with its conditions, on lines of their own."""
+    return on_lines(of_record(claim))
 
 
 def inline(claim: dict[str, Any]) -> str:
-    """What a claim says, within a line; a formula too long for that is named as such."""
-    if claim["says"]:
-        return sentence(claim["says"])
-    formula = claim["formula"]
-    if len(formula) > LONGEST_IN_A_LIST:
-        return "a formula of several lines"
-    parts = formula.replace("|", r"\vert ").split(r",\quad ")
-    return ", ".join(f"${part.strip()}$" for part in parts)
-
-
-def display(formula: str) -> str:
-    """A formula on a line of its own; a long system takes a line for each of its parts."""
-    formula = formula.strip()
-    if len(formula) > LONGEST_IN_A_LINE:
-        for joint in (r",\quad ", r" \iff "):
-            parts = formula.split(joint)
-            if len(parts) > 1 and r"\begin" not in formula:
-                mark = r"\iff\quad " if "iff" in joint else ""
-                lines = rf" \\ {mark}".join(parts)
-                return f"$$\n\\begin{{gathered}}{lines}\\end{{gathered}}\n$$"
-    return f"$$\n{formula}\n$$"
+    """What a claim says, with its conditions, within a line."""
+    return in_line(of_record(claim))
 
 
 def chain(lines: list[dict[str, Any]]) -> str:

@@ -8,8 +8,10 @@ from hypothesis import strategies as st
 import tresym
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Size
+from tresym.reals.decisions import ratios
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.ratios import judged_by_ratio, one_level_up
+from tresym.reals.language import products
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.products import collected, factors, in_exponentials, joined
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -227,3 +229,20 @@ def test_a_refutation_is_shown_where_the_functions_are_real() -> None:
     assert answer.verdict is REFUTED
     assert answer.witness is not None
     assert fmpq(*map(int, answer.witness["x"].split("/"))) < fmpq(1, 1000)
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize(
+    "wrong", ["t + t**2", "2*t", "t*sign(sin(1/t))**2", "t*abs(t - 1)/(1 - t)"]
+)
+def test_a_rewriting_that_is_not_equal_is_not_used(
+    monkeypatch: pytest.MonkeyPatch, wrong: str
+) -> None:
+    e, other = parse("t"), parse(wrong)
+    for name in ("joined", "in_exponentials", "collected"):
+        monkeypatch.setattr(products, name, lambda *_: other)
+        assert getattr(ratios, name)(e, "t") == e
+        monkeypatch.setattr(products, name, lambda *_: parse("t**2/t"))
+        assert getattr(ratios, name)(e, "t") == parse("t**2/t")
+    monkeypatch.setattr(products, "factors", lambda *_: [(other, parse("1"))])
+    assert ratios.factors(e, "t") == [(e, parse("1"))]

@@ -8,11 +8,12 @@ import pytest
 from falsehoods import Inequality, is_false_at, read
 from flint import arb
 
-from tresym.reals.language.expression import Expr
+from tresym.reals.language.expression import ONE, Expr
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.equivalents import equivalents
+from tresym.reals.signs.equivalents import Link, equivalents, holds
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import sign
 
@@ -36,7 +37,9 @@ FOUND = {
 
 def _easier(inequality: Inequality) -> Iterator[tuple[Expr, Given, str]]:
     left, relation, right, given = inequality
-    return equivalents(left - right, relation, given)
+    for links in equivalents(left - right, relation, given):
+        if all(holds(link, relation) for link in links):
+            yield links[-1].easy, links[-1].where, "".join(link.words for link in links)
 
 
 def _points(inequality: Inequality) -> list[dict[str, arb]]:
@@ -104,3 +107,35 @@ def _settles(claim: str) -> bool:
 def test_near_falsehoods_have_no_easier_form_that_is_true(claim: str) -> None:
     assert is_false_at(claim, FALSE[claim])
     assert not _settles(claim)
+
+
+def _holds(hard: str, easy: str, scale: object, given: str = "", **more: str) -> bool:
+    """Whether ``hard > 0`` under ``given`` follows from ``easy > 0``, or as ``relation`` says."""
+    under = Given.parse(given)
+    where = Given.parse(more.get("where", given))
+    link = Link(parse(hard), under, parse(easy), where, scale, "")
+    return holds(link, more.get("relation", ">"))
+
+
+def test_links_that_hold() -> None:
+    assert _holds("exp(x) - 2", "x - log(2)", parse("2"))
+    assert _holds("log(x) + log(y)", "x*y - 1", ONE, "x > 0, y > 0")
+    assert _holds("y*(x**2 + 1)", "y", None, relation=">=")
+    assert _holds("x**4 - 2", "x**2 - 2", {"x": parse("x**2")}, where="x >= 0")
+
+
+def test_a_link_that_does_not_hold_is_none() -> None:
+    # the scale may be negative, or zero, or another number
+    assert not _holds("y*(exp(x) - 1)", "x", parse("y"))
+    assert not _holds("y**2*(exp(x) - 1)", "x", parse("y**2"))
+    assert not _holds("exp(x) - 2", "x", ONE)
+    # a factor has no sign, or may be zero where that counts
+    assert not _holds("x*y", "y", None, relation=">=")
+    assert not _holds("y*(x**2 + 1)", "y", None)
+    # what is easier is not defined everywhere
+    assert not _holds("exp(x) - 1", "sqrt(x)**2", ONE)
+    assert not _holds("x", "sqrt(x)**2", None, relation=">=")
+    assert not _holds("x**2", "sqrt(x - 5)**2 + 5", {"x": parse("x**2")})
+    # a power does not meet the conditions, or makes another inequality
+    assert not _holds("x**3 + 8", "x + 8", {"x": parse("x**3")}, where="x >= 0")
+    assert not _holds("x**4 - 2", "x - 2", {"x": parse("x**2")}, where="x >= 0")

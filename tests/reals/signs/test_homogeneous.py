@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import pytest
 from falsehoods import is_false_at, proves
+from flint import fmpq
 
-from tresym.reals.signs.homogeneous import sign_by_homogeneity
+from tresym.reals.language.expression import Expr, number
+from tresym.reals.language.parsing import parse
+from tresym.reals.places.conditions import Given
+from tresym.reals.signs.homogeneous import Way, below, sign_by_homogeneity
 
 POSITIVE = "x >= 0, y >= 0, z >= 0"
 
@@ -74,3 +78,36 @@ def test_a_coefficient_may_be_any_constant() -> None:
     false = claim.format("sqrt(3)/4 - 1/10**9")
     assert is_false_at(false, "x = 1/2, y = 1/2")
     assert not proves(sign_by_homogeneity, false)
+
+
+X, Y = parse("x"), parse("y")
+QUARTER = ((number(1), fmpq(2)), (-4 * X * Y, fmpq(0)))
+
+
+@pytest.mark.parametrize(
+    ("parts", "form", "side", "given", "found"),
+    [
+        (QUARTER, X + Y, 1, "x >= 0, y >= 0, x + y <= 1", False),
+        (QUARTER, X + Y, 1, "x >= 0, y >= 0, x + y < 1", True),
+        # the form may be larger, or negative, or of the other side
+        (QUARTER, X + Y, 1, "x >= 0, y >= 0, x + y <= 2", None),
+        (QUARTER, X + Y, 1, "x + y <= 1", None),
+        (QUARTER, X + Y, -1, "x >= 0, y >= 0, x + y <= 1", None),
+        (QUARTER, X + Y, 1, "x >= 0, y >= 0, x + y >= 1", None),
+        # they are no parts of it
+        (QUARTER[:1], X + Y, 1, "x >= 0, y >= 0, x + y <= 1", None),
+        # a part that is multiplied has the other sign, or is divided
+        (((number(1), fmpq(0)), (-4 * X * Y, fmpq(1))), X + Y, 1, "x > 0, y > 0, x + y <= 1", None),
+        (((number(1), fmpq(-1)), (-4 * X * Y, fmpq(0))), X + Y, 1, "x > 0, y > 0, x + y < 1", None),
+        # nothing is lost where what is multiplied may be 0
+        (
+            ((X, fmpq(1)), (1 - X - 4 * X * Y, fmpq(0))),
+            *(X + Y, 1, "x >= 0, y >= 0, x + y < 1", False),
+        ),
+    ],
+)
+def test_what_is_below_is_so(
+    parts: tuple, form: Expr, side: int, given: str, found: bool | None
+) -> None:
+    made = below(1 - 4 * X * Y, Way(parts, form, side, ""), Given.parse(given))
+    assert (None if made is None else made[1]) is found

@@ -5,11 +5,14 @@ from pathlib import Path
 
 import pytest
 
+from tresym.ledger.claim import Fault
 from tresym.ledger.paper import all_claims
+from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.corrections import corrections, is_correction
+from tresym.report.pages.corrections import FAULTS, corrections, is_correction
 from tresym.report.pages.documents import ledger
+from tresym.report.words.markdown import sentence
 
 
 @pytest.fixture(scope="module")
@@ -19,13 +22,50 @@ def report() -> Report:
 
 def test_the_corrections_are_the_refuted_statements_of_the_paper(report: Report) -> None:
     page = corrections(report)
-    assert "`table_racket_3_b`" in page
-    assert "`racket_3_third_moment`" in page
+    assert "(`table_racket_3_b`)" in page
+    assert "(`racket_3_third_moment`)" in page
     assert "`table_str_a`" not in page
-    assert page.count("\n### ") == sum(
-        row.finding.verdict is Verdict.REFUTED and row.claim.where is not None
-        for row in report.rows
-    )
+    assert page.count("\n### ") == 2
+
+
+def test_each_refuted_statement_of_the_paper_is_in_a_correction() -> None:
+    refuted = {
+        claim.label
+        for claim in all_claims()
+        if claim.expect is Verdict.REFUTED and claim.where and not claim.paper_says
+    }
+    named = [label for correction in all_corrections() for label in correction.labels]
+    assert set(named) == refuted
+    assert {label for label in named if named.count(label) > 1} == {"prop1"}  # it has two formulas
+
+
+def test_corrections_are_in_order_of_weight_and_each_is_told_once() -> None:
+    faults = {claim.label: claim.fault for claim in all_claims()}
+    weights = [[*Fault].index(faults[c.labels[0]]) for c in all_corrections()]
+    assert weights == sorted(weights)
+    assert [fault for fault, _, _ in FAULTS] == [*Fault]
+    assert len({c.title for c in all_corrections()}) == len(all_corrections())
+    assert len({c.quote for c in all_corrections()}) == len(all_corrections())
+
+
+def test_a_correction_quotes_the_paper_and_says_what_is_true_and_why() -> None:
+    claims = {claim.label: claim for claim in all_claims()}
+    for correction in all_corrections():
+        leading = claims[correction.labels[0]]
+        assert 0 < len(correction.quote) <= 130
+        assert leading.amended_by
+        assert correction.why or leading.note
+
+
+def test_the_page_opens_with_the_four_that_matter_most(report: Report) -> None:
+    page = corrections(verify([c.labels[0] for c in all_corrections()[:5]]))
+    opening = page[: page.index("\n## ")]
+    for number, correction in enumerate(all_corrections()[:4], 1):
+        assert f"{number}. **{sentence(correction.title)}**" in opening
+        assert f"“{sentence(correction.quote)}”" in opening
+    assert "5. " not in opening
+    for part in ("**Printed:**", "**Decided:**", "**True instead:**", "**Why:**", "**Evidence:**"):
+        assert page.count(part) == 5
 
 
 HEDGED = (
@@ -45,10 +85,10 @@ def test_a_sharper_reading_is_kept_apart_from_what_the_paper_says() -> None:
     assert said == {"d27", "zero_on_separatrix"}
     assert {c.label for c in all_claims() if c.paper_says} == set(HEDGED)
     page, apart = corrections(found).split("## Read more sharply than printed")
-    assert all(f"### `{label}` (" in apart and label not in page for label in HEDGED)
-    assert apart.count("**The paper:**") == apart.count("**More sharply, and ours:**")
+    assert all(f" (`{label}`)\n" in apart and label not in page for label in HEDGED)
+    assert apart.count("**Printed:** ") == apart.count("**More sharply, and ours:**")
     assert apart.count("Read as:") == len(HEDGED)
-    for word in ("approximately", "very likely", "≃", "hyperbolic shape", "very slowly"):
+    for word in ("approximately", "very likely", "≃", "hyperbolic shape", "very slow"):
         assert word in apart
 
 

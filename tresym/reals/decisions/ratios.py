@@ -23,6 +23,7 @@ from tresym.reals.balls.ends import sign_beside
 from tresym.reals.balls.order import Judgement, Order, judge_order
 from tresym.reals.balls.run import formula
 from tresym.reals.decisions.identity import decide as decide_identity
+from tresym.reals.language import products
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -37,11 +38,11 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.products import collected, factors, in_exponentials, joined
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import positive
 from tresym.reals.places.values import evaluate
+from tresym.reals.signs.inside import is_zero, jumps
 from tresym.reals.verdict import Verdict
 
 SCALES = (fmpq(2), fmpq(1, 2), fmpq(3))
@@ -53,6 +54,36 @@ MAX_TERMS = 6
 RANGES = tuple(fmpq(1, 2**n) for n in (4, 8, 16, 32, 64, 128))
 
 _OPEN = Judgement(Verdict.UNDECIDED)
+
+
+def factors(e: Expr, name: str) -> list[tuple[Expr, Expr]]:
+    """Bases and exponents whose product is ``e``."""
+    found = products.factors(e, name)
+    return found if _are_equal(e, multiply(*(b**x for b, x in found)), name) else [(e, ONE)]
+
+
+def joined(e: Expr, name: str) -> Expr:
+    """``e`` with like factors joined."""
+    found = products.joined(e, name)
+    return found if _are_equal(e, found, name) else e
+
+
+def in_exponentials(e: Expr, name: str) -> Expr:
+    """``e`` with exponentials for hyperbolic functions."""
+    found = products.in_exponentials(e, name)
+    return found if _are_equal(e, found, name) else e
+
+
+def collected(e: Expr, name: str) -> Expr:
+    """``e`` with like terms collected."""
+    found = products.collected(e)
+    return found if _are_equal(e, found, name) else e
+
+
+def _are_equal(e: Expr, other: Expr, name: str) -> bool:
+    """Whether the normal form shows it, at every t > 0 where both are defined."""
+    given = positive(name)
+    return e == other or (is_zero(e - other, given) and not jumps((e, other), given))
 
 
 def judged(
@@ -96,7 +127,7 @@ def _by_ratio(kind: str, left: Expr, right: Expr, name: str, level: int) -> Judg
             return found
     if kind != "~" or level:
         return _OPEN
-    difference = in_exponentials(collected(left - right), name)
+    difference = in_exponentials(collected(left - right, name), name)
     found = judged("o", difference, right, name)
     if found.verdict is Verdict.UNDECIDED:
         found = judged_by_ratio("o", difference, right, name, level + 1)
@@ -210,7 +241,7 @@ def _walked(e: Expr) -> Iterator[Expr]:
 
 def _by_logarithm(kind: str, ratio: Expr, name: str, level: int) -> Judgement:
     """By the limit of log |ratio|."""
-    size = collected(add(*(_logarithm(*factor) for factor in factors(ratio, name))))
+    size = collected(add(*(_logarithm(*factor) for factor in factors(ratio, name))), name)
     if judged("o", ONE, size, name).verdict is Verdict.ENCLOSED:
         return _by_sign(kind, size, fmpq(1), name)
     bounded = judged("O", size, ONE, name)
@@ -320,9 +351,8 @@ def one_level_up(e: Expr, name: str) -> Expr | None:
                 name not in symbols(x) and (base == t or not symbols(base)) for base, x in parts
             ):
                 found = True
-                return collected(
-                    add(*(-x * y if base == t else _logarithm(base, x) for base, x in parts))
-                )
+                terms = (-x * y if base == t else _logarithm(base, x) for base, x in parts)
+                return collected(add(*terms), name)
         return rebuild(node, tuple(walk(arg) for arg in node.args))
 
     raised = joined(walk(e), name)

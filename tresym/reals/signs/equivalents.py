@@ -1,10 +1,14 @@
-"""Inequalities that are equivalent to a given one, and easier: exact steps of a proof by hand."""
+"""Inequalities that are equivalent to a given one, and easier: exact steps of a proof by hand.
+
+How they are found does not matter: :func:`holds` checks that one implies the other.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import reduce
 from math import gcd
+from typing import NamedTuple
 
 from tresym.reals.language.cancellation import scaled
 from tresym.reals.language.expression import (
@@ -17,6 +21,7 @@ from tresym.reals.language.expression import (
     number,
     power,
     rebuild,
+    substitute,
     symbol,
     symbols,
 )
@@ -26,12 +31,31 @@ from tresym.reals.normal.written import written
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import needs
 from tresym.reals.signs.cones import open_factors
-from tresym.reals.signs.inside import Ask
+from tresym.reals.signs.inside import PROVING, Ask, is_zero
 from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_EXPONENT = 100
 _FLIP = {">": "<", ">=": "<=", "<": ">", "<=": ">=", "!=": "!="}
+
+
+class Link(NamedTuple):
+    """Two inequalities, one easier than the other.
+
+    Attributes:
+        hard: what is asked for, under ``given``.
+        easy: what implies it, under ``where``.
+        scale: by which both are related, see :func:`holds`.
+        words: what was done.
+    """
+
+    hard: Expr
+    given: Given
+    easy: Expr
+    where: Given
+    scale: dict[str, Expr] | Expr | None
+    words: str
 
 
 def by_equivalents(difference: Expr, relation: str, given: Given, ask: Ask) -> str | None:
@@ -43,39 +67,71 @@ def by_equivalents(difference: Expr, relation: str, given: Given, ask: Ask) -> s
     Decides ``x**x >= exp(-1/E) given x > 0``. Ends after one such step, or two with a power
     for the variable.
     """
-    for other, where, words in equivalents(difference, relation, given):
-        found = ask(other, relation, where)
-        if found is not None:
-            return words + found
+    for links in equivalents(difference, relation, given):
+        found = ask(links[-1].easy, relation, links[-1].where)
+        if found is not None and all(holds(link, relation) for link in links):
+            return "".join(link.words for link in links) + found
     return None
 
 
-def equivalents(
-    difference: Expr, relation: str, region: Given
-) -> Iterator[tuple[Expr, Given, str]]:
-    """Differences whose ``relation`` to zero on their regions implies that of this one.
+def holds(link: Link, relation: str) -> bool:
+    """Whether ``hard relation 0`` follows from ``easy relation 0``, wherever hard is defined.
 
-    Each with words that say what was done.
+    By a scale s > 0 with hard = s·(exp(easy) − 1) or easy = s·(exp(hard) − 1); by hard/easy ≥ 0
+    for ``>=`` where there is none; or easy is hard with a variable put in for a power of it.
     """
-    found: list[tuple[Expr | None, str]] = [(difference, "")]
-    words = "of the logarithms of both sides, "
-    found += [(_logarithms(*sides, region), words) for sides in _sides(difference)]
-    found.append((_exponentials(difference), "of the exponentials of both sides, "))
-    if relation == ">=":
-        found += [
-            (_cleared(e, region), f"{words}cleared of factors of known sign, ")
-            for e, words in found
-            if e is not None
-        ]
-    for other, words in found:
-        if other is None:
-            continue
-        if words:
-            yield other, region, words
-        for name in sorted(symbols(other)):
-            evened = _in_powers(other, name, region)
+    hard, given, easy, where, scale, _ = link
+    if isinstance(scale, dict):
+        meant = substitute(easy, scale)
+        for condition in where.conditions:
+            e = substitute(condition.expression, scale)
+            if (
+                condition not in given.conditions
+                and sign(e, given) not in PROVING[condition.relation]
+            ):
+                return False
+        return _are_defined(meant, hard, given) and is_zero(meant - hard, given)
+    if not _are_defined(easy, hard, given):
+        return False
+    if scale is None:
+        return relation == ">=" and sign(hard / easy, given) in PROVING[">="]
+    grown = (scale * (apply("exp", one) - 1) - other for one, other in ((easy, hard), (hard, easy)))
+    return sign(scale, given) == "+" and any(is_zero(e, given) for e in grown)
+
+
+def _are_defined(e: Expr, before: Expr, given: Given) -> bool:
+    """Whether ``e`` is defined wherever ``before`` is."""
+    known = needs((before,))
+    return all(part in known or sign(part[0], given) in PROVING[part[1]] for part in needs((e,)))
+
+
+def equivalents(difference: Expr, relation: str, region: Given) -> Iterator[tuple[Link, ...]]:
+    """Links from the difference to easier ones."""
+    ways: list[tuple[Link, ...]] = [()]
+    for left, right in _sides(difference):
+        easy = _logarithms(left, right, region)
+        if easy is not None:
+            words = "of the logarithms of both sides, "
+            ways.append((Link(difference, region, easy, region, right, words),))
+    sides = _exponentials(difference)
+    if sides is not None:
+        easy, words = sides[0] - sides[1], "of the exponentials of both sides, "
+        ways.append((Link(difference, region, easy, region, sides[1], words),))
+    for way in tuple(ways) if relation == ">=" else ():
+        hard = way[-1].easy if way else difference
+        cleared, words = _cleared(hard, region), "cleared of factors of known sign, "
+        if cleared is not None:
+            ways.append((*way, Link(hard, region, cleared, region, None, words)))
+    for way in ways:
+        hard = way[-1].easy if way else difference
+        if way:
+            yield way
+        for name in sorted(symbols(hard)):
+            evened = _in_powers(hard, name, region)
             if evened is not None:
-                yield *evened[:2], f"{words}{name} written for {name}**{evened[2]}, "
+                easy, where, g = evened
+                words = f"{name} written for {name}**{g}, "
+                yield (*way, Link(hard, region, easy, where, {name: symbol(name) ** g}, words))
 
 
 def _sides(difference: Expr) -> Iterator[tuple[Expr, Expr]]:
@@ -128,8 +184,8 @@ def _cleared(difference: Expr, region: Given) -> Expr | None:
     return None if factors is None else known * factors
 
 
-def _exponentials(difference: Expr) -> Expr | None:
-    """A product of powers less another, for a sum of multiples of logarithms and a constant."""
+def _exponentials(difference: Expr) -> tuple[Expr, Expr] | None:
+    """Two products of powers, for a sum of multiples of logarithms and a constant."""
     sides: list[list[Expr]] = [[], []]
     stack = [(difference, ONE)]
     while stack:
@@ -147,7 +203,7 @@ def _exponentials(difference: Expr) -> Expr | None:
             sides[0].append(apply("exp", scale * term))
         else:
             return None
-    return multiply(*sides[0]) - multiply(*sides[1])
+    return multiply(*sides[0]), multiply(*sides[1])
 
 
 def _in_powers(difference: Expr, name: str, region: Given) -> tuple[Expr, Given, int] | None:

@@ -7,6 +7,7 @@ the homogeneous function, in which x = y = z is a ray and not a point, holds of 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from flint import fmpq
@@ -14,10 +15,11 @@ from flint import fmpq
 from tresym.reals.language.expression import ONE, ZERO, Expr, number, power, symbols
 from tresym.reals.language.products import collected
 from tresym.reals.normal.polynomials import as_expression, degree, polynomial
-from tresym.reals.places.conditions import Condition, Given
+from tresym.reals.places.conditions import Given
 from tresym.reals.signs.cones import sign_on_cones
-from tresym.reals.signs.inside import PROVING, Ask
+from tresym.reals.signs.inside import PROVING, Ask, is_zero
 from tresym.reals.signs.inside import sign_inside as sign
+from tresym.reals.signs.parts import WEAK
 
 
 class _Term(NamedTuple):
@@ -28,13 +30,19 @@ class _Term(NamedTuple):
     expression: Expr
 
 
-class _HomogeneousBound(NamedTuple):
-    """``form`` ≤ 1 (``side`` 1) or ≥ 1 (−1), homogeneous of this degree."""
+class Way(NamedTuple):
+    """How a sum becomes homogeneous.
 
+    Attributes:
+        parts: its terms, and the power of the form that each is multiplied by.
+        form: at most 1 where ``side`` is 1, at least 1 where it is −1.
+        words: which condition says so.
+    """
+
+    parts: tuple[tuple[Expr, fmpq], ...]
     form: Expr
-    degree: int
     side: int
-    strict: bool
+    words: str
 
 
 def sign_by_homogeneity(
@@ -45,22 +53,55 @@ def sign_by_homogeneity(
     Decides ``1 - 27*x*y*z >= 0 given x >= 0, y >= 0, z >= 0, x + y + z <= 1``. Ends where no
     condition is a homogeneous polynomial compared with a number, and where cones end.
     """
-    terms = _terms(difference) or _written_terms(difference)
-    if not terms or relation == "!=":
-        return None
-    for condition in region.beyond_box:
-        bound = _bound(condition, region)
-        made = _homogeneous(terms, bound, region) if bound is not None else None
-        if bound is None or made is None:
+    for way in ways(difference, region) if relation != "!=" else ():
+        made = below(difference, way, region)
+        if made is None:
             continue
-        least, lost = made
-        needed = ">=" if bound.strict and lost else relation
+        least, is_less = made
+        needed = ">=" if is_less else relation
         proof: str | None = "it is so by the signs of its parts"
         if sign(least, region) not in PROVING[needed]:
             proof = sign_on_cones(least, needed, region)
         if proof is not None:
-            return f"made homogeneous by {condition.expression} {condition.relation} 0, {proof}"
+            return f"made homogeneous by {way.words}, {proof}"
     return None
+
+
+def below(difference: Expr, way: Way, region: Given) -> tuple[Expr, bool] | None:
+    """What is nowhere larger than ``difference``, and whether it is smaller everywhere.
+
+    None where the way does not show that.
+    """
+    parts, form, side, _ = way
+    room = sign(side * (1 - form), region)
+    if room not in WEAK or sign(form, region) not in WEAK:
+        return None
+    if not is_zero(sum((part for part, _ in parts), -difference), region):
+        return None
+    signs = [sign(part * side, region) for part, power_ in parts if power_ > 0]
+    if not all(found in WEAK for found in signs) or any(power_ < 0 for _, power_ in parts):
+        return None
+    least = sum((part * power(form, number(power_)) for part, power_ in parts), ZERO)
+    return least, room == "+" and "+" in signs
+
+
+def ways(difference: Expr, region: Given) -> Iterator[Way]:
+    """What to try, one for each condition that is a homogeneous form compared with a number."""
+    terms = _terms(difference) or _written_terms(difference) or []
+    largest = max((t.degree for t in terms), default=0)
+    if all(t.degree == largest for t in terms):
+        return
+    for condition in region.beyond_box:
+        known = _terms(condition.expression) if condition.relation in (">", ">=") else None
+        constant = sum((t.value for t in known or () if t.degree == 0), fmpq(0))
+        degrees = {t.degree for t in known or () if t.degree}
+        if constant == 0 or len(degrees) != 1:
+            continue
+        (degree_,) = degrees
+        form = sum((t.expression for t in known or () if t.degree), ZERO) * (-1 / constant)
+        parts = tuple((t.expression, fmpq(largest - t.degree, degree_)) for t in terms)
+        words = f"{condition.expression} {condition.relation} 0"
+        yield Way(parts, form, 1 if constant > 0 else -1, words)
 
 
 def _terms(e: Expr) -> list[_Term] | None:
@@ -86,36 +127,3 @@ def _written_terms(e: Expr) -> list[_Term] | None:
             powers += int(exponent.args[0].p)
         found.append(_Term(powers, fmpq(0), term))
     return found if all(term.degree >= 0 for term in found) else None
-
-
-def _bound(condition: Condition, region: Given) -> _HomogeneousBound | None:
-    """``k − L`` or ``L − k`` with L homogeneous and k > 0."""
-    terms = _terms(condition.expression) if condition.relation in (">", ">=") else None
-    if not terms or {t.degree for t in terms} - {0} != {max(t.degree for t in terms)}:
-        return None
-    constant = next((t.value for t in terms if t.degree == 0), fmpq(0))
-    if constant == 0:
-        return None
-    side = 1 if constant > 0 else -1
-    form = sum((t.expression for t in terms if t.degree), ZERO) * (-1 / constant)
-    if side > 0 and sign(form, region) not in ("+", ">=0"):
-        return None
-    return _HomogeneousBound(form, max(t.degree for t in terms), side, condition.relation == ">")
-
-
-def _homogeneous(
-    terms: list[_Term], bound: _HomogeneousBound, region: Given
-) -> tuple[Expr, bool] | None:
-    """What is not larger and homogeneous, and whether it is smaller under a strict condition."""
-    largest = max(t.degree for t in terms)
-    result, lost = ZERO, False
-    for term in terms:
-        part = term.expression
-        if term.degree < largest:
-            signed = sign(part * bound.side, region)
-            if signed not in ("+", ">=0"):
-                return None
-            lost = lost or signed == "+"
-            part = part * power(bound.form, number(fmpq(largest - term.degree, bound.degree)))
-        result = result + part
-    return (result, lost) if any(t.degree < largest for t in terms) else None

@@ -58,6 +58,14 @@ def is_nonzero(e: Expr, given: Given) -> bool:
     return sign_inside(e, given) in ("+", "-") or Parts(given).nonzero(e)
 
 
+def is_zero(e: Expr, given: Given) -> bool:
+    """Whether the normal form of ``e`` is 0."""
+    try:
+        return bool(Field(given).normal(e)[0].num.is_zero())
+    except (TooLargeError, UndefinedError):
+        return False
+
+
 def jumps(expressions: Iterable[Expr], given: Given) -> list[Expr]:
     """The nodes ``sign u`` and ``atan2(y, x)`` in them that are not shown to be continuous.
 

@@ -44,7 +44,7 @@ def sign_by_taylor(
     """
     for name in sorted(symbols(difference)):
         ranges = _without_beyond(region, name)
-        inside = _opened(ranges, name)
+        inside = opened(ranges, name)
         where = ranges.box.get(name, Range())
         for c in _bases(difference, name, where, inside):
             if _within(ranges, name, c, inside) and _smooth(difference, name, c, inside):
@@ -61,7 +61,7 @@ def _without_beyond(region: Given, name: str) -> Given:
     return Given(tuple(comparison for comparison, c in pairs if c not in beyond))
 
 
-def _opened(region: Given, name: str) -> Given:
+def opened(region: Given, name: str) -> Given:
     """``region`` with strict bounds on the variable, as they hold inside every segment."""
     opened = [
         (left, sign_.replace("=", "") if name in symbols(left) | symbols(right) else sign_, right)

@@ -1,29 +1,36 @@
-"""The page of corrections: what the paper says, what is true instead, and the evidence."""
+"""The page of corrections: what the paper prints, what is true instead, why, and the evidence."""
 
 from __future__ import annotations
 
-from tresym.ledger.claim import Claim, Fault
+from collections.abc import Iterator
+
+from tresym.ledger.claim import AllOf, Claim, Fault
+from tresym.ledger.paper import Correction
+from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
-from tresym.report.words.latex import says_latex
 from tresym.report.words.markdown import finding as found_text
 from tresym.report.words.markdown import sentence
 from tresym.report.words.place import place_text
+from tresym.report.words.said import in_line, said
 
 LONGEST = 200
+OPENING = 4
+"""How many findings open the page."""
 
 PREFACE = """# Corrections
 
-Statements of the paper that do not hold as they stand, sentences in our words and formulas as
-printed, each with its place, the evidence, and the nearest statement that does hold. Printed
-decimals are read as intervals of half a unit in their last place, and a printed value stands here
-only if no inputs that round to the printed inputs give it. The paper's main result, that the flip
-is nearly complete and that its defect decreases exponentially, stands.
+What the paper prints and does not hold, each finding once and the weightiest first: the place, the
+paper's words, what is true instead, why, and the evidence. Sections and equations are counted as
+the journal prints them, those of the appendix as (A.1), (A.2), … Printed decimals are read as
+intervals of half a unit in their last place, and a printed value stands here only if no inputs that
+round to the printed inputs give it. The paper's main result, that the flip is nearly complete and
+that its defect decreases exponentially, stands.
 """
 
 
-FAULTS: tuple[tuple[Fault | None, str, str], ...] = (
+FAULTS: tuple[tuple[Fault, str, str], ...] = (
     (
         Fault.THEOREM,
         "The theorem",
@@ -49,69 +56,108 @@ FAULTS: tuple[tuple[Fault | None, str, str], ...] = (
         "Misprints",
         "What is meant is plain from the context, and what is built on it stands.",
     ),
-    (
-        None,
-        "Read more sharply than printed",
-        "The paper hedges here, or gives no number, and as it is read here it is not refuted. What "
-        "is refuted is a sharper reading, which is ours: the words do not carry it.",
-    ),
 )
-"""The kinds of corrections, with title and meaning; the last are none (see `paper_says`)."""
+"""The kinds of corrections by weight, with title and meaning."""
+
+SHARPER = """## Read more sharply than printed
+
+The paper hedges here, or gives no number, and as it is read here it is not refuted. What is refuted
+is a sharper reading, which is ours: the words do not carry it.
+"""
 
 
 def corrections(report: Report) -> str:
-    """The page in Markdown: the theorem first, each kind in the order of the proofs."""
-    refuted = [
-        row
-        for row in report.rows
-        if is_correction(row) or (row.claim.paper_says and row.finding.verdict is Verdict.REFUTED)
-    ]
+    """The page in Markdown."""
+    rows = {row.claim.label: row for row in report.rows}
+    found = [c for c in all_corrections() if c.labels[0] in rows]
+    sharper = [row for row in report.rows if row.claim.paper_says and _is_refuted(row)]
     parts = [PREFACE]
+    if found:
+        parts += ["The four that matter most:", "", *_opening(found, rows), ""]
     for fault, title, meaning in FAULTS:
-        rows = [row for row in refuted if fault_of(row.claim) is fault]
-        if rows:
-            parts += [f"## {title}", "", meaning, "", *map(_entry, rows)]
-    return "\n".join(parts)
-
-
-def fault_of(claim: Claim) -> Fault | None:
-    """The kind of correction that a refuted claim is; None where only a sharper reading is."""
-    return None if claim.paper_says else claim.fault
+        of_it = [c for c in found if rows[c.labels[0]].claim.fault is fault]
+        if of_it:
+            parts += [f"## {title}", "", meaning, "", *(_entry(c, rows) for c in of_it)]
+    return "\n".join([*parts, *([SHARPER, *map(_sharper, sharper)] if sharper else [])])
 
 
 def is_correction(row: Row) -> bool:
     """Whether the paper itself says what is refuted, and not only a sharper reading of it."""
-    claim = row.claim
-    refuted = row.finding.verdict is Verdict.REFUTED
-    return refuted and claim.where is not None and not claim.paper_says
+    return _is_refuted(row) and row.claim.where is not None and not row.claim.paper_says
 
 
-def _entry(row: Row) -> str:
-    claim, finding = row.claim, row.finding
+def _is_refuted(row: Row) -> bool:
+    return row.finding.verdict is Verdict.REFUTED
+
+
+def _opening(found: list[Correction], rows: dict[str, Row]) -> Iterator[str]:
+    for n, correction in enumerate(found[:OPENING], 1):
+        claim = rows[correction.labels[0]].claim
+        yield (
+            f"{n}. **{sentence(correction.title)}** ({place_text(claim)}). Printed: "
+            f"“{sentence(correction.quote)}”. True: {in_line(said(claim.amended_by[0]))}"
+        )
+
+
+def _entry(correction: Correction, rows: dict[str, Row]) -> str:
+    said_in = [rows[label] for label in correction.labels if label in rows]
+    leading = said_in[0]
+    claim = leading.claim
+    places = "; ".join(f"{place_text(row.claim)} (`{row.claim.label}`)" for row in said_in)
     lines = [
-        f"### `{claim.label}` ({place_text(claim)})",
+        f"### {sentence(correction.title)}",
         "",
-        f"**The paper:** {sentence(claim.paper_says) or _said(claim)}",
+        f"{places}.",
+        "",
+        f"**Printed:** “{sentence(correction.quote)}”.",
+        "",
+        f"**Decided:** {in_line(said(claim))}",
         "",
     ]
-    if claim.paper_says:
-        lines += [f"**More sharply, and ours:** {_said(claim)}", ""]
-    lines += [f"**Evidence:** {found_text(_clipped(finding.why))}.", ""]
+    own = [r.claim for r in said_in if r is leading or not isinstance(r.claim.proof, AllOf)]
+    lines += _true(tuple(dict.fromkeys(true for said_by in own for true in said_by.amended_by)))
+    if correction.why or claim.note:
+        lines += [f"**Why:** {sentence(correction.why or claim.note)}", ""]
+    return "\n".join([*lines, *_evidence(leading)])
+
+
+def _sharper(row: Row) -> str:
+    claim = row.claim
+    lines = [
+        f"### {place_text(claim).removesuffix(', read more sharply')} (`{claim.label}`)",
+        "",
+        f"**Printed:** {sentence(claim.paper_says)}",
+        "",
+        f"**More sharply, and ours:** {in_line(said(claim))}",
+        "",
+        *_true(claim.amended_by),
+    ]
+    lines += [f"**Why:** {sentence(claim.note)}", ""] if claim.note else []
+    return "\n".join([*lines, *_evidence(row)])
+
+
+def _true(claims: tuple[Claim, ...]) -> Iterator[str]:
+    """What is true instead, nearest first."""
+    if len(claims) == 1:
+        yield f"**True instead:** {in_line(said(claims[0]))} (`{claims[0].label}`)"
+        yield ""
+    elif claims:
+        yield "**True instead:**"
+        yield ""
+        yield from (f"- {in_line(said(claim))} (`{claim.label}`)" for claim in claims)
+        yield ""
+
+
+def _evidence(row: Row) -> Iterator[str]:
+    """How it is refuted, and at which point."""
+    finding = row.finding
+    path = f"along {finding.parameter}: " if finding.parameter else ""
+    text = f"**Evidence:** {found_text(_clipped(path + finding.why))}"
     if finding.witness and " = " not in finding.why:
         point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in sorted(finding.witness.items()))
-        lines += [f"**Witness:** {found_text(_clipped(point))}.", ""]
-    for amendment in claim.amended_by:
-        lines += [f"**True instead** (`{amendment.label}`): {_said(amendment)}", ""]
-    if claim.note:
-        lines += [sentence(claim.note), ""]
-    return "\n".join(lines)
-
-
-def _said(claim: Claim) -> str:
-    if isinstance(claim.says, str):
-        return sentence(claim.says)
-    parts = (claim.shown or says_latex(claim.says)).replace("|", r"\vert ").split(r",\quad ")
-    return ", ".join(f"${part}$" for part in parts)
+        text += f", at {found_text(_clipped(point))}"
+    yield f"{text}."
+    yield ""
 
 
 def _clipped(text: str) -> str:

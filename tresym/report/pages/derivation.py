@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 
 from tresym.ledger.axioms import Axiom
-from tresym.ledger.claim import AllOf, Claim
+from tresym.ledger.claim import Claim
 from tresym.ledger.paper import sections
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
-from tresym.report.words.chains import EQUIVALENT, Display, Line, Said, displays
-from tresym.report.words.conditions import gathered
-from tresym.report.words.latex import says_latex
-from tresym.report.words.markdown import SCRIPTS
+from tresym.report.words.chains import EQUIVALENT, Because, Display, Line, displays
+from tresym.report.words.markdown import scripted
 from tresym.report.words.place import place_text
+from tresym.report.words.said import conditions, said
 from tresym.report.words.width import width
 from tresym.report.words.wording import readable
 
@@ -56,6 +55,7 @@ _LETTERS = {
     "₃": r"\textsubscript{3}", "ᵢ": r"\textsubscript{i}", "₊": r"\textsubscript{+}",
     "₋": r"\textsubscript{$-$}", "⁰": r"\textsuperscript{0}", "²": r"\textsuperscript{2}",
     "³": r"\textsuperscript{3}", "⁴": r"\textsuperscript{4}", "⁵": r"\textsuperscript{5}",
+    "“": "``", "”": "''",
     "⁶": r"\textsuperscript{6}", "⁻": r"\textsuperscript{$-$}", "ᵀ": r"\textsuperscript{T}",
     "ⁿ": r"\textsuperscript{n}",
     "α": r"$\alpha$", "β": r"$\beta$", "γ": r"$\gamma$", "δ": r"$\delta$", "Δ": r"$\Delta$",
@@ -79,14 +79,12 @@ def prose(text: str) -> str:
 
     Anything else outside Latin-1 falls back to a visible placeholder rather than a broken run.
     """
-    parts, end = [], 0
-    for found in SCRIPTS.finditer(text):
-        raised, digits, lowered = found.groups()
-        command = r"\textsubscript" if lowered else r"\textsuperscript"
-        parts += [_lettered(text[end : found.start()])]
-        parts += [f"{command}{{{_lettered(lowered or raised or digits)}}}"]
-        end = found.end()
-    return "".join([*parts, _lettered(text[end:])])
+
+    def script(mark: str, inside: str) -> str:
+        command = r"\textsuperscript" if mark == "^" else r"\textsubscript"
+        return f"{command}{{{_lettered(inside)}}}"
+
+    return scripted(text, _lettered, script)
 
 
 def _lettered(text: str) -> str:
@@ -124,13 +122,13 @@ def _key(axiom: Axiom) -> str:
 
 
 def fragment(row: Row) -> str:
-    """One statement with its chain, to paste into a paper that loads amsmath.
+    """One statement with its conditions and its chain, to paste into a paper that loads amsmath.
 
     A refuted one is a paragraph that says so, with the evidence and what is true instead.
     """
     claim = row.claim
     if row.finding.verdict is not Verdict.REFUTED:
-        return "\n".join(_displays(claim) or [prose(str(claim.says))]) + "\n"
+        return "\n".join([*_in_words(claim), *_numbered(claim)]) + "\n"
     lines = [rf"\textbf{{Refuted}} (\texttt{{{_lettered(claim.label)}}}):", *_stated(claim)]
     lines += [prose(f"Evidence: {readable(row.finding.why[:300])}.")]
     for true in claim.amended_by:
@@ -149,11 +147,29 @@ def refused(rows: Collection[Row]) -> tuple[str, ...]:
     )
 
 
+def _in_words(claim: Claim, name: Callable[[str], str] | None = None) -> list[str]:
+    """What a claim says in words: its sentence, if it has one, and its conditions."""
+    found = said(claim)
+    lines = [prose(found.says)] if found.says else []
+    return [*lines, *filter(None, [conditions(found, in_dollars, prose, name)])]
+
+
 def _stated(claim: Claim) -> list[str]:
-    """What a claim says, without its chain, in lines of text."""
-    if isinstance(claim.says, str):
-        return [prose(claim.says)]
-    return [rf"\[{claim.shown or says_latex(claim.says)}\]"]
+    """What a claim says with its conditions, without its chain, in lines of text."""
+    formula = said(claim).formula
+    return [*_in_words(claim), *([rf"\[{formula}\]"] if formula else [])]
+
+
+def _numbered(claim: Claim) -> Iterator[str]:
+    """The displays as equations that can be referred to: by the label of the claim, then -2, -3."""
+    for n, body in enumerate(_displays(claim), 1):
+        label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
+        yield f"\\begin{{equation}}\\label{{{label}}}\n{body}\n\\end{{equation}}"
+
+
+def in_dollars(formula: str) -> str:
+    """A formula within a line of text."""
+    return f"${formula}$"
 
 
 def _entry(row: Row, known: Collection[str]) -> str:
@@ -169,17 +185,7 @@ def _entry(row: Row, known: Collection[str]) -> str:
         lines.append(r"\verdict{refuted}{This is refuted:}\par")
     if claim.paper_says:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
-    if isinstance(claim.says, str):
-        lines.append(prose(claim.says) + r"\par")
-    if claim.given:
-        conditions = r"$, $".join(gathered(claim.given))
-        lines.append(rf"\textsf{{\small Given}} ${conditions}$.\par")
-    if isinstance(claim.proof, AllOf) and finding.conditions:
-        parts = (
-            rf"\texttt{{{_lettered(label)}}} for ${'$, $'.join(gathered(given))}$"
-            for label, given in finding.conditions.items()
-        )
-        lines.append(rf"\textsf{{\small It holds as}} {'; '.join(parts)}.\par")
+    lines += [rf"{{\raggedright {words}\par}}" for words in _in_words(claim, _code)]
     lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
@@ -225,28 +231,30 @@ def _aligned(display: Display) -> str:
     rows = []
     for line in display:
         why = ", ".join(map(_reason, line.reasons))
-        said = rf"\text{{\footnotesize {why}}}"
+        reason = rf"\text{{\footnotesize {why}}}"
         if not broken:
-            rows.append(f"{line.left} &{line.right}{f' && {said}' if why else ''}".lstrip())
+            rows.append(f"{line.left} &{line.right}{f' && {reason}' if why else ''}".lstrip())
             continue
         arrow = line.left if line.left == EQUIVALENT else ""
         rows += [f"&{line.left}"] if line.left and not arrow else []
         fits = width(line.right) + _extent(line) <= WIDEST or not why
-        rows.append(rf"&{arrow}\quad {line.right}" + (rf"\qquad {said}" if fits and why else ""))
-        rows += [] if fits else [rf"&\qquad {said}"]
+        rows.append(rf"&{arrow}\quad {line.right}" + (rf"\qquad {reason}" if fits and why else ""))
+        rows += [] if fits else [rf"&\qquad {reason}"]
     body = " \\\\\n".join(rows)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
 def _extent(line: Line) -> float:
     """About how wide the reasons of a line are set, in letters of a formula."""
-    words = sum(len(said.words) + 1 + sum(map(len, said.labels)) for said in line.reasons)
-    return 0.6 * words + sum(0.8 * width(said.formula) for said in line.reasons)
+    words = sum(len(why.words) + 1 + sum(map(len, why.labels)) for why in line.reasons)
+    return 0.6 * words + sum(0.8 * width(why.formula) for why in line.reasons)
 
 
-def _reason(said: Said) -> str:
-    if said.labels:
-        return f"{said.words} " + ", ".join(
-            rf"\texttt{{{_lettered(name)}}}" for name in said.labels
-        )
-    return f"{said.words} ${said.formula}$" if said.formula else said.words
+def _reason(why: Because) -> str:
+    if why.labels:
+        return f"{why.words} " + ", ".join(map(_code, why.labels))
+    return f"{why.words} ${why.formula}$" if why.formula else why.words
+
+
+def _code(label: str) -> str:
+    return rf"\texttt{{{_lettered(label)}}}"

@@ -30,8 +30,8 @@ from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
 from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust
-from tresym.report.words.latex import says_latex
 from tresym.report.words.place import place_text
+from tresym.report.words.said import in_line, said
 
 
 def documents() -> Iterator[tuple[str, str]]:
@@ -66,7 +66,10 @@ def ledger(report: Report) -> str:
     rows = {row.claim.label: row for row in report.rows}
     counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
     lines = ["# The ledger", "", f"{len(rows)} claims: {counts}.", ""]
-    for title, claims in sections():
+    for title, stated in sections():
+        claims = [claim for claim in stated if claim.label in rows]
+        if not claims:
+            continue
         lines += [
             f"## {title}",
             "",
@@ -74,13 +77,11 @@ def ledger(report: Report) -> str:
             "|---|---|---|---|",
         ]
         for claim in claims:
-            says = claim.shown or says_latex(claim.says)
-            said = says if isinstance(claim.says, str) else f"${says}$"
             cells = (
                 f"`{claim.label}`",
                 place_text(claim),
                 rows[claim.label].finding.verdict.value,
-                said.replace("|", r"\|"),
+                in_line(said(claim)),
             )
             lines.append(f"| {' | '.join(cells)} |")
         lines.append("")

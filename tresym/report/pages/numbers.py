@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import arb
 
-from tresym.ledger.paper import index
+from tresym.ledger.paper import corrections, index
 from tresym.ledger.verification import Report
 from tresym.racket.body import NAMED_BODIES
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -24,12 +24,14 @@ def numbers(report: Report) -> dict[str, str]:
     """
     found = {name.lower(): str(count) for name, count in report.counts.items()}
     placed = sum(row.claim.where is not None for row in report.rows)
-    refuted = sum(map(is_correction, report.rows))
+    known = {row.claim.label for row in report.rows}
+    findings = sum(correction.labels[0] in known for correction in corrections())
     found |= {
         "claims": str(len(report.rows)),
         "statements": str(placed),
         "lemmas": str(len(report.rows) - placed),
-        "corrections": str(refuted),
+        "corrections": str(findings),
+        "corrected": str(sum(map(is_correction, report.rows))),
         "resting": str(sum(bool(row.claim.axioms) for row in report.rows)),
         "displays": str(len(index()["displays"])),
     }

@@ -10,14 +10,14 @@ from collections.abc import Callable
 from typing import Any
 
 from tresym.ledger.axioms import RULES, Axiom
-from tresym.ledger.claim import Claim
-from tresym.ledger.paper import display_lines, sections
+from tresym.ledger.claim import AllOf, Claim
+from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.paper import corrections, display_lines, sections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages.rows import common, line_of
 from tresym.report.words.chains import displays
-from tresym.report.words.conditions import gathered
-from tresym.report.words.latex import says_latex
 from tresym.report.words.place import place_text
+from tresym.report.words.said import said
 
 RECORD_VERSION = 1
 
@@ -53,6 +53,7 @@ def record(report: Report) -> dict[str, Any]:
     used_by = _inverse(claims, lambda claim: claim.uses)
     amends = _inverse(claims, lambda claim: claim.amended_by)
     lines = display_lines()
+    quotes = {label: found.quote for found in corrections() for label in found.labels}
     return {
         "version": RECORD_VERSION,
         "counts": report.counts,
@@ -63,7 +64,7 @@ def record(report: Report) -> dict[str, Any]:
         },
         "rules": {axiom.name: _axiom(axiom) | {"rule": axiom.rule} for axiom in RULES},
         "claims": {
-            row.claim.label: _claim(row, lines)
+            row.claim.label: _claim(row, lines, quotes)
             | {"used_by": used_by[row.claim.label], "amends": amends[row.claim.label]}
             for row in report.rows
         },
@@ -85,27 +86,21 @@ def _inverse(
     return found
 
 
-def _claim(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
+def _claim(row: Row, lines: dict[int | None, int], quotes: dict[str, str]) -> dict[str, Any]:
     claim = row.claim
     return {
         **common(row),
         "place": place_text(claim) if claim.where else None,
         "line": line_of(row, lines),
-        "says": claim.says if isinstance(claim.says, str) else None,
-        "formula": _formula(claim),
-        "given": gathered(claim.given),
+        **said(claim).as_record(),
         "chains": _chains(claim),
         "evidence": _evidence(claim),
         "note": claim.note,
+        "formal": is_formal(claim),
+        "conjunction": [c.label for c in claim.uses] if isinstance(claim.proof, AllOf) else [],
+        "quote": quotes.get(claim.label, ""),
         "paper_says": claim.paper_says,
     }
-
-
-def _formula(claim: Claim) -> str | None:
-    """The statement in LaTeX, where it is a formula."""
-    if claim.shown is not None:
-        return claim.shown
-    return None if isinstance(claim.says, str) else says_latex(claim.says)
 
 
 def _evidence(claim: Claim) -> str:

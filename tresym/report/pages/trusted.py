@@ -54,11 +54,13 @@ RECHECKED = {
         *("reals.places.points._sample", "reals.places.points.corners"),
         *("reals.places.windows", "reals.places.descent"),
     ),
-    "what is found is checked: factors are multiplied out, trees of boxes replayed": (
-        *("reals.normal.denested", "reals.balls.boxes._found"),
+    "what is found is checked: factors multiplied out, boxes replayed, links of inequalities": (
+        *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
+        *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
+        "reals.normal.written.numerator",
     ),
     "it spares a search that would find nothing, or says how much room one needs": (
         *("reals.normal.ranges.ProvingRing._changes_sign", "reals.signs.cones._fails_at_vertex"),
@@ -69,7 +71,7 @@ RECHECKED = {
         *("reals.signs.jumps.Case.point", "reals.decisions.statement._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
-        *("ledger.judge._judge_counterexample", "ledger.second_look.rootless"),
+        *("ledger.evidence.denial", "ledger.second_look.rootless"),
     ),
     "it words refusals": (
         *("reals.language.hints", "reals.decisions.identity.no_point"),

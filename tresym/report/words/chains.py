@@ -21,7 +21,7 @@ _VERBS = {"substituting": "by", "citing": "since"}
 _STRICT = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}
 
 
-class Said(NamedTuple):
+class Because(NamedTuple):
     """A reason in words: what is said, a formula it names, and the claims it names by label."""
 
     words: str
@@ -34,7 +34,7 @@ class Line(NamedTuple):
 
     left: str
     right: str
-    reasons: tuple[Said, ...] = ()
+    reasons: tuple[Because, ...] = ()
 
 
 Display = tuple[Line, ...]
@@ -93,19 +93,19 @@ def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
         yield Line(EQUIVALENT, says_latex(link.expression), _reasons(link))
 
 
-def _reasons(link: Step, otherwise: str = "algebra") -> tuple[Said, ...]:
+def _reasons(link: Step, otherwise: str = "algebra") -> tuple[Because, ...]:
     said = tuple(_said(reason) for reason in link.reasons if reason.name != "algebra")
-    return said or (Said(otherwise),)
+    return said or (Because(otherwise),)
 
 
-def _said(reason: Reason) -> Said:
+def _said(reason: Reason) -> Because:
     if reason.claims:
         labels = tuple(claim.label for claim in reason.claims)
-        return Said(_VERBS.get(reason.name, f"{reason.name},"), labels=labels)
+        return Because(_VERBS.get(reason.name, f"{reason.name},"), labels=labels)
     if reason.function is not None:
-        return Said(f"{reason.function} of both sides")
+        return Because(f"{reason.function} of both sides")
     if reason.factor is not None:
-        return Said("times", bracketed(expression_latex(reason.factor)))
+        return Because("times", bracketed(expression_latex(reason.factor)))
     if reason.term is not None:
-        return Said("adding", expression_latex(reason.term))
-    return Said(reason.name)
+        return Because("adding", expression_latex(reason.term))
+    return Because(reason.name)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from sympy import Add, Basic, Expr, Integer, true
 from sympy.core.relational import GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
 
+from tresym.ledger.evidence.manifest import is_manifest
+from tresym.ledger.meaning import conditions
 from tresym.report.words.latex import expression_latex, says_latex
 
 
@@ -20,8 +23,12 @@ class _Between(NamedTuple):
 
 
 def gathered(given: Sequence[Basic]) -> list[str]:
-    """The conditions in LaTeX: bounds joined to chains, those that follow by a chain left out."""
+    """The conditions in LaTeX: bounds joined to chains, those that follow by a chain left out.
+
+    So is what follows from the bounds of the one symbol that it speaks of: sin θ > 0.
+    """
     bounds = {condition: bound for condition in given if (bound := _bound(condition)) is not None}
+    given = [c for c in given if c in bounds or not _shown(c, tuple(bounds))]
     left = list(dict.fromkeys(bounds.values()))
     left = [bound for bound in left if not _follows(bound, left)]
     shown = []
@@ -34,6 +41,18 @@ def gathered(given: Sequence[Basic]) -> list[str]:
         elif bound in left:
             shown.append(_joined(_path_through(bound, left)))
     return list(dict.fromkeys(shown))
+
+
+def _shown(condition: Basic, bounds: tuple[Basic, ...]) -> bool:
+    """Whether the condition speaks of one symbol, and the bounds of that symbol show it."""
+    spoken_of = condition.free_symbols
+    own = tuple(bound for bound in bounds if bound.free_symbols == spoken_of)
+    return len(spoken_of) == 1 and bool(own) and _follows_from(condition, own)
+
+
+@lru_cache(maxsize=1024)
+def _follows_from(condition: Basic, bounds: tuple[Basic, ...]) -> bool:
+    return all(is_manifest(part, conditions(bounds)) for part in conditions((condition,)))
 
 
 def _bound(condition: Basic) -> _Between | None:

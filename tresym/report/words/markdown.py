@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from tresym.report.words.wording import readable
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|$~])")
-SCRIPTS = re.compile(r"(?<=\S)(?:\^\{([^{}]*)\}|\^(\d+)|_(min|max|D|f)(?!\w))")
-"""What our sentences raise or lower: e^{−π}, ε*^2, ψ_min."""
+_SCRIPTS = re.compile(r"(?<=\S)([\^_])(?:\{([^{}]*)\}|(\d+|min\b|max\b|D\b|f\b))")
+"""What our sentences raise or lower: e^{−π}, ε*^2, ψ_min, ε|_{γ = 0}."""
 
 
 def escaped(text: str) -> str:
@@ -16,15 +17,24 @@ def escaped(text: str) -> str:
     return _SPECIAL.sub(r"\\\1", text)
 
 
+def scripted(text: str, letters: Callable[[str], str], script: Callable[[str, str], str]) -> str:
+    """A sentence, its letters set by ``letters``, what is raised (^) or lowered by ``script``."""
+    parts, end = [], 0
+    for found in _SCRIPTS.finditer(text):
+        mark, braced, bare = found.groups()
+        parts += [letters(text[end : found.start()]), script(mark, braced or bare)]
+        end = found.end()
+    return "".join([*parts, letters(text[end:])])
+
+
 def sentence(text: str) -> str:
     """A sentence with its exponents and indices raised and lowered, for any reader of Markdown."""
-    parts, end = [], 0
-    for found in SCRIPTS.finditer(text):
-        raised, digits, lowered = found.groups()
-        mark, inside = ("sub", lowered) if lowered else ("sup", raised or digits)
-        parts += [escaped(text[end : found.start()]), f"<{mark}>{escaped(inside)}</{mark}>"]
-        end = found.end()
-    return "".join([*parts, escaped(text[end:])])
+
+    def script(mark: str, inside: str) -> str:
+        tag = "sup" if mark == "^" else "sub"
+        return f"<{tag}>{escaped(inside)}</{tag}>"
+
+    return scripted(text, escaped, script)
 
 
 def finding(text: str) -> str:

@@ -24,9 +24,9 @@ def _width(tokens: list[str]) -> float:
     while tokens:
         token = tokens.pop(0)
         if token == r"\frac":
-            total += max(_width(_group(tokens)), _width(_group(tokens)))
+            total += max(_width(argument(tokens)), _width(argument(tokens)))
         elif token in ("^", "_"):
-            total += SCRIPT * _width(_group(tokens))
+            total += SCRIPT * _width(argument(tokens))
         elif token == "{":
             total += _width(_rest(tokens))
         elif token == r"\begin":
@@ -45,7 +45,7 @@ def _rest(tokens: list[str]) -> list[str]:
     return found
 
 
-def _group(tokens: list[str]) -> list[str]:
+def argument(tokens: list[str]) -> list[str]:
     """The next argument, with its braces taken off, and off the front of ``tokens``."""
     if not tokens:
         return []
@@ -55,12 +55,12 @@ def _group(tokens: list[str]) -> list[str]:
 
 def _matrix(tokens: list[str]) -> list[list[str]]:
     """The rows of the matrix that begins, which is taken off the front."""
-    _group(tokens)
+    argument(tokens)
     rows: list[list[str]] = [[]]
     while tokens and (token := tokens.pop(0)) != r"\end":
         if token == r"\\":
             rows.append([])
         else:
             rows[-1].append(token)
-    _group(tokens)
+    argument(tokens)
     return rows

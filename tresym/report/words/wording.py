@@ -8,7 +8,11 @@ _GREEK = {
     "alpha": "α", "gamma": "γ", "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ",
     "phi": "φ", "chi": "χ", "psi": "ψ",
 }  # fmt: skip
-_NAME = re.compile(rf"\b({'|'.join(_GREEK)}|[A-Za-z])([0-9]?)(_f|_dt)?\b(?=\s*(?:=|->))")
+_NAMES = "|".join(_GREEK)
+_NAME = re.compile(
+    rf"\b(?:({_NAMES})([0-9]?)(_f)?|([A-Za-z])([0-9]?)(_f|_dt)?(?=\s*(?:=|->)))(?![\w])"
+)
+"""A Greek name, or one letter that is given a value."""
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
@@ -19,9 +23,11 @@ def readable(text: str) -> str:
     text = re.sub(r"(?<=\d)\.0{4,}(?!\d)", "", text)
     text = re.sub(r"(?<![\w)])-(?=[\w.])", "−", text)
     text = _NAME.sub(_named, text)
-    return text.replace(" * ", " · ").replace("->", "→")
+    for typed, set_ in (("->", "→"), (">=", "≥"), ("<=", "≤"), (" * ", " · ")):
+        text = text.replace(typed, set_)
+    return text
 
 
 def _named(found: re.Match[str]) -> str:
-    name, index, rest = found.groups()
+    name, index, rest = found.groups()[:3] if found[1] else found.groups()[3:]
     return _GREEK.get(name, name) + index.translate(_LOWERED) + (rest or "")

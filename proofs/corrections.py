@@ -1,0 +1,158 @@
+"""What the paper prints and does not hold: each finding once, the weightiest first.
+
+A finding has the paper's own words and the labels of the claims that say it; the first of them
+leads. What is wrong is the fault of that claim, and ``amended_by`` says what is true instead.
+"""
+
+from tresym.ledger.paper import Correction
+
+CORRECTIONS = (
+    Correction(
+        "The remainder of ε₀",
+        "ε₀ = e^{−√(ab)π}(2√(a/(a + b)) e^{−b/√(1 + b/a)} + o(e^{−√(ab)π}))",
+        ("d24", "eps0", "prop1"),
+        "Of arcsin(μ)/λ in the exponent the appendix keeps μ/λ. The next term, μ³/(6λ), is of the "
+        "order of λ² = 1/(ab): algebraic, and not exponentially small. On the path of the witness "
+        "what is left out is −t²/(3e) of the printed factor.",
+    ),
+    Correction(
+        "The slope of ε at γ = 0",
+        "ε(γ) = ε₀ − γ/(4bε₀) + O(γ²)",
+        ("eq_pavao", "remark1_speed", "d58", "remainder_constant", "prop1"),
+        "−1/(4bε₀) is the leading term of dε/dγ for large ab, and not dε/dγ itself: with it the "
+        "remainder is of the order of γ. The appendix has the derivative up to O(1) only, and "
+        "drops that when it sums up.",
+    ),
+    Correction(
+        "The symmetric motion does not always flip most",
+        "for a variation of 2π of the angle φ, the maximum of variation of ψ is given by the "
+        "symmetric motion where ψ_f = π − ψ₀",
+        ("symmetric_maximum",),
+    ),
+    Correction(
+        "A larger product ab does not make ε₀ smaller",
+        "the larger the product ab is, the smaller the parameter ε₀ is",
+        ("larger_ab_smaller_eps0", "formula_shows_larger_ab"),
+        "ε₀ falls in a and falls in b, but is no function of ab. It holds where one of the two is "
+        "kept.",
+    ),
+    Correction(
+        "Nor does it make the effect less robust",
+        "the larger the term ab is, the less robust is the effect",
+        ("larger_ab_less_robust",),
+        "The slope goes as 1/(bε₀), and b may fall while ab grows. At fixed b it holds.",
+    ),
+    Correction(
+        "The flip along the separatrix is not zero",
+        "the variation of the flip angle is approximately zero on the separatrix",
+        ("zero_on_separatrix",),
+    ),
+    Correction(
+        "One ε₀ of the formula belongs to two values of a",
+        "each value of ε₀ is associated with one value of a through the equation of ε₀",
+        ("each_eps0_one_a",),
+        "At b = 0.1 the formula rises and falls in a, so that it takes values twice. The exact ε₀ "
+        "does not.",
+    ),
+    Correction(
+        "dψ/dφ is not the angular velocity along the handle",
+        "(dψ/dφ)₀ is the initial angular velocity of the racket along the handle",
+        ("initial_rate_is_angular_velocity",),
+    ),
+    Correction(
+        "No rigid body has the moments of rackets 1, 2 and 3",
+        "Racket 1: 886, 16336, 18270; Racket 2: 1319, 14445, 16175; Racket 3: 448, 7126, 1818",
+        ("table_racket_1_realizable", "table_racket_2_realizable", "table_racket_3_realizable"),
+        "The largest moment of a rigid body is at most the sum of the other two. With 8118 for "
+        "1818 in the last it still is not.",
+    ),
+    Correction(
+        "b is never large",
+        "The case where a ≫ 1 and b ≫ 1 gives the constraint I₁ ≪ I₂ ≪ I₃",
+        ("a_and_b_large",),
+    ),
+    Correction(
+        "Of equal moments no axis is unstable",
+        "the motion is unstable around the e₂- axis. This behavior can be observed for any "
+        "three-dimensional rigid body",
+        ("any_rigid_body_is_unstable",),
+    ),
+    Correction(
+        "Flat and smooth at the origin from one side only",
+        "f(s) = e^{−1/s}, for s ≠ 0 and f(0) = 0 is of class C^{∞}, infinitely flat at the origin",
+        ("flat_function", "eps0_smooth", "G_is_smooth"),
+        "For s < 0 the function is unbounded, and so is what is built of it for λ < 0. The "
+        "argument needs λ ≥ 0 only, and there all of it is smooth.",
+    ),
+    Correction(
+        "∂μ/∂λ is not zero at the origin",
+        "Since ∂G/∂λ(0, 0, 0) = 0, we deduce that ∂μ/∂λ = 0",
+        ("dmu_dlambda_zero",),
+    ),
+    Correction(
+        "dε/dγ of the standard racket",
+        "dε/dγ|_{γ = 0} = −34.5",
+        ("d27",),
+        "Read as the derivative of ε(γ), which it is printed to equal; the number is that of its "
+        "leading term, −1/(4bε₀).",
+    ),
+    Correction(
+        "The levels at which the flip is off by π/6",
+        "γ|_{ε = −π/12} = 1.09 × 10^{−2}, γ|_{ε = π/12} = −4.2 × 10^{−3}",
+        ("d29",),
+        "Read as the levels of ε(γ), as the slope before is; the numbers are those of the linear "
+        "formula.",
+    ),
+    Correction(
+        "An equation from which the higher orders are dropped",
+        "ε₀ = 2√(1 − μ²) e^{−(π + arcsin(μ cos ε₀))/λ}",
+        ("equation",),
+        "Eq. (A.2), of which it is said to be a form, has “+ hot” on its left side. They are one "
+        "part in a thousand for the standard racket.",
+    ),
+    Correction(
+        "a of racket 3",
+        "Racket 3: 448, 7126, 1818, 14.88",
+        ("table_racket_3_a",),
+        "By the moments that are printed with it a is 14.91.",
+    ),
+    Correction(
+        "The third moment of racket 3",
+        "Racket 3: 448, 7126, 1818, 14.88, 0.12",
+        ("table_racket_3_b", "table_racket_3_order"),
+        "Two digits have changed places: 8118 for 1818 puts the moments in order and repairs b, "
+        "which is 0.1222 then.",
+    ),
+    Correction(
+        "The flip of ethylene",
+        "this leads to a classical flip of Δψ = π(1 − 0.0528)",
+        ("ethylene_flip", "ethylene_flip_by_formula"),
+        "The number is (2/π) e^{−π√(ab)}: the formula without the factor before the exponential.",
+    ),
+    Correction(
+        "ε₀(u, λμ)",
+        "G(u, λ, μ) := u + arcsin μ − arcsin(μ cos(ε₀(u, λμ))) + hot = 0",
+        ("defect_of_a_product",),
+    ),
+    Correction(
+        "Where the square root is real",
+        "is positive only if sin²ψ_min = sin²ψ_max = |γ|/b",
+        ("positive_only_if",),
+    ),
+    Correction(
+        "A moment that may be zero",
+        "we will assume that 0 ≤ I₁ ≤ I₂ ≤ I₃",
+        ("ordered_moments",),
+    ),
+    Correction(
+        "A cross reference",
+        "we only consider the case θ ∈ [0, π/2] (see Sec. 2)",
+        ("reference_to_section_2",),
+        "It is said in Sect. 3.",
+    ),
+    Correction(
+        "The unit of the moments",
+        "The moments of inertia are expressed in kg.mm^{−1}.s^{−2}",
+        ("table_units",),
+    ),
+)

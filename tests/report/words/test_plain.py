@@ -1,0 +1,36 @@
+"""Formulas at the terminal: letters and signs, and brackets wherever a bar took their place."""
+
+import re
+
+import pytest
+
+from tresym.ledger.paper import all_claims
+from tresym.report.words.latex import says_latex
+from tresym.report.words.plain import plain
+
+
+@pytest.mark.parametrize(
+    ("formula", "shown"),
+    [
+        (r"\gamma = \frac{2I_2E}{M^2}-1", "γ = 2I₂E/M²-1"),
+        (r"\frac{1}{4b\epsilon_0}", "1/(4bε₀)"),
+        (r"\frac{a+b}{2}", "(a+b)/2"),
+        (r"\dot M_1 = M_2M_3", "\u1e40₁ = M₂M₃"),
+        (r"e^{-\pi\sqrt{a b}}", "e^(-π√(a b))"),
+        (r"\sqrt{a}", "√a"),
+        (r"\left.\frac{d}{db}(x)\right|_{b=0}", "d/db(x)|_(b = 0)"),
+        (r"\sin^2\theta", "sin²θ"),
+        (r"0 < b \le 1", "0 < b ≤ 1"),
+        (r"\begin{pmatrix}a\\b\end{pmatrix}", "(a; b)"),
+    ],
+)
+def test_formulas(formula: str, shown: str) -> None:
+    assert plain(formula) == shown
+
+
+def test_no_command_is_left_in_any_statement() -> None:
+    for claim in all_claims():
+        for says in (claim.shown, claim.statement, *claim.given):
+            if says is not None:
+                text = plain(says if isinstance(says, str) else says_latex(says))
+                assert not re.search(r"\\|[{}&]", text), (claim.label, text)

@@ -1,0 +1,236 @@
+"""Inequalities from others that imply them: what is left to show, and the sentences that finish.
+
+Each way is one that the prover of signs goes too, and asks it first whether what is left holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import lcm
+
+from tresym.coq.equations import exchanged, nodes, quotient, unfolded
+from tresym.coq.linear import expanded
+from tresym.coq.statement import Theorem, term
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    apply,
+    multiply,
+    number,
+    power,
+)
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import with_domain
+from tresym.reals.signs.sign import directly, sign
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """What is left to show, each under the name ``step_n``, and how the claim follows.
+
+    Attributes:
+        steps: theorems under the premises that there are.
+        after: sentences that finish.
+        before: sentences before it.
+        only: for each step the condition of its own, where it has one.
+    """
+
+    steps: tuple[Theorem, ...]
+    after: str
+    before: str = ""
+    only: tuple[str, ...] = ()
+
+
+def known(theorem: Theorem) -> Given:
+    """The premises with what is defined by them."""
+    return with_domain(Given(theorem.given), theorem.left, theorem.right)
+
+
+def stated(theorem: Theorem, left: Expr, relation: str, right: Expr) -> Theorem:
+    """Another conclusion from the same premises."""
+    return replace(theorem, left=left, relation=relation, right=right)
+
+
+def is_likely(theorem: Theorem) -> bool:
+    """Whether the prover of signs says so."""
+    up = theorem.relation in (">", ">=")
+    d = theorem.left - theorem.right if up else theorem.right - theorem.left
+    relation = ">" if theorem.relation in (">", "<") else ">="
+    return directly(d, relation, known(theorem)) is not None
+
+
+def reductions(theorem: Theorem) -> Iterator[Reduction]:
+    """Ways to reduce an inequality between two sides, the likeliest first."""
+    if theorem.relation in (">", ">="):
+        small, great = theorem.right, theorem.left
+    else:
+        small, great = theorem.left, theorem.right
+    relation = "<" if theorem.relation in ("<", ">") else "<="
+    t = stated(theorem, small, relation, great)
+    found = list(by_absolute_values(t))
+    yield from found
+    if found:
+        return
+    for ways in (by_logarithms, by_exponentials, by_clearing, by_squares):
+        for way in ways(t):
+            if all(map(is_likely, way.steps)):
+                yield way
+
+
+def by_absolute_values(t: Theorem) -> Iterator[Reduction]:
+    """By the sign of what an absolute value is taken of."""
+    for e in sorted({e for e in nodes([t.left, t.right]) if e.op == "abs"}, key=lambda e: e.size):
+        u = e.args[0]
+        if "abs" in {part.op for part in nodes([u])}:
+            continue
+        cases = []
+        for relation, value in ((">=", u), ("<=", multiply(number(-1), u))):
+            put = {e: value}
+            case = stated(t, exchanged(t.left, put), t.relation, exchanged(t.right, put))
+            cases.append(replace(case, given=(*t.given, (u, relation, ZERO))))
+        text = term(u)
+        yield Reduction(
+            tuple(cases),
+            f"destruct (Rle_or_lt 0 ({text})); "
+            f"[rewrite (Rabs_pos_eq ({text})) in * by lra; specialize (step_1 ltac:(lra)) "
+            f"| rewrite (Rabs_left ({text})) in * by lra; specialize (step_2 ltac:(lra))]; "
+            "first [lra | nra].",
+            only=(f"{text} >= 0", f"{text} <= 0"),
+        )
+        return
+
+
+def _factors(e: Expr) -> tuple[Expr, ...]:
+    return e.args if e.op == "*" else (e,)
+
+
+def log_of(e: Expr) -> Expr:
+    """The logarithm of a product of positive factors."""
+    if e.op == "*":
+        return add(*map(log_of, e.args))
+    if e.op == "exp":
+        return e.args[0]
+    if e.op == "^":
+        return e.args[1] * log_of(e.args[0])
+    if e == ONE:
+        return ZERO
+    return apply("log", e)
+
+
+def by_logarithms(t: Theorem) -> Iterator[Reduction]:
+    """Of both sides, where one is an exponential and both are positive."""
+    given = known(t)
+    d = t.left - t.right
+    terms = d.args if d.op == "+" else (d,)
+    for n, part in enumerate(terms):
+        if not any(
+            f.op == "exp" or (f.op == "^" and f.args[1].op != "number") for f in _factors(part)
+        ):
+            continue
+        rest = add(*(-other for other in (*terms[:n], *terms[n + 1 :])))
+        negative = _factors(part)[0].op == "number" and bool(_factors(part)[0].args[0] < 0)
+        small, great = (-rest, -part) if negative else (part, rest)
+        if sign(small, given) != "+" or sign(great, given) != "+":
+            continue
+        step = stated(t, log_of(small), t.relation, log_of(great))
+        law = "from_ln_le" if t.relation == "<=" else "from_ln_lt"
+        yield Reduction(
+            (step,),
+            f"assert (way : {term(small)} {t.relation} {term(great)}). "
+            f"{{ unfold Rpower in *; apply {law}; "
+            "[first [positive | nra] | first [positive | nra] |]; "
+            "log_parts; first [lra | nra]. } first [lra | unfold Rpower in *; lra].",
+        )
+
+
+def by_exponentials(t: Theorem) -> Iterator[Reduction]:
+    """Of both sides, where these are sums of logarithms."""
+    sides: list[list[Expr]] = [[], []]
+    try:
+        parts = expanded(t.right - t.left)
+    except OverflowError:
+        return
+    scale, logs = 1, []
+    for monomial, c in parts.items():
+        ((part, n), *others) = monomial or ((ONE, 0),)
+        if others or n != 1 or part.op != "log" or abs(c.numerator) > 20 or c.denominator > 20:
+            return
+        scale = lcm(scale, c.denominator)
+        logs.append((c, part.args[0]))
+    for c, u in logs:
+        n = int(c * scale)
+        if abs(n) > 24:
+            return
+        sides[n < 0].append(power(u, number(abs(n))))
+    great, small = multiply(*sides[0]), multiply(*sides[1])
+    step = stated(t, small, "<=", great)
+    if t.relation != "<=":
+        return
+    yield Reduction(
+        (step,),
+        f"assert (way : ln ({term(small)}) <= ln ({term(great)})). "
+        "{ apply ln_rises; [positive | exact step_1]. } "
+        "revert way; log_parts; intros; lra.",
+    )
+
+
+def by_clearing(t: Theorem) -> Iterator[Reduction]:
+    """Of a positive denominator."""
+    d = t.right - t.left
+    for e in dict.fromkeys((d, unfolded(d))):
+        top, bottom = quotient(e)
+        if bottom.op == "number":
+            continue
+        step = stated(t, ZERO, t.relation, top)
+        law = "from_quotient" if t.relation == "<=" else "Rdiv_lt_0_compat"
+        yield Reduction(
+            (step,),
+            f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]). "
+            f"assert (0 {t.relation} {term(e)}). "
+            f"{{ replace ({term(e)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
+            f"now apply {law}. }} lra.",
+            "" if e == d else "laws.",
+        )
+
+
+def by_squares(t: Theorem) -> Iterator[Reduction]:
+    """Of both sides, where one is a root."""
+    if t.relation != "<=":
+        return
+    half = number(1) / number(2)
+    d = t.right - t.left
+    terms = d.args if d.op == "+" else (d,)
+    for n, part in enumerate(terms):
+        factors = _factors(part)
+        roots = [f for f in factors if f.op == "^" and f.args[1] == half]
+        others = multiply(*(f for f in factors if f not in roots))
+        if not roots or others.op != "number":
+            continue
+        c = number(abs(others.args[0]))
+        rest = add(*(other for k, other in enumerate(terms) if k != n)) / c
+        radicand = multiply(*(f.args[0] for f in roots))
+        text = " * ".join(term(f, 2) for f in roots)
+        if others.args[0] > 0:  # −rest ≤ √u
+            step = stated(t, rest**2, "<=", radicand)
+            laws, side = "below_sqrt", f"{term(-rest, 3)}"
+            goal = f"{side} <= sqrt {term(radicand, 3)}"
+            extra: tuple[Theorem, ...] = ()
+            proof = f"apply {laws}; first [lra | nra]"
+        else:  # √u ≤ rest
+            step = stated(t, radicand, "<=", rest**2)
+            extra = (stated(t, ZERO, "<=", rest),)
+            goal = f"sqrt {term(radicand, 3)} <= {term(rest, 3)}"
+            proof = "apply above_sqrt; [exact step_2 | first [lra | nra]]"
+        joined = (
+            ""
+            if len(roots) == 1
+            else f"assert (same : {text} = sqrt {term(radicand, 3)}) by "
+            "(rewrite <- !sqrt_mult by (first [positive | nra]); f_equal; ring). "
+        )
+        yield Reduction(
+            (step, *extra),
+            f"assert (way : {goal}) by ({proof}). {joined}first [lra | nra].",
+        )
