@@ -31,7 +31,7 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
-    from tresym.coq.export import save, search, stored, write
+    from tresym.coq.export import Memory, save, search, stored, write
     from tresym.ledger.paper import all_claims
 
     store = stored()
@@ -39,14 +39,15 @@ def run(args: argparse.Namespace) -> int:
         if shutil.which("coqtop") is None:
             raise InputError("export: --search asks coqtop, which is not installed here")
         wanted = [c for c in all_claims() if not args.labels or c.label in args.labels]
-        found = search(wanted, lambda text: print(text, file=sys.stderr))
-        store = {"coq": found["coq"], "claims": {**store["claims"], **found["claims"]}}
+        memory = Memory(Path(args.coq) / "search.json")
+        found = search(wanted, lambda text: print(text, file=sys.stderr), memory)
+        claims = {**store["claims"], **found["claims"]}
+        store = {**found, "claims": claims} if not args.labels else {**store, "claims": claims}
         save(store)
     index = write(Path(args.coq), args.labels, store)
     counts = Counter(row["status"] for row in index.values())
-    theorems = sum(len(row["theorems"]) for row in index.values() if not row["together"])
     print(
-        f"{args.coq}: {theorems} theorems; {counts['proved']} of {len(index)} claims proved, "
-        f"{counts['partial']} in part, {counts['none']} not; run make there to have Coq check them"
+        f"{args.coq}: {counts['proved']} of {len(index)} claims proved, {counts['partial']} in "
+        f"part, {counts['none']} not; run make there to have Coq check them"
     )
     return 0

@@ -9,7 +9,9 @@ part.
 from __future__ import annotations
 
 import json
+import math
 import signal
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from hashlib import sha256
 from importlib import import_module
@@ -31,6 +33,8 @@ from tresym.reals.language.expression import number, symbols
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
+_AND = " /\\ "
+UNWRITTEN = ArithmeticError, AttributeError, RecursionError, TypeError, ValueError, NotExportedError
 MOST, WRITING_SECONDS = 6, 1.5
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
@@ -112,12 +116,17 @@ class Memory:
 
     def __init__(self, path: Path | None, seconds: float = TEXT_SECONDS, most: int = MOST) -> None:
         self.path = path
-        self.seconds, self.most = seconds, most
+        self.seconds, self.most, self.until = seconds, most, math.inf
         self.known: dict[str, bool] = {}
         self.coq: Dialogue | None = None
         self.count = 0
         if path is not None and path.is_file():
             self.known = json.loads(path.read_text(encoding="utf-8"))
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the time for lemmas is over."""
+        return time.monotonic() > self.until
 
     def ask(self, texts: Mapping[str, str]) -> dict[str, bool]:
         """Of each text, by name, whether Coq accepts it."""
@@ -164,32 +173,32 @@ def search(
             todo[claim.label] = (whole, list(plans(claim, whole)))
         except NotExportedError:
             continue
+    every = [lemma for _, options in todo.values() for plan in options for lemma in plan.lemmas]
+    every.sort(key=lambda lemma: lemma.relation != "==")  # what is quick comes first
+    proved = lemmas_proved(every, memory, say)
     kept: dict[str, Any] = {}
-    for n in range(2):
-        rest = {k: (t, p[n]) for k, (t, p) in todo.items() if len(p) > n and k not in kept}
-        proved = lemmas_proved(
-            [lemma for _, plan in rest.values() for lemma in plan.lemmas], memory, say
-        )
-        ready = {
-            label: (whole, plan)
-            for label, (whole, plan) in rest.items()
-            if all(lemma.body in proved for lemma in plan.lemmas)
-        }
-        texts = {label: _trial(whole, plan, todo) for label, (whole, plan) in ready.items()}
-        held = memory.ask({label: text for label, text in texts.items() if text is not None})
-        for label, ok in held.items():
-            if ok:
-                whole, plan = ready[label]
-                kept[label] = {
-                    "statement": stamp(whole),
-                    "lemmas": "\n".join(
-                        f"{lemma.text}\nProof.\n{proved[lemma.body]}\nQed." for lemma in plan.lemmas
-                    ),
-                    "script": plan.script,
-                    "uses": list(plan.uses),
-                }
-        say(f"plan {n + 1}: {len(rest)} claims, {len(ready)} of all lemmas, {len(kept)} kept")
+    for label, (whole, options) in todo.items():
+        for plan in options:
+            text = _trial(whole, plan, todo)
+            if text is None or any(lemma.body not in proved for lemma in plan.lemmas):
+                continue
+            if memory.ask({label: text})[label]:
+                kept[label] = _row_of(whole, plan, proved)
+                break
+    memory.keep()
+    say(f"{len(kept)} of {len(todo)} claims")
     return {"coq": version(), "claims": kept, "possible": witnesses(claims, memory)}
+
+
+def _row_of(whole: Theorem | Joint, plan: Plan, proved: Mapping[str, str]) -> dict[str, Any]:
+    """What is stored of a claim."""
+    lemmas = (f"{t.text}\nProof.\n{proved[t.body]}\nQed." for t in plan.lemmas)
+    return {
+        "statement": stamp(whole),
+        "lemmas": "\n".join(lemmas),
+        "script": plan.script,
+        "uses": list(plan.uses),
+    }
 
 
 def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
@@ -245,12 +254,21 @@ def lemmas_proved(
             if body in asked:
                 continue
             asked[body] = None
+            if memory.is_over:
+                break
             for proof in islice(_found_soon(candidates(lemma)), memory.most):
                 text = f"Theorem trial_@ :\n{body}.\nProof.\n{proof}\nQed."
                 if memory.ask({body: text})[body]:
                     won[body] = proof
                     break
-        except (InputError, OverflowError, RecursionError, NotExportedError):
+        except (
+            ArithmeticError,
+            AttributeError,
+            RecursionError,
+            TypeError,
+            ValueError,
+            NotExportedError,
+        ):
             continue  # an expression on the way grew too large
         if len(asked) % 10 == 0:
             memory.keep()
@@ -267,7 +285,7 @@ def _trial(
     def whole_of(told: Theorem | Joint) -> str:
         if isinstance(told, Theorem):
             return f"({told.body})"
-        return f"({' /\\ '.join(whole_of(known[part.label][0]) for part in told.parts)})"
+        return f"({_AND.join(whole_of(known[part.label][0]) for part in told.parts)})"
 
     try:
         used = [whole_of(known[label][0]) for label in plan.uses]

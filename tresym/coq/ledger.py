@@ -15,7 +15,7 @@ from hashlib import sha256
 
 from sympy import Basic
 
-from tresym.coq.binders import Part, defined
+from tresym.coq.formulas import Part, defined
 from tresym.coq.statement import (
     Condition,
     Formula,

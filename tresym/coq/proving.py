@@ -7,14 +7,15 @@ say; that these hold is taken from their theorems.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 
 from flint import fmpq
 
-from tresym.coq.binders import defined, inside, put_at, values_of
 from tresym.coq.equations import exchanged
+from tresym.coq.formulas import defined, inside, put_at, values_of
 from tresym.coq.ledger import Joint, free, name_of, read, relations, stem, theorem_of
 from tresym.coq.search import proofs
 from tresym.coq.statement import (
@@ -30,6 +31,7 @@ from tresym.coq.statement import (
 from tresym.ledger.claim import Chain, Claim, Counterexample, Definition, Reason, Together
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.meaning import stage, tree
+from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import (
     ZERO,
@@ -59,7 +61,15 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
     if isinstance(whole, Joint):
         labels = tuple(part.label for part in whole.parts)
         yield Plan((), f"exact {_conjoined([name_of(label) for label in labels])}.", labels)
-    elif whole.exists:
+        return
+    path = file_of("coq") / f"{claim.label}.v"
+    if path.is_file():
+        script = path.read_text(encoding="utf-8").rstrip()
+        found = dict.fromkeys(re.findall(r"\bclaim_(\w+)", script))
+        yield Plan(
+            (), script, tuple(used.label for used in claim.rests_on if stem(used.label) in found)
+        )
+    if whole.exists:
         yield from at_point(claim, whole)
     else:
         for steps in (False, True):

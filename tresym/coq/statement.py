@@ -11,12 +11,21 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import NamedTuple, TypeAlias
 
 from flint import fmpq
 
-from tresym.coq.binders import Part, inside, values_of
-from tresym.reals.language.expression import Expr, instantiate, symbols
+from tresym.coq.formulas import (
+    Condition,
+    Formula,
+    One,
+    Part,
+    Single,
+    Some,
+    Wherever,
+    inside,
+    values_of,
+)
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 
 FUNCTIONS = {
@@ -33,7 +42,6 @@ _PLAIN = re.compile(
     r"|phi|chi|psi|omega)\d*"
 )
 SUM, PRODUCT, POWER, ATOM = range(4)
-Condition = tuple[Expr, str, Expr]
 
 
 class NotExportedError(Exception):
@@ -120,30 +128,6 @@ def has_value(node: Expr, value: str) -> str:
     return f"is_{'RInt' if node.op == 'integral' else 'derive'} {_function(node)} {value}"
 
 
-class Wherever(NamedTuple):
-    """What is said wherever the conditions hold."""
-
-    conditions: tuple[Condition, ...]
-    says: Formula
-
-
-class One(NamedTuple):
-    """There is one value of the variable, and no other, of which it is said."""
-
-    name: str
-    says: Formula
-
-
-class Some(NamedTuple):
-    """There are values of the variables of which it is said."""
-
-    names: tuple[str, ...]
-    says: Formula
-
-
-Formula: TypeAlias = Relation | Conjunction | Equivalence | Wherever | One | Some
-
-
 def formula(f: Formula) -> str:
     """A formula as a proposition."""
     if isinstance(f, Conjunction):
@@ -168,7 +152,7 @@ def formula(f: Formula) -> str:
 
 
 @dataclass(frozen=True)
-class Theorem:
+class Theorem(Single):
     """``forall variables, premises -> says``, or that there is a point where all of it holds.
 
     ``definitions`` are equations, each with the conditions that stand before it.
@@ -199,31 +183,3 @@ class Theorem:
     def text(self) -> str:
         """The statement as a sentence of Coq."""
         return f"Theorem {self.name} :\n{self.body}."
-
-    @property
-    def by(self) -> str | None:
-        """Of a derivative that is the left side: the variable."""
-        node = self._relation.left
-        return node.args[1].args[0] if node.op == "derivative" else None
-
-    @property
-    def left(self) -> Expr:
-        """The left side of the relation that is said; of a derivative, the function."""
-        node = self._relation.left
-        return node if self.by is None else instantiate(node.args[0], node.args[1:])
-
-    @property
-    def relation(self) -> str:
-        """The sign of the relation that is said."""
-        return self._relation.sign
-
-    @property
-    def right(self) -> Expr:
-        """Its right side."""
-        return self._relation.right
-
-    @property
-    def _relation(self) -> Relation:
-        if not isinstance(self.says, Relation):
-            raise NotExportedError("what is said is no single relation")
-        return self.says

@@ -1,8 +1,9 @@
-"""Integrals, derivatives and values inside expressions: what they bind, and where it is defined."""
+"""What a theorem says, as a tree; of integrals and derivatives in it, where they are defined."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple, TypeAlias
 
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
@@ -17,10 +18,69 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
-from tresym.reals.language.formula import Relation
+from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.places.domain import needs
 
 Part = tuple[Expr, str]
+Condition = tuple[Expr, str, Expr]
+
+
+class Wherever(NamedTuple):
+    """What is said wherever the conditions hold."""
+
+    conditions: tuple[Condition, ...]
+    says: Formula
+
+
+class One(NamedTuple):
+    """There is one value of the variable, and no other, of which it is said."""
+
+    name: str
+    says: Formula
+
+
+class Some(NamedTuple):
+    """There are values of the variables of which it is said."""
+
+    names: tuple[str, ...]
+    says: Formula
+
+
+Formula: TypeAlias = Relation | Conjunction | Equivalence | Wherever | One | Some
+
+
+class Single:
+    """The one relation that a theorem says, taken apart."""
+
+    says: Formula
+
+    @property
+    def by(self) -> str | None:
+        """Of a derivative that is the left side: the variable."""
+        node = self._relation.left
+        return str(node.args[1].args[0]) if node.op == "derivative" else None
+
+    @property
+    def left(self) -> Expr:
+        """The left side of the relation that is said; of a derivative, the function."""
+        node = self._relation.left
+        return node if self.by is None else instantiate(node.args[0], node.args[1:])
+
+    @property
+    def relation(self) -> str:
+        """The sign of the relation that is said."""
+        return self._relation.sign
+
+    @property
+    def right(self) -> Expr:
+        """Its right side."""
+        return self._relation.right
+
+    @property
+    def _relation(self) -> Relation:
+        if not isinstance(self.says, Relation):
+            raise TypeError("what is said is no single relation")
+        return self.says
 
 
 def inside(node: Expr) -> tuple[tuple[str, ...], Expr]:
