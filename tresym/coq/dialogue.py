@@ -13,7 +13,7 @@ from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
-SENTENCE_SECONDS = 8
+SENTENCE_SECONDS = 4
 TEXT_SECONDS = 20.0
 HEAD = """Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -45,7 +45,8 @@ def library() -> tempfile.TemporaryDirectory[str]:
 class Dialogue:
     """One coqtop that has read Tresym.v; it is begun anew where it does not answer."""
 
-    def __init__(self) -> None:
+    def __init__(self, patience: int = SENTENCE_SECONDS) -> None:
+        self.patience = patience
         self.process: subprocess.Popen[bytes] | None = None
         self.folder = tempfile.TemporaryDirectory()  # for the caches of its arithmetic
 
@@ -73,10 +74,13 @@ class Dialogue:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
             )
-            self.said(HEAD + f"Set Default Timeout {SENTENCE_SECONDS}.\n", 120)
+            self.said(HEAD + f"Set Default Timeout {self.patience}.\n", 120)
         deadline = time.monotonic() + seconds
         for sentence in _SENTENCE.findall(text):
-            said = self.said(sentence, max(deadline - time.monotonic(), 1))
+            if time.monotonic() > deadline:
+                self.said("Abort All.", 60)
+                return False
+            said = self.said(sentence, 4 * self.patience)
             if said is None:
                 self.end()
                 return False

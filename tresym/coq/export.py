@@ -25,7 +25,7 @@ from tresym.coq.numbers import numbers
 from tresym.coq.proving import Plan, candidates, plans
 from tresym.coq.search import version
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.meaning import conditions, known
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections
 from tresym.output import write_text
@@ -35,7 +35,7 @@ from tresym.reals.numbers.exact import InputError
 STORE = "coq.json"
 _AND = " /\\ "
 UNWRITTEN = ArithmeticError, AttributeError, RecursionError, TypeError, ValueError, NotExportedError
-MOST, WRITING_SECONDS = 6, 1.5
+MOST, WRITING_SECONDS, CLAIM_SECONDS = 6, 1.5, 30
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
 
@@ -77,10 +77,22 @@ def stored() -> dict[str, Any]:
     return found
 
 
-def entries(store: Mapping[str, Any]) -> dict[str, Entry]:
-    """The theorems of all claims with the proofs that are stored for these very statements."""
+def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> dict[str, Entry]:
+    """The theorems of claims with the proofs that are stored for these very statements.
+
+    Those that are applied are among them, and with nothing wanted all.
+    """
     found: dict[str, Entry] = {}
-    for claim in all_claims():
+    claims = {claim.label: claim for claim in all_claims()}
+    needed, stack = set(), [*(claims if wanted is None else wanted)]
+    while stack:
+        label = stack.pop()
+        if label in claims and label not in needed:
+            needed.add(label)
+            proof = claims[label].proof
+            stack += store["claims"].get(label, {}).get("uses", ())
+            stack += [part.label for part in proof.claims] if isinstance(proof, AllOf) else []
+    for claim in (c for label, c in claims.items() if label in needed):
         try:
             whole = theorem_of(claim)
         except NotExportedError as error:
@@ -122,6 +134,12 @@ class Memory:
         self.count = 0
         if path is not None and path.is_file():
             self.known = json.loads(path.read_text(encoding="utf-8"))
+
+    def longer(self) -> None:
+        """Give whole claims the time that lemmas are not worth."""
+        if self.coq is not None:
+            self.coq.end()
+        self.coq, self.seconds = Dialogue(CLAIM_SECONDS), 4.0 * CLAIM_SECONDS
 
     @property
     def is_over(self) -> bool:
@@ -176,6 +194,7 @@ def search(
     every = [lemma for _, options in todo.values() for plan in options for lemma in plan.lemmas]
     every.sort(key=lambda lemma: lemma.relation != "==")  # what is quick comes first
     proved = lemmas_proved(every, memory, say)
+    memory.longer()
     kept: dict[str, Any] = {}
     for label, (whole, options) in todo.items():
         for plan in options:
