@@ -34,13 +34,17 @@ from tresym.proofs.power_series import (
     lagrange_step,
     stays_inside,
 )
-from tresym.proofs.separatrix import one_flip_defect, stable_equation
+from tresym.proofs.separatrix import (
+    flip_defect,
+    one_flip_defect,
+    stable_equation,
+    vanishing_share,
+)
 
+from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
-from tresym.racket.flip.separatrix import defect_over
-from tresym.racket.formulas import printed, stable
+from tresym.racket.formulas import printed
 from tresym.racket.near import charts
-from tresym.racket.near.samples import at_unit_b
 from tresym.racket.notation import *
 from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
@@ -65,21 +69,6 @@ EVERY = "a > 0, 0 < b <= 1"
 
 
 # -- the theorem as printed -----------------------------------------------------------------------
-
-
-def _defect_at_unit_b(t: Any, m: Any) -> Any:
-    """ε₀ of the shape b = 1, a = 1/t²: as a germ, tanh T = 1 − 2δe^{−2π/t} with 0 ≤ δ ≤ 1."""
-    if not isinstance(m, Germs):
-        return defect_over(1 / t**2, arb(1))
-    tangent = 1 - 2 * m.exp(-2 * m.pi / t) * arb(fmpq(1, 2), fmpq(1, 2))
-    phase = m.pi + m.atan(t * tangent)
-    return stable.defect_at(phase, 1 / t, t, m)
-
-
-def _printed_at_unit_b(t: Any, m: Any) -> Any:
-    """The printed leading term at b = 1, a = 1/t²."""
-    cosine = 1 / m.sqrt(1 + t * t)
-    return 2 * cosine * m.exp(-m.pi / t - cosine)
 
 
 def _printed_parts(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
@@ -205,30 +194,25 @@ printed_relative_too_small = boxed(
 )
 
 
+_printed_with_remainder = equal(
+    epsilon0,
+    exp(-sqrt(a * b) * pi)
+    * (2 * sqrt(a / (a + b)) * exp(-b / sqrt(1 + b / a)) + Function("o")(exp(-sqrt(a * b) * pi))),
+)
+
 printed_remainder = Claim(
     label="eps0",
-    says=equal(
-        epsilon0,
-        exp(-sqrt(a * b) * pi)
-        * (
-            2 * sqrt(a / (a + b)) * exp(-b / sqrt(1 + b / a))
-            + Function("o")(exp(-sqrt(a * b) * pi))
-        ),
-    ),
+    says=_printed_with_remainder,
+    means=order(_printed_with_remainder, a * b, oo),
     kind="order",
     given=shape,
     proof=Asymptotics(
-        Order(
-            "o",
-            lambda t, m: (_defect_at_unit_b(t, m) - _printed_at_unit_b(t, m)) / m.exp(-m.pi / t),
-            lambda t, m: m.exp(-m.pi / t),
-        ),
-        "t = 1/sqrt(ab) -> 0 along b = 1, a = 1/t^2",
-        RESTS_ON,
-        Meant(at_unit_b(), exp(-2 * sqrt(a * b) * pi)),
+        {a: 1 / t**2, b: Integer(1)},
+        beside=epsilon0 < printed.asymptotic_defect(a, b, sympy) * (1 - b**2 / (10 * a)),
+        claims=(flip_defect, vanishing_share),
     ),
     expect=Verdict.REFUTED,
-    where=Place(display=47),
+    where=display(47),
     amended_by=(printed_leading_term, printed_error),
     note="On this path the printed remainder is −t²/(3e), algebraic and not exponentially small.",
     fault=Fault.THEOREM,

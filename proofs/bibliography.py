@@ -2,41 +2,50 @@
 
 from __future__ import annotations
 
-from tresym.proofs.numbers_in_text import STR, number
+from tresym.proofs.euler_angles import shape_and_depth
+from tresym.proofs.printed import MOMENTS, TABLE_1, inputs, number
 
 from tresym.ledger.vocabulary import *
+from tresym.racket.notation import *
 
 KILOGRAM_METRES = {"I1": "0.121e-2", "I2": "1.638e-2", "I3": "1.748e-2"}
 """The moments as printed there."""
 
 _THERE = line(461)
 
+
+def _as_there(*names: str) -> tuple[Basic, ...]:
+    return inputs(**{name: KILOGRAM_METRES[name] for name in names})
+
+
 moments = tuple(
     number(
         f"wilson_{name}",
-        f"{name} = {printed} kg m² is the {STR[name]} kg mm² of Table 1.",
-        STR[name],
-        lambda moment, m: moment * 10**6,
-        {name: printed},
+        f"{name} = {KILOGRAM_METRES[name]} kg m² is the {text} kg mm² of Table 1.",
+        10**6 * Symbol(name, real=True),
+        str(text),
+        _as_there(name),
         where=_THERE,
     )
-    for name, printed in KILOGRAM_METRES.items()
+    for name, text in zip(MOMENTS, TABLE_1["str"][:3], strict=True)
 )
 
 wilson_a = number(
     "wilson_a",
     "These moments lead to a = 12.5372.",
+    a,
     "12.5372",
-    lambda I1, I2, m: I2 / I1 - 1,
-    {name: KILOGRAM_METRES[name] for name in ("I1", "I2")},
+    _as_there("I1", "I2"),
+    shape_and_depth,
     where=_THERE,
 )
 
 wilson_b = number(
     "wilson_b",
     "These moments lead to b = 0.0629.",
+    b,
     "0.0629",
-    lambda I2, I3, m: 1 - I2 / I3,
-    {name: KILOGRAM_METRES[name] for name in ("I2", "I3")},
+    _as_there("I2", "I3"),
+    shape_and_depth,
     where=_THERE,
 )

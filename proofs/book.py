@@ -10,9 +10,7 @@ A box of length L, width W and height H has the principal axes e₁, e₂, e₃ 
 
 from __future__ import annotations
 
-from typing import Any
-
-from tresym.proofs.numbers_in_text import number
+from tresym.proofs.printed import inputs, number
 from tresym.proofs.table_of_objects import book, racket_1, racket_2, racket_3, standard_racket
 
 from tresym.ledger.vocabulary import *
@@ -44,33 +42,28 @@ box_order = Claim(
 )
 
 _a, _b = printed.shape(I1, I2, I3)
+_a_of_box = (length**2 - width**2) / (width**2 + height**2)
+_b_of_box = (width**2 - height**2) / (length**2 + width**2)
 
 box_a = Claim(
-    says=equal(_a, (length**2 - width**2) / (width**2 + height**2)),
+    says=equal(_a, _a_of_box),
     given=_box,
     proof=by(substituting(box_moments)),
     where=line(291),
 )
 
 box_b = Claim(
-    says=equal(_b, (width**2 - height**2) / (length**2 + width**2)),
+    says=equal(_b, _b_of_box),
     given=_box,
     proof=by(substituting(box_moments)),
     where=line(291),
 )
 
-_PRINTED = {"a": "1.11", "b": "0.31"}
-
-
-def _length_squared(a: Any, b: Any) -> Any:
-    """(L/W)² of the box with the shape (a, b)."""
-    return (1 + 2 * a - a * b) / (1 + a * b)
-
-
-def _height_squared(a: Any, b: Any) -> Any:
-    """(H/W)²."""
-    return (1 - 2 * b - a * b) / (1 + a * b)
-
+_PRINTED = inputs(a="1.11", b="0.31")
+_length_squared = (1 + 2 * a - a * b) / (1 + a * b)
+"""(L/W)² of the box with the shape (a, b)."""
+_height_squared = (1 - 2 * b - a * b) / (1 + a * b)
+"""(H/W)²."""
 
 box_of_a_shape = Claim(
     label="box_of_a_shape",
@@ -78,8 +71,8 @@ box_of_a_shape = Claim(
     "shape (a, b).",
     kind="statement",
     means=Tuple(
-        equal(_length_squared(a, b) - 1, a * (1 + _height_squared(a, b))),
-        equal(1 - _height_squared(a, b), b * (_length_squared(a, b) + 1)),
+        equal(_length_squared - 1, a * (1 + _height_squared)),
+        equal(1 - _height_squared, b * (_length_squared + 1)),
     ),
     given=(a > 0, b > 0),
     proof=formally(),
@@ -88,34 +81,34 @@ box_of_a_shape = Claim(
 book_length = number(
     "book_length",
     "The printed a and b need a book with L/W = 1.46.",
+    sqrt(_length_squared),
     "1.46",
-    lambda a, b, m: m.sqrt(_length_squared(a, b)),
     _PRINTED,
 )
 
 book_height = number(
     "book_height",
     "The printed a and b need a book with H/W = 0.16.",
+    sqrt(_height_squared),
     "0.16",
-    lambda a, b, m: m.sqrt(_height_squared(a, b)),
     _PRINTED,
 )
 
-_PROPORTIONS = {"length": "1.46", "height": "0.16"}
+_PROPORTIONS = (Rounds(length, "1.46"), Rounds(height, "0.16"), equal(width, 1))
 
 book_a = number(
     "book_a",
     "A book with L/W = 1.46 and H/W = 0.16 has a = 1.11.",
+    _a_of_box,
     "1.11",
-    lambda length, height, m: (length**2 - 1) / (1 + height**2),
     _PROPORTIONS,
 )
 
 book_b = number(
     "book_b",
     "A book with L/W = 1.46 and H/W = 0.16 has b = 0.31.",
+    _b_of_box,
     "0.31",
-    lambda length, height, m: (1 - height**2) / (length**2 + 1),
     _PROPORTIONS,
 )
 

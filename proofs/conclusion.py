@@ -7,12 +7,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
-from tresym.proofs.numbers_in_text import number
-from tresym.proofs.printed import exact_defect, formula_defect, share_of_pi
-from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.euler_angles import shape_and_depth
+from tresym.proofs.printed import inputs, number, share_of_pi
+from tresym.proofs.separatrix import flip_defect, leading_defect, one_flip_defect
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -23,7 +20,9 @@ _ordered = (B1 > 0, B2 > 0, B3 > 0, B2 - B3 > 0, B1 - B2 > 0)
 _moments = {I1: 1 / B1, I2: 1 / B2, I3: 1 / B3}
 _a, _b = (at(ratio, _moments) for ratio in printed.shape(I1, I2, I3))
 
-CONSTANTS = {"B1": "4.64", "B2": "1.001", "B3": "0.828"}
+CONSTANTS = inputs(B1="4.64", B2="1.001", B3="0.828")
+_ETHYLENE = (*CONSTANTS, *(equal(moment, value) for moment, value in _moments.items()))
+"""The constants as printed, and the moments, but for their common factor."""
 
 rotational_constants = Claim(
     says=Tuple(equal(_a, B1 / B2 - 1), equal(_b, 1 - B3 / B2)),
@@ -39,41 +38,31 @@ rotational_order = Claim(
 )
 
 
-def _of_constants(quantity: Callable[..., arb]) -> Callable[..., arb]:
-    """A function of the shape, as a function of the rotational constants."""
-    return lambda B1, B2, B3, m: quantity(B1 / B2 - 1, 1 - B3 / B2, m)
-
-
 ethylene_flip_exact = number(
     "ethylene_flip_exact",
     "By the exact equation ethylene flips by π(1 − 0.0870).",
+    share_of_pi(epsilon0),
     "0.0870",
-    _of_constants(share_of_pi(exact_defect)),
-    CONSTANTS,
-    rests_on=(rotational_constants, one_flip_defect),
+    _ETHYLENE,
+    *(shape_and_depth, rotational_constants, flip_defect, one_flip_defect),
 )
 
 ethylene_flip_formula = number(
     "ethylene_flip_formula",
     "By the asymptotic formula ethylene flips by π(1 − 0.0871).",
+    share_of_pi(epsilon_star),
     "0.0871",
-    _of_constants(share_of_pi(formula_defect)),
-    CONSTANTS,
-    rests_on=(rotational_constants,),
+    _ETHYLENE,
+    *(shape_and_depth, rotational_constants, leading_defect),
 )
-
-
-def _bare_exponential(a: Any, b: Any, m: Any) -> Any:
-    return m.exp(-m.pi * m.sqrt(a * b))
-
 
 ethylene_without_prefactor = number(
     "ethylene_without_prefactor",
     "The printed 0.0528 is (2/π) e^{−π√(ab)}: the formula without its prefactor.",
+    share_of_pi(exp(-pi * sqrt(a * b))),
     "0.0528",
-    _of_constants(share_of_pi(_bare_exponential)),
-    CONSTANTS,
-    rests_on=(rotational_constants,),
+    _ETHYLENE,
+    *(shape_and_depth, rotational_constants),
 )
 
 _AMENDED = (ethylene_flip_exact, ethylene_flip_formula, ethylene_without_prefactor)
@@ -81,34 +70,34 @@ _AMENDED = (ethylene_flip_exact, ethylene_flip_formula, ethylene_without_prefact
 ethylene_flip = number(
     "ethylene_flip",
     "Ethylene flips by π(1 − 0.0528) at γ = 0.",
+    share_of_pi(epsilon0),
     "0.0528",
-    _of_constants(share_of_pi(exact_defect)),
-    CONSTANTS,
+    _ETHYLENE,
+    *(shape_and_depth, rotational_constants, flip_defect, one_flip_defect),
     where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
-    rests_on=(rotational_constants, one_flip_defect),
     fault=Fault.MISPRINT,
 )
 
 ethylene_flip_by_formula = number(
     "ethylene_flip_by_formula",
     "By the asymptotic formula ethylene flips by π(1 − 0.0528) at γ = 0.",
+    share_of_pi(epsilon_star),
     "0.0528",
-    _of_constants(share_of_pi(formula_defect)),
-    CONSTANTS,
+    _ETHYLENE,
+    *(shape_and_depth, rotational_constants, leading_defect),
     where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
-    rests_on=(rotational_constants,),
     fault=Fault.MISPRINT,
 )
 
 ethylene_plane = number(
     "ethylene_plane",
     "1/B₃ and 1/B₁ + 1/B₂ differ by 0.6 %: the molecule is flat, as its constants say.",
+    (1 / B1 + 1 / B2) * B3 - 1,
     "0.006",
-    lambda B1, B2, B3, m: (1 / B1 + 1 / B2) * B3 - 1,
     CONSTANTS,
 )
 

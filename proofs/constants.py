@@ -17,13 +17,15 @@ from collections.abc import Callable
 from typing import Any
 
 from tresym.proofs.asymptotics import RESTS_ON, repaired
+from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import leading_below
+from tresym.proofs.separatrix import flip_defect
 
+from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
 from tresym.racket.compared.constants import CONSTANTS
-from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.near import charts
-from tresym.reals.numbers.arithmetic import balls
+from tresym.racket.notation import a, b, epsilon0
 from tresym.reals.numbers.exact import as_rational
 
 EXCESSES = (charts.first_excess, charts.second_excess)
@@ -104,29 +106,16 @@ repaired_from = _table(0)
 second_order_from = _table(1)
 
 
-def _leading_at_unit_b(t: Any, m: Any) -> Any:
-    """ε* of the shape b = 1, a = t²."""
-    return 2 * t / m.sqrt(1 + t * t) * m.exp(-t * (3 * m.pi / 2 - m.atan(t)))
-
-
-def _excess_as_a_vanishes(t: Any, m: Any) -> Any:
-    """ε₀/ε* − 1 of the shape b = 1, a = t²: tan ε₀ = t/(√(1 + t²) sinh tP), π ≤ P ≤ 3π/2."""
-    if not isinstance(m, Germs):
-        defect = defect_over(t**2, arb(1))
-    else:
-        phase = m.constant(balls.pi * arb("1.25", "0.25"))
-        defect = m.atan(t / (m.sqrt(1 + t * t) * m.sinh(t * phase)))
-    return defect / _leading_at_unit_b(t, m) - 1
-
+_star = 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(sqrt(b / (a + b)))))
+"""ε*."""
 
 no_single_constant = Claim(
     label="no_single_constant",
     says="One constant K serves all shapes: ε₀/ε* − 1 = O(ε*²) for a > 0, 0 < b ≤ 1.",
-    kind="order",
+    means=order(equal(epsilon0 / _star - 1, Function("O")(_star**2)), a),
+    given=shape,
     proof=Asymptotics(
-        Order("O", _excess_as_a_vanishes, lambda t, m: _leading_at_unit_b(t, m) ** 2),
-        "t = sqrt(a) -> 0 along b = 1",
-        RESTS_ON,
+        {a: t**2, b: Integer(1)}, beside=epsilon0 > Rational(1, 10), claims=(flip_defect,)
     ),
     expect=Verdict.REFUTED,
     amended_by=(repaired, *repaired_from),

@@ -17,6 +17,7 @@ from tresym.proofs.conditions import shape
 from tresym.proofs.printed import exact_defect
 from tresym.proofs.separatrix import one_flip_defect, stable_equation
 
+from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.near.samples import RACKET, in_chart
@@ -168,30 +169,23 @@ defect_of_a_product = Claim(
 
 # -- the flat function ----------------------------------------------------------------------------
 
+_ORIGIN = Tuple(u, lam, mu), Tuple(0, 0, 0), 0
+"""Where u, λ and μ tend to, from any side."""
+O, o = Function("O"), Function("o")  # noqa: E741
+_flat = printed.flat_function(x, sympy)
+
 flat_from_above = Claim(
-    label="flat_from_above",
     says="e^{−1/s} = o(s¹⁰) as s → 0 from above; with the value 0 for s ≤ 0 it is flat at 0.",
-    kind="order",
-    proof=Asymptotics(
-        Order("o", lambda s, m: m.exp(-1 / s), lambda s, m: s**10),
-        "s -> 0 from above",
-    ),
-    expect=Verdict.ENCLOSED,
+    means=order(equal(_flat, o(x**10)), x),
+    proof=Asymptotics(),
 )
 
 
-def _one(x: Any, m: Any) -> Any:
-    return x / x
-
-
 flat_function = Claim(
-    label="flat_function",
     says="e^{−1/s} with the value 0 at 0 is flat there: from below, too, it is O(s) as s → 0.",
-    kind="order",
-    proof=Asymptotics(
-        Order("O", printed.flat_function, lambda s, m: s, side=-1), "t = -s, s -> 0 from below"
-    ),
-    where=Place(line=358),
+    means=order(equal(_flat, O(x)), x, side=-1),
+    proof=Asymptotics(),
+    where=line(358),
     expect=Verdict.REFUTED,
     amended_by=(flat_from_above,),
     note="For s < 0 it is unbounded. The argument needs s ≥ 0 only.",
@@ -201,12 +195,9 @@ flat_function = Claim(
 smooth_at_origin = Claim(
     label="eps0_smooth",
     says="ε₀(u, λ, μ) is smooth at the origin: it is O(1) near it.",
-    kind="order",
-    proof=Asymptotics(
-        Order("O", lambda s, m: printed.defect_of_u(0 * s, s, 0 * s, m), _one, side=-1),
-        "t = -lambda, lambda -> 0 from below, u = mu = 0",
-    ),
-    where=Place(line=363),
+    means=order(equal(_by_u, O(Integer(1))), *_ORIGIN),
+    proof=Asymptotics({u: Integer(0), lam: -t, mu: Integer(0)}),
+    where=line(363),
     expect=Verdict.REFUTED,
     amended_by=(flat_from_above,),
     note="For λ < 0 it is unbounded; on λ ≥ 0 it is smooth, and so is G.",
@@ -230,14 +221,9 @@ _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
 defect_below_flat = Claim(says=2 * exp(-2 / lam) >= _by_u, given=_path, proof=manifest)
 
 slopes_vanish = Claim(
-    label="slopes_vanish",
     says="12 e^{−2/λ}/λ² = o(λ¹⁰) as λ → 0 from above.",
-    kind="order",
-    proof=Asymptotics(
-        Order("o", lambda t, m: 12 * m.exp(-2 / t) / t**2, lambda t, m: t**10),
-        "lambda -> 0 from above",
-    ),
-    expect=Verdict.ENCLOSED,
+    means=order(equal(12 * exp(-2 / lam) / lam**2, o(lam**10)), lam),
+    proof=Asymptotics(),
 )
 
 defect_is_flat = Claim(
@@ -309,27 +295,14 @@ def _at_origin(
     return found, Claim(label=label, says=says, proof=all_of(slope, found), **rest)
 
 
-def steep_path(defect: Any, m: Any) -> tuple[Any, Any]:
-    """(λ, μ) on the way to the origin, u = 0 and μ = 1/ε₀, at which ε₀ is ``defect``."""
-    small = 1 / defect
-    return -(m.pi + m.asin(small)) / m.log(defect / (2 * m.sqrt(1 - small * small))), small
-
-
-def slope_on_steep_path(defect: Any, m: Any) -> Any:
-    """∂G/∂λ = μ sin ε₀ ∂ε₀/∂λ/√(1 − μ² cos²ε₀) on the path, where sin ε₀ is 1 and cos ε₀ is 0."""
-    size, small = steep_path(defect, m)
-    return small * defect * (m.pi + m.asin(small)) / (size * size)
-
-
 G_is_smooth = Claim(
-    label="G_is_smooth",
     says="G is smooth at the origin: ∂G/∂λ is O(1) near it.",
-    kind="order",
-    proof=Asymptotics(
-        Order("O", slope_on_steep_path, _one, at=None),
-        "t = 1/epsilon0, epsilon0 = pi/2 + 2 pi n -> oo, u = 0, mu = t: lambda -> 0 from below",
+    means=order(
+        equal(Derivative(printed.implicit_function(u, lam, mu, sympy), lam), O(Integer(1))),
+        *_ORIGIN,
     ),
-    where=Place(line=367),
+    proof=Asymptotics({u: Integer(0), lam: -t, mu: t}),
+    where=line(367),
     expect=Verdict.REFUTED,
     amended_by=(defect_is_flat,),
     note="Not for λ < 0, where ε₀ is not small. On λ ≥ 0, which is all that the argument needs, it "

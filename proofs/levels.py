@@ -20,16 +20,18 @@ from functools import cache
 from typing import Any
 
 from tresym.proofs.conditions import shape
+from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.flip_dynamics import precession_integrand
 from tresym.proofs.numbers_in_text import (
     A,
     B,
     changing_sign,
     lower_exact,
-    number,
     upper_exact_value,
 )
+from tresym.proofs.printed import moments, number
 from tresym.proofs.rigid_bodies import realizable
+from tresym.proofs.turn_integral import one_rotating_level
 from tresym.proofs.turning import (
     beyond_right_angle,
     body_stays_below,
@@ -46,12 +48,10 @@ from tresym.proofs.turning import (
 )
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.angle import Angle
 from tresym.racket.flip.defect import defect_on
-from tresym.racket.flip.levels import level_of
 from tresym.racket.formulas import printed
 from tresym.racket.motion.orbit import exact_level
-from tresym.racket.motion.quadrature import rigorous, rigorous_turned
+from tresym.racket.motion.quadrature import rigorous_turned
 from tresym.racket.notation import *
 from tresym.reals.numbers.arithmetic import ball_precision
 
@@ -254,19 +254,13 @@ always_decreasing = Claim(
 )
 
 
-def _perfect_level(m: Any) -> arb:
-    """γ > 0 at which the standard racket has ε = 0."""
-    near = level_of(A, B, Angle(fmpq(0), fmpq(0)), 24)
-    return changing_sign(near, lambda gamma: rigorous(arb(0), arb(A), arb(B), gamma) - m.pi)
-
-
 perfect_level = number(
     "perfect_level",
     "The standard racket flips perfectly, ε = 0, at γ = 3.20·10⁻³.",
+    TheRoot(*one_rotating_level.statement.args),
     "3.20e-3",
-    _perfect_level,
-    {},
-    rests_on=(precession_integrand,),
+    (*moments("str"), equal(epsilon, 0)),
+    *(shape_and_depth, one_rotating_level, precession_integrand),
 )
 
 standard_is_a_body = Claim(

@@ -19,7 +19,13 @@ from tresym.proofs.implicit_function import (
     flat_from_above,
     small_together,
 )
-from tresym.proofs.orders import d56, exponential_decay, pavao, tangent, u_exponentially_small
+from tresym.proofs.orders import (
+    d56,
+    exponential_decay,
+    printed_speed,
+    tangent,
+    u_exponentially_small,
+)
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.slope import inverse_slope
 from tresym.proofs.turn_integral import (
@@ -42,15 +48,7 @@ arcsine_by_arctangent = Claim(
 )
 
 arctangent_below = Claim(
-    label="arctangent_below",
-    says="arctan r ≤ r for every r > 0.",
-    kind="order",
-    proof=Asymptotics(
-        Order("<=", lambda r, m: m.atan(r), lambda r, m: r, constant=fmpq(1), upto=None),
-        "r > 0",
-    ),
-    expect=Verdict.ENCLOSED,
-    note="So √(ab) arctan √(b/a) ≤ b ≤ 1.",
+    says=atan(r) <= r, given=(r > 0,), proof=manifest, note="So √(ab) arctan √(b/a) ≤ b ≤ 1."
 )
 
 arcsine_grows = Claim(
@@ -146,15 +144,12 @@ terms_dominant = Claim(
 )
 
 remainder_constant = Claim(
-    label="remainder_constant",
     says="With the printed slope the remainder is O(γ²): over γ² it tends to a constant.",
-    kind="order",
-    proof=pavao.proof,
-    where=Place(line=426),
-    expect=Verdict.REFUTED,
+    where=line(426),
     amended_by=(tangent,),
     note="With dε/dγ itself it does.",
     fault=Fault.THEOREM,
+    **printed_speed,
 )
 
 label_claims(globals())

@@ -53,22 +53,7 @@ decrease_in_a = Claim(
     note="The left side is −2aD d(log tan ε₀)/da with dT/da = (T − b·share)/(2aD).",
 )
 
-tangent_below = Claim(
-    label="tangent_below",
-    says="sinh T ≤ T cosh T for every T > 0.",
-    kind="order",
-    proof=Asymptotics(
-        Order(
-            "<=",
-            lambda t, m: m.sinh(t),
-            lambda t, m: t * m.cosh(t),
-            constant=fmpq(1),
-            upto=None,
-        ),
-        "T > 0",
-    ),
-    expect=Verdict.ENCLOSED,
-)
+tangent_below = Claim(says=sinh(T) <= T * cosh(T), given=(T > 0,), proof=manifest)
 
 increase_of_T = Claim(says=T / (2 * b) + _share / 2 > 0, given=(*shape, *later), proof=manifest)
 

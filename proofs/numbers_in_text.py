@@ -16,7 +16,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import acb
 from tresym.proofs.conditions import defect, shape, shape_of_a_body
 from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
@@ -25,63 +24,48 @@ from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import exponential_decay
 from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
-from tresym.proofs.printed import exact_defect, formula_defect, of_moments, share_of_pi
+from tresym.proofs.printed import exact_defect, formula_defect, inputs, moments, number, share_of_pi
 from tresym.proofs.regimes import three_regimes
-from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.separatrix import flip_defect, leading_defect, one_flip_defect
+from tresym.proofs.turn_integral import one_rotating_level
+from tresym.proofs.turning import one_turned_level
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.angle import Angle
-from tresym.racket.flip.levels import level_of
 from tresym.racket.formulas import printed
-from tresym.racket.motion.quadrature import rigorous, rigorous_turned
+from tresym.racket.motion.quadrature import rigorous_turned
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import Interval, as_rational
 
-STR = {"I1": "1210", "I2": "16380", "I3": "17480"}
+STR = moments("str")
 """The standard racket's moments as Table 1 prints them."""
-EXACT_STR = {name: fmpq(int(text)) for name, text in STR.items()}
 A, B = fmpq(1517, 121), fmpq(55, 874)
 """a and b of exactly these moments."""
 TWELFTH = fmpq(1, 12)
-
-
-def number(
-    label: str,
-    says: str,
-    text: str,
-    formula: Callable[..., arb],
-    inputs: dict[str, Any],
-    *,
-    expect: Verdict = Verdict.ENCLOSED,
-    half_units: int = 1,
-    rests_on: tuple[Claim, ...] = (),
-    **rest: Any,
-) -> Claim:
-    """A claim that says a printed number."""
-    shape = (shape_and_depth,) if "I1" in inputs else ()
-    proof = Printed(text, formula, inputs, half_units, (*shape, *rests_on))
-    return Claim(label=label, says=says, kind="number", proof=proof, expect=expect, **rest)
-
+EXACTLY = (shape_and_depth, flip_defect, one_flip_defect)
+"""What ε₀ is, by the moments."""
+BY_FORMULA = (shape_and_depth, leading_defect)
+"""What ε₀ is by the asymptotic formula, by the moments."""
 
 # -- ε₀ of the standard racket --------------------------------------------------------------------
 
 defect_formula = number(
     "eps0_str_formula",
     "By the asymptotic formula the standard racket has ε₀ = 0.1150.",
+    epsilon_star,
     "0.1150",
-    of_moments(formula_defect),
     STR,
+    *BY_FORMULA,
     where=line(252),
 )
 defect_exact = number(
     "eps0_str_exact",
     "By the exact equation the standard racket has ε₀ = 0.1150.",
+    epsilon0,
     "0.1150",
-    of_moments(exact_defect),
     STR,
+    *EXACTLY,
     where=line(252),
     note="The printed moments give 0.11494…; moments that round to them give 0.1150.",
-    rests_on=(one_flip_defect,),
 )
 d26 = Claim(
     says="ε₀ = 0.1150 rad, by the formula and by the exact equation.",
@@ -92,45 +76,39 @@ d26 = Claim(
 flip_str = number(
     "flip_str",
     "The standard racket flips by π(1 − 0.073).",
+    share_of_pi(epsilon0),
     "0.073",
-    lambda e, m: 2 * e / m.pi,
-    {"epsilon0": "0.1150"},
+    inputs(epsilon0="0.1150"),
     where=line(253),
 )
 flip_str_exact = number(
     "flip_str_exact",
     "By the exact equation the standard racket flips by π(1 − 0.073) on the separatrix.",
+    share_of_pi(epsilon0),
     "0.073",
-    of_moments(share_of_pi(exact_defect)),
     STR,
+    *EXACTLY,
     where=line(253),
-    rests_on=(one_flip_defect,),
 )
-
-
-def _difference(a: arb, b: arb, m: Any) -> arb:
-    return formula_defect(a, b, m) - exact_defect(a, b, m)
-
-
 accuracy = number(
     "accuracy",
     "For the standard racket the formula agrees with the exact equation to an accuracy of 10⁻³.",
+    epsilon_star - epsilon0,
     "0.000",
-    of_moments(_difference),
     STR,
+    *(*EXACTLY, leading_defect),
     half_units=2,
     where=line(253),
-    rests_on=(one_flip_defect,),
 )
 accuracy_relative = number(
     "accuracy_relative",
     "The same holds relative to ε₀.",
+    (epsilon_star - epsilon0) / epsilon0,
     "0.000",
-    of_moments(lambda a, b, m: _difference(a, b, m) / exact_defect(a, b, m)),
     STR,
+    *(*EXACTLY, leading_defect),
     half_units=2,
     where=line(253),
-    rests_on=(one_flip_defect,),
 )
 
 # -- the slope ------------------------------------------------------------------------------------
@@ -148,38 +126,34 @@ def exact_slope(a: arb, b: arb, m: Any) -> arb:
     return -m.sqrt(b) * sine * root / (1 - b * sine * sine) * turn
 
 
-def formula_slope(a: arb, b: arb, m: Any) -> arb:
-    """−1/(4 b ε₀) with ε₀ by the asymptotic formula."""
-    return printed.defect_slope_asymptotic(formula_defect(a, b, m), b)
-
+_slope = -printed.defect_per_turn(epsilon0, a, b, 1, sympy) * printed.turn_slope(
+    epsilon0, a, b, 1, sympy
+)
+"""dε/dγ at γ = 0, as `eq_depsdgamma_form` has it, in closed form."""
 
 slope_of_formula = number(
     "slope_str_formula",
     "By the asymptotic formulas the standard racket has dε/dγ = −34.5 at γ = 0.",
+    printed.defect_slope_asymptotic(epsilon_star, b),
     "-34.5",
-    of_moments(formula_slope),
     STR,
+    *BY_FORMULA,
     where=line(255),
 )
 slope_exact_value = number(
-    "slope_str_exact",
-    "The derivative itself is −35.6.",
-    "-35.6",
-    of_moments(exact_slope),
-    STR,
-    rests_on=(one_flip_defect,),
+    "slope_str_exact", "The derivative itself is −35.6.", _slope, "-35.6", STR, *EXACTLY
 )
 d27 = number(
     "d27",
     "For the standard racket dε/dγ = −34.5 at γ = 0.",
+    _slope,
     "-34.5",
-    of_moments(exact_slope),
     STR,
+    *EXACTLY,
     where=display(27),
     expect=Verdict.REFUTED,
     amended_by=(slope_exact_value, slope_of_formula),
     note="Read of ε(γ) itself; the number is that of −1/(4bε₀).",
-    rests_on=(one_flip_defect,),
     fault=Fault.ROUNDING,
 )
 
@@ -196,25 +170,6 @@ def linear_level(share: fmpq) -> Callable[..., arb]:
     return level
 
 
-def rotating_level(a: arb, b: arb, m: Any) -> arb:
-    """γ > 0 with ε(γ) = −π/12 for every shape in the balls, by one interval Newton step.
-
-    F(ε, γ) − π falls with γ, so it has at most one root, and it is in the interval if the step is.
-    """
-    start, target = -m.pi / 12, arb("0.01035")
-    around = arb("0.01035", "0.0001")
-
-    def falling(psi: acb, analytic: bool) -> acb:
-        square = psi.sin() ** 2
-        z = around + b * square
-        roots = (a + b * square).sqrt(analytic=analytic) * z.sqrt(analytic=analytic)
-        return -(1 - b * square) / (2 * roots * z)
-
-    slope = acb.integral(falling, start, m.pi / 2).real
-    image = target - (rigorous(start, a, b, target) - m.pi) / slope
-    return image if around.contains_interior(image) else arb.nan()
-
-
 NEAR = arb("1e-20")
 """How near to what is found its change of sign is looked for."""
 
@@ -225,62 +180,59 @@ def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
     return low.union(high) if excess(low) * excess(high) < 0 else arb.nan()
 
 
-def turned_level(m: Any) -> arb:
-    """γ < 0 at which the standard racket has turned, and passes π/2 half a turn after ψ = π/12."""
-    a, b = arb(A), arb(B)
+_UPPER = (*STR, equal(epsilon, -pi / 12))
+_LOWER = (*inputs(I1=1210, I2=16380, I3=17480), equal(epsilon, pi / 12))
 
-    def excess(gamma: arb) -> arb:
-        chi = m.pi - ((m.pi / 12).cos() / (1 + gamma / b).sqrt()).asin()
-        return rigorous_turned(chi, a, b, gamma) - m.pi
-
-    return changing_sign(level_of(A, B, Angle(TWELFTH, fmpq(0)), 24), excess)
-
+_level = 4 * b * epsilon_star * (epsilon_star - epsilon)
+"""γ at which the linear formula gives ε."""
 
 upper_linear = number(
     "upper_level_linear",
     "By the linear formula the standard racket reaches ε = −π/12 at γ = 1.09·10⁻².",
+    _level.xreplace({epsilon: -pi / 12}),
     "1.09e-2",
-    of_moments(linear_level(-TWELFTH)),
     STR,
+    *BY_FORMULA,
     where=line(262),
 )
 upper_exact_value = number(
     "upper_level_exact",
     "It does so at γ = 1.04·10⁻² in fact.",
+    TheRoot(*one_rotating_level.statement.args),
     "1.04e-2",
-    of_moments(rotating_level),
-    STR,
-    rests_on=(precession_integrand,),
+    _UPPER,
+    *(shape_and_depth, one_rotating_level, precession_integrand),
 )
 upper_exact = number(
     "upper_level",
     "For the standard racket ε = −π/12 at γ = 1.09·10⁻².",
+    TheRoot(*one_rotating_level.statement.args),
     "1.09e-2",
-    of_moments(rotating_level),
-    STR,
+    _UPPER,
+    *(shape_and_depth, one_rotating_level, precession_integrand),
     expect=Verdict.REFUTED,
     amended_by=(upper_exact_value, upper_linear),
     note="The number is that of the linear formula.",
-    rests_on=(precession_integrand,),
 )
 lower_linear = number(
     "lower_level_linear",
     "By the linear formula the standard racket reaches ε = π/12 at γ = −4.2·10⁻³.",
+    _level.xreplace({epsilon: pi / 12}),
     "-4.2e-3",
-    of_moments(linear_level(TWELFTH)),
     STR,
+    *BY_FORMULA,
     where=line(262),
 )
 lower_exact = number(
     "lower_level",
     "The standard racket has ε = π/12 at γ = −4.2·10⁻³ by a motion that starts backwards at "
     "ψ = π/12, turns, and passes π/2 after half a turn of the handle.",
+    TheRoot(*one_turned_level.statement.args),
     "-4.2e-3",
-    turned_level,
-    {},
+    _LOWER,
+    *(shape_and_depth, one_turned_level, precession_integrand),
     where=line(262),
     note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
-    rests_on=(precession_integrand,),
 )
 
 _square, _before = sin(psi) ** 2, Symbol("c", real=True)
@@ -334,9 +286,10 @@ d29 = Claim(
 lower_level_exists = number(
     "lower_level_exists",
     "At ψ = π/12 no motion has γ + b sin²ψ < 0: γ ≥ −b sin²(π/12) = −4.22·10⁻³.",
+    -b * sin(pi / 12) ** 2,
     "-4.22e-3",
-    of_moments(lambda a, b, m: -b * m.sin(m.pi / 12) ** 2),
-    STR,
+    moments("str", "I2", "I3"),
+    shape_and_depth,
 )
 threshold_impossible = Claim(
     label="threshold_impossible",
@@ -554,9 +507,10 @@ zero_on_separatrix = Claim(
 rate_at_the_top = number(
     "rate_at_the_top",
     "Half way on the separatrix the standard racket has dψ/dφ = 0.950.",
+    sqrt(b) * sqrt(a + b) / (1 - b),
     "0.950",
-    of_moments(lambda a, b, m: m.sqrt(b) * m.sqrt(a + b) / (1 - b)),
     STR,
+    shape_and_depth,
 )
 
 slow_on_separatrix = Claim(
@@ -604,9 +558,9 @@ def _same_product(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
 product_along_a_level = number(
     "product_along_a_level",
     "Along a level curve of ε₀ with ab ≥ 1/4, √(ab) varies by less than log(2.01/0.52)/π = 0.430.",
+    log(Rational(201, 52)) / pi,
     "0.430",
-    lambda low, high, m: m.log(high / low) / m.pi,
-    {"low": fmpq(52, 100), "high": fmpq(201, 100)},
+    (),
 )
 
 nearly_hyperbolic = Claim(
@@ -638,12 +592,12 @@ hyperbolic_levels = Claim(
 flip_of_no_flip = number(
     "flip_of_no_flip",
     "A body can have ε₀ = 1.2573, beyond π/12: a = 1, b = 1/100.",
+    epsilon0,
     "1.2573",
-    exact_defect,
-    {"a": fmpq(1), "b": fmpq(1, 100)},
+    inputs(a=1, b=Rational(1, 100)),
+    *(flip_defect, one_flip_defect),
     where=line(318),
     note="So the effect needs constraints on the moments, as the conclusion says.",
-    rests_on=(one_flip_defect,),
 )
 
 label_claims(globals())

@@ -144,20 +144,7 @@ hyperbolic_sine_grows = Claim(
 )
 
 hyperbolic_sine_at_most = Claim(
-    label="hyperbolic_sine_at_most",
-    says="sinh(3πk/2) ≤ 56 k for 0 < k ≤ 1.",
-    kind="order",
-    proof=Asymptotics(
-        Order(
-            "<=",
-            lambda k, m: m.sinh(3 * m.pi * k / 2),
-            lambda k, m: k,
-            constant=fmpq(56),
-            upto=fmpq(1),
-        ),
-        "k > 0",
-    ),
-    expect=Verdict.ENCLOSED,
+    says=sinh(3 * pi * k / 2) <= 56 * k, given=(k > 0, k <= 1), proof=manifest
 )
 
 angle_below_tangent = Claim(

@@ -37,7 +37,7 @@ from tresym.proofs.asymptotics import (
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
 from tresym.proofs.moments import fourth_moment
-from tresym.proofs.separatrix import one_flip_defect
+from tresym.proofs.separatrix import flip_defect, one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
 from tresym.ledger.vocabulary import *
@@ -68,6 +68,7 @@ WIDE = ((0, 4), (0, "1/4"))
 theorem_remainder = Claim(
     label="d24",
     says=printed_remainder.says,
+    means=printed_remainder.means,
     kind="order",
     given=shape,
     proof=printed_remainder.proof,
@@ -394,29 +395,30 @@ linear = Claim(
 )
 
 
-def _printed_slope(label: str, display: int) -> Claim:
-    def difference(t: Any, m: Any) -> Any:
-        p, q, defect, slope = _racket()
-        bend = arb(0, 1) * 2 * (p * q).sqrt() / (q**2 * defect)
-        first = (slope + 1 / (4 * q * defect)) * t
-        return first + (m.bounded(bend) if isinstance(m, Germs) else bend) * t**2
+_at_tangent = stable.turn_slope(epsilon0, a, b, sympy) / printed.integrand(
+    epsilon0, a, b, 0, 1, sympy
+)
+"""dε/dγ at γ = 0."""
 
+printed_speed: dict[str, Any] = {
+    "means": equal(_at_tangent, -1 / (4 * b * epsilon0)),
+    "given": shape,
+    "proof": formally(flip_defect),
+    "expect": Verdict.REFUTED,
+}
+"""A remainder O(γ²) beside the tangent would make the printed slope the slope."""
+
+
+def _printed_slope(label: str, number: int) -> Claim:
     return Claim(
         label=label,
         says=equal(epsilon, printed.linear_defect(epsilon0, b, gamma) + O(gamma**2)),
         kind="order",
-        given=(b > 0, epsilon0 > 0),
-        proof=Asymptotics(
-            Order("O", difference, lambda t, m: t**2, upto=fmpq(1, 2000)),
-            "t = gamma -> 0 from above, the standard racket",
-            (tangent,),
-            Meant(beside_tangent(), gamma**2),
-        ),
-        where=Place(display=display),
-        expect=Verdict.REFUTED,
+        where=display(number),
         amended_by=(tangent, slope_leading_term),
         fault=Fault.THEOREM,
         note="−1/(4bε₀) is only the leading term of dε/dγ as ab → ∞.",
+        **printed_speed,
     )
 
 
@@ -508,13 +510,11 @@ exponential_decay = boxed(
 remark_speed = Claim(
     label="remark1_speed",
     says="For fixed a and b, ε tends to ε₀ with γ at the speed −1/(4bε₀).",
-    kind="order",
-    proof=pavao.proof,
-    where=Place(line=243),
-    expect=Verdict.REFUTED,
+    where=line(243),
     amended_by=(tangent, slope_leading_term),
     note="It tends to ε₀; its speed is dε/dγ, whose leading term this is.",
     fault=Fault.THEOREM,
+    **printed_speed,
 )
 
 label_claims(globals())

@@ -5,7 +5,6 @@ The numbers are text: nothing here is rounded, converted or corrected.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from tresym.ledger.vocabulary import *
@@ -25,6 +24,42 @@ ROW_LINES = {"str": 302, "racket-1": 303, "racket-2": 304, "racket-3": 305, "boo
 """Line of the source on which each row stands."""
 
 
+MOMENTS = ("I1", "I2", "I3")
+"""Names of the first three columns."""
+
+
+def inputs(**printed: str | Rational | int) -> tuple[Basic, ...]:
+    """That symbols round to what is printed of them, or are exactly so."""
+    symbols = ((Symbol(name, real=True), is_) for name, is_ in printed.items())
+    return tuple(Rounds(x, is_) if isinstance(is_, str) else equal(x, is_) for x, is_ in symbols)
+
+
+def moments(row: str, *names: str) -> tuple[Basic, ...]:
+    """That the moments, all or those named, are as a row of Table 1 prints them."""
+    texts = dict(zip(MOMENTS, TABLE_1[row][:3], strict=True))
+    return inputs(**{name: str(texts[name]) for name in names or MOMENTS})
+
+
+def number(
+    label: str,
+    says: str,
+    formula: Expr,
+    text: str,
+    given: tuple[Basic, ...],
+    *claims: Claim,
+    half_units: int = 1,
+    **rest: Any,
+) -> Claim:
+    """A claim that says a printed number; the claims say what its symbols are."""
+    means = Rounds(formula, text, half_units)
+    return Claim(label=label, says=says, means=means, given=given, proof=Printed(claims), **rest)
+
+
+def share_of_pi(defect: Expr) -> Expr:
+    """The x of Δψ = π − 2ε₀ = π(1 − x)."""
+    return 2 * defect / pi
+
+
 def exact_defect(a: arb, b: arb, m: Any) -> arb:
     """ε₀ by the exact equation."""
     return defect_over(a, b, m)
@@ -33,13 +68,3 @@ def exact_defect(a: arb, b: arb, m: Any) -> arb:
 def formula_defect(a: arb, b: arb, m: Any) -> arb:
     """ε₀ by the asymptotic formula of the theorem."""
     return printed.asymptotic_defect(a, b, m)
-
-
-def share_of_pi(defect: Callable[..., arb]) -> Callable[..., arb]:
-    """The x of Δψ = π − 2ε₀ = π(1 − x)."""
-    return lambda a, b, m: 2 * defect(a, b, m) / m.pi
-
-
-def of_moments(quantity: Callable[..., arb]) -> Callable[..., arb]:
-    """A function of the shape, as a function of the moments; each occurs once in its ratio."""
-    return lambda I1, I2, I3, m: quantity(I2 / I1 - 1, 1 - I2 / I3, m)

@@ -42,15 +42,9 @@ product_below_one = Claim(
 )
 
 product_is_approached = Claim(
-    label="product_is_approached",
     says="For planar bodies, b = 1/(a + 2), the product ab = a/(a + 2) tends to 1 as a → ∞.",
-    kind="order",
-    proof=Asymptotics(
-        Order("~", lambda a, m: a / (a + 2), lambda a, m: a / a, at=None),
-        "a -> infinity, b = 1/(a+2)",
-        (realizable,),
-    ),
-    expect=Verdict.ENCLOSED,
+    means=order(equal(a / (a + 2), 1 + Function("o")(Integer(1))), a, oo),
+    proof=Asymptotics(),
     note="So no bound below 1 holds for every rigid body.",
 )
 

@@ -279,4 +279,22 @@ flip_defect = Claim(
     note="The flip defect ε₀ on the separatrix.",
 )
 
+vanishing_share = Claim(
+    says=equal(
+        _inverse - tanh(_time),
+        (1 / cosh(_time) ** 2 - (a + b) * sin(epsilon) ** 2 / (a + b * sin(epsilon) ** 2))
+        / (_inverse + tanh(_time)),
+    ),
+    given=(*shape, *defect),
+    proof=by(exponentials, roots, trigonometry),
+    note="The equation for the flip defect without its cancellation, where ε is small.",
+)
+
+leading_defect = Claim(
+    says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
+    given=shape,
+    proof=Definition(),
+    note="The formula of the theorem, without its remainder.",
+)
+
 label_claims(globals())

@@ -275,4 +275,23 @@ S_drops_out = Claim(
     where=line(417),
 )
 
+# -- the level at which a flip defect is reached --------------------------------------------------
+
+_level = Symbol("c", real=True)
+_on_level = printed.integrand(psi, a, b, _level, 1, sympy)
+_fall = (1 - b * sin(psi) ** 2) / (
+    2 * sqrt(a + b * sin(psi) ** 2) * sqrt(_level + b * sin(psi) ** 2) ** 3
+)
+"""−∂f/∂γ on the level."""
+
+one_rotating_level = Claim(
+    says="A flip defect, of either sign, belongs to one γ > 0 at most.",
+    means=AtMostOne(_level, 0, a, equal(pi, Integral(_on_level, (psi, epsilon, pi / 2)))),
+    given=(*shape, epsilon < pi / 2, 1 - b * sin(epsilon) ** 2 > 0),
+    proof=Monotone(
+        (step(Integral(_fall, (psi, epsilon, pi / 2)), differentiating_integral(-_fall)),)
+    ),
+    note="F falls as γ, here c, grows.",
+)
+
 label_claims(globals())

@@ -206,4 +206,48 @@ near_right_angle = Claim(
     note="ε(γ) lies between the turning points, and tends to π/2 as γ tends to −b.",
 )
 
+# -- the level at which a flip defect is reached after a turn --------------------------------------
+
+_start, _rest = sin(epsilon) ** 2, cos(epsilon) ** 2
+_above = c + b * _start
+"""How far the level is above the one that turns at ε."""
+_deep = _above + b * _rest
+_sines = b * (a - c) * _rest / (_deep * (a + b * _start))
+_cosines = (a + b) * _above / (_deep * (a + b * _start))
+_last = pi - asin(sqrt(_sines))
+"""χ at which the flip angle is ε, after the motion has turned; its squared sine and cosine."""
+_on_level, _there = _Unfolded(c, x), _Unfolded(c, _last)
+_moves = sqrt(_sines) * (a + b) / (2 * (a - c) * _deep * sqrt(_cosines))
+_Q = a + b * _sines - c * _cosines
+_R = a * b * _cosines - c * (b + a * _sines)
+_N = (1 - b) * (a - c) * _cosines + (a + b) * ((1 - b) + _deep) * _sines
+_fall_short = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0)
+
+above_the_bottom = Claim(
+    says=b + c > 0,
+    given=(*_fall_short, c > -b * _start),
+    proof=(step(_deep, trigonometry),),
+)
+
+one_turned_level = Claim(
+    says="A flip defect of a motion that has turned once belongs to one γ at most.",
+    means=AtMostOne(c, -b * _start, 0, equal(Integral(_on_level.rate, (x, 0, _last)), pi)),
+    given=_fall_short,
+    proof=Monotone(
+        (
+            step(
+                Integral(_on_level.growth, (x, 0, _last)) + _there.rate * _moves,
+                differentiating_integral(_on_level.growth, above_the_bottom),
+                *(citing(above_the_bottom), differentiation, roots, trigonometry, inverses),
+            ),
+            step(
+                Integral(_on_level.growth, (x, 0, _last)) + _N / (_Q * sqrt(_R)) * _moves,
+                *(citing(above_the_bottom), roots, trigonometry, inverses),
+            ),
+        ),
+        (above_the_bottom,),
+    ),
+    note="Φ rises with γ, here c, and so does χ.",
+)
+
 label_claims(globals())

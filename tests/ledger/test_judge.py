@@ -35,7 +35,6 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
-    Printed,
     UniqueRoot,
     all_of,
     at,
@@ -190,6 +189,13 @@ def test_equations_are_transformed_by_one_to_one_functions_only() -> None:
     steps = (step(squared, applying("square")),)
     assert verdict(claim(Equivalent(first, squared), steps)) is Verdict.REFUTED
     assert verdict(claim(Equivalent(first, squared), steps, (a > 0, b > 0))) is Verdict.PROVED
+    assert verdict(claim(Equivalent(first, squared), steps, (a > 0, b < 0))) is Verdict.REFUTED
+    assert verdict(claim(Equivalent(first, squared), steps, (a >= 0, b >= 0))) is Verdict.PROVED
+    for name, function in (("sqrt", sqrt), ("log", log)):
+        changed = equal(function(a), function(b))
+        steps = (step(changed, applying(name)),)
+        assert verdict(claim(Equivalent(first, changed), steps, (a > 0, b > 0))) is Verdict.PROVED
+        assert verdict(claim(Equivalent(first, changed), steps)) is Verdict.UNDECIDED
     cosines = equal(cos(a), cos(b))
     assert verdict(claim(Equivalent(first, cosines), (step(cosines, applying("cos")),))) is (
         Verdict.REFUTED
@@ -235,25 +241,24 @@ def test_unique_roots() -> None:
     assert root(x + tanh(x) - 1, 2 - tanh(x) ** 2, 0, 1) is Verdict.PROVED
 
 
+def test_a_root_needs_all_of_its_chains() -> None:
+    stated = ExactlyOne(x, Integer(0), Integer(1), equal(x**3 + x - 1, 0))
+    slope, low, high = by_hand = (
+        (step(3 * x**2 + 1, differentiation),),
+        (step(Integer(-1)),),
+        (step(Integer(1)),),
+    )
+    assert verdict(claim(stated, UniqueRoot(*by_hand))) is Verdict.PROVED
+    for chains in (((), low, high), (slope, (), high), (slope, low, by(algebra))):
+        assert verdict(claim(stated, UniqueRoot(*chains))) is Verdict.UNDECIDED
+    assert verdict(claim(stated, UniqueRoot(*by_hand), (x > 3, x < 2))) is Verdict.UNDECIDED
+
+
 def test_definitions_introduce_new_symbols_only() -> None:
     assert verdict(claim(equal(x, a + b), Definition())) is Premise.DEFINED
     assert verdict(claim(equal(x, a + b), Definition("so it is"))) is Premise.ASSUMED
     assert verdict(claim(equal(x, x + 1), Definition())) is Verdict.UNDECIDED
     assert verdict(claim("nothing", Definition())) is Verdict.UNDECIDED
-
-
-def number(text: str, formula: object, **inputs: str) -> Verdict:
-    return verdict(claim("a number", Printed(text, formula, inputs)))
-
-
-def test_printed_numbers_are_intervals() -> None:
-    assert number("0.33", lambda p, m: 1 / p, p="3") is Verdict.ENCLOSED
-    assert number("0.3", lambda p, m: p / 3, p="0.8") is Verdict.ENCLOSED
-    assert number("0.34", lambda p, m: p / 3, p="1.000") is Verdict.REFUTED
-    assert number("0.34", lambda p, m: p / 3, p="1.0") is Verdict.ENCLOSED
-    assert number("3.141592653589794", lambda m: m.pi) is Verdict.REFUTED
-    assert number("3.141592653589793", lambda m: m.pi) is Verdict.ENCLOSED
-    assert number("0.5", lambda p, m: m.sqrt(p), p="-1.0") is Verdict.UNDECIDED
 
 
 def test_conjunctions_are_as_strong_as_their_weakest_part() -> None:

@@ -25,13 +25,22 @@ from tresym.coq.statement import (
     Theorem,
     Wherever,
 )
-from tresym.ledger.claim import AllOf, Claim, Counterexample, Definition, ImplicitFunction, Root
+from tresym.ledger.claim import (
+    AllOf,
+    Claim,
+    Counterexample,
+    Definition,
+    ImplicitFunction,
+    Printed,
+    Root,
+)
 from tresym.ledger.evidence.denial import denied_at
 from tresym.ledger.meaning import conditions
+from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as door
-from tresym.reals.language.expression import ZERO, symbols
+from tresym.reals.language.expression import ZERO, Expr, number, symbols
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
 
 
@@ -85,6 +94,9 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
         says = read(statement)
         if isinstance(proof, Definition):
             return existence(claim, says)
+        if isinstance(proof, Printed):
+            refuted = claim.expect is Verdict.REFUTED
+            return theorem(claim, denied(says) if refuted else says, exists=not refuted)
         if claim.expect is Verdict.REFUTED:
             above: tuple[Basic, ...] = ()
             if isinstance(proof, Counterexample):
@@ -127,7 +139,20 @@ def read(says: Basic) -> Formula:
         x, low, high = map(door.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
         return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
+    if isinstance(says, Rounds):
+        return _rounded(door.unworked(says.term), says)
     return door.formula(says)
+
+
+def _rounded(e: Expr, says: Rounds) -> Formula:
+    """That a term is what is printed, to within half a unit of its last place or as many."""
+    interval = printed(says.text)
+    middle, half = (interval.low + interval.high) / 2, (interval.high - interval.low) / 2
+    half *= says.half_units
+    if e.op == "symbol":
+        low, high = number(middle - half), number(middle + half)
+        return Conjunction((Relation(e, ">=", low), Relation(e, "<=", high)))
+    return Relation(abs(e - number(middle)), "<=", number(half))
 
 
 def denied(says: Formula) -> Formula:
@@ -190,6 +215,9 @@ def theorem(
     put_in = tuple(
         (tuple(c for c in asked if c not in given), meaning) for asked, meaning in meanings
     )
+    if exists:  # there the conditions of the definitions hold, too
+        given = tuple(dict.fromkeys((*given, *(c for asked, _ in put_in for c in asked))))
+        put_in = tuple(((), meaning) for _, meaning in put_in)
     return Theorem(
         name_of(claim.label), tuple(sorted(names)), put_in, given, tuple(parts), says, exists
     )

@@ -34,6 +34,7 @@ from tresym.ledger.meaning import stage, tree
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import (
+    ONE,
     ZERO,
     Expr,
     apply,
@@ -454,12 +455,11 @@ def at_point(claim: Claim, whole: Theorem) -> Iterator[Plan]:
     point = witness(claim)
     if point is None:
         return
-    values: dict[str, str] = {name: f"({term(number(x))})" for name, x in point.items()}
+    values = {symbol(name): number(x) for name, x in point.items()}
     for _, meaning in whole.definitions:
         if meaning.left.op == "symbol" and elementary(meaning.right):
-            put = {symbol(n): number(x) for n, x in point.items()}
-            values.setdefault(meaning.left.args[0], f"({term(exchanged(meaning.right, put))})")
-    texts = [values.get(name, "1") for name in whole.variables]
+            values.setdefault(meaning.left, exchanged(meaning.right, values))
+    texts = [f"({term(values.get(symbol(name), ONE))})" for name in whole.variables]
     there = f"exists {', '.join(texts)}. " if texts else ""
     for first in ("", "laws; unfold root, acosh, atanh in *; "):
         yield Plan((), f"{there}repeat split; {first}numeric.")

@@ -11,13 +11,13 @@ the last must arrive at its right side. A step may use only the reasons it names
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any, ClassVar
 
-from flint import arb, fmpq
+from flint import fmpq
 from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
@@ -193,6 +193,16 @@ class UniqueRoot:
 
 
 @dataclass(frozen=True)
+class Monotone:
+    """The statement is that an equation has one root at most: left side less right side rises."""
+
+    slope: Chain
+    """A chain from the derivative of the difference to a form that is manifestly positive."""
+    bounds: tuple[Claim, ...] = ()
+    """Proved inequalities that hold on the intervals of integration in the equation."""
+
+
+@dataclass(frozen=True)
 class ImplicitFunction:
     """The claim says what the slope of a function is that an earlier equation defines implicitly.
 
@@ -214,19 +224,13 @@ class ImplicitFunction:
 
 @dataclass(frozen=True)
 class Printed:
-    """A number as the paper prints it, from inputs as it prints them.
+    """The statement is a number as the paper prints it, under its inputs as they are printed.
 
-    ``formula`` maps balls (in the order of ``inputs``) and the arithmetic to a ball. Inputs are
-    printed decimals, hence intervals of half a unit in the last place; exact ones are rationals.
+    It is a `Rounds`; so are the conditions on the inputs, or equations for what is exact. The
+    claims say what the other symbols are, and which roots are one.
     """
 
-    text: str
-    formula: Callable[..., arb]
-    inputs: Mapping[str, str | fmpq] = field(default_factory=dict)
-    half_units: int = 1
-    """Half-width of the printed value in half units of its last place."""
     claims: tuple[Claim, ...] = ()
-    """What the formula rests on: that what it solves for exists and is one."""
     kind: ClassVar[str] = "number"
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
@@ -277,6 +281,7 @@ Evidence = (
     | Root
     | Together
     | UniqueRoot
+    | Monotone
     | ImplicitFunction
     | Printed
     | AllOf
@@ -396,6 +401,12 @@ def label_claims(names: Mapping[str, Any]) -> None:
             object.__setattr__(value, "label", name)
 
 
+def saying(claim: Claim, changed: Basic) -> Claim:
+    """The claim with another statement."""
+    meant = isinstance(claim.says, str) or claim.means is not None
+    return replace(claim, means=changed) if meant else replace(claim, says=changed)
+
+
 def _kind(says: Basic | str, proof: Evidence) -> str:
     """What kind of claim it is: by its evidence, where that is for one kind, else by its form."""
     if isinstance(says, str | Statement):
@@ -440,7 +451,7 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
             return chains
         case UniqueRoot():
             return proof.derivative, proof.at_low, proof.at_high
-        case ImplicitFunction():
+        case ImplicitFunction() | Monotone():
             return (proof.slope,)
         case tuple():
             return (proof,)
@@ -469,7 +480,9 @@ def asked_by(claim: Claim) -> dict[str, tuple[Basic, ...]]:
 def _named(proof: Evidence) -> Iterator[Claim]:
     """Every claim that a piece of evidence names."""
     if isinstance(proof, ImplicitFunction):
-        yield from (proof.equation, *proof.bounds)
+        yield proof.equation
+    if isinstance(proof, ImplicitFunction | Monotone):
+        yield from proof.bounds
     for chain in _chains(proof):
         for link in chain:
             for reason in link.reasons:

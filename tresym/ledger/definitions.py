@@ -33,7 +33,7 @@ from tresym.ledger.meaning import (
     tree,
 )
 from tresym.ledger.second_look import satisfiable, scalars
-from tresym.ledger.statements import ExactlyOne
+from tresym.ledger.statements import Binding, ExactlyOne
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
 from tresym.reals.numbers.exact import InputError
@@ -169,14 +169,13 @@ def captured(claim: Claim) -> str | None:
     entries, written = table((*claim.rests_on, claim)), [*expressions(claim)]
     bound: set[str] = set()
     for e in written:
-        binders = e.atoms(Integral, Derivative, Subs)
+        binders = e.atoms(Integral, Derivative, Subs, Binding)
         bound |= {v.name for node in binders for v in node.variables}
-        bound |= {root.variable.name for root in e.atoms(ExactlyOne)}
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return f"{entry.symbol} is defined by {entry.claim.label}, and bound here"
     behind = _behind(entries)
-    roots = [root for e in written for root in e.atoms(ExactlyOne)]
+    roots = [root for e in written for root in e.atoms(Binding)]
     for root in roots:
         for symbol in sorted(root.free_symbols, key=str):
             if root.variable.name in behind.get(symbol.name, ()):

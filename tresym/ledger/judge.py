@@ -23,6 +23,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Monotone,
     Printed,
     Root,
     Together,
@@ -38,7 +39,8 @@ from tresym.ledger.definitions import (
     restrictions,
     table,
 )
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.asymptotics import Asymptotics, judge_asymptotics
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, judge_counterexample
@@ -67,19 +69,19 @@ from tresym.ledger.second_look import (
     scalars,
     violation,
 )
-from tresym.ledger.statements import ExactlyOne, ForSome
+from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.advocate import STOPPED
 from tresym.reals.balls.boxes import CertificateError
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import derivative, elementary, generalised
-from tresym.reals.language.expression import Expr, substitute, symbols
+from tresym.reals.language.expression import ZERO, Expr, differentiate, substitute, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-NEVER_ATTACKED = (Definition, Root, ImplicitFunction, AllOf, UniqueRoot)
+NEVER_ATTACKED = (*(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics),)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -176,7 +178,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         case Definition() | Root():
             return judge_definition(claim, claim.proof)
         case Printed():
-            return judge_printed(claim.proof)
+            return judge_printed(claim)
         case AllOf(claims):
             return _judge_all(claims, found)
         case Formally():
@@ -185,11 +187,15 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return judge_counterexample(claim, claim.proof)
         case UniqueRoot():
             return _judge_unique_root(claim, claim.proof)
+        case Monotone():
+            return _judge_at_most_one(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
         case Together() | tuple() if claim.statement is not None:
             return _judge_chains(claim, chains_of(claim.statement, claim.proof))
-        case Boxes() | Asymptotics() | Denied():
+        case Asymptotics():
+            return judge_asymptotics(claim, claim.proof)
+        case Boxes() | Denied():
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")
@@ -321,6 +327,33 @@ def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -
         return Finding(UNDECIDED, why, steps=steps)
     why = "opposite signs at the ends, derivative of one sign"
     return Finding(PROVED, why, steps=steps)
+
+
+def _judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
+    """PROVED where the left side less the right one is smooth, and rises, between the ends."""
+    says = claim.statement
+    if not isinstance(says, AtMostOne) or says.difference is None:
+        return Finding(UNDECIDED, "the evidence is for an equation with one root at most")
+    if says.variable in says.low.free_symbols | says.high.free_symbols:
+        return Finding(UNDECIDED, f"{says.variable} is bound, and the ends depend on it")
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    v, low, high, difference = map(tree, (*says.args[:3], says.difference))
+    name = says.variable.name
+    if any(name in defined(used) for used in claim.uses):
+        return Finding(UNDECIDED, f"{name} is bound, and is defined in what is used")
+    given = without(name, conditions(claim.given))
+    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
+    try:
+        need_smooth(difference, proof.bounds, inside)
+    except NotShownError as error:
+        return Finding(UNDECIDED, str(error))
+    rising = Relation(differentiate(difference, name), ">", ZERO)
+    steps = check_chain(rising, proof.slope, inside)
+    failed = next((s for s in steps if s.verdict is not PROVED), None)
+    if not steps or failed is not None:
+        return Finding(UNDECIDED, failed.why if failed else "nothing is shown", steps=steps)
+    return Finding(PROVED, "the difference of the sides rises throughout", steps=steps)
 
 
 def without(name: str, given: Conditions) -> Conditions:

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from sympy import Basic, Eq, Expr, Integer, Symbol, Tuple, sympify
+from sympy.core.symbol import Str
 
 
 class Statement(Basic):
@@ -21,11 +22,15 @@ class Statement(Basic):
         return made
 
 
-class ExactlyOne(Statement):
-    """``ExactlyOne(x, low, high, φ)``: one x between the ends, and no other, is such that φ.
+class Binding:
+    """``(x, low, high, φ)``: the name x is bound in φ, and only there; the ends do not count."""
 
-    The ends do not count. The name x is bound in φ, and only there.
-    """
+    args: tuple[Any, ...]
+
+    @property
+    def variables(self) -> tuple[Symbol]:
+        """The name that is bound."""
+        return (self.args[0],)
 
     @property
     def free_symbols(self) -> set[Basic]:
@@ -55,6 +60,56 @@ class ExactlyOne(Statement):
         return inner.lhs - inner.rhs if isinstance(inner, Eq) else None
 
 
+class ExactlyOne(Binding, Statement):
+    """``ExactlyOne(x, low, high, φ)``: one x between the ends, and no other, is such that φ."""
+
+
+class AtMostOne(Binding, Statement):
+    """``AtMostOne(x, low, high, φ)``: no two x between the ends are such that φ."""
+
+
+class TheRoot(Binding, Expr):
+    """``TheRoot(x, low, high, φ)``, a number: the x of which φ, an equation, is true, where there
+    is one and no other. To have it takes a claim that there is one at most."""
+
+    is_commutative = True
+    is_real = True
+
+    def __new__(cls, *args: Any) -> TheRoot:
+        """As written."""
+        made: TheRoot = Expr.__new__(cls, *map(sympify, args))
+        return made
+
+
+class Rounds(Statement):
+    """``Rounds(e, "0.1150")``: e lies within half a unit of the last place that is printed.
+
+    As a condition on a symbol it is an input as it is printed. What is stated under such conditions
+    is that some inputs that round to those printed give what rounds to what is printed.
+    """
+
+    def __new__(cls, term: Any, text: Any, half_units: Any = 1) -> Rounds:
+        """The text as it is printed, digits and all."""
+        text = text if isinstance(text, Str) else Str(text)
+        made: Rounds = Basic.__new__(cls, sympify(term), text, sympify(half_units))
+        return made
+
+    @property
+    def term(self) -> Expr:
+        """What is printed a number for."""
+        return self.args[0]
+
+    @property
+    def text(self) -> str:
+        """The number as it is printed."""
+        return str(self.args[1])
+
+    @property
+    def half_units(self) -> int:
+        """Half the width of what is meant, in half units of the last place."""
+        return int(self.args[2])
+
+
 class Under(Statement):
     """``Under(φ, (condition, …))``: φ wherever the conditions hold; a part of a conjunction."""
 
@@ -64,14 +119,18 @@ class ForSome(Statement):
 
 
 class As(Statement):
-    """``As(φ, x, p, side)``: the order φ as x tends to p: from above (1), below (−1), or both (0).
+    """``As(φ, e, p, side)``: the order φ as e tends to p: from above (1), below (−1), or both (0).
 
-    φ is an equation that ends in O(…) or o(…); what else is free in it is held.
+    φ is an equation with one O(…) or o(…); it holds uniformly in what else is free under the
+    conditions of the claim.
     """
 
 
-def order(relation: Basic, x: Symbol, point: Any = 0, side: int = 1) -> As:
-    """``relation``, an equation that ends in O(…) or o(…), as ``x`` tends to ``point``."""
+def order(relation: Basic, x: Basic, point: Any = 0, side: int = 1) -> As:
+    """``relation``, an equation with one O(…) or o(…), as ``x`` tends to ``point``.
+
+    Several things may tend at once: then both are tuples. Infinity is reached from below.
+    """
     return As(relation, x, point, Integer(side))
 
 

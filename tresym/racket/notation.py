@@ -12,7 +12,8 @@ from sympy import Symbol
 __all__ = [
     "I1", "I2", "I3", "M1", "M2", "M3", "S2", "W1", "W2", "W3", "Delta_phi", "Delta_psi", "E",
     "F", "M", "S", "T", "a", "b", "dM1_dt", "dM2_dt", "dM3_dt", "depsilon_dgamma", "dphi_dt",
-    "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon", "epsilon0", "gamma", "k",
+    "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon", "epsilon0", "epsilon_star",
+    "gamma", "k",
     "lam", "mu", "partialF_partialgamma", "partialepsilon_partialF",
     "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f", "psi_max", "psi_min", "r",
     "theta", "theta_max", "theta_min", "u", "x", "x0",
@@ -45,8 +46,8 @@ psi_min, psi_max = _real("psi_min"), _real("psi_max")
 """Bounds of the tilt and of the flip on one trajectory."""
 gamma = _real("gamma")
 """Distance from the separatrix: γ = 2 I₂ E/M² − 1."""
-epsilon, epsilon0 = _real("epsilon"), _real("epsilon0")
-"""Flip defect, and the flip defect on the separatrix."""
+epsilon, epsilon0, epsilon_star = _real("epsilon"), _real("epsilon0"), _real("epsilon_star")
+"""Flip defect, the flip defect on the separatrix, and what the theorem's formula gives for it."""
 depsilon_dgamma, partialepsilon_partialgamma = (
     _real("depsilon_dgamma"),
     _real("partialepsilon_partialgamma"),
@@ -84,6 +85,7 @@ LATEX = {
     partialepsilon_partialF: r"\frac{\partial\epsilon}{\partial F}",
     partialF_partialgamma: r"\frac{\partial F}{\partial\gamma}",
     epsilon0: r"\epsilon_0",
+    epsilon_star: r"\epsilon_*",
     psi_f: r"\psi_f",
     Delta_psi: r"\Delta\psi",
     Delta_phi: r"\Delta\phi",

@@ -7,7 +7,6 @@ from io import StringIO
 from pathlib import Path
 
 import pytest
-from flint import fmpq
 from rich.console import Console
 from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, cos, sin, sqrt
 
@@ -27,6 +26,7 @@ from tresym.ledger.audit import (
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
 from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal, formally
 from tresym.ledger.paper import all_claims
+from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author
 from tresym.reals.numbers.exact import InputError
@@ -51,6 +51,11 @@ def claim(label: str, display: int, *says: object, given: tuple = ()) -> Claim:
     return Claim(label, whole, Definition(), given=given, where=Place(display=display))
 
 
+def printed_number(label: str, term: Symbol, text: str) -> Claim:
+    means = Rounds(term, text)
+    return Claim(label, str(term), Printed(), where=Place(display=8), means=means)
+
+
 def claims() -> tuple[Claim, ...]:
     """What a careful author would claim of the synthetic paper."""
     modulus = claim("modulus", 3, equal(k, sqrt((h + w**2) / (2 * w**2))))
@@ -70,8 +75,8 @@ def claims() -> tuple[Claim, ...]:
             given=(q0 > 0, h > 0),
         ),
         claim("small", 7, equal(T, 6)),
-        Claim("period_printed", "T", Printed("6.28", max, {"w": fmpq(1)}), where=Place(display=8)),
-        Claim("w_printed", "w", Printed("1.5e-1", max, {}), where=Place(display=8)),
+        printed_number("period_printed", T, "6.28"),
+        printed_number("w_printed", w, "1.5e-1"),
         claim("slope", 9, equal(Subs(Derivative(w**2 * sin(q), q), q, 0), w**2), given=(w > 0,)),
         Claim("th_period", "", all_of()),
         Claim("remark", "", all_of(), where=Place(line=41)),
@@ -241,7 +246,7 @@ def test_a_slip_of_transcription_is_caught(label: str, says: object) -> None:
 
 def test_a_printed_number_with_another_digit_is_caught() -> None:
     def slipped(c: Claim) -> Claim:
-        return replace(c, proof=Printed("6.280", max, {})) if c.label == "period_printed" else c
+        return replace(c, means=Rounds(T, "6.280")) if c.label == "period_printed" else c
 
     result = audit(PENDULUM, map(slipped, claims()), index_of())
     assert bad(result) == {"d08": Transcription.DIFFERS}

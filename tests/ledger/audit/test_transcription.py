@@ -9,6 +9,7 @@ from sympy import Basic, Eq, Equivalent, Matrix, Symbol, Tuple, cos, sin, sqrt
 
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.ledger.claim import Claim, Definition, Printed, all_of, equal, formally
+from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author, Function
 from tresym.reals.language.parsing import parse
@@ -76,7 +77,7 @@ def test_a_condition_above_a_column_is_one_of_the_claim() -> None:
 
 
 def test_sentences_numbers_and_conjunctions() -> None:
-    number = claim("a number", Printed("1.25", lambda m: m.pi))
+    number = replace(claim("a number", Printed()), means=Rounds(y, "1.25"))
     assert left_over("y = 1.25", number) == []
     assert left_over("y = 1.26", number) == ["y == 1.26"]
     sentence = replace(claim("in words", formally()), means=equal(y, x))

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import pytest
 from flint import arb, fmpq
 
-from tresym.ledger.evidence.balls import Asymptotics, Boxes, finding_anew, searching_anew
+from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
 from tresym.reals.balls.boxes import Bound, BoxProof, CertificateError, box
-from tresym.reals.balls.order import Order
 from tresym.reals.verdict import Verdict
 
 ENCLOSED, REFUTED, UNDECIDED = Verdict.ENCLOSED, Verdict.REFUTED, Verdict.UNDECIDED
@@ -72,21 +70,3 @@ def test_searching_anew_looks_at_no_stored_proof() -> None:
 
 def sine(x: Any, m: Any) -> Any:
     return m.sin(x) - x
-
-
-@pytest.mark.parametrize(
-    ("kind", "gauge", "verdict"),
-    [
-        ("O", lambda x, m: x**3, ENCLOSED),
-        ("O", lambda x, m: x**4, REFUTED),
-        ("o", lambda x, m: x**2, ENCLOSED),
-        ("o", lambda x, m: x**3, REFUTED),
-        ("~", lambda x, m: -(x**3) / 6, ENCLOSED),
-        ("~", lambda x, m: x**3 / 6, REFUTED),
-    ],
-)
-def test_orders(kind: str, gauge: Callable[[Any, Any], Any], verdict: Verdict) -> None:
-    found = Asymptotics(Order(kind, sine, gauge), "x to 0").judge()
-    assert found.verdict is verdict
-    assert found.parameter == "x to 0"
-    assert (found.region is not None) is (verdict is ENCLOSED)

@@ -6,7 +6,7 @@ import pytest
 from flint import arb, fmpq
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.reals.balls.boxes import Bound, box, decide_bound
@@ -390,17 +390,17 @@ def test_orders_of_other_scenes_are_claims_like_any_other():
         return judge(Claim(label, says, proof, kind="order"), no_claims).verdict
 
     stirling = Order("<=", stirling_step, lambda x, m: x - x / (1 + x), constant=fmpq(1, 12))
-    assert judged("stirling", "r(n) ≤ 1/(12n)", Asymptotics(stirling, "1/n -> 0")) is ENCLOSED
+    assert judge_order(stirling).verdict is ENCLOSED
     sharper = replace(stirling, constant=fmpq(83, 1000))
-    assert judged("stirling", "r(n) ≤ 0.083/n", Asymptotics(sharper, "1/n -> 0")) is REFUTED
+    assert judge_order(sharper).verdict is REFUTED
 
     def gauge(x, m):
         return -(x * x) * m.log(x)
 
     period = Order("O", pendulum_correction, gauge, upto=fmpq(1, 4))
-    assert judged("pendulum", "K = log(4/k')", Asymptotics(period, "k' -> 0")) is ENCLOSED
+    assert judge_order(period).verdict is ENCLOSED
     square = replace(period, gauge=power(2))
-    assert judged("pendulum", "K = log(4/k')", Asymptotics(square, "k' -> 0")) is REFUTED
+    assert judge_order(square).verdict is REFUTED
 
     for constant, expected in ((fmpq(2, 3), ENCLOSED), (fmpq(3, 10), REFUTED)):
         region = box((0, "1/5"), (0, "6284/1000"))

@@ -224,3 +224,14 @@ def test_split_by_powers_of_one_generator(position: int) -> None:
     parts = ring.split(p, position)
     assert all(position not in ring.used(part) for part in parts.values())
     assert sum((part * g[position] ** k for k, part in parts.items()), ring.zero_poly) == p
+
+
+def test_what_is_no_number_is_none() -> None:
+    ring, names = made()
+    x = ring.fraction(names["x"])
+    assert ring.rational(ring.fraction(fmpq(3, 4))) == fmpq(3, 4)
+    assert ring.rational(ring.zero) == 0
+    assert ring.rational(x) is None
+    assert ring.rational(3 / x) is None
+    with pytest.raises(UndefinedError):
+        ring.zero.inverse()

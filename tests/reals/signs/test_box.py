@@ -30,6 +30,8 @@ ABOVE = Interval(fmpq(0))
         (-(X**2) + X * Y - Y**2, [REALS, REALS], "<=0"),
         (X - 1, [Interval(fmpq(1), fmpq(1)), REALS], "0"),
         (X - X, [REALS, REALS], "0"),
+        (Y * X**2 + Y, [REALS, REALS], None),
+        (X**2 + Y * X + Y**2 - 1, [REALS, REALS], None),
     ],
 )
 def test_signs(p: object, spans: list[Interval], found: str | None) -> None:

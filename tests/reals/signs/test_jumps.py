@@ -234,3 +234,10 @@ def test_a_polynomial_that_is_zero_where_its_range_is_a_point_has_no_sign() -> N
     angle = "atan2(x*abs(y), y+1)*sign(x**2-1)*sign(-x)"
     other = "sign(x*abs(y))*(pi/2-atan((y+1)/abs(x*abs(y))))*sign(x**2-1)*sign(-x)"
     assert tresym.check(f"atan({angle}) <= atan({other})", given="y <= 0, x < 0") is not None
+
+
+@pytest.mark.parametrize("right", ["sign(x)**2", "sign(y)**2"])
+def test_each_zero_of_a_product_is_a_jump(right: str) -> None:
+    """Both sides are 0 where the one is zero, and not where the other is alone."""
+    assert decide(parse("sign(x*y)**2"), parse(right)).verdict is not PROVED
+    assert decide(parse("sign(x*y)"), parse("sign(x)*sign(y)")).verdict is PROVED

@@ -51,6 +51,10 @@ SIGNS = [
     ("log(1 + x**2)", "", ">=0"),
     ("2 - acos(x)/2", "", "+"),
     ("tan(x)", "0 < x, x < pi/2", "+"),
+    ("acos(x)", "x < 1", "+"),
+    ("acos(x)", "x <= 1", ">=0"),
+    ("acosh(x)", "x > 1", "+"),
+    ("acosh(x)", "x >= 1", ">=0"),
 ]
 
 
@@ -100,7 +104,27 @@ FALSE = {
     "tan(x) > 0 given 0 < x, x < 2": "x = 19/10",
     "sign(x)**2 > 0 given x >= 0, x <= 0": "x = 0",
     "x/y > 0 given x > 0, y != 0": "x = 1, y = -1",
+    "x/y >= 0 given x > 0, y != 0": "x = 1, y = -1",
     "atan2(y, x) > 0 given y >= 0": "x = 1, y = 0",
+    "-atan2(y, x) >= 0 given y <= 0": "x = -1, y = 0",
+    "sec(x) > 0 given sin(x) > 0": "x = 3*pi/4",
+    "csc(x) > 0 given cos(x) > 0": "x = -pi/4",
+    "-x**(-2) > 0 given x < 0": "x = -1",
+    "1/sqrt(x) - 1 > 0 given x > 1": "x = 4",
+    "x + y + sin(z)**2 > 0 given x + y >= 0": "x = 0, y = 0, z = 0",
+    "x**(1/3) - 2 > 0 given x > 4": "x = 5",
+    "1 + sin(x)**2 + 5*sin(x)**3 > 0": "x = -pi/2",
+    "1 + sin(x)**2 - 3*sin(x)**4 > 0": "x = pi/2",
+    "sqrt(x/y)**2 - 1 > 0 given x > y, x < 0, y < 0": "x = -1, y = -2",
+    "x**2 - 2*x*y + y**2 > 0": "x = 0, y = 0",
+    "exp(x) - exp(y) - 1 > 0 given x > y": "x = 1/10, y = 0",
+    "sin(x)**2 - sin(y)**2 > 0 given x > y, x < 1, y > -1": "x = 0, y = -1/2",
+    "pi - 3*atan(x) > 0": "x = 1000",
+    "pi - 2*acos(x) >= 0": "x = -1",
+    "sqrt(x) - y**(1/3) >= 0 given x > y, y > 0": "x = 1/100, y = 1/200",
+    "x**2*y - x**2*z > 0 given y > z": "x = 0, y = 1, z = 0",
+    "1 - abs(x) >= 0 given x >= -1, x <= 2": "x = 2",
+    "1/2 - abs(x) >= 0 given x >= -1/4, x <= 1": "x = 1",
 }
 
 
@@ -120,3 +144,10 @@ def test_answers_do_not_hang_on_what_was_asked_before() -> None:
             parts = Parts(given)
             parts.sign(first)
             assert parts.sign(second) == Parts(given).sign(second)
+
+
+def test_what_is_zero_is_not_nonzero() -> None:
+    parts = Parts(Given.parse("x > 0, y != 0"))
+    assert not parts.nonzero(parse("(x + 1)**2 - x**2 - 2*x - 1"))
+    assert parts.nonzero(parse("x*y"))
+    assert not parts.nonzero(parse("x*(y - 1)"))

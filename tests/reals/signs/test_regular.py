@@ -57,6 +57,13 @@ SINGULAR = {
     "a root within": "log(2 + sqrt((x**2 - 2)**2*(x - 3))) > 0",
     "a power that is": "(x**2*(x - 1))**(3/2) != 7",
     "an inverse function that is": "asin(1 + x**2*(x - 1)**2) > 0",
+    "convex but for a kink": "x**2 - 5*abs(x) >= y**2",
+    "convex but for a kink in a power": "(1 - abs(x))**3 >= 1 + y**2, -1/2 < x, x < 1/2",
+    "convex but for a kink in an exponent": "2**(-abs(x)) >= 1 + y**2",
+    "convex but for a kink in an exponential": "exp(-abs(x)) >= 1 + y**2",
+    "convex but for a kink in a factor": "(3 + x)*(1 - abs(x)) + 9*x**2 >= 3 + x + y**2",
+    "a jump": "3*sign(x)**2 <= x",
+    "a jump beside": "x - 3*sign(x)**2 >= y**3",
     "no polynomial": "sin(x)*sin(2*x) >= 0",
     "many variables": "x**2 + y**2 + z**2 + u**2 + v**2 + w**2 <= 1, x + y >= 0",
 }

@@ -12,7 +12,8 @@ from itertools import product, zip_longest
 from typing import Any
 
 from tresym.ledger.audit.terms import of_claim, of_display, same
-from tresym.ledger.claim import AllOf, Claim, Formally, Printed
+from tresym.ledger.claim import AllOf, Claim, Formally
+from tresym.ledger.statements import Rounds
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.latex import Relations, read_latex
@@ -153,8 +154,8 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
     """The claim's relations under its own conditions; a conjunction's parts under theirs."""
     says: list[Any] = [claim.says]
     numbers: list[str] = []
-    if isinstance(claim.proof, Printed):
-        numbers = [claim.proof.text]
+    if isinstance(claim.statement, Rounds):
+        numbers = [claim.statement.text]
     if isinstance(claim.says, str):
         says = [claim.means] if isinstance(claim.proof, Formally) else []
         if isinstance(claim.proof, AllOf):

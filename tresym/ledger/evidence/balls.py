@@ -1,4 +1,4 @@
-"""Evidence by balls: bounds on boxes, and order statements about one small parameter."""
+"""Evidence by balls: bounds on boxes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,6 @@ from tresym.reals.balls.boxes import (
     decide_bound,
     inconsistent,
 )
-from tresym.reals.balls.order import Judgement, Order, judge_order
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, Interval, decimal_ball, fraction_text
 from tresym.reals.verdict import Verdict
@@ -112,43 +111,6 @@ class Boxes:
             region=self.region,
             trees=tuple(proof.tree for proof in proofs),
         )
-
-
-@dataclass(frozen=True)
-class Asymptotics:
-    """An order statement; ``parameter`` says what tends to its limit, and along which path.
-
-    ``meant`` is, for a formula, what its symbols are on that path.
-    """
-
-    statement: Order
-    parameter: str
-    claims: tuple[Claim, ...] = ()
-    meant: Any = None
-    kind: ClassVar[str] = "order"
-    expect: ClassVar[Ruling] = Verdict.ENCLOSED
-
-    def judge(self) -> Finding:
-        """The verdict of the order machinery, with the true order for what is refuted."""
-        found = judge_order(self.statement)
-        why = _why(found)
-        with ball_precision(64):
-            constant = None if found.constant is None else decimal_ball(found.constant, 6)
-        region = None if found.upto is None else f"0 < t <= {fraction_text(found.upto)}"
-        return Finding(
-            found.verdict,
-            why,
-            constant=constant,
-            region=region,
-            parameter=self.parameter,
-            witness=found.points or None,
-        )
-
-
-def _why(found: Judgement) -> str:
-    if found.ratio is None or found.true_order is None:
-        return "no expansion settles it"
-    return f"the ratio is {found.ratio.text()} and the true order {found.true_order.text()}"
 
 
 def _decimal(x: fmpq) -> Decimal:

@@ -30,7 +30,7 @@ from tresym.ledger.meaning import (
 )
 from tresym.reals.decisions.identity import Decision, decide
 from tresym.reals.language.binders import generalised, outermost, worked_out
-from tresym.reals.language.expression import HALF, PI, ZERO, Expr, apply, sqrt
+from tresym.reals.language.expression import HALF, PI, ZERO, Expr, add, apply, sqrt
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
 from tresym.reals.verdict import Verdict
 
@@ -150,15 +150,17 @@ def _arrives(
     if isinstance(last, Relation) or len(last) != 1 or not isinstance(says, Relation):
         return _undecided("an inequality is shown by the sign of a number")
     given, strict = with_bounds(given, reasons), says.sign in (">", "<")
-    if last[0].op == "integral":
-        bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
-        try:
-            found = sign_of_integral(last[0], bounds, given, strict)
-        except NotShownError as error:
-            return _undecided(str(error))
-    else:
-        found = manifest_sign(last[0], given, ">" if strict else ">=")
-    if found == "+" or (found in ("0", ">=0") and not strict):
+    terms = last[0].args if last[0].op == "+" else last
+    integrals = tuple(term for term in terms if term.op == "integral")
+    rest = last[0] - add(*integrals) if integrals else last[0]
+    bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
+    try:
+        signs = {sign_of_integral(node, bounds, given, strict) for node in integrals}
+    except NotShownError as error:
+        return _undecided(str(error))
+    if rest != ZERO or not integrals:
+        signs.add(manifest_sign(rest, given, ">" if strict else ">="))
+    if all(sign in NON_NEGATIVE for sign in signs) and ("+" in signs or not strict):
         return PROVED
     return _undecided(f"the sign of {last[0]} is not manifest")
 

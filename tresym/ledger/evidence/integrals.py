@@ -350,10 +350,10 @@ def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions)
     if slope != ZERO:
         value = integral(slope, inside.name, *(substitute(end, put) for end in (low, high)))
     for end, way in ((high, 1), (low, -1)):
-        if end == symbol(parameter):
-            value += way * substitute(instantiate(whole.args[0], (end,)), put)
-        elif parameter in symbols(end):
-            raise NotShownError(f"the end {end} is not the parameter itself")
+        if parameter in symbols(end):
+            _need_continuous((end,), outside)
+            moved = differentiate(end, parameter) * instantiate(whole.args[0], (end,))
+            value += way * substitute(moved, put)
     return {node: value}
 
 

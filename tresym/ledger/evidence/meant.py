@@ -22,14 +22,17 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Monotone,
     Printed,
     Root,
     Together,
     UniqueRoot,
 )
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.second_look import value
+from tresym.ledger.statements import As
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 
 BITS = 400
@@ -38,15 +41,15 @@ CLOSE = arb("1e-6")
 HOT = Symbol("hot", real=True)
 """Higher orders that are left out, of a size that the formula does not say."""
 
-IN_WORDS = (AllOf, Printed, Denied)
+IN_WORDS = (AllOf, Denied)
 """Evidence for sentences: it says nothing of any formula."""
-WITHOUT_CONDITIONS = (AllOf, Printed, Denied)
+WITHOUT_CONDITIONS = (AllOf, Denied)
 """Evidence that no condition of the claim reaches."""
-HOLDS_FUNCTIONS = (Boxes, Asymptotics, Printed, Denied)
+HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
     *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
-    *(Counterexample, Boxes, Asymptotics, Denied),
+    *(Counterexample, Boxes, Asymptotics, Denied, Monotone),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
 
@@ -91,6 +94,8 @@ def unfit(claim: Claim) -> str | None:
             return "that is no kind of evidence"
         case _ if claim.means is not None and not (in_words or _is_open(claim.says)):
             return "two formulas are no statement: what is said is what is meant"
+        case _ if not in_words and isinstance(claim.means, As) and claim.means.args[0] != says:
+            return "the order that is meant is not the one that is said"
         case AllOf() if not in_words:
             return "a conjunction proves a sentence; a formula needs a chain"
         case _ if isinstance(proof, IN_WORDS) and not in_words:
@@ -99,9 +104,9 @@ def unfit(claim: Claim) -> str | None:
             return "the conditions decide nothing here"
         case Counterexample() | Denied() if in_words and LOCAL.search(says):
             return "one point tells nothing of smoothness or of a limit"
-        case Boxes() | Asymptotics() if in_words and claim.given:
-            return "the conditions decide nothing here: a box, or a path, stands for them"
-        case Boxes() | Asymptotics() if not in_words:
+        case Boxes() if in_words and claim.given:
+            return "the conditions decide nothing here: a box stands for them"
+        case Boxes() if not in_words:
             return _other_meaning(claim, proof)
     return None
 
@@ -112,7 +117,7 @@ def _is_open(says: Basic) -> bool:
     return HOT in says.free_symbols or any(orders)
 
 
-def _other_meaning(claim: Claim, proof: Boxes | Asymptotics) -> str | None:
+def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
     """Where the formula says something else than its bounds or its order, or None."""
     says, meant = claim.says, proof.meant
     if meant is None or not isinstance(says, Equality):
@@ -158,11 +163,9 @@ def _gauge_gap(says: Basic, orders: set[Basic], gauge: Basic) -> str | None:
     return None
 
 
-def _is_of_kind(proof: Boxes | Asymptotics, orders: set[Basic], hot: bool) -> bool:
+def _is_of_kind(proof: Boxes, orders: set[Basic], hot: bool) -> bool:
     """A bounded remainder shows O or "hot"; one margin denies that there is none; o needs an o."""
     names = {str(node.func) for node in orders}
-    if isinstance(proof, Asymptotics):
-        return names == {proof.statement.kind} and not hot
     return len(proof.bounds) == (2 if hot or orders else 1) and "o" not in names
 
 
@@ -181,16 +184,12 @@ def _met(condition: Basic, point: Mapping[Symbol, arb]) -> bool:
     )
 
 
-def _is_bounded(proof: Boxes | Asymptotics, at: tuple[arb, ...], remainder: arb) -> bool:
+def _is_bounded(proof: Boxes, at: tuple[arb, ...], remainder: arb) -> bool:
     """Whether the evidence bounds this remainder, up to its sign.
 
     Two margins C − e and C + e bound e, one margin −|e| denies that e is 0. Where margins only
     suffice, the remainder must keep to the constant.
     """
-    if isinstance(proof, Asymptotics):
-        order, (t,) = proof.statement, at
-        f, g = (order.at_parameter(h, t, balls) for h in (order.function, order.gauge))
-        return _same(f / g, remainder)
     inside = (
         side.low <= x.upper() and x.lower() <= side.high
         for bound in proof.bounds

@@ -3,20 +3,43 @@
 Inputs and outputs are intervals of half a unit in their last printed place. A printed value is
 REFUTED only if no inputs that round to the printed inputs give it, and accepted (ENCLOSED) only
 with exact inputs, inside those intervals, whose value is inside the printed interval.
+
+The statement says all: the printed number, its term, and under `given` its inputs as they are
+printed. What the other symbols are is said by the claims that the evidence names; what these ask
+for is shown at the inputs, or the term has no value there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from itertools import product
+from typing import cast
 
 from flint import arb, fmpq
+from sympy import Basic, Eq, Symbol
 
-from tresym.ledger.claim import Printed
+from tresym.ledger.claim import Claim, Root
 from tresym.ledger.finding import Finding
-from tresym.reals.balls.boxes import halves, inconsistent
-from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
-from tresym.reals.numbers.exact import Interval, decimal_ball, printed
+from tresym.ledger.meaning import (
+    DEFINING,
+    Conditions,
+    conditions,
+    defined,
+    definitions,
+    known,
+    tree,
+)
+from tresym.ledger.statements import AtMostOne, ExactlyOne, Rounds, TheRoot
+from tresym.reals.balls.boxes import halves
+from tresym.reals.language import expression
+from tresym.reals.language.binders import ordered, outermost, worked_out
+from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.formula import Relation, names
+from tresym.reals.numbers.arithmetic import ball_precision, bits
+from tresym.reals.numbers.exact import InputError, Interval, decimal_ball, printed
+from tresym.reals.places.unworked import At, value
+from tresym.reals.places.values import UndefinedError
 from tresym.reals.verdict import Verdict
 
 DIGITS = 50
@@ -30,113 +53,320 @@ CELLS = 4096
 """At most this many cells when the range over the box of inputs is enclosed."""
 
 Box = tuple[Interval, ...]
+Point = tuple[fmpq, ...]
 
 
-def judge_printed(number: Printed) -> Finding:
+@dataclass(frozen=True)
+class Rule:
+    """What a symbol is, or that a root is the only one: where the conditions hold."""
+
+    meaning: Expr
+    given: Conditions
+    claim: Claim | None
+
+
+@dataclass(frozen=True)
+class Number:
+    """A printed number: its term, what is printed, and what the symbols are."""
+
+    text: str
+    half_units: int
+    term: Expr
+    target: Interval
+    inputs: Mapping[str, Interval]
+    rules: Mapping[str, Rule]
+    roots: Mapping[Expr, Rule]
+    given: Conditions
+    others: Mapping[str, fmpq] = field(default_factory=dict)
+    """Values for the variables of the claims that are used of which nothing here speaks."""
+
+    def value(self, sides: tuple[arb, ...]) -> arb:
+        """The term at the inputs; NaN where it, or a condition, is not shown."""
+        inputs = dict(zip(self.inputs, sides, strict=True))
+        others = {name: arb(x) for name, x in self.others.items()}
+        place = Place({**inputs, **others}, self.rules, self.roots)
+        return place.value(self.term) if place.meets(self.given) else arb.nan()
+
+
+class Place(dict[str, arb]):
+    """What each symbol is at some inputs; what is defined is worked out when it is asked for."""
+
+    def __init__(
+        self, inputs: Mapping[str, arb], rules: Mapping[str, Rule], roots: Mapping[Expr, Rule]
+    ) -> None:
+        """The inputs, and what is said of other symbols and of roots."""
+        super().__init__(inputs)
+        self.rules, self.roots = rules, roots
+
+    def __missing__(self, name: str) -> arb:
+        rule = self.rules.get(name)
+        if rule is None:
+            raise UndefinedError
+        self[name] = arb.nan()  # what is defined by itself
+        if self.meets(rule.given):
+            self[name] = self.value(rule.meaning)
+        return self[name]
+
+    def value(self, e: Expr) -> arb:
+        """``e`` here; NaN where it is not shown to have a value."""
+        return value(e, self, self._is_one)
+
+    def meets(self, given: Conditions) -> bool:
+        """Whether balls show the conditions."""
+        return all(SHOWN[c.sign](self.value(c.left - c.right)) for c in given)
+
+    def _is_one(self, node: Expr, at: At) -> bool:
+        rule = self.roots.get(ordered(node))
+        return rule is not None and self.meets(rule.given)
+
+
+SHOWN: dict[str, Callable[[arb], bool]] = {
+    ">": lambda x: bool(x > 0),
+    ">=": lambda x: bool(x >= 0),
+    "<": lambda x: bool(x < 0),
+    "<=": lambda x: bool(x <= 0),
+    "!=": lambda x: x.is_finite() and not x.contains(0),
+}
+
+
+def number_of(claim: Claim) -> Number:
+    """The printed number that a claim states.
+
+    Raises:
+        InputError: it states none, or a symbol, or that a root is one, is not said by its claims.
+    """
+    says = claim.statement
+    if not isinstance(says, Rounds):
+        raise InputError("no printed number is stated")
+    inputs, rules, plain = _inputs(claim.given)
+    found = Number(
+        text=says.text,
+        half_units=says.half_units,
+        term=worked_out(tree(says.term)),
+        target=_target(says),
+        inputs=inputs,
+        rules={**_rules(claim), **rules},
+        roots=_roots(claim),
+        given=conditions(tuple(plain)),
+    )
+    return _grounded(found)
+
+
+def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Rule], list[Basic]]:
+    """The inputs as printed, the symbols that are set to a term, and the other conditions."""
+    inputs: dict[str, Interval] = {}
+    rules: dict[str, Rule] = {}
+    plain: list[Basic] = []
+    for part in given:
+        name = part.args[0]
+        if not isinstance(part, Rounds | Eq):
+            plain.append(part)
+            continue
+        if not isinstance(name, Symbol) or name.name in {*inputs, *rules}:
+            raise InputError(f"{name} is no symbol of which one thing is given")
+        if isinstance(part, Rounds):
+            inputs[name.name] = _target(part)
+        else:
+            rules[name.name] = Rule(worked_out(tree(part.args[1])), (), None)
+    return inputs, rules, plain
+
+
+def _target(says: Rounds) -> Interval:
+    if not 1 <= says.half_units <= WIDEST:
+        raise InputError(f"{says.half_units} half units are no last place")
+    interval = printed(says.text)
+    half = interval.width / 2 * says.half_units
+    return Interval(interval.middle - half, interval.middle + half)
+
+
+def _rules(claim: Claim) -> dict[str, Rule]:
+    """What symbols are by the equations that the evidence names, and the definitions behind it."""
+    behind = (c for c in claim.rests_on if isinstance(c.proof, (*DEFINING, Root)))
+    rules: dict[str, Rule] = {}
+    for used in dict.fromkeys((*claim.uses, *behind)):
+        meanings = definitions((used,))
+        if isinstance(used.proof, Root):
+            meanings = {tree(used.proof.symbol): _root(used.proof.unique)}
+        for left, right in meanings.items():
+            if left.op == "symbol":
+                rule = Rule(worked_out(right), conditions(used.given), used)
+                rules.setdefault(left.args[0], rule)
+    return rules
+
+
+def _root(unique: Claim) -> Expr:
+    """The root of which a claim says that there is one, or one at most."""
+    return tree(TheRoot(*cast(Basic, unique.statement).args))
+
+
+def _roots(claim: Claim) -> dict[Expr, Rule]:
+    """The roots of which the claims behind the evidence say that there is one at most."""
+    found = {}
+    for used in claim.rests_on:
+        says = used.statement
+        if isinstance(says, ExactlyOne | AtMostOne) and says.difference is not None:
+            node, bound = _root(used), says.variable.name
+            given = tuple(c for c in conditions(used.given) if bound not in names(c))
+            found[ordered(node)] = Rule(node, given, used)
+    return found
+
+
+def _grounded(number: Number) -> Number:
+    """The number, if all that its term comes to is given, or said by a claim.
+
+    The variables of a claim that nothing here speaks of, such as the length of M, may have any
+    values that its conditions allow: some are found.
+    """
+    pinned = {*number.inputs, *(n for n, rule in number.rules.items() if rule.claim is None)}
+    pending = [number.term, *_sides(number.given)]
+    used, asked = set[str](), list(number.given)
+
+    def follow(rule: Rule) -> None:
+        twice = frozenset() if rule.claim is None else defined(rule.claim) & pinned
+        if twice:
+            raise InputError(f"{min(twice)} is given, and defined by what is used")
+        asked.extend(rule.given)
+        pending.append(rule.meaning)
+        pending.extend(symbol(n) for c in rule.given for n in names(c) if n in number.rules)
+
+    while pending:
+        e = pending.pop()
+        for node in outermost(e):
+            if node.op == "root" and str(node) not in used:
+                used.add(str(node))
+                if ordered(node) not in number.roots:
+                    raise InputError(f"no claim says that {node} is one at most")
+                follow(number.roots[ordered(node)])
+        for name in symbols(e) - used:
+            used.add(name)
+            if name not in number.inputs:
+                if name not in number.rules:
+                    raise InputError(f"nothing says what {name} is")
+                follow(number.rules[name])
+    idle = {*number.inputs} - used
+    if idle:
+        raise InputError(f"{min(idle)} is given, and plays no part")
+    return replace(number, others=_others(number, tuple(asked)))
+
+
+def _others(number: Number, asked: Conditions) -> dict[str, fmpq]:
+    """Values for the symbols of the conditions of which nothing else speaks."""
+    others = frozenset().union(*map(names, asked)) - {*number.inputs, *number.rules}
+    here = tuple(c for c in asked if names(c) <= others | {*number.inputs})
+    ends = (
+        Relation(symbol(name), sign, expression.number(end))
+        for name, side in number.inputs.items()
+        for sign, end in ((">=", side.low), ("<=", side.high))
+    )
+    point = known((*here, *ends)).satisfying_point()
+    if point is None:
+        raise InputError("no exact point is found that satisfies the conditions")
+    return {name: point.get(name, fmpq(1)) for name in others}
+
+
+def _sides(given: Conditions) -> list[Expr]:
+    return [side for c in given for side in (c.left, c.right)]
+
+
+def judge_printed(claim: Claim) -> Finding:
     """The verdict on one printed number, with its value at the inputs as printed."""
-    if not 1 <= number.half_units <= WIDEST:
-        return Finding(Verdict.UNDECIDED, f"{number.half_units} half units are no last place")
-    target = _target(number)
-    box = tuple(_interval(v) for v in number.inputs.values())
-    centre = tuple((i.low + i.high) / 2 for i in box)
-    with ball_precision(bits(DIGITS, 64)) as m:
-        why = inconsistent(number.formula, box)
-        if why is not None:
-            return Finding(Verdict.UNDECIDED, why)
-        value = decimal_ball(number.formula(*(arb(p) for p in centre), m), DIGITS)
+    number = number_of(claim)
+    box = tuple(number.inputs.values())
+    centre = tuple(side.middle for side in box)
+    with ball_precision(bits(DIGITS, 64)):
+        there = number.value(tuple(map(arb, centre)))
+        if not there.is_finite():
+            return Finding(Verdict.UNDECIDED, "no value is shown at the inputs as printed")
+        value, inside = decimal_ball(there, DIGITS), _side(number, there) == 0
     # The whole box at once: cheap, and no inputs need be looked for where it misses.
-    missed = _misses(number, box, target)
-    witness = None if missed else _find_inputs(number, box, target)
+    missed = not inside and misses(number, box)
+    witness = centre if inside else None if missed else _find_inputs(number, box)
     if witness is not None:
-        names = dict(zip(number.inputs, witness, strict=True))
         exact = "the inputs as printed" if witness == centre else "inputs that round to them"
         why = f"{exact} give a value that {_near(number)}"
-        return Finding(Verdict.ENCLOSED, why, value=value, witness=names)
-    if missed or _excluded(number, box, target):
+        point = dict(zip(number.inputs, witness, strict=True))
+        return Finding(Verdict.ENCLOSED, why, value=value, witness=point)
+    if missed or _excluded(number, box):
         point = dict(zip(number.inputs, centre, strict=True))
         why = f"no inputs that round to the printed ones give {number.text}; as printed they give "
         return Finding(Verdict.REFUTED, why + value.mid[:12], value=value, witness=point)
     return Finding(Verdict.UNDECIDED, "neither inputs nor an exclusion were found", value=value)
 
 
-def _near(number: Printed) -> str:
+def _near(number: Number) -> str:
     if number.half_units == 1:
         return f"rounds to {number.text}"
     return f"is {number.text} to within {number.half_units} half units of its last place"
 
 
-def _target(number: Printed) -> Interval:
-    interval = printed(number.text)
-    centre = (interval.low + interval.high) / 2
-    half = (interval.high - interval.low) / 2 * number.half_units
-    return Interval(centre - half, centre + half)
+def _find_inputs(number: Number, box: Box) -> Point | None:
+    """Exact inputs in the box whose value lies in the printed interval.
 
-
-def _interval(value: str | fmpq) -> Interval:
-    return printed(value) if isinstance(value, str) else Interval(value, value)
-
-
-def _find_inputs(number: Printed, box: Box, target: Interval) -> tuple[fmpq, ...] | None:
-    """Exact inputs in the box whose value lies in the printed interval, centre first.
-
-    Where no point of the grid will do, the segment between a point below and one above is halved.
+    Where one point has its value below and another above, the segment between them is halved.
     """
-    below: tuple[fmpq, ...] | None = None
-    above: tuple[fmpq, ...] | None = None
+    ends: dict[int, Point] = {}
     for point in _grid(box):
-        side = _side(number, point, target)
+        side = _side_at(number, point)
         if side == 0:
             return point
-        below, above = (point, above) if side == -1 else (below, point) if side else (below, above)
-    for _ in range(HALVINGS):
-        if below is None or above is None:
-            return None
-        middle = tuple((p + q) / 2 for p, q in zip(below, above, strict=True))
-        side = _side(number, middle, target)
-        if side == 0:
-            return middle
-        below, above = (middle, above) if side == -1 else (below, middle)
+        if side is not None:
+            ends[side] = point
+        if len(ends) == 2:
+            return _between(number, ends)
     return None
 
 
-def _side(number: Printed, point: tuple[fmpq, ...], target: Interval) -> int | None:
+def _between(number: Number, ends: dict[int, Point]) -> Point | None:
+    for _ in range(HALVINGS):
+        # Not halved: the value at a half may well lie on an end of the printed interval.
+        middle = tuple((5 * p + 4 * q) / 9 for p, q in zip(*ends.values(), strict=True))
+        side = _side_at(number, middle)
+        if side == 0:
+            return middle
+        ends[-1 if side == -1 else 1] = middle
+    return None
+
+
+def _side_at(number: Number, point: Point) -> int | None:
+    with ball_precision(BITS):
+        return _side(number, number.value(tuple(map(arb, point))))
+
+
+def _side(number: Number, value: arb) -> int | None:
     """0 inside the printed interval, −1 below it, 1 above it, None where a ball cannot tell."""
-    with ball_precision(BITS) as m:
-        value = number.formula(*(arb(p) for p in point), m)
-        if value > target.low and value < target.high:
-            return 0
-        return -1 if value < target.low else 1 if value > target.high else None
+    low, high = number.target[:2]
+    if value > low and value < high:
+        return 0
+    return -1 if value < low else 1 if value > high else None
 
 
-def _grid(box: Box) -> Iterator[tuple[fmpq, ...]]:
-    yield tuple((i.low + i.high) / 2 for i in box)
-    steps = GRID if len(box) <= 2 else 4
-    sides = [
-        [i.low]
-        if i.low == i.high
-        else [i.low + (i.high - i.low) * n / steps for n in range(steps + 1)]
-        for i in box
-    ]
-    yield from product(*sides)
+def _grid(box: Box) -> Iterator[Point]:
+    """The corners of the box, and points between."""
+    for steps in (1, GRID if len(box) <= 2 else 4):
+        sides = (
+            [s.low + s.width * n / steps for n in range(steps + 1)] if s.width else [s.low]
+            for s in box
+        )
+        yield from product(*sides)
 
 
-def _excluded(number: Printed, box: Box, target: Interval) -> bool:
+def _excluded(number: Number, box: Box) -> bool:
     """True when balls over the whole box of inputs stay outside the printed interval."""
     pending, seen = [box], 0
     while pending:
         cell = pending.pop()
         seen += 1
-        if _misses(number, cell, target):
+        if misses(number, cell):
             continue
-        widest = max(range(len(cell)), key=lambda n: cell[n].high - cell[n].low, default=None)
-        if widest is None or cell[widest].low == cell[widest].high or seen > CELLS:
+        widest = max(range(len(cell)), key=lambda n: cell[n].width, default=None)
+        if widest is None or not cell[widest].width or seen > CELLS:
             return False
         pending.extend(halves(cell, widest))
     return True
 
 
-def _misses(number: Printed, cell: Box, target: Interval) -> bool:
+def misses(number: Number, cell: Box) -> bool:
     """True when the ball over a box of inputs stays outside the printed interval."""
     with ball_precision(BITS):
-        value = number.formula(*(i.ball() for i in cell), balls)
-        return bool(value.is_finite() and (value > target.high or value < target.low))
+        value = number.value(tuple(side.ball() for side in cell))
+        return bool(value.is_finite() and _side(number, value) in (1, -1))

@@ -13,14 +13,19 @@ from functools import lru_cache
 from itertools import product
 from typing import Any, cast
 
-from flint import arb, fmpq
+from flint import arb
+from sympy import Basic, Symbol, Tuple, exp, oo
+from sympy.core.function import AppliedUndef
 
-from tresym.ledger.claim import Claim, Printed
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.claim import Claim, Printed, equal, saying
+from tresym.ledger.evidence.asymptotics import ordered
+from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.evidence.printed import number_of
+from tresym.ledger.second_look import value
+from tresym.ledger.statements import As, Rounds
 from tresym.reals.balls.boxes import Bound, Box, BoxPoint, value_at
-from tresym.reals.balls.order import Order
-from tresym.reals.numbers.arithmetic import ball_precision, balls
-from tresym.reals.numbers.exact import Interval, fraction_text, printed
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError, Interval, fraction_text, printed
 
 Changes = tuple[str, Iterable[Any], Callable[[Any], Claim]]
 """A place, the changes that can be made there, and the claim that each makes."""
@@ -34,7 +39,6 @@ NEAR = (12, 20, 28)
 """Where an order is looked at: small parameters 2^−n, with as many bits as follow."""
 NEAR_BITS = 640
 LESS = arb("0.9")
-AWAY = arb("0.0625")
 
 
 @dataclass(frozen=True)
@@ -51,18 +55,25 @@ class Named:
 # Printed numbers
 
 
-def printed_changes(claim: Claim) -> Iterator[Changes]:
-    """Digits moved in the printed number, and in every printed input."""
-    proof = cast(Printed, claim.proof)
-    yield "printed number", moved_digits(proof.text), lambda text: _with(claim, text=text)
-    for name, text in proof.inputs.items():
-        if not isinstance(text, str):
-            continue
+def printed_changes(
+    claim: Claim, mutations: Callable[[Basic], Iterable[Basic]]
+) -> Iterator[Changes]:
+    """The term changed, and digits moved in the printed number and in every printed input."""
+    says = cast(Rounds, claim.statement)
 
-        def changed(moved: str, name: str = name) -> Claim:
-            return _with(claim, inputs={**proof.inputs, name: moved})
+    def stated(term: Basic, text: str) -> Claim:
+        return replace(claim, means=Rounds(term, text, says.half_units))
 
-        yield f"input {name}", moved_digits(text), changed
+    yield "printed number", moved_digits(says.text), lambda text: stated(says.term, text)
+    yield "term", mutations(says.term), lambda term: stated(term, says.text)
+    for n, condition in enumerate(claim.given):
+        if isinstance(condition, Rounds):
+
+            def changed(text: str, n: int = n, name: Basic = condition.term) -> Claim:
+                given = claim.given
+                return replace(claim, given=(*given[:n], Rounds(name, text), *given[n + 1 :]))
+
+            yield f"input {condition.term}", moved_digits(condition.text), changed
 
 
 def _with(claim: Claim, **changes: Any) -> Claim:
@@ -84,29 +95,30 @@ def moved_digits(text: str) -> Iterator[str]:
 
 def no_inputs_give_it(claim: Claim) -> bool:
     """Whether balls over pieces of the box of inputs all miss the printed interval."""
-    number = cast(Printed, claim.proof)
-    low, high = printed(number.text)[:2]
-    half = (high - low) / 2 * number.half_units
-    target = Interval((low + high) / 2 - half, (low + high) / 2 + half)
-    inputs = tuple(number.inputs.values())
+    says = cast(Rounds, claim.statement)
+    interval = printed(says.text)
+    half = interval.width / 2 * says.half_units
+    low, high = interval.middle - half, interval.middle + half
     for pieces in SPLITS:
-        values = _values(number.formula, inputs, pieces)
-        if values and all(v > target.high or v < target.low for v in values):
+        values = _values(says.term, claim.given, claim.proof, pieces)
+        if values and all(v > high or v < low for v in values):
             return True
     return False
 
 
 @lru_cache(maxsize=RANGES)
-def _values(
-    formula: Callable[..., arb], inputs: tuple[str | fmpq, ...], pieces: int
-) -> tuple[arb, ...]:
-    """Balls for the formula over cells that cover its inputs; none where they are too many."""
-    box = [printed(v) if isinstance(v, str) else Interval(v, v) for v in inputs]
-    sides = [_pieces(side, pieces if side.low < side.high else 1) for side in box]
+def _values(term: Basic, given: tuple[Basic, ...], proof: Printed, pieces: int) -> tuple[arb, ...]:
+    """Balls for the term over cells that cover its inputs; none where they are too many."""
+    claim = Claim("changed", "", proof, given=given, means=Rounds(term, "0"))
+    try:
+        number = number_of(claim)
+    except InputError:
+        return ()
+    sides = [_pieces(side, pieces if side.width else 1) for side in number.inputs.values()]
     if math.prod(map(len, sides)) > CELLS:
         return ()
     with ball_precision(BITS):
-        values = tuple(formula(*cell, balls) for cell in product(*sides))
+        values = tuple(map(number.value, product(*sides)))
     return values if all(v.is_finite() for v in values) else ()
 
 
@@ -175,73 +187,41 @@ def _lowered(bound: Bound) -> Iterator[Named]:
 
 
 def order_changes(claim: Claim) -> Iterator[Changes]:
-    """The gauge, the function, and for "at most C times" the constant and the range."""
-    proof = cast(Asymptotics, claim.proof)
-    words = _in_words(claim)
-    yield "order", _orders(proof.statement), lambda named: _with(words, statement=named.changed)
+    """The order of what is left out, and what is not left out, in other powers."""
+    says = claim.statement
+    if isinstance(says, As):
+        place = f"order as {says.args[1]} -> {says.args[2]}"
+        yield place, _orders(says), lambda changed: saying(claim, changed)
 
 
-def _orders(order: Order) -> Iterator[Named]:
-    f, g = order.function, order.gauge
-
-    def small(x: Any) -> Any:
-        return order.side / x if order.at is None else (x - order.at) * order.side
-
-    def gauge(text: str, changed: Callable[[Any, Any], Any]) -> Named:
-        return Named(text, replace(order, gauge=changed))
-
-    yield gauge("t g", lambda x, m: small(x) * g(x, m))
-    yield gauge("t^2 g", lambda x, m: small(x) ** 2 * g(x, m))
-    yield Named("f/t", replace(order, function=lambda x, m: f(x, m) / small(x)))
-    yield Named("f/t^2", replace(order, function=lambda x, m: f(x, m) / small(x) ** 2))
-    yield gauge("t^3 g", lambda x, m: small(x) ** 3 * g(x, m))
-    yield gauge("g/2", lambda x, m: g(x, m) / 2)
-    yield gauge("2 g", lambda x, m: 2 * g(x, m))
-    yield gauge("-g", lambda x, m: -g(x, m))
-    yield gauge("g/t", lambda x, m: g(x, m) / small(x))
-    yield Named("f exp(1/t)", replace(order, function=lambda x, m: f(x, m) * _e(small(x), m)))
-    yield Named("f exp(2/t)", replace(order, function=lambda x, m: f(x, m) * _e(small(x) / 2, m)))
-    yield gauge("g exp(-1/t)", lambda x, m: g(x, m) / _e(small(x), m))
-    yield gauge("g exp(-2/t)", lambda x, m: g(x, m) / _e(small(x) / 2, m))
-    yield gauge("t g exp(-1/t)", lambda x, m: small(x) * g(x, m) / _e(small(x), m))
-    if order.constant is not None:
-        for part in (2, 4, 16):
-            yield Named(f"C/{part}", replace(order, constant=order.constant / part))
-            if order.upto is not None:
-                wider = replace(order, upto=order.upto * part)
-                yield Named(f"up to {part} times as far", wider)
-
-
-def _e(t: Any, m: Any) -> Any:
-    return m.exp(1 / t)
+def _orders(says: As) -> Iterator[As]:
+    equation, e, point, _ = says.args
+    (node,) = (node for node in equation.atoms(AppliedUndef) if str(node.func) in ("O", "o"))
+    if isinstance(e, Tuple) or isinstance(point, Tuple):
+        e, point = e.args[0], point.args[0]
+    small = 1 / e if point in (oo, -oo) else e - point
+    for factor in (small, small**2, small**3, exp(-1 / small), exp(-2 / small), small / 5):
+        yield As(equation.xreplace({node: node.func(node.args[0] * factor)}), *says.args[1:])
+    for factor in (1 / small, 1 / small**2, 1 + small, exp(1 / small)):
+        changed = equal(equation.lhs * factor, equation.rhs)
+        yield As(changed, *says.args[1:])
 
 
 def order_fails(claim: Claim) -> bool:
-    """Whether balls show it: the ratio grows, stays, or is off 1 where it must not."""
-    order = cast(Asymptotics, claim.proof).statement
+    """Whether balls show it: nearer and nearer the ratio grows, or for o does not shrink."""
+    says = claim.statement
+    stated = ordered(says.args[0]) if isinstance(says, As) else None
+    if stated is None or not isinstance(says, As) or not isinstance(says.args[1], Symbol):
+        return False
+    _, x, point, side = says.args
+    ratios = []
     with ball_precision(NEAR_BITS):
-        if order.kind == "<=":
-            reach = fmpq(2**12) if order.upto is None else order.upto
-            ratios = (_ratio(order, reach / fmpq(2) ** k) for k in range(25))
-            return any(ratio > arb(order.constant) for ratio in ratios)
-        first, second, third = (_ratio(order, fmpq(1, 2**n)) for n in NEAR)
-        if order.kind == "O":
+        for n in NEAR:
+            near = arb(2) ** -n
+            here = 1 / near if point is oo else value(point, {}) + int(side or 1) * near
+            f, g = (value(e, {x: here}) for e in (stated.difference, stated.gauge))
+            ratios.append(abs(f / g))
+        first, second, third = ratios
+        if stated.kind == "O":
             return bool(second > 2 * first and third > 2 * second and first > 0)
-        if order.kind == "o":
-            return bool(second > LESS * first and third > LESS * second and first > 0)
-        off, later = abs(second - 1), abs(third - 1)
-        return bool(off > AWAY and later > AWAY and later > LESS * off) or _opposite(order)
-
-
-def _ratio(order: Order, t: fmpq) -> arb:
-    """|f/g| where the small parameter is ``t``; not finite where a ball cannot tell."""
-    return abs(_quotient(order, t))
-
-
-def _quotient(order: Order, t: fmpq) -> arb:
-    f, g = (order.at_parameter(h, arb(t), balls) for h in (order.function, order.gauge))
-    return f / g if not g.contains(0) else arb.nan()
-
-
-def _opposite(order: Order) -> bool:
-    return all(_quotient(order, fmpq(1, 2**n)) < 0 for n in NEAR)
+        return bool(second > LESS * first and third > LESS * second and first > 0)

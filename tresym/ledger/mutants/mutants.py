@@ -40,8 +40,10 @@ from tresym.ledger.claim import (
     equal,
     formally,
     parts_of,
+    saying,
 )
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.judge import judge, refute
 from tresym.ledger.mutants.changed_numbers import (
@@ -171,8 +173,8 @@ def _of_parts(
 def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
     match claim.proof:
         case Printed():
-            for name, variants, changed in printed_changes(claim):
-                tries = INPUT_TRIES if name.startswith("input") else TRIES
+            for name, variants, changed in printed_changes(claim, _mutations):
+                tries = TRIES if name == "printed number" else INPUT_TRIES
                 yield _Spot(name, variants, _one(changed), no_inputs_give_it, tries)
         case Boxes():
             for name, variants, changed in bound_changes(claim):
@@ -206,12 +208,6 @@ def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim
 
 def _is_violated(claim: Claim) -> bool:
     return claim.statement is not None and refute(claim.statement, claim) is not None
-
-
-def saying(claim: Claim, changed: Basic) -> Claim:
-    """The claim with another statement."""
-    meant = isinstance(claim.says, str) or claim.means is not None
-    return replace(claim, means=changed) if meant else replace(claim, says=changed)
 
 
 def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from flint import arb, fmpq
-from sympy import Gt, Integer, Integral, Rational, Symbol, sqrt
+from sympy import Gt, Integer, Integral, Rational, Symbol, pi, sqrt
 
 from tresym.ledger.claim import (
     Chain,
@@ -30,6 +30,7 @@ from tresym.ledger.reasons import (
     roots,
     substituting,
 )
+from tresym.ledger.statements import Rounds
 from tresym.reals.balls.boxes import Bound, box
 
 t, u, v = (Symbol(name, real=True) for name in "tuv")
@@ -99,8 +100,8 @@ def _of_evidence() -> Iterator[Claim]:
     yield Claim("planted: another bound", Gt(u, 100, evaluate=False), Boxes((square,), ("u",), "…"))
     always = Bound(lambda x, m: arb(1), box(("1", "2")))
     yield Claim("planted: no bound", "x < 0 for 1 <= x <= 2", Boxes((always,), ("x",), "…"))
-    wide = Printed("4.00", lambda m: m.pi, half_units=1000)
-    yield Claim("planted: nearly π", "π = 4.00", wide)
+    wide = Rounds(pi, "4.00", 1000)
+    yield Claim("planted: nearly π", "π = 4.00", Printed(), means=wide)
     point, below = Counterexample({"t": fmpq(1, 10)}), 400 * t**2 <= 1
     says = "400t² is smooth at 0"
     yield Claim("planted: no smoothness", says, point, given=(t**2 <= 1,), means=below)

@@ -69,16 +69,6 @@ def in_chart(
     return samples
 
 
-def at_unit_b() -> Samples:
-    """The path b = 1, a = 1/t²."""
-
-    def samples() -> Iterator[tuple[tuple[arb, ...], Values]]:
-        for t in (arb(fmpq(1, 2)), arb(fmpq(1, 4))):
-            yield (t,), at_shape(1 / t**2, fmpq(1))
-
-    return samples
-
-
 def beside_tangent(levels: tuple[fmpq, ...] = NEAR) -> Samples:
     """The standard racket at these levels γ."""
     return lambda: (((arb(level),), _at_level(*RACKET, arb(level))) for level in levels)

@@ -1,4 +1,4 @@
-"""Nodes that bind a variable: integrals, derivatives, values at a point, limits.
+"""Nodes that bind a variable: integrals, derivatives, values at a point, limits, roots.
 
 The variable of a node is a number in its body (de Bruijn's index) and a free variable is a name,
 so substitution needs no renaming, and ``∫ f(x) dx`` and ``∫ f(y) dy`` are one tree. A body is
@@ -58,6 +58,12 @@ def at(f: Expr, values: Mapping[str, Expr]) -> Expr:
 def limit(f: Expr, name: str, point: Expr, side: int = 0) -> Expr:
     """The limit of ``f`` as the variable goes to ``point``: from above (1), below (−1), or both."""
     return Expr("limit", (bind(f, (name,)), point, number(side)), (name,))
+
+
+def root(f: Expr, name: str, low: Expr, high: Expr) -> Expr:
+    """The value of the variable ``name`` between the ends at which ``f`` is 0, where there is one
+    and no other; the ends do not count, and do not know the variable."""
+    return Expr("root", (bind(f, (name,)), low, high), (name,))
 
 
 def order(kind: str, gauge: Expr) -> Expr:

@@ -7,10 +7,10 @@ tree that is defined nowhere. The domain is real: ``x**(p/q)`` with ``q > 1`` as
 ``|x| ≤ 1``, ``1/x`` for ``x ≠ 0``. ``sign 0`` is 0, and ``atan2(y, x)``, the angle of the point
 ``(x, y)`` in (−π, π], is defined but at the origin: ``atan2(0, x)`` is π for ``x < 0``.
 
-Integrals, derivatives, values at a point and limits are nodes that bind a variable; binders.py
-makes them. The variable has no name in the tree, only a number, and the name that it was written
-with is kept for showing: trees are equal up to the names of bound variables, and what is put in
-for a symbol cannot be captured.
+Integrals, derivatives, values at a point, limits and roots are nodes that bind a variable;
+binders.py makes them. The variable has no name in the tree, only a number, and the name that it was
+written with is kept for showing: trees are equal up to the names of bound variables, and what is
+put in for a symbol cannot be captured.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ FUNCTIONS = frozenset(
 there is ``atan2`` alone, see :func:`angle`."""
 
 LEAVES = frozenset(("number", "symbol", "pi", "bound"))
-BINDERS = frozenset(("integral", "derivative", "at", "limit"))
+BINDERS = frozenset(("integral", "derivative", "at", "limit", "root"))
 """Operations that bind: the first operand is the body, under as many variables as have names."""
 ORDERS = frozenset(("O", "o"))
 """Landau's terms, of a gauge; like a binder, such a node is no number that could be computed."""

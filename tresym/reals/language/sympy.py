@@ -14,6 +14,7 @@ from tresym.reals.language.binders import (
     limit,
     order,
     outermost,
+    root,
     worked_out,
 )
 from tresym.reals.language.expression import (
@@ -175,6 +176,11 @@ def _limit_as_written(node: Any, walk: Any) -> Expr:
     return limit(walk(inner), variable.name, walk(point), {"+": 1, "-": -1}.get(str(side), 0))
 
 
+def _root_as_written(node: Any, walk: Any) -> Expr:
+    variable, low, high, equation = node.args
+    return root(walk(equation.lhs) - walk(equation.rhs), variable.name, walk(low), walk(high))
+
+
 def _order_as_written(node: Any, walk: Any) -> Expr:
     return order(type(node).__name__, *map(walk, node.args))
 
@@ -184,5 +190,6 @@ _UNWORKED: dict[str, Callable[[Any, Any], Expr]] = {
     "Integral": _integral_as_written,
     "Subs": _value_as_written,
     "Limit": _limit_as_written,
+    "TheRoot": _root_as_written,
     **dict.fromkeys(ORDERS, _order_as_written),
 }

@@ -61,7 +61,7 @@ class Walker:
         return getattr(self.m, name)(*values)
 
 
-class _UndefinedError(Exception):
+class UndefinedError(Exception):
     """The point is outside the real domain, or the ball is too wide to tell."""
 
 
@@ -78,8 +78,8 @@ def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | 
         KeyError: a variable of ``e`` is not in ``point``.
     """
     try:
-        return _InBalls(balls, point, known).value(e)
-    except _UndefinedError:
+        return InBalls(balls, point, known).value(e)
+    except UndefinedError:
         return _NAN
 
 
@@ -105,7 +105,7 @@ def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]
 def _angle(y: arb, x: arb) -> arb:
     """``atan2(y, x)``; all of [−π, π] for a ball that meets the negative x-axis and more."""
     if y.contains(0) and x.contains(0):
-        raise _UndefinedError
+        raise UndefinedError
     return arb.atan2(y, x)
 
 
@@ -149,7 +149,7 @@ _OWN: dict[str, Callable[..., arb]] = {
 }
 
 
-class _InBalls(Walker):
+class InBalls(Walker):
     """Values in balls, of which every one is finite."""
 
     def value(self, e: Expr) -> arb:
@@ -158,7 +158,7 @@ class _InBalls(Walker):
         if found is None:
             found = self._computed(e)
             if not found.is_finite():
-                raise _UndefinedError
+                raise UndefinedError
             self.known[e] = found
         return found
 
@@ -172,10 +172,10 @@ class _InBalls(Walker):
         r: fmpq = exponent.args[0]
         p, q = int(r.p), int(r.q)
         if p < 0 and x.contains(0):
-            raise _UndefinedError
+            raise UndefinedError
         if q == 1:
             return _natural_power(x, p) if x.contains(0) else x**p
         if not x >= 0:
-            raise _UndefinedError
+            raise UndefinedError
         root = x.sqrt() if q == 2 else _root(x, q)
         return root if p == 1 else root**p

@@ -120,14 +120,7 @@ def _is_concave(e: Expr) -> bool:
 
 def _is_linear(e: Expr) -> bool:
     """Whether ``e`` is linear in its symbols; its coefficients may be any constants."""
-    return _is_made_of(e, {"+", "*"}) and not any(symbols(differentiate(e, x)) for x in symbols(e))
-
-
-def _is_made_of(e: Expr, operations: set[str]) -> bool:
-    """Whether all parts of ``e`` but constants are of these operations."""
-    if not symbols(e) or e.op == "symbol":
-        return True
-    return e.op in operations and all(_is_made_of(arg, operations) for arg in e.args)
+    return not any(symbols(differentiate(e, x)) for x in symbols(e))
 
 
 def _is_concave_polynomial(e: Expr) -> bool:

@@ -8,14 +8,13 @@ from typing import Any
 
 from tresym.ledger.axioms import RULES
 from tresym.ledger.claim import Printed
-from tresym.ledger.evidence.balls import Asymptotics, Boxes
+from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.verification import Report
 from tresym.report.pages.trusted import RECHECKED, Count, trusted
 
 CALLED = {
     Boxes: "bounds on boxes: the margin, and its slopes",
-    Asymptotics: "orders: the two sides, along a path",
     Printed: "printed numbers: the formula",
 }
 """Evidence that holds functions in place of formulas."""

@@ -33,6 +33,7 @@ ENCLOSING = (
     "reals.decisions.ratios",
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
+    "ledger.evidence.asymptotics",
     "ledger.evidence.balls",
     "ledger.evidence.printed",
     "ledger.evidence.meant._other_meaning",
@@ -72,6 +73,7 @@ RECHECKED = {
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
         *("ledger.evidence.denial", "ledger.second_look.rootless"),
+        "ledger.evidence.asymptotics._along",
     ),
     "it words refusals": (
         *("reals.language.hints", "reals.decisions.identity.no_point"),

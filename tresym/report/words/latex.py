@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from decimal import Decimal
 from itertools import pairwise
 from typing import Any
 
@@ -25,8 +26,9 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.printing.latex import LatexPrinter
 
-from tresym.ledger.statements import As, ExactlyOne, ForSome, Under
+from tresym.ledger.statements import As, AtMostOne, ExactlyOne, ForSome, Rounds, Under
 from tresym.racket.notation import LATEX, theta
+from tresym.reals.numbers.exact import printed
 
 _RELATIONS = {"==": "=", ">": ">", ">=": r"\ge", "<": "<", "<=": r"\le", "!=": r"\ne"}
 
@@ -178,6 +180,10 @@ class PaperPrinter(LatexPrinter):
         ends = f"_{_script(self._print(low))}^{_script(self._print(high))}"
         return rf"\int{ends} {body}\,d{self._print(variable)}"
 
+    def _print_TheRoot(self, e: Basic) -> str:
+        name, low, high = map(self._print, e.args[:3])
+        return rf"(\text{{the }}{name} \in ({low}, {high}):\ {says_latex(e.args[3])})"
+
     def _print_Subs(self, e: Basic) -> str:
         pairs = zip(e.variables, e.point, strict=True)
         at = ", ".join(f"{self._print(v)}={self._print(p)}" for v, p in pairs)
@@ -274,6 +280,14 @@ def says_latex(says: Basic | str) -> str:
         case ExactlyOne(args=(x, low, high, inner)):
             name, *ends = map(expression_latex, (x, low, high))
             return rf"\exists!\,{name} \in ({ends[0]}, {ends[1]}):\ {says_latex(inner)}"
+        case AtMostOne(args=(x, low, high, inner)):
+            name, *ends = map(expression_latex, (x, low, high))
+            between = rf"{name} \in ({ends[0]}, {ends[1]})"
+            return rf"\text{{at most one }}{between}:\ {says_latex(inner)}"
+        case Rounds():
+            half = printed(says.text).width / 2 * says.half_units
+            within = decimal_latex(f"{Decimal(int(half.p)) / int(half.q):f}")
+            return rf"{expression_latex(says.term)} = {decimal_latex(says.text)} \pm {within}"
         case ForSome(args=(inner,)):
             names = ", ".join(sorted(map(expression_latex, inner.free_symbols)))
             return rf"\exists\,{names}:\ {says_latex(inner)}"
@@ -285,6 +299,12 @@ def says_latex(says: Basic | str) -> str:
         left, right = map(expression_latex, says.args)
         return f"{left} {_RELATIONS[says.rel_op]} {right}"
     return expression_latex(says)
+
+
+def decimal_latex(text: str) -> str:
+    """A decimal, as it is printed."""
+    mantissa, _, exponent = text.partition("e")
+    return mantissa + (rf" \cdot 10^{{{int(exponent)}}}" if exponent else "")
 
 
 def given_latex(condition: Basic) -> str:

@@ -1,0 +1,214 @@
+"""Orders decided from their formulas, and what a path must show before it refutes one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from sympy import Derivative, Function, Integer, Symbol, Tuple, exp, oo, sin
+
+from tresym.ledger.claim import Claim, Root, UniqueRoot, by, equal, step
+from tresym.ledger.evidence import asymptotics
+from tresym.ledger.evidence.asymptotics import Asymptotics, ordered, t
+from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.finding import Finding
+from tresym.ledger.judge import judge
+from tresym.ledger.reasons import differentiation
+from tresym.ledger.statements import ExactlyOne, order
+from tresym.reals.verdict import Verdict
+
+a, b, c, x, y = (Symbol(name, real=True) for name in "abcxy")
+O, o = Function("O"), Function("o")  # noqa: E741
+
+
+def finding(says: Any, proof: Asymptotics | None = None, *given: Any) -> Finding:
+    claim = Claim("planted", "…", proof or Asymptotics(), given=given, means=says)
+    found: dict[str, Finding] = {}
+    for used in (*claim.rests_on, claim):
+        found[used.label] = judge(used, found)
+    return found[claim.label]
+
+
+def verdict(says: Any, proof: Asymptotics | None = None, *given: Any) -> Verdict:
+    return finding(says, proof, *given).verdict
+
+
+@pytest.mark.parametrize(
+    ("says", "expected"),
+    [
+        (order(equal(sin(x), x + O(x**3)), x), Verdict.ENCLOSED),
+        (order(equal(sin(x), x + o(x**3)), x), Verdict.REFUTED),
+        (order(equal(sin(x) / x, 1 + x * o(x)), x, side=0), Verdict.REFUTED),
+        (order(equal(sin(x) / x, 1 + x * O(x)), x, side=0), Verdict.ENCLOSED),
+        (order(equal(exp(-1 / x), o(x**9)), x), Verdict.ENCLOSED),
+        (order(equal(exp(-1 / x), O(x)), x, side=-1), Verdict.REFUTED),
+        (order(equal(exp(-1 / x), O(x)), x, side=0), Verdict.REFUTED),
+        (order(equal(x / (x + 2), 1 + o(Integer(1))), x, oo), Verdict.ENCLOSED),
+        (order(equal(x / (x + 2), 1 + o(1 / x)), x, oo), Verdict.REFUTED),
+        (order(equal(x / (x + 2), 1 + O(1 / x)), x, -oo), Verdict.ENCLOSED),
+        (order(equal(Derivative(x**2, x), O(x)), x), Verdict.ENCLOSED),
+    ],
+)
+def test_an_order_in_one_variable(says: Any, expected: Verdict) -> None:
+    found = finding(says)
+    assert found.verdict is expected
+    assert found.parameter is not None
+    assert (found.witness is not None) is (expected is Verdict.REFUTED)
+    assert is_formal(Claim("formal", "…", Asymptotics(), means=says))
+
+
+@pytest.mark.parametrize(
+    "says",
+    [
+        equal(sin(x), x + O(x**3)),
+        order(equal(sin(x), x), x),
+        order(equal(sin(x), O(x) + O(x**2)), x),
+        order(equal(sin(x), O(x) ** 2), x),
+        order(equal(sin(x), sin(O(x))), x),
+        order(equal(sin(x), O(x, x)), x),
+        order(sin(x) < O(x), x),
+        order(equal(y * sin(x), O(x)), x),
+        order(equal(sin(x), O(x * y)), x),
+        order(equal(sin(x), O(x)), 2 * x),
+        order(equal(sin(x), O(x)), x, y),
+    ],
+)
+def test_what_is_no_order_in_one_variable_is_not_decided(says: Any) -> None:
+    assert verdict(says) is Verdict.UNDECIDED
+
+
+def test_conditions_that_decide_nothing_are_refused() -> None:
+    assert verdict(order(equal(sin(x), O(x)), x), None, x > 1) is Verdict.UNDECIDED
+    used = Claim("used", equal(x + x, 2 * x), by())
+    proof = Asymptotics(claims=(used,))
+    assert verdict(order(equal(sin(x), O(x)), x), proof) is Verdict.UNDECIDED
+
+
+def test_the_order_meant_is_the_order_said() -> None:
+    says = equal(sin(x), x + O(x**3))
+    said = Claim("said", says, Asymptotics(), means=order(says, x))
+    assert judge(said, {}).verdict is Verdict.ENCLOSED
+    other = replace(said, says=equal(sin(x), x + O(x**4)))
+    assert "not the one that is said" in judge(other, {}).why
+
+
+def test_an_equation_is_solved_for_its_order() -> None:
+    assert ordered(equal(y, (x + o(a)) * b)) == (y - b * x, "o", a * b)
+    assert ordered(equal(y, x - 2 * O(a))) == (y - x, "O", -2 * a)
+
+
+# -- along a path ---------------------------------------------------------------------------------
+
+SQUARE = order(equal(x**2 / y, O(y)), Tuple(x, y), Tuple(0, 0), 0)
+"""False: where x = √y, say, the left side is 1."""
+PATH = Asymptotics({x: t, y: t**2})
+
+
+def test_a_path_refutes_and_shows_nothing() -> None:
+    found = finding(SQUARE, PATH, y > 0)
+    assert found.verdict is Verdict.REFUTED
+    assert found.witness is not None
+    assert found.witness["y"] == found.witness["x"] ** 2
+    assert verdict(SQUARE, Asymptotics({x: t**2, y: t}), y > 0) is Verdict.UNDECIDED
+    assert verdict(order(equal(x**2 / y, O(x)), x), Asymptotics({x: t, y: t**3})) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("says", "along", "given"),
+    [
+        (SQUARE, {x: t, y: t**2}, y < 0),
+        (SQUARE, {x: t, y: t**2}, y > 1),
+        (SQUARE, {x: t, y: t**2}, x > y * 2 + 1),
+        (SQUARE, {x: 1 + t, y: t**2}, y > 0),
+        (SQUARE, {x: t, y: 1 + t}, y > 0),
+        (SQUARE, {x: t}, y > 0),
+        (SQUARE, {x: t, y: c * t**2}, c > 0),
+        (SQUARE, {x: t, y: t**2, c: t}, c > 1),
+        (order(equal(1 / x, O(y)), y, oo), {x: t, y: t}, x > 0),
+        (order(equal(1 / x, O(y)), y, oo), {x: t, y: -1 / t}, x > 0),
+        (order(equal(1 / x, O(y)), y), {x: t**2, y: -t}, x > 0),
+        (order(equal(1 / x, O(y)), y, side=-1), {x: t**2, y: t}, x > 0),
+        (order(equal(1 / t, O(y)), y), {y: t}, y > 0),
+        (order(equal(1 / x, O(y)), Tuple(x, y), Tuple(0)), {x: t, y: t}, x > 0),
+    ],
+)
+def test_a_path_outside_the_statement_refutes_nothing(says: Any, along: Any, given: Any) -> None:
+    assert verdict(says, Asymptotics(along), given) is Verdict.UNDECIDED
+
+
+def test_a_path_gives_no_value_to_what_is_defined() -> None:
+    says = order(equal(y, O(x)), x)
+    assert verdict(says, Asymptotics({x: t, y: Integer(1)})) is Verdict.REFUTED
+    defined = Asymptotics({x: t, y: Integer(1)}, claims=(ROOT,))
+    assert verdict(says, defined, x > 0) is Verdict.UNDECIDED
+
+
+# -- what is one root -----------------------------------------------------------------------------
+
+ONE = Claim(
+    "one",
+    ExactlyOne(c, 0, 1 + x, equal(c + c**3, x)),
+    UniqueRoot((step(1 + 3 * c**2, differentiation),), (step(-x),), (step((1 + x) ** 3 + 1),)),
+    given=(x > 0,),
+)
+ROOT = Claim("root", Root(y, ONE).says, Root(y, ONE), given=(x > 0,))
+"""y + y³ = x: y is x − x³ and so on."""
+TOO_SMALL = order(equal(y, x + o(x**3)), x)
+BELOW = Asymptotics({x: t}, beside=y < x - x**3 / 2, claims=(ROOT,))
+
+
+def test_a_root_is_beside_a_candidate() -> None:
+    assert verdict(TOO_SMALL, BELOW, x > 0) is Verdict.REFUTED
+    above = replace(BELOW, beside=y > x / 2)
+    assert verdict(order(equal(y, o(x)), x), above, x > 0) is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("says", "beside"),
+    [
+        (TOO_SMALL, y < x - 2 * x**3),
+        (TOO_SMALL, y > x - x**3 / 2),
+        (TOO_SMALL, y > x - 2 * x**3),
+        (TOO_SMALL, y < x + 5),
+        (TOO_SMALL, y <= x - x**3 / 2),
+        (TOO_SMALL, c < x - x**3 / 2),
+        (order(equal(-y, -x + O(x**3)), x), y < x - x**3 / 2),
+        (order(equal(y**2, x**2 + o(x**4)), x), y < x - x**3 / 2),
+        (order(equal(y, x + o(y**3)), x), y < x - x**3 / 2),
+        (order(equal(y, O(x)), x), y < 2 * x),
+        (order(equal(y, 3 * x + o(x)), x), y > x / 2),
+        (order(equal(y, o(x)), x), y > -x / 2),
+    ],
+)
+def test_a_candidate_that_does_not_bound_refutes_nothing(says: Any, beside: Any) -> None:
+    assert verdict(says, replace(BELOW, beside=beside), x > 0) is Verdict.UNDECIDED
+
+
+def test_a_root_is_one_under_its_conditions_alone() -> None:
+    elsewhere = replace(BELOW, along={x: -t})
+    assert verdict(order(equal(y, x + o(x**3)), x, side=-1), elsewhere) is Verdict.UNDECIDED
+    assert verdict(TOO_SMALL, replace(BELOW, claims=()), x > 0) is Verdict.UNDECIDED
+    assert verdict(TOO_SMALL, Asymptotics({x: t}, claims=(ROOT,)), x > 0) is Verdict.UNDECIDED
+
+
+def test_the_function_of_the_root_may_be_rewritten_where_that_holds() -> None:
+    form = Claim("form", equal(c**3 + c - x, (c**3 + c - x) * c / c), by(), given=(c > 0,))
+    assert verdict(TOO_SMALL, replace(BELOW, claims=(ROOT, form)), x > 0) is Verdict.REFUTED
+    wrong = replace(form, given=(c < 0,))
+    assert verdict(TOO_SMALL, replace(BELOW, claims=(ROOT, wrong)), x > 0) is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    ("guard", "without", "says", "proof", "given"),
+    [
+        ("_need_path", lambda *_: None, SQUARE, PATH, y < 0),
+        ("_need", lambda *_: None, SQUARE, PATH, y < 0),
+    ],
+)
+def test_without_its_guard_a_planted_falsehood_is_believed(
+    monkeypatch: pytest.MonkeyPatch, guard: str, without: Any, says: Any, proof: Any, given: Any
+) -> None:
+    assert verdict(says, proof, given) is Verdict.UNDECIDED
+    monkeypatch.setattr(asymptotics, guard, without)
+    assert verdict(says, proof, given) is Verdict.REFUTED

@@ -1,0 +1,223 @@
+"""The value of what binds a variable: integrals by rigorous quadrature, roots by a change of sign.
+
+Over the balls that are given for the variables of an expression the value is enclosed for every
+choice of them. An integrand is walked over in complex balls where FLINT asks whether it is
+analytic, and in real ones, which say NaN where it is undefined, everywhere else: so it is shown to
+be defined on the whole way. What finds a root may be clever; what shows it is the
+function at the two ends of a bracket, and its values inside, by which it has no jump there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from flint import acb, arb, ctx, fmpq
+
+from tresym.reals.language.expression import LEAVES, MINUS_ONE, Expr, opened, symbol, symbols
+from tresym.reals.numbers.arithmetic import ball_precision, balls, side
+from tresym.reals.places.values import InBalls, UndefinedError, Walker
+
+At = Mapping[str, arb | fmpq]
+Unique = Callable[[Expr, At], bool]
+"""Whether it is known that a node has one root at most, where the variables have these values."""
+
+MEROMORPHIC = frozenset(
+    (
+        *("exp", "sin", "cos", "tan", "cot", "sec", "csc"),
+        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
+    )
+)
+JUMPS = frozenset(("sign", "atan2"))
+"""Operations whose balls are finite where their values jump."""
+ROUGH = 64
+"""Bits at which a root is looked for."""
+ENDS = 24
+"""It is looked for between points as near to the ends as the part 2^−ENDS of the way."""
+STEPS = 60
+EVALUATIONS = 20_000
+"""How far an integral is refined."""
+WIDER = 8
+"""How often a bracket is doubled."""
+
+
+class Enclosing(InBalls):
+    """Values in balls, those of integrals and roots among them; of nothing else that binds.
+
+    Raises, as all values in balls do, where a value is not shown to exist: of a root, where no
+    change of sign is found, or nothing says that there is one root at most.
+    """
+
+    def __init__(self, at: At, unique: Unique = lambda node, at: False) -> None:
+        """``at`` may work out what it is asked for."""
+        super().__init__(balls, at, {})
+        self.unique = unique
+
+    def _computed(self, e: Expr) -> arb:
+        if e.op == "integral":
+            return self._integral(e)
+        if e.op == "root":
+            return self._root(e)
+        if e.names or e.op in ("O", "o"):
+            raise UndefinedError
+        if e.op == "*":
+            return self._quotient(e)
+        return super()._computed(e)
+
+    def _quotient(self, e: Expr) -> arb:
+        """A product, what is below divided by: a fraction of integers is rounded but once."""
+        above, below = arb(1), arb(1)
+        for factor in e.args:
+            if factor.op == "^" and factor.args[1] == MINUS_ONE:
+                below *= self.value(factor.args[0])
+            else:
+                above *= self.value(factor)
+        return above / below
+
+    def _integral(self, e: Expr) -> arb:
+        low, high = (acb(self.value(end)) for end in e.args[1:])
+        (name,), body = opened(e)
+
+        def integrand(z: acb, analytic: bool) -> acb:
+            if not (analytic or z.imag.is_zero()):
+                return acb(arb.nan())
+            try:
+                here = _Holomorphic(self, name, z) if analytic else _Inner(self, name, z.real)
+                return acb(here.value(body))
+            except UndefinedError:
+                return acb(arb.nan())
+
+        return acb.integral(integrand, low, high, eval_limit=EVALUATIONS).real
+
+    def _root(self, e: Expr) -> arb:
+        low, high = (self.value(end) for end in e.args[1:])
+        (name,), body = opened(e)
+        if not self.unique(e, self.at) or _jumps(body):
+            raise UndefinedError
+        middle = {n: self.value(symbol(n)).mid() for n in symbols(body) if n != name}
+        near, over = (_along(name, body, at, self.unique) for at in (middle, self.at))
+        x, slope = _found(near, low.mid(), high.mid())
+        width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
+        for _ in range(WIDER):
+            first, last = (x - width).mid(), (x + width).mid()
+            bracket = first.union(last)
+            signs = {side(over(first)), side(over(last))}
+            if signs == {1, -1} and low < first and last < high and over(bracket).is_finite():
+                return bracket
+            width *= 2
+        raise UndefinedError
+
+
+class _Inner(Enclosing):
+    """Values where one more variable has a value, the others known from outside."""
+
+    def __init__(self, outer: Enclosing, name: str, x: arb) -> None:
+        super().__init__({name: x}, outer.unique)
+        self.outer, self.name = outer, name
+
+    def value(self, e: Expr) -> arb:
+        return super().value(e) if self.name in symbols(e) else self.outer.value(e)
+
+
+def _along(name: str, body: Expr, at: At, unique: Unique) -> Callable[[arb], arb]:
+    """``body`` as a function of one variable, NaN where it is undefined."""
+    outers: dict[int, Enclosing] = {}
+
+    def function(x: arb) -> arb:
+        outer = outers.setdefault(ctx.prec, Enclosing(at, unique))  # what is known is so precise
+        try:
+            return _Inner(outer, name, x).value(body)
+        except UndefinedError:
+            return arb.nan()
+
+    return function
+
+
+class _Holomorphic(Walker):
+    """Values in complex balls on which every operation is holomorphic; else what is not finite."""
+
+    _number = acb
+
+    def __init__(self, outer: Enclosing, name: str, z: acb) -> None:
+        super().__init__(balls, {name: z})
+        self.outer, self.name = outer, name
+
+    def value(self, e: Expr) -> acb:
+        return super().value(e) if self.name in symbols(e) else acb(self.outer.value(e))
+
+    def _power(self, base: Expr, exponent: Expr) -> acb:
+        x = self.value(base)
+        if exponent.op != "number":
+            return (self.value(exponent) * x.log(analytic=True)).exp()
+        p, q = int(exponent.args[0].p), int(exponent.args[0].q)
+        if q == 1:
+            return x**p
+        return (x.sqrt(analytic=True) if q == 2 else x.pow(acb(fmpq(1, q)), analytic=True)) ** p
+
+    def _apply(self, name: str, *values: acb) -> acb:
+        if name == "log":
+            return values[0].log(analytic=True)
+        return getattr(values[0], name)() if name in MEROMORPHIC else acb(arb.nan())
+
+
+def _jumps(e: Expr) -> bool:
+    inner = (arg for arg in e.args if isinstance(arg, Expr))
+    return e.op in JUMPS or (e.op not in LEAVES and any(map(_jumps, inner)))
+
+
+def _found(f: Callable[[arb], arb], low: arb, high: arb) -> tuple[arb, arb]:
+    """A point near a root between the ends, to the working precision, and the slope there.
+
+    By regula falsi with halved weights (Illinois) and then by secants.
+
+    Raises:
+        UndefinedError: no change of sign is met.
+    """
+    with ball_precision(ROUGH):
+        one, two = _change(f, low, high)
+        (x, at_x), (y, at_y) = one, two
+        for _ in range(STEPS):
+            z = ((x * at_y - y * at_x) / (at_y - at_x)).mid()
+            value = f(z).mid()
+            if abs(z - y) < abs(y) * arb((1, -20)) or not value:
+                break
+            at_x, x = (at_y, y) if value * at_y < 0 else (at_x / 2, x)
+            y, at_y = z, value
+    x, at_x = y, f(y).mid()
+    y, at_y = z, f(z).mid()
+    slope = (at_y - at_x) / (y - x)
+    for _ in range(STEPS):
+        step = (at_y / slope).mid()
+        x, at_x, y = y, at_y, (y - step).mid()
+        if not abs(step) > abs(y) * arb((1, 16 - ctx.prec)):
+            break
+        at_y = f(y).mid()
+        slope = (at_y - at_x) / (y - x)
+    if not (slope.is_finite() and slope):
+        raise UndefinedError
+    return y, slope.mid()
+
+
+def _change(
+    f: Callable[[arb], arb], low: arb, high: arb
+) -> tuple[tuple[arb, arb], tuple[arb, arb]]:
+    """Two points with values of opposite signs, from the middle towards both ends."""
+    middle = ((low + high) / 2).mid()
+    last = [(middle, f(middle))] * 2
+    for n in range(2, ENDS + 1):
+        step = (high - low) * arb((1, -n))
+        for end, x in enumerate((low + step, high - step)):
+            here = x.mid(), f(x.mid())
+            for there in (last[end], last[1 - end]):
+                if here[1] * there[1] < 0:
+                    return there, here
+            if side(here[1]):
+                last[end] = here
+    raise UndefinedError
+
+
+def value(e: Expr, at: At, unique: Unique) -> arb:
+    """A ball that contains ``e`` at ``at``, at the working precision; NaN where none is shown."""
+    try:
+        return Enclosing(at, unique).value(e)
+    except UndefinedError:
+        return arb.nan()
