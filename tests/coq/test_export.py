@@ -6,14 +6,27 @@ import json
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
+from random import Random
 
 import pytest
+from flint import arb
 
 from tresym.commands import main
 from tresym.coq import export
-from tresym.coq.ledger import stamp
+from tresym.coq.dialogue import accepted
+from tresym.coq.ledger import stamp, theorem_of
+from tresym.coq.proving import candidates, plans
+from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.paper import all_claims
+from tresym.reals.corpus.rewriting import changed
+from tresym.reals.language.expression import Expr
+from tresym.reals.language.formula import Relation
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
 
 BEYOND = re.compile(r"\b(Admitted|Axiom|Axioms|Parameter|Parameters|Conjecture|admit|Abort)\b")
 STORE = export.stored()
@@ -83,3 +96,51 @@ def test_coq_accepts_what_is_exported(tmp_path: Path) -> None:
     assert main(["export", "--coq", str(tmp_path), *labels]) == 0
     done = subprocess.run(["make"], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def falsehoods(count: int) -> list[Theorem]:
+    """Lemmas of the ledger's claims with a changed right side, false at a point by balls."""
+    random, found = Random(8), []
+    for claim in all_claims():
+        try:
+            plan = next(plans(claim, theorem_of(claim)), None)
+        except NotExportedError:
+            continue
+        for lemma in plan.lemmas[:6] if plan else ():
+            if lemma.by is not None or lemma.definitions:
+                continue
+            try:
+                right = changed(lemma.right, random)
+            except InputError:
+                continue
+            if false_somewhere(lemma, right):
+                found.append(replace(lemma, says=Relation(lemma.left, lemma.relation, right)))
+        if len(found) >= count:
+            break
+    return found
+
+
+def false_somewhere(lemma: Theorem, right: Expr) -> bool:
+    """Whether balls exclude the relation at a point where all is defined."""
+    for point in Given(lemma.given).points(lemma.variables, 10):
+        with ball_precision(100):
+            at = {name: arb(x) for name, x in point.items()}
+            d = evaluate(lemma.left - right, at)
+            needed = [evaluate(e, at) for e, _ in lemma.defined]
+            signs = {"==": d != 0, ">": d < 0, ">=": d < 0, "<": d > 0, "<=": d > 0, "!=": False}
+            if d.is_finite() and all(v > 0 for v in needed) and signs[lemma.relation]:
+                return True
+    return False
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+def test_no_falsehood_is_proved() -> None:
+    false = falsehoods(300)
+    assert len(false) >= 300
+    texts = []
+    for n, lemma in enumerate(false):
+        proof = next(candidates(lemma), "lra.")
+        texts.append(f"Theorem false_{n} :\n{lemma.body}.\nProof.\n{proof}\nQed.")
+    held = accepted(texts)
+    assert not any(held), [t for t, ok in zip(texts, held, strict=True) if ok]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import argparse
 import shutil
+import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 from tresym.commands.parser import Commands
 from tresym.reals.numbers.exact import InputError
@@ -26,6 +28,11 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--search", action="store_true", help="find the proofs anew by asking coqtop, and keep them"
     )
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="ask coqc what the theorems in the folder rest on, once make is done",
+    )
     parser.set_defaults(run=run)
 
 
@@ -35,6 +42,8 @@ def run(args: argparse.Namespace) -> int:
     from tresym.ledger.paper import all_claims
 
     store = stored()
+    if args.check:
+        return _check(Path(args.coq), store)
     if args.search:
         if shutil.which("coqtop") is None:
             raise InputError("export: --search asks coqtop, which is not installed here")
@@ -51,3 +60,31 @@ def run(args: argparse.Namespace) -> int:
         f"part, {counts['none']} not; run make there to have Coq check them"
     )
     return 0
+
+
+def _check(folder: Path, store: dict[str, Any]) -> int:
+    """Compare what the theorems rest on with what is stored, or store it where nothing is."""
+    from tresym.coq.export import assumed, save
+    from tresym.coq.ledger import name_of
+
+    done = subprocess.run(
+        ["coqc", "-q", "-Q", ".", "", "Ledger.v"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if done.returncode != 0:
+        raise InputError(f"export: coqc does not accept {folder}/Ledger.v; run make there first")
+    found = assumed(folder, done.stdout)
+    beyond = {name: text for name, text in found.items() if "it rests on the classical" not in text}
+    changed = 0
+    for label, row in store["claims"].items():
+        text = found.get(name_of(label), "")
+        changed += row.get("assumptions", text) != text
+        row["assumptions"] = text
+    save(store)
+    for name, text in beyond.items():
+        print(f"{name}: {text}")
+    print(f"{len(found)} theorems, {len(beyond)} on more than the reals; {changed} rest on others")
+    return 1 if beyond or changed else 0

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import signal
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -23,7 +24,7 @@ from tresym.coq.dialogue import HEAD, TEXT_SECONDS, Dialogue, prelude
 from tresym.coq.ledger import Joint, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
 from tresym.coq.proving import Plan, candidates, plans
-from tresym.coq.search import version
+from tresym.coq.search import assumptions, version
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.meaning import conditions, known
@@ -424,6 +425,17 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
             )
         lines.append(f"Print Assumptions {_theorem(label, entry)}.")
     return "\n".join(lines) + "\n"
+
+
+def assumed(folder: Path, said: str) -> dict[str, str]:
+    """What each theorem rests on, by name, from what Coq printed when it read Ledger.v."""
+    asked = re.findall(
+        r"^Print Assumptions (\w+)\.", (folder / "Ledger.v").read_text(), re.MULTILINE
+    )
+    blocks = re.split(r"^(?=Axioms:|Closed under)", said, flags=re.MULTILINE)[1:]
+    if len(asked) != len(blocks):
+        raise InputError(f"Coq says of {len(blocks)} theorems what they rest on, not {len(asked)}")
+    return {name: assumptions(block) for name, block in zip(asked, blocks, strict=True)}
 
 
 def _theorem(label: str, entry: Entry) -> str:

@@ -216,7 +216,8 @@ def theorem(
         (tuple(c for c in asked if c not in given), meaning) for asked, meaning in meanings
     )
     if exists:  # there the conditions of the definitions hold, too
-        given = tuple(dict.fromkeys((*given, *(c for asked, _ in put_in for c in asked))))
+        conditions_ = (Relation(*c) for asked, _ in put_in for c in asked)
+        given = tuple(dict.fromkeys((*given, *conditions_)))
         put_in = tuple(((), meaning) for _, meaning in put_in)
     return Theorem(
         name_of(claim.label), tuple(sorted(names)), put_in, given, tuple(parts), says, exists

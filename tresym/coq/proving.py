@@ -462,7 +462,7 @@ def at_point(claim: Claim, whole: Theorem) -> Iterator[Plan]:
     texts = [f"({term(values.get(symbol(name), ONE))})" for name in whole.variables]
     there = f"exists {', '.join(texts)}. " if texts else ""
     for first in ("", "laws; unfold root, acosh, atanh in *; "):
-        yield Plan((), f"{there}repeat split; {first}numeric.")
+        yield Plan((), f"{there}repeat split; {first}first [reflexivity | numeric].")
 
 
 def witness(claim: Claim) -> dict[str, fmpq] | None:

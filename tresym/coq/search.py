@@ -147,7 +147,7 @@ def version() -> str:
 
 def assumptions(said: str) -> str:
     """What ``Print Assumptions`` printed, in a sentence."""
-    names = set(re.findall(r"^([A-Z]\w*(?:\.\w+)+) *:", said, re.MULTILINE))
+    names = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
     others = sorted(name for name in names if name not in _REALS)
     numbers = [
         name for name in others if re.match(r"(PrimInt63|PrimFloat|Uint63|FloatAxioms|Int63)", name)
