@@ -18,8 +18,7 @@ FLOORS = (
     ("reals",),
     ("racket", "output", "ledger"),
     ("sweep", "proofs", "coq"),
-    ("report",),
-    ("bench",),
+    ("report", "bench"),
     ("commands",),
     ("site", "__main__"),
 )

@@ -21,13 +21,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tresym.coq.dialogue import HEAD, TEXT_SECONDS, Dialogue, prelude
-from tresym.coq.ledger import Joint, name_of, stamp, stem, theorem_of
+from tresym.coq.ledger import Joint, conditions_of, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
 from tresym.coq.proving import Plan, candidates, plans
 from tresym.coq.search import assumptions, version
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
 from tresym.ledger.claim import AllOf, Claim
-from tresym.ledger.meaning import conditions, known
+from tresym.ledger.meaning import known
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections
 from tresym.output import write_text
 from tresym.reals.language.expression import number, symbols
@@ -130,7 +130,7 @@ class Memory:
     def __init__(self, path: Path | None, seconds: float = TEXT_SECONDS, most: int = MOST) -> None:
         self.path = path
         self.seconds, self.most, self.until = seconds, most, math.inf
-        self.known: dict[str, bool] = {}
+        self.known: dict[str, bool | str] = {}
         self.coq: Dialogue | None = None
         self.count = 0
         if path is not None and path.is_file():
@@ -193,7 +193,7 @@ def search(
         except NotExportedError:
             continue
     every = [lemma for _, options in todo.values() for plan in options for lemma in plan.lemmas]
-    every.sort(key=lambda lemma: lemma.relation != "==")  # what is quick comes first
+    every.sort(key=lambda lemma: lemma.relation == "==")
     proved = lemmas_proved(every, memory, say)
     memory.longer()
     kept: dict[str, Any] = {}
@@ -225,7 +225,12 @@ def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
     """A point for each set of conditions, and the proof that they hold there."""
     found: dict[str, Any] = {}
     for claim in claims:
-        given = conditions(claim.given)
+        try:
+            given = tuple(conditions_of(claim.given))
+        except InputError:
+            continue
+        if any(c.sign == "==" for c in given):
+            continue  # the point is given
         names = sorted(frozenset().union(*(symbols(c.left) | symbols(c.right) for c in given)))
         body = " /\\\n".join(f"  {comparison(*c)}" for c in given)
         body = f"  exists {' '.join(map(variable, names))} : R,\n{body}"
@@ -274,13 +279,19 @@ def lemmas_proved(
             if body in asked:
                 continue
             asked[body] = None
-            if memory.is_over:
-                break
+            key = "lemma " + _hash(body)
+            lost = f"{key} {memory.seconds} {memory.most} {_hash(prelude())}"
+            if key in memory.known:
+                won[body] = str(memory.known[key])
+            if key in memory.known or lost in memory.known or memory.is_over:
+                continue
             for proof in islice(_found_soon(candidates(lemma)), memory.most):
                 text = f"Theorem trial_@ :\n{body}.\nProof.\n{proof}\nQed."
                 if memory.ask({body: text})[body]:
-                    won[body] = proof
+                    won[body] = memory.known[key] = proof
                     break
+            else:
+                memory.known[lost] = False
         except (
             ArithmeticError,
             AttributeError,

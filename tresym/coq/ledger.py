@@ -108,8 +108,8 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
         raise NotExportedError(f"what is said is not read as real expressions ({error})") from None
 
 
-def _conditions(given: Iterable[Basic]) -> list[Relation]:
-    """Conditions, equations among them."""
+def conditions_of(given: Iterable[Basic]) -> list[Relation]:
+    """Conditions as relations, equations among them."""
     return [part for e in given for part in relations(read(e))]
 
 
@@ -134,7 +134,7 @@ def read(says: Basic) -> Formula:
     if kind == "Equivalent" and len(says.args) == 2:
         return Equivalence(*map(read, says.args))  # type: ignore[arg-type]
     if kind == "Under":
-        return Wherever(tuple(_conditions(says.args[1].args)), read(says.args[0]))
+        return Wherever(tuple(conditions_of(says.args[1].args)), read(says.args[0]))
     if kind == "ExactlyOne":
         x, low, high = map(door.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
@@ -206,7 +206,7 @@ def theorem(
     claim: Claim, says: Formula, above: tuple[Basic, ...] = (), exists: bool = False
 ) -> Theorem:
     """The claim's definitions, conditions, what makes it defined, and what it says."""
-    given = tuple(dict.fromkeys(_conditions((*claim.given, *above))))
+    given = tuple(dict.fromkeys(conditions_of((*claim.given, *above))))
     sides = [e for x, _, y in given for e in (x, y)]
     parts = [*asked(says), *(part for e in sides for part in defined(e))]
     parts = [part for part in dict.fromkeys(parts) if symbols(part[0])]
