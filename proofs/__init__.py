@@ -31,6 +31,7 @@ PARTS = (
     "monotonicity",
     "exponent",
     "power_series",
+    "sweeps",
     "asymptotics",
     "constants",
     "moments",

@@ -50,7 +50,7 @@ ethylene_flip_exact = number(
 ethylene_flip_formula = number(
     "ethylene_flip_formula",
     "By the asymptotic formula ethylene flips by π(1 − 0.0871).",
-    share_of_pi(epsilon_star),
+    share_of_pi(epsilon_printed),
     "0.0871",
     _ETHYLENE,
     *(shape_and_depth, rotational_constants, leading_defect),
@@ -83,7 +83,7 @@ ethylene_flip = number(
 ethylene_flip_by_formula = number(
     "ethylene_flip_by_formula",
     "By the asymptotic formula ethylene flips by π(1 − 0.0528) at γ = 0.",
-    share_of_pi(epsilon_star),
+    share_of_pi(epsilon_printed),
     "0.0528",
     _ETHYLENE,
     *(shape_and_depth, rotational_constants, leading_defect),

@@ -32,20 +32,6 @@ mean_below_the_first = Claim(
 mean_is_positive = Claim(says=1 - sqrt(1 - c**2) > 0, given=(c > 0, c < 1), proof=manifest)
 
 
-def _room(label: str, room: Expr, given: tuple, parts: Expr) -> Claim:
-    return Claim(label=label, says=room > 0, given=given, proof=(step(parts),))
-
-
-_below_one = (1 - c) * (1 + c)
-sine_on_the_way = _room("sine_on_the_way", 1 - y**2, _on_the_way, _below_one + (c - y) * (c + y))
-root_at_the_mean = _room(
-    "root_at_the_mean", u + 1 - z**2, _falling, (u + 1 - c**2) + (c - z) * (c + z)
-)
-root_on_the_way = _room(
-    "root_on_the_way", u + 1 - y**2, _on_the_way, (u + 1 - c**2) + (c - y) * (c + y)
-)
-_rooms = (sine_on_the_way, root_on_the_way)
-
 _root, _mean_root = sqrt(u + 1 - y**2), sqrt(u + 1 - z**2)
 _cosecant = 1 / sqrt(1 - y**2)
 
@@ -89,17 +75,22 @@ _at_mean = _moment(_mean_root)
 mean_of_the_product = Claim(
     says=_weighted - _at_mean * (1 - sqrt(1 - c**2) - z * asin(c)) >= 0,
     given=_falling,
+    knowing=(
+        u + 1 - z**2 > 0,
+        Under(1 - y**2 > 0, (y >= 0, y <= c)),
+        Under(u + 1 - y**2 > 0, (y >= 0, y <= c)),
+    ),
     proof=(
         step(
             _weighted - Integral(_at_mean * (y - z) * _cosecant, _ends),
-            integrating(_at_mean * (-sqrt(1 - y**2) - z * asin(y)), *_rooms),
+            integrating(_at_mean * (-sqrt(1 - y**2) - z * asin(y))),
             inverses,
             roots,
         ),
         step(
             Integral(_less * (y - z) * _cosecant, _ends),
-            collecting(*_rooms),
-            citing(root_at_the_mean, *_rooms, moment_falls),
+            collecting(),
+            citing(moment_falls),
         ),
     ),
     note="With the mean for z the second term is 0: the integral of the moment with the weight "

@@ -51,7 +51,7 @@ BY_FORMULA = (shape_and_depth, leading_defect)
 defect_formula = number(
     "eps0_str_formula",
     "By the asymptotic formula the standard racket has ε₀ = 0.1150.",
-    epsilon_star,
+    epsilon_printed,
     "0.1150",
     STR,
     *BY_FORMULA,
@@ -93,7 +93,7 @@ flip_str_exact = number(
 accuracy = number(
     "accuracy",
     "For the standard racket the formula agrees with the exact equation to an accuracy of 10⁻³.",
-    epsilon_star - epsilon0,
+    epsilon_printed - epsilon0,
     "0.000",
     STR,
     *(*EXACTLY, leading_defect),
@@ -103,7 +103,7 @@ accuracy = number(
 accuracy_relative = number(
     "accuracy_relative",
     "The same holds relative to ε₀.",
-    (epsilon_star - epsilon0) / epsilon0,
+    (epsilon_printed - epsilon0) / epsilon0,
     "0.000",
     STR,
     *(*EXACTLY, leading_defect),
@@ -134,7 +134,7 @@ _slope = -printed.defect_per_turn(epsilon0, a, b, 1, sympy) * printed.turn_slope
 slope_of_formula = number(
     "slope_str_formula",
     "By the asymptotic formulas the standard racket has dε/dγ = −34.5 at γ = 0.",
-    printed.defect_slope_asymptotic(epsilon_star, b),
+    printed.defect_slope_asymptotic(epsilon_printed, b),
     "-34.5",
     STR,
     *BY_FORMULA,
@@ -183,7 +183,7 @@ def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
 _UPPER = (*STR, equal(epsilon, -pi / 12))
 _LOWER = (*inputs(I1=1210, I2=16380, I3=17480), equal(epsilon, pi / 12))
 
-_level = 4 * b * epsilon_star * (epsilon_star - epsilon)
+_level = 4 * b * epsilon_printed * (epsilon_printed - epsilon)
 """γ at which the linear formula gives ε."""
 
 upper_linear = number(

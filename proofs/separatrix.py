@@ -63,46 +63,18 @@ substitution = Claim(
 
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 
-root_at_start = Claim(
-    says=1 - x0**2 > 0, given=(*shape, *defect), proof=by(substituting(start_in_x))
-)
-
-below_the_pole = Claim(
-    says=b / (a + b) - x0**2 > 0, given=(*shape, *defect), proof=by(substituting(start_in_x))
-)
-
-_inside = ((x - x0) * (-x0 - x) >= 0,)
-
-
-pole_outside = Claim(
-    says=b / (a + b) - x**2 > 0,
-    given=(*shape, *defect, *_inside),
-    proof=by(citing(below_the_pole)),
-    note="The sum of the two bounds it cites.",
-)
-
-
-first_factor = Claim(
-    says=1 - (a + b) / b * x**2 > 0,
-    given=(*shape, *defect, *_inside),
-    proof=by(citing(pole_outside)),
-)
-
-artanh_at_start = Claim(
-    says=1 - (sqrt(a / b) * x0 / sqrt(1 - x0**2)) ** 2 > 0,
-    given=(*shape, *defect),
-    proof=by(citing(below_the_pole)),
-)
-
 integrated = Claim(
     label="d36",
     says=equal(printed.arctanh_left(x0, a, b, sympy), sqrt(a * b) * pi),
     given=(*shape, *defect),
+    knowing=(
+        b / (a + b) - x0**2 > 0,
+        Under(b / (a + b) - x**2 > 0, ((x - x0) * (-x0 - x) >= 0,)),
+    ),
     proof=(
         step(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
-            integrating(_primitive, first_factor),
-            citing(root_at_start, artanh_at_start),
+            integrating(_primitive),
             inverses,
             roots,
         ),
@@ -184,20 +156,20 @@ auxiliary_angle = Claim(
 _spread = cosh(T) ** 2 + r**2 * sinh(T) ** 2
 _end = 3 * pi / 2 * k
 
-end_positive = Claim(says=tanh(_end) > 0, given=auxiliary, proof=manifest)
 
 unique_root = Claim(
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
     "with 0 < T < 3π√(ab)/2.",
     means=ExactlyOne(T, 0, _end, equal(T, _map)),
     given=(*auxiliary, k * r <= 1),
+    knowing=(tanh(_end) > 0,),
     proof=UniqueRoot(
         derivative=(
             step(1 - k * r / _spread, differentiation, exponentials),
             step(((1 - k * r) + (1 + r**2) * sinh(T) ** 2) / _spread, exponentials),
         ),
         at_low=(step(-pi * k, exponentials, inverses),),
-        at_high=(step(k * atan(1 / (r * tanh(_end))), citing(end_positive), inverses),),
+        at_high=(step(k * atan(1 / (r * tanh(_end))), inverses),),
     ),
     note="b = k r with k = √(ab) and r = √(b/a).",
 )
@@ -291,7 +263,7 @@ vanishing_share = Claim(
 )
 
 leading_defect = Claim(
-    says=equal(epsilon_star, printed.asymptotic_defect(a, b, sympy)),
+    says=equal(epsilon_printed, printed.asymptotic_defect(a, b, sympy)),
     given=shape,
     proof=Definition(),
     note="The formula of the theorem, without its remainder.",

@@ -84,7 +84,7 @@ def _defects(row: str, given: Given, *claims: Claim) -> list[Claim]:
     cells = []
     for reading, defect, of in (
         ("", epsilon0, (flip_defect, one_flip_defect)),
-        ("formula", epsilon_star, (leading_defect,)),
+        ("formula", epsilon_printed, (leading_defect,)),
     ):
         known = (*claims, *of)
         cells.append(_cell(row, "epsilon0", x, defect, given, reading, *known))

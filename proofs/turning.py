@@ -75,12 +75,6 @@ unfolded_motion = Claim(
 before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
 
 
-flip_before_the_turn = Claim(
-    says=Tuple(a + b * sin(_here.flip) ** 2 > 0, gamma + b * sin(_here.flip) ** 2 > 0),
-    given=(*before_the_turn, x >= 0, x <= chi),
-    proof=manifest,
-)
-
 phase = Integral(_here.rate, (x, 0, chi))
 """Φ(χ, γ), the precession from χ to ψ = π/2."""
 
@@ -89,7 +83,8 @@ unfolded_turn = Claim(
         Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, _end.flip, pi / 2)), phase
     ),
     given=before_the_turn,
-    proof=by(changing_variable(_here.flip, flip_before_the_turn)),
+    knowing=(Under(gamma + b * sin(_here.flip) ** 2 > 0, (x >= 0, x <= chi)),),
+    proof=by(changing_variable(_here.flip)),
     note="Before the motion has turned Φ is F.",
 )
 
@@ -223,29 +218,23 @@ _R = a * b * _cosines - c * (b + a * _sines)
 _N = (1 - b) * (a - c) * _cosines + (a + b) * ((1 - b) + _deep) * _sines
 _fall_short = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0)
 
-above_the_bottom = Claim(
-    says=b + c > 0,
-    given=(*_fall_short, c > -b * _start),
-    proof=(step(_deep, trigonometry),),
-)
-
 one_turned_level = Claim(
     says="A flip defect of a motion that has turned once belongs to one γ at most.",
     means=AtMostOne(c, -b * _start, 0, equal(Integral(_on_level.rate, (x, 0, _last)), pi)),
     given=_fall_short,
+    knowing=(Under(b + c > 0, (c > -b * _start,)),),
     proof=Monotone(
         (
             step(
                 Integral(_on_level.growth, (x, 0, _last)) + _there.rate * _moves,
-                differentiating_integral(_on_level.growth, above_the_bottom),
-                *(citing(above_the_bottom), differentiation, roots, trigonometry, inverses),
+                differentiating_integral(_on_level.growth),
+                *(differentiation, roots, trigonometry, inverses),
             ),
             step(
                 Integral(_on_level.growth, (x, 0, _last)) + _N / (_Q * sqrt(_R)) * _moves,
-                *(citing(above_the_bottom), roots, trigonometry, inverses),
+                *(roots, trigonometry, inverses),
             ),
         ),
-        (above_the_bottom,),
     ),
     note="Φ rises with γ, here c, and so does χ.",
 )

@@ -3,7 +3,8 @@
 Each mutant of mutations.py is applied in a process of its own, where those quick tests run that go
 through the changed line, until one fails. What was found is in ``build/guards.jsonl``: a run that
 is interrupted goes on when it is started again, a function that has not changed is not tried
-again, but for its survivors. ``show`` prints these; ``save`` writes docs/measurements/guards.json.
+again, but for its survivors that no reason excuses. ``show`` prints these; ``save`` writes
+docs/measurements/guards.json.
 """
 
 from __future__ import annotations
@@ -238,6 +239,8 @@ def main() -> int:
     wanted = [m for file in names or files() for m in mutants(file)]
     again = ("not tried", "survived", "not reached")
     wanted = [m for m in wanted if known.get(m.key, {}).get("outcome", "not tried") in again]
+    excused = [m for m in wanted if any(is_meant(reason, m) for reason in equivalent())]
+    wanted = [m for m in wanted if m not in excused or m.key not in known]
     wanted = [m for m in wanted if int(m.key, 16) % SHARE == 0]
     RECORD.parent.mkdir(exist_ok=True)
     settings.register_profile(

@@ -51,7 +51,7 @@ RESTS = [
     ((step(x, substituting(B)), step(y, citing(A))), [B, A]),
     (together(by(substituting(A)), by(citing(B))), [A, B]),
     (UniqueRoot(by(citing(A)), by(citing(B)), by(citing(C))), [A, B, C]),
-    (ImplicitFunction(A, x, y, Integer(0), by(citing(C)), (B,)), [A, B, C]),
+    (ImplicitFunction(A, x, y, Integer(0), by(citing(C))), [A, C]),
     (all_of(A, B), [A, B]),
     (formally(A), [A]),
     (Definition(), []),

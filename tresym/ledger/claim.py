@@ -11,7 +11,7 @@ the last must arrive at its right side. A step may use only the reasons it names
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
@@ -125,11 +125,10 @@ class Definition:
     """The claim introduces symbols: each is new, defined once, by symbols known before.
 
     ``assumes`` names what is put in: an equation for symbols that are defined elsewhere, or for one
-    under an integral. ``claims`` are proved inequalities by which what is defined exists.
+    under an integral.
     """
 
     assumes: str = ""
-    claims: tuple[Claim, ...] = ()
     kind: ClassVar[str] = "definition"
 
     @property
@@ -198,8 +197,6 @@ class Monotone:
 
     slope: Chain
     """A chain from the derivative of the difference to a form that is manifestly positive."""
-    bounds: tuple[Claim, ...] = ()
-    """Proved inequalities that hold on the intervals of integration in the equation."""
 
 
 @dataclass(frozen=True)
@@ -218,8 +215,6 @@ class ImplicitFunction:
     at: Expr
     slope: Chain
     """A chain from the derivative by the unknown, at ``at``, to a form whose sign is manifest."""
-    bounds: tuple[Claim, ...] = ()
-    """Proved inequalities that hold on the intervals of integration in the equation."""
 
 
 @dataclass(frozen=True)
@@ -323,6 +318,8 @@ class Claim:
             where ``says`` is a sharper reading, which is ours.
         fault: for a claim expected REFUTED, what is wrong with the paper there.
         quotes: theorems that the evidence applies and no claim shows.
+        knowing: local facts, each shown by the prover of signs under the conditions of the claim
+            and by those before it; ``Under(φ, (condition, …))`` is one of what is bound.
     """
 
     label: str = ""
@@ -339,6 +336,7 @@ class Claim:
     fault: Fault = Fault.STATEMENT
     quotes: tuple[Axiom, ...] = ()
     means: Basic | None = None
+    knowing: tuple[Basic, ...] = ()
 
     def __post_init__(self) -> None:
         defined = isinstance(self.proof, Definition | Root)
@@ -425,6 +423,7 @@ def expressions(claim: Claim) -> Iterator[Basic]:
     proof = claim.proof
     yield from (e for e in (claim.says, claim.means) if isinstance(e, Basic))
     yield from claim.given
+    yield from claim.knowing
     if isinstance(proof, ImplicitFunction):
         yield from (proof.unknown, proof.parameter, proof.at)
     for chain in _chains(proof):
@@ -459,6 +458,25 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
             return ()
 
 
+def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Reason) -> Evidence:
+    """The evidence with each reason of its chains changed, after ``more`` reasons in each step."""
+
+    def chain(links: Chain) -> Chain:
+        return tuple(Step(k.expression, (*more, *map(changed, k.reasons))) for k in links)
+
+    match proof:
+        case Together(chains):
+            return Together(tuple(map(chain, chains)))
+        case UniqueRoot():
+            ends = chain(proof.at_low), chain(proof.at_high)
+            return UniqueRoot(chain(proof.derivative), *ends)
+        case ImplicitFunction() | Monotone():
+            return replace(proof, slope=chain(proof.slope))
+        case tuple():
+            return chain(proof)
+    return proof
+
+
 def put_in_by(claim: Claim) -> tuple[Claim, ...]:
     """The claims that the evidence puts in: they hold here where all their conditions do."""
     if isinstance(claim.proof, Formally):
@@ -481,8 +499,6 @@ def _named(proof: Evidence) -> Iterator[Claim]:
     """Every claim that a piece of evidence names."""
     if isinstance(proof, ImplicitFunction):
         yield proof.equation
-    if isinstance(proof, ImplicitFunction | Monotone):
-        yield from proof.bounds
     for chain in _chains(proof):
         for link in chain:
             for reason in link.reasons:

@@ -136,7 +136,7 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
             return f"{new} is not a new symbol"
     try:
         for e in (*explicit.values(), *integrals):
-            need_value(e, proof.claims, given)
+            need_value(e, given)
     except NotShownError as error:
         return str(error)
     if integrals and not proof.assumes:

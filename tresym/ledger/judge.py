@@ -44,6 +44,7 @@ from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, judge_counterexample
+from tresym.ledger.evidence.facts import by_facts, facts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
@@ -174,6 +175,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
     why = unfit(claim)
     if why is not None:
         return Finding(UNDECIDED, why)
+    if claim.knowing:
+        return _judge_with_facts(claim, found)
     match claim.proof:
         case Definition() | Root():
             return judge_definition(claim, claim.proof)
@@ -199,6 +202,24 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return claim.proof.judge()
         case _:
             return Finding(UNDECIDED, "that is no kind of evidence")
+
+
+def _judge_with_facts(claim: Claim, found: Findings) -> Finding:
+    """The finding by the claim's local facts, in the order in which each is shown.
+
+    Where one is not, what is said may still be false.
+    """
+    steps: tuple[StepFinding, ...] = ()
+    facts = facts_of(claim)
+    for fact in facts:
+        shown = _guarded(fact, {})
+        steps += shown.steps
+        if shown.verdict is not PROVED:
+            alone = _judge(replace(claim, knowing=()), found)
+            why = f"the fact {fact.says} is not shown: {shown.why}"
+            return alone if alone.verdict is REFUTED else Finding(UNDECIDED, why, steps=steps)
+    finding = _judge(by_facts(claim, facts), found)
+    return replace(finding, steps=steps + finding.steps)
 
 
 def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -> Finding:
@@ -345,7 +366,7 @@ def _judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
     given = without(name, conditions(claim.given))
     inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
     try:
-        need_smooth(difference, proof.bounds, inside)
+        need_smooth(difference, inside)
     except NotShownError as error:
         return Finding(UNDECIDED, str(error))
     rising = Relation(differentiate(difference, name), ">", ZERO)
@@ -391,15 +412,15 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     slope = -derivative(left, p, at) / by_unknown
     if not under_binder(says.right, slope, outside) or symbols(says.left) & symbols(left):
         return Finding(UNDECIDED, "that is not the slope of the implicit function")
-    if not _possible(claim) or any(p in defined(bound) for bound in proof.bounds):
-        return Finding(UNDECIDED, "the conditions are met nowhere, or a bound is about what varies")
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     place = tree(proof.parameter)
     near = (*outside, Relation(place, ">=", at), Relation(place, "<=", at))
     unmet = unmet_condition(proof.equation, {}, near)
     if unmet is not None:
         return Finding(UNDECIDED, f"{unmet} is not shown, but the equation needs it")
     try:
-        need_smooth(left, proof.bounds, near)
+        need_smooth(left, near)
     except NotShownError as error:
         return Finding(UNDECIDED, str(error))
     steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)

@@ -35,20 +35,19 @@ from tresym.ledger.statements import (
     AtMostOne, ExactlyOne, ForSome, Rounds, TheRoot, Under, order,
 )
 from tresym.reals.balls.boxes import Bound, box
-from tresym.reals.balls.germ import Germs
 from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Claim", "Counterexample",
     "Definition", "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr", "Fault",
-    "ForSome", "Function", "Ge", "Germs", "Gt", "ImmutableMatrix", "ImplicitFunction",
-    "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "Place", "Printed",
-    "Rational", "Reason", "Root", "Rounds", "Subs", "Symbol", "TheRoot", "Tuple", "Under",
-    "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of", "applying", "arb", "asin",
-    "asinh", "at", "atan", "atanh", "box", "by", "certificate", "changing_variable", "citing",
-    "collecting", "cos", "cosh", "cutting", "det", "diff", "differentiating_integral",
-    "differentiation", "display", "equal", "equations", "evaluating", "exp", "exponentials",
-    "eye", "fmpq", "formally", "integrating", "inverses", "label_claims", "line", "log",
-    "manifest", "multiplying", "oo", "order", "parts_of", "pi", "roots", "sin", "sinh", "sqrt",
-    "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction", "Integer",
+    "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "Place", "Printed", "Rational", "Reason",
+    "Root", "Rounds", "Subs", "Symbol", "TheRoot", "Tuple", "Under", "UniqueRoot", "Verdict",
+    "acos", "adding", "algebra", "all_of", "applying", "arb", "asin", "asinh", "at", "atan",
+    "atanh", "box", "by", "certificate", "changing_variable", "citing", "collecting", "cos",
+    "cosh", "cutting", "det", "diff", "differentiating_integral", "differentiation", "display",
+    "equal", "equations", "evaluating", "exp", "exponentials", "eye", "fmpq", "formally",
+    "integrating", "inverses", "label_claims", "line", "log", "manifest", "multiplying", "oo",
+    "order", "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy",
+    "tan", "tanh", "together", "trigonometry",
 ]

@@ -12,11 +12,10 @@ from sympy import Symbol
 __all__ = [
     "I1", "I2", "I3", "M1", "M2", "M3", "S2", "W1", "W2", "W3", "Delta_phi", "Delta_psi", "E",
     "F", "M", "S", "T", "a", "b", "dM1_dt", "dM2_dt", "dM3_dt", "depsilon_dgamma", "dphi_dt",
-    "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon", "epsilon0", "epsilon_star",
-    "gamma", "k",
-    "lam", "mu", "partialF_partialgamma", "partialepsilon_partialF",
-    "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f", "psi_max", "psi_min", "r",
-    "theta", "theta_max", "theta_min", "u", "x", "x0",
+    "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon", "epsilon0", "epsilon_4",
+    "epsilon_pi", "epsilon_printed", "gamma", "k", "kappa", "lam", "mu", "partialF_partialgamma",
+    "partialepsilon_partialF", "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f",
+    "psi_max", "psi_min", "r", "theta", "theta_max", "theta_min", "u", "x", "x0",
 ]
 # fmt: on
 
@@ -46,7 +45,7 @@ psi_min, psi_max = _real("psi_min"), _real("psi_max")
 """Bounds of the tilt and of the flip on one trajectory."""
 gamma = _real("gamma")
 """Distance from the separatrix: γ = 2 I₂ E/M² − 1."""
-epsilon, epsilon0, epsilon_star = _real("epsilon"), _real("epsilon0"), _real("epsilon_star")
+epsilon, epsilon0, epsilon_printed = map(_real, ("epsilon", "epsilon0", "epsilon_printed"))
 """Flip defect, the flip defect on the separatrix, and what the theorem's formula gives for it."""
 depsilon_dgamma, partialepsilon_partialgamma = (
     _real("depsilon_dgamma"),
@@ -66,6 +65,9 @@ x, x0 = _real("x"), _real("x0")
 """Auxiliary variable √(b/(a+b)) cos ψ, and its value at the start."""
 T, k, r = _real("T"), _real("k"), _real("r")
 """Auxiliary variable of the stable form; k = √(ab), r = √(b/a)."""
+kappa = _real("kappa")
+epsilon_pi, epsilon_4 = _real("epsilon_pi"), _real("epsilon_4")
+"""1/√(ab); the defect after one sweep of the phase, from π and from 4."""
 F = _real("F")
 """The integral of f from the flip defect to π/2."""
 u, lam, mu = _real("u"), _real("lambda"), _real("mu")
@@ -85,7 +87,7 @@ LATEX = {
     partialepsilon_partialF: r"\frac{\partial\epsilon}{\partial F}",
     partialF_partialgamma: r"\frac{\partial F}{\partial\gamma}",
     epsilon0: r"\epsilon_0",
-    epsilon_star: r"\epsilon_*",
+    epsilon_printed: r"\hat\epsilon_0",
     psi_f: r"\psi_f",
     Delta_psi: r"\Delta\psi",
     Delta_phi: r"\Delta\phi",
@@ -96,3 +98,57 @@ LATEX = {
     psi_max: r"\psi_{\max}",
 }
 """How symbols are written where SymPy's own rule would write them otherwise."""
+
+WORDS = {
+    "I1": "principal moment of inertia about the handle",
+    "I2": "principal moment of inertia about the intermediate axis",
+    "I3": "principal moment of inertia about the normal of the face",
+    "M": "length of the angular momentum",
+    "M1": "angular momentum along the handle",
+    "M2": "angular momentum along the intermediate axis",
+    "M3": "angular momentum along the normal of the face",
+    "Omega1": "angular velocity about the handle",
+    "Omega2": "angular velocity about the intermediate axis",
+    "Omega3": "angular velocity about the normal of the face",
+    "E": "energy of the rotation",
+    "R": "rotation from the body to the laboratory, by ψ, θ and φ about z, y and z",
+    "theta": "Euler angle: tilt of the handle from the angular momentum",
+    "phi": "Euler angle: precession of the handle about the angular momentum",
+    "psi": "Euler angle: rotation about the handle, which is the flip",
+    "a": "shape of the body: how much larger the second moment is than the first",
+    "b": "shape of the body: how much smaller the second moment is than the third",
+    "gamma": "level of the motion: 0 on the separatrix, negative where ψ oscillates",
+    "S": "sign of cos θ, and of dψ/dφ: 1 or −1",
+    "S2": "sign of sin ψ cos ψ: 1 or −1",
+    "theta_min": "least tilt of the handle in a motion",
+    "theta_max": "largest tilt of the handle in a motion",
+    "psi_min": "where an oscillating motion turns",
+    "psi_max": "where an oscillating motion turns, on the other side",
+    "psi0": "flip angle at the start",
+    "psi_f": "flip angle at the end",
+    "Delta_psi": "the flip in one turn of the handle",
+    "Delta_phi": "the turn of the handle",
+    "epsilon": "defect of a flip: what the symmetric motion lacks at either end, Δψ = π − 2ε",
+    "epsilon0": "defect on the separatrix",
+    "epsilon_printed": "ε₀ by the formula of the theorem, its remainder left out",
+    "x": "√(b/(a + b)) cos ψ, a variable of integration",
+    "x0": "the same at the start",
+    "F": "half a turn of the handle: the integral of dφ/dψ from ε to π/2",
+    "lambda": "1/√(ab), small for large ab",
+    "mu": "√(b/(a + b)), small with λ",
+    "u": "what the exponent of ε₀ lacks in the appendix",
+    "kappa": "1/√(ab), the coordinate in which bounds for large ab are shown; λ of the appendix",
+    "epsilon_star": "leading term of ε₀ for large ab",
+    "c1": "first coefficient of ε₀ = ε*(1 + c₁ε*² + c₂ε*⁴ + …)",
+    "c2": "second coefficient of the same",
+    "P": "the phase on the separatrix, between π and 3π/2, from which ε₀ follows",
+    "Q": "log(ε₀/ε*)",
+    "epsilon_pi": "sweep from π: the defect when π is put once into the equation of the phase",
+    "epsilon_4": "sweep from 4: the same when 4 is put in",
+    "T": "unknown of the stable form, at its root √(ab) P; a variable in the lemmas on it",
+    "k": "a variable of the lemmas, into which √(ab) is put",
+    "r": "a variable of the lemmas, into which √(b/a) is put",
+    "chi": "time before the middle of the flip, of a motion that may turn back",
+    "hot": "higher orders, as the paper writes what it leaves out",
+}
+"""What each symbol is, in words, in the order of the paper; by its name."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from html import escape
 from typing import Any
 
 from tresym.report.words.markdown import finding, sentence
@@ -36,7 +37,8 @@ def index(ledger: Record) -> str:
     lines = [
         "# The ledger",
         f"{total} claims: {counts}. A claim without a place in the paper is a lemma of the proofs. "
-        f"{_resting(ledger)[0]} of them rest on {_resting(ledger)[1]}.",
+        f"{_resting(ledger)[0]} of them rest on {_resting(ledger)[1]}. What a letter stands for is "
+        "in the [table of symbols](/pages/symbols.md).",
     ]
     for part in ledger["parts"]:
         lines.append(f"## {part['title'][:1].upper()}{part['title'][1:]}")
@@ -100,6 +102,7 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_numbers(claim),
         *_truth(claim, claims),
         *_relations(claim, claims),
+        *_symbols(claim),
         *_cost(claim, seconds),
         f"```sh\ntresym verify {label}\ntresym derive {_if_refuted(claim)}{label}\n```",
     ]
@@ -216,13 +219,23 @@ def _coq(claim: Record) -> Iterator[str]:
     coq = claim["coq"]
     if coq is None:
         return
-    yield "## [Checked twice](../pages/coq.md)"
+    yield "## [Checked twice](/pages/coq.md)"
     if coq["premises"]:
         yield "Coq proves it from " + ", ".join(map(link, coq["premises"])) + ", not proved in it:"
     else:
         rests = f"; {coq['assumptions']}" if coq["assumptions"] else ""
         yield f"Coq has proved it once more{rests}:"
     yield f"```coq\n{coq['text']}\n```"
+
+
+def _symbols(claim: Record) -> Iterator[str]:
+    """The symbols that it uses, each a link to its line in the table of symbols."""
+    links = (
+        f'<a href="../pages/symbols.html#{symbol["anchor"]}">{escape(symbol["letters"])}</a>'
+        for symbol in claim["symbols"]
+    )
+    if claim["symbols"]:
+        yield f"[Symbols](/pages/symbols.md): {', '.join(links)}."
 
 
 def _cost(claim: Record, seconds: float | None) -> Iterator[str]:

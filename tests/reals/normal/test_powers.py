@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from flint import arb, fmpq, fmpq_mat
+from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tresym.reals.language.parsing import parse
-from tresym.reals.normal import powers
+from tresym.reals.normal.angles import AngleRing
 from tresym.reals.normal.field import Field
+from tresym.reals.normal.powers import PowerRing
 from tresym.reals.normal.ring import Fraction, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
@@ -148,25 +149,29 @@ def test_a_root_of_zero_is_zero() -> None:
 
 
 def test_a_wrong_combination_of_exponents_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Lying:
-        def __init__(self, *entries: Any) -> None:
-            self.truth = fmpq_mat(*entries)
+    true, false = "exp(2*x + 2*y)", "exp(x)**3*exp(y)**3"
+    assert equal("exp(x)*exp(y)*exp(x + y)", true, "")
+    wrong = [fmpq(2), fmpq(2)]
+    monkeypatch.setattr(PowerRing, "_combination", lambda self, basis, x: wrong[: len(basis)])
+    assert not equal("exp(x)*exp(y)*exp(x + y)", false, "")
 
-        def rref(self) -> Any:
-            found, rank = self.truth.rref()
-            return fmpq_mat([[2 * x for x in row] for row in found.tolist()]), rank
 
-        def __mul__(self, other: Lying) -> Any:
-            return self.truth * other.truth
-
-        def __eq__(self, other: object) -> bool:
-            return bool(self.truth == other)
-
-    sides = parse("exp(x)*exp(y)*exp(x + y)"), parse("exp(2*x + 2*y)")
-    left, right = Field(Given()).normal(*sides)
-    assert (left - right).num.is_zero()
-    monkeypatch.setattr(powers, "fmpq_mat", Lying)
-    field = Field(Given())
-    assert (
-        field._combination(field.normal(parse("x"), parse("y")), *field.normal(parse("x"))) is None
+def test_what_is_split_off_may_be_any_multiple(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = PowerRing._multiples
+    monkeypatch.setattr(PowerRing, "_multiples", lambda *at: [(g, 2 * r) for g, r in found(*at)])
+    assert not equal("exp(log(x) + y)", "x**2*exp(y)", "x > 0")
+    assert not equal("cos(atan(x) + y)", "cos(2*atan(x) + y)", "")
+    monkeypatch.setattr(
+        PowerRing, "_multiples", lambda ring, x, kind: [(ring.at(i), fmpq(1)) for i in ring.used(x)]
     )
+    assert equal("exp(x)*exp(y)", "exp(x + y)", "")
+
+
+def test_what_is_no_sign_is_not_split_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    def signed(ring: Any, x: Any, kind: str) -> list[Any]:
+        there = [ring.at(i) for i in ring.used(x) if ring.at(i).kind == "atan"]
+        return [(g, ring.variable(ring.symbol("x")), fmpq(1)) for g in there]
+
+    monkeypatch.setattr(AngleRing, "_signed_multiples", signed)
+    assert not equal("cos(x*atan(y))", "cos(atan(y))", "")
+    assert not equal("sin(x*atan(y))", "x*sin(atan(y))", "")

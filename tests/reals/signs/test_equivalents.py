@@ -13,7 +13,8 @@ from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.equivalents import Link, equivalents, holds
+from tresym.reals.signs import equivalents as module
+from tresym.reals.signs.equivalents import Link, by_equivalents, equivalents, holds
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import sign
 
@@ -139,3 +140,14 @@ def test_a_link_that_does_not_hold_is_none() -> None:
     # a power does not meet the conditions, or makes another inequality
     assert not _holds("x**3 + 8", "x + 8", {"x": parse("x**3")}, where="x >= 0")
     assert not _holds("x**4 - 2", "x - 2", {"x": parse("x**2")}, where="x >= 0")
+
+
+def test_an_easier_form_that_does_not_follow_proves_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    good = Link(parse("x*y"), Given.parse("y > 0"), parse("x"), Given.parse("y > 0"), None, "")
+    bad = Link(parse("x"), Given.parse("y > 0"), parse("x**2"), Given.parse("y > 0"), None, "")
+    for links, found in (((good,), "so it is"), ((bad,), None), ((good, bad), None)):
+        monkeypatch.setattr(module, "equivalents", lambda *_, links=links: [links])
+        proof = by_equivalents(parse("x*y"), ">=", Given.parse("y > 0"), lambda *_: "so it is")
+        assert proof == found

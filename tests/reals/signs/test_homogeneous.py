@@ -99,6 +99,10 @@ QUARTER = ((number(1), fmpq(2)), (-4 * X * Y, fmpq(0)))
         # a part that is multiplied has the other sign, or is divided
         (((number(1), fmpq(0)), (-4 * X * Y, fmpq(1))), X + Y, 1, "x > 0, y > 0, x + y <= 1", None),
         (((number(1), fmpq(-1)), (-4 * X * Y, fmpq(0))), X + Y, 1, "x > 0, y > 0, x + y < 1", None),
+        (
+            ((number(1), fmpq(1)), (-4 * X * Y, fmpq(1))),
+            *(X + Y, 1, "x > 0, y > 0, x + y <= 1", None),
+        ),
         # nothing is lost where what is multiplied may be 0
         (
             ((X, fmpq(1)), (1 - X - 4 * X * Y, fmpq(0))),

@@ -10,7 +10,7 @@ from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
-from tresym.reals.signs.inside import PROVING, jumps, sign_inside, without_powers
+from tresym.reals.signs.inside import PROVING, by_signs_of_parts, jumps, sign_inside, without_powers
 
 
 @pytest.mark.parametrize(
@@ -86,3 +86,15 @@ def _at(field: Field, p: Poly, x: arb) -> arb:
             term *= base ** int(monomial[i])
         total += term
     return total
+
+
+def test_a_root_of_a_symbol_of_unknown_sign_is_left() -> None:
+    assert sign_inside(parse("x + sqrt(abs(x))"), Given()) is None
+    assert sign_inside(parse("x + sqrt(abs(x))"), Given.parse("x > 0")) == "+"
+
+
+@pytest.mark.parametrize("text", ["(x + 1)**2 - x**2 - 2*x - 1", "-x**2", "x**2", "x"])
+def test_what_may_be_zero_is_not_positive(text: str) -> None:
+    assert by_signs_of_parts(parse(text), ">", Given()) is None
+    weak = by_signs_of_parts(parse(text), ">=", Given())
+    assert (weak is not None) is (text not in ("-x**2", "x"))

@@ -161,3 +161,11 @@ PROVES = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-", "!=")} | {
     "<": ("-",),
     "<=": ("-", "<=0", "0"),
 }
+
+
+@pytest.mark.parametrize("rest", ["log(exp(z)**2) - 2*z", "sqrt(z**2) - abs(z)"])
+def test_a_strict_condition_and_what_vanishes_has_its_sign(rest: str) -> None:
+    e, given = parse(f"x*y - 1 + {rest}"), Given.parse("x*y > 1")
+    assert [sign(e, given, wanted) for wanted in (">", "!=", "<")] == ["+", "+", "+"]
+    assert [sign(-e, given, wanted) for wanted in (">", "!=", "<")] == ["-", "-", "-"]
+    assert sign(e, Given.parse("x*y >= 1"), ">") not in ("+", "-")

@@ -65,6 +65,9 @@ FALSE = {
     # a point that is not defined under the conditions
     "x**4/4 - a*x**2/2 + a**2/4 > 0": "x = 1, a = 1",
     "x**3/3 - a*x + a**2 + a + 1/10 > 0 given x > 0": "x = 1/100, a = -1/2",
+    # a pole on the way from one end, whichever is named first
+    "1/(3 + x) + 1/x > 0 given x > -1, x < 1": "x = -1/2",
+    "1/x + 1/(3 + x) > 0 given x > -1, x < 1": "x = -1/2",
     "sqrt(a)*x >= x**2 given x > 0, a > 0": "x = 2, a = 1",
 }
 

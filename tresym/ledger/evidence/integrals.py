@@ -134,29 +134,22 @@ def sign_of_integral(
     return "+" if strict and length == "+" and any(positive) else ">=0"
 
 
-def need_smooth(
-    e: Expr, bounds: tuple[Claim, ...], given: Conditions, bound: Mapping[str, Expr] = NOTHING
-) -> None:
+def need_smooth(e: Expr, given: Conditions) -> None:
     """That ``e`` is smooth near every point of ``given``, in all its symbols together.
-
-    Args:
-        bound: for symbols of the claims in ``bounds`` what stands for them in ``e``.
 
     Raises:
         NotShownError: that is not shown, or ``e`` hides a derivative.
     """
     integrals = _integrals(e)
     for node in integrals:
-        inside = _inside(node, bounds, given, bound=bound)
+        inside = _inside(node, (), given)
         _need_continuous(node.args[1:], given)
         _need_continuous((inside.integrand,), inside.conditions)
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
     _need_continuous((replaced(e, variables),), given)
 
 
-def need_value(
-    e: Expr, bounds: tuple[Claim, ...], given: Conditions, bound: Mapping[str, Expr] = NOTHING
-) -> None:
+def need_value(e: Expr, given: Conditions) -> None:
     """That ``e`` has a value at every point of ``given``, its integrals and derivatives among it.
 
     Raises:
@@ -165,15 +158,15 @@ def need_value(
     nodes = [*dict.fromkeys(outermost(e))]
     for node in nodes:
         if node.op == "integral":
-            need_smooth(node, bounds, given, bound)
+            need_smooth(node, given)
             continue
         if node.op not in ("derivative", "at"):
             raise NotShownError(f"{node} is not shown to exist")
         for point in node.args[1:]:
-            need_value(point, bounds, given, bound)
+            need_value(point, given)
         need = need_smooth if node.op == "derivative" else need_value
-        body, near, put = _near(node, given)
-        need(body, bounds, near, {**bound, **put})
+        body, near, _ = _near(node, given)
+        need(body, near)
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
     gap = undefined(replaced(e, variables), given)
     if gap is not None:

@@ -41,6 +41,7 @@ from tresym.ledger.claim import (
     formally,
     parts_of,
     saying,
+    with_reasons,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
@@ -378,18 +379,10 @@ def _falls(claim: Claim) -> bool:
 def _resting_on(claim: Claim, other: Claim) -> Claim:
     """The claim with evidence that names ``other`` in place of its namesake."""
 
-    def step(link: Step) -> Step:
-        return Step(link.expression, tuple(reason(r) for r in link.reasons))
-
     def reason(r: Reason) -> Reason:
         return replace(r, claims=tuple(other if c.label == other.label else c for c in r.claims))
 
-    proof: Any = claim.proof
-    match proof:
-        case Together(chains):
-            proof = Together(tuple(tuple(step(link) for link in c) for c in chains))
-        case Formally(claims):
-            proof = formally(*(other if c.label == other.label else c for c in claims))
-        case _:
-            proof = tuple(step(link) for link in proof)
-    return replace(claim, proof=proof)
+    if isinstance(claim.proof, Formally):
+        named = (other if c.label == other.label else c for c in claim.proof.claims)
+        return replace(claim, proof=formally(*named))
+    return replace(claim, proof=with_reasons(claim.proof, reason))

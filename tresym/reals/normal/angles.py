@@ -136,38 +136,40 @@ class AngleRing(PowerRing):
     def _split_atan(self, x: Fraction) -> tuple[Fraction, list[tuple[Generator, Fraction, fmpq]]]:
         """Split off arc tangents with a rational coefficient, or one that is ± by signs."""
         x, plain = self.linear_part(x, "atan")
-        pieces = [(generator, self.one, r) for generator, r in plain]
-        for monomial, value in x.num.terms() if x.den.is_constant() else ():
-            used = [self.at(i) for i, k in enumerate(monomial) if k]
-            inverses = [g for g in used if g.kind == "atan" and monomial[g.position] == 1]
-            if len(inverses) != 1 or any(g.kind != "sign" for g in used if g != inverses[0]):
-                continue
-            sign = self.context.from_dict({tuple(map(int, monomial)): 1})
-            sign = self.fraction(sign // self.variable(inverses[0]))
-            r = fmpq(value, x.den.leading_coefficient())
-            pieces.append((inverses[0], sign, r))
-        for generator, sign, r in pieces[len(plain) :]:
-            x = x - self.fraction(generator) * r * sign
-        return x, pieces
+        x, signed = self._without_signed(x, "atan")
+        return x, [*((generator, self.one, r) for generator, r in plain), *signed]
 
     def _split_pi(self, x: Fraction) -> tuple[Fraction, list[tuple[Fraction, fmpq]]]:
         """``x`` without its rational multiples of π and of π times signs, and those multiples."""
         if not self.known("pi", None):
             return x, []
-        position = self.generator("pi", None).position
+        x, plain = self.linear_part(x, "pi")
+        x, signed = self._without_signed(x, "pi")
+        return x, [*((self.one, r) for _, r in plain), *((sign, r) for _, sign, r in signed)]
+
+    def _without_signed(
+        self, x: Fraction, kind: str
+    ) -> tuple[Fraction, list[tuple[Generator, Fraction, fmpq]]]:
+        """Split off generators of ``kind`` times products of signs, whichever they are."""
         pieces = []
-        if not x.den.is_constant():
-            r = self._share(x, position) if x.num.degrees()[position] == 1 else fmpq(0)
-            return x - self.pi(r), [(self.one, r)]
-        for monomial, value in x.num.terms():
-            others = [i for i, k in enumerate(monomial) if k and i != position]
-            if monomial[position] == 1 and all(self.at(i).kind == "sign" for i in others):
-                sign = self.context.from_dict({tuple(map(int, monomial)): 1})
-                sign = self.fraction(sign // self.variables[position])
-                pieces.append((sign, fmpq(value, x.den.leading_coefficient())))
-        for sign, r in pieces:
-            x = x - self.pi(r) * sign
+        for generator, sign, r in self._signed_multiples(x, kind):
+            signs = all(self.at(i).kind == "sign" for i in self.used(sign)) and len(sign) == 1
+            if signs and sign.leading_coefficient() == 1 and generator.kind == kind:
+                pieces.append((generator, self.fraction(sign), r))
+                x = x - self.fraction(generator) * r * sign
         return x, pieces
+
+    def _signed_multiples(self, x: Fraction, kind: str) -> list[tuple[Generator, Poly, fmpq]]:
+        """Terms of ``x`` that are a generator of ``kind`` times a monomial and a number."""
+        found = []
+        for monomial, value in x.num.terms() if x.den.is_constant() else ():
+            used = [self.at(i) for i, k in enumerate(monomial) if k]
+            these = [g for g in used if g.kind == kind and monomial[g.position] == 1]
+            if len(these) == 1:
+                rest = self.context.from_dict({tuple(map(int, monomial)): 1})
+                r = fmpq(value, x.den.leading_coefficient())
+                found.append((these[0], rest // self.variable(these[0]), r))
+        return found
 
     # Rational multiples of π
 

@@ -104,20 +104,22 @@ def settled(ring: Field, x: Fraction, functions: bool = False) -> Fraction:
 
 
 def _without_groups(ring: Field, x: Fraction, kind: str) -> Fraction:
+    known = _log_sum if kind == "log" else _atan_sum
     for _ in range(8):
-        group = _group(ring, x, kind)
-        if group is None:
+        for factor, terms in _groups(ring, x, kind):
+            value = known(ring, terms) if all(ring.at(i).kind == kind for i in terms) else None
+            if value is not None:
+                for position, n in terms.items():
+                    value = value - ring.fraction(ring.at(position)) * n
+                x = x + ring.make(factor, x.den) * value
+                break
+        else:
             return x
-        factor, terms, value = group
-        for position, n in terms.items():
-            value = value - ring.fraction(ring.at(position)) * n
-        x = x + ring.make(factor, x.den) * value
     return x
 
 
-def _group(ring: Field, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz], Fraction] | None:
-    """A monomial of ``x``, the generators of ``kind`` it multiplies, how often, and their sum."""
-    known = _log_sum if kind == "log" else _atan_sum
+def _groups(ring: Field, x: Fraction, kind: str) -> list[tuple[Poly, dict[int, fmpz]]]:
+    """Monomials of ``x``, and the generators of ``kind`` that each multiplies, and how often."""
     positions = [i for i in ring.used(x.num) if ring.at(i).kind == kind]
     groups: dict[tuple[int, ...], dict[int, fmpz]] = {}
     for monomial, value in x.num.terms():
@@ -125,16 +127,15 @@ def _group(ring: Field, x: Fraction, kind: str) -> tuple[Poly, dict[int, fmpz], 
         if sum(int(monomial[i]) for i in present) == 1:
             rest = tuple(0 if i in present else int(k) for i, k in enumerate(monomial))
             groups.setdefault(rest, {})[present[0]] = value
+    found = []
     for rest, terms in groups.items():
         content = fmpz(0)
         for value in terms.values():
             content = content.gcd(value)
         reduced = {i: value // content for i, value in terms.items()}
-        small = all(abs(n) <= MAX_MULTIPLE for n in reduced.values())
-        value = known(ring, reduced) if small else None
-        if value is not None:
-            return ring.context.from_dict({rest: content}), reduced, value
-    return None
+        if all(abs(n) <= MAX_MULTIPLE for n in reduced.values()):
+            found.append((ring.context.from_dict({rest: content}), reduced))
+    return found
 
 
 def _log_sum(ring: Field, terms: dict[int, fmpz]) -> Fraction | None:

@@ -146,7 +146,14 @@ class PowerRing(FactoredRing):
         return result
 
     def linear_part(self, x: Fraction, kind: str) -> tuple[Fraction, list[tuple[Generator, fmpq]]]:
-        """Split off the rational multiples of generators of ``kind`` that ``x`` contains."""
+        """Split off rational multiples of generators of ``kind``, whichever they are."""
+        pieces = [piece for piece in self._multiples(x, kind) if piece[0].kind == kind]
+        for generator, ratio in pieces:
+            x = x - self.fraction(generator) * ratio
+        return x, pieces
+
+    def _multiples(self, x: Fraction, kind: str) -> list[tuple[Generator, fmpq]]:
+        """The rational multiples of generators of ``kind`` that ``x`` contains."""
         pieces = []
         for position in self.used(x.num):
             generator = self.at(position)
@@ -160,9 +167,7 @@ class PowerRing(FactoredRing):
                 ratio = self._share(x, position)
             if ratio != 0:
                 pieces.append((generator, ratio))
-        for generator, ratio in pieces:
-            x = x - self.fraction(generator) * ratio
-        return x, pieces
+        return pieces
 
     def _share(self, x: Fraction, position: int) -> fmpq:
         """The rational multiple of a generator in ``x``, linear in it, off its proper fraction."""
@@ -205,10 +210,11 @@ class PowerRing(FactoredRing):
                 ratio = _proportion(x.num, element.num)
                 if ratio is not None:
                     return [*terms, (index, ratio)]
-        solution = self._combination(basis, x) if basis else None
-        if solution is None:
-            return [*terms, (self._basis_index(kind, x), fmpq(1))]
-        return terms + [(index, r) for index, r in enumerate(solution) if r != 0]
+        solution = self._combination(basis, x) if basis else []
+        found = [(index, r) for index, r in enumerate(solution) if r != 0]
+        if (sum((basis[index] * r for index, r in found), self.zero) - x).num.is_zero():
+            return terms + found
+        return [*terms, (self._basis_index(kind, x), fmpq(1))]
 
     def _basis_index(self, kind: str, x: Fraction) -> int:
         basis = self._basis[kind]
@@ -219,15 +225,15 @@ class PowerRing(FactoredRing):
         self._units[kind].append(1)
         return len(basis) - 1
 
-    def _combination(self, basis: list[Fraction], x: Fraction) -> list[fmpq] | None:
-        """Rational coefficients with ``Σ c_i basis_i = x``, or None."""
+    def _combination(self, basis: list[Fraction], x: Fraction) -> list[fmpq]:
+        """Rational coefficients with ``Σ c_i basis_i = x``, or others where there are none."""
         common = x.den
         for element in basis:
             common = common * (element.den / common.gcd(element.den))
         columns = [dict((item.num * (common / item.den)).terms()) for item in (*basis, x)]
         rows = sorted({monomial for column in columns for monomial in column})
         if not set(columns[-1]) <= {m for column in columns[:-1] for m in column}:
-            return None
+            return []
         matrix = fmpq_mat(
             [[fmpq(column.get(monomial, 0)) for column in columns] for monomial in rows]
         )
@@ -237,11 +243,10 @@ class PowerRing(FactoredRing):
         for i in range(len(rows)):
             pivot = next((j for j in range(n + 1) if reduced[i, j] != 0), None)
             if pivot == n:
-                return None
+                return []
             if pivot is not None:
                 solution[pivot] = reduced[i, n]
-        rest = matrix * fmpq_mat(n + 1, 1, [*solution, -1])
-        return solution if rest == fmpq_mat(len(rows), 1) else None
+        return solution
 
 
 def _proportion(p: Poly, q: Poly) -> fmpq | None:

@@ -25,8 +25,9 @@ What the paper prints and does not hold, each finding once and the weightiest fi
 paper's words, what is true instead, why, and the evidence. Sections and equations are counted as
 the journal prints them, those of the appendix as (A.1), (A.2), … Printed decimals are read as
 intervals of half a unit in their last place, and a printed value stands here only if no inputs that
-round to the printed inputs give it. The paper's main result, that the flip is nearly complete and
-that its defect decreases exponentially, stands.
+round to the printed inputs give it. The letters, such as ε\\* and c₁, are in the table of
+[symbols](../pages/symbols.md). The paper's main result, that the flip is nearly complete and that
+its defect decreases exponentially, stands.
 """
 
 

@@ -10,6 +10,7 @@ from tresym.ledger.paper import sections
 from tresym.ledger.verification import Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
+from tresym.report.pages.symbols import rows as table_of_symbols
 from tresym.report.words.chains import EQUIVALENT, Because, Display, Line, displays
 from tresym.report.words.markdown import scripted
 from tresym.report.words.place import place_text
@@ -20,11 +21,14 @@ from tresym.report.words.wording import readable
 WIDEST = 62
 """Letters of a formula with its reason that fit a line of the article."""
 QUOTED = "Theorems that are quoted"
+SYMBOLS = "Symbols"
+SHORT = 24
+"""Letters of a formula that fit beside the words in the table of symbols."""
 
 PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
-\usepackage{lmodern,amsmath,amssymb,adjustbox,xcolor,geometry}
+\usepackage{lmodern,amsmath,amssymb,adjustbox,xcolor,geometry,longtable}
 \usepackage[hidelinks]{hyperref}
 \geometry{margin=25mm}
 \setlength{\parindent}{0pt}
@@ -94,12 +98,27 @@ def _lettered(text: str) -> str:
 def article(report: Report) -> str:
     """The whole article for the rows of a report, in the order of the proofs."""
     rows = {row.claim.label: row for row in report.rows}
-    pages = [PREAMBLE, TITLE]
+    pages = [PREAMBLE, TITLE, *_symbols(rows.keys())]
     for title, claims in sections():
         entries = [_entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
         if entries:
             pages += [rf"\section*{{{prose(title[:1].upper() + title[1:])}}}" + "\n", *entries]
     return "\n".join([*pages, *_quoted(report), r"\end{document}", ""])
+
+
+def _symbols(known: Collection[str]) -> Iterator[str]:
+    """The table of the symbols that have words, each with the claim that defines it."""
+    yield rf"\section*{{{SYMBOLS}}}" + "\n"
+    yield r"\begin{longtable}{@{}lp{0.68\linewidth}l@{}}"
+    named = {row.name: row for row in table_of_symbols() if row.words}
+    for row in named.values():
+        by = _reference(row.entry.claim, known) if row.entry else ""
+        short = row.meaning if row.meaning and width(row.meaning) < SHORT else ""
+        stands = (
+            f": {row.note}${short}$" if short and row.entry and not row.entry.claim.shown else ""
+        )
+        yield rf"${row.symbol}$ & {prose(row.words)}{stands} & {by} \\"
+    yield r"\end{longtable}"
 
 
 def _quoted(report: Report) -> Iterator[str]:

@@ -31,6 +31,7 @@ from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
 from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust
+from tresym.report.pages.walks import walks
 from tresym.report.words.place import place_text
 from tresym.report.words.said import in_line, said
 
@@ -46,6 +47,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
     yield "checked_twice.md", checked_twice.page()
+    yield "walks.md", walks()
     yield "trust.md", trust(report, saved.load("guards"))
     yield from drawn()
 

@@ -16,6 +16,7 @@ from tresym.ledger.paper import corrections, display_lines, sections
 from tresym.ledger.verification import Report, Row
 from tresym.report.pages import checked_twice
 from tresym.report.pages.rows import common, line_of
+from tresym.report.pages.symbols import as_used
 from tresym.report.words.chains import displays
 from tresym.report.words.place import place_text
 from tresym.report.words.said import said
@@ -99,6 +100,7 @@ def _claim(row: Row, lines: dict[int | None, int], quotes: dict[str, str]) -> di
         "chains": _chains(claim),
         "evidence": _evidence(claim),
         "note": claim.note,
+        "symbols": as_used(claim),
         "formal": is_formal(claim),
         "conjunction": [c.label for c in claim.uses] if isinstance(claim.proof, AllOf) else [],
         "quote": quotes.get(claim.label, ""),

@@ -1,70 +1,123 @@
-"""The table of definitions as a page: what each symbol stands for, and what is assumed."""
+"""The table of symbols as a page: what each is, what defines it, and what is assumed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from functools import cache
 
-from tresym.ledger.claim import Claim, Definition, ImplicitFunction
+from sympy import Symbol
+
+from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
 from tresym.ledger.definitions import Entry, table
 from tresym.ledger.finding import Premise
+from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report
+from tresym.racket.notation import WORDS
 from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import expression_latex, says_latex
+from tresym.report.words.markdown import sentence
 from tresym.report.words.place import place_text
+from tresym.report.words.plain import plain
+from tresym.report.words.said import said
+
+SPELLED = {
+    "epsilon_pi": ("sweep", "sweeps"),
+    "epsilon_4": ("sweep", "sweeps"),
+    "epsilon_star": ("ε*",),
+    "P": ("phase",),
+}
+"""Words by which our sentences name a symbol, beside its letter."""
+
+
+class Row:
+    """A line of the table: a symbol, what it is in words, and the claim that defines it."""
+
+    def __init__(self, name: str, entry: Entry | None) -> None:
+        self.name = name
+        self.entry = entry
+        self.words = WORDS.get(name, "")
+        self.symbol = expression_latex(Symbol(name, real=True))
+
+    @property
+    def meaning(self) -> str:
+        """What it stands for, in LaTeX; empty for a variable."""
+        if self.entry is None:
+            return ""
+        claim = self.entry.claim
+        if isinstance(claim.proof, Root):
+            return says_latex(claim.says)
+        return claim.shown or expression_latex(self.entry.written.rhs)
+
+    @property
+    def given(self) -> str:
+        """The conditions under which it is defined, in LaTeX."""
+        return "" if self.entry is None else ", ".join(gathered(self.entry.claim.given))
+
+    @property
+    def note(self) -> str:
+        """What must be said beside the meaning."""
+        proof = self.entry and self.entry.claim.proof
+        if isinstance(proof, ImplicitFunction):
+            return "the slope of an implicit function, "
+        return "the root of " if isinstance(proof, Root) else ""
+
+
+@cache
+def rows() -> tuple[Row, ...]:
+    """Every symbol in the order of the paper, then those that single proofs define."""
+    claims = [c for c in all_claims() if not _assumed(c)]
+    entries: dict[str, list[Entry]] = {}
+    for entry in table(claims):
+        entries.setdefault(str(entry.written.lhs), []).append(entry)
+    names = [*WORDS, *(name for name in entries if name not in WORDS)]
+    return tuple(Row(name, entry) for name in names for entry in entries.get(name, [None]))
+
+
+def _assumed(claim: Claim) -> bool:
+    return claim.expect is Premise.ASSUMED
 
 
 def symbols(report: Report) -> str:
-    """Two tables in Markdown: what is defined, and what is assumed, in the order of the proofs.
-
-    A symbol that an earlier equation defines as a function has its slope for a definition.
-    """
-    rows = [row for row in report.rows if table((row.claim,))]
-    assumed = [row.claim for row in rows if row.finding.verdict is Premise.ASSUMED]
-    defined = [row.claim for row in rows if row.claim not in assumed]
+    """Two tables in Markdown: the symbols, and what is assumed, in the order of the proofs."""
+    labels = {row.claim.label for row in report.rows}
+    assumed = [c for c in (row.claim for row in report.rows) if _assumed(c)]
+    found = [row for row in rows() if row.entry is None or row.entry.claim.label in labels]
     return "\n".join(
         (
-            "## What is defined",
+            "## The table",
             "",
-            "| symbol | stands for | where | by |",
-            "|---|---|---|---|",
-            *(line for claim in defined for line in _defined(claim)),
+            "| symbol | what it is | stands for | where | by |",
+            "|---|---|---|---|---|",
+            *map(_line, found),
             "",
             "## What is assumed",
             "",
             "| equation | where | what it is | by |",
             "|---|---|---|---|",
-            *map(_assumed, assumed),
+            *map(_assumption, assumed),
             "",
         )
     )
 
 
-def _defined(claim: Claim) -> Iterator[str]:
-    entries = table((claim,))
-    if claim.shown is not None:
-        yield _row(", ".join(_symbol(entry) for entry in entries), f"${claim.shown}$", claim)
-        return
-    slope = (
-        "the slope of an implicit function, " if isinstance(claim.proof, ImplicitFunction) else ""
-    )
-    for entry in entries:
-        yield _row(_symbol(entry), f"{slope}${expression_latex(entry.meaning)}$", claim)
+def _line(row: Row) -> str:
+    place = f'<span id="{anchor(row.name)}"></span>${row.symbol}$'
+    stands = f"{row.note}${row.meaning}$" if row.meaning else "a variable"
+    given = f"${row.given}$" if row.given else ""
+    by = _by(row.entry.claim) if row.entry else ""
+    return _cells(place, sentence(row.words), stands, given, by)
 
 
-def _symbol(entry: Entry) -> str:
-    return f"${expression_latex(entry.symbol)}$"
+def anchor(name: str) -> str:
+    """The place of a symbol on the page."""
+    return f"symbol-{name.replace('_', '-')}"
 
 
-def _assumed(claim: Claim) -> str:
+def _assumption(claim: Claim) -> str:
     says = claim.shown or says_latex(claim.says)
     given = ", ".join(f"${condition}$" for condition in gathered(claim.given))
     name = claim.proof.assumes if isinstance(claim.proof, Definition) else ""
     return _cells(f"${says}$", given, name, _by(claim))
-
-
-def _row(name: str, meaning: str, claim: Claim) -> str:
-    given = ", ".join(f"${condition}$" for condition in gathered(claim.given))
-    return _cells(name, meaning, given, _by(claim))
 
 
 def _by(claim: Claim) -> str:
@@ -72,5 +125,43 @@ def _by(claim: Claim) -> str:
 
 
 def _cells(*cells: str) -> str:
-    written = (cell.replace("|", r"\vert ") for cell in cells)
+    written = (re.sub(r"(?<!\\)\|", r"\\vert ", cell) for cell in cells)
     return f"| {' | '.join(written)} |"
+
+
+def used(claim: Claim) -> list[str]:
+    """The names of the symbols that a claim uses: in its formulas, or by letter in its sentence."""
+    spoken = {
+        symbol.name
+        for e in (claim.statement, *claim.given)
+        for symbol in (e.free_symbols if e is not None else ())
+        if isinstance(symbol, Symbol)
+    }
+    words = said(claim).says or ""
+    return [name for name in _patterns() if name in spoken or _patterns()[name].search(words)]
+
+
+@cache
+def _patterns() -> dict[str, re.Pattern[str]]:
+    """By name, how a symbol stands in a sentence; a single small letter may be an article."""
+    found = {}
+    for row in rows():
+        letters = plain(row.symbol)
+        told = len(letters) > 1 or not letters.isascii() or letters.isupper()
+        ways = [*([letters] if told else []), *SPELLED.get(row.name, ())]
+        either = "|".join(map(_alone, ways)) or "(?!)"
+        found[row.name] = re.compile(either)
+    return found
+
+
+def _alone(letters: str) -> str:
+    """A pattern for a symbol that is no part of another, nor of a word."""
+    before = "(?<![A-Za-z])" if letters[0].isascii() else ""
+    after = "A-Za-z" if letters[-1].isascii() and letters[-1].isalpha() else ""
+    return rf"{before}{re.escape(letters)}(?![{after}*′₀-₉])"
+
+
+def as_used(claim: Claim) -> list[dict[str, str]]:
+    """The symbols that a claim uses, for its page: each in letters and by its place."""
+    letters = {row.name: plain(row.symbol) for row in rows()}
+    return [{"letters": letters[name], "anchor": anchor(name)} for name in used(claim)]

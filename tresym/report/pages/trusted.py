@@ -55,9 +55,11 @@ RECHECKED = {
         *("reals.places.points._sample", "reals.places.points.corners"),
         *("reals.places.windows", "reals.places.descent"),
     ),
-    "what is found is checked: factors multiplied out, boxes replayed, links of inequalities": (
+    "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
         *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
+        *(f"reals.normal.powers.PowerRing.{n}" for n in ("_multiples", "_share", "_combination")),
+        *("reals.normal.angles.AngleRing._signed_multiples", "reals.normal.constants._groups"),
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),

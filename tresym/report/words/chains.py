@@ -41,7 +41,12 @@ Display = tuple[Line, ...]
 
 
 def displays(claim: Claim) -> tuple[Display, ...]:
-    """One display for every part of the statement, with its chain where it has one."""
+    """One display for each local fact and each part of the statement, with its chain."""
+    facts = tuple((Line("", says_latex(fact), (Because("manifest"),)),) for fact in claim.knowing)
+    return (*facts, *_shown(claim))
+
+
+def _shown(claim: Claim) -> tuple[Display, ...]:
     proof, says = claim.proof, claim.says
     if claim.shown is not None:
         why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
