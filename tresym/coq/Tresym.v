@@ -463,7 +463,6 @@ Ltac nonzero :=
   | |- True => exact I
   end.
 Ltac side := cbv beta; first [assumption | lra | nonzero | positive].
-Ltac hard := first [side | nra].
 
 (* Whole powers of what is derived have their exponents as numbers of two kinds. *)
 Ltac tidy :=
@@ -471,7 +470,8 @@ Ltac tidy :=
 
 (* Sums of angles and of exponents. *)
 Ltac angles :=
-  rewrite ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_0, ?cos_0; ring.
+  repeat first [rewrite sin_plus | rewrite cos_plus];
+  rewrite ?sin_neg, ?cos_neg, ?sin_0, ?cos_0; ring.
 Ltac exponents :=
   rewrite ?exp_plus, ?exp_Ropp, ?exp_0; field; repeat split; apply Rgt_not_eq, exp_pos.
 Lemma sin_square x : sin x ^ 2 = 1 - cos x ^ 2.
@@ -517,6 +517,19 @@ Proof. intros H D S B; destruct (mean_value f df x c H D) as [t [T E]]; speciali
 Lemma pi_between : 3 < PI <= 4.
 Proof. pose proof PI2_3_2; pose proof PI_4; lra. Qed.
 
+Lemma cosh_above x : 1 <= cosh x.
+Proof.
+  pose proof (cosh_sinh x); pose proof (cosh_pos x); pose proof (Rle_0_sqr (sinh x)).
+  unfold Rsqr in *; nra.
+Qed.
+Lemma ln_below x : 0 < x -> ln x <= x - 1.
+Proof. intros X; pose proof (exp_ineq1_le (ln x)) as E; rewrite exp_ln in E by exact X; lra. Qed.
+Lemma ln_nonnegative x : 1 <= x -> 0 <= ln x.
+Proof. intros X; pose proof (ln_below (/ x) ltac:(apply Rinv_0_lt_compat; lra)) as E.
+  rewrite ln_Rinv in E by lra; assert (/ x <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+  lra.
+Qed.
+
 (* What is known of the values of functions that stand in the goal. *)
 Ltac facts :=
   repeat match goal with
@@ -527,11 +540,19 @@ Ltac facts :=
       ltac:(let E := fresh in pose proof (sin_square u) as E; lra)
   | |- context [Rabs ?u] => add (0 <= Rabs u) ltac:(apply Rabs_pos)
   | |- context [exp ?u] => add (0 < exp u) ltac:(apply exp_pos)
-  | |- context [cosh ?u] => add (0 < cosh u) ltac:(apply cosh_pos)
+  | |- context [exp ?u] => add (1 + u <= exp u) ltac:(apply exp_ineq1_le)
+  | |- context [ln ?u] => add (ln u <= u - 1) ltac:(apply ln_below; solve [assumption | lra | positive])
+  | |- context [ln ?u] => add (0 <= ln u) ltac:(apply ln_nonnegative; solve [assumption | lra | nra])
+  | |- context [atan ?u] => add (- PI / 2 < atan u < PI / 2) ltac:(apply atan_bound)
+  | |- context [cosh ?u] => add (1 <= cosh u) ltac:(apply cosh_above)
   | |- context [sqrt ?u] => add (0 <= sqrt u) ltac:(apply sqrt_pos)
+  | |- context [sin (PI * ?u)] => add (0 <= sin (PI * u)) ltac:(apply sin_ge_0; nra)
+  | |- context [cos ?u] => add (0 < cos u) ltac:(apply cos_gt_0; lra)
+  | |- context [sin ?u] => add (0 < sin u) ltac:(apply sin_gt_0; lra)
   | |- context [cos ?u] => add (0 <= cos u) ltac:(apply cos_ge_0; lra)
   | |- context [sin ?u] => add (0 <= sin u) ltac:(apply sin_ge_0; lra)
   end.
+Ltac hard := first [side | nra | facts; first [side | nra]].
 Lemma tanh_0 : tanh 0 = 0.
 Proof. unfold tanh; rewrite sinh_0; unfold Rdiv; ring. Qed.
 Ltac equals := first [ring | field; side | field_simplify; lra].
@@ -544,6 +565,10 @@ Ltac base_value :=
   | |- context [ln ?u] => worth ln u 1 0 ln_1
   | |- context [sin ?u] => worth sin u 0 0 sin_0
   | |- context [cos ?u] => worth cos u 0 1 cos_0
+  | |- context [sin ?u] => worth sin u (PI / 2) 1 sin_PI2
+  | |- context [cos ?u] => worth cos u (PI / 2) 0 cos_PI2
+  | |- context [sin ?u] => worth sin u PI 0 sin_PI
+  | |- context [cos ?u] => worth cos u PI (-1) cos_PI
   | |- context [tan ?u] => worth tan u 0 0 tan_0
   | |- context [atan ?u] => worth atan u 0 0 atan_0
   | |- context [asin ?u] => worth asin u 0 0 asin_0
@@ -590,6 +615,8 @@ Proof.
 Qed.
 Lemma above_sqrt x y : 0 <= y -> x <= y ^ 2 -> sqrt x <= y.
 Proof. intros Y H; rewrite <- (sqrt_pow2 y) by exact Y; apply sqrt_le_1_alt, H. Qed.
+Lemma pow_below x n : 0 <= x -> x <= 1 -> x ^ n <= 1.
+Proof. intros A B; rewrite <- (pow1 n); apply pow_incr; lra. Qed.
 Lemma from_quotient p q : 0 <= p -> 0 < q -> 0 <= p / q.
 Proof. intros; now apply Rdiv_le_0_compat. Qed.
 

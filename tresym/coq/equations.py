@@ -240,7 +240,7 @@ class Script:
             if factor.op == "number":
                 if factor.args[0] <= 0 or factor.args[0].p >= 10**6:
                     return None
-                found += [(number(p), n * k) for p, k in _primes(int(factor.args[0].p))]
+                found += [(number(p), n * k) for p, k in primes(int(factor.args[0].p))]
             elif n:
                 found.append((factor, n))
         total: Counter[Expr] = Counter()
@@ -555,7 +555,8 @@ def irreducible(e: Expr) -> list[tuple[Expr, int]]:
     return found
 
 
-def _primes(n: int) -> list[tuple[int, int]]:
+def primes(n: int) -> list[tuple[int, int]]:
+    """The primes of ``n`` with their powers."""
     found, p = [], 2
     while n > 1:
         k = 0

@@ -26,6 +26,7 @@ from tresym.reals.language.expression import (
     ONE,
     ZERO,
     Expr,
+    add,
     differentiate,
     multiply,
     number,
@@ -73,15 +74,18 @@ def inequality_proofs(theorem: Theorem, depth: int = 3) -> Iterator[str]:
 def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[str]:
     """The proofs that the prover of signs goes."""
     said = directly(d, ">" if strict else ">=", given)
-    if said is None:
+    if said is None or any(e.op == "abs" for e in nodes([d])):
         yield QUICK
     elif "concave" in said:
         yield from by_concavity(theorem, d, given)
     elif "about" in said:
         yield from by_taylor(theorem, d, given)
     else:
+        if len({e.args[0] for e in nodes([d]) if e.op in ("sin", "cos")}) > 1:
+            yield by_polynomials(theorem, d, strict, hints=False)
         yield QUICK
         if not strict:
+            yield from homogeneous_proofs(theorem, d)
             yield from cone_proofs(theorem, d)
         if d.size < MAX_SIZE:
             yield by_polynomials(theorem, d, strict, hints=False)
@@ -119,7 +123,7 @@ def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = T
     top = script.in_factors(collected(top)) if expand else top
     script.lines = []
     script.prepared([d, *(e for e, _ in theorem.defined)])
-    lines = [f"assert (main : 0 {rel} {term(top)}).", "{", "facts.", *script.lines]
+    lines = ["facts.", f"assert (main : 0 {rel} {term(top)}).", "{", "facts.", *script.lines]
     if hints:
         names = [variable(name) for name in sorted(symbols(d))] + script.names
         lines.append(squares(names, theorem))
@@ -132,7 +136,9 @@ def shown(theorem: Theorem, d: Expr, strict: bool, hints: bool, expand: bool = T
                 )
     lines.append("first [positive | lra | nra].")
     lines.append("}")
-    lines.append(f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]).")
+    lines.append(
+        f"assert (den : 0 < {term(bottom)}) by (first [positive | facts; first [positive | nra]])."
+    )
     lines.append(f"assert (0 {rel} {term(u)}).")
     lines.append(
         f"{{ replace ({term(u)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
@@ -221,13 +227,60 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
         yield "\n".join([*lines, "first [lra | nra]."])
         return
     lines += [
-        f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]).",
+        f"assert (den : 0 < {term(bottom)}) by (first [positive | facts; first [positive | nra]]).",
         f"assert (0 <= {term(e)}).",
         f"{{ replace ({term(e)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
         "now apply from_quotient. }",
         "lra.",
     ]
     yield "\n".join(lines)
+
+
+def homogeneous_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
+    """By q >= c or q <= c among the conditions, which makes the constant homogeneous."""
+    known = with_domain(Given(theorem.given), theorem.left, theorem.right)
+    try:
+        terms = expanded(d)
+    except OverflowError:
+        return
+    constant = terms.get(frozenset(), Fraction(0))
+    degrees = {sum(n for _, n in m) for m in terms if m}
+    if not constant or len(degrees) != 1:
+        return
+    (degree,) = degrees
+    for x, relation, y in theorem.given:
+        e = x - y if relation in (">", ">=") else y - x
+        try:
+            parts = expanded(e) if relation != "!=" else {}
+        except OverflowError:
+            continue
+        c = parts.get(frozenset(), Fraction(0))
+        own = {sum(n for _, n in m) for m in parts if m}
+        # q − c >= 0 with a negative constant in the difference, or c − q >= 0 with a positive one
+        if c * constant <= 0 or len(own) != 1 or degree % (k := own.pop()):
+            continue
+        q = add(e, number(-c)) / number(-c)
+        bound = Expr("^", (q, number(degree // k)))
+        whole = as_expression(
+            expanded(d - number(constant) + number(constant) * q ** (degree // k))
+        )
+        spans = {symbol(v): Span(*_span(symbol(v), known, {})) for v in symbols(d)}
+        tree = cone_lines(whole, spans)
+        law = "pow_R1_Rle" if c < 0 else "pow_below"
+        side = f"1 <= {term(bound)}" if c < 0 else f"{term(bound)} <= 1"
+        known_sign = "" if c < 0 else f"assert (0 <= {term(q)}) by (first [lra | positive | nra]). "
+        shown_ = "\n".join(tree) if tree else QUICK
+        yield "\n".join(
+            [
+                "intros; saturate.",
+                f"assert (main : 0 <= {term(whole)}).",
+                "{",
+                shown_,
+                "}",
+                f"{known_sign}assert (bound : {side}) by (apply {law}; first [lra | nra]).",
+                "first [lra | nra].",
+            ]
+        )
 
 
 FACTS = {
@@ -356,6 +409,10 @@ def squares(texts: Sequence[str], theorem: Theorem) -> str:
     found += [f"({x} + {y})" for x, y in combinations(texts, 2)][:2]
     found += [f"({x} ^ 2 - {y} ^ 2)" for x, y in combinations(texts, 2)][:2]
     found += [f"({x} - {c})" for x in texts[:2] for c in ("1", "1 / 2")]
+    if len(texts) == 4:
+        a, b, c, d = texts
+        pairs = [((a, b), (c, d)), ((a, c), (b, d)), ((a, d), (b, c))]
+        found += [f"({p} * {q} {sign_} {r} * {s})" for (p, q), (r, s) in pairs for sign_ in "-+"]
     positive_names = [
         variable(x.args[0])
         for x, sign_, y in theorem.given
@@ -467,6 +524,8 @@ def _chain(
 ) -> str:
     x, base, n = variable(name), term(c, 3), len(chain) - 1
     lines = ["intros; saturate."]
+    if sign(c, Given()) == "+":
+        lines.append(f"assert (0 < {base}) by (first [positive | interval]).")
     functions = [f"(fun {x} : R => {term(f)})" for f in chain]
     for k, f in enumerate(functions):
         lines.append(f"pose (fun_{k} := {f}).")

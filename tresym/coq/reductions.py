@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import lcm
 
-from tresym.coq.equations import exchanged, nodes, quotient, unfolded
+from tresym.coq.equations import exchanged, nodes, primes, quotient, unfolded
 from tresym.coq.linear import expanded
 from tresym.coq.statement import Theorem, term
 from tresym.reals.language.expression import (
@@ -116,9 +116,36 @@ def log_of(e: Expr) -> Expr:
         return e.args[0]
     if e.op == "^":
         return e.args[1] * log_of(e.args[0])
-    if e == ONE:
-        return ZERO
+    if e.op == "number":
+        p, q = e.args[0].p, e.args[0].q
+        parts = [(prime, n) for prime, n in primes(int(p))] + [(b, -n) for b, n in primes(int(q))]
+        return add(*(number(n) * apply("log", number(prime)) for prime, n in parts))
     return apply("log", e)
+
+
+def of_numbers(e: Expr) -> str:
+    """Sentences that write the logarithms of numbers in a product by those of primes."""
+    lines = []
+    for part in dict.fromkeys(nodes([e])) | {e: None}:
+        for f in part.args if part.op in ("*", "^") else (part,):
+            if (
+                f.op != "number"
+                or f.args[0] <= 0
+                or f == ONE
+                or max(f.args[0].p, f.args[0].q) > 10**6
+            ):
+                continue
+            text, value = term(f), term(log_of(f))
+            product = " * ".join(
+                [f"{b} ^ {n}" for b, n in primes(int(f.args[0].p))]
+                + [f"/ {b} ^ {n}" for b, n in primes(int(f.args[0].q))]
+            )
+            if not product.removesuffix(" ^ 1").isdigit():
+                lines.append(
+                    f"assert (ln ({text}) = {value}) by "
+                    f"(replace ({text}) with ({product}) by field; log_parts; ring)."
+                )
+    return " ".join(dict.fromkeys(lines))
 
 
 def by_logarithms(t: Theorem) -> Iterator[Reduction]:
@@ -131,15 +158,17 @@ def by_logarithms(t: Theorem) -> Iterator[Reduction]:
             f.op == "exp" or (f.op == "^" and f.args[1].op != "number") for f in _factors(part)
         ):
             continue
-        rest = add(*(-other for other in (*terms[:n], *terms[n + 1 :])))
+        others = (*terms[:n], *terms[n + 1 :])
         negative = _factors(part)[0].op == "number" and bool(_factors(part)[0].args[0] < 0)
-        small, great = (-rest, -part) if negative else (part, rest)
+        small = add(*others) if negative else part
+        great = -part if negative else add(*(-other for other in others))
         if sign(small, given) != "+" or sign(great, given) != "+":
             continue
         step = stated(t, log_of(small), t.relation, log_of(great))
         law = "from_ln_le" if t.relation == "<=" else "from_ln_lt"
         yield Reduction(
             (step,),
+            f"{of_numbers(small)} {of_numbers(great)} "
             f"assert (way : {term(small)} {t.relation} {term(great)}). "
             f"{{ unfold Rpower in *; apply {law}; "
             "[first [positive | nra] | first [positive | nra] |]; "
@@ -189,7 +218,8 @@ def by_clearing(t: Theorem) -> Iterator[Reduction]:
         law = "from_quotient" if t.relation == "<=" else "Rdiv_lt_0_compat"
         yield Reduction(
             (step,),
-            f"assert (den : 0 < {term(bottom)}) by (first [positive | nra]). "
+            f"assert (den : 0 < {term(bottom)}) by "
+            "(first [positive | facts; first [positive | nra]]). "
             f"assert (0 {t.relation} {term(e)}). "
             f"{{ replace ({term(e)}) with ({term(top, 3)} / {term(bottom, 3)}) by (field; side). "
             f"now apply {law}. }} lra.",

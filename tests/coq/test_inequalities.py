@@ -1,0 +1,62 @@
+"""Proofs of inequalities: found by the ways of the prover of signs, and accepted by Coq."""
+
+from __future__ import annotations
+
+import shutil
+
+import pytest
+
+from tresym.coq.inequalities import inequality_proofs
+from tresym.coq.reductions import reductions
+from tresym.coq.search import export
+from tresym.coq.statement import theorems
+from tresym.reals.decisions.reading import read
+
+needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+
+
+@pytest.mark.parametrize(
+    ("claim", "left"),
+    [
+        ("x**x >= exp(-1/E) given x > 0", "(-1) * / (exp 1) <= x * ln x"),
+        (
+            "log((x+y)/2) >= (log(x) + log(y))/2 given x > 0, y > 0",
+            "x * y <= ((1 / 2) * (x + y)) ^ 2",
+        ),
+        ("tanh(x) >= x/(1 + x) given x >= 0", "0 <= tanh x * (x + 1) + (-1) * x"),
+        ("abs(sin(2*x)) <= 2*abs(sin(x))", "Rabs (sin (2 * x)) <= 2 * sin x"),
+    ],
+)
+def test_what_implies_it(claim: str, left: str) -> None:
+    (theorem,) = theorems(read(claim))
+    assert left in [step.says for way in reductions(theorem) for step in way.steps]
+
+
+@pytest.mark.parametrize(
+    ("claim", "words"),
+    [
+        ("sin(x) >= 2*x/pi given 0 <= x <= pi/2", "concave fun_0"),
+        ("x**4*y**2 + x**2*y**4 - 3*x**2*y**2 + 1 >= 0", "cone."),
+        ("(x + y + z)/3 >= cbrt(x*y*z) given x > 0, y > 0, z > 0", "some_root_lt 3"),
+        ("x*y*z <= 1/27 given x > 0, y > 0, z > 0, x + y + z <= 1", "cone."),
+        ("x**3 + y**3 + z**3 >= 3 given x > 0, y > 0, z > 0, x + y + z >= 3", "pow_R1_Rle"),
+        ("exp(x) >= 1 + x", "from_left_ge"),
+    ],
+)
+def test_the_way_of_the_prover_of_signs(claim: str, words: str) -> None:
+    (theorem,) = theorems(read(claim))
+    assert any(words in proof for proof in list(inequality_proofs(theorem))[:5])
+
+
+@needs_coq
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("claim", "true"),
+    [
+        ("a**2*b + b**2*c + c**2*a >= 3*a*b*c given a > 0, b > 0, c > 0", True),
+        ("log(x) >= 1 - 1/x", True),
+        ("exp(x) >= 1 + x + x**2/2 given x >= -1/100", False),
+    ],
+)
+def test_coq_accepts_what_is_true_alone(claim: str, true: bool) -> None:
+    assert export(theorems(read(claim)), 60).accepted is true
