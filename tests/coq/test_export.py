@@ -21,7 +21,7 @@ from tresym.coq.proving import candidates, plans
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.paper import all_claims
 from tresym.reals.corpus.rewriting import changed
-from tresym.reals.language.expression import Expr
+from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -114,7 +114,7 @@ def falsehoods(count: int) -> list[Theorem]:
                 right = changed(lemma.right, random)
             except InputError:
                 continue
-            if false_somewhere(lemma, right):
+            if symbols(right) <= {*lemma.variables} and false_somewhere(lemma, right):
                 found.append(replace(lemma, says=Relation(lemma.left, lemma.relation, right)))
         if len(found) >= count:
             break
