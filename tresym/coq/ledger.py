@@ -78,6 +78,12 @@ def theorem_of(claim: Claim) -> Theorem | Joint:
     Raises:
         NotExportedError: a kind of claim that has no statement in Coq yet.
     """
+    found = _theorem_of(claim)
+    stamp(found)  # which prints it
+    return found
+
+
+def _theorem_of(claim: Claim) -> Theorem | Joint:
     proof = claim.proof
     if isinstance(proof, ImplicitFunction):
         raise NotExportedError("the implicit function theorem is not exported yet")

@@ -125,6 +125,8 @@ def condition(e: Expr, relation: str) -> str:
 
 def has_value(node: Expr, value: str) -> str:
     """That an integral, or a derivative, exists and is ``value``."""
+    if node.op not in ("integral", "derivative"):
+        raise NotExportedError(f"{node.op} is not exported to Coq yet")
     return f"is_{'RInt' if node.op == 'integral' else 'derive'} {_function(node)} {value}"
 
 
