@@ -444,6 +444,7 @@ def assumed(folder: Path, said: str) -> dict[str, str]:
         r"^Print Assumptions (\w+)\.", (folder / "Ledger.v").read_text(), re.MULTILINE
     )
     blocks = re.split(r"^(?=Axioms:|Closed under)", said, flags=re.MULTILINE)[1:]
+    blocks = blocks[-len(asked) :]  # Ledger.v is read last
     if len(asked) != len(blocks):
         raise InputError(f"Coq says of {len(blocks)} theorems what they rest on, not {len(asked)}")
     return {name: assumptions(block) for name, block in zip(asked, blocks, strict=True)}
