@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 import subprocess
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from random import Random
@@ -111,15 +112,24 @@ def falsehoods(count: int) -> list[Theorem]:
         for lemma in plan.lemmas[:6] if plan else ():
             if lemma.by is not None or lemma.definitions:
                 continue
-            try:
-                right = changed(lemma.right, random)
-            except InputError:
-                continue
-            if symbols(right) <= {*lemma.variables} and false_somewhere(lemma, right):
-                found.append(replace(lemma, says=Relation(lemma.left, lemma.relation, right)))
+            found += mutants(lemma, random)
         if len(found) >= count:
             break
     return found
+
+
+def mutants(lemma: Theorem, random: Random) -> Iterator[Theorem]:
+    """The lemma with a changed right side, where that is false."""
+    seen = {lemma.right}
+    for _ in range(4):
+        try:
+            right = changed(lemma.right, random)
+        except InputError:
+            continue
+        if right not in seen and symbols(right) <= {*lemma.variables}:
+            seen.add(right)
+            if false_somewhere(lemma, right):
+                yield replace(lemma, says=Relation(lemma.left, lemma.relation, right))
 
 
 def false_somewhere(lemma: Theorem, right: Expr) -> bool:
