@@ -26,8 +26,28 @@ from typing import Any
 
 from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
-from tresym.proofs.exponent import arctangent_concave, logarithmic_equation, residual_increases
+from tresym.proofs.exponent import (
+    arctangent_concave,
+    exponent,
+    logarithmic_equation,
+    residual_increases,
+)
 from tresym.proofs.monotonicity import slope_in_T_positive
+from tresym.proofs.near import (
+    BY_K,
+    BY_KAPPA,
+    below,
+    bound,
+    exponent_is_logarithm,
+    first_coefficient,
+    leading_by_defect,
+    leading_term,
+    misses_from_four,
+    misses_from_pi,
+    phase_by_defect,
+    too_small,
+    turn_in_general,
+)
 from tresym.proofs.power_series import (
     coefficient_sizes,
     geometric_tail,
@@ -40,6 +60,7 @@ from tresym.proofs.separatrix import (
     stable_equation,
     vanishing_share,
 )
+from tresym.proofs.sweeps import sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
@@ -113,7 +134,7 @@ def boxed(
     return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
 
 
-def within(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
+def within_numbers(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
     """The two margins of |error| < constant."""
     limit = as_rational(constant)
     return (
@@ -122,18 +143,20 @@ def within(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any]
     )
 
 
-KAPPA = ((0, 1), (0, 2))
+SIDES = ((0, 1), (0, 2))
 """The chart (b, κ) of ab ≥ 1/4."""
-BY_KAPPA = ("b", "kappa")
+NAMES = ("b", "kappa")
 
-printed_error = boxed(
+_printed = printed.asymptotic_defect(a, b, sympy)
+_BY_LEADING = (exponent_is_logarithm, leading_term)
+
+printed_error = below(
     "printed_error",
-    "|log(printed leading term/ε₀)| ≤ 0.17/(ab).",
-    within(_printed_error, "17/100"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "17/100",
+    log(_printed / epsilon0),
+    "0.17",
+    1 / (a * b),
+    _printed_error,
+    put=_BY_LEADING,
     note="The printed formula's own relative error; b²/(6a) = b³/(6ab) is its leading term.",
 )
 
@@ -146,16 +169,12 @@ printed_leading_term = Claim(
     note="No rigid body has ab ≥ 1: for bodies the bound says more than the limit.",
 )
 
-printed_error_too_small = boxed(
-    "printed_error_too_small",
-    "|log(printed leading term/ε₀)| ≤ 0.166/(ab).",
-    within(_printed_error, "166/1000"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "166/1000",
-    expect=Verdict.REFUTED,
-    amended_by=(printed_error,),
+printed_error_too_small = too_small(
+    printed_error,
+    "0.166",
+    lambda limit: Abs(log(_printed / epsilon0)) <= limit / (a * b),
+    a=400,
+    b=1,
 )
 
 
@@ -167,30 +186,32 @@ def _printed_relative(b: Any, kappa: Any, m: Any) -> Any:
     return scaled * charts.expm1_over(cube * kappa * kappa * scaled)
 
 
-printed_relative_error = boxed(
+_relative, _gauge = _printed / epsilon0 - 1, b**2 / a
+_BESIDE = (*shape, a * b >= 4, b >= Rational(1, 4))
+
+printed_relative_error = bound(
     "printed_relative_error",
-    "0.133 b²/a < printed leading term/ε₀ − 1 < 0.168 b²/a for b ≥ 1/4, ab ≥ 4.",
-    (
-        lambda b, kappa, m: _printed_relative(b, kappa, m) - arb(fmpq(133, 1000)),
-        lambda b, kappa, m: arb(fmpq(168, 1000)) - _printed_relative(b, kappa, m),
+    Tuple(_relative > Rational("0.133") * _gauge, _relative < Rational("0.168") * _gauge),
+    On(
+        BY_KAPPA,
+        box(("1/4", 1), (0, "1/2")),
+        (
+            Shown(lambda *at: _printed_relative(*at) - fmpq(133, 1000), _gauge),
+            Shown(lambda *at: fmpq(168, 1000) - _printed_relative(*at), _gauge),
+        ),
     ),
-    (("1/4", 1), (0, "1/2")),
-    BY_KAPPA,
-    "ab >= 4, 1/4 <= b <= 1",
-    "0.168",
+    put=_BY_LEADING,
+    given=_BESIDE,
     note="It is too large there, by b²/(6a) in the limit. As b → 0 at fixed a it is too small.",
 )
 
-printed_relative_too_small = boxed(
-    "printed_relative_too_small",
-    "printed leading term/ε₀ − 1 < 0.166 b²/a for b ≥ 1/4, ab ≥ 4.",
-    (lambda b, kappa, m: arb(fmpq(166, 1000)) - _printed_relative(b, kappa, m),),
-    (("1/4", 1), (0, "1/2")),
-    BY_KAPPA,
-    "ab >= 4, 1/4 <= b <= 1",
+printed_relative_too_small = too_small(
+    printed_relative_error,
     "0.166",
-    expect=Verdict.REFUTED,
-    amended_by=(printed_relative_error,),
+    lambda limit: _relative < limit * _gauge,
+    "printed_relative_too_small",
+    a=400,
+    b=1,
 )
 
 
@@ -230,35 +251,45 @@ EXCESS: tuple[Callable[..., Any], ...] = (
 """(ε₀/ε* − Σ_{n≤N} c_n ε*^{2n})/ε*^{2N+2} for N = 0, 1, 2, in the chart (b, κ)."""
 
 
-def _repaired(label: str, order: int, constant: str, **rest: Any) -> Claim:
-    """|ε₀/ε* − Σ_{n≤order} c_n ε*^{2n}| ≤ constant · ε*^{2·order+2} on ab ≥ 1/4."""
-    terms = " − ".join(["1", "c₁ε*²", "c₂ε*⁴", "c₃ε*⁶"][: order + 1])
-    return boxed(
-        label,
-        f"|ε₀/ε* − {terms}| ≤ {constant} ε*^{2 * order + 2}.",
-        within(EXCESS[order], constant),
-        KAPPA,
-        BY_KAPPA,
-        QUARTER,
-        constant,
-        **rest,
-    )
+_series = epsilon0 / epsilon_star - 1
 
 
-def _refuted(amended: Claim) -> dict[str, Any]:
-    return {"expect": Verdict.REFUTED, "amended_by": (amended,)}
+def _too_small(amended: Claim, limit: str, size: Expr, gauge: Expr, **point: Any) -> Claim:
+    return too_small(amended, limit, lambda c: Abs(size) <= c * gauge, **point)
 
+
+repaired = below("repaired", _series, "1.451", epsilon_star**2, EXCESS[0])
+repaired_too_small = _too_small(repaired, "1.45", _series, epsilon_star**2, a="1/4", b=1)
+
+_second = _series - c1 * epsilon_star**2
+_BY_COEFFICIENT = (leading_by_defect, first_coefficient)
+
+second_order = below(
+    "second_order", _second, "2.98", epsilon_star**4, EXCESS[1], put=_BY_COEFFICIENT
+)
+second_order_too_small = _too_small(second_order, "2.96", _second, epsilon_star**4, a="1/4", b=1)
 
 _BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIES,)}
 """The bounds whose margins hold what a power series of Q leaves out."""
 
-repaired = _repaired("repaired", 0, "1.451")
-repaired_too_small = _repaired("repaired_too_small", 0, "1.45", **_refuted(repaired))
-second_order = _repaired("second_order", 1, "2.98")
-second_order_too_small = _repaired("second_order_too_small", 1, "2.96", **_refuted(second_order))
-third_order = _repaired("third_order", 2, "7.36", **_BY_SERIES)
-third_order_too_small = _repaired(
-    "third_order_too_small", 2, "7.33", **_refuted(third_order), **_BY_SERIES
+
+def _third(label: str, constant: str, **rest: Any) -> Claim:
+    return boxed(
+        label,
+        f"|ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴| ≤ {constant} ε*⁶.",
+        within_numbers(EXCESS[2], constant),
+        SIDES,
+        NAMES,
+        QUARTER,
+        constant,
+        **rest,
+        **_BY_SERIES,
+    )
+
+
+third_order = _third("third_order", "7.36")
+third_order_too_small = _third(
+    "third_order_too_small", "7.33", expect=Verdict.REFUTED, amended_by=(third_order,)
 )
 
 
@@ -269,8 +300,8 @@ every_order = boxed(
         lambda b, kappa, m: arb(fmpq(1, 4)) - charts.growth(b, kappa, m)[0],
         lambda b, kappa, m: arb(fmpq(26, 10)) - charts.growth(b, kappa, m)[1],
     ),
-    KAPPA,
-    BY_KAPPA,
+    SIDES,
+    NAMES,
     QUARTER,
     also=(*coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
     note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
@@ -278,13 +309,18 @@ every_order = boxed(
     quotes=(DOUBLE_SERIES,),
 )
 
-exponent_below = boxed(
+_tail = (*shape, b <= a, epsilon > 0, epsilon <= Rational(1, 4))
+
+exponent_below = bound(
     "exponent_below",
-    "Q(e) < c₁e² for b/a ≤ 1 and 0 < e ≤ 1/4.",
-    (lambda b, r, e, m: -charts.exponent_bend(e, b, r, m),),
-    ((0, 1), (0, 1), (0, "1/4")),
-    ("b", "sqrt(b/a)", "e"),
-    "b/a <= 1, 0 < b <= 1, 0 < e <= 1/4",
+    exponent < c1 * epsilon**2,
+    On(
+        (b, sqrt(b / a), epsilon),
+        box((0, 1), (0, 1), (0, "1/4")),
+        (Shown(lambda b, r, e, m: -charts.exponent_bend(e, b, r, m), epsilon**4),),
+    ),
+    put=(first_coefficient, turn_in_general),
+    given=_tail,
     note="So ε₀/ε* < exp(c₁ε₀²), which is what the corner b = 1, κ = 0 of `everywhere` needs.",
 )
 
@@ -345,22 +381,12 @@ everywhere = Claim(
 )
 
 
-def _cubic_ratio(b: Any, kappa: Any, m: Any) -> Any:
-    """(ε₀ − ε*)/q³ = 8 cos³θ (ε₀/ε* − 1)/ε*²."""
-    root = charts.root_by_kappa(b, kappa, m)
-    square = 1 + root.r * root.r
-    return 8 / (m.sqrt(square) * square) * charts.first_excess(root, m)
-
-
-everywhere_too_small = boxed(
-    "everywhere_too_small",
-    "|ε₀ − ε*| ≤ 3.33 e^{−3√(ab)(π + arcsin √(b/(a+b)))}.",
-    within(_cubic_ratio, "3.33"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "3.33",
-    expect=Verdict.REFUTED,
+everywhere_too_small = Claim(
+    label="everywhere_too_small",
+    says=Abs(epsilon0 - epsilon_star)
+    <= Rational("3.33") * exp(-3 * sqrt(a * b) * (pi + asin(sqrt(b / (a + b))))),
+    given=shape,
+    proof=Counterexample({"a": fmpq(1600), "b": fmpq(1)}, (flip_defect, leading_term)),
     amended_by=(everywhere,),
 )
 
@@ -369,19 +395,13 @@ everywhere_too_small = boxed(
 
 CHART = ((0, 1), (0, "7/4"))
 """The chart (b, k); beyond k = 7/4 the tail bounds take over."""
-BY_K = ("b", "k")
+BY_K_NAMES = ("b", "k")
 BELOW = "ab <= 49/16, 0 < b <= 1"
+_below = (*shape, a * b <= Rational(49, 16))
 
 
 def _start(text: str) -> arb:
     return balls.pi if text == "pi" else arb(as_rational(text))
-
-
-def _sweep(start: str, constant: str, side: int) -> Callable[..., Any]:
-    def margin(b: Any, k: Any, m: Any) -> Any:
-        return arb(as_rational(constant)) - side * charts.sweep_error(b, k, _start(start), m)
-
-    return margin
 
 
 def _newton(start: str, constant: str) -> Callable[..., Any]:
@@ -391,40 +411,49 @@ def _newton(start: str, constant: str) -> Callable[..., Any]:
     return margin
 
 
-one_line = boxed(
+def _from_pi(b: Any, k: Any, m: Any) -> Any:
+    return charts.sweep_error(b, k, m.pi, m)
+
+
+def _from_four(b: Any, k: Any, m: Any) -> Any:
+    return charts.sweep_error(b, k, fmpq(4), m)
+
+
+_sweep_error = epsilon_pi / epsilon0 - 1
+
+one_line = bound(
     "one_line",
-    "The sweep from π errs by at most 2.8 % of ε₀ for √(ab) ≤ 7/4.",
-    (_sweep("pi", "0.028", 1),),
-    CHART,
-    BY_K,
-    BELOW,
-    "0.028",
-    slopes=True,
-    note="It errs on the side of too large an ε₀, as the phase exceeds π.",
+    _sweep_error <= Rational("0.028"),
+    On(
+        BY_K,
+        box(*CHART),
+        (Shown(lambda *at: fmpq(28, 1000) - _from_pi(*at), slopes=True),),
+    ),
+    put=misses_from_pi[-1:],
+    given=_below,
+    constant="0.028",
+    note="It errs on the side of too large an ε₀, as the phase exceeds π (`one_line_side`).",
 )
 
-one_line_too_small = boxed(
-    "one_line_too_small",
-    "The sweep from π errs by at most 2.7 % of ε₀ for √(ab) ≤ 7/4.",
-    (_sweep("pi", "0.027", 1),),
-    CHART,
-    BY_K,
-    BELOW,
+one_line_too_small = too_small(
+    one_line,
     "0.027",
-    expect=Verdict.REFUTED,
-    slopes=True,
-    amended_by=(one_line,),
+    lambda limit: _sweep_error <= limit,
+    using=(flip_defect, sweep_from_pi),
+    a="1/800",
+    b="1/2",
 )
 
-balanced_line = boxed(
+balanced_line = below(
     "balanced_line",
-    "The sweep from 4 errs by at most 0.65 % of ε₀, on either side, for √(ab) ≤ 7/4.",
-    (_sweep("4", "0.0065", 1), _sweep("4", "0.0065", -1)),
-    CHART,
-    BY_K,
-    BELOW,
+    epsilon_4 / epsilon0 - 1,
     "0.0065",
+    Integer(1),
+    _from_four,
+    given=_below,
+    chart=(BY_K, box(*CHART)),
     slopes=True,
+    put=misses_from_four[-1:],
 )
 
 _D = cosh(T) ** 2 + r**2 * sinh(T) ** 2
@@ -489,7 +518,7 @@ newton_line = boxed(
     "One Newton step after the sweep from π errs by at most 0.01 % of ε₀ for √(ab) ≤ 7/4.",
     (_newton("pi", "1e-4"),),
     CHART,
-    BY_K,
+    BY_K_NAMES,
     BELOW,
     "1e-4",
     also=(newton_remainder, newton_from_below),
@@ -501,7 +530,7 @@ balanced_newton = boxed(
     "One Newton step after the sweep from 4 errs by at most 0.0004 % of ε₀ for √(ab) ≤ 7/4.",
     (_newton("4", "4e-6"),),
     CHART,
-    BY_K,
+    BY_K_NAMES,
     BELOW,
     "4e-6",
     also=(newton_remainder, newton_from_below, newton_from_above),
@@ -522,7 +551,9 @@ def _error_of(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
 def _far_margins(difference: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
     """|ε/ε₀ − 1| < constant from the starts π and 4."""
     return tuple(
-        margin for start in ("pi", "4") for margin in within(_error_of(difference, start), constant)
+        margin
+        for start in ("pi", "4")
+        for margin in within_numbers(_error_of(difference, start), constant)
     )
 
 
@@ -531,7 +562,7 @@ uniform_tail = boxed(
     "For √(ab) ≥ 7/4 the sweeps from π and from 4 err by at most 0.004 % of ε₀.",
     _far_margins(charts.far_difference, "4e-5"),
     FAR,
-    BY_KAPPA,
+    NAMES,
     "ab >= 49/16, 0 < b <= 1",
     "4e-5",
     also=(arctangent_concave,),
@@ -542,7 +573,7 @@ newton_tail = boxed(
     "For √(ab) ≥ 7/4 a Newton step after such a sweep errs by at most 0.0004 % of ε₀.",
     _far_margins(charts.far_newton_difference, "4e-6"),
     FAR,
-    BY_KAPPA,
+    NAMES,
     "ab >= 49/16, 0 < b <= 1",
     "4e-6",
     also=(arctangent_concave, newton_remainder, newton_from_below, newton_from_above),
@@ -599,29 +630,33 @@ slope_by_phase = Claim(
     note="−4bε dε/dγ at γ = 0 for an ε = ε₀; at the root the arsinh is T.",
 )
 
-slope_leading_term = boxed(
+DEFECT_SLOPE = -printed.defect_per_turn(epsilon0, a, b, 1, sympy) * printed.turn_slope(
+    epsilon0, a, b, 1, sympy
+)
+"""dε/dγ at γ = 0, S = +1."""
+
+_beside_slope = DEFECT_SLOPE + 1 / (4 * b * epsilon0)
+_unit = sqrt(a * b) * epsilon0 / (4 * b)
+
+slope_leading_term = below(
     "slope_leading_term",
-    "|dε/dγ + 1/(4bε₀)| ≤ 3.15 √(ab) ε₀/b at γ = 0.",
-    within(charts.slope_rest, "12.6"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "3.15",
+    _beside_slope,
+    "12.6",
+    _unit,
+    charts.slope_rest,
+    put=(phase_by_defect,),
     also=(slope_by_phase,),
     note="The remainder is of order ε₀ log(1/ε₀) at fixed b, where the paper prints O(1).",
 )
 
-slope_constant_too_small = boxed(
-    "slope_constant_too_small",
-    "|dε/dγ + 1/(4bε₀)| ≤ 3.1 √(ab) ε₀/b at γ = 0.",
-    within(charts.slope_rest, "12.4"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "3.1",
-    expect=Verdict.REFUTED,
-    also=(slope_by_phase,),
-    amended_by=(slope_leading_term,),
+slope_constant_too_small = _too_small(
+    slope_leading_term,
+    "12.4",
+    _beside_slope,
+    _unit,
+    label="slope_constant_too_small",
+    a="1/4",
+    b=1,
 )
 
 bend = Claim(
@@ -641,18 +676,27 @@ def _beyond_turning(defect: Any, m: Any) -> Any:
     return -charts.sine_rest(2 * defect) * (1 + sinc)
 
 
-bend_leaves = boxed(
+_past = 4 * b * epsilon0**2 - b * sin(2 * epsilon0) ** 2
+
+bend_leaves = bound(
     "bend_leaves",
-    "At γ = −4bε₀² the linear formula, ε = 2ε₀, lies where γ < −b sin²ε, by 3.5 to 6 times bε₀⁴.",
-    (
-        lambda e, m: 16 * _beyond_turning(e, m) - arb(fmpq(7, 2)),
-        lambda e, m: 6 - 16 * _beyond_turning(e, m),
+    Tuple(
+        _past > Rational(7, 2) * b * epsilon0**4,
+        _past < 6 * b * epsilon0**4,
     ),
-    ((0, "3/4"),),
-    ("epsilon0",),
-    "0 < epsilon0 <= 3/4",
-    "6",
-    note="There is no such trajectory: √(γ + b sin²ε) is not real.",
+    On(
+        (epsilon0,),
+        box((0, "3/4")),
+        (
+            Shown(lambda e, m: 16 * _beyond_turning(e, m) - fmpq(7, 2), b * epsilon0**4),
+            Shown(lambda e, m: 6 - 16 * _beyond_turning(e, m), b * epsilon0**4),
+        ),
+    ),
+    put=(),
+    given=(*shape, epsilon0 <= Rational(3, 4)),
+    constant="6",
+    note="At γ = −4bε₀² the linear formula gives ε = 2ε₀, and γ + b sin²ε is less than 0 by this "
+    "much. There is no such trajectory: √(γ + b sin²ε) is not real.",
 )
 
 label_claims(globals())

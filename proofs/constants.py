@@ -7,99 +7,102 @@
 
 From a₀ = 1/10 on two charts hold the region with its unbounded edges: (b, κ), κ = 1/√(ab), where
 ab ≥ a₀, and (k, 1/a), k = √(ab), where ab ≤ a₀; both are scaled to the unit square by √a₀. Below,
-ε* is not small, and the slab up to the next a₀ is enough, for a bound with a smaller constant is
-there already. The lower side of the first bound is `leading_below`, which needs no boxes.
+ε* is not small: slabs from each a₀ to the next lead up to 1/10.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
-from tresym.proofs.asymptotics import RESTS_ON, repaired
+from tresym.proofs.asymptotics import repaired
 from tresym.proofs.conditions import shape
-from tresym.proofs.exponent import leading_below
+from tresym.proofs.near import (
+    bound,
+    exponent_is_logarithm,
+    first_coefficient,
+    leading_by_defect,
+    leading_term,
+)
 from tresym.proofs.separatrix import flip_defect
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
 from tresym.racket.compared.constants import CONSTANTS
 from tresym.racket.near import charts
-from tresym.racket.notation import a, b, epsilon0
+from tresym.racket.notation import a, b, c1, epsilon0, epsilon_star
 from tresym.reals.numbers.exact import as_rational
 
 EXCESSES = (charts.first_excess, charts.second_excess)
-SAYS = ("|ε₀/ε* − 1| ≤ {} ε*².", "|ε₀/ε* − 1 − c₁ε*²| ≤ {} ε*⁴.")
-SIDES = ((1,), (1, -1))
-"""The sides that boxes show: above ε₀, and below it."""
+SIDES = (1, -1)
 LABELS = ("repaired_from", "second_order_from")
 UNIT = box((0, 1), (0, 1))
+_series = epsilon0 / epsilon_star - 1
+SIZES = (_series, _series - c1 * epsilon_star**2)
+LEAST = fmpq(1, 10)
+"""Below this a₀ slabs are used."""
 
 
-def _charts(order: int, a0: fmpq, constant: fmpq) -> tuple[Bound, ...]:
+def _charts(order: int, a0: fmpq, constant: fmpq) -> tuple[On, ...]:
     """The bounds on the whole of a ≥ a₀: in (b, κ√a₀) and in (k/√a₀, a₀/a)."""
+    least = Rational(int(a0.p), int(a0.q))
 
     def near(b: Any, scaled: Any, m: Any) -> charts.Root:
-        return charts.root_by_kappa(b, scaled / arb(a0).sqrt(), m)
+        return charts.root_by_kappa(b, scaled / m.sqrt(a0), m)
 
     def far(scaled: Any, alpha: Any, m: Any) -> charts.Root:
-        return charts.root_by_k(scaled * arb(a0).sqrt(), alpha / arb(a0), m)
+        return charts.root_by_k(scaled * m.sqrt(a0), alpha / a0, m)
 
-    def margin(side: int, chart: Callable[..., charts.Root]) -> Callable[..., Any]:
-        return lambda x, y, m: arb(constant) - side * EXCESSES[order](chart(x, y, m), m)
+    def shown(chart: Callable[..., charts.Root]) -> tuple[Shown, ...]:
+        def margin(side: int) -> Callable[..., Any]:
+            return lambda x, y, m: constant - side * EXCESSES[order](chart(x, y, m), m)
 
-    return tuple(Bound(margin(side, chart), UNIT) for side in SIDES[order] for chart in (near, far))
+        return tuple(Shown(margin(side), epsilon_star ** (2 * order + 2)) for side in SIDES)
+
+    beyond = (a >= least,)
+    return (
+        On((b, sqrt(least / (a * b))), UNIT, shown(near), (*beyond, a * b >= least)),
+        On((sqrt(a * b / least), least / a), UNIT, shown(far), (*beyond, a * b <= least)),
+    )
 
 
-def _slab(order: int, a0: fmpq, a1: fmpq, constant: fmpq) -> tuple[Bound, ...]:
+def _slab(order: int, a0: fmpq, a1: fmpq, constant: fmpq) -> On:
     """The bounds on a₀ ≤ a ≤ a₁, in the chart (a, √b)."""
 
     def margin(side: int) -> Callable[..., Any]:
         def upper(a: Any, root_b: Any, m: Any) -> Any:
             gap, power = charts.gap_over(a, root_b, order, m)
-            return power * arb(constant) - side * gap
+            return power * constant - side * gap
 
         return upper
 
-    region = box((a0, a1), (0, 1))
-    return tuple(Bound(margin(side), region, slopes=True) for side in SIDES[order])
+    shown = tuple(Shown(margin(side), 1 / epsilon_star, slopes=True) for side in SIDES)
+    low, high = (Rational(int(x.p), int(x.q)) for x in (a0, a1))
+    return On((a, sqrt(b)), box((a0, a1), (0, 1)), shown, (a >= low, a <= high))
 
 
-def _claim(order: int, least: str, constant: str, bounds: tuple[Bound, ...], rest: Any) -> Claim:
-    label = f"{LABELS[order]}_{least.replace('/', '_')}"
-    return Claim(
-        label=label,
-        says=SAYS[order].format(constant),
-        kind="bound",
-        proof=Boxes(
-            bounds,
-            ("x", "y"),
-            f"a >= {least}, 0 < b <= 1",
-            as_rational(constant),
-            (*RESTS_ON, *((leading_below,) if order == 0 else ()), *rest),
-            certificate(label),
-        ),
-        expect=Verdict.ENCLOSED,
+def _claim(order: int, n: int) -> Claim:
+    """The bound from the n-th a₀ on: on slabs up to 1/10, and on the rest."""
+    least, text = CONSTANTS[n].least, CONSTANTS[n][1 + order]
+    a0, constant = as_rational(least), as_rational(text)
+    ends = [as_rational(row.least) for row in CONSTANTS[n:] if as_rational(row.least) <= LEAST]
+    slabs = [_slab(order, low, high, constant) for low, high in pairwise(ends)]
+    on = (*slabs, *_charts(order, max(a0, LEAST), constant))
+    return bound(
+        f"{LABELS[order]}_{least.replace('/', '_')}",
+        Abs(SIZES[order]) <= Rational(text) * epsilon_star ** (2 * order + 2),
+        *on,
+        put=((exponent_is_logarithm, leading_term) if slabs else (leading_by_defect,))
+        + (first_coefficient,) * order,
+        given=(*shape, a >= Rational(least)),
+        constant=text,
     )
 
 
-SMALL = fmpq(1, 10)
-"""Below this a₀ slabs are used."""
-
-
 def _table(order: int) -> tuple[Claim, ...]:
-    """The claims of one order, smallest a₀ first; a slab rests on the claim above it."""
-    claims: list[Claim] = []
-    above = [*(as_rational(row.least) for row in CONSTANTS[1:]), fmpq(0)]
-    for row, a1 in reversed(list(zip(CONSTANTS, above, strict=True))):
-        a0, text = as_rational(row.least), row[1 + order]
-        constant = as_rational(text)
-        if a0 < SMALL:
-            bounds, rest = _slab(order, a0, a1, constant), claims[-1:]
-        else:
-            bounds, rest = _charts(order, a0, constant), []
-        claims.append(_claim(order, row.least, text, bounds, rest))
-    return tuple(reversed(claims))
+    """The claims of one order, smallest a₀ first."""
+    return tuple(_claim(order, n) for n in range(len(CONSTANTS)))
 
 
 repaired_from = _table(0)

@@ -17,13 +17,11 @@ from typing import Any
 
 from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import shape
-from tresym.proofs.printed import exact_defect
-from tresym.proofs.separatrix import one_flip_defect, stable_equation
+from tresym.proofs.separatrix import flip_defect, stable_equation
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.near.samples import RACKET, in_chart
 from tresym.racket.notation import *
 
 _small = (mu > -1, mu < 1)
@@ -62,27 +60,16 @@ right_sides = Claim(
 )
 
 
-def _reduced_residual(a: Any, b: Any, m: Any) -> Any:
-    """−|right side/ε₀ − 1| of the reduced equation at the exact ε₀."""
-    defect = exact_defect(a, b, m)
-    return -abs(printed.implicit_right(defect, a, b, m) / defect - 1)
-
-
 reduced_equation = Claim(
     label="equation",
     says=equal(epsilon0, printed.implicit_right_reduced(epsilon0, lam, mu, sympy)),
     kind="bound",
-    proof=Boxes(
-        (Bound(_reduced_residual, box(("1517/121",) * 2, ("55/874",) * 2)),),
-        ("a", "b"),
-        "the standard racket",
-        claims=(one_flip_defect,),
-        meant=Meant(in_chart(("a", "b"), shapes=(RACKET,)), epsilon0),
-    ),
-    where=Place(display=41),
-    expect=Verdict.REFUTED,
+    given=shape,
+    proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874)}, (flip_defect, d40)),
+    where=display(41),
     amended_by=(stable_equation, right_sides),
-    note="The higher orders of the equation before are dropped, one part in a thousand here.",
+    note="The higher orders of the equation before are dropped, one part in a thousand for the "
+    "standard racket.",
     fault=Fault.ROUNDING,
 )
 

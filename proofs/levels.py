@@ -23,8 +23,6 @@ from tresym.proofs.conditions import shape
 from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.flip_dynamics import precession_integrand
 from tresym.proofs.numbers_in_text import (
-    A,
-    B,
     changing_sign,
     lower_exact,
     upper_exact_value,
@@ -263,15 +261,9 @@ perfect_level = number(
 )
 
 standard_is_a_body = Claim(
-    label="standard_is_a_body",
-    says="1 − b(a + 2) > 0 for the standard racket.",
-    kind="bound",
-    proof=Boxes(
-        (Bound(lambda a, b, m: 1 - b * (a + 2), box(*((side, side) for side in (A, B)))),),
-        ("a", "b"),
-        "the standard racket",
-    ),
-    expect=Verdict.ENCLOSED,
+    says=at(1 - b * (a + 2), {a: Rational(1517, 121), b: Rational(55, 874)}) > 0,
+    proof=(step(1 - Rational(55, 874) * (Rational(1517, 121) + 2), evaluating),),
+    note="The standard racket.",
 )
 
 levels_of_the_thresholds = Claim(

@@ -22,21 +22,29 @@ from typing import Any
 
 from flint import acb
 from tresym.proofs.asymptotics import (
-    BY_KAPPA,
-    KAPPA,
-    QUARTER,
-    boxed,
+    DEFECT_SLOPE,
     printed_error,
     printed_leading_term,
     printed_remainder,
     repaired,
     slope_by_phase,
     slope_leading_term,
-    within,
 )
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import logarithmic_equation
+from tresym.proofs.implicit_function import d40, unknown
 from tresym.proofs.moments import fourth_moment
+from tresym.proofs.near import (
+    BY_KAPPA,
+    below,
+    between,
+    decay_by_defect,
+    exponent_is_logarithm,
+    leading_by_defect,
+    leading_term,
+    phase_by_defect,
+    quarter,
+)
 from tresym.proofs.separatrix import flip_defect, one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
@@ -46,7 +54,7 @@ from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.near import charts
 from tresym.racket.near.bending import curvature
-from tresym.racket.near.samples import RACKET, TURN, beside_tangent, in_bent_chart, in_chart
+from tresym.racket.near.samples import RACKET, TURN, beside_tangent, in_bent_chart
 from tresym.racket.notation import *
 from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
@@ -59,8 +67,9 @@ _turn_slope = Subs(partialF_partialgamma, gamma, 0)
 _slope = Subs(partialepsilon_partialgamma, gamma, 0)
 _exponent = pi + asin(sqrt(b / (a + b)) * cos(epsilon0))
 
-WIDE = ((0, 4), (0, "1/4"))
+WIDE = box((0, 4), (0, "1/4"))
 """The chart (R, ε₀) with R = b/a ≤ 4, of which ab ≥ 1/4 is a part."""
+wide = (*shape, 4 * a - b >= 0, epsilon0 <= Rational(1, 4))
 
 
 # -- the theorem's remainder ----------------------------------------------------------------------
@@ -95,37 +104,35 @@ def _square_rest(R: Any, e: Any, m: Any) -> Any:
     return rest * (2 + e * e * rest)
 
 
-quadratic_left = boxed(
+_wide: dict[str, Any] = {
+    "given": wide,
+    "chart": ((b / a, epsilon0), WIDE),
+    "put": (decay_by_defect,),
+    "slopes": True,
+}
+
+quadratic_left = below(
     "d38",
-    equal(
-        (1 + b / a) * epsilon0**2 / 4 + hot,
-        exp(-2 * sqrt(a * b) * _exponent),
-    ),
-    within(_square_rest, "1.84"),
-    WIDE,
-    ("R", "epsilon0"),
-    "b/a <= 4, epsilon0 <= 1/4",
+    exp(-2 * sqrt(a * b) * _exponent) - (1 + b / a) * epsilon0**2 / 4,
     "1.84",
-    slopes=True,
-    meant=Meant(in_chart(("R", "epsilon0")), (1 + b / a) * epsilon0**4 / 4),
-    given=shape,
+    (1 + b / a) * epsilon0**4 / 4,
+    _square_rest,
+    printed_as=equal((1 + b / a) * epsilon0**2 / 4 + hot, exp(-2 * sqrt(a * b) * _exponent)),
     where=display(38),
     note="The higher orders are at most 1.84 ε₀² times the term before them.",
+    **_wide,
 )
 
-linear_left = boxed(
+linear_left = below(
     "eqnew",
-    equal(epsilon0 + hot, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent)),
-    within(_left_side_rest, "0.92"),
-    WIDE,
-    ("R", "epsilon0"),
-    "b/a <= 4, epsilon0 <= 1/4",
+    2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent) - epsilon0,
     "0.92",
-    slopes=True,
-    meant=Meant(in_chart(("R", "epsilon0")), epsilon0**3),
-    given=shape,
+    epsilon0**3,
+    _left_side_rest,
+    printed_as=equal(epsilon0 + hot, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent)),
     where=display(39),
     note="The higher orders are at most 0.92 ε₀³.",
+    **_wide,
 )
 
 
@@ -140,27 +147,27 @@ def _quadratic_u(b: Any, kappa: Any, m: Any) -> Any:
     return kappa * charts.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m)
 
 
-u_exponentially_small = boxed(
+_BY_U = (d40, unknown, exponent_is_logarithm, leading_term)
+
+u_exponentially_small = below(
     "u_exponentially_small",
-    "|u| ≤ 1.44 λ ε*², so that u is smaller than every power of λ.",
-    within(_log_ratio, "1.44"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
+    u,
     "1.44",
-    note="u = −λ log(ε₀/ε*) is defined by ε₀ = 2√(1−μ²) exp(−(π + arcsin μ + u)/λ).",
+    lam * epsilon_star**2,
+    _log_ratio,
+    put=_BY_U,
+    note="So u is smaller than every power of λ.",
 )
 
-u_flat_order = boxed(
+u_flat_order = below(
     "u_flat_order",
-    "u = O(λ²): |u| ≤ 0.009 λ².",
-    within(_quadratic_u, "0.009"),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
+    u,
     "0.009",
+    lam**2,
+    _quadratic_u,
+    put=_BY_U,
     where=display(46),
-    note="True, and far from sharp: u is exponentially small.",
+    note="So u = O(λ²); true, and far from sharp: u is exponentially small.",
 )
 
 
@@ -199,7 +206,7 @@ def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     # (c√(1 + Rs²)/s² − 1/e²): the differences c − 1, √ − 1 and e²/s² − 1, each over e².
     cosine, stretched = -half * half / 2, r * r * sinc * sinc / (1 + root)
     algebraic = (m.cos(e) * stretched + cosine - charts.sine_rest(e) * (1 + sinc)) / (sinc * sinc)
-    return kappa * algebraic + (1 - r * r - 2 * b) * charts.phase_by_kappa(b, kappa, m)
+    return kappa * algebraic + (1 - r * r - 2 * b) * charts.phase_by_kappa(b, kappa)
 
 
 def _turn_slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
@@ -210,114 +217,91 @@ def _slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
     return charts.defect_over_kappa(b, kappa, m) * charts.slope_rest(b, kappa, m) / 4
 
 
-def _printed_order(
-    label: str,
-    number: int,
-    left: Any,
-    value: Callable[..., Any],
-    right: Any,
-    gauge: Any,
-    error: Callable[..., Any],
-    constant: str,
-    **k: Any,
-) -> Claim:
-    """A display whose left side has this ``value`` at γ = 0, its remainder over a gauge bounded."""
-    return boxed(
-        label,
-        equal(left, right),
-        within(error, constant),
-        KAPPA,
-        BY_KAPPA,
-        QUARTER,
-        constant,
-        meant=Meant(in_chart(BY_KAPPA, {left: value}), gauge),
-        given=(*shape, S**2 > 0),
+def _printed_order(number: int, size: Expr, says: Basic, **rest: Any) -> Claim:
+    """A display whose remainder at γ = 0 has this ``size`` over a gauge."""
+    return below(
+        f"d{number}",
+        size,
+        printed_as=says,
+        put=(phase_by_defect, leading_by_defect),
         where=display(number),
-        **k,
+        **rest,
     )
 
 
 def _true_order(
-    label: str, says: str, rest: Callable[..., Any], low: str, high: str, b0: str
+    label: str, size: Expr, low: str, high: str, gauge: Expr, rest: Callable[..., Any], least: str
 ) -> Claim:
-    """``low`` < rest < ``high`` on the part b ≥ b₀ of ab ≥ 1/4."""
-    least, most = as_rational(low), as_rational(high)
-    return boxed(
+    """low · gauge < size < high · gauge on the part b ≥ ``least`` of ab ≥ 1/4."""
+    return between(
         label,
-        says,
-        (
-            lambda b, kappa, m: rest(b, kappa, m) - arb(least),
-            lambda b, kappa, m: arb(most) - rest(b, kappa, m),
-        ),
-        ((b0, 1), (0, 2)),
-        BY_KAPPA,
-        f"ab >= 1/4, {b0} <= b <= 1",
-        high,
+        size,
+        (low, high),
+        gauge,
+        rest,
+        put=(phase_by_defect,),
+        given=(*quarter, b >= Rational(least)),
+        chart=(BY_KAPPA, box((least, 1), (0, 2))),
+        note="The printed order is true and not sharp.",
     )
 
 
+_ab = sqrt(a * b)
+_beside_turns = printed.defect_per_turn(epsilon0, a, b, 1, sympy) + _ab * epsilon0
+_beside_turn = printed.turn_slope(epsilon0, a, b, 1, sympy) + 1 / (4 * b * _ab * epsilon0**2)
+_beside_slope = DEFECT_SLOPE + 1 / (4 * b * epsilon0)
+
 d52 = _printed_order(
-    "d52",
     52,
-    _per_turn,
-    printed.defect_per_turn,
-    printed.defect_per_turn_asymptotic(epsilon0, a, b, S, sympy) + O(epsilon0**2),
-    sqrt(a * b) * epsilon0**2,
-    _per_turn_square,
-    "0.31",
-    note="|∂ε/∂F + √(ab) ε₀| ≤ 0.31 √(ab) ε₀². The true order is ε₀³.",
+    _beside_turns,
+    equal(_per_turn, printed.defect_per_turn_asymptotic(epsilon0, a, b, S, sympy) + O(epsilon0**2)),
+    limit="0.31",
+    gauge=_ab * epsilon0**2,
+    error=_per_turn_square,
+    note="At S = 1. The true order is ε₀³.",
 )
 
 d52_true_order = _true_order(
-    "d52_true_order",
-    "1/4 < |∂ε/∂F + √(ab) ε₀|/(√(ab) ε₀³) < 2.9 for b ≥ 1/2: O(ε₀²) is true and not sharp.",
-    _per_turn_rest,
-    "1/4",
-    "2.9",
-    "1/2",
+    "d52_true_order", -_beside_turns, "1/4", "2.9", _ab * epsilon0**3, _per_turn_rest, "1/2"
 )
 
 d56 = _printed_order(
-    "d56",
     56,
-    _turn_slope,
-    printed.turn_slope,
-    printed.turn_slope_asymptotic(epsilon0, a, b, S, sympy) + O(1 / epsilon0),
-    1 / (4 * b * sqrt(a * b) * epsilon0),
-    _turn_slope_times_defect,
-    "0.96",
-    note="The rest is at most 0.96/(4b√(ab) ε₀). Its true order is log(1/ε₀), which √(ab) is.",
+    _beside_turn,
+    equal(_turn_slope, printed.turn_slope_asymptotic(epsilon0, a, b, S, sympy) + O(1 / epsilon0)),
+    limit="0.96",
+    gauge=1 / (4 * b * _ab * epsilon0),
+    error=_turn_slope_times_defect,
+    note="At S = 1. The rest's true order is log(1/ε₀), which √(ab) is.",
 )
 
 d56_true_order = _true_order(
     "d56_true_order",
-    "3/2 √(ab) < 4 b^{3/2} √a (∂F/∂γ + 1/(4 b^{3/2} √a ε₀²)) < 18 √(ab) for b ≥ 3/4: "
-    "O(1/ε₀) is true and not sharp.",
-    lambda b, kappa, m: -_turn_slope_rest(b, kappa, m),
+    _beside_turn,
     "3/2",
     "18",
+    1 / (4 * b),
+    lambda b, kappa, m: -_turn_slope_rest(b, kappa, m),
     "3/4",
 )
 
 d57 = _printed_order(
-    "d57",
     57,
-    _slope,
-    lambda *at: -printed.defect_per_turn(*at) * printed.turn_slope(*at),
-    printed.defect_slope_asymptotic(epsilon0, b) + O(Integer(1)),
-    1 / b,
-    _slope_times_defect,
-    "0.18",
-    note="|dε/dγ + 1/(4bε₀)| ≤ 0.18/b: O(1) at fixed b. The true order is √(ab) ε₀.",
+    _beside_slope,
+    equal(_slope, printed.defect_slope_asymptotic(epsilon0, b) + O(Integer(1))),
+    limit="0.18",
+    gauge=1 / b,
+    error=_slope_times_defect,
+    note="At S = 1: O(1) at fixed b. The true order is √(ab) ε₀.",
 )
 
 d57_true_order = _true_order(
     "d57_true_order",
-    "3/8 √(ab) ε₀/b < dε/dγ + 1/(4bε₀) < 3.15 √(ab) ε₀/b at γ = 0 for b ≥ 3/4: "
-    "O(1) is true and not sharp.",
-    lambda b, kappa, m: -charts.slope_rest(b, kappa, m),
+    _beside_slope,
     "3/2",
     "12.6",
+    _ab * epsilon0 / (4 * b),
+    lambda b, kappa, m: -charts.slope_rest(b, kappa, m),
     "3/4",
 )
 
@@ -493,18 +477,15 @@ def _decay(b: Any, kappa: Any, m: Any) -> Any:
     return 2 * cosine * m.exp(exponent - b * charts.arctangent_over(root.r))
 
 
-exponential_decay = boxed(
+exponential_decay = between(
     "remark1",
-    "ε₀ tends to zero exponentially as ab → ∞: 0.52 < ε₀ e^{π√(ab)} < 2.01.",
-    (
-        lambda b, kappa, m: _decay(b, kappa, m) - arb("0.52"),
-        lambda b, kappa, m: arb("2.01") - _decay(b, kappa, m),
-    ),
-    KAPPA,
-    BY_KAPPA,
-    QUARTER,
-    "2.01",
+    epsilon0 * exp(pi * sqrt(a * b)),
+    ("0.52", "2.01"),
+    Integer(1),
+    _decay,
+    put=(exponent_is_logarithm, leading_term),
     where=line(243),
+    note="So ε₀ tends to zero exponentially as ab → ∞.",
 )
 
 remark_speed = Claim(

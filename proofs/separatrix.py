@@ -220,15 +220,15 @@ one_flip_defect = Claim(
 _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(epsilon) ** 2)
 
 defect_is_one = Claim(
-    says="Each shape has exactly one ε between 0 and π/2 with cos ε/√(1 + (b/a) sin²ε) = tanh T, "
+    says="Each shape has exactly one ε between 0 and π/2 with tanh T = cos ε/√(1 + (b/a) sin²ε), "
     "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
     kind="statement",
-    means=ExactlyOne(epsilon, 0, pi / 2, equal(_inverse, tanh(_time))),
+    means=ExactlyOne(epsilon, 0, pi / 2, equal(tanh(_time), _inverse)),
     given=shape,
     proof=UniqueRoot(
         derivative=(
             step(
-                -sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
+                sin(epsilon) * _rate / (_root**3 * cosh(_time) ** 2),
                 differentiation,
                 exponentials,
                 roots,
@@ -237,10 +237,13 @@ defect_is_one = Claim(
         ),
         at_low=(
             step(
-                2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1), exponentials, roots, trigonometry
+                -2 / (exp(2 * sqrt(a * b) * (pi + asin(_mu))) + 1),
+                exponentials,
+                roots,
+                trigonometry,
             ),
         ),
-        at_high=(step(-tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
+        at_high=(step(tanh(sqrt(a * b) * pi), exponentials, roots, trigonometry, inverses),),
     ),
     note="It is the stable equation with the hyperbolic functions on one side.",
 )
@@ -254,8 +257,8 @@ flip_defect = Claim(
 
 vanishing_share = Claim(
     says=equal(
-        _inverse - tanh(_time),
-        (1 / cosh(_time) ** 2 - (a + b) * sin(epsilon) ** 2 / (a + b * sin(epsilon) ** 2))
+        tanh(_time) - _inverse,
+        ((a + b) * sin(epsilon) ** 2 / (a + b * sin(epsilon) ** 2) - 1 / cosh(_time) ** 2)
         / (_inverse + tanh(_time)),
     ),
     given=(*shape, *defect),
@@ -268,6 +271,14 @@ leading_defect = Claim(
     given=shape,
     proof=Definition(),
     note="The formula of the theorem, without its remainder.",
+)
+
+defect_range = Claim(
+    says=Tuple(sin(epsilon0) > 0, cos(epsilon0) > 0),
+    given=shape,
+    proof=together(
+        (step(sin(epsilon0), citing(flip_defect)),), (step(cos(epsilon0), citing(flip_defect)),)
+    ),
 )
 
 label_claims(globals())

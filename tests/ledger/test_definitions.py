@@ -450,7 +450,7 @@ def test_a_symbol_may_name_the_one_root() -> None:
         replace(ROOT, given=()),
         replace(ROOT, given=(x < 0,)),
         replace(ROOT, says=equal(y**3, x)),
-        replace(ROOT, says=Tuple(equal(y**3 - x, 1), *ROOT.proof.says.args[1:])),
+        replace(ROOT, says=Tuple(equal(y**3, x + 1), *ROOT.proof.says.args[1:])),
         replace(ROOT, says=Tuple(ROOT.proof.says.args[0], Gt(y, 1), ROOT.proof.says.args[2])),
         replace(ROOT, says=Root(x, ONE_ROOT).says, proof=Root(x, ONE_ROOT)),
         replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),

@@ -12,6 +12,7 @@ from tresym.commands import main
 from tresym.ledger import certificates, verification
 from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import Boxes, finding_anew
+from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.racket.compared.constants import CONSTANTS, excesses
@@ -31,6 +32,7 @@ from tresym.reals.balls.boxes import (
     recheck,
     value_at,
 )
+from tresym.reals.balls.traced import traced
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.numbers.exact import InputError, as_rational
 from tresym.reals.verdict import Verdict
@@ -48,7 +50,7 @@ SIX = [shape for shape in SHAPES if shape[0] * shape[1] >= fmpq(1, 4)]
 def stated(module):
     values = [v if isinstance(v, tuple) else (v,) for v in vars(module).values()]
     claims = dict.fromkeys(v for several in values for v in several if isinstance(v, Claim))
-    return [c for c in claims if isinstance(c.proof, Boxes)]
+    return [c for c in claims if isinstance(c.proof, Boxes | Charted)]
 
 
 PARTS = (asymptotics, constants, exponent, monotonicity, orders, rigid_bodies)
@@ -68,7 +70,7 @@ def test_every_claim_gets_its_verdict_when_found_anew(claim):
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.label)
 def test_stored_proofs_are_those_of_the_enclosed_bounds(claim):
-    if not isinstance(claim.proof, Boxes) or claim.proof.stored is None:
+    if not isinstance(claim.proof, Boxes | Charted) or claim.proof.stored is None:
         return
     proofs = claim.proof.stored()
     assert (proofs is not None) is (claim.expect is Verdict.ENCLOSED)
@@ -173,21 +175,21 @@ def test_the_printed_error_is_as_enclosed(a, b):
         assert abs(true - asymptotics._printed_error(b_, 1 / k, balls)) < 1e-9
 
 
+WIDE = ((0, 4), (0, "1/4"))
 WRONG = [
-    (asymptotics.within(asymptotics.EXCESS[0], "1.4506"), asymptotics.KAPPA),
-    (asymptotics.within(asymptotics.EXCESS[1], "2.97"), asymptotics.KAPPA),
-    (asymptotics.within(asymptotics.EXCESS[0], "0.083"), ((0, "1/2"), (0, "1/4"))),
-    ((asymptotics._sweep("pi", "0.0272", 1),), asymptotics.CHART),
-    ((asymptotics._sweep("4", "0.006", 1),), asymptotics.CHART),
-    ((asymptotics._sweep("4", "0.006", -1),), asymptotics.CHART),
+    (asymptotics.within_numbers(asymptotics.EXCESS[0], "1.4506"), asymptotics.SIDES),
+    (asymptotics.within_numbers(asymptotics.EXCESS[1], "2.97"), asymptotics.SIDES),
+    (asymptotics.within_numbers(asymptotics.EXCESS[0], "0.083"), ((0, "1/2"), (0, "1/4"))),
+    (asymptotics.within_numbers(asymptotics._from_pi, "0.0271"), asymptotics.CHART),
+    (asymptotics.within_numbers(asymptotics._from_four, "0.006"), asymptotics.CHART),
     ((asymptotics._newton("pi", "7e-5"),), asymptotics.CHART),
     ((asymptotics._newton("4", "2.5e-6"),), asymptotics.CHART),
-    (asymptotics.within(orders._quadratic_u, "0.0086"), asymptotics.KAPPA),
-    (asymptotics.within(orders._per_turn_square, "0.3"), asymptotics.KAPPA),
-    (asymptotics.within(orders._turn_slope_times_defect, "0.95"), asymptotics.KAPPA),
-    (asymptotics.within(orders._slope_times_defect, "0.17"), asymptotics.KAPPA),
-    (asymptotics.within(orders._square_rest, "1.83"), orders.WIDE),
-    (asymptotics.within(orders._left_side_rest, "0.91"), orders.WIDE),
+    (asymptotics.within_numbers(orders._quadratic_u, "0.0086"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._per_turn_square, "0.3"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._turn_slope_times_defect, "0.95"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._slope_times_defect, "0.17"), asymptotics.SIDES),
+    (asymptotics.within_numbers(orders._square_rest, "1.83"), WIDE),
+    (asymptotics.within_numbers(orders._left_side_rest, "0.91"), WIDE),
 ]
 
 
@@ -201,7 +203,7 @@ def test_constants_beyond_the_supremum_are_never_enclosed(margins_, sides):
 
 def test_a_range_too_long_is_never_enclosed():
     """The constant of ab ≥ 1/4 fails on ab ≥ 1/5."""
-    parts = asymptotics.within(asymptotics.EXCESS[0], "1.451")
+    parts = asymptotics.within_numbers(asymptotics.EXCESS[0], "1.451")
     verdicts = {decide_bound(Bound(p, box((0, 1), (0, "9/4"))), budget=1500).verdict for p in parts}
     assert verdicts != {Verdict.ENCLOSED}
 
@@ -257,6 +259,11 @@ def test_the_coefficients_of_the_exponent_are_those_of_its_logarithm():
     assert 5 * c[2] == 5 * q[2] + (5 * q[1]) ** 2 / 2
 
 
+def bounds_of(charts_):
+    pairs = [(on.box, shown) for on in charts_ for shown in on.shown]
+    return [Bound(traced(s.margin, len(region)), region, s.slopes) for region, s in pairs]
+
+
 @pytest.mark.parametrize("row", CONSTANTS, ids=lambda row: row.least)
 @pytest.mark.parametrize("order", [0, 1])
 def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
@@ -267,9 +274,9 @@ def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
     assert least > arb(constant) * arb("0.99")
     short = constant * fmpq(99, 100)
     proofs = [constants._charts(order, a0, short)]
-    if a0 < constants.SMALL:
-        proofs.append(constants._slab(order, a0, 2 * a0, short))
-    for bounds in proofs:
+    if a0 < constants.LEAST:
+        proofs.append((constants._slab(order, a0, 2 * a0, short),))
+    for bounds in map(bounds_of, proofs):
         assert Verdict.REFUTED in {decide_bound(bound, budget=50).verdict for bound in bounds}
 
 
@@ -277,7 +284,7 @@ def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
 @pytest.mark.parametrize(("a0", "row"), [("1/5", 3), ("9/10", 5), ("9", 8)])
 def test_a_constant_does_not_reach_below_its_least_a(order, a0, row):
     constant = as_rational(CONSTANTS[row][1 + order])
-    bounds = constants._charts(order, as_rational(a0), constant)
+    bounds = bounds_of(constants._charts(order, as_rational(a0), constant))
     assert Verdict.REFUTED in {decide_bound(bound, budget=50).verdict for bound in bounds}
 
 
@@ -437,7 +444,7 @@ def _wrong_exponent(order, power, constant):
 
 @pytest.mark.parametrize("order", [0, 1])
 @pytest.mark.parametrize("power", [1, 2])
-@pytest.mark.parametrize("sides", [asymptotics.KAPPA, (("9/10", 1), (0, "1/10")), ((0, 1), (0, 0))])
+@pytest.mark.parametrize("sides", [asymptotics.SIDES, (("9/10", 1), (0, "1/10")), ((0, 1), (0, 0))])
 def test_a_wrong_exponent_at_the_flat_edge_is_refuted(order, power, sides):
     """At κ = 0 every power of ε* vanishes while the excess tends to c₁ or c₂."""
     found = decide_bound(Bound(_wrong_exponent(order, power, 1000), box(*sides)), budget=400)
@@ -448,7 +455,7 @@ def test_a_wrong_exponent_at_the_flat_edge_is_refuted(order, power, sides):
 @pytest.mark.parametrize("order", [0, 1])
 def test_no_constant_serves_the_corner_where_a_vanishes(order, constant):
     """The chart (a, √b) up to a = 0: ε₀ tends to a positive limit at b = 1, and ε* to 0."""
-    bounds = constants._slab(order, fmpq(0), fmpq(1, 10), as_rational(constant))
+    bounds = bounds_of((constants._slab(order, fmpq(0), fmpq(1, 10), as_rational(constant)),))
     verdicts = {decide_bound(bound, budget=600).verdict for bound in bounds}
     assert verdicts != {Verdict.ENCLOSED}
     assert constant == "1000000" or Verdict.REFUTED in verdicts

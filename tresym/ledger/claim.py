@@ -18,7 +18,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from flint import fmpq
-from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Integer, Le, Lt, Subs, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tuple
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
@@ -141,7 +141,8 @@ class Definition:
 class Root:
     """The claim introduces ``symbol`` for the one root that ``unique`` shows there to be.
 
-    It says that the function vanishes there, and between which ends.
+    It says that the function vanishes there, what is subtracted in it on the right side, and
+    between which ends the root lies.
     """
 
     symbol: Symbol
@@ -159,9 +160,10 @@ class Root:
         """The equation for the root, and the interval that it lies in."""
         root, x = self.unique.statement, self.symbol
         assert isinstance(root, ExactlyOne)
-        assert root.difference is not None
-        vanishes = equal(root.difference.xreplace({root.variable: x}), Integer(0))
-        return Tuple(vanishes, Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False))
+        sides = (side.xreplace({root.variable: x}) for side in root.args[3].args)
+        return Tuple(
+            equal(*sides), Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False)
+        )
 
 
 @dataclass(frozen=True)
@@ -264,16 +266,51 @@ def formally(*using: Claim) -> Formally:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """An exact point under every condition of the claim at which the statement does not hold."""
+    """An exact point under every condition of the claim at which the statement does not hold.
+
+    ``claims`` define the symbols that have no value at the point itself.
+    """
 
     point: Mapping[str, fmpq]
+    claims: tuple[Claim, ...] = ()
     expect: ClassVar[Ruling] = Verdict.REFUTED
+
+
+@dataclass(frozen=True)
+class Instance:
+    """What ``claim`` says with these values for its variables, where its conditions hold of them.
+
+    ``cited`` are claims whose bounds show that.
+    """
+
+    claim: Claim
+    values: tuple[tuple[Symbol, Expr], ...]
+    cited: tuple[Claim, ...] = ()
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What is used."""
+        return (self.claim, *self.cited)
+
+    def put(self, relation: Basic) -> Basic:
+        """A relation with the values put in, not worked out."""
+        sides = (side.xreplace(dict(self.values)) for side in relation.args)
+        return relation.func(*sides, evaluate=False)
+
+    @property
+    def says(self) -> Basic:
+        """The instance, part by part."""
+        if isinstance(self.claim.says, Tuple):
+            return Tuple(*map(self.put, self.claim.says.args))
+        assert isinstance(self.claim.says, Basic)
+        return self.put(self.claim.says)
 
 
 Evidence = (
     Chain
     | Definition
     | Root
+    | Instance
     | Together
     | UniqueRoot
     | Monotone

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from time import process_time
 
-from sympy import Basic
+from sympy import Basic, Derivative, Integral, Subs
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -23,6 +23,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Instance,
     Monotone,
     Printed,
     Root,
@@ -42,6 +43,7 @@ from tresym.ledger.definitions import (
 from tresym.ledger.evidence.asymptotics import Asymptotics, judge_asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
+from tresym.ledger.evidence.charted import Charted, judge_charted
 from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, judge_counterexample
 from tresym.ledger.evidence.facts import by_facts, facts_of
@@ -76,7 +78,7 @@ from tresym.reals.balls.boxes import CertificateError
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import derivative, elementary, generalised
 from tresym.reals.language.expression import ZERO, Expr, differentiate, substitute, symbols
-from tresym.reals.language.formula import Relation
+from tresym.reals.language.formula import Relation, relations
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -194,8 +196,12 @@ def _judge(claim: Claim, found: Findings) -> Finding:
             return _judge_at_most_one(claim, claim.proof)
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
+        case Instance():
+            return _judge_instance(claim, claim.proof)
         case Together() | tuple() if claim.statement is not None:
             return _judge_chains(claim, chains_of(claim.statement, claim.proof))
+        case Charted():
+            return judge_charted(claim, claim.proof)
         case Asymptotics():
             return judge_asymptotics(claim, claim.proof)
         case Boxes() | Denied():
@@ -391,6 +397,28 @@ def _chain_to_sign(
     last = tree(chain[-1].expression)
     steps = check_chain(Relation(start, "==", last), chain, given)
     return steps, manifest_sign(last, given)
+
+
+def _judge_instance(claim: Claim, proof: Instance) -> Finding:
+    """PROVED when the values are of variables, and every condition of the claim holds of them."""
+    general = proof.claim
+    bound = any(e.atoms(Integral, Derivative, Subs) for e in (general.says, *general.given))
+    if bound or any(x.name in defined(general) for x, _ in proof.values):
+        return Finding(UNDECIDED, "the values are of symbols that are bound, or defined")
+    if claim.says != proof.says:
+        return Finding(UNDECIDED, "what is said is no instance of the claim")
+    if not _possible(claim):
+        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
+    for condition in conditions(tuple(map(proof.put, general.given))):
+        if condition not in given and not is_manifest(condition, given):
+            return Finding(UNDECIDED, f"{condition} is not shown, but the instance needs it")
+    says = relations(formula(claim.says))
+    sides = (side for part in says for side in (part.left, part.right))
+    gap = next((gap for side in sides if (gap := undefined(side, given)) is not None), None)
+    if gap is not None:
+        return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+    return Finding(PROVED, f"it is an instance of {general.label}")
 
 
 def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:

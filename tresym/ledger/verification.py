@@ -14,6 +14,7 @@ from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
+from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.reals.numbers.exact import InputError, quoted
@@ -137,7 +138,9 @@ def save_certificates(report: Report) -> int:
     found = {
         row.claim.label: row.finding.trees
         for row in report.rows
-        if row.finding.trees and isinstance(row.claim.proof, Boxes) and row.claim.proof.stored
+        if row.finding.trees
+        and isinstance(row.claim.proof, Boxes | Charted)
+        and row.claim.proof.stored
     }
     save(found)
     return len(found)

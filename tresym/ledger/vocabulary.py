@@ -18,12 +18,13 @@ from sympy import (
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
-    Claim, Counterexample, Definition, Fault, ImplicitFunction, Monotone, Place, Printed,
+    Claim, Counterexample, Definition, Fault, ImplicitFunction, Instance, Monotone, Place, Printed,
     Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims,
     line, manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.evidence.charted import Charted, On, Reading, Shown
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import (
@@ -38,16 +39,16 @@ from tresym.reals.balls.boxes import Bound, box
 from tresym.reals.verdict import Verdict
 
 __all__ = [
-    "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Claim", "Counterexample",
-    "Definition", "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr", "Fault",
-    "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction", "Integer",
-    "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "Place", "Printed", "Rational", "Reason",
-    "Root", "Rounds", "Subs", "Symbol", "TheRoot", "Tuple", "Under", "UniqueRoot", "Verdict",
-    "acos", "adding", "algebra", "all_of", "applying", "arb", "asin", "asinh", "at", "atan",
-    "atanh", "box", "by", "certificate", "changing_variable", "citing", "collecting", "cos",
-    "cosh", "cutting", "det", "diff", "differentiating_integral", "differentiation", "display",
-    "equal", "equations", "evaluating", "exp", "exponentials", "eye", "fmpq", "formally",
-    "integrating", "inverses", "label_claims", "line", "log", "manifest", "multiplying", "oo",
-    "order", "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy",
-    "tan", "tanh", "together", "trigonometry",
+    "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Charted", "Claim",
+    "Counterexample", "Definition", "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr",
+    "Fault", "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction", "Instance",
+    "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "On", "Place", "Printed",
+    "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Subs", "Symbol", "TheRoot",
+    "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of", "applying",
+    "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate", "changing_variable",
+    "citing", "collecting", "cos", "cosh", "cutting", "det", "diff", "differentiating_integral",
+    "differentiation", "display", "equal", "equations", "evaluating", "exp", "exponentials", "eye",
+    "fmpq", "formally", "integrating", "inverses", "label_claims", "line", "log", "manifest",
+    "multiplying", "oo", "order", "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step",
+    "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
 ]

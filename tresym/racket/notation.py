@@ -11,11 +11,12 @@ from sympy import Symbol
 # fmt: off
 __all__ = [
     "I1", "I2", "I3", "M1", "M2", "M3", "S2", "W1", "W2", "W3", "Delta_phi", "Delta_psi", "E",
-    "F", "M", "S", "T", "a", "b", "dM1_dt", "dM2_dt", "dM3_dt", "depsilon_dgamma", "dphi_dt",
-    "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon", "epsilon0", "epsilon_4",
-    "epsilon_pi", "epsilon_printed", "gamma", "k", "kappa", "lam", "mu", "partialF_partialgamma",
-    "partialepsilon_partialF", "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f",
-    "psi_max", "psi_min", "r", "theta", "theta_max", "theta_min", "u", "x", "x0",
+    "F", "M", "P", "Q", "S", "T", "a", "b", "c1", "c2", "dM1_dt", "dM2_dt", "dM3_dt",
+    "depsilon_dgamma", "dphi_dt", "dpsi_dphi", "dpsi_dt", "dtheta_dphi", "dtheta_dt", "epsilon",
+    "epsilon0", "epsilon_4", "epsilon_pi", "epsilon_printed", "epsilon_star", "gamma", "k",
+    "kappa", "lam", "mu", "partialF_partialgamma", "partialepsilon_partialF",
+    "partialepsilon_partialgamma", "phi", "psi", "psi0", "psi_f", "psi_max", "psi_min", "r",
+    "theta", "theta_max", "theta_min", "u", "x", "x0",
 ]
 # fmt: on
 
@@ -68,6 +69,10 @@ T, k, r = _real("T"), _real("k"), _real("r")
 kappa = _real("kappa")
 epsilon_pi, epsilon_4 = _real("epsilon_pi"), _real("epsilon_4")
 """1/√(ab); the defect after one sweep of the phase, from π and from 4."""
+P, Q, epsilon_star = _real("P"), _real("Q"), _real("epsilon_star")
+"""The phase T/√(ab), log(ε₀/ε*), and the leading term ε* of ε₀."""
+c1, c2 = _real("c1"), _real("c2")
+"""Coefficients of ε₀ = ε*(1 + c₁ε*² + c₂ε*⁴ + …)."""
 F = _real("F")
 """The integral of f from the flip defect to π/2."""
 u, lam, mu = _real("u"), _real("lambda"), _real("mu")
@@ -88,6 +93,9 @@ LATEX = {
     partialF_partialgamma: r"\frac{\partial F}{\partial\gamma}",
     epsilon0: r"\epsilon_0",
     epsilon_printed: r"\hat\epsilon_0",
+    epsilon_star: r"\epsilon_*",
+    c1: "c_1",
+    c2: "c_2",
     psi_f: r"\psi_f",
     Delta_psi: r"\Delta\psi",
     Delta_phi: r"\Delta\phi",

@@ -25,7 +25,7 @@ from tresym.ledger.evidence import balls as bounds
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.evidence.meant import Meant, is_formal, unfit
+from tresym.ledger.evidence.meant import is_formal, unfit
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.mutants.changes import mutations
@@ -141,7 +141,7 @@ COMPARED = tuple(
 
 
 def test_formulas_with_an_order_are_compared_with_their_evidence() -> None:
-    assert len(COMPARED) == 8
+    assert len(COMPARED) == 2
     assert not any(unfit(CLAIMS[label]) for label in COMPARED)
 
 
@@ -154,28 +154,6 @@ def test_a_slip_of_a_formula_is_noticed(label: str) -> None:
     # What is changed under an O may leave it as it is: half of the changes are noticed, or more.
     changed = [*mutations(claim.says, (a, b))][:12]
     assert sum(unfit(replace(claim, says=c)) is not None for c in changed) >= len(changed) / 2
-
-
-@pytest.mark.parametrize("label", ["d38", "d52"])
-def test_a_formula_under_other_conditions_is_another(label: str) -> None:
-    claim = CLAIMS[label]
-    assert unfit(replace(claim, given=(*claim.given, b > 2)))
-    assert unfit(replace(claim, given=(*claim.given, b > 1, b < 1)))
-    assert unfit(replace(claim, given=(x > 0,))) if x not in claim.says.free_symbols else True
-
-
-def test_the_gauge_is_the_order_that_is_named() -> None:
-    claim = CLAIMS["d52"]
-    left, right = claim.says.args
-    (node,) = right.atoms(O)
-    for other in (O(epsilon0**3), o(epsilon0**2), 0):
-        assert unfit(replace(claim, says=equal(left, right.xreplace({node: other}))))
-    proof = replace(claim.proof, constant=fmpq(1, 10**9))
-    assert unfit(replace(claim, proof=proof))
-    assert unfit(replace(claim, proof=replace(claim.proof, bounds=claim.proof.bounds[:1])))
-    assert unfit(replace(claim, proof=replace(claim.proof, meant=None)))
-    nowhere = Meant(lambda: (), claim.proof.meant.gauge)
-    assert unfit(replace(claim, proof=replace(claim.proof, meant=nowhere)))
 
 
 # Margins, orders and printed formulas that are not one function
@@ -227,11 +205,12 @@ def test_a_printed_number_stands_in_its_sentence() -> None:
 
 
 def test_prose_is_marked_and_listed() -> None:
-    report = report_json(verify(["d26", "eq_gamma", "d52"]))
+    report = report_json(verify(["d26", "eq_gamma", "d52", "everywhere"]))
     formal = {row["label"]: row["formal"] for row in report["claims"]}
     assert formal["eq_gamma"]
     assert formal["d26"]
-    assert not formal["d52"]
+    assert formal["d52"]
+    assert not formal["everywhere"]
     assert report["prose"] == [label for label, is_formal in formal.items() if not is_formal]
 
 
@@ -257,7 +236,8 @@ def test_what_is_meant_is_what_the_evidence_must_show() -> None:
 
 
 def test_numbers_fall_with_what_they_rest_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    found = {"unique_root": Finding(Verdict.UNDECIDED, "broken")}
+    broken = Finding(Verdict.UNDECIDED, "broken")
+    found = {"unique_root": broken, "defect_is_one": broken}
     for label in ("table_str_epsilon0", "d27", "equation", "larger_ab_smaller_eps0"):
         claim = CLAIMS[label]
         for used in claim.rests_on:

@@ -72,7 +72,7 @@ def kroot(b: arb, kappa: arb) -> c.Root:
 BY_KAPPA: dict[str, tuple[Callable[[arb, arb], arb], Callable[[Exact], arb]]] = {
     "leading": (lambda b, h: c.by_kappa(b, h, balls).leading, lambda x: x.star),
     "root": (lambda b, h: kroot(b, h).defect, lambda x: x.e),
-    "phase": (lambda b, h: c.phase_by_kappa(b, h, balls), lambda x: x.phase),
+    "phase": (lambda b, h: c.phase_by_kappa(b, h), lambda x: x.phase),
     "rate": (lambda b, h: c.exponent_rate(*kroot(b, h), balls), lambda x: x.log / x.e**2),
     "bend": (
         lambda b, h: c.exponent_bend(*kroot(b, h), balls),
@@ -123,8 +123,8 @@ BY_KAPPA: dict[str, tuple[Callable[[arb, arb], arb], Callable[[Exact], arb]]] = 
 
 BY_ROOT: dict[str, tuple[Callable[[Any, Any, Any], Any], Callable[[Exact], arb]]] = {
     "leading": (lambda b, k, m: c.by_root(b, k, m).leading, lambda x: x.star),
-    "phase": (c.phase_over, lambda x: x.phase),
-    "cotangent": (lambda b, k, m: c.cotangent(b, k, c.phase_over(b, k, m), m), lambda x: x.e.cot()),
+    "phase": (lambda b, k, m: c.phase_over(b, k), lambda x: x.phase),
+    "cotangent": (lambda b, k, m: c.cotangent(b, k, c.phase_over(b, k), m), lambda x: x.e.cot()),
     "gap": (lambda b, k, m: c.cubic_gap(b, k, m)[0], lambda x: x.e - x.star),
     "cube": (
         lambda b, k, m: c.cubic_gap(b, k, m)[1],

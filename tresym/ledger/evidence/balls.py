@@ -43,6 +43,25 @@ def searching_anew() -> bool:
     return _anew.get()
 
 
+def decisions_of(
+    bounds: tuple[Bound, ...],
+    stored: Callable[[], tuple[BoxProof, ...] | None] | None,
+    budget: int,
+) -> tuple[BoxProof | Counterexample | Open, ...]:
+    """What each bound comes to, by its stored proof where there is one.
+
+    Raises:
+        CertificateError: stored proofs that do not prove the bounds.
+    """
+    proofs = None if searching_anew() or stored is None else stored()
+    if proofs is None:
+        return tuple(decide_bound(bound, budget) for bound in bounds)
+    if len(proofs) != len(bounds):
+        raise CertificateError("stored proofs of another number of bounds")
+    pairs = zip(bounds, proofs, strict=True)
+    return tuple(decide_bound(bound, budget, proof) for bound, proof in pairs)
+
+
 @dataclass(frozen=True)
 class Boxes:
     """Every bound holds on its box.
@@ -76,13 +95,7 @@ class Boxes:
         Raises:
             CertificateError: stored proofs that do not prove the bounds.
         """
-        proofs = None if searching_anew() or self.stored is None else self.stored()
-        if proofs is None:
-            return tuple(decide_bound(bound, self.budget) for bound in self.bounds)
-        if len(proofs) != len(self.bounds):
-            raise CertificateError("stored proofs of another number of bounds")
-        pairs = zip(self.bounds, proofs, strict=True)
-        return tuple(decide_bound(bound, self.budget, proof) for bound, proof in pairs)
+        return decisions_of(self.bounds, self.stored, self.budget)
 
     def judge(self) -> Finding:
         """ENCLOSED when all bounds are, REFUTED at a point where one fails."""
@@ -92,7 +105,7 @@ class Boxes:
             if why is not None:
                 return Finding(Verdict.UNDECIDED, why)
         decisions = self.decisions()
-        constant = None if self.constant is None else _decimal(self.constant)
+        constant = None if self.constant is None else decimal(self.constant)
         for found in decisions:
             if isinstance(found, Counterexample):
                 point = dict(zip(self.names, found.point, strict=True))
@@ -113,6 +126,7 @@ class Boxes:
         )
 
 
-def _decimal(x: fmpq) -> Decimal:
+def decimal(x: fmpq) -> Decimal:
+    """An exact constant, as it is shown."""
     with ball_precision(64):
         return decimal_ball(Interval(x, x).ball(), 12)

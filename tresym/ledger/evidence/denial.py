@@ -11,6 +11,7 @@ from sympy import Basic, Equivalent, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import Claim, Counterexample
+from tresym.ledger.evidence.at_point import values_at
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import tree
 from tresym.ledger.second_look import excluded, scalars
@@ -21,25 +22,38 @@ from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
-BITS = 256
+BITS = 256, 2048
 Point = Mapping[str, fmpq]
+Values = Mapping[str, fmpq | arb]
 
 
 def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
     """REFUTED when balls confirm the conditions, and exclude the statement, at the exact point."""
     if claim.statement is None:
         return Finding(Verdict.UNDECIDED, "a point denies a formula, and none is stated")
-    with ball_precision(BITS):
-        for condition in claim.given:
-            if not _holds_at(condition, proof.point):
-                return Finding(Verdict.UNDECIDED, f"{condition} is not shown at the point")
-        if denied_at(claim.statement, proof.point) is None:
-            return Finding(Verdict.UNDECIDED, "the statement is not shown to fail at the point")
+    why = None
+    for bits in BITS:
+        with ball_precision(bits):
+            why = _not_denied(claim, claim.statement, values_at(proof.point, claim.rests_on))
+        if why is None:
+            break
+    if why is not None:
+        return Finding(Verdict.UNDECIDED, why)
     where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
     return Finding(Verdict.REFUTED, f"violated at {where}", witness=proof.point)
 
 
-def denied_at(says: Basic, point: Point) -> tuple[tuple[Basic, ...], Relational] | None:
+def _not_denied(claim: Claim, says: Basic, point: Values) -> str | None:
+    """Why the point does not deny what the claim says, or None."""
+    for condition in claim.given:
+        if not _holds_at(condition, point):
+            return f"{condition} is not shown at the point"
+    if denied_at(says, point) is None:
+        return "the statement is not shown to fail at the point"
+    return None
+
+
+def denied_at(says: Basic, point: Values) -> tuple[tuple[Basic, ...], Relational] | None:
     """The relation in ``says`` that balls exclude at ``point``, after what holds there, or None."""
     match says:
         case Tuple():
@@ -59,11 +73,11 @@ def denied_at(says: Basic, point: Point) -> tuple[tuple[Basic, ...], Relational]
     return None
 
 
-def _all_hold(conditions: tuple[Basic, ...], point: Point) -> bool:
+def _all_hold(conditions: tuple[Basic, ...], point: Values) -> bool:
     return all(_holds_at(entry, point) for part in conditions for entry in scalars(part))
 
 
-def _holds_at(relation: Basic, point: Point) -> bool:
+def _holds_at(relation: Basic, point: Values) -> bool:
     """Whether balls show that a relation holds at ``point``; an equation only where they are 0."""
     difference = _difference_at(relation, point)
     return bool(
@@ -78,13 +92,12 @@ def _holds_at(relation: Basic, point: Point) -> bool:
     )
 
 
-def _difference_at(relation: Basic, point: Point) -> arb:
+def _difference_at(relation: Basic, point: Values) -> arb:
     """The difference of the sides; not finite where a symbol has no value, or a side none."""
     if not {symbol.name for symbol in relation.free_symbols} <= {*point}:
         return arb.nan()
     left, right = map(worked_out, map(tree, relation.args))
-    at = {name: arb(v) for name, v in point.items()}
-    return evaluate(left - right, at) if elementary(left, right) else arb.nan()
+    return evaluate(left - right, point) if elementary(left, right) else arb.nan()
 
 
 @dataclass(frozen=True)

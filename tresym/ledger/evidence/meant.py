@@ -22,6 +22,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Instance,
     Monotone,
     Printed,
     Root,
@@ -30,6 +31,7 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
+from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.second_look import value
 from tresym.ledger.statements import As
@@ -48,8 +50,8 @@ WITHOUT_CONDITIONS = (AllOf, Denied)
 HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
-    *(tuple, Definition, Root, Together, UniqueRoot, ImplicitFunction, Printed, AllOf, Formally),
-    *(Counterexample, Boxes, Asymptotics, Denied, Monotone),
+    *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
+    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Monotone),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
 

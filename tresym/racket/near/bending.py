@@ -136,7 +136,7 @@ def curvature(b: arb, kappa: arb, v: arb, constant: arb, m: Any) -> arb:
     R, square = r * r, e0 * e0
     exponent = square * charts.exponent_rate(e0, b, r, m)
     lam = kappa * charts.leading_square_over(b, kappa, m) * m.exp(2 * exponent)
-    phase = charts.phase_by_kappa(b, kappa, m)
+    phase = charts.phase_by_kappa(b, kappa)
     p = -charts.slope_rest_at(e0, b, r, kappa, phase, m) / 4
     c = candidate(e0, lam, kappa, v, p, constant, m)
     ends = lower_end(c, b, R, e0, v, 2 * constant * lam, m)

@@ -18,6 +18,8 @@ from flint import arb
 
 from tresym.racket.flip.series import exponent_values, majorant
 from tresym.reals.balls.gradient import Divided, Gradient, gradients
+from tresym.reals.balls.traced import Named, Part
+from tresym.reals.language.expression import PI, Expr, number, trees
 from tresym.reals.numbers.arithmetic import balls
 
 sine_over = Divided(lambda s: s.sin())
@@ -44,6 +46,7 @@ arctangent_over = Divided(lambda s: s.atan())
 """arctan x / x."""
 
 
+@Part
 def exponent_rate(defect: Any, b: Any, r: Any, m: Any) -> Any:
     """Q(e)/e², regular at e = 0 where it is c₁; e = ``defect``, r = √(b/a).
 
@@ -63,6 +66,7 @@ def exponent_rate(defect: Any, b: Any, r: Any, m: Any) -> Any:
     )
 
 
+@Part
 def exponent_bend(defect: Any, b: Any, r: Any, m: Any) -> Any:
     """(Q(e)/e² − c₁)/e², regular at e = 0: every difference in ``exponent_rate`` over e²."""
     R, square = r * r, defect * defect
@@ -83,7 +87,7 @@ def exponent_bend(defect: Any, b: Any, r: Any, m: Any) -> Any:
     )
 
 
-def flat(x: Any, rate: Any) -> Any:
+def _flat(x: Any, rate: Any) -> Any:
     """exp(−rate/x) for x ≥ 0, with its value 0 and slope 0 at x = 0; increases with x.
 
     The slope rate/x² · exp(−rate/x) increases up to x = rate/2, where it is 4 e^{−2}/rate
@@ -97,11 +101,19 @@ def flat(x: Any, rate: Any) -> Any:
             return x.chain(value, rate / at**2 * value)
         end = at.upper()
         highest = rate / end**2 * (-rate / end).exp() if end < rate / 2 else top
-        return x.chain(flat(at, rate), arb(0).union(highest))
+        return x.chain(_flat(at, rate), arb(0).union(highest))
     if x > 0:
         return (-rate / x).exp()
     end = x.upper()
     return arb(0).union((-rate / end).exp()) if end > 0 else arb(0)
+
+
+def _ratio_is_positive(x: Expr, rate: Expr) -> tuple[Expr, ...]:
+    return x, rate
+
+
+flat = Named(_flat, lambda x, rate: trees.exp(-rate / x), asks=_ratio_is_positive)
+"""exp(−rate/x) for x ≥ 0."""
 
 
 class Shape(NamedTuple):
@@ -115,7 +127,7 @@ class Shape(NamedTuple):
 def by_kappa(b: Any, kappa: Any, m: Any) -> Shape:
     """The chart (b, κ): a = 1/(bκ²)."""
     r = b * kappa
-    small = flat(kappa, balls.pi) * m.exp(-b * arctangent_over(r))
+    small = flat(kappa, m.pi) * m.exp(-b * arctangent_over(r))
     return Shape(2 / m.sqrt(1 + r * r) * small, b, r)
 
 
@@ -141,17 +153,29 @@ class Root(NamedTuple):
 
 def root_by_kappa(b: Any, kappa: Any, m: Any) -> Root:
     """ε₀ in the chart (b, κ), a ball: tan ε₀ = cos θ/sinh(P/κ), flat at κ = 0."""
+    return Root(defect_by_kappa(b, kappa, m), b, b * kappa)
+
+
+@Part
+def defect_by_kappa(b: Any, kappa: Any, m: Any) -> Any:
+    """ε₀ in the chart (b, κ)."""
     r = b * kappa
-    small = flat(kappa, phase_by_kappa(b, kappa, m))
+    small = flat(kappa, phase_by_kappa(b, kappa))
     tangent = 2 / m.sqrt(1 + r * r) * small / (1 - small * small)
-    return Root(m.atan(tangent), b, r)
+    return m.atan(tangent)
 
 
 def root_by_k(k: Any, alpha: Any, m: Any) -> Root:
     """ε₀ in the chart (k, α), α = 1/a, a ball."""
     r = alpha * k
     b = r * k
-    return Root(m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m)), b, r)
+    return Root(defect_by_k(b, k, m), b, r)
+
+
+@Part
+def defect_by_k(b: Any, k: Any, m: Any) -> Any:
+    """ε₀ in the chart (b, k)."""
+    return m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k), m))
 
 
 def first_excess(root: Root, m: Any) -> Any:
@@ -181,7 +205,7 @@ def gap_over(a: Any, root_b: Any, order: int, m: Any) -> tuple[Any, Any]:
     leading = 2 / m.sqrt(1 + b / a) * m.exp(-k * (m.pi + m.atan(r)))
     square = leading * leading
     series = 1 + order * square * (6 * b + 3 * b / a - 1) / 12
-    defect = m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m))
+    defect = defect_by_k(b, k, m)
     return defect - leading * series, leading * square * (square if order else 1)
 
 
@@ -250,7 +274,7 @@ def _sine_slope(x: arb) -> arb:
     return (x / 3).union(x * x.cosh() / 3)
 
 
-def hyperbolic_sine_over(x: Any) -> Any:
+def _hyperbolic_sine_over(x: Any) -> Any:
     """sinh x/x, an even function."""
     if not isinstance(x, Gradient):
         return _between_ends(abs(x), _sine_point)
@@ -260,7 +284,11 @@ def hyperbolic_sine_over(x: Any) -> Any:
     return x.chain(_between_ends(abs(x.value), _sine_point), slope)
 
 
-def hyperbolic_tangent_over(x: Any) -> Any:
+hyperbolic_sine_over = Named(_hyperbolic_sine_over, lambda x: trees.sinh(x) / x)
+"""sinh x/x."""
+
+
+def _hyperbolic_tangent_over(x: Any) -> Any:
     """tanh x/x for x ≥ 0."""
     at = x.value if isinstance(x, Gradient) else x
     value = _between_ends(at, lambda t: t.tanh() / t if t > 0 else arb(1))
@@ -270,12 +298,18 @@ def hyperbolic_tangent_over(x: Any) -> Any:
     return Gradient(value, quotient.slopes)
 
 
+hyperbolic_tangent_over = Named(
+    _hyperbolic_tangent_over, lambda x: trees.tanh(x) / x, asks=lambda x: (x,)
+)
+"""tanh x/x for x ≥ 0."""
+
+
 def _spread(b: Any, k: Any, phase: Any, m: Any) -> Any:
     """D = cosh²kP + r² sinh²kP in the chart (b, k)."""
     return m.cosh(k * phase) ** 2 + (b * phase * hyperbolic_sine_over(k * phase)) ** 2
 
 
-def phase_over(b: Any, k: Any, m: Any) -> Any:
+def _phase_over(b: Any, k: Any) -> Any:
     """A ball (or gradient) that contains the phase of every shape in the chart (b, k).
 
     Every root of P = π + arctan(bP tanhc kP) lies in [π, 3π/2] and in the image of what contains
@@ -291,27 +325,59 @@ def phase_over(b: Any, k: Any, m: Any) -> Any:
         phase = image
     if not isinstance(b, Gradient):
         return phase
-    partial = _phase_image(b, k, phase, m)
+    partial = _phase_image(b, k, phase, gradients)
     return Gradient(phase, (partial / (1 - b0 / _spread(b0, k0, phase, balls))).slopes)
+
+
+ENDS = PI, 3 * PI / 2
+"""Between them is the phase of every shape."""
+phase_over = Named(
+    _phase_over,
+    image=lambda phase, b, k: PI + trees.atan(b / k * trees.tanh(k * phase)),
+    between=ENDS,
+    asks=lambda b, k: (b, k),
+)
+"""The phase P = π + arctan(r tanh kP), r = b/k, in the chart (b, k)."""
 
 
 def _phase_image(b: Any, k: Any, phase: Any, m: Any) -> Any:
     return m.pi + m.atan(b * phase * hyperbolic_tangent_over(k * phase))
 
 
+def _root_above(x: Any) -> Any:
+    """√x of what is not negative, whatever the ball seems to say."""
+    return gradients.sqrt(x) if isinstance(x, Gradient) else x.nonnegative_part().sqrt()
+
+
+root_above = Named(_root_above, trees.sqrt)
+
+
+@Part
 def cotangent(b: Any, k: Any, phase: Any, m: Any) -> Any:
     """cot ε₀ = √(1 + r²) sinh kP = √(k² + b²) P sinhc kP in the chart (b, k)."""
     square = k * k + b * b
-    length = m.sqrt(square if isinstance(b, Gradient) else square.nonnegative_part())
-    return length * phase * hyperbolic_sine_over(k * phase)
+    return root_above(square) * phase * hyperbolic_sine_over(k * phase)
+
+
+@Part
+def angle_difference(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
+    """ε − ε₀ from tan ε/tan ε₀ − 1 and cot ε₀: the difference of two arctangents is one."""
+    w, e = cotangent_, tangent_error
+    return m.atan(e * w / (w * w + 1 + e))
+
+
+@Part
+def angle_of(cotangent_: Any, m: Any) -> Any:
+    """The angle between 0 and π/2 that has this cotangent."""
+    return m.pi / 2 - m.atan(cotangent_)
 
 
 def angle_error(tangent_error: Any, cotangent_: Any, m: Any) -> Any:
-    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀: the difference of two arctangents is one."""
-    w, e = cotangent_, tangent_error
-    return m.atan(e * w / (w * w + 1 + e)) / (m.pi / 2 - m.atan(w))
+    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and cot ε₀."""
+    return angle_difference(tangent_error, cotangent_, m) / angle_of(cotangent_, m)
 
 
+@Part
 def tangent_error(difference: Any, phase: Any, k: Any, m: Any) -> Any:
     """sinh kP / sinh kP₁ − 1 from P − P₁ and P, without cancellation."""
     other = phase - difference
@@ -319,7 +385,8 @@ def tangent_error(difference: Any, phase: Any, k: Any, m: Any) -> Any:
     return difference / other * ratio * m.cosh(k * (phase + other) / 2)
 
 
-def sweep_difference(b: Any, k: Any, phase: Any, start: arb, m: Any) -> Any:
+@Part
+def sweep_difference(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
     """P − P₁ for P₁ = π + arctan(r tanh(start·k)): one arctangent with the factor P − start."""
     gap = phase - start
     x = b * phase * hyperbolic_tangent_over(k * phase)
@@ -328,9 +395,9 @@ def sweep_difference(b: Any, k: Any, phase: Any, start: arb, m: Any) -> Any:
     return m.atan(top / (m.cosh(k * phase) * m.cosh(k * start) * (1 + x * y)))
 
 
-def sweep_error(b: Any, k: Any, start: arb, m: Any) -> Any:
+def sweep_error(b: Any, k: Any, start: Any, m: Any) -> Any:
     """ε/ε₀ − 1 of one sweep from ``start``."""
-    phase = phase_over(b, k, m)
+    phase = phase_over(b, k)
     error = tangent_error(sweep_difference(b, k, phase, start, m), phase, k, m)
     return angle_error(error, cotangent(b, k, phase, m), m)
 
@@ -342,7 +409,7 @@ def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
     with ξ between P and P₁, g′ = 1 − b/D, D = cosh²kP + r² sinh²kP and g″ = bD′/D² > 0: the step
     lands above P, and ε is too small. The curvature is over the hull of P and P₁ (balls only).
     """
-    phase = phase_over(b, k, m)
+    phase = phase_over(b, k)
     difference = sweep_difference(b, k, phase, start, m)
     swept = m.pi + m.atan(b * start * hyperbolic_tangent_over(k * start))
     at = phase.union(swept)
@@ -358,7 +425,7 @@ def far_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
 
     tanh T − tanh(start/κ) = 2(g − f)/((1 + f)(1 + g)), and r/κ = b.
     """
-    r, f = b * kappa, flat(kappa, 2 * phase_by_kappa(b, kappa, m))
+    r, f = b * kappa, flat(kappa, 2 * phase_by_kappa(b, kappa))
     g = flat(kappa, 2 * start)
     gap = 2 * (g - f) / ((1 + f) * (1 + g))
     gap = gap / (1 + r * r * (1 - f) / (1 + f) * (1 - g) / (1 + g))
@@ -371,7 +438,7 @@ def far_error(difference: Any, b: Any, kappa: Any, m: Any) -> Any:
     It is tan ε/tan ε₀ − 1, and as the arctangent is concave (`arctangent_concave`) ε/ε₀ − 1 is
     between it and 0.
     """
-    f, growth = flat(kappa, 2 * phase_by_kappa(b, kappa, m)), m.exp(difference)
+    f, growth = flat(kappa, 2 * phase_by_kappa(b, kappa)), m.exp(difference)
     return m.expm1(difference) * (1 + f * growth) / (1 - f * growth * growth)
 
 
@@ -380,7 +447,7 @@ def far_newton_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
 
     As ``newton_error``, with D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P/κ} at P₁ or between.
     """
-    r, phase = b * kappa, phase_by_kappa(b, kappa, m)
+    r, phase = b * kappa, phase_by_kappa(b, kappa)
     difference = far_difference(b, kappa, start, m)
     swept = phase - kappa * difference
 
@@ -402,39 +469,59 @@ def printed_excess(r: Any, m: Any) -> Any:
     return arctangent_rest(r) + 1 / (root * (root + 1))
 
 
+def _flat_over(x: arb) -> arb:
+    """exp(−2π/x)/x² for 0 ≤ x ≤ 3, where it increases: up to x = π."""
+
+    def at(end: arb) -> arb:
+        return (-2 * balls.pi / end).exp() / end**2 if end > 0 else arb(0)
+
+    return _between_ends(x, at) if x <= 3 else arb.nan()
+
+
+flat_over = Named(
+    _flat_over, lambda x: trees.exp(-2 * PI / x) / x**2, asks=lambda x: (x, number(3) - x)
+)
+
+
+@Part
 def leading_square_over(b: arb, kappa: arb, m: Any) -> arb:
     """ε*²/κ² in the chart (b, κ), κ ≤ 3: exp(−2π/κ)/κ² increases to κ = π."""
     r = b * kappa
-
-    def flat_over(x: arb) -> arb:
-        return (-2 * balls.pi / x).exp() / x**2 if x > 0 else arb(0)
-
-    return 4 / (1 + r * r) * _between_ends(kappa, flat_over) * m.exp(-2 * b * arctangent_over(r))
+    return 4 / (1 + r * r) * flat_over(kappa) * m.exp(-2 * b * arctangent_over(r))
 
 
-def phase_by_kappa(b: Any, kappa: Any, m: Any) -> Any:
+def _phase_by_kappa(b: Any, kappa: Any) -> Any:
     """The phase P = π + arctan(r tanh P/κ) in the chart (b, κ), a ball: as ``phase_over``."""
     phase = balls.pi.union(3 * balls.pi / 2)
     while True:
         small = flat(kappa, 2 * phase)
-        image = m.pi + m.atan(b * kappa * (1 - 2 * small / (1 + small)))
+        image = balls.pi + balls.atan(b * kappa * (1 - 2 * small / (1 + small)))
         image = image.intersection(phase)
         if not image.rad() < phase.rad() * arb("0.9"):
             return phase
         phase = image
 
 
+phase_by_kappa = Named(
+    _phase_by_kappa,
+    image=lambda phase, b, kappa: PI + trees.atan(b * kappa * trees.tanh(phase / kappa)),
+    between=ENDS,
+    asks=lambda b, kappa: (b, kappa),
+)
+"""The phase P = π + arctan(r tanh P/κ), r = bκ, in the chart (b, κ), a ball."""
+
+
 def defect_over_kappa(b: arb, kappa: arb, m: Any) -> arb:
     """ε₀/κ = (ε*/κ) exp Q in the chart (b, κ), κ ≤ 3."""
     e, _, r = root_by_kappa(b, kappa, m)
     growth = m.exp(e * e * exponent_rate(e, b, r, m))
-    return growth * m.sqrt(leading_square_over(b, kappa, m).nonnegative_part())
+    return growth * root_above(leading_square_over(b, kappa, m))
 
 
 def slope_rest(b: Any, kappa: Any, m: Any) -> Any:
     """κ(−4bε₀ dε/dγ − 1)/ε₀² at γ = 0 in the chart (b, κ), a ball."""
     e, _, r = root_by_kappa(b, kappa, m)
-    return slope_rest_at(e, b, r, kappa, phase_by_kappa(b, kappa, m), m)
+    return slope_rest_at(e, b, r, kappa, phase_by_kappa(b, kappa), m)
 
 
 def slope_rest_at(e: Any, b: Any, r: Any, kappa: Any, phase: Any, m: Any) -> Any:
@@ -456,7 +543,7 @@ def cubic_gap(b: Any, k: Any, m: Any) -> tuple[Any, Any]:
     """(ε₀ − ε*, q³) with q = e^{−k(π + arctan r)} in the chart (b, k), away from k = 0."""
     shape = by_root(b, k, m)
     decay = m.exp(-k * (m.pi + m.atan(shape.r)))
-    defect = m.pi / 2 - m.atan(cotangent(b, k, phase_over(b, k, m), m))
+    defect = defect_by_k(b, k, m)
     return defect - shape.leading, decay * decay * decay
 
 

@@ -13,8 +13,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from flint import arb, arb_series, ctx
+from flint import arb, arb_series, ctx, fmpq_series
 
+from tresym.reals.balls.traced import Traced, program
+from tresym.reals.language.expression import ZERO, Expr, number, trees
 from tresym.reals.numbers.arithmetic import balls
 
 
@@ -151,19 +153,27 @@ class Divided:
         terms: n, terms kept.
     """
 
-    series: Callable[[arb_series], arb_series]
+    series: Callable[[Any], Any]
     power: int = 1
     near: float = 0.25
     terms: int = 12
 
     def __call__(self, x: Any) -> Any:
-        """The value at a ball, or value and slopes at a gradient."""
+        """The value at a ball, or value and slopes at a gradient; a step where it is traced."""
+        if isinstance(x, Traced):
+            return Traced(self, (x,))
         if isinstance(x, Gradient):
             value, slope = self._jet(x.value)
             return x.chain(value, slope)
         middle = x.mid()
         value = self._point(middle)
         return value if x.is_exact() else value + self._rough(x) * (x - middle)
+
+    def meaning(self, x: Expr) -> Expr:
+        """The quotient as a tree, which has a value where x is not 0."""
+        h = program(self.series(Traced(None, (0,))), 1).run((x,), trees, lambda *_: None)
+        start = self.series(fmpq_series([0, 1], 1, self.power + 1)).coeffs()[: self.power]
+        return (h - sum((number(c) * x**j for j, c in enumerate(start) if c), ZERO)) / x**self.power
 
     def _point(self, x: arb) -> arb:
         """The value at an exact point; the quotient loses at most p times ``CANCELLED`` bits."""

@@ -1,0 +1,492 @@
+"""The flip defect ε₀ near its leading term: symbols, and what the steps of margins are in them.
+
+- `flip_defect` (in `separatrix`) defines ε₀; `phase` its phase P = T/√(ab), `leading_term` ε*,
+  `exponent_of_defect` Q = log(ε₀/ε*), `first_coefficient` c₁, `second_coefficient` c₂;
+- `phase_equation`, `defect_by_phase`, `leading_by_defect`: how they hang together;
+- the readings say what a step of a formula in `tresym.racket.near` is in these symbols, in the two
+  charts (b, κ), κ = 1/√(ab), and (b, k), k = √(ab).
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from sympy import Pow
+from tresym.proofs.conditions import shape
+from tresym.proofs.exponent import exponent
+from tresym.proofs.separatrix import defect_range, flip_defect
+from tresym.proofs.sweeps import sweep_from_four, sweep_from_pi
+
+from tresym.ledger.evidence.charted import Reading
+from tresym.ledger.vocabulary import *
+from tresym.racket.near import charts
+from tresym.racket.notation import *
+from tresym.reals.numbers.exact import as_rational
+
+_mu = sqrt(b / (a + b))
+_ratio = sqrt(b / a)
+_sine, _cosine = sin(epsilon0), cos(epsilon0)
+_root = sqrt(1 + b / a * _sine**2)
+
+_tangent = tanh(sqrt(a * b) * P)
+
+phase = Claim(
+    says=equal(P, pi + asin(_mu * _cosine)),
+    given=shape,
+    proof=Definition(),
+)
+
+phase_equation = Claim(
+    says=equal(P, pi + atan(_ratio * tanh(sqrt(a * b) * P))),
+    given=shape,
+    proof=(
+        step(pi + asin(_mu * _cosine), substituting(phase)),
+        step(
+            pi + atan(_ratio * _cosine / _root),
+            citing(flip_defect, defect_range),
+            inverses,
+            roots,
+            trigonometry,
+        ),
+        step(None, substituting(phase, flip_defect)),
+    ),
+)
+_beside = asin(_mu * _cosine), pi / 2 - asin(_mu * _cosine)
+
+phase_range = Claim(
+    says=Tuple(pi <= P, 3 * pi / 2 >= P),
+    given=shape,
+    proof=together(
+        *((step(e, substituting(phase), citing(flip_defect, defect_range)),) for e in _beside)
+    ),
+)
+
+angle_of_tangent = Claim(
+    says=equal(atan(tan(epsilon0)), epsilon0),
+    given=(epsilon0 > 0, epsilon0 < pi / 2),
+    proof=by(inverses, trigonometry),
+)
+
+defect_by_phase = Claim(
+    says=equal(epsilon0, atan(1 / (sqrt(1 + b / a) * sinh(sqrt(a * b) * P)))),
+    given=shape,
+    proof=(
+        step(atan(tan(epsilon0)), citing(flip_defect), substituting(angle_of_tangent)),
+        step(
+            atan(sqrt(1 - (_cosine / _root) ** 2) / (sqrt(1 + b / a) * (_cosine / _root))),
+            citing(flip_defect, defect_range),
+            roots,
+            trigonometry,
+            inverses,
+        ),
+        step(
+            atan(sqrt(1 - _tangent**2) / (sqrt(1 + b / a) * _tangent)),
+            substituting(phase, flip_defect),
+            citing(flip_defect, defect_range),
+            roots,
+            trigonometry,
+        ),
+        step(None, citing(phase_range), exponentials, roots, inverses),
+    ),
+)
+
+_sinh = _tangent / sqrt(1 - _tangent**2)
+_share = _cosine / _root
+
+phase_by_defect = Claim(
+    says=equal(P, asinh(sqrt(a / (a + b)) * _cosine / _sine) / sqrt(a * b)),
+    given=shape,
+    proof=(
+        step(
+            asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b),
+            citing(phase_range),
+            exponentials,
+            inverses,
+            roots,
+        ),
+        step(asinh(_sinh) / sqrt(a * b), citing(phase_range), exponentials, roots),
+        step(
+            asinh(_share / sqrt(1 - _share**2)) / sqrt(a * b),
+            substituting(phase, flip_defect),
+            citing(flip_defect, defect_range),
+            roots,
+            trigonometry,
+        ),
+        step(None, citing(flip_defect, defect_range), roots, trigonometry),
+    ),
+)
+
+_turn = asin(_ratio * _sine**2 / (_cosine + _root))
+
+leading_term = Claim(
+    says=equal(epsilon_star, 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(_mu)))),
+    given=shape,
+    proof=Definition(),
+)
+
+exponent_of_defect = Claim(
+    says=equal(Q, log(epsilon0 / _sine) + log((_cosine + _root) / 2) + sqrt(a * b) * _turn),
+    given=(*shape, epsilon0 > 0, epsilon0 < pi / 2, _sine > 0, _cosine > 0),
+    proof=Definition(),
+)
+turn_by_cosine = Claim(
+    says=equal(
+        asin(_mu),
+        asin(_mu * x) + asin(_ratio * (1 - x**2) / (x + sqrt(1 + b / a * (1 - x**2)))),
+    ),
+    given=(*shape, x > 0, x < 1),
+    proof=by(inverses, roots),
+)
+
+below_one_in_general = Claim(
+    says=cos(epsilon) < 1,
+    given=(epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0),
+    proof=(step(2 * sin(epsilon / 2) ** 2, trigonometry),),
+)
+
+below_one = Claim(
+    says=_cosine < 1,
+    given=shape,
+    proof=(step(2 * sin(epsilon0 / 2) ** 2, citing(flip_defect), trigonometry),),
+)
+
+_turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (defect_range, below_one))
+
+turn_at_root = Claim(says=_turn_at_root.says, given=shape, proof=_turn_at_root)
+
+turn_as_one = Claim(
+    says=equal(asin(_mu), asin(_mu * _cosine) + _turn),
+    given=shape,
+    proof=by(substituting(turn_at_root), citing(flip_defect, defect_range), trigonometry),
+)
+
+decay_at_root = Claim(
+    says=equal(exp(-sqrt(a * b) * P), sqrt(1 + b / a) * _sine / (_cosine + _root)),
+    given=shape,
+    proof=(
+        step(sqrt((1 - _tangent) / (1 + _tangent)), citing(flip_defect), exponentials, roots),
+        step(
+            sqrt((1 - _cosine / _root) / (1 + _cosine / _root)),
+            substituting(phase, flip_defect),
+            citing(flip_defect, defect_range),
+        ),
+        step(None, citing(flip_defect, defect_range), roots, trigonometry),
+    ),
+)
+
+_over = sqrt(1 + b / a) * _sine / (_cosine + _root)
+_time = sqrt(a * b) * (pi + asin(_mu * _cosine))
+
+decay_once = Claim(
+    says=equal(exp(-_time), _over),
+    given=shape,
+    proof=(
+        step(exp(-sqrt(a * b) * P), substituting(phase)),
+        step(None, substituting(decay_at_root), citing(flip_defect, defect_range)),
+    ),
+)
+
+decay_by_defect = Claim(
+    says=Tuple(decay_once.says, equal(exp(-2 * _time), _over**2)),
+    given=shape,
+    proof=together(
+        by(substituting(decay_once), citing(flip_defect, defect_range)),
+        (
+            step(Pow(exp(-_time), 2, evaluate=False), exponentials),
+            step(None, substituting(decay_once), citing(flip_defect, defect_range), roots),
+        ),
+    ),
+)
+
+leading_by_defect = Claim(
+    says=equal(epsilon_star, epsilon0 * exp(-Q)),
+    given=shape,
+    proof=(
+        step(
+            2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(_mu))),
+            substituting(leading_term),
+        ),
+        step(
+            2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (P + _turn)),
+            substituting(phase, turn_as_one),
+            citing(flip_defect, defect_range),
+        ),
+        step(
+            2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * P) * exp(-sqrt(a * b) * _turn),
+            citing(flip_defect, defect_range),
+            exponentials,
+        ),
+        step(
+            2 * _sine / (_cosine + _root) * exp(-sqrt(a * b) * _turn),
+            substituting(decay_at_root),
+            citing(flip_defect, defect_range),
+            roots,
+        ),
+        step(
+            None,
+            substituting(exponent_of_defect),
+            citing(flip_defect, defect_range),
+            exponentials,
+        ),
+    ),
+)
+first_coefficient = Claim(
+    says=equal(c1, (6 * b - 1 + 3 * b / a) / 12), given=shape, proof=Definition()
+)
+
+exponent_is_logarithm = Claim(
+    says=equal(Q, log(epsilon0 / epsilon_star)),
+    given=shape,
+    proof=by(substituting(leading_by_defect), citing(flip_defect), exponentials),
+)
+
+ROOT = (flip_defect, defect_range)
+BY_KAPPA = (b, 1 / sqrt(a * b))
+"""The chart (b, κ): a = 1/(bκ²)."""
+AT_ROOT = (epsilon0, b, sqrt(b / a))
+
+phase_in_kappa = Reading(
+    charts.phase_by_kappa, BY_KAPPA, P, shape, (phase_equation,), (phase_range,)
+)
+defect_in_kappa = Reading(
+    charts.defect_by_kappa,
+    BY_KAPPA,
+    epsilon0,
+    shape,
+    (defect_by_phase,),
+    (phase_range,),
+    (phase_in_kappa,),
+)
+rate_at_root = Reading(
+    charts.exponent_rate, AT_ROOT, Q / epsilon0**2, shape, (exponent_of_defect,), ROOT
+)
+bend_at_root = Reading(
+    charts.exponent_bend,
+    AT_ROOT,
+    (Q / epsilon0**2 - c1) / epsilon0**2,
+    shape,
+    (exponent_of_defect, first_coefficient),
+    ROOT,
+)
+leading_in_kappa = Reading(
+    charts.leading_square_over,
+    BY_KAPPA,
+    epsilon_star**2 * a * b,
+    (*shape, a * b >= Rational(1, 9)),
+    (leading_term,),
+)
+BY_K = (b, sqrt(a * b))
+"""The chart (b, k): a = k²/b."""
+phase_in_k = Reading(charts.phase_over, BY_K, P, shape, (phase_equation,), (phase_range,))
+defect_in_k = Reading(
+    charts.defect_by_k, BY_K, epsilon0, shape, (defect_by_phase,), (phase_range,), (phase_in_k,)
+)
+_all = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0)
+_general_root = sqrt(1 + b / a * sin(epsilon) ** 2)
+_general_turn = asin(_ratio * sin(epsilon) ** 2 / (cos(epsilon) + _general_root))
+_general = Instance(turn_by_cosine, ((x, cos(epsilon)),), (below_one_in_general,))
+turn_at = Claim(says=_general.says, given=_all, proof=_general)
+
+turn_in_general = Claim(
+    says=equal(asin(_mu), asin(_mu * cos(epsilon)) + _general_turn),
+    given=_all,
+    proof=by(substituting(turn_at), trigonometry),
+)
+
+bend_at = Reading(
+    charts.exponent_bend,
+    (epsilon, b, sqrt(b / a)),
+    (exponent.xreplace({asin(_mu): asin(_mu * cos(epsilon)) + _general_turn}) / epsilon**2 - c1)
+    / epsilon**2,
+    _all,
+    (first_coefficient,),
+)
+
+_sweep_turn = atan(_ratio * tanh(sqrt(a * b) * P))
+_w = sqrt(1 + b / a) * sinh(sqrt(a * b) * P)
+
+turn_of_phase = Claim(
+    says=equal(_sweep_turn, P - pi),
+    given=shape,
+    proof=(
+        step(
+            atan(_ratio * (_cosine / _root)),
+            substituting(phase, flip_defect),
+            citing(flip_defect, defect_range),
+        ),
+        step(
+            asin(_mu * _cosine),
+            citing(flip_defect, defect_range),
+            inverses,
+            roots,
+            trigonometry,
+        ),
+        step(None, substituting(phase)),
+    ),
+)
+
+difference_of_turns = Claim(
+    says=equal(atan((x - x0) / (1 + x * x0)), atan(x) - atan(x0)),
+    given=(x > 0, x0 > 0),
+    proof=by(inverses),
+)
+
+cotangent_in_k = Reading(charts.cotangent, (*BY_K, P), _w, shape, cited=(phase_range,))
+angle_in_k = Reading(charts.angle_of, (_w,), epsilon0, shape, (defect_by_phase,), (phase_range,))
+
+
+def _sweep(
+    start: Expr, swept: Claim, ends: Symbol
+) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
+    """What the steps of the error of a sweep are, and the differences of angles in it."""
+    k_ = sqrt(a * b)
+    turn = _ratio * tanh(k_ * start)
+    known: dict[str, Any] = {"given": shape, "cited": (phase_range,)}
+    turns = Instance(difference_of_turns, ((x, _ratio * _tangent), (x0, turn)), (phase_range,))
+    one = Claim(f"turns_from_{start}", turns.says, turns, given=shape)
+    left = turns.says.args[0]
+    gained = Claim(
+        f"sweep_from_{start}_misses",
+        equal(left, P - pi - atan(turn)),
+        (
+            step(_sweep_turn - atan(turn), substituting(one), citing(phase_range)),
+            step(None, substituting(turn_of_phase), citing(phase_range)),
+        ),
+        given=shape,
+    )
+    end = sqrt(1 + b / a) * sinh(k_ * (pi + atan(turn)))
+    angles = Instance(difference_of_turns, ((x, 1 / end), (x0, 1 / _w)), (phase_range,))
+    two = Claim(f"angles_from_{start}", angles.says, angles, given=shape)
+    apart = angles.says.args[0]
+    beyond = Claim(
+        f"sweep_from_{start}_exceeds",
+        equal(apart, ends - epsilon0),
+        (
+            step(atan(1 / end) - atan(1 / _w), substituting(two), citing(phase_range)),
+            step(None, substituting(swept, defect_by_phase), citing(phase_range)),
+        ),
+        given=shape,
+    )
+    error = sinh(k_ * P) / sinh(k_ * (pi + atan(turn))) - 1
+    readings = (
+        Reading(charts.sweep_difference, (*BY_K, P, start), left, **known),
+        Reading(charts.tangent_error, (left, P, k_), error, claims=(gained,), **known),
+        Reading(charts.angle_difference, (error, _w), apart, **known),
+    )
+    return readings, (one, gained, two, beyond)
+
+
+_from_pi, misses_from_pi = _sweep(pi, sweep_from_pi, epsilon_pi)
+_from_four, misses_from_four = _sweep(Integer(4), sweep_from_four, epsilon_4)
+
+READINGS = (
+    bend_at,
+    cotangent_in_k,
+    angle_in_k,
+    *_from_pi,
+    *_from_four,
+    phase_in_k,
+    defect_in_k,
+    phase_in_kappa,
+    defect_in_kappa,
+    rate_at_root,
+    bend_at_root,
+    leading_in_kappa,
+)
+
+quarter = (*shape, a * b >= Rational(1, 4))
+"""ab ≥ 1/4, 0 < b ≤ 1."""
+KAPPA = box((0, 1), (0, 2))
+"""The chart (b, κ) of it."""
+
+
+def within(
+    error: Callable[..., Any], limit: fmpq, over: Expr, slopes: bool = False
+) -> tuple[Shown, ...]:
+    """The two margins of |error| ≤ limit, times ``over``."""
+    return (
+        Shown(lambda *at: limit - error(*at), over, slopes=slopes),
+        Shown(lambda *at: limit + error(*at), over, slopes=slopes),
+    )
+
+
+def bound(
+    label: str,
+    says: Basic,
+    *on: On,
+    put: tuple[Claim, ...] = (leading_by_defect,),
+    also: tuple[Claim, ...] = (),
+    constant: str | None = None,
+    **rest: Any,
+) -> Claim:
+    """A bound that the charts ``on`` show, with what ``put`` says put in."""
+    proof = Charted(on, READINGS, put, (*ROOT, phase_range), certificate(label), also=also)
+    if constant is not None:
+        proof = replace(proof, constant=as_rational(constant))
+    return Claim(label=label, says=says, proof=proof, **rest)
+
+
+def below(
+    label: str,
+    size: Expr,
+    limit: str,
+    gauge: Expr,
+    error: Callable[..., Any],
+    given: tuple[Basic, ...] = quarter,
+    chart: tuple[tuple[Expr, ...], Any] = (BY_KAPPA, KAPPA),
+    slopes: bool = False,
+    printed_as: Basic | None = None,
+    **rest: Any,
+) -> Claim:
+    """|size| ≤ limit · gauge: ``error`` is size/gauge in the chart.
+
+    ``printed_as`` is how the paper has it, where that leaves an order open.
+    """
+    shown = within(error, as_rational(limit), gauge, slopes)
+    says = Abs(size) <= Rational(limit) * gauge
+    if printed_as is not None:
+        rest["means"], says = says, printed_as
+    return bound(label, says, On(*chart, shown), given=given, constant=limit, **rest)
+
+
+def between(
+    label: str,
+    size: Expr,
+    limits: tuple[str, str],
+    gauge: Expr,
+    ratio: Callable[..., Any],
+    given: tuple[Basic, ...] = quarter,
+    chart: tuple[tuple[Expr, ...], Any] = (BY_KAPPA, KAPPA),
+    **rest: Any,
+) -> Claim:
+    """low · gauge < size < high · gauge: ``ratio`` is size/gauge in the chart."""
+    low, high = map(as_rational, limits)
+    least, most = (Rational(limit) * gauge for limit in limits)
+    shown = (
+        Shown(lambda *at: ratio(*at) - low, gauge),
+        Shown(lambda *at: high - ratio(*at), gauge),
+    )
+    says = Tuple(Gt(size, least, evaluate=False), Lt(size, most, evaluate=False))
+    return bound(label, says, On(*chart, shown), given=given, constant=limits[1], **rest)
+
+
+def too_small(
+    amended: Claim,
+    limit: str,
+    says: Callable[[Expr], Basic],
+    label: str = "",
+    using: tuple[Claim, ...] = (flip_defect, leading_term, first_coefficient),
+    **point: Any,
+) -> Claim:
+    """``says`` of a smaller constant, which fails at a shape."""
+    at = {name: as_rational(x) for name, x in point.items()}
+    return Claim(
+        label=label or f"{amended.label}_too_small",
+        says=says(Rational(limit)),
+        given=amended.given,
+        proof=Counterexample(at, using),
+        amended_by=(amended,),
+    )
+
+
+label_claims(globals())

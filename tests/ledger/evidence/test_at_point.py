@@ -1,0 +1,56 @@
+"""Values of defined symbols at exact points."""
+
+import pytest
+from flint import arb, fmpq
+from sympy import Symbol
+from tresym.proofs.near import first_coefficient, flip_defect, leading_term
+
+from tresym.ledger.claim import Claim, Counterexample, Definition, equal
+from tresym.ledger.evidence.at_point import changing_sign, values_at
+from tresym.ledger.judge import judge_evidence
+from tresym.racket.flip.separatrix import solve
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.verdict import Verdict
+
+x, y = (Symbol(name, real=True) for name in "xy")
+SHAPES = [(fmpq(1, 4), fmpq(1)), (fmpq(400), fmpq(1, 2)), (fmpq(1, 100), fmpq(9, 10))]
+
+
+@pytest.mark.parametrize(("a", "b"), SHAPES)
+def test_the_flip_defect_is_the_root(a: fmpq, b: fmpq) -> None:
+    with ball_precision(256):
+        found = values_at({"a": a, "b": b}, (flip_defect, leading_term, first_coefficient))
+        exact = solve(a, b, 50).defect
+        assert found["epsilon0"].overlaps(exact)
+        assert abs(found["epsilon0"] / exact - 1) < 1e-30
+        assert found["c1"].overlaps(arb((6 * b - 1 + 3 * b / a) / 12))
+
+
+def test_what_is_defined_has_no_other_value() -> None:
+    point = {"a": fmpq(1, 4), "b": fmpq(1), "epsilon0": fmpq(100)}
+    with ball_precision(128):
+        assert values_at(point, (flip_defect,))["epsilon0"] < 2
+    assert (
+        not values_at({"a": fmpq(1, 4), "b": fmpq(2)}, (flip_defect,))
+        .get("epsilon0", arb.nan())
+        .is_finite()
+    )
+
+
+def test_a_point_denies_with_what_is_defined_there() -> None:
+    twice = Claim("twice", equal(y, 2 * x), Definition(), given=(x > 0,))
+    point = Counterexample({"x": fmpq(1)}, (twice,))
+    assert judge_evidence(Claim("c", y < 2, point, given=(x > 0,))).verdict is Verdict.REFUTED
+    for says, at in ((y <= 2, point), (y < 2, Counterexample({"y": fmpq(3)}, (twice,)))):
+        assert judge_evidence(Claim("c", says, at)).verdict is Verdict.UNDECIDED
+    outside = Counterexample({"x": fmpq(-1)}, (twice,))
+    assert judge_evidence(Claim("c", y > 0, outside)).verdict is Verdict.UNDECIDED
+    assert judge_evidence(Claim("c", y > 0, outside, given=(x > 0,))).verdict is Verdict.UNDECIDED
+
+
+def test_a_place_is_found_only_where_a_sign_changes() -> None:
+    with ball_precision(64):
+        found = changing_sign(arb(3), arb(4), arb.sin)
+        assert found.contains(arb.pi())
+        assert found.rad() < 1e-15
+        assert not changing_sign(arb(1), arb(2), arb.sin).is_finite()

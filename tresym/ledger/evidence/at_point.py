@@ -1,0 +1,86 @@
+"""What the symbols of a claim are at an exact point: its coordinates, and what is defined there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+
+from flint import arb, ctx, fmpq
+
+from tresym.ledger.claim import Claim, Root
+from tresym.ledger.definitions import Entry, table
+from tresym.ledger.meaning import conditions, tree
+from tresym.ledger.statements import ExactlyOne
+from tresym.reals.language.expression import symbols
+from tresym.reals.language.formula import Relation
+from tresym.reals.places.values import evaluate
+
+Values = dict[str, arb]
+
+
+def values_at(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> Values:
+    """Balls around the coordinates, and around what the claims define by them.
+
+    What is defined has no value of its own, and none where balls do not confirm the conditions
+    under which it is.
+    """
+    waiting = [e for e in table(claims) if e.symbol.op == "symbol"]
+    defined = {str(e.symbol.args[0]) for e in waiting}
+    known = {name: arb(x) for name, x in point.items() if name not in defined}
+    while waiting:
+        ready = [e for e in waiting if _asked(e) <= {*known}]
+        if not ready:
+            break
+        for entry in ready:
+            if all(_holds(c, known) for c in conditions(entry.claim.given)):
+                name = str(entry.symbol.args[0])
+                value = _root(entry, known) if not entry.explicit else None
+                known[name] = evaluate(entry.meaning, known) if value is None else value
+        waiting = [e for e in waiting if e not in ready]
+    return known
+
+
+def _asked(entry: Entry) -> frozenset[str]:
+    own = {f"[{entry.symbol.args[0]}]"}
+    asked = (symbols(side) for c in conditions(entry.claim.given) for side in (c.left, c.right))
+    return (symbols(entry.meaning) - own).union(*asked)
+
+
+def _holds(condition: Relation, known: Values) -> bool:
+    room = evaluate(condition.left - condition.right, known)
+    return bool(
+        {
+            ">": room > 0,
+            ">=": room >= 0,
+            "<": room < 0,
+            "<=": room <= 0,
+            "!=": not room.contains(0),
+        }[condition.sign]
+    )
+
+
+def _root(entry: Entry, known: Values) -> arb:
+    """A ball around the one root between the ends, where the function changes its sign."""
+    assert isinstance(entry.claim.proof, Root)
+    one = entry.claim.proof.unique.statement
+    assert isinstance(one, ExactlyOne)
+    name = f"[{entry.symbol.args[0]}]"
+    low, high = (evaluate(tree(end), known) for end in (one.low, one.high))
+    return changing_sign(low, high, lambda x: evaluate(entry.meaning, {**known, name: x}))
+
+
+def changing_sign(low: arb, high: arb, function: Callable[[arb], arb]) -> arb:
+    """A ball around the one place between two ends where a function changes its sign, by halving.
+
+    Not finite where its values at the ends do not differ in sign.
+    """
+    start, end = function(low), function(high)
+    rising = bool(start < 0 < end)
+    if not (rising or start > 0 > end):
+        return arb.nan()
+    for _ in range(2 * ctx.prec):
+        middle = ((low + high) / 2).mid()
+        value = function(middle)
+        if not (value > 0 or value < 0) or not low < middle < high:
+            break
+        low, high = (low, middle) if (value > 0) is rising else (middle, high)
+    return low.union(high)

@@ -1,0 +1,260 @@
+"""Formulas traced: what runs in balls on a box and what it means are one list of steps.
+
+A formula is a plain function whose last argument is an arithmetic. It is run once, on stand-ins
+that write down what is done to them, and never again: the steps are replayed in balls and in
+gradients, where they bound it, and in trees, where they are what it means. So a formula cannot tell
+one thing to the bounds and another to the reader.
+
+Two kinds of step are more than an operation. A :class:`Named` function has a program of its own in
+balls, and says what the program is about: these are trusted. A :class:`Part` is a formula that is
+worth a name; it is traced like the rest, and can be read as something shorter once that is shown.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from flint import arb, fmpq
+
+from tresym.reals.language.expression import FUNCTIONS, Expr, number, trees
+
+RECORDED = (FUNCTIONS | {"sqrt", "expm1", "log1p"}) - {"abs", "sign", "cbrt"}
+"""The functions that formulas may apply: they are analytic inside of where they are defined."""
+OPERATORS = {
+    *(operator.add, operator.sub, operator.mul, operator.truediv, operator.pow, operator.neg)
+}
+Meaning = Callable[..., Expr]
+
+
+class Traced:
+    """A stand-in for a number: what was done, to what."""
+
+    __slots__ = ("args", "op")
+
+    def __init__(self, op: Any, args: tuple[Any, ...]) -> None:
+        """Internal: formulas make these by computing with others."""
+        self.op, self.args = op, args
+
+    def __getattr__(self, name: str) -> Callable[[], Traced]:
+        """A function of this number, called as a method."""
+        if name not in RECORDED:
+            raise AttributeError(name)
+        return lambda: Traced(name, (self,))
+
+    def __add__(self, other: Any) -> Traced:
+        return Traced(operator.add, (self, other))
+
+    def __radd__(self, other: Any) -> Traced:
+        return Traced(operator.add, (other, self))
+
+    def __sub__(self, other: Any) -> Traced:
+        return Traced(operator.sub, (self, other))
+
+    def __rsub__(self, other: Any) -> Traced:
+        return Traced(operator.sub, (other, self))
+
+    def __mul__(self, other: Any) -> Traced:
+        return Traced(operator.mul, (self, other))
+
+    def __rmul__(self, other: Any) -> Traced:
+        return Traced(operator.mul, (other, self))
+
+    def __truediv__(self, other: Any) -> Traced:
+        return Traced(operator.truediv, (self, other))
+
+    def __rtruediv__(self, other: Any) -> Traced:
+        return Traced(operator.truediv, (other, self))
+
+    def __pow__(self, power: int) -> Traced:
+        return Traced(operator.pow, (self, power))
+
+    def __neg__(self) -> Traced:
+        return Traced(operator.neg, (self,))
+
+    def __bool__(self) -> bool:
+        raise TypeError("a traced formula cannot go by the values of numbers")
+
+
+class Tracing:
+    """The arithmetic in which formulas are traced."""
+
+    @property
+    def pi(self) -> Traced:
+        """π."""
+        return Traced("pi", ())
+
+    def __getattr__(self, name: str) -> Callable[[Any], Traced]:
+        """A function, of a number."""
+        if name not in RECORDED:
+            raise AttributeError(name)
+        return lambda x: Traced(name, (x,))
+
+
+tracing = Tracing()
+
+
+@dataclass(frozen=True, eq=False)
+class Named:
+    """A function with a program of its own in balls, which is trusted.
+
+    Attributes:
+        program: from balls or gradients, to what contains the value at every point of them.
+        meaning: from trees, to the tree of which that is the value; None for a root.
+        image: for a root x: what it is equal to, as a function of x and the arguments. The ball
+            contains every x equal to its image that lies ``between`` the ends.
+        between: for a root, the closed interval.
+        asks: from trees, to what must not be negative.
+    """
+
+    program: Callable[..., Any]
+    meaning: Callable[..., Expr] | None = None
+    image: Callable[..., Expr] | None = None
+    between: tuple[Expr, Expr] | None = None
+    asks: Callable[..., tuple[Expr, ...]] = lambda *_: ()
+
+    def __call__(self, *args: Any) -> Any:
+        """The value, or a step that stands for it."""
+        if any(isinstance(x, Traced) for x in args):
+            return Traced(self, args)
+        return self.program(*args)
+
+
+class Part:
+    """A formula that has a name: traced like any other, and known by its name and arguments."""
+
+    def __init__(self, formula: Callable[..., Any]) -> None:
+        """``formula`` is a function of numbers and the arithmetic."""
+        self.formula = formula
+        self.__doc__ = formula.__doc__
+        self.__name__ = formula.__name__
+
+    def __call__(self, *args: Any) -> Any:
+        """The value, or a step that stands for it."""
+        *numbers, m = args
+        found = self.formula(*numbers, m)
+        return Traced(self, (found, *numbers)) if m is tracing else found
+
+
+@dataclass(frozen=True)
+class Program:
+    """A traced formula: steps from ``count`` numbers to one, run in any arithmetic.
+
+    Each step has an operation and its operands, which are exact numbers or the places of earlier
+    values; the first ``count`` places hold the arguments.
+    """
+
+    count: int
+    steps: tuple[tuple[Any, tuple[tuple[bool, Any], ...]], ...]
+    end: int
+
+    def __call__(self, *point: Any) -> Any:
+        """The value at balls or gradients; the last argument is their arithmetic."""
+        *numbers, m = point
+        return self.run(numbers, m, _in_balls)
+
+    def meaning(self, numbers: Sequence[Expr], special: Meaning) -> Expr:
+        """What the value is, as a tree; ``special`` says it of steps that are named.
+
+        It gets the step, its arguments and, for a part, what gives the meaning of its formula.
+        """
+        known = dict(enumerate(numbers))
+
+        def at(operand: tuple[bool, Any]) -> Any:
+            inner, x = operand
+            if not inner:
+                return number(x)
+            if x not in known:
+                op, operands = self.steps[x - self.count]
+                if isinstance(op, Part):
+                    args = tuple(map(at, operands[1:]))
+                    known[x] = special(op, args, lambda: at(operands[0]))
+                else:
+                    known[x] = _done(op, tuple(map(at, operands)), trees, special)
+            return known[x]
+
+        found: Expr = at((True, self.end))
+        return found
+
+    def run(self, numbers: Sequence[Any], m: Any, special: Callable[..., Any]) -> Any:
+        """The value in an arithmetic, with ``special`` for the steps that have names."""
+        values = list(numbers)
+        for op, operands in self.steps:
+            args = tuple([values[x] if inner else x for inner, x in operands])
+            values.append(_done(op, args, m, special))
+        return values[self.end]
+
+
+def _done(op: Any, args: tuple[Any, ...], m: Any, special: Callable[..., Any]) -> Any:
+    if isinstance(op, str):
+        return m.pi if op == "pi" else _function(m, op)(*(_number(x, m) for x in args))
+    return op(*args) if op in OPERATORS else special(op, args)
+
+
+def _number(x: Any, m: Any) -> Any:
+    """An exact number as the arithmetic has it."""
+    if not isinstance(x, int | fmpq):
+        return x
+    return number(x) if m is trees else arb(x)
+
+
+def _in_balls(op: Any, args: tuple[Any, ...]) -> Any:
+    return args[0] if isinstance(op, Part) else op(*args)
+
+
+def _function(m: Any, name: str) -> Callable[[Any], Any]:
+    if m is trees and name == "expm1":
+        return lambda x: trees.exp(x) - 1
+    if m is trees and name == "log1p":
+        return lambda x: trees.log(1 + x)
+    found: Callable[[Any], Any] = getattr(m, name)
+    return found
+
+
+@lru_cache(maxsize=4096)
+def traced(formula: Callable[..., Any], count: int) -> Program:
+    """The program of a formula of ``count`` numbers and the arithmetic.
+
+    Raises:
+        TypeError: the formula goes by the values of numbers, or computes with inexact ones.
+    """
+    return program(formula(*_places(count), tracing), count)
+
+
+def _places(count: int) -> list[Traced]:
+    return [Traced(None, (n,)) for n in range(count)]
+
+
+def program(end: Any, count: int) -> Program:
+    """The program that ends at a traced number; equal steps are done once.
+
+    Raises:
+        TypeError: a number that is not exact stands in the formula, or none that was traced does.
+    """
+    steps: dict[tuple[Any, tuple[tuple[bool, Any], ...]], int] = {}
+    known: dict[int, int] = {}
+
+    def place(x: Traced) -> int:
+        found = known.get(id(x))
+        if found is None:
+            found = known[id(x)] = x.args[0] if x.op is None else record(x)
+        return found
+
+    def record(x: Traced) -> int:
+        step = (x.op, tuple(map(operand, x.args)))
+        return steps.setdefault(step, count + len(steps))
+
+    def operand(x: Any) -> tuple[bool, Any]:
+        if isinstance(x, Traced):
+            return True, place(x)
+        if not isinstance(x, int | fmpq):
+            raise TypeError(f"{type(x).__name__} in a traced formula: write an exact number")
+        return False, x
+
+    if not isinstance(end, Traced):
+        raise TypeError("the formula does not depend on its coordinates")
+    last = place(end)
+    return Program(count, tuple(steps), last)
