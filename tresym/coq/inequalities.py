@@ -99,8 +99,8 @@ def _reduced(way: Reduction, depth: int) -> Iterator[str]:
         lines = ["intros; saturate.", way.before] if way.before else ["intros; saturate."]
         for n, (step, proof) in enumerate(zip(way.steps, proofs, strict=True), 1):
             only = f"{way.only[n - 1]} -> " if way.only else ""
-            lines.append(f"assert (step_{n} : {only}{step.says}).\n{{ {proof} }}")
-        yield "\n".join([*lines, way.after])
+            lines.append(f"assert (step{depth}_{n} : {only}{step.says}).\n{{ {proof} }}")
+        yield "\n".join([*lines, way.after.replace("step_", f"step{depth}_")])
 
 
 def order(strict: bool) -> str:
