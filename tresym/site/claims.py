@@ -100,6 +100,7 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_printed(claim),
         *_decided(claim),
         *_axioms(claim, ledger["axioms"]),
+        *_coq(claim),
         *_proof(claim),
         *_numbers(claim),
         *_truth(claim, claims),
@@ -222,6 +223,20 @@ def _axioms(claim: Record, known: dict[str, Record]) -> Iterator[str]:
         )
     elif claim["kind"] != "definition":
         yield "It rests on no theorem that is quoted."
+
+
+def _coq(claim: Record) -> Iterator[str]:
+    """The theorem that Coq has proved of it, and what that rests on."""
+    coq = claim["coq"]
+    if coq is None:
+        return
+    yield "## [Checked twice](/pages/coq.md)"
+    if coq["premises"]:
+        yield "Coq proves it from " + ", ".join(map(link, coq["premises"])) + ", not proved in it:"
+    else:
+        rests = f"; {coq['assumptions']}" if coq["assumptions"] else ""
+        yield f"Coq has proved it once more{rests}:"
+    yield f"```coq\n{coq['text']}\n```"
 
 
 def _symbols(claim: Record) -> Iterator[str]:
