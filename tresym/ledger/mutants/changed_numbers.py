@@ -221,6 +221,8 @@ def order_fails(claim: Claim) -> bool:
     if stated is None or not isinstance(says, As) or not isinstance(says.args[1], Symbol):
         return False
     _, x, point, side = says.args
+    if (stated.difference.free_symbols | stated.gauge.free_symbols) - {x}:
+        return False
     ratios = []
     with ball_precision(NEAR_BITS):
         for n in NEAR:
