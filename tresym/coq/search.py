@@ -147,7 +147,8 @@ def version() -> str:
 
 def assumptions(said: str) -> str:
     """What ``Print Assumptions`` printed, in a sentence."""
-    names = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
+    found = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
+    names = {name for name in found if not name.startswith("make")}
     others = sorted(name for name in names if name not in _REALS)
     numbers = [
         name for name in others if re.match(r"(PrimInt63|PrimFloat|Uint63|FloatAxioms|Int63)", name)
