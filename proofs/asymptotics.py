@@ -16,7 +16,7 @@
 - `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root, `bend_leaves` where
   it leaves what is possible (and `bend_carries` in `orders` how far it is good).
 
-How each bound becomes one sign in a chart is told in `margins`.
+What the steps of a margin are in the paper's symbols is read in `near`.
 """
 
 from __future__ import annotations
