@@ -20,19 +20,18 @@ def _as_there(*names: str) -> tuple[Basic, ...]:
 
 moments = tuple(
     number(
-        f"wilson_{name}",
-        f"{name} = {KILOGRAM_METRES[name]} kg m² is the {text} kg mm² of Table 1.",
+        f"{name} = {KILOGRAM_METRES[name]} kg m² is the {{}} kg mm² of Table 1.",
         10**6 * Symbol(name, real=True),
         str(text),
         _as_there(name),
+        label=f"wilson_{name}",
         where=_THERE,
     )
     for name, text in zip(MOMENTS, TABLE_1["str"][:3], strict=True)
 )
 
 wilson_a = number(
-    "wilson_a",
-    "These moments lead to a = 12.5372.",
+    "These moments lead to a = {}.",
     a,
     "12.5372",
     _as_there("I1", "I2"),
@@ -41,11 +40,12 @@ wilson_a = number(
 )
 
 wilson_b = number(
-    "wilson_b",
-    "These moments lead to b = 0.0629.",
+    "These moments lead to b = {}.",
     b,
     "0.0629",
     _as_there("I2", "I3"),
     shape_and_depth,
     where=_THERE,
 )
+
+label_claims(globals())

@@ -2,6 +2,7 @@
 
 A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along them.
 
+- display (30), `book_shape`: the a and b of a book;
 - `box_a`, `box_b`: the shape of a box; `box_order`: its moments are in the paper's order;
 - `book_length`, `book_height`: the proportions that the printed a and b need, a box that exists;
 - `table_units`: the printed unit is none of a moment of inertia;
@@ -79,16 +80,14 @@ box_of_a_shape = Claim(
 )
 
 book_length = number(
-    "book_length",
-    "The printed a and b need a book with L/W = 1.46.",
+    "The printed a and b need a book with L/W = {}.",
     sqrt(_length_squared),
     "1.46",
     _PRINTED,
 )
 
 book_height = number(
-    "book_height",
-    "The printed a and b need a book with H/W = 0.16.",
+    "The printed a and b need a book with H/W = {}.",
     sqrt(_height_squared),
     "0.16",
     _PRINTED,
@@ -97,16 +96,14 @@ book_height = number(
 _PROPORTIONS = (Rounds(length, "1.46"), Rounds(height, "0.16"), equal(width, 1))
 
 book_a = number(
-    "book_a",
-    "A book with L/W = 1.46 and H/W = 0.16 has a = 1.11.",
+    "A book with L/W = 1.46 and H/W = 0.16 has a = {}.",
     _a_of_box,
     "1.11",
     _PROPORTIONS,
 )
 
 book_b = number(
-    "book_b",
-    "A book with L/W = 1.46 and H/W = 0.16 has b = 0.31.",
+    "A book with L/W = 1.46 and H/W = 0.16 has b = {}.",
     _b_of_box,
     "0.31",
     _PROPORTIONS,

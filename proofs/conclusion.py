@@ -39,8 +39,7 @@ rotational_order = Claim(
 
 
 ethylene_flip_exact = number(
-    "ethylene_flip_exact",
-    "By the exact equation ethylene flips by π(1 − 0.0870).",
+    "By the exact equation ethylene flips by π(1 − {}).",
     share_of_pi(epsilon0),
     "0.0870",
     _ETHYLENE,
@@ -48,8 +47,7 @@ ethylene_flip_exact = number(
 )
 
 ethylene_flip_formula = number(
-    "ethylene_flip_formula",
-    "By the asymptotic formula ethylene flips by π(1 − 0.0871).",
+    "By the asymptotic formula ethylene flips by π(1 − {}).",
     share_of_pi(epsilon_printed),
     "0.0871",
     _ETHYLENE,
@@ -57,8 +55,7 @@ ethylene_flip_formula = number(
 )
 
 ethylene_without_prefactor = number(
-    "ethylene_without_prefactor",
-    "The printed 0.0528 is (2/π) e^{−π√(ab)}: the formula without its prefactor.",
+    "The printed {} is (2/π) e^{−π√(ab)}: the formula without its prefactor.",
     share_of_pi(exp(-pi * sqrt(a * b))),
     "0.0528",
     _ETHYLENE,
@@ -68,8 +65,7 @@ ethylene_without_prefactor = number(
 _AMENDED = (ethylene_flip_exact, ethylene_flip_formula, ethylene_without_prefactor)
 
 ethylene_flip = number(
-    "ethylene_flip",
-    "Ethylene flips by π(1 − 0.0528) at γ = 0.",
+    "Ethylene flips by π(1 − {}) at γ = 0.",
     share_of_pi(epsilon0),
     "0.0528",
     _ETHYLENE,
@@ -81,8 +77,7 @@ ethylene_flip = number(
 )
 
 ethylene_flip_by_formula = number(
-    "ethylene_flip_by_formula",
-    "By the asymptotic formula ethylene flips by π(1 − 0.0528) at γ = 0.",
+    "By the asymptotic formula ethylene flips by π(1 − {}) at γ = 0.",
     share_of_pi(epsilon_printed),
     "0.0528",
     _ETHYLENE,
@@ -94,7 +89,6 @@ ethylene_flip_by_formula = number(
 )
 
 ethylene_plane = number(
-    "ethylene_plane",
     "1/B₃ and 1/B₁ + 1/B₂ differ by 0.6 %: the molecule is flat, as its constants say.",
     (1 / B1 + 1 / B2) * B3 - 1,
     "0.006",

@@ -140,9 +140,7 @@ CORRECTIONS = (
         ("positive_only_if",),
     ),
     Correction(
-        "A moment that may be zero",
-        "we will assume that 0 ≤ I₁ ≤ I₂ ≤ I₃",
-        ("ordered_moments",),
+        "A moment that may be zero", "we will assume that 0 ≤ I₁ ≤ I₂ ≤ I₃", ("ordered_moments",)
     ),
     Correction(
         "A cross reference",

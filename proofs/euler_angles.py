@@ -1,11 +1,11 @@
 """Section 4: the equations of the Euler angles, the shape of the body, and the planar system.
 
-- `eq_euler_angle`: the rates of θ, φ, ψ, solved from Ω = M/I;
-- `shape_and_depth`: a, b and γ;
+- display (7), `eq_euler_angle`: the rates of θ, φ, ψ, solved from Ω = M/I;
+- (8), `shape_and_depth`: a, b and γ;
 - `precession_forward`: φ always grows, so it can replace time;
-- `eq_Euler`: the planar system for θ and ψ over φ;
-- `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`, again by dγ/dφ = 0;
-- `range_of_shape`, `range_of_gamma`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a from manifest signs.
+- (9), `eq_Euler`: the planar system for θ and ψ over φ;
+- (10), `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`, by dγ/dφ = 0;
+- (11), `ranges`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
 """
 
 from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, tilted

@@ -1,8 +1,12 @@
 """Section 6, up to the theorem: what a flip is, and which motions are studied.
 
-- `eq_robust_gen`, `eq_psi0psif`, `eqdefect`, `eq_TRE`: the turn, the symmetric motion, the defect;
+- display (18), `eq_robust_gen`: Δφ is the integral of f, here (33), `integrand_again`; `full_turn`:
+  the turn that is studied;
 - `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
+- (20), `eq_psi0psif`: the symmetric motion; (21), `eqdefect`: its flip is π − 2ε;
 - `symmetric_is_extreme`: what is true of the symmetric motion among all with its γ;
+- (25), `without_approximation`: ε₀ by an exponential equation;
+- (28), `eq_TRE`: when a flip counts.
 """
 
 from __future__ import annotations
@@ -82,14 +86,11 @@ elementary_levels = Claim(
 )
 
 not_elementary = Claim(
-    label="not_elementary",
     says="For no γ can the equation of the flip angle be integrated by elementary functions.",
     paper_says="“Eq. (10) cannot be integrated in terms of elementary functions.” Read as: not "
     "for every γ, of which nothing is proved here.",
-    kind="statement",
     proof=Denied((elementary_levels,), {"gamma": fmpq(0)}),
-    where=Place(line=198),
-    expect=Verdict.REFUTED,
+    where=line(198),
     amended_by=(elementary_levels,),
     note="The appendix itself integrates it for γ = 0.",
 )
@@ -253,22 +254,19 @@ symmetric_is_extreme = Claim(
 )
 
 symmetric_maximum = Claim(
-    label="symmetric_maximum",
     says="Among all starts with the same γ the symmetric one has the largest flip in one turn.",
     kind="statement",
     proof=Boxes(
         (
             Bound(
-                _symmetric_turns_most,
-                box(*_points(*_STR, "1/100", "47/50", "21/5")),
-                precision=128,
+                _symmetric_turns_most, box(*_points(*_STR, "1/100", "47/50", "21/5")), precision=128
             ),
         ),
         ("a", "b", "gamma", "psi0", "turn"),
         "the standard racket",
         claims=(precession_integrand,),
     ),
-    where=Place(line=211),
+    where=line(211),
     expect=Verdict.REFUTED,
     amended_by=(symmetric_is_extreme,),
     note="Where the symmetric flip is beyond π it is the smallest. The paper uses such γ itself.",
@@ -298,13 +296,11 @@ eq_TRE = Claim(
 )
 
 tre_only_if = Claim(
-    label="tre_only_if",
     says="A flip within π/6 of π has a defect between −π/12 and π/12.",
-    kind="statement",
     given=(pi - 2 * epsilon >= 5 * pi / 6, pi - 2 * epsilon <= 7 * pi / 6),
     means=Tuple(epsilon <= pi / 12, epsilon >= -pi / 12),
     proof=formally(),
-    where=Place(line=261),
+    where=line(261),
 )
 
 label_claims(globals())

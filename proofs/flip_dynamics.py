@@ -1,9 +1,9 @@
 """Section 5: the flip angle alone.
 
 - `sign_of_tilt`: S is the sign of cos θ; `sign_squared`: S² = 1;
-- `cosine_of_tilt`: cos θ from γ and ψ;
-- `eq_dpsidphi`: the equation of the flip angle;
-- `integrand`: the integrand f of the precession, dφ/dψ.
+- display (12), `cosine_of_tilt`: cos θ from γ and ψ;
+- (13), `eq_dpsidphi`: the equation of the flip angle;
+- (19), `precession_integrand`: dφ/dψ, the integrand f of the precession.
 """
 
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted

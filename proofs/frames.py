@@ -3,9 +3,10 @@
 - `handle_in_space`, `line_of_nodes`: e₁ and the line of nodes in the laboratory;
 - `angles_of_the_reference`: they are not the z-x-z angles of the reference named there;
 - `laboratory_turned`: X and Y may be chosen at will;
+- display (2), `start`: the flip starts with e₂ near M; `near_intermediate_axis`: how near;
+- (3), `racket_effect`: what is seen after a turn; `perfect_flip`: Δφ = 2π with Δψ = π is a half
+  turn of the body about its handle;
 - `cross_product`: a rotation about one principal axis has M along that axis;
-- `near_intermediate_axis`: how near e₂ is to M at the start;
-- `perfect_flip`: Δφ = 2π with Δψ = π is a half turn of the body about its handle;
 - `angles_from_momentum`: θ and ψ from M, and why the poles are excluded.
 """
 
@@ -82,18 +83,16 @@ _about_x = ImmutableMatrix([[1, 0, 0], [0, cos(theta), -sin(theta)], [0, sin(the
 _second_reading = (about_z(phi) * _about_x * about_z(psi)).T * upright
 
 angles_of_the_reference = Claim(
-    label="angles_of_the_reference",
     says="The angles themselves are those of the reference that the section follows, which turns "
     "about the axes z, x and z.",
     paper_says="“Following Ref. [3], we fix the Z- axis of the laboratory frame along M.” Read "
     "as: only that choice is the reference's.",
-    kind="statement",
     means=Tuple(
         equal(M * _second_reading[0], -M * sin(theta) * cos(psi)),
         equal(M * _second_reading[1], M * sin(theta) * sin(psi)),
     ),
     proof=formally(),
-    where=Place(line=62),
+    where=line(62),
     expect=Verdict.REFUTED,
     amended_by=(eq_Mi,),
     note="The components of M that the paper prints belong to turns about z, y and z.",
@@ -185,7 +184,6 @@ angles_are_global = Claim(
     says="The angles describe every motion: different θ, ψ (up to full turns) give different M.",
     paper_says="“A suitable set of Euler angles is proposed to globally parameterize the TRE.” "
     "Read as: the motions that show it, whose handle is never along M.",
-    kind="statement",
     means=Under(
         equations(*((tilt, flip) for tilt, flip, *_ in _turned)),
         equations(*(printed.momentum(*turned) for turned in _turned)),
@@ -198,8 +196,7 @@ angles_are_global = Claim(
     proof=Counterexample(
         {"M": fmpq(1), "theta1": fmpq(0), "theta2": fmpq(0), "psi1": fmpq(0), "psi2": fmpq(1)}
     ),
-    where=Place(line=47),
-    expect=Verdict.REFUTED,
+    where=line(47),
     amended_by=(angles_from_momentum,),
     note="With the handle along M, every ψ gives the same M, and φ has no meaning.",
 )

@@ -1,11 +1,14 @@
 """Appendix: the argument for the leading term of ε₀ by an implicit function, step by step.
 
-- `d40`, `u`, `equ`: the parameters λ and μ, the unknown u, and the equation G = 0;
-- `flat_function`: e^{−1/s} is flat from one side only, and so ε₀(u, λ, μ) is smooth for λ ≥ 0;
+- display (40), `d40`, `mu_by_lambda`: the parameters λ and μ; (41), `reduced_equation`: ε₀ by them;
+- (42), `defect_by_unknown`, `unknown_flat`: ε₀ by the unknown u; `flat_function`: e^{−1/s} is flat
+  from one side only, and so ε₀(u, λ, μ) is smooth for λ ≥ 0;
+- (43), `equation_for_u`: the equation G = 0; `defect_of_a_product`: the arguments of ε₀ as printed;
 - `slope_by_u`, `slope_by_lambda`, `slope_by_mu`: the derivatives of G where ε₀ is e + p·(…), with
   the slope p of ε₀ a symbol; at the origin they are 1, 0 and 0;
-- `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; dG/dλ = 0 follows from ∂G/∂μ = 0 instead (`d45`),
-  and with it du/dλ = 0, which `dudlam` in `orders` shows of u itself.
+- (44), `implicit_rule`, `implicit_slope`: du/dλ by the implicit function theorem;
+- (45), `chain_rule`, `chain_rule_of_G`: `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; dG/dλ = 0
+  follows from ∂G/∂μ = 0 instead, and with it du/dλ = 0, which (46) shows of u itself.
 """
 
 from __future__ import annotations

@@ -253,8 +253,7 @@ always_decreasing = Claim(
 
 
 perfect_level = number(
-    "perfect_level",
-    "The standard racket flips perfectly, ε = 0, at γ = 3.20·10⁻³.",
+    "The standard racket flips perfectly, ε = 0, at γ = {}.",
     TheRoot(*one_rotating_level.statement.args),
     "3.20e-3",
     (*moments("str"), equal(epsilon, 0)),

@@ -6,8 +6,8 @@ momentum. Shown here:
 - `rotation_orthogonal`: R = R_z(φ) R_y(θ) R_z(ψ) is a rotation;
 - `spin_is_velocity`: RᵀṘ is antisymmetric, and its three entries are the angular velocity;
 - `angular_velocity`: its components along e₁, e₂, e₃;
-- `eq_omega`: M_i = I_i Ω_i, and `velocity_from_momentum`, the same solved for Ω;
-- `eq_Mi`: the components of M from the direction of Z in the body;
+- display (1), `eq_omega`: M_i = I_i Ω_i, and `velocity_from_momentum`, the same solved for Ω;
+- (6), `eq_Mi`: the components of M from the direction of Z in the body;
 - `torque_free`, `momentum_transport`: M fixed in space is dM/dt = M × Ω in the body.
 """
 

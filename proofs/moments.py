@@ -87,11 +87,7 @@ mean_of_the_product = Claim(
             inverses,
             roots,
         ),
-        step(
-            Integral(_less * (y - z) * _cosecant, _ends),
-            collecting(),
-            citing(moment_falls),
-        ),
+        step(Integral(_less * (y - z) * _cosecant, _ends), collecting(), citing(moment_falls)),
     ),
     note="With the mean for z the second term is 0: the integral of the moment with the weight "
     "cos ψ is at least z times that without. (Chebyshev's inequality for two falling functions.)",

@@ -1,8 +1,8 @@
 """Section 3: Euler's equations and the two first integrals.
 
-- `eq_dMi`: Euler's equations, from M fixed in space and Ω_i = M_i/I_i;
-- `energy`, `eq_first_int`: twice the energy and the length of M;
-- `energy_conserved`, `momentum_conserved`: their derivatives along Euler's equations vanish.
+- display (4), `eq_dMi`: Euler's equations, from M fixed in space and Ω_i = M_i/I_i;
+- (5), `two_first_integrals`: `energy` and `eq_first_int` are twice the energy and the length of M;
+  `energy_conserved`, `momentum_conserved`: their derivatives along Euler's equations vanish.
 """
 
 from tresym.proofs.conditions import ordered_moments

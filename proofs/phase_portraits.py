@@ -1,11 +1,14 @@
 """Section 5, continued: the phase portraits of ψ and of θ.
 
 - `sign_constant_rotating`, `turning_points`: where dψ/dφ may change its sign;
-- `flip_turns`: ψ_min and ψ_max, and `flip_between`: no ψ outside them has this γ;
+- display (14), `flip_is_bounded`: the flip stays between ψ_min and ψ_max, named by
+  `flip_bounds`; `flip_between`: no ψ outside them has this γ;
 - `linear_at_e2`, `linear_at_e3`: the planar system at its equilibria;
 - `width_of_flip`, `width_of_pendulum`: how far they swing;
-- `product_of_flip`, `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of sin ψ cos ψ;
-- `tilt_turns_rotating`, `tilt_turns_oscillating`: θ_min and θ_max, and `tilt_between`.
+- (15), `product_of_flip`, and (16), `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of
+  sin ψ cos ψ;
+- (17), `tilt_is_bounded`: the tilt stays between θ_min and θ_max, which `rotating_bounds` and
+  `oscillating_bounds` name.
 """
 
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
@@ -82,12 +85,10 @@ positive_beyond = Claim(
 extremes_by_positivity = Claim(
     label="positive_only_if",
     says="γ + b sin²ψ is positive only if sin²ψ = |γ|/b.",
-    kind="statement",
     given=(*oscillating, gamma + b * _sine > 0),
     means=equal(_sine, Abs(gamma) / b),
     proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(1)}),
-    where=Place(line=160),
-    expect=Verdict.REFUTED,
+    where=line(160),
     amended_by=(positive_beyond,),
     note="There it vanishes; it is positive where sin²ψ > |γ|/b. The extremes are right.",
     fault=Fault.MISPRINT,
@@ -121,12 +122,10 @@ each_trajectory = Claim(
     "π − arcsin √(|γ|/b).",
     paper_says="“each oscillating trajectory is bounded by: ψ_min = arcsin √(|γ|/b), ψ_max = π − "
     "arcsin √(|γ|/b).” Read as: each with 0 < ψ < π; the others are mirror images.",
-    kind="statement",
     given=(*oscillating, psi > -pi, psi < pi, gamma + b * _sine > 0),
     means=Tuple(psi >= asin(sqrt(Abs(gamma) / b)), psi <= pi - asin(sqrt(Abs(gamma) / b))),
     proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)}),
-    where=Place(line=160),
-    expect=Verdict.REFUTED,
+    where=line(160),
     amended_by=(flip_is_bounded,),
     note="True of ψ or of −ψ: the other half of the motions are mirror images.",
 )
@@ -393,21 +392,16 @@ _said_at = Integer(103)
 """Where `mirror_images` is said: θ in [0, π/2] is enough for γ > 0."""
 
 said_in_section_3 = Claim(
-    label="said_in_section_3",
     says="That θ in [0, π/2] is enough for γ > 0 is said in Section 3.",
-    kind="statement",
     means=Tuple(Ge(_said_at, 81, evaluate=False), Le(_said_at, 112, evaluate=False)),
     proof=formally(),
 )
 
 reference_to_section_2 = Claim(
-    label="reference_to_section_2",
     says="That θ in [0, π/2] is enough for γ > 0 is said in Section 2.",
-    kind="statement",
     means=Le(_said_at, 80, evaluate=False),
     proof=Counterexample({"line": fmpq(103)}),
-    where=Place(line=179),
-    expect=Verdict.REFUTED,
+    where=line(179),
     amended_by=(said_in_section_3,),
     note="A wrong label in the cross reference.",
     fault=Fault.MISPRINT,

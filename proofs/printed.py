@@ -40,8 +40,17 @@ def moments(row: str, *names: str) -> tuple[Basic, ...]:
     return inputs(**{name: str(texts[name]) for name in names or MOMENTS})
 
 
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def typeset(text: str) -> str:
+    """A decimal as it stands in a sentence."""
+    mantissa, _, exponent = text.partition("e")
+    power = f"·10{str(int(exponent)).translate(SUPERSCRIPTS)}" if exponent else ""
+    return mantissa.replace("-", "−") + power
+
+
 def number(
-    label: str,
     says: str,
     formula: Expr,
     text: str,
@@ -50,9 +59,18 @@ def number(
     half_units: int = 1,
     **rest: Any,
 ) -> Claim:
-    """A claim that says a printed number; the claims say what its symbols are."""
+    """A claim that says a printed number, the sentence with it for ``{}``.
+
+    The claims say what its symbols are.
+    """
     means = Rounds(formula, text, half_units)
-    return Claim(label=label, says=says, means=means, given=given, proof=Printed(claims), **rest)
+    return Claim(
+        says=says.replace("{}", typeset(text)),
+        means=means,
+        given=given,
+        proof=Printed(claims),
+        **rest,
+    )
 
 
 def share_of_pi(defect: Expr) -> Expr:

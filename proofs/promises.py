@@ -51,12 +51,10 @@ general_formula = Claim(
     "small.",
     paper_says="“A simple analytical formula is derived to estimate the twisting effect in the "
     "general case.” Read as: for large ab, where it is derived; no accuracy is printed.",
-    kind="statement",
     means=_not_too_small,
     given=_below_root,
     proof=_far_off,
-    where=Place(line=38),
-    expect=Verdict.REFUTED,
+    where=line(38),
     amended_by=(one_flip_defect, uniform_formulas),
     note="For a → 0 at fixed b the formula goes to 0 and the defect does not. The exact equation "
     "has one root for every shape; the formula is its limit for large ab.",
@@ -68,12 +66,10 @@ formula_for_any_body = Claim(
     paper_says="“A simple asymptotic formula is derived to evaluate the value of the flip for any "
     "three-dimensional rigid body.” Read as: as closely as an asymptotic formula does; no "
     "accuracy is printed.",
-    kind="statement",
     means=_not_too_small,
     given=_below_root,
     proof=_far_off,
-    where=Place(line=45),
-    expect=Verdict.REFUTED,
+    where=line(45),
     amended_by=(one_flip_defect, uniform_formulas),
 )
 

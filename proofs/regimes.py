@@ -30,12 +30,10 @@ _sine = sin(psi) ** 2
 ordering = Claim(
     label="ordered_moments",
     says="The moments may be any with 0 ≤ I₁ ≤ I₂ ≤ I₃.",
-    kind="statement",
     given=(I1 >= 0, I2 - I1 >= 0, I3 - I2 >= 0),
     means=I1 > 0,
     proof=Counterexample({"I1": fmpq(0), "I2": fmpq(1), "I3": fmpq(1)}),
-    where=Place(line=82),
-    expect=Verdict.REFUTED,
+    where=line(82),
     amended_by=(eq_dMi,),
     note="At I₁ = 0 the equations that follow divide by zero; they hold for 0 < I₁ < I₂ < I₃.",
     fault=Fault.MISPRINT,
@@ -163,19 +161,16 @@ tilt_comes_back = Claim(
 _end = Symbol("theta_f", real=True)
 
 components_are_sufficient = Claim(
-    label="components_are_sufficient",
     says="The components of M by the angles are enough, without the energy, to show that Δψ = π "
     "gives Δθ = 0.",
     paper_says="“These equations are sufficient to show that, for a flip Δψ ≃ π, the variation of "
     "θ is Δθ ≃ 0.” Read as: with the curves of Fig. 3, which hold the energy.",
-    kind="statement",
     means=equal(
         printed.momentum(theta, psi, M, sympy)[0], printed.momentum(_end, psi + pi, M, sympy)[0]
     ),
     given=(M > 0, theta > 0, theta < pi, _end > 0, _end < pi),
     proof=Counterexample({"M": fmpq(1), "theta": fmpq(3, 2), "theta_f": fmpq(3, 4)}),
-    where=Place(line=102),
-    expect=Verdict.REFUTED,
+    where=line(102),
     amended_by=(tilt_comes_back,),
     note="They give the length M for all angles; the conclusion needs the energy as well.",
 )
@@ -325,13 +320,11 @@ ratios_of_moments = Claim(
 )
 
 a_and_b_large = Claim(
-    label="a_and_b_large",
     says="There is a case a ≫ 1, b ≫ 1, in which I₁ ≪ I₂ ≪ I₃.",
-    kind="statement",
     means=ForSome(b >= 1),
     given=ordered_moments,
     proof=formally(shape_and_depth),
-    where=Place(line=124),
+    where=line(124),
     expect=Verdict.REFUTED,
     amended_by=(ratios_of_moments, strict_range),
     note="b is below 1 for every body, and below 1/2 for a rigid one; I₁ ≪ I₂ ≪ I₃ needs b near 1.",
@@ -372,12 +365,10 @@ angles_rest = Claim(
     says="At θ = 0 the planar system is in equilibrium.",
     paper_says="“The two equilibrium points, given by γ = a and γ = −b, correspond to the points "
     "p₊ and p₋.” Read as: M rests there.",
-    kind="statement",
     given=shape_of_a_body,
     means=equations(printed.planar_rates(Integer(0), psi, a, b, sympy), (0, 0)),
     proof=Counterexample({"a": fmpq(1), "b": fmpq(1, 2), "psi": fmpq(0)}),
-    where=Place(line=140),
-    expect=Verdict.REFUTED,
+    where=line(140),
     amended_by=(ends_of_gamma,),
     note="M rests there, while ψ turns steadily: the racket rotates about its handle.",
 )

@@ -96,9 +96,7 @@ def _floor_margin(u: Any, m: Any) -> Any:
 _planar = (one_flip_defect, realizable, residual_increases, exponent_gap, planar_shape, floor_angle)
 
 rigid_body_floor = Claim(
-    label="rigid_body_floor",
     says="ε₀ > 2 arctan e^{−π} = 0.08637… for every planar body, b = 1/(a + 2), a > 0.",
-    kind="bound",
     proof=Boxes(
         (Bound(_floor_margin, box((0, 1)), sufficient=True),),
         ("u",),
@@ -106,7 +104,6 @@ rigid_body_floor = Claim(
         claims=(*_planar, floor_split, arsinh_concave),
         stored=certificate("rigid_body_floor"),
     ),
-    expect=Verdict.ENCLOSED,
     note="At fixed a the defect decreases in b, so that planar bodies have the least.",
 )
 
@@ -136,9 +133,7 @@ def _excess_slope(u: Any, m: Any) -> Any:
 
 
 floor_is_approached = Claim(
-    label="floor_is_approached",
     says="ε₀ < 2 arctan e^{−π} + 1/(a + 1) for every planar body with a ≥ 7.",
-    kind="bound",
     proof=Boxes(
         (Bound(_excess_slope, box((0, "1/8")), sufficient=True),),
         ("u",),
@@ -146,7 +141,6 @@ floor_is_approached = Claim(
         claims=(*_planar, excess_at_infinity),
         stored=certificate("floor_is_approached"),
     ),
-    expect=Verdict.ENCLOSED,
     note="log(e/ε*) − Q(e) at e = 2 arctan e^{−π} + u is 0 in the limit u = 0 and grows with u, so "
     "that ε₀ < e. Hence the floor is the infimum, approached by planar bodies as a → ∞.",
 )

@@ -1,9 +1,10 @@
 """Appendix, first part: the exact equation for the flip defect on the separatrix.
 
-- `separatrix_condition`: the integral of f from ε₀ to π − ε₀ is 2π, which defines ε₀ (here ε);
-- `substitution`: with x = √(b/(a+b)) cos ψ it becomes an integral in x;
-- `integrated`: that integral by inverse functions;
-- `exact_equation`: the exponential equation, as printed, equivalent to it;
+- display (32), `separatrix_condition`: the integral of f from ε₀ to π − ε₀ is 2π, which
+  defines ε₀ (here ε);
+- (34), `start_in_x`, and (35), `substitution`: with x = √(b/(a+b)) cos ψ it is an integral in x;
+- (36), `integrated`: that integral by inverse functions;
+- (37), `exact_equation`: the exponential equation, as printed, equivalent to it;
 - `stable_equation`: the exponential equation is equivalent to
   tan ε₀ = √(a/(a+b)) / sinh T, T = √(ab)(π + arcsin(√(b/(a+b)) cos ε₀)), where nothing cancels;
 - `auxiliary_angle`: the arcsine is arctan(√(b/a) tanh T), which makes it an equation for T alone;

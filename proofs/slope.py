@@ -1,8 +1,8 @@
 """Appendix, second part: how the flip defect depends on γ at the separatrix.
 
-- `slope_of_integrand`: ∂f/∂γ at γ = 0;
-- `slope_of_integral`: its antiderivative, as printed;
-- `inverse_slope`: ∂ε/∂F at γ = 0 from ∂F/∂ε = −f.
+- display (54), `slope_of_integrand`: ∂f/∂γ at γ = 0;
+- (55), `slope_of_integral`: its antiderivative, as printed;
+- (51), `inverse_slope`: ∂ε/∂F at γ = 0 from ∂F/∂ε = −f.
 """
 
 from tresym.proofs.conditions import defect, shape

@@ -183,12 +183,10 @@ sphere_at_rest = Claim(
 any_body = Claim(
     label="any_rigid_body_is_unstable",
     says="In any rigid body the rotation about the second axis is unstable.",
-    kind="statement",
     means=_square2 > 0,
     given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
     proof=Counterexample({"I1": fmpq(1), "I2": fmpq(1), "I3": fmpq(1), "M": fmpq(1)}),
-    where=Place(line=49),
-    expect=Verdict.REFUTED,
+    where=line(49),
     amended_by=(stable_e1, stable_e3, unstable_e2, sphere_at_rest),
     note="True of three different moments: the formula is the square of the eigenvalue. A body "
     "with three equal ones turns steadily about any axis.",
@@ -219,28 +217,18 @@ _to = ((1, 0, 0), (0, -1, 0), (0, 0, 1))
 _distances = [sum((m - p) ** 2 for m, p in zip(_components, point, strict=True)) for point in _to]
 
 three_equilibria = Claim(
-    label="three_equilibria",
     says="The dynamics has three equilibrium points and no more: p₊, p₋ and p_D.",
     paper_says="“Figure 3 shows the three equilibrium points p₊, p₋ and p_D of the dynamics.” "
     "Read as: up to the sign of M.",
-    kind="statement",
     means=Under(
         equal(_distances[0] * _distances[1] * _distances[2], 0),
         Tuple(*equations((*_rates,), (0, 0, 0)), equal(M1**2 + M2**2 + M3**2, 1)),
     ),
     given=(I1 > 0, I2 - I1 > 0, I3 - I2 > 0),
     proof=Counterexample(
-        {
-            "I1": fmpq(1),
-            "I2": fmpq(2),
-            "I3": fmpq(3),
-            "M1": fmpq(-1),
-            "M2": fmpq(0),
-            "M3": fmpq(0),
-        }
+        {"I1": fmpq(1), "I2": fmpq(2), "I3": fmpq(3), "M1": fmpq(-1), "M2": fmpq(0), "M3": fmpq(0)}
     ),
-    where=Place(line=103),
-    expect=Verdict.REFUTED,
+    where=line(103),
     amended_by=(permanent_rotations,),
     note="Each has an opposite, so there are six, and three up to the sign of M.",
 )
@@ -262,11 +250,9 @@ transverse_velocity = Claim(
 )
 
 only_about_the_handle = Claim(
-    label="only_about_the_handle",
     says="Not only at p₊ but all around it the racket rotates about its handle alone.",
     paper_says="“Around this stable equilibrium point, the racket rotates only about its handle.” "
     "Read as: at p₊, and nearly so close to it.",
-    kind="statement",
     means=equations(
         (M * sin(theta) * cos(psi) / I2, M * sin(theta) * sin(psi) / I3), (Integer(0), Integer(0))
     ),
@@ -281,8 +267,7 @@ only_about_the_handle = Claim(
             "psi": fmpq(0),
         }
     ),
-    where=Place(line=103),
-    expect=Verdict.REFUTED,
+    where=line(103),
     amended_by=(transverse_velocity,),
     note="True at p₊; around it Ω₂ and Ω₃ are small, not zero.",
 )

@@ -79,10 +79,8 @@ def _turns_too_much(psi0: Any, m: Any) -> Any:
 
 
 two_rectangles = Claim(
-    label="two_rectangles",
     says="The standard racket flips by π within π/6 from |ψ₀| ≤ 1/10 with 3/20 ≤ dψ/dφ ≤ 3/10, and "
     "from −1/20 ≤ ψ₀ ≤ 1/10 with 1/10 ≤ dψ/dφ ≤ 3/20.",
-    kind="bound",
     proof=Boxes(
         (
             Bound(_turns_enough("0.15"), box(("-1/10", "1/10"))),
@@ -93,7 +91,6 @@ two_rectangles = Claim(
         "the standard racket",
         claims=_USED,
     ),
-    expect=Verdict.ENCLOSED,
     note="At the least rate a start flips enough, and at the largest not too much.",
 )
 
@@ -126,14 +123,13 @@ near_flip_close = Claim(
     "it the standard racket flips by 5π/6 or more from some.",
     paper_says="“When we consider initial conditions close to this point, Fig. 10 shows that a "
     "near flip is very likely to happen.” Read as: from most starts in a rectangle about it.",
-    kind="bound",
     proof=Boxes(
         (Bound(_can_flip, box(("1/100", "1/100")), precision=128),),
         ("reach",),
         "the standard racket, |psi0| and |dpsi/dphi| up to reach",
         claims=_USED[:3],
     ),
-    where=Place(line=283),
+    where=line(283),
     expect=Verdict.REFUTED,
     amended_by=(likely_near,),
     note="The point itself is at rest, and so nearly are the starts next to it: none flips in one "
@@ -162,16 +158,13 @@ def _overshoots(level: Any, m: Any) -> Any:
 
 
 every_start_overshoots = Claim(
-    label="every_start_overshoots",
     says="At γ = 0.0104 the standard racket flips by more than 7π/6 from every start.",
-    kind="bound",
     proof=Boxes(
         (Bound(_overshoots, box(("13/1250", "13/1250"))),),
         ("gamma",),
         "the standard racket",
         claims=(symmetric_is_extreme, faster_at_higher_level),
     ),
-    expect=Verdict.ENCLOSED,
     note="The symmetric start flips least there; and all flip by more at every larger γ.",
 )
 
@@ -194,18 +187,16 @@ def _misses(gamma: Any, m: Any) -> Any:
 
 
 no_tre_far = Claim(
-    label="no_tre_far",
     says="The standard racket shows no effect where |γ| > 10⁻², exactly.",
     paper_says="“the TRE does not occur far from the separatrix, approximately when |γ| > "
     "10^{−2}.” Read as: where |γ| is larger by 4 % or more.",
-    kind="bound",
     proof=Boxes(
         (Bound(_misses, box(("51/5000", "51/5000"))),),
         ("gamma",),
         "the standard racket, symmetric start",
         claims=(precession_integrand,),
     ),
-    where=Place(line=272),
+    where=line(272),
     expect=Verdict.REFUTED,
     amended_by=(far_from_separatrix, upper_exact_value, lower_exact),
     note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035.",

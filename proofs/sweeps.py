@@ -20,9 +20,7 @@ def _swept(defect: Symbol, start: Expr) -> Claim:
     """The defect that belongs to the phase after one sweep from ``start``."""
     phase = stable.phase_map(start, _k, _r, sympy)
     return Claim(
-        says=equal(defect, stable.defect_at(phase, _k, _r, sympy)),
-        given=shape,
-        proof=Definition(),
+        says=equal(defect, stable.defect_at(phase, _k, _r, sympy)), given=shape, proof=Definition()
     )
 
 

@@ -64,12 +64,10 @@ one_circle = Claim(
     says="For I₂ = I₃ the two surfaces meet in one circle and no more.",
     paper_says="“The intersection of the two surfaces is a circle centered on e₁.” Read as: the "
     "one on which a solution runs.",
-    kind="statement",
     means=Under(equal(M1, _other), Tuple(equal(a * M1**2, a * _other**2))),
     given=(a > 0, M > 0),
     proof=Counterexample({"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}),
-    where=Place(line=112),
-    expect=Verdict.REFUTED,
+    where=line(112),
     amended_by=(depth_b_zero, circle_about_handle),
     note="They meet in two, M₁ = ±M√(γ/a), of which a solution takes one; on the separatrix the "
     "two are one.",

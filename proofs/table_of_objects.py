@@ -54,12 +54,12 @@ def _cell(
         "from_epsilon0": " from the printed ε₀",
     }[reading]
     return number(
-        "_".join(part for part in ("table", row.replace("-", "_"), column, reading) if part),
-        f"Table 1, {row}: {name} = {x}{how}.",
+        f"Table 1, {row}: {name} = {{}}{how}.",
         formula,
         x,
         given,
         *claims,
+        label="_".join(p for p in ("table", row.replace("-", "_"), column, reading) if p),
         where=Place(line=ROW_LINES[row], cell=column),
     )
 
@@ -163,8 +163,7 @@ racket_3_third_moment = Claim(
 )
 
 racket_3_swapped_b = number(
-    "racket_3_swapped_b",
-    "With I₃ = 8118 racket 3 has b = 0.1222.",
+    "With I₃ = 8118 racket 3 has b = {}.",
     b,
     "0.1222",
     inputs(I2=7126, I3=8118),
@@ -188,8 +187,7 @@ racket_3_swapped = Claim(
 )
 
 racket_3_a = number(
-    "racket_3_a",
-    "With the printed moments of racket 3, a = 14.91 to two decimals.",
+    "With the printed moments of racket 3, a = {} to two decimals.",
     a,
     "14.91",
     moments("racket-3", "I1", "I2"),

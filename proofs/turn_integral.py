@@ -1,10 +1,12 @@
 """Appendix, second part: the integral F whose level lines are ε(γ).
 
-- `half_turn`: the turn is twice F, by the symmetry of the flip angle about π/2; `d49` defines F;
-- `slope_by_end`: ∂F/∂ε = −f; `inverse_symbol`: ε as a function of F, which has a slope where
-  F = π, and `defect_by_turn`: it is ∂ε/∂F = −1/f at γ = 0;
-- `derivative_under_the_integral`: ∂F/∂γ is the integral of ∂f/∂γ, and `slope_of_turn`: its value;
-- `implicit_defect`: F(ε(γ), γ) = π has a slope, and `implicit_derivative`: which it is;
+- display (48), `half_turn`: the turn is twice F, by the symmetry of the flip angle about π/2;
+- (49), `half_integral`, defines F, and `one_turn`, `level_line`: F = π is one turn;
+- (50), `implicit_defect`: F(ε(γ), γ) = π has a slope, and `implicit_derivative`: which it is;
+- (51), `slope_by_end`, `slope_by_end_at_zero`: ∂F/∂ε = −f; `inverse_symbol`: ε as a function of F,
+  which has a slope where F = π, and `defect_by_turn`: it is ∂ε/∂F = −1/f at γ = 0;
+- (53), `derivative_under_the_integral`: ∂F/∂γ is the integral of ∂f/∂γ; (55), `slope_of_turn`: its
+  value;
 - `S_drops_out`: the sign S does not matter for dε/dγ.
 """
 
@@ -261,6 +263,24 @@ implicit_derivative = Claim(
         step(None, substituting(inverse_of_slope)),
     ),
     where=display(50),
+)
+
+closed_form = -printed.defect_per_turn(epsilon, a, b, 1, sympy) * printed.turn_slope(
+    epsilon, a, b, 1, sympy
+)
+
+closed_slope = Claim(
+    says=equal(defect_gamma, closed_form),
+    given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
+    proof=(
+        step(-defect_F * F_gamma, substituting(implicit_derivative)),
+        step(
+            1 / _at_end * (_primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
+            substituting(defect_by_turn, turn_symbol, slope_of_turn),
+        ),
+        step(None, roots),
+    ),
+    note="∂ε/∂γ at γ = 0, in closed form.",
 )
 
 S_drops_out = Claim(

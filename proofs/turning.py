@@ -234,7 +234,7 @@ one_turned_level = Claim(
                 Integral(_on_level.growth, (x, 0, _last)) + _N / (_Q * sqrt(_R)) * _moves,
                 *(roots, trigonometry, inverses),
             ),
-        ),
+        )
     ),
     note="Φ rises with γ, here c, and so does χ.",
 )

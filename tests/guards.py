@@ -30,7 +30,7 @@ from mutations import ROOT, Mutant, apply, mutants
 
 CHECKERS = (
     *("ledger/judge.py", "ledger/definitions.py", "ledger/meaning.py", "ledger/evidence/*.py"),
-    *("reals/normal/*.py", "reals/signs/*.py", "reals/advocate.py"),
+    *("reals/normal/*.py", "reals/signs/*.py", "reals/advocate.py", "reals/places/unworked.py"),
     *(f"reals/balls/{name}.py" for name in ("boxes", "order", "contact")),
     *(f"reals/decisions/{name}.py" for name in ("identity", "inequalities", "equalities")),
     *(f"reals/decisions/{name}.py" for name in ("region", "orders", "statement")),

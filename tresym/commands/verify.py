@@ -79,7 +79,7 @@ def _verify_claims(args: argparse.Namespace) -> int:
         deliver(verification.graph(labels), args.path)
         return 0
     if args.mutants:
-        return _verify_mutants(labels, args)
+        return _verify_mutants(labels, args, workers)
     if args.json or args.path is not None:
         import json
 
@@ -96,18 +96,18 @@ def _verify_claims(args: argparse.Namespace) -> int:
     return 0 if report.as_expected else UNEXPECTED
 
 
-def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace) -> int:
+def _verify_mutants(labels: tuple[str, ...], args: argparse.Namespace, workers: int) -> int:
     from tresym.ledger.mutants.report import verify_mutants
 
     if args.json or args.path is not None:
         import json
 
-        report = verify_mutants(labels)
+        report = verify_mutants(labels, workers=workers)
         deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", args.path)
     else:
         from rich.console import Console
 
-        report = show_mutants(labels, Console(highlight=False))
+        report = show_mutants(labels, Console(highlight=False), workers)
     return UNEXPECTED if report.survivors or report.stopped else 0
 
 
@@ -148,7 +148,7 @@ def show_verification(labels: tuple[str, ...], console: Console, workers: int = 
     return report
 
 
-def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
+def show_mutants(labels: tuple[str, ...], console: Console, workers: int = 1) -> MutantReport:
     """Judge mutants, print those that hold as they are found, then the score."""
     from tresym.ledger.mutants.report import MUTANTS, verify_mutants
     from tresym.ledger.verification import choose
@@ -159,13 +159,13 @@ def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
         task = progress.add_task("claims", total=len(labels) or total)
 
         def show(row: MutantRow) -> None:
-            for mutant in (*row.survivors, *row.stopped):
-                by = " (stopped by the advocate alone)" if mutant in row.stopped else ""
-                text = f"{row.claim.label}, {mutant.place}: {mutant.change}{by}"
+            for slip in (*row.survivors, *row.stopped):
+                by = " (stopped by the advocate alone)" if slip in row.stopped else ""
+                text = f"{slip.label}, {slip.place}: {slip.change}{by}"
                 console.print(Text(text, style="bold red"), soft_wrap=True)
             progress.advance(task)
 
-        report = verify_mutants(labels, on_row=show)
+        report = verify_mutants(labels, on_row=show, workers=workers)
     refuted, total = report.counts[Verdict.REFUTED.value], sum(report.counts.values())
     of = sum(row.total > 0 for row in report.rows)
     console.print(f"{total} false variants of {of} claims:")
@@ -176,7 +176,7 @@ def show_mutants(labels: tuple[str, ...], console: Console) -> MutantReport:
     outcome = "none holds" if not held else f"{held} of them hold{stopped}: the verifier is wrong"
     console.print(Text(f"{share}, {outcome}", style="green" if not held else "bold red"))
     for row in report.few:
-        text = f"{row.claim.label}: {row.changes} of {MUTANTS}, {row.why_few}"
+        text = f"{row.label}: {row.changes} of {MUTANTS}, {row.why_few}"
         console.print(Text(text, style="dim"), soft_wrap=True)
     return report
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -15,6 +16,7 @@ from tresym.ledger.claim import (
     Printed,
     Root,
     UniqueRoot,
+    by,
     equal,
     step,
 )
@@ -22,8 +24,9 @@ from tresym.ledger.evidence import printed as checker
 from tresym.ledger.evidence.printed import judge_printed, number_of
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
-from tresym.ledger.reasons import differentiating_integral, differentiation
+from tresym.ledger.reasons import differentiating_integral, differentiation, roots, substituting
 from tresym.ledger.statements import AtMostOne, ExactlyOne, Rounds, TheRoot
+from tresym.reals.language import expression
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
@@ -157,8 +160,42 @@ def test_a_definition_says_nothing_outside_its_conditions() -> None:
     assert verdict(number(z, "2.41", Rounds(x, "2.00"), using=(AGAIN, ROOT_OF))) is UNDECIDED
 
 
+def test_a_condition_may_speak_of_what_is_defined() -> None:
+    """No point of the inputs alone tells: y is √x."""
+    large = Claim("large", equal(z, y + 1), Definition(), given=(y > 2,))
+    using = (large, ROOT_OF)
+    assert verdict(number(z, "4.0", Rounds(x, "9.0"), using=using)) is ENCLOSED
+    for text in ("2.4", "9.0"):
+        assert verdict(number(z, text, Rounds(x, "2.0"), using=using)) is UNDECIDED
+    said = number(x, "9.0", Rounds(x, "9.0"), y > 2, using=(ROOT_OF,))
+    assert verdict(said) is ENCLOSED
+    assert verdict(replace(said, given=(Rounds(x, "9.0"), y > 4))) is UNDECIDED
+
+
+def test_the_variables_of_a_claim_have_values_that_its_conditions_allow() -> None:
+    free = Claim("free", equal(z, x + 1), Definition(), given=(x > 0, q > x, q < x + 1))
+    assert verdict(number(z, "2.0", Rounds(x, "1.0"), using=(free,))) is ENCLOSED
+    none = replace(free, given=(x > 0, q > x, q < 0))
+    with pytest.raises(InputError, match="no exact point"):
+        number_of(number(z, "2.0", Rounds(x, "1.0"), using=(none,)))
+
+
+def test_what_nobody_speaks_of_has_no_value() -> None:
+    place = checker.Place({}, {}, {})
+    assert not place.value(expression.symbol("p")).is_finite()
+
+
+def test_why_is_in_words() -> None:
+    at_centre = judge_printed(number(sqrt(p), "1.41", Rounds(p, "2.0")))
+    assert at_centre.why == "the inputs as printed give a value that rounds to 1.41"
+    near = judge_printed(number(sqrt(p), "1.425", Rounds(p, "2.0"))).why
+    assert near == "inputs that round to them give a value that rounds to 1.425"
+
+
 def test_a_symbol_is_not_given_and_defined(monkeypatch: pytest.MonkeyPatch) -> None:
-    square = Claim("square", equal(p, y**2), Definition(claims=(ROOT_OF,)), given=(x > 1,))
+    named = Claim("named p", equal(p, x), Definition())
+    squared = by(substituting(named, ROOT_OF), roots)
+    square = Claim("square", equal(p, y**2), squared, given=(x > 1,))
     said = number(p, "4.00", Rounds(y, "2.000"), using=(square,))
     assert verdict(said) is UNDECIDED
     monkeypatch.setattr(checker, "defined", lambda claim: frozenset())
@@ -232,6 +269,22 @@ def test_a_root_is_one_only_where_a_claim_says_so() -> None:
         assert verdict(number(z, text, Rounds(x, "-10.0"), using=(NAMED,))) is UNDECIDED
     least = TheRoot(*AT_MOST.statement.args)
     assert verdict(number(least, "3.0", Rounds(x, "30.00"), using=(AT_MOST,))) is UNDECIDED
+
+
+def test_a_root_is_one_only_under_the_conditions_of_its_claim() -> None:
+    # 3 < y is √x < 3, a condition on what is defined.
+    some = replace(AT_MOST, label="some", given=(x > 0, q > 3))
+    named = Claim("named q", equal(q, x / 2), Definition())
+    the = TheRoot(*AT_MOST.statement.args)
+    for text, given, expected in (("10.00", "2.000", ENCLOSED), ("4.000", "1.379", UNDECIDED)):
+        said = number(the, given, Rounds(x, text), using=(some, named))
+        assert verdict(said) is expected
+
+
+def test_a_root_inside_an_integral_is_no_exception() -> None:
+    two = TheRoot(y, ZERO, 4, equal((y - 1) * (y - 3), 0))
+    assert verdict(number(Integral(two * x, (x, 0, 1)), "0.5")) is UNDECIDED
+    assert verdict(number(Integral(two * x, (x, 0, 1)), "0.7")) is UNDECIDED
 
 
 def test_without_the_guard_a_root_that_is_not_the_one_passes(

@@ -4,7 +4,7 @@ import json
 
 import pytest
 from flint import arb, fmpq
-from sympy import Function, Ge, Integral, Symbol, Tuple, cos, exp, sin, sqrt, tan
+from sympy import Function, Ge, Integral, Le, Symbol, Tuple, cos, exp, sin, sqrt, tan
 
 from tresym.commands import main
 from tresym.ledger.claim import (
@@ -25,9 +25,9 @@ from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.mutants.mutants import mutants, why_few
 from tresym.ledger.mutants.report import MutantReport, verify_mutants
 from tresym.ledger.paper import all_claims
-from tresym.ledger.reasons import substituting, trigonometry
+from tresym.ledger.reasons import roots, substituting, trigonometry
 from tresym.ledger.second_look import value, violation
-from tresym.ledger.statements import Rounds, order
+from tresym.ledger.statements import ForSome, Rounds, order
 from tresym.racket.notation import a, b
 from tresym.reals.verdict import Verdict
 
@@ -43,7 +43,7 @@ SAMPLE += ("sign_of_tilt", "d11", "flat_from_above", "implicit_defect")
 
 def check(score: MutantReport, share: float = 0.98) -> None:
     """No mutant holds, and nearly all are refuted with a witness."""
-    assert [(m.origin.label, m.place, m.change) for m in score.survivors] == []
+    assert [*score.survivors] == []
     assert score.counts["REFUTED"] >= share * sum(score.counts.values())
 
 
@@ -172,9 +172,27 @@ def test_a_denial_by_what_is_false_denies_nothing(monkeypatch: pytest.MonkeyPatc
     assert verify_mutants(["denied"], 2).survivors
 
 
+def test_the_region_of_a_claim_is_changed() -> None:
+    root = Claim("root", equal(sqrt(x**2), x), by(roots), given=(x > 0, a > 0))
+    found = [m for m in mutants(root, 9) if m.place == "region"]
+    assert "without x > 0" in {m.change for m in found}
+    assert len(found) >= 2
+    assert not any(judge(m.claim, {}).verdict.holds for m in found)
+    assert not any("a > 0" in m.change for m in found)
+
+
+def test_that_something_is_somewhere_is_changed_to_what_is() -> None:
+    says = ForSome(Le(x**2 + 1, 0, evaluate=False))
+    nowhere = Claim("nowhere", says, formally(), given=(x < 2,))
+    assert judge(nowhere, {}).verdict is Verdict.REFUTED
+    found = [m.claim for m in mutants(nowhere, 5)]
+    assert found
+    assert not any(judge(c, {}).verdict is Verdict.REFUTED for c in found)
+
+
 def test_claims_with_few_mutants_are_listed_with_the_reason() -> None:
     report = verify_mutants(["separatrix_horizontal", "eq_gamma"], 5)
-    assert [(row.claim.label, row.changes) for row in report.few] == [("separatrix_horizontal", 3)]
+    assert [(row.label, row.changes) for row in report.few] == [("separatrix_horizontal", 3)]
     assert report.as_json()["few"][0]["why"] == "balls show no other change of it violated"
     assert why_few(Claim("new", equal(x, a), Definition())).startswith("nothing is proved")
 

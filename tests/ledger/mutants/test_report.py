@@ -12,28 +12,36 @@ from tresym.ledger.claim import Claim, Definition, by, equal
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import RULINGS
 from tresym.ledger.mutants.mutants import Mutant
-from tresym.ledger.mutants.report import MutantReport, MutantRow, _dependents, _survives
+from tresym.ledger.mutants.report import (
+    MutantReport,
+    MutantRow,
+    Slip,
+    _dependents,
+    _survives,
+    verify_mutants,
+)
+from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import substituting
+from tresym.ledger.statements import ForSome
 from tresym.reals.verdict import Verdict
 
+ORDER = [claim.label for claim in all_claims()]
 x, y = (Symbol(name, real=True) for name in "xy")
 A = Claim("A", equal(x, y), Definition())
 B = Claim("B", equal(x, y), by(substituting(A)))
-BELIEVED = Mutant(B, "the right side", "x = 2 y", replace(B, says=equal(x, 2 * y)))
-
-
-STOPPED = Mutant(A, "the left side", "2 x = y", replace(A, says=equal(2 * x, y)))
+FALSE = Mutant(B, "the right side", "x = 2 y", replace(B, says=equal(x, 2 * y)))
+BELIEVED, STOPPED = Slip("B", "the right side", "x = 2 y"), Slip("A", "the left side", "2 x = y")
 
 
 def row(
     claim: Claim,
-    *survivors: Mutant,
-    stopped: tuple[Mutant, ...] = (),
+    *survivors: Slip,
+    stopped: tuple[Slip, ...] = (),
     few: str = "",
     **counts: int,
 ) -> MutantRow:
     full = {v.value: counts.get(v.value, 0) for v in RULINGS}
-    return MutantRow(claim, full, survivors, stopped, sum(counts.values()), few)
+    return MutantRow(claim.label, full, survivors, stopped, sum(counts.values()), few)
 
 
 REPORT = MutantReport(
@@ -51,7 +59,7 @@ def test_counts_add_up() -> None:
     assert [r.total for r in REPORT.rows] == [4, 1]
     assert REPORT.survivors == (BELIEVED,)
     assert REPORT.stopped == (STOPPED,)
-    assert [r.claim for r in REPORT.few] == [B]
+    assert [r.label for r in REPORT.few] == ["B"]
 
 
 def test_json_names_survivors_and_claims_with_few_changes() -> None:
@@ -65,13 +73,24 @@ def test_json_names_survivors_and_claims_with_few_changes() -> None:
 
 @pytest.mark.parametrize("verdict", RULINGS)
 def test_a_mutant_survives_where_it_is_believed(verdict: Verdict) -> None:
-    assert _survives(BELIEVED, verdict) is verdict.holds
+    assert _survives(FALSE, verdict) is verdict.holds
 
 
 def test_what_is_false_may_deny_nothing() -> None:
-    denied = replace(BELIEVED, claim=replace(B, proof=Denied((A,), {})))
+    denied = replace(FALSE, claim=replace(B, proof=Denied((A,), {})))
     assert _survives(denied, Verdict.REFUTED)
     assert not _survives(denied, Verdict.UNDECIDED)
+    somewhere = replace(FALSE, claim=replace(B, says=ForSome(x > y)))
+    assert _survives(somewhere, Verdict.REFUTED)
+    assert not _survives(somewhere, Verdict.UNDECIDED)
+
+
+def test_processes_find_what_one_finds() -> None:
+    labels = ("eq_gamma", "d08", "d02", "ratios_of_moments", "a_and_b_large")
+    alone, together = (verify_mutants(labels, 2, workers=n) for n in (1, 2))
+    assert alone == together
+    assert [row.label for row in alone.rows] == sorted(labels, key=ORDER.index)
+    assert alone.survivors == ()
 
 
 def test_dependents_are_those_that_name_a_claim() -> None:

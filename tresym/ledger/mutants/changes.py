@@ -43,7 +43,7 @@ def mutations(e: Basic, alike: tuple[Symbol, Symbol]) -> Iterator[Basic]:
     a, b = alike
     edits = [((), e.xreplace({a: b, b: a})), *_edits(e, ())]
     seen = {e}
-    for path, changed in _scattered(edits):
+    for path, changed in scattered(edits):
         whole = _replaced(e, path, changed)
         if _is_alike(e, whole) and whole not in seen and not whole.has(nan, oo, zoo, I):
             seen.add(whole)
@@ -123,7 +123,7 @@ def _here(e: Basic) -> Iterator[Basic]:
                 yield e.reversedsign.func(*e.args, evaluate=False)
 
 
-def _scattered(variants: Iterable[Any]) -> list[Any]:
+def scattered(variants: Iterable[Any]) -> list[Any]:
     """The same in an order in which the first few are of all kinds."""
     numbered = enumerate(variants)
     return [v for _, v in sorted(numbered, key=lambda item: item[0] * 2654435761 % 2**32)]

@@ -16,10 +16,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 from typing import Any
 
 from sympy import Basic, Derivative, Eq, Equivalent, Integral, Subs, Tuple
+from sympy.core.relational import Relational
 
 from tresym.ledger import paper
 from tresym.ledger.claim import (
@@ -30,6 +32,7 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Monotone,
     Printed,
     Reason,
     Step,
@@ -49,6 +52,7 @@ from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied, denied_somewhere
 from tresym.ledger.judge import judge, refute
 from tresym.ledger.mutants.changed_numbers import (
+    Named,
     bound_changes,
     bounds_fail,
     no_inputs_give_it,
@@ -56,10 +60,10 @@ from tresym.ledger.mutants.changed_numbers import (
     order_fails,
     printed_changes,
 )
-from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.mutants.changes import mutations, scattered
 from tresym.ledger.reasons import substituting
 from tresym.ledger.second_look import rootless
-from tresym.ledger.statements import ExactlyOne
+from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.verdict import Verdict
 
 Variant = Any
@@ -68,6 +72,8 @@ Variant = Any
 TRIES, INPUT_TRIES = 40, 3
 """Changes tried at one place to find those that count: few of an input, whose every change is
 looked at over its whole box."""
+LOOSENED, REGION_TRIES = 3, 12
+"""Changes of each condition, and of all of them those that are tried."""
 LARGEST = 60
 """Operations of a denial and its conditions that is also decided without its point."""
 DEPENDENTS = 2
@@ -193,17 +199,28 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             yield from _root_spots(claim, claim.proof, claim.statement)
         case Charted():
             yield _charted_spot(claim)
+        case Monotone(slope=chain) if isinstance(claim.statement, AtMostOne):
+            yield from _slope_spots(claim, chain, claim.statement)
         case Counterexample():
             yield _counterexample_spot(claim)
             for n, condition in enumerate(claim.given, 1):
                 yield _condition_spot(claim, n, condition)
+        case Formally() if isinstance(claim.statement, ForSome):
+            yield _Spot(
+                "statement",
+                _mutations(claim.statement),
+                _one(partial(saying, claim)),
+                _is_somewhere,
+            )
         case Formally():
             for n, relation in enumerate(claim.parts, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
+            yield _region_spot(claim)
         case Together() | tuple() if claim.statement is not None:
             parts = chains_of(claim.statement, claim.proof) or ()
             for n, (part, chain) in enumerate(parts, 1):
                 yield from _chain_spots(claim, part, chain, f"part {n}: " if parts[1:] else "")
+            yield _region_spot(claim)
 
 
 def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim, ...]]:
@@ -212,6 +229,30 @@ def _one(changed: Callable[[Variant], Claim]) -> Callable[[Variant], tuple[Claim
 
 def _is_violated(claim: Claim) -> bool:
     return claim.statement is not None and refute(claim.statement, claim) is not None
+
+
+def _is_somewhere(claim: Claim) -> bool:
+    """Whether balls show, at a point, what is said to be so at one."""
+    (some,) = claim.statement.args if isinstance(claim.statement, ForSome) else (None,)
+    return isinstance(some, Relational) and refute(some.negated, claim) is not None
+
+
+def _region_spot(claim: Claim) -> _Spot:
+    """What is said under other conditions: one dropped, turned round, or with other constants."""
+    given = claim.given
+
+    def variants() -> Iterator[Named]:
+        for n, condition in enumerate(given):
+            rest = (*given[:n], *given[n + 1 :])
+            yield Named(f"without {condition}", rest)
+            for changed in islice(_mutations(condition), LOOSENED):
+                if changed.free_symbols <= condition.free_symbols:
+                    yield Named(f"{changed} for {condition}", (*rest, changed))
+
+    def claims(other: Named) -> tuple[Claim, ...]:
+        return (replace(claim, given=other.changed),)
+
+    return _Spot("region", scattered(variants()), claims, _is_violated, REGION_TRIES)
 
 
 def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
@@ -321,10 +362,13 @@ def _root_spots(claim: Claim, proof: UniqueRoot, root: ExactlyOne) -> Iterator[_
             return (saying(claim, ExactlyOne(*root.args[:n], changed, *root.args[n + 1 :])),)
 
         yield _Spot(name, _mutations(root.args[n]), claims, violated)
+    yield from _slope_spots(claim, proof.derivative, root)
+
+
+def _slope_spots(claim: Claim, chain: Chain, root: ExactlyOne | AtMostOne) -> Iterator[_Spot]:
     between = root.variable > root.low, root.variable < root.high
     inside = replace(claim, given=(*claim.given, *between))
-    slope = Derivative(root.difference, root.variable)
-    yield from _step_spots(inside, slope, proof.derivative, "derivative: ")
+    yield from _step_spots(inside, Derivative(root.difference, root.variable), chain, "slope: ")
 
 
 # Definitions

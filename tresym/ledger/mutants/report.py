@@ -3,34 +3,49 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import BrokenExecutor
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 from tresym.ledger import paper
 from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.finding import RULINGS, Finding, Premise, Ruling
+from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
 from tresym.ledger.mutants.planted import planted
-from tresym.ledger.verification import JSON_VERSION, verify
+from tresym.ledger.statements import ForSome
+from tresym.ledger.verification import JSON_VERSION, choose
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.processes import Processes
 from tresym.reals.verdict import Verdict
 
 MUTANTS = 5
 """Changes that are tried on each claim, one or more at each place of it."""
+BATCH = 4
+"""Claims that a process takes at once: neighbours, which share the mutants of their parts."""
+
+
+class Slip(NamedTuple):
+    """A mutant in words."""
+
+    label: str
+    place: str
+    change: str
 
 
 @dataclass(frozen=True)
 class MutantRow:
     """What became of the mutants of one claim."""
 
-    claim: Claim
+    label: str
     counts: dict[str, int]
     """How many got each verdict; all are always present."""
-    survivors: tuple[Mutant, ...]
+    survivors: tuple[Slip, ...]
     """Mutants that were PROVED or ENCLOSED, or denied something: there must be none."""
-    stopped: tuple[Mutant, ...]
+    stopped: tuple[Slip, ...]
     """Mutants that the evidence let through and the advocate alone stopped, UNDECIDED: none too."""
     changes: int
     """How many changes made them: one change may be judged with and without its chain."""
@@ -55,12 +70,12 @@ class MutantReport:
         return {v.value: sum(row.counts[v.value] for row in self.rows) for v in RULINGS}
 
     @property
-    def survivors(self) -> tuple[Mutant, ...]:
+    def survivors(self) -> tuple[Slip, ...]:
         """Every mutant that was believed."""
         return tuple(mutant for row in self.rows for mutant in row.survivors)
 
     @property
-    def stopped(self) -> tuple[Mutant, ...]:
+    def stopped(self) -> tuple[Slip, ...]:
         """Every mutant that only the advocate stopped."""
         return tuple(mutant for row in self.rows for mutant in row.stopped)
 
@@ -74,69 +89,101 @@ class MutantReport:
         return {
             "version": JSON_VERSION,
             "counts": self.counts,
-            "survivors": [_mutant_json(mutant) for mutant in self.survivors],
-            "stopped": [_mutant_json(mutant) for mutant in self.stopped],
+            "survivors": [slip._asdict() for slip in self.survivors],
+            "stopped": [slip._asdict() for slip in self.stopped],
             "claims": [
-                {"label": row.claim.label, "changes": row.changes, **row.counts}
-                for row in self.rows
+                {"label": row.label, "changes": row.changes, **row.counts} for row in self.rows
             ],
             "few": [
-                {"label": row.claim.label, "changes": row.changes, "why": row.why_few}
-                for row in self.few
+                {"label": row.label, "changes": row.changes, "why": row.why_few} for row in self.few
             ],
         }
-
-
-def _mutant_json(mutant: Mutant) -> dict[str, str]:
-    return {"label": mutant.origin.label, "place": mutant.place, "change": mutant.change}
 
 
 def verify_mutants(
     labels: Iterable[str] = (),
     wanted: int = MUTANTS,
     on_row: Callable[[MutantRow], None] | None = None,
+    workers: int = 1,
 ) -> MutantReport:
     """Judge mutants of every claim, or of those named by ``labels``: none may hold.
 
-    With those of every claim, the falsehoods that are planted for the guards of the judge.
+    With those of every claim, the falsehoods that are planted for the guards of the judge. What a
+    mutant rests on, and is not changed, is taken to be what it is expected to be.
 
     Args:
         labels: labels of claims; none means all.
         wanted: changes to each claim, spread over its places, one or more at each.
         on_row: called with each row as it is found, for progress.
+        workers: processes to judge in; with 1, this very process.
 
     Raises:
-        InputError: a label that no claim has.
+        InputError: a label that no claim has, or processes that keep dying.
     """
-    report = verify(labels)
-    found = {row.claim.label: row.finding for row in report.rows}
-    made: dict[str, tuple[Mutant, ...]] = {}
-
-    def of(claim: Claim) -> tuple[Mutant, ...]:
-        if claim.label not in made:
-            made[claim.label] = tuple(mutants(claim, wanted, using[claim], of))
-        return made[claim.label]
-
-    using = _dependents(paper.all_claims())
+    asked = tuple(labels)
+    chosen = [claim.label for claim in choose(asked) if not asked or claim.label in asked]
     rows = []
-    for claim in (row.claim for row in report.rows if row.requested):
-        judged = [(mutant, _judge_mutant(mutant, found)) for mutant in of(claim)]
-        counted = Counter(finding.verdict for _, finding in judged)
-        counts = {v.value: counted[v] for v in RULINGS}
-        survivors = tuple(mutant for mutant, f in judged if _survives(mutant, f.verdict))
-        stopped = tuple(mutant for mutant, finding in judged if finding.stopped)
-        changes = len({(mutant.place, mutant.change) for mutant, _ in judged})
-        few = why_few(claim, using[claim]) if changes < wanted else ""
-        rows.append(MutantRow(claim, counts, survivors, stopped, changes, few))
+    for row in _rows(chosen, wanted, workers):
+        rows.append(row)
         if on_row is not None:
-            on_row(rows[-1])
-    if labels:
-        return MutantReport(tuple(rows))
-    for claim in planted():
+            on_row(row)
+    for claim in () if asked else planted():
         rows.append(_planted_row(claim))
         if on_row is not None:
             on_row(rows[-1])
     return MutantReport(tuple(rows))
+
+
+def _rows(labels: list[str], wanted: int, workers: int) -> Iterator[MutantRow]:
+    batches = [tuple(labels[n : n + BATCH]) for n in range(0, len(labels), BATCH)]
+    if workers == 1 or len(batches) == 1:
+        for label in labels:
+            yield from rows_of((label,), wanted)
+        return
+    with Processes(min(workers, len(batches))) as processes:
+        for future in processes.in_order(rows_of, ((batch, wanted) for batch in batches)):
+            try:
+                yield from future.result()
+            except BrokenExecutor as error:
+                raise InputError(f"verify: {error}") from None
+
+
+def rows_of(labels: tuple[str, ...], wanted: int) -> list[MutantRow]:
+    """What becomes of the mutants of the claims with these labels, in this process."""
+    claims = paper.all_claims()
+    using = _dependents(claims)
+    found = {claim.label: Finding(claim.expect, "as expected") for claim in claims}
+    return [_row(claim, wanted, using, found) for claim in claims if claim.label in labels]
+
+
+def _row(
+    claim: Claim,
+    wanted: int,
+    using: dict[Claim, tuple[Claim, ...]],
+    found: dict[str, Finding],
+) -> MutantRow:
+    judged = [
+        (Slip(claim.label, mutant.place, mutant.change), mutant, _judge_mutant(mutant, found))
+        for mutant in _mutants_of(claim, wanted, using[claim])
+    ]
+    counted = Counter(finding.verdict for _, _, finding in judged)
+    changes = len({(slip.place, slip.change) for slip, _, _ in judged})
+    return MutantRow(
+        claim.label,
+        {v.value: counted[v] for v in RULINGS},
+        tuple(slip for slip, mutant, finding in judged if _survives(mutant, finding.verdict)),
+        tuple(slip for slip, _, finding in judged if finding.stopped),
+        changes,
+        why_few(claim, using[claim]) if changes < wanted else "",
+    )
+
+
+@lru_cache(maxsize=1024)
+def _mutants_of(
+    claim: Claim, wanted: int, dependents: tuple[Claim, ...] = ()
+) -> tuple[Mutant, ...]:
+    """The mutants of a claim; conjunctions share those of their parts."""
+    return tuple(mutants(claim, wanted, dependents, lambda part: _mutants_of(part, wanted)))
 
 
 def _planted_row(claim: Claim) -> MutantRow:
@@ -144,12 +191,12 @@ def _planted_row(claim: Claim) -> MutantRow:
     found: dict[str, Finding] = {}
     for used in (*claim.rests_on, claim):
         found[used.label] = judge(used, found)
-    mutant = Mutant(claim, "the judge", "a guard is missing", claim)
+    slip = Slip(claim.label, "the judge", "a guard is missing")
     verdict = found[claim.label].verdict
     counts = {v.value: int(v is verdict) for v in RULINGS}
-    survivors = (mutant,) if _believed(claim, verdict) else ()
-    stopped = (mutant,) if found[claim.label].stopped else ()
-    return MutantRow(claim, counts, survivors, stopped, 1)
+    survivors = (slip,) if _believed(claim, verdict) else ()
+    stopped = (slip,) if found[claim.label].stopped else ()
+    return MutantRow(claim.label, counts, survivors, stopped, 1)
 
 
 def _believed(claim: Claim, verdict: Ruling) -> bool:
@@ -157,23 +204,17 @@ def _believed(claim: Claim, verdict: Ruling) -> bool:
 
 
 def _survives(mutant: Mutant, verdict: Ruling) -> bool:
-    """Whether a false variant is believed: it holds, or what is false still denies something."""
-    denies = isinstance(mutant.claim.proof, Denied)
+    """Whether a false variant is believed: it holds, or what is false still denies something.
+
+    That there is a point is made true where it was false: then it is not to be denied.
+    """
+    denies = isinstance(mutant.claim.proof, Denied) or isinstance(mutant.claim.statement, ForSome)
     return verdict.holds or (denies and verdict is Verdict.REFUTED)
 
 
 def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
-    """The finding on a mutant, where the changed claims it rests on are judged first.
-
-    What others prove by a definition may rest on claims that were not asked for: those are added.
-    """
-    for used in mutant.claim.rests_on:
-        if used.label not in found:
-            found[used.label] = judge(used, found)
+    """The finding on a mutant, where the changed claims it rests on are judged first."""
     changed = dict(found)
-    for used in mutant.claim.uses:
-        if found[used.label].of not in (None, used):
-            changed[used.label] = Finding(Premise.DEFINED, "that was changed", of=used)
     for claim in mutant.beneath:
         changed[claim.label] = judge(claim, changed)
     finding = judge(mutant.claim, changed)

@@ -8,7 +8,6 @@ from inspect import signature
 from typing import Any
 
 from tresym.ledger.axioms import RULES
-from tresym.ledger.claim import Printed
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.verification import Report
@@ -20,7 +19,6 @@ from tresym.report.pages.trusted import RECHECKED, Count, trusted
 
 CALLED = {
     Boxes: "bounds on boxes: the margin, and its slopes",
-    Printed: "printed numbers: the formula",
 }
 """Evidence that holds functions in place of formulas."""
 

@@ -36,6 +36,7 @@ ENCLOSING = (
     "ledger.evidence.asymptotics",
     "ledger.evidence.balls",
     "ledger.evidence.printed",
+    "reals.places.unworked",
     "ledger.evidence.meant._other_meaning",
 )
 """Rooms and files that no PROVED comes from."""
@@ -58,6 +59,8 @@ RECHECKED = {
     "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
         *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
+        *("reals.places.unworked._found", "reals.places.unworked._change"),
+        *("ledger.evidence.printed._find_inputs", "ledger.evidence.printed._between"),
         *(f"reals.normal.powers.PowerRing.{n}" for n in ("_multiples", "_share", "_combination")),
         *("reals.normal.angles.AngleRing._signed_multiples", "reals.normal.constants._groups"),
     ),

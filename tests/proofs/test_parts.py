@@ -1,0 +1,28 @@
+"""A part reads like its section: each display of the paper is named at the top of its file."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+import pytest
+from tresym.proofs import PARTS, parts
+
+from tresym.ledger.claim import Claim
+
+STATED = dict(zip(PARTS, (claims for _, claims in parts()), strict=True))
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_each_display_is_named_in_the_docstring_of_its_part(part: str) -> None:
+    module = import_module(f"tresym.proofs.{part}")
+    names = {value: name for name, value in vars(module).items() if isinstance(value, Claim)}
+    for claim in STATED[part]:
+        if claim.where is not None and claim.where.display is not None:
+            named = {claim.label, names.get(claim, claim.label)}
+            assert any(f"`{name}`" in str(module.__doc__) for name in named), claim.label
+
+
+def test_a_claim_of_a_part_has_a_label() -> None:
+    labels = [claim.label for claims in STATED.values() for claim in claims]
+    assert all(labels)
+    assert len(labels) == len({*labels})
