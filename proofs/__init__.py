@@ -50,6 +50,13 @@ PARTS = (
     "promises",
 )
 
+NOT_MATHEMATICS = {
+    "not_elementary": "what functions are elementary is said of formulas, and none says it",
+    "said_in_section_3": "on which lines of the source a section stands: two numbers are compared",
+    "reference_to_section_2": "as before; the reference is to another section",
+}
+"""Claims whose matter is not mathematics, with what it is."""
+
 
 def alike() -> tuple[Symbol, Symbol]:
     """The two symbols that a careless hand would swap."""

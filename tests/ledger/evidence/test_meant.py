@@ -7,10 +7,12 @@ from typing import Any
 import pytest
 from flint import arb, fmpq
 from sympy import Basic, Function, Gt, Integer, Symbol, Tuple
+from tresym.proofs import NOT_MATHEMATICS
 
 from tresym.ledger import definitions
 from tresym.ledger import judge as judging
 from tresym.ledger.claim import (
+    AllOf,
     Claim,
     Counterexample,
     Printed,
@@ -300,3 +302,11 @@ def test_stored_trees_that_are_no_text_leave_their_claim_undecided(
     odd: Any = BoxProof(5)  # type: ignore[arg-type]
     finding = judge(Claim("planted", "…", replace(proof, stored=lambda: (odd,))), {})
     assert "stored proof" in finding.why
+
+
+def test_what_is_no_formula_is_not_mathematics_or_rests_on_boxes() -> None:
+    assert len(NOT_MATHEMATICS) <= 10
+    words = {c.label for c in CLAIMS.values() if not is_formal(c)}
+    in_boxes = {c.label for c in CLAIMS.values() if isinstance(c.proof, Boxes)}
+    by_parts = {c.label for c in CLAIMS.values() if isinstance(c.proof, AllOf)}
+    assert words - in_boxes - by_parts <= {*NOT_MATHEMATICS}

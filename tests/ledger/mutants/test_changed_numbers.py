@@ -73,7 +73,7 @@ def test_every_printed_text_is_changed_and_no_exact_input() -> None:
     claim = number("3.0", x + y, x="1.0", y=2)
     changes = printed_changes(claim, lambda term: [term + 1, 2 * term, term * Symbol("z")])
     places = {place: list(map(make, variants)) for place, variants, make in changes}
-    assert set(places) == {"printed number", "term", "input x"}
+    assert set(places) == {"printed number", "unit", "term", "input x"}
     for made in places.values():
         assert any(no_inputs_give_it(changed) for changed in made)
     assert [no_inputs_give_it(changed) for changed in places["term"]] == [True, True, False]

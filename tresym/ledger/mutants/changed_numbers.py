@@ -58,13 +58,14 @@ class Named:
 def printed_changes(
     claim: Claim, mutations: Callable[[Basic], Iterable[Basic]]
 ) -> Iterator[Changes]:
-    """The term changed, and digits moved in the printed number and in every printed input."""
+    """The unit and the term changed, and digits moved in the number and in every printed input."""
     says = cast(Rounds, claim.statement)
 
     def stated(term: Basic, text: str) -> Claim:
         return replace(claim, means=Rounds(term, text, says.half_units))
 
     yield "printed number", moved_digits(says.text), lambda text: stated(says.term, text)
+    yield "unit", other_units(says.text), lambda text: stated(says.term, text)
     yield "term", mutations(says.term), lambda term: stated(term, says.text)
     for n, condition in enumerate(claim.given):
         if isinstance(condition, Rounds):
@@ -79,6 +80,12 @@ def printed_changes(
 def _with(claim: Claim, **changes: Any) -> Claim:
     proof: Any = claim.proof
     return replace(claim, proof=replace(proof, **changes))
+
+
+def other_units(text: str) -> Iterator[str]:
+    """The same digits in a unit ten times as large, or as small."""
+    digits, _, exponent = text.lower().partition("e")
+    yield from (f"{digits}e{int(exponent or 0) + by}" for by in (1, -1, 3, -3))
 
 
 def moved_digits(text: str) -> Iterator[str]:

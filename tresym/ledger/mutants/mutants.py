@@ -182,7 +182,7 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
     match claim.proof:
         case Printed():
             for name, variants, changed in printed_changes(claim, _mutations):
-                tries = TRIES if name == "printed number" else INPUT_TRIES
+                tries = INPUT_TRIES if name.startswith(("input", "term")) else TRIES
                 yield _Spot(name, variants, _one(changed), no_inputs_give_it, tries)
         case Boxes():
             for name, variants, changed in bound_changes(claim):
