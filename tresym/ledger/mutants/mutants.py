@@ -50,7 +50,7 @@ from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied, denied_somewhere
-from tresym.ledger.judge import judge, refute
+from tresym.ledger.judge import judge_evidence, refute
 from tresym.ledger.mutants.changed_numbers import (
     Named,
     bound_changes,
@@ -284,7 +284,8 @@ def _counterexample_spot(claim: Claim) -> _Spot:
         return at_point, replace(at_point, proof=formally())
 
     def violated(mutated: Claim) -> bool:
-        return judge(mutated, {}).verdict is Verdict.REFUTED
+        found = judge_evidence(mutated)
+        return found is not None and found.verdict is Verdict.REFUTED
 
     variants = () if claim.statement is None else _mutations(claim.statement)
     return _Spot("statement", variants, claims, violated)
@@ -298,7 +299,8 @@ def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
         return (replace(claim, given=given),)
 
     def violated(mutated: Claim) -> bool:
-        return judge(mutated, {}).verdict is Verdict.REFUTED
+        found = judge_evidence(mutated)
+        return found is not None and found.verdict is Verdict.REFUTED
 
     known = condition.free_symbols
     same = (changed for changed in _mutations(condition) if changed.free_symbols <= known)
