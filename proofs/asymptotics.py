@@ -132,7 +132,7 @@ def boxed(
     stored = certificate(label)
     claims = (*RESTS_ON, *also)
     proof = Boxes(bounds, names, region, exact, claims, stored, budget=30_000, meant=meant)
-    return Claim(label=label, says=says, kind="bound", proof=proof, expect=expect, **rest)
+    return Claim(label=label, says=says, proof=proof, expect=expect, **rest)
 
 
 def within_numbers(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
@@ -226,7 +226,6 @@ printed_remainder = Claim(
     label="eps0",
     says=_printed_with_remainder,
     means=order(_printed_with_remainder, a * b, oo),
-    kind="order",
     given=shape,
     proof=Asymptotics(
         {a: 1 / t**2, b: Integer(1)},
@@ -365,9 +364,7 @@ def _trivially(b: Any, k: Any, m: Any) -> Any:
 _low, _middle, _far = ((0, 1), ("53/1000", "1/4")), ((0, 1), ("1/4", 2)), ((0, 1), (0, "1/2"))
 
 everywhere = Claim(
-    label="everywhere",
     says="|ε₀ − ε*| ≤ (10/3) e^{−3√(ab)(π + arcsin √(b/(a+b)))}.",
-    kind="bound",
     proof=Boxes(
         (
             Bound(_trivially, box((0, 1), (0, "53/1000")), sufficient=True),
@@ -384,13 +381,11 @@ everywhere = Claim(
         (*RESTS_ON, exponent_below, corner_margin),
         certificate("everywhere"),
     ),
-    expect=Verdict.ENCLOSED,
     note="The one bound with a single constant; 10/3 is its best, attained as a → ∞, b → 1.",
 )
 
 
 everywhere_too_small = Claim(
-    label="everywhere_too_small",
     says=Abs(epsilon0 - epsilon_star)
     <= Rational("3.33") * exp(-3 * sqrt(a * b) * (pi + asin(sqrt(b / (a + b))))),
     given=shape,
@@ -432,11 +427,7 @@ _sweep_error = epsilon_pi / epsilon0 - 1
 one_line = bound(
     "one_line",
     _sweep_error <= Rational("0.028"),
-    On(
-        BY_K,
-        box(*CHART),
-        (Shown(lambda *at: fmpq(28, 1000) - _from_pi(*at), slopes=True),),
-    ),
+    On(BY_K, box(*CHART), (Shown(lambda *at: fmpq(28, 1000) - _from_pi(*at), slopes=True),)),
     put=misses_from_pi[-1:],
     given=_below,
     constant="0.028",
@@ -658,13 +649,7 @@ slope_leading_term = below(
 )
 
 slope_constant_too_small = _too_small(
-    slope_leading_term,
-    "12.4",
-    _beside_slope,
-    _unit,
-    label="slope_constant_too_small",
-    a="1/4",
-    b=1,
+    slope_leading_term, "12.4", _beside_slope, _unit, label="slope_constant_too_small", a="1/4", b=1
 )
 
 bend = Claim(
@@ -688,10 +673,7 @@ _past = 4 * b * epsilon0**2 - b * sin(2 * epsilon0) ** 2
 
 bend_leaves = bound(
     "bend_leaves",
-    Tuple(
-        _past > Rational(7, 2) * b * epsilon0**4,
-        _past < 6 * b * epsilon0**4,
-    ),
+    Tuple(_past > Rational(7, 2) * b * epsilon0**4, _past < 6 * b * epsilon0**4),
     On(
         (epsilon0,),
         box((0, "3/4")),

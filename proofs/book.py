@@ -47,17 +47,11 @@ _a_of_box = (length**2 - width**2) / (width**2 + height**2)
 _b_of_box = (width**2 - height**2) / (length**2 + width**2)
 
 box_a = Claim(
-    says=equal(_a, _a_of_box),
-    given=_box,
-    proof=by(substituting(box_moments)),
-    where=line(291),
+    says=equal(_a, _a_of_box), given=_box, proof=by(substituting(box_moments)), where=line(291)
 )
 
 box_b = Claim(
-    says=equal(_b, _b_of_box),
-    given=_box,
-    proof=by(substituting(box_moments)),
-    where=line(291),
+    says=equal(_b, _b_of_box), given=_box, proof=by(substituting(box_moments)), where=line(291)
 )
 
 _PRINTED = inputs(a="1.11", b="0.31")
@@ -67,10 +61,8 @@ _height_squared = (1 - 2 * b - a * b) / (1 + a * b)
 """(H/W)²."""
 
 box_of_a_shape = Claim(
-    label="box_of_a_shape",
     says="The box with (L/W)² = (1 + 2a − ab)/(1 + ab), (H/W)² = (1 − 2b − ab)/(1 + ab) has the "
     "shape (a, b).",
-    kind="statement",
     means=Tuple(
         equal(_length_squared - 1, a * (1 + _height_squared)),
         equal(1 - _height_squared, b * (_length_squared + 1)),
@@ -80,33 +72,21 @@ box_of_a_shape = Claim(
 )
 
 book_length = number(
-    "The printed a and b need a book with L/W = {}.",
-    sqrt(_length_squared),
-    "1.46",
-    _PRINTED,
+    "The printed a and b need a book with L/W = {}.", sqrt(_length_squared), "1.46", _PRINTED
 )
 
 book_height = number(
-    "The printed a and b need a book with H/W = {}.",
-    sqrt(_height_squared),
-    "0.16",
-    _PRINTED,
+    "The printed a and b need a book with H/W = {}.", sqrt(_height_squared), "0.16", _PRINTED
 )
 
 _PROPORTIONS = (Rounds(length, "1.46"), Rounds(height, "0.16"), equal(width, 1))
 
 book_a = number(
-    "A book with L/W = 1.46 and H/W = 0.16 has a = {}.",
-    _a_of_box,
-    "1.11",
-    _PROPORTIONS,
+    "A book with L/W = 1.46 and H/W = 0.16 has a = {}.", _a_of_box, "1.11", _PROPORTIONS
 )
 
 book_b = number(
-    "A book with L/W = 1.46 and H/W = 0.16 has b = {}.",
-    _b_of_box,
-    "0.31",
-    _PROPORTIONS,
+    "A book with L/W = 1.46 and H/W = 0.16 has b = {}.", _b_of_box, "0.31", _PROPORTIONS
 )
 
 book_shape = Claim(
@@ -129,14 +109,12 @@ unit_of_inertia = Claim(
 )
 
 table_units = Claim(
-    label="table_units",
     says="kg mm⁻¹ s⁻² is a unit of a moment of inertia: with a length unit x times and a time "
     "unit y times as large it changes by x².",
-    kind="statement",
     given=_changed,
     means=equal(1 / (_x * _y**2), _x**2),
     proof=formally(),
-    where=Place(line=295),
+    where=line(295),
     expect=Verdict.REFUTED,
     amended_by=(unit_of_inertia,),
     note="It is a unit of pressure; the numbers are those of the bibliography in kg mm².",

@@ -113,7 +113,6 @@ _star = 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(sqrt(b / (a + b)))
 """ε*."""
 
 no_single_constant = Claim(
-    label="no_single_constant",
     says="One constant K serves all shapes: ε₀/ε* − 1 = O(ε*²) for a > 0, 0 < b ≤ 1.",
     means=order(equal(epsilon0 / _star - 1, Function("O")(_star**2)), a),
     given=shape,
@@ -124,3 +123,5 @@ no_single_constant = Claim(
     amended_by=(repaired, *repaired_from),
     note="At b = 1 the defect tends to a positive limit as a → 0 while ε* tends to 0.",
 )
+
+label_claims(globals())

@@ -133,9 +133,7 @@ equation_for_u = Claim(
 _twice = [(Symbol(f"lambda{n}", real=True), Symbol(f"mu{n}", real=True)) for n in (1, 2)]
 
 defect_of_a_product = Claim(
-    label="defect_of_a_product",
     says="ε₀ depends on u and on the product λμ: it is written ε₀(u, λμ).",
-    kind="statement",
     means=Under(
         equal(*(printed.defect_of_u(u, *pair, sympy) for pair in _twice)),
         Tuple(equal(*(sympy.Mul(*pair) for pair in _twice))),
@@ -150,8 +148,7 @@ defect_of_a_product = Claim(
             "mu2": fmpq(1, 2),
         }
     ),
-    where=Place(display=43),
-    expect=Verdict.REFUTED,
+    where=display(43),
     amended_by=(equation_for_u,),
     note="A comma is missing: ε₀ is that of the display before, a function of u, λ and μ.",
     fault=Fault.MISPRINT,
@@ -329,13 +326,11 @@ dmu_dlambda = Claim(
 )
 
 dmu_dlambda_zero = Claim(
-    label="dmu_dlambda_zero",
     says="∂μ/∂λ = 0 at the origin.",
-    kind="statement",
     given=(b > 0,),
     means=equal(parts_of(dmu_dlambda.says)[0].args[1].subs(lam, 0), 0),
     proof=formally(),
-    where=Place(line=379),
+    where=line(379),
     expect=Verdict.REFUTED,
     amended_by=(dmu_dlambda, G_mu_at_origin),
     note="The conclusion stands: in the product (∂G/∂μ)(∂μ/∂λ) the other factor vanishes.",

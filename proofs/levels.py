@@ -221,10 +221,8 @@ def _rise(low: fmpq, high: fmpq) -> Bound:
 
 
 up_and_down = Claim(
-    label="up_and_down",
     says="For a = 10, b = 1/2 ε(γ) rises from γ = −7/15 to −19/60, falls to −3/20, and rises "
     "to −1/60.",
-    kind="bound",
     proof=Boxes(
         (
             _rise(fmpq(-7, 15), fmpq(-19, 60)),
@@ -235,14 +233,11 @@ up_and_down = Claim(
         "a = 10, b = 1/2",
         claims=(precession_integrand,),
     ),
-    expect=Verdict.ENCLOSED,
     note="It has the value ε(−19/60) twice more at least, once above −3/20 and once below −7/15.",
 )
 
 always_decreasing = Claim(
-    label="always_decreasing",
     says="ε(γ) decreases on all of (−b, a], whatever the shape.",
-    kind="statement",
     means=Le(parts_of(slope_at_turns.says)[1].args[0], 0, evaluate=False),
     given=slope_at_turns.given,
     proof=formally(slope_at_turns),

@@ -31,11 +31,7 @@ _root = sqrt(1 + b / a * _sine**2)
 
 _tangent = tanh(sqrt(a * b) * P)
 
-phase = Claim(
-    says=equal(P, pi + asin(_mu * _cosine)),
-    given=shape,
-    proof=Definition(),
-)
+phase = Claim(says=equal(P, pi + asin(_mu * _cosine)), given=shape, proof=Definition())
 
 phase_equation = Claim(
     says=equal(P, pi + atan(_ratio * tanh(sqrt(a * b) * P))),
@@ -132,8 +128,7 @@ exponent_of_defect = Claim(
 )
 turn_by_cosine = Claim(
     says=equal(
-        asin(_mu),
-        asin(_mu * x) + asin(_ratio * (1 - x**2) / (x + sqrt(1 + b / a * (1 - x**2)))),
+        asin(_mu), asin(_mu * x) + asin(_ratio * (1 - x**2) / (x + sqrt(1 + b / a * (1 - x**2))))
     ),
     given=(*shape, x > 0, x < 1),
     proof=by(inverses, roots),
@@ -204,8 +199,7 @@ leading_by_defect = Claim(
     given=shape,
     proof=(
         step(
-            2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(_mu))),
-            substituting(leading_term),
+            2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(_mu))), substituting(leading_term)
         ),
         step(
             2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (P + _turn)),
@@ -224,10 +218,7 @@ leading_by_defect = Claim(
             roots,
         ),
         step(
-            None,
-            substituting(exponent_of_defect),
-            citing(flip_defect, defect_range),
-            exponentials,
+            None, substituting(exponent_of_defect), citing(flip_defect, defect_range), exponentials
         ),
     ),
 )
@@ -319,13 +310,7 @@ turn_of_phase = Claim(
             substituting(phase, flip_defect),
             citing(flip_defect, defect_range),
         ),
-        step(
-            asin(_mu * _cosine),
-            citing(flip_defect, defect_range),
-            inverses,
-            roots,
-            trigonometry,
-        ),
+        step(asin(_mu * _cosine), citing(flip_defect, defect_range), inverses, roots, trigonometry),
         step(None, substituting(phase)),
     ),
 )

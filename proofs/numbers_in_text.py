@@ -242,15 +242,12 @@ def _longest(a: arb, b: arb, m: Any) -> arb:
 
 
 lower_level_unturned = Claim(
-    label="lower_level_unturned",
     says="By F(ε, γ) = π, as the appendix has it, no γ gives the standard racket ε = π/12: "
     "F(π/12, γ) stays below 3.0373 for every γ > −b sin²(π/12).",
-    kind="bound",
     proof=Boxes(
         (
             Bound(
-                lambda a, b, m: arb("3.0373") - _longest(a, b, m),
-                (Interval(A, A), Interval(B, B)),
+                lambda a, b, m: arb("3.0373") - _longest(a, b, m), (Interval(A, A), Interval(B, B))
             ),
         ),
         ("a", "b"),
@@ -258,7 +255,6 @@ lower_level_unturned = Claim(
         as_rational("3.0373"),
         (slower_at_lower_level,),
     ),
-    expect=Verdict.ENCLOSED,
     note="F falls as γ grows, so that it is largest in the limit γ = −b sin²(π/12).",
 )
 d29 = Claim(
@@ -278,7 +274,6 @@ lower_level_exists = number(
     shape_and_depth,
 )
 threshold_impossible = Claim(
-    label="threshold_impossible",
     says="At the γ of the linear formula for ε = π/12, with all its digits, a motion passes "
     "ψ = π/12.",
     paper_says="“γ|_{ε = π/12} = −4.2 × 10^{−3}.” Read as: by the formula, to the digits that are "
@@ -341,9 +336,7 @@ robustness_at_fixed_b = Claim(
 )
 
 larger_ab_less_robust = Claim(
-    label="larger_ab_less_robust",
     says="The larger the product ab is, the less robust is the effect: |dε/dγ| at γ = 0 is larger.",
-    kind="bound",
     proof=Boxes(
         (
             Bound(
@@ -355,7 +348,7 @@ larger_ab_less_robust = Claim(
         "two shapes that bodies can have",
         claims=(one_flip_defect,),
     ),
-    where=Place(line=254),
+    where=line(254),
     expect=Verdict.REFUTED,
     amended_by=(robustness_at_fixed_b,),
 )
@@ -372,14 +365,11 @@ _three = tuple(Symbol(f"a{n}", real=True) for n in (1, 2, 3))
 _at_tenth = [printed.asymptotic_defect(s, Rational(1, 10), sympy) for s in _three]
 
 each_eps0_one_a = Claim(
-    label="each_eps0_one_a",
     says="By the theorem's formula with b = 0.1 each ε₀ belongs to one a: the formula is monotone.",
-    kind="statement",
     given=(_three[0] > 0, _three[1] - _three[0] > 0, _three[2] - _three[1] > 0),
     means=Ge((_at_tenth[1] - _at_tenth[0]) * (_at_tenth[2] - _at_tenth[1]), 0, evaluate=False),
     proof=Counterexample({"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)}),
-    where=Place(line=263),
-    expect=Verdict.REFUTED,
+    where=line(263),
     amended_by=(monotonicity,),
     note="A continuous function that rises and falls takes values twice: 1/5 between the points.",
 )
@@ -441,14 +431,11 @@ angular_velocity_of_the_handle = Claim(
 )
 
 initial_rate_is_angular_velocity = Claim(
-    label="initial_rate_is_angular_velocity",
     says="dψ/dφ is the angular velocity along the handle, counted in units of dφ/dt.",
-    kind="statement",
     given=(dphi_dt > 0, cos(theta) > 0),
     means=equal(dphi_dt * cos(theta) + dpsi_dt, dpsi_dt),
     proof=Counterexample({"theta": fmpq(1), "dphi_dt": fmpq(1), "dpsi_dt": fmpq(1)}),
-    where=Place(line=283),
-    expect=Verdict.REFUTED,
+    where=line(283),
     amended_by=(angular_velocity_of_the_handle,),
     note="The precession adds cos θ.",
 )
@@ -476,14 +463,11 @@ central_symmetry = Claim(
 )
 
 zero_on_separatrix = Claim(
-    label="zero_on_separatrix",
     says="On the separatrix the flip in one turn is approximately zero.",
-    kind="statement",
     means=Le(pi - 2 * epsilon, pi / 2),
     given=(*shape, *defect[:2], printed.separatrix_residual(epsilon, a, b, sympy) > 0),
     proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874), "epsilon": fmpq(1, 5)}),
-    where=Place(line=284),
-    expect=Verdict.REFUTED,
+    where=line(284),
     amended_by=(flip_str_exact,),
     note="From ψ₀ = ε₀ it is π − 2ε₀, more than π − 2ε for ε above ε₀; and no quarter turn is near "
     "zero. It is small only for starts at an unstable point or running into one.",
@@ -498,11 +482,9 @@ rate_at_the_top = number(
 )
 
 slow_on_separatrix = Claim(
-    label="slow_on_separatrix",
     says="Everywhere on the separatrix |dψ/dφ| ≤ 1/2 for the standard racket.",
     paper_says="“the time evolution of ψ on this line is very slow.” Read as: near the unstable "
     "points; how slow is not said.",
-    kind="statement",
     means=Le(
         Abs(printed.psi_rate(psi, Rational(1517, 121), Rational(55, 874), 0, 1, sympy)),
         Rational(1, 2),
@@ -510,8 +492,7 @@ slow_on_separatrix = Claim(
     ),
     given=(Gt(psi, 0), Lt(psi, pi)),
     proof=Counterexample({"psi": fmpq(3, 2)}),
-    where=Place(line=284),
-    expect=Verdict.REFUTED,
+    where=line(284),
     amended_by=(rate_at_the_top,),
     note="It is slow near the unstable points only.",
 )
@@ -556,17 +537,15 @@ nearly_hyperbolic = Claim(
 )
 
 hyperbolic_levels = Claim(
-    label="hyperbolic_levels",
     says="The level curves of ε₀ are the hyperbolas ab = const.",
     paper_says="“Note the hyperbolic shape of the ε₀- level curves.” Read as: nearly ab = const.",
-    kind="bound",
     proof=Boxes(
         (Bound(_same_product, box(*((v, v) for v in ("1", "3/10", "10", "3/100")))),),
         ("a1", "b1", "a2", "b2"),
         "two shapes of one product",
         claims=(one_flip_defect,),
     ),
-    where=Place(line=291),
+    where=line(291),
     expect=Verdict.REFUTED,
     amended_by=(nearly_hyperbolic, monotonicity),
     note="The curves fall, as hyperbolas do, since ε₀ falls with a and with b.",

@@ -78,10 +78,9 @@ theorem_remainder = Claim(
     label="d24",
     says=printed_remainder.says,
     means=printed_remainder.means,
-    kind="order",
     given=shape,
     proof=printed_remainder.proof,
-    where=Place(display=24),
+    where=display(24),
     expect=Verdict.REFUTED,
     amended_by=(printed_leading_term, printed_error, repaired),
     fault=Fault.THEOREM,
@@ -346,8 +345,7 @@ tangent = Claim(
         certificate("eq_epsilon_gen"),
         meant=Meant(in_bent_chart(), sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
     ),
-    where=Place(display=22),
-    expect=Verdict.ENCLOSED,
+    where=display(22),
     note="The remainder is at most 2√(ab) γ²/(b²ε₀) in size. ε is an analytic function of γ as "
     "long as γ + b sin²ε > 0.",
 )
@@ -362,7 +360,6 @@ def _off_tangent(gamma_: arb, m: Any) -> arb:
 linear = Claim(
     label="d31",
     says=equal(epsilon, epsilon0 + gamma * _derivative),
-    kind="bound",
     proof=Boxes(
         (Bound(_off_tangent, box(("1/10000", "1/10000")), precision=128),),
         ("gamma",),
@@ -370,7 +367,7 @@ linear = Claim(
         claims=(one_flip_defect,),
         meant=Meant(beside_tangent((fmpq(1, 10000),)), 1 / TURN),
     ),
-    where=Place(display=31),
+    where=display(31),
     expect=Verdict.REFUTED,
     amended_by=(tangent,),
     note="A tangent, not the curve.",
@@ -428,9 +425,7 @@ def _beside_linear(side: int) -> Callable[..., Any]:
 
 
 bend_carries = Claim(
-    label="bend_carries",
     says="For the standard racket the printed linear formula is within 3 % of ε₀ for |γ| ≤ 1/500.",
-    kind="bound",
     proof=Boxes(
         tuple(Bound(_beside_linear(side), box(("-1/500", "1/500"))) for side in (1, -1)),
         ("gamma",),
@@ -439,7 +434,6 @@ bend_carries = Claim(
         (one_flip_defect,),
         certificate("bend_carries"),
     ),
-    expect=Verdict.ENCLOSED,
     note="It carries 60 % of the way to −4bε₀², where the formula leaves what is possible.",
 )
 

@@ -68,10 +68,7 @@ integrated = Claim(
     label="d36",
     says=equal(printed.arctanh_left(x0, a, b, sympy), sqrt(a * b) * pi),
     given=(*shape, *defect),
-    knowing=(
-        b / (a + b) - x0**2 > 0,
-        Under(b / (a + b) - x**2 > 0, ((x - x0) * (-x0 - x) >= 0,)),
-    ),
+    knowing=(b / (a + b) - x0**2 > 0, Under(b / (a + b) - x**2 > 0, ((x - x0) * (-x0 - x) >= 0,))),
     proof=(
         step(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
@@ -222,7 +219,6 @@ _rate = (1 + b / a) * sinh(_time) ** 2 + (1 - b) + b / a * ((1 - b) + b * cos(ep
 defect_is_one = Claim(
     says="Each shape has exactly one ε between 0 and π/2 with tanh T = cos ε/√(1 + (b/a) sin²ε), "
     "T = √(ab)(π + arcsin(√(b/(a+b)) cos ε)).",
-    kind="statement",
     means=ExactlyOne(epsilon, 0, pi / 2, equal(tanh(_time), _inverse)),
     given=shape,
     proof=UniqueRoot(

@@ -70,7 +70,6 @@ def _order(row: str) -> Claim:
     return Claim(
         label=f"table_{row.replace('-', '_')}_order",
         says=f"Table 1, {row}: I₁ < I₂ < I₃.",
-        kind="statement",
         given=as_printed(**texts),
         means=Tuple(I1 < I2, I2 < I3),
         proof=formally(),
@@ -110,7 +109,6 @@ def _realizable(row: str, label: str, **rest: Any) -> Claim:
     return Claim(
         label=label,
         says=f"Table 1, {row}: a rigid body can have these moments.",
-        kind="statement",
         given=as_printed(**texts),
         means=Tuple(I3 <= I1 + I2, I2 <= I1 + I3, I1 <= I2 + I3),
         proof=formally(),
@@ -154,7 +152,6 @@ _third = dict(zip(MOMENTS, TABLE_1["racket-3"][:3], strict=True))
 _needed = (*as_printed(I2=_third["I2"], b=TABLE_1["racket-3"][4]),)
 
 racket_3_third_moment = Claim(
-    label="racket_3_third_moment",
     says="With the printed I₂, the printed b = 0.12 needs an I₃ between 8051 and 8145, not 1818.",
     kind="bound",
     given=_needed,
@@ -163,17 +160,11 @@ racket_3_third_moment = Claim(
 )
 
 racket_3_swapped_b = number(
-    "With I₃ = 8118 racket 3 has b = {}.",
-    b,
-    "0.1222",
-    inputs(I2=7126, I3=8118),
-    shape_and_depth,
+    "With I₃ = 8118 racket 3 has b = {}.", b, "0.1222", inputs(I2=7126, I3=8118), shape_and_depth
 )
 
 racket_3_swapped_order = Claim(
-    label="racket_3_swapped_order",
     says="With I₃ = 8118 racket 3 has I₁ < I₂ < I₃, and I₃ exceeds the sum of the others.",
-    kind="statement",
     given=as_printed(I1=_third["I1"], I2=_third["I2"]),
     means=Tuple(I1 < I2, I2 < 8118, I1 + I2 < 8118),
     proof=formally(),

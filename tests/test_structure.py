@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parent.parent
 FLOORS = (
     ("reals",),
     ("racket", "output", "ledger"),
-    ("sweep", "proofs", "report", "coq"),
-    ("bench",),
+    ("sweep", "proofs", "coq"),
+    ("report", "bench"),
     ("commands",),
     ("site", "__main__"),
 )

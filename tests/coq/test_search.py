@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from tresym.commands import main
+from tresym.coq.asked import theorems
 from tresym.coq.search import assumptions, export, file_of, prelude, proofs
-from tresym.coq.statement import theorems
 from tresym.reals.corpus.lists import known, pairs
 from tresym.reals.decisions.reading import read
 

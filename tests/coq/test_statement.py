@@ -10,11 +10,16 @@ from random import Random
 import pytest
 from flint import arb
 
-from tresym.coq.statement import NotExportedError, Theorem, theorem, theorems, variable
+from tresym.coq.asked import theorem, theorems
+from tresym.coq.ledger import Joint, theorem_of
+from tresym.coq.statement import NotExportedError, Theorem, formula, variable
+from tresym.ledger.paper import all_claims
 from tresym.reals.corpus.lists import known, pairs
 from tresym.reals.corpus.rewriting import changed, true_identity
 from tresym.reals.decisions.reading import Comparison, read
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import Relation
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -199,6 +204,21 @@ def test_printed_statements_have_the_values_of_the_claims() -> None:
     assert sum(count > 0 for count in found) > 0.9 * len(found)
 
 
+def test_what_the_ledger_says_is_printed_as_it_is() -> None:
+    """Relations under conditions, without integrals: at points the text has the claim's values."""
+    found = []
+    for claim in all_claims():
+        try:
+            t = theorem_of(claim)
+        except NotExportedError:
+            continue
+        single = not isinstance(t, Joint) and isinstance(t.says, Relation)
+        if single and not t.exists and not t.definitions and elementary(t.says.left, t.says.right):
+            found.append(agree(t))
+    assert len(found) > 80
+    assert sum(count > 0 for count in found) > 0.8 * len(found)
+
+
 def test_random_trees_are_printed_as_they_are() -> None:
     random = Random(4)
     found = [
@@ -291,7 +311,7 @@ def test_the_printer_is_short_and_imports_no_prover() -> None:
 def test_brackets_follow_coq() -> None:
     def text(source: str) -> str:
         (t,) = theorems(read(f"{source} == 0"))
-        return t.says
+        return formula(t.says)
 
     assert text("a/(b*c)") == "a * / (b * c) = 0"
     assert text("-x**2") == "(-1) * x ^ 2 = 0"

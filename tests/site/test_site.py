@@ -106,6 +106,12 @@ def test_the_page_of_a_sharper_reading_says_what_the_paper_does(ledger: claims.R
     assert "tresym derive eq_gamma" in pages["eq_gamma.md"]
 
 
+def test_a_constant_that_was_typed_is_shown_as_it_was() -> None:
+    assert claims._ball({"mid": "0.16999999999999999998", "rad": "3e-20"}) == "0.17"
+    assert claims._ball({"mid": "0.169999", "rad": "1e-6"}) == "0.169999, to within 1e-6"
+    assert claims._ball({"mid": "0.16123456789012345", "rad": "1e-17"}).endswith("within 1e-17")
+
+
 def test_uses_and_used_by_are_each_other(ledger: claims.Record) -> None:
     found = ledger["claims"]
     for label, claim in found.items():

@@ -105,8 +105,9 @@ def _in_coq(
     claim: str, given: str, path: str | None, answer: Answer, target: str
 ) -> dict[str, object]:
     """What came of the claim in Coq; the file is written where there is a proof."""
+    from tresym.coq.asked import theorems
     from tresym.coq.search import export
-    from tresym.coq.statement import NotExportedError, theorems
+    from tresym.coq.statement import NotExportedError
     from tresym.output import write_text
     from tresym.reals.decisions.reading import read
 

@@ -7,6 +7,7 @@ import shutil
 import sys
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 from tresym.commands.parser import Commands
 from tresym.reals.numbers.exact import InputError
@@ -26,27 +27,57 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--search", action="store_true", help="find the proofs anew by asking coqtop, and keep them"
     )
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="compare what the theorems rest on, as make has printed it into said.txt there",
+    )
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
-    from tresym.coq.export import save, search, stored, write
+    from tresym.coq.export import Memory, save, search, stored, write
     from tresym.ledger.paper import all_claims
 
     store = stored()
+    if args.check:
+        return _check(Path(args.coq), store)
     if args.search:
         if shutil.which("coqtop") is None:
             raise InputError("export: --search asks coqtop, which is not installed here")
         wanted = [c for c in all_claims() if not args.labels or c.label in args.labels]
-        found = search(wanted, lambda text: print(text, file=sys.stderr))
-        store = {"coq": found["coq"], "claims": {**store["claims"], **found["claims"]}}
+        memory = Memory(Path(args.coq) / "search.json")
+        found = search(wanted, lambda text: print(text, file=sys.stderr), memory)
+        claims = {**store["claims"], **found["claims"]}
+        store = {**found, "claims": claims} if not args.labels else {**store, "claims": claims}
         save(store)
     index = write(Path(args.coq), args.labels, store)
     counts = Counter(row["status"] for row in index.values())
-    theorems = sum(len(row["theorems"]) for row in index.values() if not row["together"])
     print(
-        f"{args.coq}: {theorems} theorems; {counts['proved']} of {len(index)} claims proved, "
-        f"{counts['partial']} in part, {counts['none']} not; run make there to have Coq check them"
+        f"{args.coq}: {counts['proved']} of {len(index)} claims proved, {counts['partial']} in "
+        f"part, {counts['none']} not; run make there to have Coq check them"
     )
     return 0
+
+
+def _check(folder: Path, store: dict[str, Any]) -> int:
+    """Compare what the theorems rest on with what is stored, or store it where nothing is."""
+    from tresym.coq.export import assumed, save
+    from tresym.coq.ledger import name_of
+
+    path = folder / "said.txt"
+    if not path.is_file():
+        raise InputError(f"export: {path} is not there; what make prints in {folder} goes into it")
+    found = assumed(folder, path.read_text(encoding="utf-8"))
+    beyond = {name: text for name, text in found.items() if "it rests on the classical" not in text}
+    changed = 0
+    for label, row in store["claims"].items():
+        text = found.get(name_of(label), "")
+        changed += row.get("assumptions", text) != text
+        row["assumptions"] = text
+    save(store)
+    for name, text in beyond.items():
+        print(f"{name}: {text}")
+    print(f"{len(found)} theorems, {len(beyond)} on more than the reals; {changed} rest on others")
+    return 1 if beyond or changed else 0

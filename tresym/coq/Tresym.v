@@ -1313,3 +1313,7 @@ Proof.
   lra.
 Qed.
 End Limits.
+(* The premises of a lemma, or of a theorem that is applied, from those at hand. *)
+Ltac give :=
+  cbv beta;
+  first [ assumption | reflexivity | lra | nonzero | positive | apply Rgt_lt; positive | nra ].

@@ -35,6 +35,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import Relation
 from tresym.reals.language.inverted import solutions
 from tresym.reals.normal.written import numerator
 from tresym.reals.places.conditions import Given
@@ -99,8 +100,8 @@ def _reduced(way: Reduction, depth: int) -> Iterator[str]:
         lines = ["intros; saturate.", way.before] if way.before else ["intros; saturate."]
         for n, (step, proof) in enumerate(zip(way.steps, proofs, strict=True), 1):
             only = f"{way.only[n - 1]} -> " if way.only else ""
-            lines.append(f"assert (step_{n} : {only}{step.says}).\n{{ {proof} }}")
-        yield "\n".join([*lines, way.after])
+            lines.append(f"assert (step{depth}_{n} : {only}{step.says}).\n{{ {proof} }}")
+        yield "\n".join([*lines, way.after.replace("step_", f"step{depth}_")])
 
 
 def order(strict: bool) -> str:
@@ -509,7 +510,7 @@ def last_step(
     theorem = replace(theorem, given=(*theorem.given, *between))
     moved = substitute(e if up else -e, {name: POINT})
     if mode == 3:
-        t = replace(theorem, left=ZERO, relation="<=", right=moved)
+        t = replace(theorem, says=Relation(ZERO, "<=", moved))
         proof = next(cone_proofs(t, moved), None) or next(
             (p for way in reductions(t) for p in _reduced(way, 0)), "fail."
         )

@@ -1,229 +1,283 @@
-"""The ledger's claims as theorems of Coq: what each says, and proofs of it to try.
+"""The ledger's claims as theorems of Coq: what each says, under which premises.
 
-The definitions that a claim speaks of are premises, each an equation of a symbol and its meaning.
-A printed number is that there are inputs that round to the printed ones whose value rounds to it;
-a counterexample that there is a point at which the conditions hold and the statement does not.
+The definitions that a claim speaks of are premises, each an equation for a symbol, and so is what
+it assumes. A definition has a theorem of its own: that what it defines exists. What is refuted is
+that there is a point at which the conditions hold and the statement does not. A sentence that says
+several claims together is the conjunction of their theorems.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from hashlib import sha256
-from itertools import chain
 
-from flint import fmpq
-from sympy import Basic, Derivative, Eq, Integral, MatrixBase, Subs, Symbol
-from sympy.core.relational import Relational
+from sympy import Basic
 
-from tresym.coq.equations import exchanged
-from tresym.coq.search import proofs
-from tresym.coq.statement import NotExportedError, Theorem, term
-from tresym.ledger.claim import AllOf, Claim, Counterexample, Definition, Printed, parts_of
+from tresym.coq.formulas import Part, defined
+from tresym.coq.statement import (
+    Condition,
+    Formula,
+    NotExportedError,
+    One,
+    Some,
+    Theorem,
+    Wherever,
+)
+from tresym.ledger.claim import (
+    AllOf,
+    Claim,
+    Counterexample,
+    Definition,
+    ImplicitFunction,
+    Printed,
+    Root,
+)
 from tresym.ledger.evidence.denial import denied_at
-from tresym.ledger.evidence.printed import judge_printed, number_of
-from tresym.ledger.meaning import definitions, put_in
-from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import Expr, number, symbol, symbols
-from tresym.reals.language.sympy import from_sympy
-from tresym.reals.numbers.exact import InputError
-from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import needs
+from tresym.ledger.meaning import conditions
+from tresym.ledger.statements import Rounds
+from tresym.reals.language import sympy as door
+from tresym.reals.language.expression import ZERO, Expr, number, symbols
+from tresym.reals.language.formula import Conjunction, Equivalence, Relation
+from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
 
-RELATIONS = {
-    "Equality": "==",
-    "Unequality": "!=",
-    "StrictGreaterThan": ">",
-    "GreaterThan": ">=",
-    "StrictLessThan": "<",
-    "LessThan": "<=",
-}
-BOUND = (Derivative, Integral, Subs)
-Condition = tuple[Expr, str, Expr]
+
+@dataclass(frozen=True)
+class Joint:
+    """A theorem that says what those of other claims say together."""
+
+    name: str
+    parts: tuple[Claim, ...]
+
+    @property
+    def body(self) -> str:
+        """The proposition."""
+        return "  " + " /\\ ".join(f"says_{stem(part.label)}" for part in self.parts)
+
+    @property
+    def text(self) -> str:
+        """The statement as a sentence of Coq."""
+        return f"Theorem {self.name} :\n{self.body}."
+
+
+def stem(label: str) -> str:
+    """The label as a part of a name in Coq."""
+    return re.sub(r"\W", "_", label, flags=re.ASCII)
 
 
 def name_of(label: str) -> str:
     """The theorem of a claim."""
-    return "claim_" + re.sub(r"\W", "_", label, flags=re.ASCII)
+    return "claim_" + stem(label)
 
 
-def theorems_of(claim: Claim) -> list[Theorem]:
-    """What the claim says, a theorem for each of its relations.
+def theorem_of(claim: Claim) -> Theorem | Joint:
+    """What the claim says.
 
     Raises:
         NotExportedError: a kind of claim that has no statement in Coq yet.
     """
+    found = _theorem_of(claim)
+    stamp(found)  # which prints it
+    return found
+
+
+def _theorem_of(claim: Claim) -> Theorem | Joint:
     proof = claim.proof
-    if claim.expect is Verdict.REFUTED and not isinstance(proof, Counterexample):
-        raise NotExportedError("it is refuted, and its witness is not exported yet")
-    if isinstance(proof, Definition):
-        raise NotExportedError("a definition is a premise of what speaks of it")
+    if isinstance(proof, ImplicitFunction):
+        raise NotExportedError("the implicit function theorem is not exported yet")
+    if isinstance(proof, Root):
+        raise NotExportedError("a root that is given a name is a premise of what speaks of it")
+    if isinstance(proof, Definition) and proof.assumes:
+        raise NotExportedError("what is assumed is a premise of what rests on it")
+    if isinstance(proof, AllOf) and claim.expect is not Verdict.REFUTED:
+        return Joint(name_of(claim.label), tuple(p for p in proof.claims if not _assumed(p)))
+    statement = claim.statement
+    if statement is None:
+        raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
     try:
+        says = read(statement)
+        if isinstance(proof, Definition):
+            return existence(claim, says)
         if isinstance(proof, Printed):
-            return [_printed(claim)]
-        if isinstance(proof, Counterexample):
-            return [_counterexample(claim, proof)]
-        if claim.statement is None or isinstance(proof, AllOf):
-            raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
-        found = list(chain.from_iterable(map(_entries, parts_of(claim.statement))))
-        return [
-            _theorem(claim, relation, name_of(claim.label) + (f"_{n}" if len(found) > 1 else ""))
-            for n, relation in enumerate(found, 1)
-        ]
+            refuted = claim.expect is Verdict.REFUTED
+            return theorem(claim, denied(says) if refuted else says, exists=not refuted)
+        if claim.expect is Verdict.REFUTED:
+            above: tuple[Basic, ...] = ()
+            if isinstance(proof, Counterexample):
+                found = denied_at(statement, proof.point)
+                above, says = (found[0], read(found[1])) if found else ((), says)
+            return theorem(claim, denied(says), above, exists=True)
+        return theorem(claim, says)
     except (InputError, TypeError, AttributeError, ValueError) as error:
         raise NotExportedError(f"what is said is not read as real expressions ({error})") from None
 
 
-def _entries(relation: Basic) -> Iterator[Basic]:
-    """A relation, those of the entries where it is one of matrices."""
-    if isinstance(relation, Eq) and isinstance(relation.lhs, MatrixBase):
-        for left, right in zip(relation.lhs, relation.rhs, strict=True):
-            yield Eq(left, right, evaluate=False)
-    else:
-        yield relation
+def conditions_of(given: Iterable[Basic]) -> list[Relation]:
+    """Conditions as relations, equations among them."""
+    return [part for e in given for part in relations(read(e))]
 
 
-def _theorem(claim: Claim, relation: Basic, name: str) -> Theorem:
-    kind = type(relation).__name__
-    if not isinstance(relation, Relational) or kind not in RELATIONS:
-        raise NotExportedError(f"{kind} is not exported yet")
-    left, right, by = relation.lhs, relation.rhs, None
-    if kind == "Equality" and isinstance(left, Derivative) and len(left.variables) == 1:
-        left, by = left.expr, left.variables[0].name
-    if left.has(*BOUND) or right.has(*BOUND):
-        raise NotExportedError("integrals and derivatives inside expressions are not exported yet")
-    sides = from_sympy(left), from_sympy(right)
-    given = Given.from_sympy(*claim.given).comparisons
-    put_in = _definitions(claim, [*sides, *(e for x, _, y in given for e in (x, y))])
-    if (sides[0], "==", sides[1]) in put_in:
-        raise NotExportedError("it says what a definition says")
-    given = (*put_in, *given)
-    inner = needs([sides[0]]) if by else []
-    inside = [(e, ">" if sign == ">=" and by in symbols(e) else sign) for e, sign in inner]
-    parts = [*inside, *needs([*sides, *(e for x, _, y in given for e in (x, y))])]
-    return _made(name, given, parts, sides, RELATIONS[kind], by)
+def relations(says: Formula) -> Iterator[Relation]:
+    """The relations that a conjunction consists of."""
+    if isinstance(says, Relation):
+        yield says
+    elif isinstance(says, Conjunction):
+        for part in says.parts:
+            yield from relations(part)
 
 
-def _made(
-    name: str,
-    given: tuple[Condition, ...],
-    parts: Iterable[tuple[Expr, str]],
-    sides: tuple[Expr, Expr],
-    relation: str,
-    by: str | None = None,
-    exists: bool = False,
+def _assumed(claim: Claim) -> bool:
+    return isinstance(claim.proof, Definition) and bool(claim.proof.assumes)
+
+
+def read(says: Basic) -> Formula:
+    """A statement as a formula."""
+    kind = type(says).__name__
+    if kind == "Tuple":
+        return Conjunction(tuple(map(read, says.args)))  # type: ignore[arg-type]
+    if kind == "Equivalent" and len(says.args) == 2:
+        return Equivalence(*map(read, says.args))  # type: ignore[arg-type]
+    if kind == "Under":
+        return Wherever(tuple(conditions_of(says.args[1].args)), read(says.args[0]))
+    if kind == "ExactlyOne":
+        x, low, high = map(door.unworked, says.args[:3])
+        between = Relation(x, ">", low), Relation(x, "<", high)
+        return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
+    if isinstance(says, Rounds):
+        return _rounded(door.unworked(says.term), says)
+    return door.formula(says)
+
+
+def _rounded(e: Expr, says: Rounds) -> Formula:
+    """That a term is what is printed, to within half a unit of its last place or as many."""
+    interval = printed(says.text)
+    middle, half = (interval.low + interval.high) / 2, (interval.high - interval.low) / 2
+    half *= says.half_units
+    if e.op == "symbol":
+        low, high = number(middle - half), number(middle + half)
+        return Conjunction((Relation(e, ">=", low), Relation(e, "<=", high)))
+    return Relation(abs(e - number(middle)), "<=", number(half))
+
+
+def denied(says: Formula) -> Formula:
+    """What holds where the parts are defined and the statement fails.
+
+    Raises:
+        NotExportedError: a statement of which one point is no counterexample.
+    """
+    if isinstance(says, Conjunction) and len(says.parts) == 1:
+        return denied(says.parts[0])
+    if isinstance(says, Relation):
+        return says.negated
+    raise NotExportedError("it is refuted, and its witness is not exported yet")
+
+
+def free(says: Formula) -> frozenset[str]:
+    """The free variables of a formula."""
+    match says:
+        case Relation():
+            return symbols(says.left) | symbols(says.right)
+        case Wherever():
+            asked = (symbols(e) for x, _, y in says.conditions for e in (x, y))
+            return frozenset().union(free(says.says), *asked)
+        case One():
+            return free(says.says) - {says.name}
+        case Some():
+            return free(says.says) - {*says.names}
+        case Conjunction():
+            return frozenset().union(*map(free, says.parts))
+    return free(says.first) | free(says.second)
+
+
+def asked(says: Formula) -> Iterator[Part]:
+    """What makes the parts of a formula defined, of the variables that are free in it."""
+    match says:
+        case Relation():
+            yield from (part for e in (says.left, says.right) for part in defined(e))
+        case One() | Some():
+            bound = {says.name} if isinstance(says, One) else {*says.names}
+            yield from (part for part in asked(says.says) if bound.isdisjoint(symbols(part[0])))
+        case Wherever():
+            yield from asked(says.says)
+        case Conjunction():
+            for one in says.parts:
+                yield from asked(one)
+        case Equivalence():
+            yield from (*asked(says.first), *asked(says.second))
+
+
+def theorem(
+    claim: Claim, says: Formula, above: tuple[Basic, ...] = (), exists: bool = False
 ) -> Theorem:
-    parts = tuple(part for part in dict.fromkeys(parts) if symbols(part[0]))
-    used = [*sides, *(e for e, _ in parts), *(e for x, _, y in given for e in (x, y))]
-    names = frozenset().union(*map(symbols, used), {by} if by else ())
-    return Theorem(name, tuple(sorted(names)), given, parts, *_three(sides, relation), by, exists)
-
-
-def _three(sides: tuple[Expr, Expr], relation: str) -> tuple[Expr, str, Expr]:
-    return sides[0], relation, sides[1]
-
-
-def _definitions(claim: Claim, used: list[Expr]) -> tuple[Condition, ...]:
-    """The equations of the symbols in ``used`` and in what defines them, in order."""
-    rules = definitions(c for c in claim.rests_on if isinstance(c.proof, Definition))
-    meanings = {
-        left.name: from_sympy(right)
-        for left, right in rules.items()
-        if isinstance(left, Symbol) and isinstance(right, Basic) and not right.has(*BOUND)
-    }
-    found: dict[str, Expr] = {}
-    stack = sorted(frozenset().union(*map(symbols, used)))
-    while stack:
-        name = stack.pop()
-        if name in meanings and name not in found:
-            found[name] = meanings[name]
-            stack += sorted(symbols(meanings[name]))
-    return tuple((symbol(name), "==", e) for name, e in found.items())
-
-
-def _printed(claim: Claim) -> Theorem:
-    """That there are inputs which round to the printed ones and give what rounds to the text."""
-    read = number_of(claim)
-    value = put_in(read.term, {symbol(name): rule.meaning for name, rule in read.rules.items()})
-    if not elementary(value):
-        raise NotExportedError("integrals and roots inside expressions are not exported yet")
-    given: list[Condition] = []
-    for name, side in read.inputs.items():
-        given += [(symbol(name), ">=", number(side.low)), (symbol(name), "<=", number(side.high))]
-    half = number(read.target.width / 2)
-    sides = abs(value - number(read.target.middle)), half
-    return _made(name_of(claim.label), tuple(given), needs(sides), sides, "<=", exists=True)
-
-
-def _counterexample(claim: Claim, proof: Counterexample) -> Theorem:
-    """That there is a point which satisfies the conditions and not the statement."""
-    denied = denied_at(claim.statement, proof.point) if claim.statement is not None else None
-    if denied is None or denied[1].has(*BOUND):
-        raise NotExportedError("that the point denies is not exported yet")
-    above, violated = denied[0], denied[1].negated
-    kind = type(violated).__name__
-    sides = from_sympy(violated.lhs), from_sympy(violated.rhs)
-    given = Given.from_sympy(*claim.given, *above).comparisons
-    return _made(
-        name_of(claim.label),
-        given,
-        needs([*sides, *(e for x, _, y in given for e in (x, y))]),
-        sides,
-        RELATIONS[kind],
-        exists=True,
+    """The claim's definitions, conditions, what makes it defined, and what it says."""
+    given = tuple(dict.fromkeys(conditions_of((*claim.given, *above))))
+    sides = [e for x, _, y in given for e in (x, y)]
+    parts = [*asked(says), *(part for e in sides for part in defined(e))]
+    parts = [part for part in dict.fromkeys(parts) if symbols(part[0])]
+    used = [free(says), *map(symbols, sides), *(symbols(e) for e, _ in parts)]
+    meanings, names = definitions(claim, frozenset().union(*used))
+    put_in = tuple(
+        (tuple(c for c in asked if c not in given), meaning) for asked, meaning in meanings
+    )
+    if exists:  # there the conditions of the definitions hold, too
+        conditions_ = (Relation(*c) for asked, _ in put_in for c in asked)
+        given = tuple(dict.fromkeys((*given, *conditions_)))
+        put_in = tuple(((), meaning) for _, meaning in put_in)
+    return Theorem(
+        name_of(claim.label), tuple(sorted(names)), put_in, given, tuple(parts), says, exists
     )
 
 
-def candidates(claim: Claim, theorem: Theorem) -> Iterator[str]:
-    """Proofs to try."""
-    if theorem.exists:
-        yield from _at_point(theorem, _point(claim, theorem))
-        return
-    names = [x.args[0] for x, relation, _ in theorem.given if relation == "=="]
-    if not names:
-        yield from proofs(theorem)
-        return
-    meanings = {x: y for x, relation, y in theorem.given if relation == "=="}
-    put = ", ".join(term(symbol(name)) for name in names)
-    for proof in proofs(_put_in(theorem, meanings)):
-        yield proof.replace("intros", f"intros; subst {put.replace(',', '')}", 1)
+Meaning = tuple[tuple[Condition, ...], Relation]
 
 
-def _put_in(theorem: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
-    """The theorem after its definitions are put in, brackets kept."""
+def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], frozenset[str]]:
+    """The equations for the symbols ``names`` and for those in them, foundations first.
 
-    def whole(e: Expr) -> Expr:
-        for _ in range(20):
-            after = exchanged(e, dict(meanings))
-            if after == e:
-                break
-            e = after
-        return e
-
-    given = tuple(
-        (whole(x), relation, whole(y)) for x, relation, y in theorem.given if relation != "=="
-    )
-    parts = tuple((whole(e), sign) for e, sign in theorem.defined)
-    names = tuple(name for name in theorem.variables if symbol(name) not in meanings)
-    sides = _three((whole(theorem.left), whole(theorem.right)), theorem.relation)
-    return Theorem(theorem.name, names, given, parts, *sides, theorem.by)
-
-
-def _point(claim: Claim, theorem: Theorem) -> dict[str, fmpq]:
-    """The point of the evidence."""
-    if isinstance(claim.proof, Counterexample):
-        return dict(claim.proof.point)
-    return dict(judge_printed(claim).witness or {})
-
-
-def _at_point(theorem: Theorem, point: Mapping[str, fmpq]) -> Iterator[str]:
-    values = [f"({term(number(point.get(name, fmpq(1))))})" for name in theorem.variables]
-    there = f"exists {', '.join(values)}. " if values else ""
-    for first in ("", "laws; unfold root, acosh, atanh in *; "):
-        yield f"{there}repeat split; {first}numeric."
+    What is assumed of an integral is among them where it speaks of one of these. Returns all
+    the symbols, too.
+    """
+    table = [
+        (conditions(used.given), part)
+        for used in claim.rests_on
+        if isinstance(used.proof, Definition | ImplicitFunction | Root)
+        and used.statement is not None
+        for part in relations(read(used.statement))
+    ]
+    found: set[int] = set()
+    while True:
+        new = [n for n, (_, part) in enumerate(table) if n not in found and _speaks(part, names)]
+        if not new:
+            return [table[n] for n in sorted(found)], names
+        for n in new:
+            conditions_, part = table[n]
+            names = names.union(
+                free(part), *(symbols(e) for c in conditions_ for e in (c[0], c[2]))
+            )
+        found.update(new)
 
 
-def stamp(found: Iterable[Theorem]) -> str:
+def _speaks(part: Relation, names: frozenset[str]) -> bool:
+    """Whether the equation is for one of the symbols, or restricts one."""
+    return bool(symbols(part.left) & names)
+
+
+def existence(claim: Claim, says: Formula) -> Theorem:
+    """That under the conditions of a definition there is what it defines."""
+    parts = [*relations(says)]
+    new = [part.left.args[0] for part in parts if part.left.op == "symbol"]
+    inner = Conjunction(tuple(parts)) if len(parts) > 1 else parts[0]
+    made = Some(tuple(dict.fromkeys(new)), inner)
+    whole = theorem(claim, made)
+    needs = [part for p in parts for part in defined(p.right) if symbols(part[0])]
+    shown = [Relation(e, sign, ZERO) for e, sign in dict.fromkeys(needs) if not symbols(e) & {*new}]
+    kept = tuple(part for part in whole.defined if (part[0], part[1]) not in set(needs))
+    every: Formula = Conjunction((*shown, made)) if shown else made  # type: ignore[arg-type]
+    return Theorem(whole.name, whole.variables, whole.definitions, whole.given, kept, every)
+
+
+def stamp(found: Theorem | Joint) -> str:
     """What changes when a statement does."""
-    return sha256("\n".join(t.text for t in found).encode()).hexdigest()[:16]
+    return sha256(f"{found.text}".encode()).hexdigest()[:16]

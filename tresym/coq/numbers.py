@@ -1,4 +1,4 @@
-"""Numbers.v: one root for every shape, and the flip defects of the named bodies to fifty digits."""
+"""Numbers.v: one root for every shape, the floor of rigid bodies, and fifty digits of seven."""
 
 from __future__ import annotations
 

@@ -22,6 +22,7 @@ from tresym.reals.language.expression import (
     number,
     power,
 )
+from tresym.reals.language.formula import Relation
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import with_domain
 from tresym.reals.signs.sign import directly, sign
@@ -51,7 +52,7 @@ def known(theorem: Theorem) -> Given:
 
 def stated(theorem: Theorem, left: Expr, relation: str, right: Expr) -> Theorem:
     """Another conclusion from the same premises."""
-    return replace(theorem, left=left, relation=relation, right=right)
+    return replace(theorem, says=Relation(left, relation, right))
 
 
 def is_likely(theorem: Theorem) -> bool:

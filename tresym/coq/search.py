@@ -14,9 +14,9 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from importlib.resources import files
 from pathlib import Path
 
+from tresym.coq.dialogue import accepted, prelude
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
@@ -46,12 +46,6 @@ class Outcome:
     accepted: bool | None
     says: str
     text: str
-
-
-@cache
-def prelude() -> str:
-    """The text of Tresym.v."""
-    return files("tresym.coq").joinpath("Tresym.v").read_text(encoding="utf-8")
 
 
 def proofs(theorem: Theorem) -> Iterator[str]:
@@ -112,29 +106,12 @@ def _first(theorem: Theorem, deadline: float) -> str | None:
 
 
 def trial(items: Sequence[tuple[Theorem, str]], seconds: float) -> list[bool]:
-    """For each theorem whether Coq accepts the proof, in one dialogue that goes on after errors."""
-    lines = [prelude(), f"Set Default Timeout {SENTENCE_SECONDS}."]
-    for n, (theorem, proof) in enumerate(items):
-        named = replace(theorem, name=f"trial_{n}")
-        lines += [named.text, "Proof.", proof, "Qed.", "Abort All.", f"Check trial_{n}."]
-    with (
-        tempfile.TemporaryDirectory() as folder,  # for the caches of its arithmetic
-        subprocess.Popen(
-            ["coqtop", "-q"],
-            cwd=folder,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-        ) as coq,
-    ):
-        try:
-            said, _ = coq.communicate("\n".join(lines) + "\n", timeout=seconds)
-        except subprocess.TimeoutExpired:
-            coq.kill()
-            said, _ = coq.communicate()
-    held = set(re.findall(r"trial_(\d+)\s*\n? +: ", said))
-    return [str(n) in held for n in range(len(items))]
+    """For each theorem whether Coq accepts the proof."""
+    texts = [
+        f"{replace(theorem, name=f'trial_{n}').text}\nProof.\n{proof}\nQed."
+        for n, (theorem, proof) in enumerate(items)
+    ]
+    return accepted(texts)
 
 
 def run(text: str, seconds: float) -> tuple[bool, str, float]:
@@ -170,7 +147,7 @@ def version() -> str:
 
 def assumptions(said: str) -> str:
     """What ``Print Assumptions`` printed, in a sentence."""
-    names = set(re.findall(r"^([A-Z]\w*(?:\.\w+)+) *:", said, re.MULTILINE))
+    names = set(re.findall(r"^([^\s:]+)\s*:", said, re.MULTILINE)) - {"Axioms"}
     others = sorted(name for name in names if name not in _REALS)
     numbers = [
         name for name in others if re.match(r"(PrimInt63|PrimFloat|Uint63|FloatAxioms|Int63)", name)

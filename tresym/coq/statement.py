@@ -1,10 +1,10 @@
-"""Statements in Coq: what a referee reads, beside Coq itself and the statements.
+"""Statements in Coq: what a referee reads, beside Coq itself and the claims.
 
-A claim becomes ``forall symbols, given -> defined -> says`` over Coq's real numbers. The functions
-of Coq are total, so that what makes the parts defined stands among the premises. A derivative that
-is one side of an equation is ``is_derive``; its premises ask that the function be defined at the
-point and beside it: strictly inside, where a root or an inverse function has an edge. What Coq's
-library lacks is defined at the head of ``Tresym.v``.
+A claim becomes ``forall symbols, definitions -> given -> defined -> says`` over Coq's real numbers.
+The functions of Coq are total, so that what makes the parts defined stands among the premises; a
+derivative and an integral are values that are said to exist. Inside a function that is derived, a
+root and an inverse function are asked to be strictly inside. Where a definition has conditions
+that the claim has not, they stand before it. What Coq's library lacks is defined in ``Tresym.v``.
 """
 
 from __future__ import annotations
@@ -14,9 +14,19 @@ from dataclasses import dataclass
 
 from flint import fmpq
 
-from tresym.reals.decisions.reading import ORDERS, Comparison, Statement
+from tresym.coq.formulas import (
+    Condition,
+    Formula,
+    One,
+    Part,
+    Single,
+    Some,
+    Wherever,
+    inside,
+    values_of,
+)
 from tresym.reals.language.expression import Expr, symbols
-from tresym.reals.places.domain import needs
+from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 
 FUNCTIONS = {
     **{name: name for name in ("sign", "exp", "sin", "cos", "tan", "cot", "sec", "csc")},
@@ -26,6 +36,7 @@ FUNCTIONS = {
 }
 """The functions of the language by their names in Coq."""
 RELATIONS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
+VALUES = {"integral": "RInt", "derivative": "Derive", "at": ""}
 _PLAIN = re.compile(
     r"[a-z]\d*|(alpha|beta|gamma|delta|epsilon|zeta|eta|theta|kappa|lambda|mu|nu|xi|rho|sigma|tau"
     r"|phi|chi|psi|omega)\d*"
@@ -52,10 +63,8 @@ def term(e: Expr, level: int = SUM) -> str:
     """
     if e.op == "number":
         return _number(e.args[0], level)
-    if e.op == "symbol":
-        return variable(e.args[0])
-    if e.op == "pi":
-        return "PI"
+    if e.op in ("symbol", "pi"):
+        return variable(e.args[0]) if e.args else "PI"
     if e.op == "+":
         return _in_brackets(" + ".join(term(arg, PRODUCT) for arg in e.args), SUM, level)
     if e.op == "*":
@@ -65,7 +74,16 @@ def term(e: Expr, level: int = SUM) -> str:
     if e.op in FUNCTIONS:
         args = " ".join(term(arg, ATOM) for arg in e.args)
         return _in_brackets(f"{FUNCTIONS[e.op]} {args}", POWER, level)
+    if e.op in VALUES:
+        return _in_brackets(f"{VALUES[e.op]} {_function(e)}".lstrip(), POWER, level)
     raise NotExportedError(f"{e.op} is not exported to Coq yet")
+
+
+def _function(e: Expr) -> str:
+    """The function that a node binds the variables of, and what it is taken at."""
+    names, body = inside(e)
+    function = f"(fun {' '.join(map(variable, names))} : R => {term(body)})"
+    return " ".join([function, *(term(arg, ATOM) for arg in e.args[1:])])
 
 
 def _in_brackets(text: str, own: int, level: int) -> str:
@@ -85,57 +103,14 @@ def _power(base: Expr, exponent: Expr, level: int) -> str:
         return _in_brackets(f"Rpower {term(base, ATOM)} {term(exponent, ATOM)}", POWER, level)
     r = exponent.args[0]
     n, q = abs(int(r.p)), int(r.q)
-    if q == 1:
-        text, own = (term(base, ATOM), ATOM) if n == 1 else (f"{term(base, ATOM)} ^ {n}", POWER)
-    else:
-        root = "sqrt" if q == 2 else f"root {q}"
-        text = f"{root} {term(base, ATOM)}"
-        text, own = (text, POWER) if n == 1 else (f"({text}) ^ {n}", POWER)
+    text, own = term(base, ATOM), ATOM
+    if q != 1:
+        text, own = f"{'sqrt' if q == 2 else f'root {q}'} {text}", POWER
+    if n != 1:
+        text, own = f"{_in_brackets(text, own, ATOM)} ^ {n}", POWER
     if r < 0:
-        return _in_brackets(f"/ {text if own == ATOM else f'({text})'}", POWER, level)
+        return _in_brackets(f"/ {_in_brackets(text, own, ATOM)}", POWER, level)
     return _in_brackets(text, own, level)
-
-
-@dataclass(frozen=True)
-class Theorem:
-    """``forall variables, premises -> says``, or that there is a point where all of it holds.
-
-    Attributes:
-        name: the theorem's name in Coq.
-        variables: the symbols in it, sorted.
-        given: the claim's conditions.
-        defined: what makes all parts defined.
-        left, relation, right: the conclusion; with ``by``, that the derivative of ``left`` by the
-            symbol ``by`` is ``right``.
-    """
-
-    name: str
-    variables: tuple[str, ...]
-    given: tuple[tuple[Expr, str, Expr], ...]
-    defined: tuple[tuple[Expr, str], ...]
-    left: Expr
-    relation: str
-    right: Expr
-    by: str | None = None
-    exists: bool = False
-
-    @property
-    def text(self) -> str:
-        """The statement."""
-        names = " ".join(map(variable, self.variables))
-        quantifier, join = ("exists", "/\\") if self.exists else ("forall", "->")
-        lines = [f"Theorem {self.name} :", *([f"  {quantifier} {names} : R,"] if names else [])]
-        lines += [f"  {comparison(*condition)} {join}  (* given *)" for condition in self.given]
-        lines += [f"  {condition(*part)} {join}  (* defined *)" for part in self.defined]
-        return "\n".join([*lines, f"  {self.says}."])
-
-    @property
-    def says(self) -> str:
-        """The conclusion."""
-        if self.by is None:
-            return comparison(self.left, self.relation, self.right)
-        x = variable(self.by)
-        return f"is_derive (fun {x} : R => {term(self.left)}) {x} {term(self.right, ATOM)}"
 
 
 def comparison(left: Expr, relation: str, right: Expr) -> str:
@@ -148,52 +123,65 @@ def condition(e: Expr, relation: str) -> str:
     return f"{term(e)} <> 0" if relation == "!=" else f"0 {relation.replace('>', '<')} {term(e)}"
 
 
-def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
-    """A theorem for each comparison of a claim.
+def has_value(node: Expr, value: str) -> str:
+    """That an integral, or a derivative, exists and is ``value``."""
+    if node.op not in ("integral", "derivative"):
+        raise NotExportedError(f"{node.op} is not exported to Coq yet")
+    return f"is_{'RInt' if node.op == 'integral' else 'derive'} {_function(node)} {value}"
 
-    Raises:
-        NotExportedError: a kind of claim that has no statement yet.
+
+def formula(f: Formula) -> str:
+    """A formula as a proposition."""
+    if isinstance(f, Conjunction):
+        return " /\\ ".join(f"({formula(part)})" for part in f.parts) or "True"
+    if isinstance(f, Equivalence):
+        return f"({formula(f.first)}) <-> ({formula(f.second)})"
+    if isinstance(f, Wherever):
+        return "".join(f"{comparison(*c)} -> " for c in f.conditions) + formula(f.says)
+    if isinstance(f, One):
+        return f"exists ! {variable(f.name)} : R, {formula(f.says)}"
+    if isinstance(f, Some):
+        return f"exists {' '.join(map(variable, f.names))} : R, {formula(f.says)}"
+    bare, names = values_of(f)
+    if f.sign == "==" and len(names) == 1:
+        ((node, name),) = names.items()
+        for side, other in ((bare.left, bare.right), (bare.right, bare.left)):
+            if side == name and name.args[0] not in symbols(other):
+                return has_value(node, term(other, ATOM))
+    says = [has_value(node, term(name)) for node, name in names.items()] + [comparison(*bare)]
+    exists = f"exists {' '.join(map(term, names.values()))} : R, " if names else ""
+    return exists + " /\\ ".join(says)
+
+
+@dataclass(frozen=True)
+class Theorem(Single):
+    """``forall variables, premises -> says``, or that there is a point where all of it holds.
+
+    ``definitions`` are equations, each with the conditions that stand before it.
     """
-    if statement.comparisons[0].relation in ORDERS:
-        raise NotExportedError("orders are not exported to Coq yet")
-    count = len(statement.comparisons)
-    names = [name] if count == 1 else [f"{name}_{n + 1}" for n in range(count)]
-    return [
-        theorem(comparison, statement.given.comparisons, name)
-        for comparison, name in zip(statement.comparisons, names, strict=True)
-    ]
 
+    name: str
+    variables: tuple[str, ...]
+    definitions: tuple[tuple[tuple[Condition, ...], Relation], ...]
+    given: tuple[Condition, ...]
+    defined: tuple[Part, ...]
+    says: Formula
+    exists: bool = False
 
-def theorem(
-    claim: Comparison, given: tuple[tuple[Expr, str, Expr], ...] = (), name: str = "claim"
-) -> Theorem:
-    """One comparison under conditions.
+    @property
+    def body(self) -> str:
+        """The proposition."""
+        names = " ".join(map(variable, self.variables))
+        quantifier, join = ("exists", "/\\") if self.exists else ("forall", "->")
+        lines = [f"  {quantifier} {names} : R,"] if names else []
+        for conditions, meaning in self.definitions:
+            before = "".join(f"{comparison(*c)} -> " for c in conditions)
+            lines.append(f"  ({before}{formula(meaning)}) {join}  (* definition *)")
+        lines += [f"  {comparison(*c)} {join}  (* given *)" for c in self.given]
+        lines += [f"  {condition(*part)} {join}  (* defined *)" for part in self.defined]
+        return "\n".join([*lines, f"  {formula(self.says)}"])
 
-    Raises:
-        NotExportedError: derivatives other than one side of an equation.
-    """
-    left, right, by = claim.left, claim.right, None
-    parts = needs([left, right, *(side for x, _, y in given for side in (x, y))])
-    if claim.derivatives:
-        found, *others = claim.derivatives
-        side = {left: right, right: left}.get(found.value) if claim.relation == "==" else None
-        if others or found.order != 1 or side is None:
-            raise NotExportedError(
-                "only a first derivative that is one side of an equation is exported to Coq yet"
-            )
-        inside = [
-            (e, ">" if sign == ">=" and found.by in symbols(e) else sign)
-            for e, sign in needs([found.function])
-        ]
-        parts, left, right, by = [*inside, *parts], found.function, side, found.by
-    parts = [part for part in dict.fromkeys(parts) if not _plain(*part)]
-    used = [left, right, *(e for e, _ in parts), *(e for x, _, y in given for e in (x, y))]
-    variables = frozenset().union(*map(symbols, used), {by} if by else ())
-    return Theorem(
-        name, tuple(sorted(variables)), given, tuple(parts), left, claim.relation, right, by
-    )
-
-
-def _plain(e: Expr, relation: str) -> bool:
-    """Whether it says of a rational number what is seen."""
-    return e.op == "number" and bool(e.args[0] > 0 or (relation == ">=" and e.args[0] == 0))
+    @property
+    def text(self) -> str:
+        """The statement as a sentence of Coq."""
+        return f"Theorem {self.name} :\n{self.body}."

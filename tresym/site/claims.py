@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from html import escape
 from typing import Any
 
@@ -12,6 +13,8 @@ from tresym.site.markdown import badge, chain, inline, link, statement
 
 Record = dict[str, Any]
 
+SHARP = Fraction(1, 10**15)
+"""How narrow a ball is about a constant that was typed."""
 AXIOMS = "quoted-theorems.md"
 """The page of the theorems that are quoted; a hyphen is in no label."""
 
@@ -97,6 +100,7 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_printed(claim),
         *_decided(claim),
         *_axioms(claim, ledger["axioms"]),
+        *_coq(claim),
         *_proof(claim),
         *_numbers(claim),
         *_truth(claim, claims),
@@ -172,11 +176,19 @@ def _proof(claim: Record) -> Iterator[str]:
 def _numbers(claim: Record) -> Iterator[str]:
     for name in ("value", "constant"):
         if claim[name]:
-            yield f"{name.capitalize()}: {claim[name]['mid']}, to within {claim[name]['rad']}."
+            yield f"{name.capitalize()}: {_ball(claim[name])}."
     if claim["region"]:
         yield f"Region: {finding(claim['region'])}."
     if claim["parameter"]:
         yield f"Parameter: {finding(claim['parameter'])}."
+
+
+def _ball(ball: dict[str, str]) -> str:
+    """A ball in decimal; a short number that it holds stands for one that is that narrow."""
+    mid, rad = Fraction(ball["mid"]), Fraction(ball["rad"])
+    short = f"{float(mid):.10g}"
+    told = rad and rad < SHARP and abs(Fraction(short) - mid) <= rad
+    return short if told else f"{ball['mid']}, to within {ball['rad']}"
 
 
 def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
@@ -211,6 +223,20 @@ def _axioms(claim: Record, known: dict[str, Record]) -> Iterator[str]:
         )
     elif claim["kind"] != "definition":
         yield "It rests on no theorem that is quoted."
+
+
+def _coq(claim: Record) -> Iterator[str]:
+    """The theorem that Coq has proved of it, and what that rests on."""
+    coq = claim["coq"]
+    if coq is None:
+        return
+    yield "## [Checked twice](/pages/coq.md)"
+    if coq["premises"]:
+        yield "Coq proves it from " + ", ".join(map(link, coq["premises"])) + ", not proved in it:"
+    else:
+        rests = f"; {coq['assumptions']}" if coq["assumptions"] else ""
+        yield f"Coq has proved it once more{rests}:"
+    yield f"```coq\n{coq['text']}\n```"
 
 
 def _symbols(claim: Record) -> Iterator[str]:

@@ -136,7 +136,8 @@ def _along(claim: Claim, proof: Asymptotics, says: As, stated: Ordered) -> Findi
     here = {t: Rational(found.witness[t.name])}
     point = {symbol.name: e.subs(here) for symbol, e in ((t, t), *proof.along.items())}
     witness = {name: parse_number(str(e)) for name, e in point.items() if e.is_Rational}
-    why = f"along {where} {found.why}"
+    beyond = f", where {proof.beside}, at that bound" if proof.beside is not None else ""
+    why = f"along {where}{beyond} {found.why}"
     return Finding(Verdict.REFUTED, why, parameter=f"t -> 0+, {where}", witness=witness)
 
 

@@ -15,7 +15,7 @@ from tresym.report.words.markdown import sentence
 from tresym.report.words.place import place_text
 from tresym.report.words.said import in_line, said
 
-LONGEST = 200
+LONGEST = 320
 OPENING = 4
 """How many findings open the page."""
 

@@ -109,7 +109,7 @@ def article(report: Report) -> str:
 def _symbols(known: Collection[str]) -> Iterator[str]:
     """The table of the symbols that have words, each with the claim that defines it."""
     yield rf"\section*{{{SYMBOLS}}}" + "\n"
-    yield r"\begin{longtable}{@{}lp{0.68\linewidth}l@{}}"
+    yield r"\begin{longtable}{@{}lp{0.56\linewidth}l@{}}"
     named = {row.name: row for row in table_of_symbols() if row.words}
     for row in named.values():
         by = _reference(row.entry.claim, known) if row.entry else ""
@@ -205,6 +205,7 @@ def _entry(row: Row, known: Collection[str]) -> str:
     if claim.paper_says:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
     lines += [rf"{{\raggedright {words}\par}}" for words in _in_words(claim, _code)]
+    lines += [rf"\textsf{{\small Decided as}} \fitted{{{body}}}" for body in said(claim).means]
     lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")

@@ -21,6 +21,7 @@ from tresym.reals.processes import cores
 from tresym.report import charts, figures
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
+from tresym.report.pages import checked_twice
 from tresym.report.pages.check_tables import measured
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.derivation import article
@@ -45,6 +46,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "corrections.md", corrections(report)
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
+    yield "checked_twice.md", checked_twice.page()
     yield "walks.md", walks()
     yield "trust.md", trust(report, saved.load("guards"))
     yield from drawn()

@@ -8,6 +8,7 @@ from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.paper import display_lines
 from tresym.ledger.verification import JSON_VERSION, Report, Row
 from tresym.reals.numbers.exact import fraction_text
+from tresym.report.pages import checked_twice
 from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import given_latex, says_latex
 
@@ -15,11 +16,14 @@ from tresym.report.words.latex import given_latex, says_latex
 def report_json(report: Report) -> dict[str, Any]:
     """The report as `tresym verify --json` prints it."""
     lines = display_lines()
+    labels = tuple(row.claim.label for row in report.rows)
+    known = checked_twice.found(labels)
+    coq = {label: checked_twice.mark(label, known) for label in labels}
     return {
         "version": JSON_VERSION,
         "counts": report.counts,
         "prose": [row.claim.label for row in report.rows if not is_formal(row.claim)],
-        "claims": [_row_json(row, lines) for row in report.rows],
+        "claims": [_row_json(row, lines) | {"coq": coq[row.claim.label]} for row in report.rows],
     }
 
 

@@ -14,6 +14,7 @@ from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.paper import corrections, display_lines, sections
 from tresym.ledger.verification import Report, Row
+from tresym.report.pages import checked_twice
 from tresym.report.pages.rows import common, line_of
 from tresym.report.pages.symbols import as_used
 from tresym.report.words.chains import displays
@@ -57,6 +58,7 @@ def record(report: Report) -> dict[str, Any]:
     used_by = _inverse(claims, lambda claim: claim.uses)
     amends = _inverse(claims, lambda claim: claim.amended_by)
     lines = display_lines()
+    twice = checked_twice.found()
     quotes = {label: found.quote for found in corrections() for label in found.labels}
     return {
         "version": RECORD_VERSION,
@@ -69,6 +71,7 @@ def record(report: Report) -> dict[str, Any]:
         "rules": {axiom.name: _axiom(axiom) | {"rule": axiom.rule} for axiom in RULES},
         "claims": {
             row.claim.label: _claim(row, lines, quotes)
+            | {"coq": checked_twice.shown(row.claim.label, twice)}
             | {"used_by": used_by[row.claim.label], "amends": amends[row.claim.label]}
             for row in report.rows
         },

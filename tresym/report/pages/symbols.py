@@ -46,7 +46,10 @@ class Row:
         claim = self.entry.claim
         if isinstance(claim.proof, Root):
             return says_latex(claim.says)
-        return claim.shown or expression_latex(self.entry.written.rhs)
+        if claim.shown is None:
+            return expression_latex(self.entry.written.rhs)
+        own = [p for p in claim.shown.split(r",\quad ") if p.startswith(f"{self.symbol} = ")]
+        return own[0].partition(" = ")[2] if own else claim.shown
 
     @property
     def given(self) -> str:
@@ -78,7 +81,7 @@ def _assumed(claim: Claim) -> bool:
 
 
 def symbols(report: Report) -> str:
-    """Two tables in Markdown: the symbols, and what is assumed, in the order of the proofs."""
+    """Tables in Markdown: the symbols, and what is assumed, in the order of the proofs."""
     labels = {row.claim.label for row in report.rows}
     assumed = [c for c in (row.claim for row in report.rows) if _assumed(c)]
     found = [row for row in rows() if row.entry is None or row.entry.claim.label in labels]
@@ -88,7 +91,13 @@ def symbols(report: Report) -> str:
             "",
             "| symbol | what it is | stands for | where | by |",
             "|---|---|---|---|---|",
-            *map(_line, found),
+            *(_line(row) for row in found if row.words),
+            "",
+            "## Symbols of single proofs",
+            "",
+            "| symbol | stands for | where | by |",
+            "|---|---|---|---|",
+            *(_line(row) for row in found if not row.words),
             "",
             "## What is assumed",
             "",
@@ -105,7 +114,7 @@ def _line(row: Row) -> str:
     stands = f"{row.note}${row.meaning}$" if row.meaning else "a variable"
     given = f"${row.given}$" if row.given else ""
     by = _by(row.entry.claim) if row.entry else ""
-    return _cells(place, sentence(row.words), stands, given, by)
+    return _cells(place, *([sentence(row.words)] if row.words else []), stands, given, by)
 
 
 def anchor(name: str) -> str:

@@ -105,7 +105,10 @@ def conditions(
     """
     pieces = [_listed(found.given, formula)] if found.given else []
     if found.where and found.where not in (found.says or ""):
-        pieces.append(words(readable(found.where)))
+        where = words(readable(found.where))
+        if not set("<>=") & set(found.where):
+            return f"For {where}."
+        pieces.append(where)
     start = "for some parts also: " if pieces else "part by part: "
     if name is None and found.parts:
         sets = [{*part.given} for part in found.parts]

@@ -18,12 +18,14 @@ _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 def readable(text: str) -> str:
     """``violated at psi1 = -1/2`` as ``violated at ψ₁ = −1/2``; powers keep their ``^``."""
-    text = re.sub(r"\^\((-?[\d/]+)\)", r"^{\1}", text)
+    text = re.sub(r"(?:\^|\*\*)\((-?[\d/]+)\)|\*\*(\d+)", lambda m: f"^{{{m[1] or m[2]}}}", text)
+    text = re.sub(r"\bsqrt\(", "√(", text)
+    text = re.sub(r" \* |(?<=[\w)])\*(?=[\w(])", " · ", text)
     text = re.sub(r"\^(?:\{1\}|1\b(?!/))", "", text)
     text = re.sub(r"(?<=\d)\.0{4,}(?!\d)", "", text)
     text = re.sub(r"(?<![\w)])-(?=[\w.])", "−", text)
     text = _NAME.sub(_named, text)
-    for typed, set_ in (("->", "→"), (">=", "≥"), ("<=", "≤"), (" * ", " · ")):
+    for typed, set_ in (("->", "→"), (">=", "≥"), ("<=", "≤")):
         text = text.replace(typed, set_)
     return text
 

@@ -1,0 +1,159 @@
+"""The files of Coq: nothing is assumed in them, and every claim is in the index."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from random import Random
+
+import pytest
+from flint import arb
+
+from tresym.commands import main
+from tresym.coq import export
+from tresym.coq.dialogue import accepted
+from tresym.coq.ledger import stamp, theorem_of
+from tresym.coq.proving import candidates, plans
+from tresym.coq.statement import NotExportedError, Theorem
+from tresym.ledger.paper import all_claims
+from tresym.reals.corpus.rewriting import changed
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import Relation
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
+
+BEYOND = re.compile(r"\b(Admitted|Axiom|Axioms|Parameter|Parameters|Conjecture|admit|Abort)\b")
+STORE = export.stored()
+ENTRIES = export.entries(STORE)
+
+
+def proved() -> list[str]:
+    return [label for label, entry in ENTRIES.items() if entry.status == "proved"]
+
+
+def test_a_statement_that_changed_has_no_proof() -> None:
+    label = proved()[0]
+    changed = {**STORE["claims"][label], "statement": "0" * 16}
+    store = {**STORE, "claims": {**STORE["claims"], label: changed}}
+    assert export.entries(store)[label].status == "none"
+
+
+def test_stored_proofs_are_of_statements_that_stand() -> None:
+    stale = [
+        label
+        for label, row in STORE["claims"].items()
+        if label in ENTRIES
+        and (told := ENTRIES[label].theorem) is not None
+        and stamp(told) != row["statement"]
+    ]
+    assert len(stale) < len(STORE["claims"]) / 2
+
+
+def test_a_theorem_whose_premise_has_no_proof_is_proved_in_part() -> None:
+    label = next(label for label in proved() if STORE["claims"][label]["uses"])
+    used = STORE["claims"][label]["uses"][0]
+    rest = {k: row for k, row in STORE["claims"].items() if k != used}
+    found = export.entries({**STORE, "claims": rest})[label]
+    assert found.status in ("partial", "none")
+    assert found.status == "none" or used in found.premises
+
+
+def test_the_files_assume_nothing_and_the_index_names_every_claim(tmp_path: Path) -> None:
+    index = export.write(tmp_path, (), STORE)
+    assert index.keys() == {claim.label for claim in all_claims()}
+    assert json.loads((tmp_path / "index.json").read_text(encoding="utf-8")) == index
+    project = (tmp_path / "_CoqProject").read_text().split()
+    assert {path.name for path in tmp_path.glob("*.v")} == {n for n in project if n.endswith(".v")}
+    for path in tmp_path.glob("*.v"):
+        assert not BEYOND.search(path.read_text(encoding="utf-8")), path.name
+    said = (tmp_path / "Statements.v").read_text(encoding="utf-8")
+    assert said.count("Definition says_") == sum(
+        row["theorem"] is not None for row in index.values()
+    )
+    assert len(proved()) > 60
+
+
+def test_conditions_are_shown_to_hold_somewhere() -> None:
+    rows = STORE.get("possible", {}).values()
+    assert all(row["body"].lstrip().startswith("exists") for row in rows)
+    assert len({row["name"] for row in rows}) == len(rows)
+
+
+def test_an_unknown_label_is_bad_input(tmp_path: Path) -> None:
+    assert main(["export", "--coq", str(tmp_path), "xyz"]) == 2
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+def test_coq_accepts_what_is_exported(tmp_path: Path) -> None:
+    """The central chain, from the condition of one turn to the one root of the exact equation."""
+    labels = [label for label in ("d36", "unique_root", "stable_equation") if label in proved()]
+    assert main(["export", "--coq", str(tmp_path), *labels]) == 0
+    done = subprocess.run(["make"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def falsehoods(count: int) -> list[Theorem]:
+    """Lemmas of the ledger's claims with a changed right side, false at a point by balls."""
+    random, found = Random(8), []
+    for claim in all_claims():
+        try:
+            plan = next(plans(claim, theorem_of(claim)), None)
+        except NotExportedError:
+            continue
+        for lemma in plan.lemmas[:6] if plan else ():
+            if lemma.by is not None or lemma.definitions:
+                continue
+            found += mutants(lemma, random)
+        if len(found) >= count:
+            break
+    return found
+
+
+def mutants(lemma: Theorem, random: Random) -> Iterator[Theorem]:
+    """The lemma with a changed right side, where that is false."""
+    seen = {lemma.right}
+    for _ in range(4):
+        try:
+            right = changed(lemma.right, random)
+        except InputError:
+            continue
+        if right not in seen and symbols(right) <= {*lemma.variables}:
+            seen.add(right)
+            if false_somewhere(lemma, right):
+                yield replace(lemma, says=Relation(lemma.left, lemma.relation, right))
+
+
+def false_somewhere(lemma: Theorem, right: Expr) -> bool:
+    """Whether balls exclude the relation at a point where all is defined."""
+    for point in Given(lemma.given).points(lemma.variables, 10):
+        with ball_precision(100):
+            at = {name: arb(x) for name, x in point.items()}
+            d = evaluate(lemma.left - right, at)
+            needed = [evaluate(e, at) for e, _ in lemma.defined]
+            signs = {"==": d != 0, ">": d < 0, ">=": d < 0, "<": d > 0, "<=": d > 0, "!=": False}
+            if d.is_finite() and all(v > 0 for v in needed) and signs[lemma.relation]:
+                return True
+    return False
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
+def test_no_falsehood_is_proved() -> None:
+    count = int(os.environ.get("FALSEHOODS", "12"))
+    false = falsehoods(count)
+    assert len(false) >= count
+    texts = []
+    for n, lemma in enumerate(false):
+        proof = next(candidates(lemma), "lra.")
+        texts.append(f"Theorem false_{n} :\n{lemma.body}.\nProof.\n{proof}\nQed.")
+    held = accepted(texts)
+    assert not any(held), [t for t, ok in zip(texts, held, strict=True) if ok]

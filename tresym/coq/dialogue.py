@@ -1,0 +1,113 @@
+"""A dialogue with coqtop: texts are read sentence by sentence, and given up at the first error."""
+
+from __future__ import annotations
+
+import os
+import re
+import select
+import subprocess
+import tempfile
+import time
+from collections.abc import Sequence
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+SENTENCE_SECONDS = 4
+TEXT_SECONDS = 20.0
+HEAD = """Require Import Reals Lra Lia Psatz.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+Require Import Tresym.
+Open Scope R_scope.
+"""
+_DONE = "Check (fun v_done : Prop => v_done)."
+_SENTENCE = re.compile(r".*?\.(?=\s|$)", re.DOTALL)
+
+
+@cache
+def prelude() -> str:
+    """The text of Tresym.v."""
+    return files("tresym.coq").joinpath("Tresym.v").read_text(encoding="utf-8")
+
+
+@cache
+def library() -> tempfile.TemporaryDirectory[str]:
+    """A folder that holds Tresym.v, compiled."""
+    folder = tempfile.TemporaryDirectory()
+    (Path(folder.name) / "Tresym.v").write_text(prelude(), encoding="utf-8")
+    subprocess.run(
+        ["coqc", "-q", "Tresym.v"], cwd=folder.name, capture_output=True, check=True, timeout=600
+    )
+    return folder
+
+
+class Dialogue:
+    """One coqtop that has read Tresym.v; it is begun anew where it does not answer."""
+
+    def __init__(self, patience: int = SENTENCE_SECONDS) -> None:
+        self.patience = patience
+        self.process: subprocess.Popen[bytes] | None = None
+        self.folder = tempfile.TemporaryDirectory()  # for the caches of its arithmetic
+
+    def __enter__(self) -> Dialogue:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end()
+        self.folder.cleanup()
+
+    def end(self) -> None:
+        """End the process."""
+        if self.process is not None:
+            self.process.kill()
+            self.process.communicate()
+        self.process = None
+
+    def accepts(self, text: str, seconds: float) -> bool:
+        """Whether Coq reads the text without an error; what it defines stays defined."""
+        if self.process is None:
+            self.process = subprocess.Popen(
+                ["coqtop", "-q", "-Q", library().name, ""],
+                cwd=self.folder.name,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+            )
+            self.said(HEAD + f"Set Default Timeout {self.patience}.\n", 120)
+        deadline = time.monotonic() + seconds
+        for sentence in _SENTENCE.findall(text):
+            if time.monotonic() > deadline:
+                self.said("Abort All.", 60)
+                return False
+            said = self.said(sentence, 4 * self.patience)
+            if said is None:
+                self.end()
+                return False
+            if "Error:" in said:
+                self.said("Abort All.", 60)
+                return False
+        return True
+
+    def said(self, sentence: str, seconds: float) -> str | None:
+        """What Coq says to it, None where it says nothing for so long."""
+        assert self.process is not None
+        assert self.process.stdin is not None
+        assert self.process.stdout is not None
+        self.process.stdin.write(f"{sentence}\n{_DONE}\n".encode())
+        self.process.stdin.flush()
+        deadline, found = time.monotonic() + seconds, b""
+        while b"v_done : Prop =>" not in found:
+            left = deadline - time.monotonic()
+            ready, _, _ = select.select([self.process.stdout], [], [], max(left, 0))
+            piece = os.read(self.process.stdout.fileno(), 65536) if ready else b""
+            if not piece:
+                return None
+            found += piece
+        return found.decode(errors="replace")
+
+
+def accepted(texts: Sequence[str]) -> list[bool]:
+    """Of each text whether Coq accepts it."""
+    with Dialogue() as coq:
+        return [coq.accepts(text, TEXT_SECONDS) for text in texts]
