@@ -31,6 +31,7 @@ ABOVE = Interval(fmpq(0))
         (X - 1, [Interval(fmpq(1), fmpq(1)), REALS], "0"),
         (X - X, [REALS, REALS], "0"),
         (Y * X**2 + Y, [REALS, REALS], None),
+        (Y * X**2, [REALS, REALS], None),
         (X**2 + Y * X + Y**2 - 1, [REALS, REALS], None),
     ],
 )

@@ -39,6 +39,10 @@ TRUE = [
 ]
 
 FALSE = {
+    # zeros on a face, at a closed end, where a condition is an equality
+    "x*z + y*z > 0 given x > 0, y > 0, z >= 0": "x = 1, y = 1, z = 0",
+    "2 - x - y > 0 given x >= 0, x <= 1, y >= 0, y <= 1, x + y > 1": "x = 1, y = 1",
+    "x - y > 0 given x >= y, x > 0, y > 0": "x = 1, y = 1",
     "100*(a**2 + b**2 + c**2) >= 101*(a*b + b*c + c*a)": "a = 1, b = 1, c = 1",
     "a**3 + b**3 + c**3 >= 3*a*b*c + 3*(a - b)**2*c given a > 0, b > 0, c > 0": (
         "a = 3/2, b = 1/2, c = 1"

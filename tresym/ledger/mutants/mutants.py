@@ -231,6 +231,11 @@ def _is_violated(claim: Claim) -> bool:
     return claim.statement is not None and refute(claim.statement, claim) is not None
 
 
+def _is_refuted(claim: Claim) -> bool:
+    found = judge_evidence(claim)
+    return found is not None and found.verdict is Verdict.REFUTED
+
+
 def _is_somewhere(claim: Claim) -> bool:
     """Whether balls show, at a point, what is said to be so at one."""
     (some,) = claim.statement.args if isinstance(claim.statement, ForSome) else (None,)
@@ -284,8 +289,7 @@ def _counterexample_spot(claim: Claim) -> _Spot:
         return at_point, replace(at_point, proof=formally())
 
     def violated(mutated: Claim) -> bool:
-        found = judge_evidence(mutated)
-        return found is not None and found.verdict is Verdict.REFUTED
+        return _is_refuted(mutated)
 
     variants = () if claim.statement is None else _mutations(claim.statement)
     return _Spot("statement", variants, claims, violated)
@@ -299,8 +303,7 @@ def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
         return (replace(claim, given=given),)
 
     def violated(mutated: Claim) -> bool:
-        found = judge_evidence(mutated)
-        return found is not None and found.verdict is Verdict.REFUTED
+        return _is_refuted(mutated)
 
     known = condition.free_symbols
     same = (changed for changed in _mutations(condition) if changed.free_symbols <= known)

@@ -34,7 +34,7 @@ ENCLOSING = (
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
     "ledger.evidence.asymptotics",
-    "ledger.evidence.balls",
+    *("ledger.evidence.balls", "ledger.evidence.charted"),
     "ledger.evidence.printed",
     "reals.places.unworked",
     "ledger.evidence.meant._other_meaning",
