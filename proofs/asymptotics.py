@@ -16,7 +16,7 @@
 - `slope_leading_term`: dε/dγ at γ = 0; `bend`: the linear formula as a root, `bend_leaves` where
   it leaves what is possible (and `bend_carries` in `orders` how far it is good).
 
-How each bound becomes one sign in a chart is told in `margins`.
+What the steps of a margin are in the paper's symbols is read in `near`.
 """
 
 from __future__ import annotations
@@ -45,6 +45,7 @@ from tresym.proofs.near import (
     misses_from_four,
     misses_from_pi,
     phase_by_defect,
+    second_coefficient,
     too_small,
     turn_in_general,
 )
@@ -287,8 +288,15 @@ def _third(label: str, constant: str, **rest: Any) -> Claim:
 
 
 third_order = _third("third_order", "7.36")
-third_order_too_small = _third(
-    "third_order_too_small", "7.33", expect=Verdict.REFUTED, amended_by=(third_order,)
+third_order_too_small = Claim(
+    label="third_order_too_small",
+    says=Abs(_second - c2 * epsilon_star**4) <= Rational("7.33") * epsilon_star**6,
+    given=(*shape, a * b >= Rational(1, 4)),
+    proof=Counterexample(
+        {"a": fmpq(1, 4), "b": fmpq(1)},
+        (flip_defect, leading_term, first_coefficient, second_coefficient),
+    ),
+    amended_by=(third_order,),
 )
 
 

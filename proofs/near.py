@@ -19,6 +19,7 @@ from tresym.proofs.sweeps import sweep_from_four, sweep_from_pi
 
 from tresym.ledger.evidence.charted import Reading
 from tresym.ledger.vocabulary import *
+from tresym.racket.flip.series import coefficients_sympy
 from tresym.racket.near import charts
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
@@ -223,6 +224,10 @@ leading_by_defect = Claim(
 )
 first_coefficient = Claim(
     says=equal(c1, (6 * b - 1 + 3 * b / a) / 12), given=shape, proof=Definition()
+)
+
+second_coefficient = Claim(
+    says=equal(c2, coefficients_sympy(2)[2].as_expr(b, b / a)), given=shape, proof=Definition()
 )
 
 exponent_is_logarithm = Claim(

@@ -24,7 +24,7 @@ from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import exponential_decay
 from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
-from tresym.proofs.printed import exact_defect, formula_defect, inputs, moments, number, share_of_pi
+from tresym.proofs.printed import exact_defect, inputs, moments, number, share_of_pi
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import flip_defect, leading_defect, one_flip_defect
 from tresym.proofs.turn_integral import closed_form, closed_slope, one_rotating_level
@@ -40,7 +40,6 @@ STR = moments("str")
 """The standard racket's moments as Table 1 prints them."""
 A, B = fmpq(1517, 121), fmpq(55, 874)
 """a and b of exactly these moments."""
-TWELFTH = fmpq(1, 12)
 EXACTLY = (shape_and_depth, flip_defect, one_flip_defect)
 """What ε₀ is, by the moments."""
 BY_FORMULA = (shape_and_depth, leading_defect)
@@ -156,16 +155,6 @@ d27 = number(
 )
 
 # -- the levels at which the tolerance is reached -------------------------------------------------
-
-
-def linear_level(share: fmpq) -> Callable[..., arb]:
-    """γ at which the linear formula gives ε = ``share``·π."""
-
-    def level(a: arb, b: arb, m: Any) -> arb:
-        defect = formula_defect(a, b, m)
-        return 4 * b * defect * (defect - share * m.pi)
-
-    return level
 
 
 NEAR = arb("1e-20")
@@ -289,20 +278,13 @@ threshold_impossible = Claim(
     "ψ = π/12.",
     paper_says="“γ|_{ε = π/12} = −4.2 × 10^{−3}.” Read as: by the formula, to the digits that are "
     "printed.",
-    proof=Boxes(
-        (
-            Bound(
-                lambda a, b, m: linear_level(TWELFTH)(a, b, m) + b * m.sin(m.pi / 12) ** 2,
-                (Interval(A, A), Interval(B, B)),
-            ),
-        ),
-        ("a", "b"),
-        "the standard racket",
-    ),
+    kind="bound",
+    means=Ge(_level.xreplace({epsilon: pi / 12}) + b * sin(pi / 12) ** 2, 0, evaluate=False),
+    given=shape,
+    proof=Counterexample({"a": A, "b": B}, (leading_defect,)),
     where=line(262),
-    expect=Verdict.REFUTED,
     amended_by=(lower_level_exists, lower_level_unturned, lower_exact),
-    note="It lies below the least γ with which ψ = π/12 can be reached.",
+    note="For the standard racket it lies below the least γ with which ψ = π/12 can be reached.",
 )
 
 # -- what the formula is said to show -------------------------------------------------------------
@@ -319,25 +301,33 @@ def _falls_with_product(defect: Callable[..., arb]) -> Callable[..., arb]:
     return margin
 
 
-larger_ab_smaller_eps0 = tuple(
-    Claim(
-        label=label,
-        says=f"The larger the product ab is, the smaller ε₀ is{how}.",
-        proof=Boxes(
-            (Bound(_falls_with_product(defect), box(*_REALIZABLE)),),
-            ("a1", "b1", "a2", "b2"),
-            "two shapes that bodies can have",
-            claims=used,
-        ),
-        where=line(251),
-        expect=Verdict.REFUTED,
-        amended_by=(monotonicity,),
-        note="True at fixed a and at fixed b.",
-    )
-    for label, how, defect, used in (
-        ("larger_ab_smaller_eps0", "", exact_defect, (one_flip_defect,)),
-        ("formula_shows_larger_ab", ", by the formula", formula_defect, ()),
-    )
+larger_ab_smaller_eps0 = Claim(
+    label="larger_ab_smaller_eps0",
+    says="The larger the product ab is, the smaller ε₀ is.",
+    kind="bound",
+    proof=Boxes(
+        (Bound(_falls_with_product(exact_defect), box(*_REALIZABLE)),),
+        ("a1", "b1", "a2", "b2"),
+        "two shapes that bodies can have",
+        claims=(one_flip_defect,),
+    ),
+    where=line(251),
+    expect=Verdict.REFUTED,
+    amended_by=(monotonicity,),
+    note="True at fixed a and at fixed b.",
+)
+
+_a1, _b1, _a2, _b2 = (Symbol(name, real=True) for name in ("a1", "b1", "a2", "b2"))
+
+formula_shows_larger_ab = Claim(
+    says="The larger the product ab is, the smaller ε₀ is, by the formula.",
+    means=printed.asymptotic_defect(_a1, _b1, sympy) >= printed.asymptotic_defect(_a2, _b2, sympy),
+    kind="bound",
+    given=(_a1 > 0, _b1 > 0, _b1 <= 1, _a2 > 0, _b2 > 0, _b2 <= 1, _a1 * _b1 <= _a2 * _b2),
+    proof=Counterexample({"a1": fmpq(1), "b1": fmpq(3, 10), "a2": fmpq(10), "b2": fmpq(31, 1000)}),
+    where=line(251),
+    amended_by=(monotonicity,),
+    note="True at fixed a and at fixed b. Both shapes are those of bodies.",
 )
 
 robustness_at_fixed_b = Claim(

@@ -9,7 +9,6 @@ from typing import Any
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.flip.separatrix import defect_over
-from tresym.racket.formulas import printed
 
 TABLE_1 = {
     "str": ("1210", "16380", "17480", "12.54", "0.06", "0.1150", "0.0732"),
@@ -81,8 +80,3 @@ def share_of_pi(defect: Expr) -> Expr:
 def exact_defect(a: arb, b: arb, m: Any) -> arb:
     """ε₀ by the exact equation."""
     return defect_over(a, b, m)
-
-
-def formula_defect(a: arb, b: arb, m: Any) -> arb:
-    """ε₀ by the asymptotic formula of the theorem."""
-    return printed.asymptotic_defect(a, b, m)

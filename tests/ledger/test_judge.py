@@ -35,6 +35,7 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
+    Instance,
     UniqueRoot,
     all_of,
     at,
@@ -46,7 +47,7 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.finding import Finding, Premise
-from tresym.ledger.judge import judge, refute
+from tresym.ledger.judge import judge, judge_evidence, refute
 from tresym.ledger.reasons import (
     algebra,
     applying,
@@ -638,3 +639,43 @@ def test_the_ends_do_not_depend_on_the_unknown() -> None:
     ends = [(step(y - 1),), (step(y + 1),)]
     caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, 0)), UniqueRoot(chain, *ends))
     assert "the ends depend" in judge(caught, {}).why
+
+
+# -- instances ------------------------------------------------------------------------------------
+
+GENERAL = Claim("general", equal(sqrt(x**2), x), by(roots), given=(x > 0,))
+OF_SQUARE = Instance(GENERAL, ((x, y**2 + 1),))
+HALF = Claim("x is 1/2", equal(x, Rational(1, 2)), Definition())
+ON_HALF = Claim("on 1/2", equal(2 * x, 1), by(substituting(HALF)))
+UNDER_INTEGRAL = Claim("integral", equal(Integral(x * t, (t, 0, 1)), x / 2), by())
+
+
+def found_alone(planted: Claim) -> Verdict:
+    finding = judge_evidence(planted)
+    assert finding is not None
+    return finding.verdict
+
+
+def test_what_holds_for_all_values_holds_for_these() -> None:
+    assert found_alone(claim(OF_SQUARE.says, OF_SQUARE)) is Verdict.PROVED
+    cited = Claim("y > 1", y > 1, by(), given=(a > 0,))
+    put = Instance(GENERAL, ((x, y),), (cited,))
+    assert found_alone(claim(put.says, put, (a > 0,))) is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("proof", "says"),
+    [
+        (Instance(GENERAL, ((x, y),)), None),
+        (Instance(GENERAL, ((x, -(y**2)),)), None),
+        (Instance(GENERAL, ((x, sqrt(y) + 1),)), None),
+        (OF_SQUARE, equal(sqrt(y**2), y)),
+        (OF_SQUARE, equal(x, x)),
+        (Instance(ON_HALF, ((x, y),)), None),
+        (Instance(UNDER_INTEGRAL, ((x, t),)), equal(Integral(t * t, (t, 0, 1)), t / 2)),
+    ],
+)
+def test_what_is_no_instance_is_refused(proof: Instance, says: object) -> None:
+    """A condition that does not hold, a value that is none, another claim, what is defined, …"""
+    planted = claim(proof.says if says is None else says, proof)
+    assert found_alone(planted) is Verdict.UNDECIDED

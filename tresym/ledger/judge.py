@@ -45,7 +45,7 @@ from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.charted import Charted, judge_charted
 from tresym.ledger.evidence.defined import continuous_on, undefined
-from tresym.ledger.evidence.denial import Denied, judge_counterexample
+from tresym.ledger.evidence.denial import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.facts import by_facts, facts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
@@ -201,7 +201,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         case Together() | tuple() if claim.statement is not None:
             return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Charted():
-            return judge_charted(claim, claim.proof)
+            finding = judge_charted(claim, claim.proof)
+            return finding if finding.verdict.holds else denied_somewhere(claim) or finding
         case Asymptotics():
             return judge_asymptotics(claim, claim.proof)
         case Boxes() | Denied():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import product
 from typing import Any, NamedTuple
 
 import pytest
@@ -15,7 +16,11 @@ from tresym.racket.flip.slopes import slopes
 from tresym.racket.formulas import printed
 from tresym.racket.near import charts as c
 from tresym.reals.balls.gradient import Gradient, coordinates, gradients
+from tresym.reals.balls.traced import Named
+from tresym.reals.language.expression import symbol
 from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.numbers.exact import as_rational
+from tresym.reals.places.values import evaluate
 
 SHAPES = [
     (fmpq(1), fmpq(1)),
@@ -288,3 +293,45 @@ def test_errors_of_angles_and_tangents() -> None:
         tau, half = c.growth(x.b, 1 / x.k, balls)
         for n in range(1, 6):
             assert abs(x.c(n)) * x.star ** (2 * n) < half * tau**n / (2 * n + 1)
+
+
+# -- what is trusted ------------------------------------------------------------------------------
+
+NAMED = {name: f for name, f in vars(c).items() if isinstance(f, Named)}
+WITH_TWO = {"flat", "phase_over", "phase_by_kappa"}
+
+
+@pytest.mark.parametrize("name", NAMED)
+@pytest.mark.parametrize("radius", ["0", "1/100", "1/7"])
+def test_a_named_function_contains_what_it_means(name: str, radius: str) -> None:
+    """At exact points and over balls, where what it asks for is not negative."""
+    function, count = NAMED[name], 2 if name in WITH_TWO else 1
+    names = [symbol(x) for x in "xy"[:count]]
+    for at in product((fmpq(1, 5), fmpq(1, 2), fmpq(9, 10), fmpq(7, 3)), repeat=count):
+        with ball_precision(128):
+            wide = [arb(x) + arb(0, 1) * arb(as_rational(radius)) for x in at]
+            point = dict(zip("xy", map(arb, at), strict=False))
+            rooms = (evaluate(e, point) for e in function.asks(*names))
+            if any(room < 0 for room in rooms):
+                continue
+            found = function(*wide)
+            if function.meaning is not None:
+                value = evaluate(function.meaning(*names), point)
+                assert not found.is_finite() or found.overlaps(value)
+                continue
+            low, high = (evaluate(end, {}) for end in function.between)
+            image = function.image(symbol("p"), *names)
+            if at[0] > 1:  # b is 1 at most
+                continue
+            start = low
+            for _ in range(200):
+                start = evaluate(image, {**point, "p": start.mid()})
+            assert low < start < high
+            assert found.overlaps(arb(start.mid()) + arb(0, 1) * arb(2) ** -100)
+
+
+def test_every_trusted_root_contains_no_other_number() -> None:
+    with ball_precision(128):
+        assert c.phase_by_kappa(arb(1), arb(1)).rad() < 1e-20
+        assert c.phase_over(arb(1), arb(1)).rad() < 1e-20
+        assert not c.flat_over(arb(4)).is_finite()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import ClassVar
 
 from flint import arb, fmpq
@@ -13,7 +14,7 @@ from sympy.core.relational import Relational
 from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.evidence.at_point import values_at
 from tresym.ledger.finding import Finding, Ruling
-from tresym.ledger.meaning import tree
+from tresym.ledger.meaning import conditions, defined, known, tree
 from tresym.ledger.second_look import excluded, scalars
 from tresym.ledger.statements import Under
 from tresym.reals.language.binders import elementary, worked_out
@@ -23,33 +24,48 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 BITS = 256, 2048
+POINTS = 4
+"""Exact points of a region at which a bound is tried."""
 Point = Mapping[str, fmpq]
 Values = Mapping[str, fmpq | arb]
 
 
 def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
     """REFUTED when balls confirm the conditions, and exclude the statement, at the exact point."""
-    if claim.statement is None:
-        return Finding(Verdict.UNDECIDED, "a point denies a formula, and none is stated")
     why = None
     for bits in BITS:
-        with ball_precision(bits):
-            why = _not_denied(claim, claim.statement, values_at(proof.point, claim.rests_on))
+        why = not_denied(claim, proof.point, bits)
         if why is None:
-            break
-    if why is not None:
-        return Finding(Verdict.UNDECIDED, why)
-    where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in proof.point.items())
-    return Finding(Verdict.REFUTED, f"violated at {where}", witness=proof.point)
+            return _violated(proof.point)
+    return Finding(Verdict.UNDECIDED, why or "")
 
 
-def _not_denied(claim: Claim, says: Basic, point: Values) -> str | None:
-    """Why the point does not deny what the claim says, or None."""
-    for condition in claim.given:
-        if not _holds_at(condition, point):
-            return f"{condition} is not shown at the point"
-    if denied_at(says, point) is None:
-        return "the statement is not shown to fail at the point"
+def denied_somewhere(claim: Claim) -> Finding | None:
+    """REFUTED with an exact point of the region at which balls exclude the bound, or None."""
+    given = known(conditions(claim.given))
+    free = {s.name for condition in claim.given for s in condition.free_symbols}
+    for point in islice(given.points(sorted(free - defined(claim)), POINTS), POINTS):
+        if not_denied(claim, point) is None:
+            return _violated(point)
+    return None
+
+
+def _violated(point: Point) -> Finding:
+    where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in point.items())
+    return Finding(Verdict.REFUTED, f"violated at {where}", witness=point)
+
+
+def not_denied(claim: Claim, exact: Point, bits: int = BITS[0]) -> str | None:
+    """Why the point does not deny what the claim says, or None where balls show that it does."""
+    if claim.statement is None:
+        return "a point denies a formula, and none is stated"
+    with ball_precision(bits):
+        point = values_at(exact, claim.rests_on)
+        for condition in claim.given:
+            if not _holds_at(condition, point):
+                return f"{condition} is not shown at the point"
+        if denied_at(claim.statement, point) is None:
+            return "the statement is not shown to fail at the point"
     return None
 
 

@@ -48,7 +48,8 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.charted import Charted
+from tresym.ledger.evidence.denial import Denied, denied_somewhere
 from tresym.ledger.judge import judge_evidence, refute
 from tresym.ledger.mutants.changed_numbers import (
     Named,
@@ -196,6 +197,8 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
                 yield _equation_spot(claim, dependent)
         case UniqueRoot() if isinstance(claim.statement, ExactlyOne):
             yield from _root_spots(claim, claim.proof, claim.statement)
+        case Charted():
+            yield _charted_spot(claim)
         case Monotone(slope=chain) if isinstance(claim.statement, AtMostOne):
             yield from _slope_spots(claim, chain, claim.statement)
         case Counterexample():
@@ -262,6 +265,18 @@ def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:
         return (saying(claim, changed),)
 
     return _Spot(name, _mutations(relation), claims, _is_violated)
+
+
+def _charted_spot(claim: Claim) -> _Spot:
+    """Another bound on the region, which fails at an exact point of it."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        return (saying(claim, changed),)
+
+    variants = () if claim.statement is None else _mutations(claim.statement)
+    return _Spot(
+        "statement", variants, claims, lambda mutated: denied_somewhere(mutated) is not None
+    )
 
 
 def _counterexample_spot(claim: Claim) -> _Spot:

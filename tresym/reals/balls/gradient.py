@@ -173,7 +173,8 @@ class Divided:
         """The quotient as a tree, which has a value where x is not 0."""
         h = program(self.series(Traced(None, (0,))), 1).run((x,), trees, lambda *_: None)
         start = self.series(fmpq_series([0, 1], 1, self.power + 1)).coeffs()[: self.power]
-        return (h - sum((number(c) * x**j for j, c in enumerate(start) if c), ZERO)) / x**self.power
+        terms = (number(c) * (x**j if j else 1) for j, c in enumerate(start) if c)
+        return (h - sum(terms, ZERO)) / x**self.power
 
     def _point(self, x: arb) -> arb:
         """The value at an exact point; the quotient loses at most p times ``CANCELLED`` bits."""

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from inspect import signature
 from typing import Any
 
 from tresym.ledger.axioms import RULES
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.meant import is_formal
 from tresym.ledger.verification import Report
+from tresym.racket.near import charts
+from tresym.reals.balls.gradient import Divided
+from tresym.reals.balls.traced import Named
+from tresym.reals.language.expression import symbol
 from tresym.report.pages.trusted import RECHECKED, Count, trusted
 
 CALLED = {
@@ -31,6 +36,7 @@ def trust(report: Report, guards: Mapping[str, Any] | None) -> str:
         _libraries(proved, enclosed),
         _quoted(report),
         _called(report),
+        _programs(),
         _guards(guards) if guards else (),
     ]
     return "\n".join(line for part in parts for line in (*part, ""))
@@ -130,6 +136,30 @@ def _called(report: Report) -> list[str]:
         f"{prose} claims are sentences, or formulas with an order: that the evidence is about what "
         "they say is for the reader.",
     ]
+
+
+def _programs() -> Iterator[str]:
+    """The functions with a program of their own in balls, and what each is about."""
+    rows = []
+    for name, function in vars(charts).items():
+        if isinstance(function, Divided):
+            rows.append((f"`{name}`", f"`{function.meaning(symbol('x'))}`"))
+        elif isinstance(function, Named):
+            names = [symbol(x) for x in "xyz"[: len(signature(function.program).parameters)]]
+            if function.meaning is not None:
+                rows.append((f"`{name}`", f"`{function.meaning(*names)}`"))
+            elif function.image is not None:
+                rows.append((f"`{name}`", f"`p = {function.image(symbol('p'), *names)}`"))
+    yield "## Programs in balls"
+    yield ""
+    yield (
+        "Margins of bounds are traced: what runs in balls is what is compared with the statement. "
+        "These functions in them have programs of their own, which are trusted to contain the "
+        "value, continued to where a quotient has none; or every p between π and 3π/2 that solves "
+        "the equation. Tests compare each with what it means."
+    )
+    yield ""
+    yield from _table(("function", "what its ball contains"), rows)
 
 
 def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
