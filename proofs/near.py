@@ -40,7 +40,6 @@ phase_equation = Claim(
         step(pi + asin(_mu * _cosine), substituting(phase)),
         step(
             pi + atan(_ratio * _cosine / _root),
-            citing(flip_defect, defect_range),
             inverses,
             roots,
             trigonometry,
@@ -48,13 +47,12 @@ phase_equation = Claim(
         step(None, substituting(phase, flip_defect)),
     ),
 )
-_beside = asin(_mu * _cosine), pi / 2 - asin(_mu * _cosine)
-
 phase_range = Claim(
     says=Tuple(pi <= P, 3 * pi / 2 >= P),
     given=shape,
     proof=together(
-        *((step(e, substituting(phase), citing(flip_defect, defect_range)),) for e in _beside)
+        (step(asin(_mu * _cosine), substituting(phase), citing(flip_defect, defect_range)),),
+        (step(pi / 2 - asin(_mu * _cosine), substituting(phase)),),
     ),
 )
 
@@ -74,16 +72,14 @@ defect_by_phase = Claim(
             citing(flip_defect, defect_range),
             roots,
             trigonometry,
-            inverses,
         ),
         step(
             atan(sqrt(1 - _tangent**2) / (sqrt(1 + b / a) * _tangent)),
             substituting(phase, flip_defect),
             citing(flip_defect, defect_range),
             roots,
-            trigonometry,
         ),
-        step(None, citing(phase_range), exponentials, roots, inverses),
+        step(None, citing(phase_range), exponentials, roots),
     ),
 )
 
@@ -96,18 +92,16 @@ phase_by_defect = Claim(
     proof=(
         step(
             asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b),
-            citing(phase_range),
             exponentials,
             inverses,
             roots,
         ),
-        step(asinh(_sinh) / sqrt(a * b), citing(phase_range), exponentials, roots),
+        step(asinh(_sinh) / sqrt(a * b), exponentials, roots),
         step(
             asinh(_share / sqrt(1 - _share**2)) / sqrt(a * b),
             substituting(phase, flip_defect),
             citing(flip_defect, defect_range),
             roots,
-            trigonometry,
         ),
         step(None, citing(flip_defect, defect_range), roots, trigonometry),
     ),
@@ -160,7 +154,7 @@ decay_at_root = Claim(
     says=equal(exp(-sqrt(a * b) * P), sqrt(1 + b / a) * _sine / (_cosine + _root)),
     given=shape,
     proof=(
-        step(sqrt((1 - _tangent) / (1 + _tangent)), citing(flip_defect), exponentials, roots),
+        step(sqrt((1 - _tangent) / (1 + _tangent)), exponentials, roots),
         step(
             sqrt((1 - _cosine / _root) / (1 + _cosine / _root)),
             substituting(phase, flip_defect),
@@ -305,12 +299,8 @@ turn_of_phase = Claim(
     says=equal(_sweep_turn, P - pi),
     given=shape,
     proof=(
-        step(
-            atan(_ratio * (_cosine / _root)),
-            substituting(phase, flip_defect),
-            citing(flip_defect, defect_range),
-        ),
-        step(asin(_mu * _cosine), citing(flip_defect, defect_range), inverses, roots, trigonometry),
+        step(atan(_ratio * (_cosine / _root)), substituting(phase, flip_defect)),
+        step(asin(_mu * _cosine), inverses, roots, trigonometry),
         step(None, substituting(phase)),
     ),
 )
@@ -339,8 +329,8 @@ def _sweep(
         f"sweep_from_{start}_misses",
         equal(left, P - pi - atan(turn)),
         (
-            step(_sweep_turn - atan(turn), substituting(one), citing(phase_range)),
-            step(None, substituting(turn_of_phase), citing(phase_range)),
+            step(_sweep_turn - atan(turn), substituting(one)),
+            step(None, substituting(turn_of_phase)),
         ),
         given=shape,
     )

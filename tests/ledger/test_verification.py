@@ -19,6 +19,7 @@ from tresym.ledger.claim import (
     Chain,
     Claim,
     ImplicitFunction,
+    Root,
     Step,
     Together,
     UniqueRoot,
@@ -200,7 +201,8 @@ def test_sympy_does_not_disagree(
     """
     rules = rules_of(c for reason in link.reasons for c in reason.claims)
     pairs = zip(sympy.flatten([before]), sympy.flatten([after]), strict=True)
-    conditions = [put_in(condition, rules) for condition in claim.given]
+    between = (end for c in claim.rests_on if isinstance(c.proof, Root) for end in c.says.args[1:])
+    conditions = [put_in(condition, rules) for condition in (*claim.given, *between)]
     given = [c for c in conditions if not c.has(sympy.Derivative, sympy.Integral)]
     for left, right in pairs:
         stated = put_in(left, rules) - put_in(right, rules)

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 from flint import arb, fmpq
-from tresym.proofs import levels, numbers_in_text
+from tresym.proofs import levels
 from tresym.proofs.numbers_in_text import NEAR, changing_sign
 
 from tresym.racket.flip.defect import defect_on
 from tresym.racket.motion.orbit import exact_level
 from tresym.reals.numbers.arithmetic import ball_precision
-
-LEVELS = (
-    (numbers_in_text, numbers_in_text.turned_level, "-0.00418408053552541340314"),
-    (levels, levels._perfect_level, "0.0032036539953108067"),
-)
 
 
 def test_a_change_of_sign_is_enclosed_and_nothing_else_is() -> None:
@@ -25,21 +18,6 @@ def test_a_change_of_sign_is_enclosed_and_nothing_else_is() -> None:
         assert changing_sign(arb(2).sqrt() + 2 * NEAR, lambda x: x * x - 2).is_nan()
         assert changing_sign(arb(0), lambda x: x * x).is_nan()
         assert changing_sign(arb(0), lambda x: arb(0, 1)).is_nan()
-
-
-@pytest.mark.parametrize(("module", "level", "value"), LEVELS)
-def test_a_level_is_shown_whoever_finds_it(module: Any, level: Any, value: str) -> None:
-    with ball_precision(128) as m:
-        assert abs(level(m) - arb(value)) < 1e-16
-
-
-@pytest.mark.parametrize(("module", "level", "value"), LEVELS)
-def test_a_level_that_is_found_elsewhere_is_none(
-    monkeypatch: pytest.MonkeyPatch, module: Any, level: Any, value: str
-) -> None:
-    monkeypatch.setattr(module, "level_of", lambda *args: arb(value) + arb("1e-12"))
-    with ball_precision(128) as m:
-        assert level(m).is_nan()
 
 
 @pytest.mark.parametrize("level", ["-7/15", "-19/60", "-3/20", "-1/60"])

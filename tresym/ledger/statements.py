@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from sympy import Basic, Eq, Expr, Integer, Symbol, Tuple, sympify
+from sympy import Basic, Eq, Expr, Integer, Symbol, Tuple
 from sympy.core.symbol import Str
+from sympy.core.sympify import _sympify
 
 
 class Statement(Basic):
@@ -18,7 +19,7 @@ class Statement(Basic):
 
     def __new__(cls, *args: Any) -> Statement:
         """The head over these arguments, SymPy's or Python's numbers."""
-        made: Statement = Basic.__new__(cls, *map(sympify, args))
+        made: Statement = Basic.__new__(cls, *map(_sympify, args))
         return made
 
 
@@ -77,7 +78,7 @@ class TheRoot(Binding, Expr):
 
     def __new__(cls, *args: Any) -> TheRoot:
         """As written."""
-        made: TheRoot = Expr.__new__(cls, *map(sympify, args))
+        made: TheRoot = Expr.__new__(cls, *map(_sympify, args))
         return made
 
 
@@ -91,7 +92,7 @@ class Rounds(Statement):
     def __new__(cls, term: Any, text: Any, half_units: Any = 1) -> Rounds:
         """The text as it is printed, digits and all."""
         text = text if isinstance(text, Str) else Str(text)
-        made: Rounds = Basic.__new__(cls, sympify(term), text, sympify(half_units))
+        made: Rounds = Basic.__new__(cls, _sympify(term), text, _sympify(half_units))
         return made
 
     @property

@@ -199,7 +199,7 @@ def test_claims_with_few_mutants_are_listed_with_the_reason() -> None:
 
 @pytest.mark.parametrize(("kind", "power"), [("O", 1), ("O", 3), ("o", 2)])
 def test_orders_are_changed_only_to_false_ones(kind: str, power: int) -> None:
-    left = sin(x) - x * (power > 1)
+    left = sin(x) - x if power > 1 else sin(x)
     says = order(equal(left, Function(kind)(x**power)), x)
     claim = Claim("order", "…", Asymptotics(), means=says)
     assert judge(claim, {}).verdict is Verdict.ENCLOSED
@@ -274,7 +274,7 @@ def test_integrals_are_enclosed() -> None:
 def test_sentences_without_a_chain_have_mutants() -> None:
     says = Tuple(x**2 + y > 0, y**2 + x > 1)
     sentence = Claim("s", "x² + y > 0, …", formally(), given=(y > 1, x > 1), means=says)
-    assert {m.place for m in mutants(sentence, 4)} == {"relation 1", "relation 2"}
+    assert {m.place for m in mutants(sentence, 4)} >= {"relation 1", "relation 2"}
 
 
 def test_a_chain_follows_what_it_must_show() -> None:
