@@ -6,10 +6,10 @@ import shutil
 
 import pytest
 
+from tresym.coq.asked import theorems
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.reductions import reductions
 from tresym.coq.search import export
-from tresym.coq.statement import theorems
 from tresym.reals.decisions.reading import read
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")

@@ -67,6 +67,8 @@ _RECIPROCALS = {
     "acsch": "asinh",
     "acoth": "atanh",
 }
+_LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
+"""Python's parser refuses integers of more digits than that, and takes them as decimals."""
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
@@ -114,7 +116,7 @@ def tidy(text: str) -> str:
         deepest = max(deepest, depth)
     if deepest > MAX_DEPTH or re.search(r"([-+~]\s*){50}", text):
         raise InputError(f"the expression is nested deeper than {MAX_DEPTH} levels")
-    return " ".join(text.split()).replace("^", "**")
+    return _LONG_INTEGER.sub(r"\1.", " ".join(text.split()).replace("^", "**"))
 
 
 def tree(source: str) -> ast.expr:
