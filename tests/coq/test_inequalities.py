@@ -10,6 +10,7 @@ from tresym.coq.asked import theorems
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.reductions import reductions
 from tresym.coq.search import export
+from tresym.coq.statement import formula
 from tresym.reals.decisions.reading import read
 
 needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not installed")
@@ -29,7 +30,7 @@ needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not
 )
 def test_what_implies_it(claim: str, left: str) -> None:
     (theorem,) = theorems(read(claim))
-    assert left in [step.says for way in reductions(theorem) for step in way.steps]
+    assert left in [formula(step.says) for way in reductions(theorem) for step in way.steps]
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ from tresym.coq.equations import (
 )
 from tresym.coq.linear import as_expression, expanded
 from tresym.coq.reductions import Reduction, reductions
-from tresym.coq.statement import Theorem, term, variable
+from tresym.coq.statement import Theorem, formula, term, variable
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -100,7 +100,7 @@ def _reduced(way: Reduction, depth: int) -> Iterator[str]:
         lines = ["intros; saturate.", way.before] if way.before else ["intros; saturate."]
         for n, (step, proof) in enumerate(zip(way.steps, proofs, strict=True), 1):
             only = f"{way.only[n - 1]} -> " if way.only else ""
-            lines.append(f"assert (step{depth}_{n} : {only}{step.says}).\n{{ {proof} }}")
+            lines.append(f"assert (step{depth}_{n} : {only}{formula(step.says)}).\n{{ {proof} }}")
         yield "\n".join([*lines, way.after.replace("step_", f"step{depth}_")])
 
 
