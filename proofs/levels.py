@@ -16,6 +16,7 @@ With what the file before shows of the motion once it has turned:
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -23,7 +24,6 @@ from tresym.proofs.conditions import shape
 from tresym.proofs.euler_angles import shape_and_depth
 from tresym.proofs.flip_dynamics import precession_integrand
 from tresym.proofs.numbers_in_text import (
-    changing_sign,
     lower_exact,
     upper_exact_value,
 )
@@ -193,6 +193,16 @@ decrease_of_bodies = Claim(
 
 LONG = fmpq(10), fmpq(1, 2)
 """A shape of no rigid body, whose motions turn several times."""
+
+
+NEAR = arb("1e-20")
+"""How near to what is found its change of sign is looked for."""
+
+
+def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
+    """A ball about ``near`` at whose ends ``excess`` has opposite signs: found in whatever way."""
+    low, high = (near.mid() - NEAR).mid(), (near.mid() + NEAR).mid()
+    return low.union(high) if excess(low) * excess(high) < 0 else arb.nan()
 
 
 @cache

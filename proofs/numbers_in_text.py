@@ -157,16 +157,6 @@ d27 = number(
 # -- the levels at which the tolerance is reached -------------------------------------------------
 
 
-NEAR = arb("1e-20")
-"""How near to what is found its change of sign is looked for."""
-
-
-def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
-    """A ball about ``near`` at whose ends ``excess`` has opposite signs: found in whatever way."""
-    low, high = (near.mid() - NEAR).mid(), (near.mid() + NEAR).mid()
-    return low.union(high) if excess(low) * excess(high) < 0 else arb.nan()
-
-
 _UPPER = (*STR, equal(epsilon, -pi / 12))
 _LOWER = (*inputs(I1=1210, I2=16380, I3=17480), equal(epsilon, pi / 12))
 

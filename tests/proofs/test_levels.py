@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 from tresym.proofs import levels
-from tresym.proofs.numbers_in_text import NEAR, changing_sign
+from tresym.proofs.levels import NEAR, changing_sign
 
 from tresym.racket.flip.defect import defect_on
 from tresym.racket.motion.orbit import exact_level

@@ -316,18 +316,26 @@ def _judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
     root = claim.statement
     if not isinstance(root, ExactlyOne) or root.difference is None:
         return Finding(UNDECIDED, "the statement is not that an equation has exactly one root")
-    if root.variable in root.low.free_symbols | root.high.free_symbols:
-        return Finding(UNDECIDED, f"{root.variable} is bound, and the ends depend on it")
-    if not _possible(claim):
-        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
-    if any(root.variable.name in defined(used) for used in claim.uses):
-        return Finding(UNDECIDED, f"{root.variable} is bound, and is defined in what is used")
+    why = _ill_bound(claim, root)
+    if why is not None:
+        return Finding(UNDECIDED, why)
     stated = root.variable, root.difference, root.low, root.high
     finding = _one_root(proof, stated, conditions(claim.given))
     if finding.verdict is PROVED:
         return finding
     none = rootless(root.difference, root.variable, (root.low, root.high), claim.given)
     return Finding(REFUTED, none.why, witness=none.point, steps=finding.steps) if none else finding
+
+
+def _ill_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> str | None:
+    """Why a statement on roots is none: its variable is no name of its own, or nothing is given."""
+    if says.variable in says.low.free_symbols | says.high.free_symbols:
+        return f"{says.variable} is bound, and the ends depend on it"
+    if not _possible(claim):
+        return "no exact point is found that satisfies the conditions"
+    if any(says.variable.name in defined(used) for used in claim.uses):
+        return f"{says.variable} is bound, and is defined in what is used"
+    return None
 
 
 def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -> Finding:
@@ -362,14 +370,11 @@ def _judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
     says = claim.statement
     if not isinstance(says, AtMostOne) or says.difference is None:
         return Finding(UNDECIDED, "the evidence is for an equation with one root at most")
-    if says.variable in says.low.free_symbols | says.high.free_symbols:
-        return Finding(UNDECIDED, f"{says.variable} is bound, and the ends depend on it")
-    if not _possible(claim):
-        return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
+    why = _ill_bound(claim, says)
+    if why is not None:
+        return Finding(UNDECIDED, why)
     v, low, high, difference = map(tree, (*says.args[:3], says.difference))
     name = says.variable.name
-    if any(name in defined(used) for used in claim.uses):
-        return Finding(UNDECIDED, f"{name} is bound, and is defined in what is used")
     given = without(name, conditions(claim.given))
     inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
     try:

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tresym.reals.language.expression import FUNCTIONS, apply, number, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
-from tresym.reals.places.values import evaluate, undefined_parts
+from tresym.reals.places.values import evaluate, stands, undefined_parts
 
 small = st.fractions(-3, 3, max_denominator=50)
 
@@ -146,3 +146,16 @@ def test_a_long_number_is_contained() -> None:
     third = number(Fraction(10**40 + 1, 3 * 10**40))
     with ball_precision(30):
         assert (evaluate(third, {}) * 3 * 10**40).contains(10**40 + 1)
+
+
+@pytest.mark.parametrize("relation", [">", ">=", "<", "<=", "!=", "=="])
+def test_what_has_no_value_or_reaches_0_stands_in_no_strict_relation(relation: str) -> None:
+    assert not stands(arb.nan(), relation)
+    assert not stands(arb(0, 1), relation)
+    assert stands(arb(0), relation) is ("=" in relation and relation != "!=")
+    assert stands(arb(1), relation) is (relation in (">", ">=", "!="))
+    assert stands(arb(-1), relation) is (relation in ("<", "<=", "!="))
+
+
+def test_infinity_is_no_value_that_differs_from_0() -> None:
+    assert not stands(arb("inf"), "!=")

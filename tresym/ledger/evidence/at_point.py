@@ -11,8 +11,7 @@ from tresym.ledger.definitions import Entry, table
 from tresym.ledger.meaning import conditions, tree
 from tresym.ledger.statements import ExactlyOne
 from tresym.reals.language.expression import symbols
-from tresym.reals.language.formula import Relation
-from tresym.reals.places.values import evaluate
+from tresym.reals.places.values import evaluate, stands
 
 Values = dict[str, arb]
 
@@ -31,7 +30,8 @@ def values_at(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> Values:
         if not ready:
             break
         for entry in ready:
-            if all(_holds(c, known) for c in conditions(entry.claim.given)):
+            given = conditions(entry.claim.given)
+            if all(stands(evaluate(c.left - c.right, known), c.sign) for c in given):
                 name = str(entry.symbol.args[0])
                 value = _root(entry, known) if not entry.explicit else None
                 known[name] = evaluate(entry.meaning, known) if value is None else value
@@ -43,19 +43,6 @@ def _asked(entry: Entry) -> frozenset[str]:
     own = {f"[{entry.symbol.args[0]}]"}
     asked = (symbols(side) for c in conditions(entry.claim.given) for side in (c.left, c.right))
     return (symbols(entry.meaning) - own).union(*asked)
-
-
-def _holds(condition: Relation, known: Values) -> bool:
-    room = evaluate(condition.left - condition.right, known)
-    return bool(
-        {
-            ">": room > 0,
-            ">=": room >= 0,
-            "<": room < 0,
-            "<=": room <= 0,
-            "!=": not room.contains(0),
-        }[condition.sign]
-    )
 
 
 def _root(entry: Entry, known: Values) -> arb:

@@ -20,7 +20,7 @@ from tresym.ledger.statements import Under
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
-from tresym.reals.places.values import evaluate
+from tresym.reals.places.values import evaluate, stands
 from tresym.reals.verdict import Verdict
 
 BITS = 256, 2048
@@ -95,17 +95,7 @@ def _all_hold(conditions: tuple[Basic, ...], point: Values) -> bool:
 
 def _holds_at(relation: Basic, point: Values) -> bool:
     """Whether balls show that a relation holds at ``point``; an equation only where they are 0."""
-    difference = _difference_at(relation, point)
-    return bool(
-        {
-            ">": difference > 0,
-            ">=": difference >= 0,
-            "<": difference < 0,
-            "<=": difference <= 0,
-            "!=": not difference.contains(0),
-            "==": difference.is_zero(),
-        }[relation.rel_op]
-    )
+    return stands(_difference_at(relation, point), relation.rel_op)
 
 
 def _difference_at(relation: Basic, point: Values) -> arb:

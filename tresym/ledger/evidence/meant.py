@@ -36,6 +36,7 @@ from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.second_look import value
 from tresym.ledger.statements import As
 from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.places.values import stands
 
 BITS = 400
 CLOSE = arb("1e-6")
@@ -174,16 +175,7 @@ def _is_of_kind(proof: Boxes, orders: set[Basic], hot: bool) -> bool:
 def _met(condition: Basic, point: Mapping[Symbol, arb]) -> bool:
     if not isinstance(condition, Relational):
         return False
-    room = value(condition.lhs - condition.rhs, point)
-    return bool(
-        {
-            ">": room > 0,
-            ">=": room >= 0,
-            "<": room < 0,
-            "<=": room <= 0,
-            "!=": not room.contains(0),
-        }[condition.rel_op]
-    )
+    return stands(value(condition.lhs - condition.rhs, point), condition.rel_op)
 
 
 def _is_bounded(proof: Boxes, at: tuple[arb, ...], remainder: arb) -> bool:

@@ -11,7 +11,7 @@ for is shown at the inputs, or the term has no value there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import cast
@@ -39,7 +39,7 @@ from tresym.reals.language.formula import Relation, names
 from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import InputError, Interval, decimal_ball, printed
 from tresym.reals.places.unworked import At, value
-from tresym.reals.places.values import UndefinedError
+from tresym.reals.places.values import UndefinedError, stands
 from tresym.reals.verdict import Verdict
 
 DIGITS = 50
@@ -113,20 +113,11 @@ class Place(dict[str, arb]):
 
     def meets(self, given: Conditions) -> bool:
         """Whether balls show the conditions."""
-        return all(SHOWN[c.sign](self.value(c.left - c.right)) for c in given)
+        return all(stands(self.value(c.left - c.right), c.sign) for c in given)
 
     def _is_one(self, node: Expr, at: At) -> bool:
         rule = self.roots.get(ordered(node))
         return rule is not None and self.meets(rule.given)
-
-
-SHOWN: dict[str, Callable[[arb], bool]] = {
-    ">": lambda x: bool(x > 0),
-    ">=": lambda x: bool(x >= 0),
-    "<": lambda x: bool(x < 0),
-    "<=": lambda x: bool(x <= 0),
-    "!=": lambda x: x.is_finite() and not x.contains(0),
-}
 
 
 def number_of(claim: Claim) -> Number:

@@ -83,6 +83,20 @@ def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | 
         return _NAN
 
 
+def stands(difference: arb, relation: str) -> bool:
+    """Whether a ball shows that what it holds stands in ``relation`` to zero."""
+    return bool(
+        {
+            ">": difference > 0,
+            ">=": difference >= 0,
+            "<": difference < 0,
+            "<=": difference <= 0,
+            "!=": difference.is_finite() and not difference.contains(0),
+            "==": difference.is_zero(),
+        }[relation]
+    )
+
+
 def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]) -> set[Expr]:
     """The innermost parts that have no real value at ``point``, or none that the balls show."""
     found: set[Expr] = set()
