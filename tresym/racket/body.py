@@ -38,6 +38,8 @@ def shape(a: Exact, b: Exact) -> Shape:
         InputError: unless a > 0 and 0 < b ≤ 1; b = 0 is told apart as the symmetric top.
     """
     p, q = as_rational(a, "shape parameter a"), as_rational(b, "shape parameter b")
+    if p.p > 0 and 0 < q.p <= q.q:  # as integers, which are compared at a third of the cost
+        return Shape(p, q)
     if p < 0:
         raise InputError("shape parameter a: must be positive (a = I2/I1 - 1 with I1 < I2)")
     if p == 0:
@@ -50,9 +52,7 @@ def shape(a: Exact, b: Exact) -> Shape:
             "shape parameter b: 0 is a symmetric top (I2 = I3), whose separatrix is all "
             "equilibria: no isolated root, the defect tends to pi/2 as b -> 0; b must be in (0, 1]"
         )
-    if q < 0 or q > 1:
-        raise InputError("shape parameter b: must be in (0, 1] (b = 1 - I2/I3 with I2 < I3)")
-    return Shape(p, q)
+    raise InputError("shape parameter b: must be in (0, 1] (b = 1 - I2/I3 with I2 < I3)")
 
 
 class Body:
