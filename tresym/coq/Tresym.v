@@ -402,10 +402,16 @@ Proof.
   rewrite pow_mult; apply pow_le, pow2_ge_0.
 Qed.
 
+Lemma even_above x n : Nat.even n = true -> x <> 0 -> 0 < x ^ n.
+Proof.
+  intros E H; destruct (even_power x n E) as [P|P]; [exact P |].
+  now elim (pow_nonzero x n H).
+Qed.
+
 (* Positivity by structure. *)
 Ltac positive :=
   lazymatch goal with
-  | |- 0 < _ * _ => apply Rmult_lt_0_compat; positive
+  | |- 0 < _ * _ => first [assumption | apply Rmult_lt_0_compat; positive]
   | |- 0 < / _ => apply Rinv_0_lt_compat; positive
   | |- 0 < _ / _ => apply Rdiv_lt_0_compat; positive
   | |- 0 < exp _ => apply exp_pos
@@ -413,7 +419,8 @@ Ltac positive :=
   | |- 0 < sqrt _ => apply sqrt_lt_R0; positive
   | |- 0 < root _ _ => apply root_lt; positive
   | |- 0 < PI => exact PI_RGT_0
-  | |- 0 < _ ^ _ => apply pow_lt; positive
+  | |- 0 < _ ^ _ =>
+      first [assumption | apply even_above; [reflexivity | assumption] | apply pow_lt; positive]
   | |- 0 < _ => solve [assumption | lra | sum]
   | |- 0 <= _ * _ => first [assumption | lra | apply Rmult_le_pos; positive]
   | |- 0 <= / _ => left; positive
@@ -471,7 +478,7 @@ Ltac tidy :=
 (* Sums of angles and of exponents. *)
 Ltac angles :=
   repeat first [rewrite sin_plus | rewrite cos_plus];
-  rewrite ?sin_neg, ?cos_neg, ?sin_0, ?cos_0; ring.
+  rewrite ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0; ring.
 Ltac exponents :=
   rewrite ?exp_plus, ?exp_Ropp, ?exp_0; field; repeat split; apply Rgt_not_eq, exp_pos.
 Lemma sin_square x : sin x ^ 2 = 1 - cos x ^ 2.
