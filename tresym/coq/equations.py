@@ -183,6 +183,9 @@ class Script:
                 if e.op in ("asin", "acos", "asinh"):
                     self.written_roots(e)
         self.equations()
+        for e, relation in t.defined:
+            if relation == "!=" and e.op == "+" and self.positive(e):
+                self.add(f"try (assert (0 < {term(e)}) by (first [positive | facts; nra])).")
         self.add("laws.")
         self.prepared(parts)
         for line in self.after:
@@ -229,8 +232,7 @@ class Script:
     def prepared(self, parts: Iterable[Expr]) -> None:
         """Facts and names for everything in the parts."""
         self.tops(self.theorem)
-        whole = [unfolded(e) for e in parts]
-        whole = self.logarithms(whole)
+        whole = self.logarithms(self.signs([unfolded(e) for e in parts]))
         every = nodes(whole)
         every.sort(key=lambda e: (-e.size, str(e)))
         self.roots([e for e in every if is_root(e)])
@@ -250,6 +252,16 @@ class Script:
                 self.opaque(e)
         if self.names:
             self.add(f"clearbody {' '.join(dict.fromkeys(self.names))}.")
+
+    def signs(self, whole: list[Expr]) -> list[Expr]:
+        """Signs that the premises show put in."""
+        for e in nodes(whole):
+            found = sign(e.args[0], self.known) if e.op == "sign" else None
+            if found in ("+", "-"):
+                law, value = ("sign_pos", 1) if found == "+" else ("sign_neg", -1)
+                self.add(f"try rewrite ({law} {term(e.args[0], 3)}) in * by first [side | nra].")
+                whole = [exchanged(part, {e: number(value)}) for part in whole]
+        return whole
 
     def positive(self, e: Expr) -> bool:
         """Whether the premises show ``e > 0``."""

@@ -12,8 +12,10 @@ from collections.abc import Iterator
 
 from tresym.coq.equations import irreducible, nodes, quotient, unfolded
 from tresym.coq.linear import as_expression, expanded, without_squares
+from tresym.coq.reductions import known
 from tresym.coq.statement import Theorem, term
 from tresym.reals.language.expression import Expr, add, multiply, number
+from tresym.reals.signs.sign import sign
 
 MAX_ANGLES = 3
 
@@ -47,30 +49,30 @@ def manifest_proofs(theorem: Theorem) -> Iterator[str]:
 
 
 def premise_lines(theorem: Theorem, d: Expr) -> list[str]:
-    """That sums which contain a premise are not negative, the smallest first."""
-    known = []
+    """The signs of sums that contain a premise or are seen to have one, the smallest first."""
+    given, premises = known(theorem), []
     for x, relation, y in theorem.given:
         if relation in (">", ">=", "<", "<="):
             e = x - y if relation in (">", ">=") else y - x
             if e.op == "+":
-                known.append(e)
+                premises.append(e)
     lines: list[str] = []
     for e in sorted({e for e in nodes([d]) if e.op == "+"}, key=lambda e: (e.size, str(e))):
         left = Counter(e.args)
         used = []
-        for premise in known:
+        for premise in premises:
             own = Counter(premise.args)
             if own <= left:
                 left -= own
                 used.append(premise)
-        if not used or not left:
-            continue
-        rest = [*used, *left.elements()]
-        whole = " + ".join(term(part, 2) for part in rest)
-        lines.append(
-            f"try (assert (0 <= {term(e)}) by (replace ({term(e)}) with ({whole}) by ring; "
-            "first [positive | nra]))."
-        )
+        if used and left:
+            whole = " + ".join(term(part, 2) for part in (*used, *left.elements()))
+            lines.append(
+                f"try (assert (0 <= {term(e)}) by (replace ({term(e)}) with ({whole}) by ring; "
+                "first [positive | nra]))."
+            )
+        elif not used and (order := {"+": "<", ">=0": "<="}.get(sign(e, given) or "")):
+            lines.append(f"try (assert (0 {order} {term(e)}) by (first [positive | facts; nra])).")
     return lines
 
 

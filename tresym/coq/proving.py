@@ -121,9 +121,11 @@ class _Planner:
         counts = (len(whole.definitions), len(whole.given), len(whole.defined))
         for letter, count in zip("DGN", counts, strict=True):
             names += [f"{letter}_{n + 1}" for n in range(count)]
-        for n, (asked, _) in enumerate(whole.definitions, 1):
-            if asked:
-                self.head.append(f"pose proof (D_{n}{' ltac:(give)' * len(asked)}).")
+        cases = [
+            f"try pose proof (D_{n}{' ltac:(give)' * len(asked)})."
+            for n, (asked, _) in enumerate(whole.definitions, 1)
+            if asked
+        ]
         if isinstance(proof, Together):
             assert isinstance(whole.says, Conjunction)
             pairs = zip(whole.says.parts, proof.chains, strict=True)
@@ -131,7 +133,7 @@ class _Planner:
         else:
             body = self.shown(whole.says, proof if isinstance(proof, tuple) else ())
         first = [f"intros {' '.join(names)}."] if names else []
-        text = "\n".join([*first, *self.head, body])
+        text = "\n".join([*first, *cases, *self.head, *cases, body])
         return Plan(tuple(self.lemmas), text, tuple(self.uses))
 
     def shown(self, says: Formula, chain: Chain, entry: int = 0) -> str:
@@ -207,7 +209,8 @@ class _Planner:
         """A relation without integrals and derivatives."""
         if not elementary(put_at(says.left), put_at(says.right)):
             says = Relation(worked_out(says.left), says.sign, worked_out(says.right))
-            return f"change ({formula(says)}).\n" + self.bare(says, chain, entry)
+            text = self.bare(says, chain, entry)
+            return f"enough (W : {formula(says)}) by (worked_out W).\n{text}"
         if self.steps and chain:
             return self.chain(says, chain, entry)
         return self.applied(self.lemma(says))
@@ -496,7 +499,7 @@ def candidates(lemma: Theorem) -> Iterator[str]:
     rewritten = {
         x: y
         for x, relation, y in lemma.given
-        if relation == "==" and x.op in FUNCTIONS and x not in nodes([y])
+        if relation == "==" and (x.op in FUNCTIONS or x.op == "^") and x not in nodes([y])
     }
     if rewritten and lemma.by is None:
         lines = "".join(
@@ -504,7 +507,7 @@ def candidates(lemma: Theorem) -> Iterator[str]:
             for e in rewritten
         )
         kept = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
-        for proof in islice(candidates(_put_in(kept, rewritten)), 2):
+        for proof in islice(candidates(_put_in(kept, rewritten)), 4):
             yield f"intros.{lines} {proof}"
     found = proofs(lemma)
     if not isinstance(lemma.says, Relation) or lemma.by is not None:
