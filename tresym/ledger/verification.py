@@ -96,7 +96,7 @@ def verify(
             processes that keep dying.
     """
     asked, workers = _labels(labels), checked_workers(workers)
-    claims = paper.all_claims()
+    claims = paper.all_claims(asked)
     _need_coherent(claims)
     chosen, requested = _choose(claims, asked)
     found: dict[str, Finding] = {}
@@ -121,12 +121,15 @@ def _labels(asked: Any) -> tuple[str, ...]:
 
 
 def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | None]:
-    """What each claim's own evidence comes to, looked at in ``workers`` processes."""
+    """What each claim's own evidence comes to, looked at in ``workers`` processes.
+
+    They are copies of this one, in which all claims are at hand.
+    """
     batches = [claims[n : n + BATCH] for n in range(0, len(claims), BATCH)]
     if workers == 1 or len(batches) == 1:
         yield from (None for _ in claims)
         return
-    with Processes(min(workers, len(batches))) as processes:
+    with Processes(min(workers, len(batches)), forked=True) as processes:
         asked = [tuple(claim.label for claim in batch) for batch in batches]
         for future in [processes.submit(_evidence_of, a, searching_anew()) for a in asked]:
             try:
@@ -137,7 +140,7 @@ def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | Non
 
 def _evidence_of(labels: tuple[str, ...], anew: bool) -> list[Finding | None]:
     """In a process of its own: the evidence of the claims with these labels."""
-    known = {claim.label: claim for claim in paper.all_claims()}
+    known = {claim.label: claim for claim in paper.all_claims(labels)}
     with finding_anew() if anew else nullcontext():
         return [judge_evidence(known[label]) for label in labels]
 
@@ -204,7 +207,7 @@ def _need_coherent(claims: tuple[Claim, ...]) -> None:
 
 def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
     """The claims named by ``labels`` with all that they rest on, foundations first."""
-    return _choose(paper.all_claims(), labels)[0]
+    return _choose(paper.all_claims(labels), labels)[0]
 
 
 def _choose(
