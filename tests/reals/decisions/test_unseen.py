@@ -12,3 +12,8 @@ PART = 15
 @pytest.mark.parametrize(("truth", "claim"), claims("orders")[::PART])
 def test_orders(truth: bool, claim: str) -> None:
     assert is_right(truth, tresym.check(claim))
+
+
+@pytest.mark.parametrize(("truth", "claim"), claims("angles")[::PART])
+def test_angles(truth: bool, claim: str) -> None:
+    assert is_right(truth, tresym.check(claim))

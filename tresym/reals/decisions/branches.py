@@ -15,7 +15,7 @@ from flint import fmpq
 from tresym.reals.language.cancellation import collected, scaled
 from tresym.reals.language.expression import PI, ZERO, Expr, apply, number, symbols
 from tresym.reals.places.conditions import Given
-from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.inside import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 
 THEORIES = frozenset({"trigonometry", "inverses"})
@@ -57,5 +57,8 @@ def _holds(e: Expr, relation: str, given: Given) -> bool:
     if not all(sign(end, Given()) in PROVING[">"] for end in (at - low, high - at)):
         return False
     rises = (scale > 0) is (inverse.op != "acos")
-    inside = inverse.args[0] - apply(function, at)
-    return sign(inside if rises else -inside, given, relation, dear=False) in PROVING[relation]
+    inside = (inverse.args[0] - apply(function, at)) * (1 if rises else -1)
+    conditions = (c for c in given.conditions if c.relation in (">", relation))
+    if any(is_zero(inside - c.expression, given) for c in conditions):
+        return True
+    return sign(inside, given, relation, dear=False) in PROVING[relation]
