@@ -23,6 +23,7 @@ COMMANDS = (
     "flip",
     "check",
     "export",
+    "paper",
     "audit",
     "bench",
     "sweep",
