@@ -27,6 +27,7 @@ COMMANDS = (
     "flip",
     "check",
     "export",
+    "paper",
     "audit",
     "bench",
     "sweep",
@@ -35,7 +36,8 @@ COMMANDS = (
 )
 """In the order of the help; only the file of the one that is asked for is loaded."""
 
-INPUTS, OUTPUTS = ("file", "source", "paper", "csv"), ("path", "coq", "export")
+INPUTS = ("file", "source", "paper", "csv", "manuscript")
+OUTPUTS = ("path", "coq", "export")
 """Arguments, of any command, that name a file to read, and one to write."""
 
 _OPTION = re.compile(r"-[hof]|--")
