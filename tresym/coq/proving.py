@@ -17,6 +17,7 @@ from flint import fmpq
 
 from tresym.coq.equations import exchanged, nodes
 from tresym.coq.formulas import defined, inside, put_at, values_of
+from tresym.coq.inequalities import QUICK
 from tresym.coq.ledger import Joint, free, name_of, read, relations, stem, theorem_of
 from tresym.coq.manifest import manifest_proofs
 from tresym.coq.search import proofs
@@ -509,13 +510,10 @@ def candidates(lemma: Theorem) -> Iterator[str]:
         kept = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
         for proof in islice(candidates(_put_in(kept, rewritten)), 4):
             yield f"intros.{lines} {proof}"
-    found = proofs(lemma)
-    if not isinstance(lemma.says, Relation) or lemma.by is not None:
-        yield from found
-        return
-    yield from islice(found, 1)
-    yield from islice(manifest_proofs(lemma), 4)
-    yield from found
+    if lemma.relation != "==":
+        yield QUICK
+        yield from islice(manifest_proofs(lemma), 4)
+    yield from proofs(lemma)
 
 
 def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
