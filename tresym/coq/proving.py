@@ -13,13 +13,12 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
 
-from flint import fmpq
-
 from tresym.coq.equations import exchanged, nodes
 from tresym.coq.formulas import defined, inside, put_at, values_of
 from tresym.coq.inequalities import QUICK
 from tresym.coq.ledger import Joint, free, name_of, read, relations, stem, theorem_of
 from tresym.coq.manifest import manifest_proofs
+from tresym.coq.points import point_proofs
 from tresym.coq.search import proofs
 from tresym.coq.statement import (
     FUNCTIONS,
@@ -31,18 +30,15 @@ from tresym.coq.statement import (
     term,
     variable,
 )
-from tresym.ledger.claim import Chain, Claim, Counterexample, Definition, Reason, Together
-from tresym.ledger.judge import judge_evidence
+from tresym.ledger.claim import Chain, Claim, Definition, Reason, Together
 from tresym.ledger.meaning import stage, tree
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import (
-    ONE,
     ZERO,
     Expr,
     apply,
     differentiate,
-    number,
     sqrt,
     symbol,
     symbols,
@@ -74,7 +70,7 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
             (), script, tuple(used.label for used in claim.rests_on if stem(used.label) in found)
         )
     if whole.exists:
-        yield from at_point(claim, whole)
+        yield from (Plan((), script) for script in point_proofs(claim, whole))
     else:
         for steps in (False, True):
             try:
@@ -464,29 +460,6 @@ def _split(scripts: list[str]) -> str:
 def _transitive(names: list[str]) -> str:
     first, *rest = names
     return f"(eq_trans {first} {_transitive(rest)})" if rest else first
-
-
-def at_point(claim: Claim, whole: Theorem) -> Iterator[Plan]:
-    """The witness of what is refuted; what is defined has its value there."""
-    point = witness(claim)
-    if point is None:
-        return
-    values = {symbol(name): number(x) for name, x in point.items()}
-    for _, meaning in whole.definitions:
-        if meaning.left.op == "symbol" and elementary(meaning.right):
-            values.setdefault(meaning.left, exchanged(meaning.right, values))
-    texts = [f"({term(values.get(symbol(name), ONE))})" for name in whole.variables]
-    there = f"exists {', '.join(texts)}. " if texts else ""
-    for first in ("", "laws; unfold root, acosh, atanh in *; "):
-        yield Plan((), f"{there}repeat split; {first}first [reflexivity | numeric].")
-
-
-def witness(claim: Claim) -> dict[str, fmpq] | None:
-    """The exact point at which the claim fails."""
-    if isinstance(claim.proof, Counterexample):
-        return dict(claim.proof.point)
-    found = judge_evidence(claim)
-    return dict(found.witness) if found and found.witness else None
 
 
 def candidates(lemma: Theorem) -> Iterator[str]:
