@@ -1385,3 +1385,5 @@ Qed.
 Ltac inverse_sines := repeat match goal with
   | |- context [asin ?u] => rewrite (asin_by_atan u) by (split; interval with (i_prec 90))
   end.
+(* The premises as the arithmetic of intervals takes them. *)
+Ltac weakly := repeat match goal with H : _ < _ |- _ => apply Rlt_le in H end.
