@@ -54,7 +54,7 @@ def looks() -> Iterator[None]:
     try:
         import matplotlib
     except ModuleNotFoundError:
-        raise InputError("figure: needs matplotlib (pip install 'tresym[docs]')") from None
+        raise InputError("figure: needs matplotlib (pip install -e '.[docs]')") from None
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_LOOKS)
