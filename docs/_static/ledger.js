@@ -5,9 +5,17 @@ const GREEK = {
   κ: "kappa", λ: "lambda", μ: "mu", π: "pi", σ: "sigma", τ: "tau", φ: "phi", ϕ: "phi", χ: "chi",
   ψ: "psi", ω: "omega",
 };
-// One spelling for what people type in several: case, accents, subscripts, Greek letters by name.
+// One spelling for what people type in several: case, accents, subscripts, Greek letters by name,
+// each name with a space before it, since epsilon is not to be found by psi.
 const folded = (text) => [...text.toLowerCase().normalize("NFKD").replace(/[\u0300-\u036f]/g, "")]
-  .map((letter) => GREEK[letter] ?? letter).join("").replaceAll("−", "-");
+  .map((letter) => (letter in GREEK ? ` ${GREEK[letter]}` : letter)).join("").replaceAll("−", "-");
+// Whether a word of the text begins so.
+const begins = (text, word) => {
+  for (let at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1)) {
+    if (!/[a-z]/.test(text[at - 1] ?? "") || !/[a-z]/.test(word[0])) return true;
+  }
+  return false;
+};
 
 function filterLedger(parts) {
   const place = Object.assign(document.createElement("div"), { className: "ledger-filter" });
@@ -56,7 +64,7 @@ function filterLedger(parts) {
     const asked = GROUPS.map((group) => group.filter((name) => names.includes(name)));
     let left = 0;
     entries.forEach((entry, n) => {
-      entry.hidden = !words.every((word) => texts[n].includes(word))
+      entry.hidden = !words.every((word) => begins(texts[n], word))
         || asked.some((group) => group.length && !group.some((name) => kinds[n].has(name)));
       left += !entry.hidden;
     });
