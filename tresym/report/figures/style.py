@@ -27,6 +27,8 @@ _LOOKS = {
     "svg.fonttype": "path",
     "pdf.fonttype": 42,
     "path.simplify": True,
+    "text.hinting": "none",  # letters as wide as they are drawn, so that none is cut off
+    "text.hinting_factor": 1,
     "font.family": "DejaVu Sans",
     "font.size": 9,
     "axes.titlesize": 9,
