@@ -41,7 +41,7 @@ def test_a_part_that_binds_the_variable_is_no_integrand() -> None:
         of_x(inner)
 
 
-HOLOMORPHIC = ("x**2", "x**(-3)", "sqrt(x)", "x**(5/3)", "x**pi", "log(x)", "pi*x + 1/2")
+HOLOMORPHIC = ("x**2", "x**(-3)", "sqrt(x)", "x**(5/3)", "x**pi", "log(x)", "pi*x + 1/2", "abs(x)")
 
 
 @pytest.mark.parametrize("text", [*HOLOMORPHIC, *(f"{name}(x)" for name in sorted(MEROMORPHIC))])
@@ -57,13 +57,13 @@ def test_in_the_complex_numbers_it_is_the_same_function(text: str) -> None:
             assert not turned.imag.is_zero() or text == "cos(x)"
 
 
-@pytest.mark.parametrize("name", sorted(FUNCTIONS - MEROMORPHIC - {"log"}))
+@pytest.mark.parametrize("name", sorted(FUNCTIONS - MEROMORPHIC - {"abs", "log"}))
 def test_what_is_not_holomorphic_everywhere_is_not_taken_for_it(name: str) -> None:
     x = symbol("x")
     assert not of_x(apply(name, x)).holomorphic(acb(fmpq(3, 2))).is_finite()
 
 
-@pytest.mark.parametrize("text", ["sqrt(x)", "x**(1/3)", "log(x)", "x**pi", "1/x"])
+@pytest.mark.parametrize("text", ["sqrt(x)", "x**(1/3)", "log(x)", "x**pi", "1/x", "abs(x)"])
 def test_a_ball_on_a_cut_has_no_holomorphic_value(text: str) -> None:
     wide = acb(arb(0, 1), arb(0, 1))
     assert not of_x(parse(text)).holomorphic(wide).is_finite()

@@ -125,4 +125,6 @@ def _power(z: acb, r: fmpq) -> acb:
 def _holomorphic(name: str, *values: Any) -> acb:
     if name == "log":
         return acb(values[0]).log(analytic=True)
+    if name == "abs":
+        return acb(values[0]).real_abs(analytic=True)
     return getattr(values[0], name)() if name in MEROMORPHIC else acb(arb.nan())
