@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 FLOORS = (
     ("reals",),
     ("racket", "output", "ledger"),
-    ("sweep", "proofs", "coq"),
+    ("sweep", "proofs", "coq", "manuscript"),
     ("report", "bench"),
     ("commands",),
     ("site", "__main__"),
@@ -30,7 +30,7 @@ INSIDE = {
         ("language", "processes"),
         ("places", "corpus", "advocate"),
         ("normal",),
-        ("signs", "balls"),
+        ("signs", "balls", "growth"),
         ("decisions",),
     ),
     "racket": (

@@ -35,6 +35,7 @@ from tresym.reals.verdict import Verdict
 Function = Callable[[Any, Any], Any]
 
 KINDS = ("O", "o", "~", "<=")
+MOST_HALVINGS = 16
 ORIGIN = fmpq(0)
 ONE = fmpq(1)
 
@@ -127,6 +128,7 @@ class Judgement:
         constant: for O a ball around the supremum of |function/gauge| on the range; C for <=.
         upto: the range of the small parameter on which the constant holds; None for all.
         points: for REFUTED, a parameter on the path at which the ratio was found.
+        real: whether both functions are shown to be real on the range, by no point of it.
     """
 
     verdict: Verdict
@@ -135,6 +137,7 @@ class Judgement:
     constant: arb | None = None
     upto: fmpq | None = None
     points: dict[str, fmpq] = field(default_factory=dict)
+    real: bool = False
 
 
 @dataclass(frozen=True)
@@ -155,11 +158,13 @@ class _Expansion:
         return Size(germ.leading, power, exponent, self.logarithmic)
 
 
-def judge_order(statement: Order, precision: int = WORKING) -> Judgement:
+def judge_order(
+    statement: Order, precision: int = WORKING, halvings: int = MOST_HALVINGS
+) -> Judgement:
     """Decide an order statement; UNDECIDED where the expansion or the boxes do not suffice."""
     judge = _at_most if statement.kind == "<=" else _compared
     with ball_precision(precision):
-        for expansion in _expansions(statement):
+        for expansion in _expansions(statement, halvings):
             try:
                 found = judge(statement, expansion)
             except UnresolvedError:
@@ -168,13 +173,13 @@ def judge_order(statement: Order, precision: int = WORKING) -> Judgement:
     return Judgement(Verdict.UNDECIDED)
 
 
-def _expansions(statement: Order) -> Iterator[_Expansion]:
+def _expansions(statement: Order, most: int = MOST_HALVINGS) -> Iterator[_Expansion]:
     """Expansions on shorter and shorter ranges, at two orders."""
     index, logarithmic = 1, False
     start = statement.upto or fmpq(1)
     for order in (8, 16):
         halvings = 0
-        while halvings < 16:
+        while halvings < most:
             if index == 1 and not logarithmic:
                 reach = own = start / 2**halvings
             else:

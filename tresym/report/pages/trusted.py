@@ -30,13 +30,14 @@ ENCLOSING = (
     "reals.balls",
     "reals.decisions.region",
     "reals.decisions.orders",
-    "reals.decisions.ratios",
+    "reals.decisions.growth",
+    "reals.growth",
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
     "ledger.evidence.asymptotics",
     *("ledger.evidence.balls", "ledger.evidence.charted"),
     "ledger.evidence.printed",
-    "reals.places.unworked",
+    *(f"reals.places.unworked.{name}" for name in ("bracketed", "value")),
     "ledger.evidence.meant._other_meaning",
 )
 """Rooms and files that no PROVED comes from."""
@@ -54,10 +55,10 @@ RECHECKED = {
     ),
     "a point to try counts once its conditions are shown there": (
         *("reals.places.points._sample", "reals.places.points.corners"),
-        *("reals.places.windows", "reals.places.descent"),
+        *("reals.places.windows", "reals.places.descent", "ledger.second_look.somewhere"),
     ),
     "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
-        *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
+        *("reals.normal.denested", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
         *("reals.places.unworked._found", "reals.places.unworked._change"),
         *("ledger.evidence.printed._find_inputs", "ledger.evidence.printed._between"),
