@@ -772,7 +772,7 @@ Ltac split_logs :=
   repeat first [rewrite ln_mult by first [assumption | positive] | rewrite ln_Rinv by first [assumption | positive]].
 Lemma factor_above x y : 0 < y -> 0 < x * y -> 0 < x.
 Proof. intros Y P; apply (Rmult_lt_reg_r y); [exact Y | now rewrite Rmult_0_l]. Qed.
-Ltac seen := first [assumption | lra | positive].
+Ltac plainly := first [assumption | lra | positive].
 (* An equation put into the goal and into the premises that are no equations. *)
 Ltac put E :=
   try rewrite E;

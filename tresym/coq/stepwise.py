@@ -220,14 +220,14 @@ class _Steps:
         """Whether Coq shows that ``e`` is above zero; it is among the premises then."""
         if e.op == "number":
             return bool(e.args[0] > 0)
-        return self.fact(f"0 {'<' if strict else '<='} {term(e)}", "seen", "in_numbers", "nra")
+        return self.fact(f"0 {'<' if strict else '<='} {term(e)}", "plainly", "in_numbers", "nra")
 
     def are_above(
         self, u: Expr, factors: list[tuple[Expr, int]], strict: bool = True
     ) -> Expr | None:
         """That factors of ``u`` are above zero; the first that is not shown to be."""
         left = [f for f, _ in factors if f.op != "number"]
-        for way in ("seen", "in_numbers", "rest", "nra"):
+        for way in ("plainly", "in_numbers", "rest", "nra"):
             for f in list(left):
                 proof = way
                 if way == "rest" and left == [f]:
