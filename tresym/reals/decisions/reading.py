@@ -330,12 +330,9 @@ def _without_ends(left: Expr, right: Expr) -> Comparison:
             rest.append(-term)
             continue
         (node, *others), name = nodes, str(nodes[0].args[1])
-        factors = [f for f in (term.args if term.op == "*" else (term,)) if f != node]
-        if (
-            others
-            or len(factors) == (term.op == "*") * len(term.args)
-            or name in symbols(multiply(*factors))
-        ):
+        parts = term.args if term.op == "*" else (term,)
+        factors = [part for part in parts if part != node]
+        if others or len(factors) != len(parts) - 1 or name in symbols(multiply(*factors)):
             raise InputError(_NOT_DECIDED["antiderivative"])
         names.add(name)
         known.append(multiply(*factors, instantiate(node.args[0], (node.args[1],))))
@@ -365,6 +362,8 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
             if not all(map(_is_valued, node.args)):
                 raise InputError("what is integrated or summed holds no derivative, limit or order")
             continue
+        if _is_slope_of_unknown(node):
+            continue
         if node.op == "at" and elementary(*node.args) and node.args[0].loose:
             continue
         fixed = place.op != "symbol" or bool(symbols(place) & symbols(node.args[0]))
@@ -375,6 +374,15 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
             function, times = instantiate(function.args[0], (place,)), times + 1
         yield from _derivatives(function, work)
         yield Derivative(work(function), place.args[0], times, work(node))
+
+
+def _is_slope_of_unknown(node: Expr) -> bool:
+    """Whether it is a derivative of a function left unknown, at some point."""
+    points = []
+    while node.op in ("derivative", "at"):
+        points += node.args[1:]
+        node = node.args[0]
+    return node.op == "unknown" and all(map(_is_valued, (*points, *node.args)))
 
 
 def _is_valued(e: Expr) -> bool:
