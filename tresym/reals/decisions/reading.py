@@ -378,7 +378,7 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
 
 def _is_slope_of_unknown(node: Expr) -> bool:
     """Whether it is a derivative of a function left unknown, at some point."""
-    points = []
+    points: list[Expr] = []
     while node.op in ("derivative", "at"):
         points += node.args[1:]
         node = node.args[0]

@@ -436,8 +436,8 @@ def parse_claim(text: str) -> list[Compared]:
         left, right = (as_written(side) for side in source.split("~"))
         return [(left, "~", right)]
     if source.count("->") == 1 and not re.search("[<=>]", source.replace("->", "")):
-        body, end = source.split("->")
-        return [(as_written(body), "->", INFINITE.get(end.replace(" ", "")) or as_written(end))]
+        start, end = source.split("->")
+        return [(as_written(start), "->", INFINITE.get(end.replace(" ", "")) or as_written(end))]
     source = _EQUALS.sub("==", source)
     body = tree(source)
     if not isinstance(body, ast.Compare):
