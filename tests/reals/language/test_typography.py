@@ -94,7 +94,7 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("at(diff(x**2, x), x, 3) == 6", "write the derivative out"),
         ("at(y, x, 3) == y", "put the point in"),
         ("limit(x, x, 0) + 1 == 1", "f -> L as x -> a"),
-        ("limit(x, x, y) == 1", "ends at a constant"),
+        ("limit(x, x, y) > 1", "stands alone on one side"),
         ("limit(x, x, 0) == 0 as x -> 0", "path in it"),
         ("x + O(x) + o(x) == 1", "right end"),
         ("x == x - O(x) as x -> 0", "right end"),

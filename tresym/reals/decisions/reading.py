@@ -412,8 +412,8 @@ def _path_of(chain: Relations) -> Path:
 def _ending(name: str, point: Expr, side: str) -> Path:
     if point in (INFINITY, -INFINITY):
         return Path(name, None, (1 if point == INFINITY else -1,))
-    if symbols(point) or not elementary(point):
-        raise InputError("a path ends at a constant or at oo")
+    if name in symbols(point) or not elementary(point):
+        raise InputError("a path ends at a constant, at a parameter or at oo")
     return Path(name, point, _SIDES[side])
 
 

@@ -12,10 +12,10 @@ from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP, exact_text
-from tresym.reals.decisions.reading import LIMIT, Comparison, Statement, read
+from tresym.reals.decisions.reading import Comparison, Statement, read
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import ONE, ZERO, Expr, symbols
-from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.language.expression import ZERO, Expr, symbols
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.jumps import cases_at_jumps, jumps, zeros
@@ -80,7 +80,9 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     if statement.equations or statement.integers or not elementary(left, right):
         return Answer(Verdict.UNDECIDED, "claims of this kind are read and not decided yet")
     if statement.path is not None:
-        return _tends(comparison, statement)
+        from tresym.reals.decisions.tending import decide_tending
+
+        return decide_tending(comparison, statement, _bounded)
     functions = comparison.differentiated, comparison.by
     if relation == "==":
         found = decide_equality(left, right, statement.given, *functions)
@@ -88,22 +90,6 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
             return refuted(found.why, found.witness, *found.values)
         return Answer(found.verdict, found.why)
     return _decide_inequality(left, relation, right, statement.given, *functions)
-
-
-def _tends(comparison: Comparison, statement: Statement) -> Answer:
-    from tresym.reals.decisions.orders import decide_order
-
-    path = statement.path
-    if path is None:
-        raise TypeError("an order claim is read with its path")
-    names = symbols(comparison.left) | symbols(comparison.right)
-    if comparison.relation == LIMIT and INFINITY.args[0] not in names:
-        comparison = replace(
-            comparison, left=comparison.left - comparison.right, relation="o", right=ONE
-        )
-    if comparison.relation not in ("O", "o", "~") or names - {path.name}:
-        return Answer(Verdict.UNDECIDED, "claims of this kind are read and not decided yet")
-    return decide_order(comparison, path)
 
 
 def _decide_inequality(
