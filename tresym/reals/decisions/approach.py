@@ -41,8 +41,9 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import singularities
 from tresym.reals.signs.defined import continuous_on, undefined
-from tresym.reals.signs.inside import is_zero
+from tresym.reals.signs.inside import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 
 T = symbol("_t")
@@ -153,11 +154,12 @@ class _Approach:
         return value
 
     def _by_continuity(self, e: Expr) -> Expr | None:
-        try:
-            value = substitute(e, {T.args[0]: ZERO})
-        except InputError:
-            return None
-        return value if continuous_on(value, self.given) is None else None
+        at = {T.args[0]: ZERO}
+        for part, positive in singularities(e):  # of e itself: 0**0 is 1 where it is put in
+            relation = ">" if positive else "!="
+            if sign(substitute(part, at), self.given, relation) not in PROVING[relation]:
+                return None
+        return substitute(e, at)
 
     def _sum(self, e: Expr) -> Expr | None:
         values = [self.limit(arg) for arg in e.args]

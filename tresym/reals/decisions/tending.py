@@ -49,7 +49,7 @@ PARAMETERS = 6
 """Values of the parameters at which a refutation is looked for."""
 SIMPLE = (*map(fmpq, (2, -1, 3, -2, 1, 5)), fmpq(1, 2), fmpq(-3, 2), fmpq(1, 3))
 MOST_TRIED = 500
-FAR = (1, 10, 1000, 10**6)
+FAR = (1, 10, 1000)
 """From where on an inequality is asked."""
 PERIODIC = 12
 PATH_BITS = 256
