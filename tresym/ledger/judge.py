@@ -51,6 +51,7 @@ from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_b
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
+from tresym.ledger.evidence.satisfied import satisfiable
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
 from tresym.ledger.meaning import (
     CircularError,
@@ -68,7 +69,6 @@ from tresym.ledger.reasons import citing
 from tresym.ledger.second_look import (
     contradiction,
     rootless,
-    satisfiable,
     scalars,
     violation,
 )

@@ -53,6 +53,8 @@ from tresym.reals.verdict import Verdict
 Conditions = tuple[Basic, ...]
 Rules = dict[Basic, Basic]
 Values = Mapping[Symbol, Any]
+Place = Mapping[Symbol, Interval]
+"""Exact values, or tiny segments."""
 Program = Callable[[Values, bool], Any]
 
 BITS, ROUGH = 128, 64
@@ -187,9 +189,18 @@ def rootless(
     return None
 
 
-def satisfiable(given: Conditions, known: tuple[Basic, ...]) -> bool:
-    """Whether a point is found under ``given`` where all of ``known`` holds."""
-    return bool(_points(_world(given, known), frozenset(), enough=1))
+def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple[Place, ...]]:
+    """Where ``given`` and ``known`` may hold: what is put in, and points or tiny segments.
+
+    What a condition speaks of is put in with derivatives of integrals by their ends carried out.
+    """
+    world, rules = _world(given, known), {}
+    spoken_of = _names(*given)
+    for left, right in world.rules:
+        done = _differentiated(right) if isinstance(right, Derivative) else right
+        rules[left] = right if left not in spoken_of or done.has(Integral) else done
+    wanted = _names(*rules.values()).difference(rules)
+    return rules, _points(world, wanted, enough=1)
 
 
 def excluded(difference: arb, relation: str) -> bool:

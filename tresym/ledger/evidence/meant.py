@@ -33,9 +33,10 @@ from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied
-from tresym.ledger.second_look import value
+from tresym.ledger.meaning import tree
 from tresym.ledger.statements import As
 from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.places.unworked import enclosed
 from tresym.reals.places.values import stands
 
 BITS = 400
@@ -143,7 +144,7 @@ def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
                 return "a symbol of the formula has no value where the evidence is"
             if not all(_met(condition.xreplace(names), point) for condition in claim.given):
                 return "the conditions do not hold where the evidence is"
-            remainder = value(plain.xreplace(names), point) / value(meant.gauge, point)
+            remainder = _at(plain.xreplace(names), point) / _at(meant.gauge, point)
             if not _is_bounded(proof, at, remainder):
                 return "the evidence is not about what the formula leaves out"
     return None if samples else "nothing says what the evidence has to do with the formula"
@@ -175,7 +176,11 @@ def _is_of_kind(proof: Boxes, orders: set[Basic], hot: bool) -> bool:
 def _met(condition: Basic, point: Mapping[Symbol, arb]) -> bool:
     if not isinstance(condition, Relational):
         return False
-    return stands(value(condition.lhs - condition.rhs, point), condition.rel_op)
+    return stands(_at(condition.lhs - condition.rhs, point), condition.rel_op)
+
+
+def _at(e: Basic, point: Mapping[Symbol, arb]) -> arb:
+    return enclosed(tree(e), {symbol.name: value for symbol, value in point.items()})
 
 
 def _is_bounded(proof: Boxes, at: tuple[arb, ...], remainder: arb) -> bool:

@@ -10,6 +10,7 @@ function at the two ends of a bracket, and its values inside, by which it has no
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from flint import acb, arb, ctx, fmpq
 
@@ -20,6 +21,7 @@ from tresym.reals.places.values import InBalls, UndefinedError, Walker
 At = Mapping[str, arb | fmpq]
 Unique = Callable[[Expr, At], bool]
 """Whether it is known that a node has one root at most, where the variables have these values."""
+Root = Callable[[Expr, "Enclosing"], arb]
 
 MEROMORPHIC = frozenset(
     (
@@ -40,23 +42,27 @@ WIDER = 8
 """How often a bracket is doubled."""
 
 
-class Enclosing(InBalls):
-    """Values in balls, those of integrals and roots among them; of nothing else that binds.
+def no_root(e: Expr, outer: Enclosing) -> arb:
+    """What is known of roots where nothing is asked of them."""
+    raise UndefinedError
 
-    Raises, as all values in balls do, where a value is not shown to exist: of a root, where no
-    change of sign is found, or nothing says that there is one root at most.
+
+class Enclosing(InBalls):
+    """Values in balls, those of integrals among them, and of roots; of nothing else that binds.
+
+    Raises, as all values in balls do, where a value is not shown to exist.
     """
 
-    def __init__(self, at: At, unique: Unique = lambda node, at: False) -> None:
-        """``at`` may work out what it is asked for."""
+    def __init__(self, at: At, root: Root = no_root) -> None:
+        """``at`` may work out what it is asked for; ``root`` finds and shows what a root is."""
         super().__init__(balls, at, {})
-        self.unique = unique
+        self.root = root
 
     def _computed(self, e: Expr) -> arb:
         if e.op == "integral":
             return self._integral(e)
         if e.op == "root":
-            return self._root(e)
+            return self.root(e, self)
         if e.names or e.op in ("O", "o"):
             raise UndefinedError
         if e.op == "*":
@@ -88,48 +94,24 @@ class Enclosing(InBalls):
 
         return acb.integral(integrand, low, high, eval_limit=EVALUATIONS).real
 
-    def _root(self, e: Expr) -> arb:
-        low, high = (self.value(end) for end in e.args[1:])
-        (name,), body = opened(e)
-        if not self.unique(e, self.at) or _jumps(body):
-            raise UndefinedError
-        middle = {n: self.value(symbol(n)).mid() for n in symbols(body) if n != name}
-        near, over = (_along(name, body, at, self.unique) for at in (middle, self.at))
-        x, slope = _found(near, low.mid(), high.mid())
-        width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
-        for _ in range(WIDER):
-            first, last = (x - width).mid(), (x + width).mid()
-            bracket = first.union(last)
-            signs = {side(over(first)), side(over(last))}
-            if signs == {1, -1} and low < first and last < high and over(bracket).is_finite():
-                return bracket
-            width *= 2
-        raise UndefinedError
+
+def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:
+    """A ball that contains ``e`` at ``at``, NaN where none is shown; roots as ``root`` says."""
+    try:
+        return Enclosing(at, root).value(e)
+    except UndefinedError:
+        return arb.nan()
 
 
 class _Inner(Enclosing):
     """Values where one more variable has a value, the others known from outside."""
 
     def __init__(self, outer: Enclosing, name: str, x: arb) -> None:
-        super().__init__({name: x}, outer.unique)
+        super().__init__({name: x}, outer.root)
         self.outer, self.name = outer, name
 
     def value(self, e: Expr) -> arb:
         return super().value(e) if self.name in symbols(e) else self.outer.value(e)
-
-
-def _along(name: str, body: Expr, at: At, unique: Unique) -> Callable[[arb], arb]:
-    """``body`` as a function of one variable, NaN where it is undefined."""
-    outers: dict[int, Enclosing] = {}
-
-    def function(x: arb) -> arb:
-        outer = outers.setdefault(ctx.prec, Enclosing(at, unique))  # what is known is so precise
-        try:
-            return _Inner(outer, name, x).value(body)
-        except UndefinedError:
-            return arb.nan()
-
-    return function
 
 
 class _Holomorphic(Walker):
@@ -156,12 +138,53 @@ class _Holomorphic(Walker):
     def _apply(self, name: str, *values: acb) -> acb:
         if name == "log":
             return values[0].log(analytic=True)
+        if name == "abs":
+            return values[0].real_abs(analytic=True)
         return getattr(values[0], name)() if name in MEROMORPHIC else acb(arb.nan())
 
 
-def _jumps(e: Expr) -> bool:
+def jumps(e: Expr) -> bool:
+    """Whether ``e`` may have a value where it is not continuous."""
     inner = (arg for arg in e.args if isinstance(arg, Expr))
-    return e.op in JUMPS or (e.op not in LEAVES and any(map(_jumps, inner)))
+    return e.op in JUMPS or (e.op not in LEAVES and any(map(jumps, inner)))
+
+
+def bracketed(unique: Unique, e: Expr, outer: Enclosing) -> arb:
+    """The root that a node is: a bracket with a change of sign, of a function without a jump.
+
+    Raises:
+        UndefinedError: none is found, or nothing says that there is one root at most.
+    """
+    low, high = (outer.value(end) for end in e.args[1:])
+    (name,), body = opened(e)
+    if not unique(e, outer.at) or jumps(body):
+        raise UndefinedError
+    middle = {n: outer.value(symbol(n)).mid() for n in symbols(body) if n != name}
+    near, over = (_along(name, body, at, outer.root) for at in (middle, outer.at))
+    x, slope = _found(near, low.mid(), high.mid())
+    width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
+    for _ in range(WIDER):
+        first, last = (x - width).mid(), (x + width).mid()
+        bracket = first.union(last)
+        signs = {side(over(first)), side(over(last))}
+        if signs == {1, -1} and low < first and last < high and over(bracket).is_finite():
+            return bracket
+        width *= 2
+    raise UndefinedError
+
+
+def _along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
+    """``body`` as a function of one variable, NaN where it is undefined."""
+    outers: dict[int, Enclosing] = {}
+
+    def function(x: arb) -> arb:
+        outer = outers.setdefault(ctx.prec, Enclosing(at, root))  # what is known is so precise
+        try:
+            return _Inner(outer, name, x).value(body)
+        except UndefinedError:
+            return arb.nan()
+
+    return function
 
 
 def _found(f: Callable[[arb], arb], low: arb, high: arb) -> tuple[arb, arb]:
@@ -217,7 +240,4 @@ def _change(
 
 def value(e: Expr, at: At, unique: Unique) -> arb:
     """A ball that contains ``e`` at ``at``, at the working precision; NaN where none is shown."""
-    try:
-        return Enclosing(at, unique).value(e)
-    except UndefinedError:
-        return arb.nan()
+    return enclosed(e, at, partial(bracketed, unique))

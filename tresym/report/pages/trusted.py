@@ -36,7 +36,7 @@ ENCLOSING = (
     "ledger.evidence.asymptotics",
     *("ledger.evidence.balls", "ledger.evidence.charted"),
     "ledger.evidence.printed",
-    "reals.places.unworked",
+    *(f"reals.places.unworked.{name}" for name in ("bracketed", "value")),
     "ledger.evidence.meant._other_meaning",
 )
 """Rooms and files that no PROVED comes from."""
@@ -54,7 +54,7 @@ RECHECKED = {
     ),
     "a point to try counts once its conditions are shown there": (
         *("reals.places.points._sample", "reals.places.points.corners"),
-        *("reals.places.windows", "reals.places.descent"),
+        *("reals.places.windows", "reals.places.descent", "ledger.second_look.somewhere"),
     ),
     "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
         *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
