@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, fields, replace
 
 from tresym.manuscript.surface import Note
-from tresym.reals.language.parsing import parse_conditions
+from tresym.reals.language.parsing import parse_given
 from tresym.reals.numbers.exact import InputError
 
 KINDS = ("define", "assume", "solve", "claim")
@@ -52,7 +52,7 @@ def orders_of(note: Note) -> Orders:
     place = f"{note.file}, line {note.line}" if note.file else f"line {note.line}"
     if word == "given" and rest:
         try:
-            parse_conditions(rest)
+            parse_given(rest)
         except InputError as error:
             raise InputError(f"{place}: {error}") from None
         return Orders(given=rest)

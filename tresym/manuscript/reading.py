@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from flint import fmpq
 
@@ -28,7 +28,7 @@ from tresym.reals.language.latex_cursor import Author, Function
 from tresym.reals.language.latex_grammar import Reader
 from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
-from tresym.reals.language.parsing import INFINITY, Compared, parse_conditions
+from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared, parse_given
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
@@ -39,6 +39,10 @@ _LETTER_E = re.compile(
     r"|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)|<\s*e(?![a-zA-Z^])|[$\s]e\s*&?=(?!\s*2\.7)"
 )
 _DEPTH = 10
+
+
+Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
+"""What conditions state: comparisons, values that are put in, and a path."""
 
 
 class Attempt(NamedTuple):
@@ -140,7 +144,7 @@ class _Reading:
         orders = orders_of(note)
         if orders.forget:
             self.noted, self.lasting = [], []
-        self.noted += parse_conditions(orders.given) if orders.given else []
+        self.noted += parse_given(orders.given) if orders.given else []
         self.orders = self.orders.with_(orders)
 
     # prose
@@ -184,15 +188,14 @@ class _Reading:
 
     # conditions
 
-    def condition(
-        self, said: Said
-    ) -> tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str] | None:
+    def condition(self, said: Said) -> Conditions | None:
         """The comparisons, the values put in and the path that a condition states, if it is one."""
         if not said.ops or any(op in STRANGE for op in said.ops):
             return None
+        if said.values and said.ops == ("=",):
+            return self.integers(said)
         if said.ops == ("\\in",) and said.terms[1][:1] == ("\\mathbb",):
-            real = [t for t in said.terms[1] if t.isalpha()] == ["R"]
-            return ((), (), "") if real else None
+            return self.member(said)
         try:
             (chain,) = read_latex(" ".join(said.tokens), self.author)
         except (InputError, ValueError):
@@ -207,14 +210,46 @@ class _Reading:
         ]
         if any(op == "==" for _, op, _ in links):
             left, _, right = links[0]
-            if len(links) > 1 or left.op != "symbol" or said.values:
+            if len(links) > 1 or said.values or not elementary(left, right):
                 return None
+            if left.op != "symbol":
+                return tuple(links), (), ""
             return (), ((left.args[0], right),), ""
         if any(op not in NEGATED for _, op, _ in links) or not elementary(
             *(side for left, _, right in links for side in (left, right))
         ):
             return None
         return tuple(links), (), ""
+
+    def integers(self, said: Said) -> Conditions | None:
+        """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if there is one."""
+        listed = [said.terms[1], *said.values]
+        head, first = self.head(said.terms[0]), said.terms[1]
+        if head is None or not all(len(v) == 1 and v[0].isdigit() for v in listed[:-1]):
+            return None
+        found = [int(v[0]) for v in listed[:-1]]
+        if found != list(range(found[0], found[0] + len(found))):
+            return None
+        name = symbol(head.name)
+        given: list[Compared] = [(name, "in", INTEGERS), (name, ">=", number(int(first[0])))]
+        last = listed[-1]
+        if last != ("\\ldots",):
+            if last != (str(found[-1] + 1),):
+                return None
+            given.append((name, "<=", number(found[-1] + 1)))
+        return tuple(given), (), ""
+
+    def member(self, said: Said) -> Conditions | None:
+        """``n \\in \\mathbb{Z}``, and the like."""
+        head = self.head(said.terms[0])
+        which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
+        if head is None or which not in ("R", "Z", "N", "Z+", "N0"):
+            return None
+        name = symbol(head.name)
+        given: list[Compared] = [] if which == "R" else [(name, "in", INTEGERS)]
+        if which in ("N", "Z+", "N0"):
+            given.append((name, ">=", number(0 if which == "N0" else 1)))
+        return tuple(given), (), ""
 
     # displays
 
@@ -245,7 +280,8 @@ class _Reading:
         count, self.cases = 0, []
         for group in _grouped(found, self):
             said, under = group
-            for sign in "+-" if {"\\pm", "\\mp"} & {*said.tokens} else " ":
+            open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
+            for sign in "+-" if open_sign else " ":
                 one = said.signed(sign) if sign != " " else said
                 for link in self.chain(replace(blank, shown=""), one, under, around, sign != " "):
                     count += 1
@@ -266,8 +302,9 @@ class _Reading:
         pieces = [self.piece(term, said) for term in said.terms]
         for n, op in enumerate(said.ops):
             shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            either = said.either and {"\\pm", "\\mp"} & {*said.terms[n][:1], *said.terms[n + 1][:1]}
             link = replace(blank, shown=shown)
-            yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, signed)
+            yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, bool(signed or either))
 
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""
@@ -292,9 +329,7 @@ class _Reading:
             around, given=everything, put_in=tuple(put_in), path=path, kind=kind
         ), problem
 
-    def other_cases(
-        self, said: Said
-    ) -> tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str] | None:
+    def other_cases(self, said: Said) -> Conditions | None:
         """Of "otherwise" what it says: that no case before it is."""
         cases = [given for head, given in self.cases if head == said.terms[0]]
         if not cases or any(len(given) != 1 for given in cases):
@@ -338,7 +373,7 @@ class _Reading:
             return self.assumption(link, compared, "an assumption")
         if problem:
             return replace(_read(link, compared), status=UNREAD, why=problem)
-        return self.claim(link, n, said, compared, (left, right), under, head)
+        return self.claim(link, n, said, compared, (left, right), under, head, signed)
 
     def interval_or_limit(self, link: Link, said: Said, under: Under) -> Link:
         found = self.condition(said)
@@ -425,9 +460,12 @@ class _Reading:
         pieces: tuple[Piece, Piece],
         under: Under,
         head: Head | None,
+        signed: bool,
     ) -> Link:
         """What is asked of a link, and what it is if the answer is no."""
         left, relation, right = compared
+        if signed and said.either:
+            left, right = left**2, right**2
         if under.put_in:
             values = dict(under.put_in)
             left, right = substitute(left, values), substitute(right, values)
@@ -436,11 +474,12 @@ class _Reading:
         if relation == "~" or orders:
             if relation == "~" and not symbols(left) | symbols(right):
                 return self.printed(link, compared, pieces[1])
-            if not under.path:
+            path = under.path or _usual_path(right)
+            if not path:
                 advice = "write % tresym: as x -> 0, or whichever it is, before the display"
                 why = f"it has no path: {advice}"
                 return replace(_read(link, compared), status=UNREAD, why=why)
-            as_path = f" as {under.path}"
+            as_path = f" as {path}"
         elif (
             relation == "=="
             and pieces[1].printed.strip("-")
@@ -549,6 +588,8 @@ class _Reading:
         if WORDS in tokens:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:
+            if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
+                tokens = tokens[1:]
             return self.term(tokens)
         except InputError as error:
             return _plain(str(error))
@@ -630,12 +671,28 @@ def _grouped(found: list[Said], reading: _Reading) -> Iterator[tuple[Said, list[
 
 def _is_condition(said: Said, before: Said, reading: _Reading) -> bool:
     """Whether a chain behind an equality is a condition of it, by its form."""
-    if said.before or said.conditions or not said.ops or "=" not in before.ops:
+    claims = "=" in before.ops or not all(map(_is_plain, before.terms))
+    if said.before or said.conditions or not said.ops or not claims:
         return False
     relations = {RELATIONS.get(op, "") for op in said.ops}
+    if relations == {"->"} and len(said.terms[0]) < 3:
+        return True
     if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
         return bool(said.values) and relations == {"=="}
-    return any(len(term) <= 4 or "|" in term[0] for term in said.terms)
+    return any(len(term) <= 4 or "|" in term[0] for term in said.terms) or (
+        all(map(_is_plain, said.terms[::2]))
+    )
+
+
+def _usual_path(right: Expr) -> str:
+    """Where a remainder is small: O(x**3) as x -> 0, O(1/n) as n -> oo."""
+    (*_, gauge) = [None, *(node.args[0] for node in outermost(right) if node.op == "O")]
+    if gauge is None:
+        return ""
+    base, exponent = gauge.args if gauge.op == "^" else (gauge, number(1))
+    if base.op != "symbol" or exponent.op != "number":
+        return ""
+    return f"{base} -> {'0' if exponent.args[0] > 0 else 'oo'}"
 
 
 def _is_plain(term: Sequence[str]) -> bool:

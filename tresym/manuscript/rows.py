@@ -103,6 +103,14 @@ class Said:
             found += [op, *term]
         return tuple(found)
 
+    @property
+    def either(self) -> bool:
+        """Whether a sign that is left open leads one side alone: ``\\cos x = \\pm\\sqrt{…}``."""
+        signs = {"\\pm", "\\mp"}
+        leads = [bool(signs & {*term[:1]}) for term in self.terms]
+        inside = any(signs & {*term[1:]} for term in self.terms)
+        return not inside and any(leads) and not all(leads)
+
     def signed(self, sign: str) -> Said:
         """With ``\\pm`` as this sign."""
         return replace(self, terms=tuple(tuple(with_sign(list(t), sign)) for t in self.terms))

@@ -52,7 +52,7 @@ _SPACES = _GAPS | _words("\\! \\displaystyle \\textstyle \\limits \\nonumber \\n
 _SIZES = _words("\\big \\Big \\bigl \\bigr \\Bigl \\Bigr \\bigg \\Bigg")
 ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
 STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
-CLOSING = _words("+ - ) ] \\} } & : / | ^")
+CLOSING = _words("+ - ) ] \\} } & : / | ^ !")
 CONDITION = "\\conditionfor"
 """The token for upright words that open a condition."""
 _CONDITIONS = frozenset(("for", "for all", "if", "when", "whenever", "as", "given", "provided"))
