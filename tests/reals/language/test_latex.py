@@ -380,7 +380,7 @@ NO_VARIABLES = {
     r"\frac{\mathrm{d}y}{\mathrm{d}x}": r"write \frac{d}{dx}",
     r"\frac{\partial y}{\partial x}": r"write \frac{d}{dx}",
     r"\frac{\partial^2 f}{\partial x\partial y}": "a derivative of higher order is written",
-    r"\frac{d^2x}{dt^2}": "a derivative of higher order is written",
+    r"\frac{d^2x}{dt^2}": "a derivative of a symbol is not known",
     r"dy/dx": r"write \frac{d}{dx}",
     r"d/dx x^2": r"write \frac{d}{dx}",
     r"\mathrm{d}z": "a differential",
