@@ -104,6 +104,6 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
         if status == "UNDECIDED":
             return replace(row, status=status, why=f"{where}; {advice}", witness=None)
         return replace(row, status=status, why=f"{fallback}; {where}: {advice}", witness=None)
-    if status != "UNDECIDED":
+    if status != "UNDECIDED" and not link.same:
         return replace(row, status=status, why=fallback)
     return row

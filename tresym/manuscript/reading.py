@@ -36,7 +36,7 @@ _DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|
 _CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 _LETTER_E = re.compile(
     r"(?<![a-zA-Z\\{_^])e\s*\\(?:sin|cos)|1\s*[-+]\s*e(?![a-zA-Z^])|1\s*[-+]\s*e\s*\^\s*\{?2(?!\d)"
-    r"|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)|<\s*e(?![a-zA-Z^])|[$\s]e\s*&?=(?!\s*2\.7)"
+    r"|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*2\.7)"
 )
 _DEPTH = 10
 
@@ -89,6 +89,7 @@ class Under:
     path: str = ""
     kind: str = ""
     noted: bool = False
+    sources: tuple[tuple[str, Expr], ...] = ()
 
 
 def read_links(events: Sequence[Event]) -> list[Link]:
@@ -222,7 +223,7 @@ class _Reading:
         return tuple(links), (), ""
 
     def integers(self, said: Said) -> Conditions | None:
-        """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if there is one."""
+        """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if any is."""
         listed = [said.terms[1], *said.values]
         head, first = self.head(said.terms[0]), said.terms[1]
         if head is None or not all(len(v) == 1 and v[0].isdigit() for v in listed[:-1]):
@@ -261,6 +262,7 @@ class _Reading:
         around = replace(
             around, kind=kind, noted=bool(orders.kind), path=orders.path or around.path
         )
+        around = self.following(around, orders)
         blank = Link(display, 1, shown=" ".join(display.text.split()))
         if orders.skip is not None:
             yield replace(blank, status=UNREAD, why=f"skipped by a note: {orders.skip}")
@@ -287,6 +289,24 @@ class _Reading:
                     count += 1
                     yield replace(link, number=count)
 
+    def following(self, around: Under, orders: Orders) -> Under:
+        """With the displays from which this one follows: equations, and what symbols stand for."""
+        if not orders.sources:
+            return around
+        given = list(around.given)
+        values: list[tuple[str, Expr]] = []
+        for label in orders.sources:
+            if label not in self.labels:
+                raise InputError(f"the note 'from {label[:60]}': no display before has that label")
+            for left, op, right in self.labels[label]:
+                name = str(left)
+                if op == "==" and left.op == "symbol" and name not in symbols(right):
+                    values.append((name, right))
+                elif elementary(left, right):
+                    given.append((left, op, right))
+        kind = around.kind if around.noted else prose.CLAIM
+        return replace(around, given=tuple(given), sources=tuple(values), kind=kind, noted=True)
+
     def chain(
         self, blank: Link, said: Said, extra: Sequence[Said], around: Under, signed: bool
     ) -> Iterator[Link]:
@@ -302,9 +322,10 @@ class _Reading:
         pieces = [self.piece(term, said) for term in said.terms]
         for n, op in enumerate(said.ops):
             shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
-            either = said.either and {"\\pm", "\\mp"} & {*said.terms[n][:1], *said.terms[n + 1][:1]}
+            signs = {*said.terms[n][:1], *said.terms[n + 1][:1]} & {"\\pm", "\\mp"}
+            several = signed or (said.either and bool(signs))
             link = replace(blank, shown=shown)
-            yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, bool(signed or either))
+            yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, several)
 
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""
@@ -399,8 +420,13 @@ class _Reading:
 
     def is_new(self, head: Head, value: Expr, under: Under) -> bool:
         """Whether ``head = value`` defines: it was not defined before and is not in the value."""
-        if under.kind == prose.SOLVE and under.noted:
+        if under.noted and under.kind == prose.SOLVE:
             return False
+        if under.noted and under.kind == prose.CLAIM:
+            known = (
+                {name for name, _ in under.sources} | self.functions.keys() | _names(under.given)
+            )
+            return not head.derived and head.name not in known
         if under.kind == prose.DEFINE and under.noted:
             return True
         base = {head.name, head.base} | {n for n in symbols(value) if _base(n) == head.base}
@@ -492,11 +518,11 @@ class _Reading:
         for conditions in (under.given, (*under.given, *self.earlier)):
             about = chained(_about(symbols(left) | symbols(right), conditions))
             said_so = f"{left} {relation} {right}" + (f" given {about}" if about else "") + as_path
-            for one, other, given, how in self.forms(left, right, conditions):
+            for one, other, given, how in self.forms(left, right, conditions, under.sources):
                 shown = chained(_about(symbols(one) | symbols(other), given))
                 text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "")
                 attempts.setdefault(text + as_path, Attempt(text + as_path, how, said_so))
-                same = same or symbols(one) == symbols(other)
+                same = same or not (symbols(one) ^ symbols(other)) - {"oo"}
         sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
         goes_on = n > 0 and same and under.kind != prose.SOLVE
         constants = not symbols(left) | symbols(right)
@@ -516,7 +542,11 @@ class _Reading:
         return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
     def forms(
-        self, left: Expr, right: Expr, given: Sequence[Compared]
+        self,
+        left: Expr,
+        right: Expr,
+        given: Sequence[Compared],
+        sources: Sequence[tuple[str, Expr]],
     ) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str]]:
         """Both sides and the conditions as they stand, and with definitions put in.
 
@@ -525,12 +555,16 @@ class _Reading:
         yield left, right, given, ""
         used: list[str] = []
         found: list[tuple[Expr, Expr, Sequence[Compared], str]] = []
+        known = {name: function.body for name, function in self.functions.items()}
+        for name, body in sources:
+            known.pop(name, None)
+            known[name] = body
         for _ in range(_DEPTH):
             names = symbols(left) | symbols(right)
-            name = next((n for n in reversed(self.functions) if n in names), None)
-            if name is None:
+            name = next((n for n in reversed(known) if n in names), "")
+            if not name:
                 break
-            value = {name: self.functions[name].body}
+            value = {name: known[name]}
             try:
                 left, right = substitute(left, value), substitute(right, value)
                 given = [(substitute(a, value), r, substitute(b, value)) for a, r, b in given]
@@ -549,7 +583,7 @@ class _Reading:
         known = head is not None and head.name in self.functions and not head.derived
         if head is not None and known and head.name not in symbols(right):
             return DEFINED, "defined before, and otherwise: from here on it is this"
-        names = symbols(left) | symbols(right)
+        names = (symbols(left) | symbols(right)) - {"oo"}
         derived = sorted({base for name in names if (base := _base(name)) != name})
         if head is not None and not derived and head.name in symbols(right):
             derived = [head.name]

@@ -77,7 +77,6 @@ from tresym.reals.language.latex_tokens import (
 from tresym.reals.language.parsing import INFINITY, call
 from tresym.reals.numbers.exact import InputError
 
-
 MAX_FACTORIAL = 100
 TOTALS = {"\\sum": "sum", "\\prod": "product"}
 BINOMIALS = ("\\binom", "\\tbinom", "\\dbinom")
