@@ -9,7 +9,7 @@ import sys
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from tresym.commands.check import _seconds as seconds_of
+from tresym.commands.check import parse_seconds
 from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver
 from tresym.output import bold, colour_wanted, dim
 
@@ -48,7 +48,7 @@ def run(args: argparse.Namespace) -> int:
     from tresym.manuscript.reading import read_links
     from tresym.manuscript.surface import read_manuscript
 
-    limit = seconds_of(args.limit)
+    limit = parse_seconds(args.limit)
     links = read_links(read_manuscript(Path(args.manuscript)))
     rows = decided(links, limit, progress=_progress)
     if args.json:
