@@ -151,7 +151,7 @@ class _Approach:
             value = self._by_taylor(*_fraction(e))
         if value is None and e.op in ("*", "^"):
             value = self._by_dominance(_factors(e))
-        return value
+        return self._distributed(e) if value is None and e.op == "*" else value
 
     def _by_continuity(self, e: Expr) -> Expr | None:
         at = {T.args[0]: ZERO}
@@ -184,6 +184,14 @@ class _Approach:
         if not set(signs) <= {1, -1}:
             return None
         return INFINITY if signs.count(-1) % 2 == 0 else MINUS_INFINITY
+
+    def _distributed(self, e: Expr) -> Expr | None:
+        """The limit of a product with a sum in it, term by term."""
+        (inner, *_), others = [*(a for a in e.args if a.op == "+"), None], list(e.args)
+        if inner is None:
+            return None
+        others.remove(inner)
+        return self._sum(Expr("+", tuple(multiply(*others, term) for term in inner.args)))
 
     def _is_bounded(self, e: Expr, value: Expr | None) -> bool:
         if value is not None:

@@ -29,7 +29,9 @@ def attack(
     if statement.path is not None:
         return _attack_order(comparison, statement.path, answer)
     claim = (comparison.left, comparison.relation, comparison.right)
-    return contradiction(claim, statement.given.comparisons, functions, derivatives, spent)
+    return contradiction(
+        claim, statement.given.comparisons, functions, derivatives, spent, statement.integers
+    )
 
 
 def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str | None:

@@ -304,6 +304,8 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
         return _without_ends(left, right)
     if relation == LIMIT and right in (INFINITY, -INFINITY):
         return replace(_comparison(left, relation, ZERO), right=right)
+    if relation == "==" and right in (INFINITY, -INFINITY) and left.op == "integral":
+        return replace(_comparison(left, relation, ZERO), right=right)
     work = cache(worked_out)
     written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
     return Comparison(work(left), relation, work(right), written)

@@ -13,7 +13,7 @@ from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP, exact_text
 from tresym.reals.decisions.reading import Comparison, Statement, read
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import ZERO, Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
@@ -77,7 +77,12 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
-    if statement.equations or statement.integers or not elementary(left, right):
+    nodes = {node.op for node in outermost(left, right)}
+    if nodes == {"integral"} and statement.path is None and not statement.integers:
+        from tresym.reals.decisions.integrals import decide_integrals
+
+        return decide_integrals(comparison, statement, _bounded)
+    if statement.equations or statement.integers or nodes:
         return Answer(Verdict.UNDECIDED, "claims of this kind are read and not decided yet")
     if statement.path is not None:
         from tresym.reals.decisions.tending import decide_tending

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import islice, product
 
 from flint import arb, fmpq
 
@@ -22,6 +21,7 @@ from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.identity import decide, exact_text
 from tresym.reals.decisions.orders import decide_order
 from tresym.reals.decisions.reading import LIMIT, Comparison, Derivative, Path, Statement
+from tresym.reals.decisions.simple import simple_points
 from tresym.reals.language.expression import (
     ONE,
     PI,
@@ -47,8 +47,6 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 PARAMETERS = 6
 """Values of the parameters at which a refutation is looked for."""
-SIMPLE = (*map(fmpq, (2, -1, 3, -2, 1, 5)), fmpq(1, 2), fmpq(-3, 2), fmpq(1, 3))
-MOST_TRIED = 500
 FAR = (1, 10, 1000)
 """From where on an inequality is asked."""
 PERIODIC = 12
@@ -143,11 +141,11 @@ def _theta(claim: Comparison, path: Path) -> Answer:
 def _with_parameters(
     claim: Comparison, path: Path, statement: Statement, decided: Decide
 ) -> Answer:
-    names = _parameters(claim, path)
     given = statement.given
+    names = sorted({*_parameters(claim, path), *given.names})
     if given.satisfying_point(names) is None:
         return Answer(Verdict.UNDECIDED, "no exact point satisfies the conditions")
-    for at in _simple_points(names, given):
+    for at in simple_points(names, given, PARAMETERS):
         known = {name: number(value) for name, value in at.items()}
         try:
             found = decide_tending(_at(claim, known), _path_at(statement, known), decided)
@@ -165,19 +163,6 @@ def _with_parameters(
     return _by_exact_limit(claim, path, given) or _from_somewhere_on(
         claim, path, statement, decided
     )
-
-
-def _simple_points(names: list[str], given: Given) -> list[dict[str, fmpq]]:
-    """A few points that satisfy the conditions, with small integers where these do."""
-    found = []
-    with ball_precision():
-        for values in islice(product(SIMPLE, repeat=len(names)), MOST_TRIED):
-            at = dict(zip(names, values, strict=True))
-            if all(condition.holds(at) for condition in given.conditions):
-                found.append(at)
-                if len(found) == PARAMETERS:
-                    return found
-    return found or list(given.points(names, PARAMETERS))
 
 
 def _at(claim: Comparison, known: dict[str, Expr]) -> Comparison:
