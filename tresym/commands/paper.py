@@ -30,6 +30,7 @@ def add(commands: Commands) -> None:
         allow_abbrev=False,
     )
     parser.add_argument("manuscript", metavar="MANUSCRIPT.tex", help="its LaTeX source")
+    parser.add_argument("--notes", metavar="FILE", help="notes by display number and hash")
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
         "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
@@ -45,11 +46,15 @@ def run(args: argparse.Namespace) -> int:
     from pathlib import Path
 
     from tresym.manuscript.deciding import decided
+    from tresym.manuscript.notes import with_notes
     from tresym.manuscript.reading import read_links
     from tresym.manuscript.surface import read_manuscript
 
     limit = parse_seconds(args.limit)
-    links = read_links(read_manuscript(Path(args.manuscript)))
+    events = read_manuscript(Path(args.manuscript))
+    if args.notes is not None:
+        events = with_notes(events, Path(args.notes))
+    links = read_links(events)
     rows = decided(links, limit, progress=_progress)
     if args.json:
         lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)

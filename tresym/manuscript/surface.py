@@ -7,6 +7,7 @@ macros are written out.
 
 from __future__ import annotations
 
+import hashlib
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
@@ -103,6 +104,11 @@ class Display:
     text: str = field(repr=False)
     problem: str = ""
     notes: tuple[Note, ...] = ()
+
+    @property
+    def sha256(self) -> str:
+        """Of the text with white space made single spaces."""
+        return hashlib.sha256(" ".join(self.text.split()).encode()).hexdigest()
 
 
 Event: TypeAlias = Note | Section | Prose | Display

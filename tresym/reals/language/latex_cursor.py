@@ -73,13 +73,17 @@ class Author:
         variable: that of a bracket with limits, where print does not tell.
         strict: what can be read in two ways is refused, as for anybody else, and f is left unknown
             in ``f(x)`` where it is not defined.
+        shorter: how far an argument goes is no question: the shorter reading is meant.
         letter_e: ``e`` is a variable of his, and no number.
+        called: names of functions of his, some of which may be unknown.
     """
 
     functions: Mapping[str, Function] = field(default_factory=dict)
     variable: str = ""
     strict: bool = False
+    shorter: bool = False
     letter_e: bool = False
+    called: frozenset[str] = frozenset()
 
     def derivative(self, name: str, by: str, times: int) -> Expr | None:
         """The derivative of one of his functions, ``by`` its variable if that is not named."""

@@ -179,7 +179,7 @@ class Reader(Cursor):
         while True:
             ahead = self.ahead()
             reach = rule(telling, ahead)
-            shorter = self.guesses and not ahead.operator
+            shorter = (self.guesses or (self.author and self.author.shorter)) and not ahead.operator
             if reach is Reach.ENDS or (reach is Reach.DOUBT and shorter):
                 if rule in (after_open, after_nested, after_derivative):
                     self.open_end = self.at
@@ -658,8 +658,8 @@ class Reader(Cursor):
     def is_argument(self, name: str) -> bool:
         """Whether the bracket here is the argument of ``name``: f(…), or one symbol, ε(γ)."""
         known = self.author and self.author.functions.get(name)
-        if known and self.author and self.author.strict:
-            return bool(known.parameters)
+        if self.author and self.author.strict and (known or name in self.author.called):
+            return name in self.author.called or bool(known and known.parameters)
         if name in LETTERS_OF_FUNCTIONS or known:
             return True
         if not self.guesses:
@@ -679,6 +679,8 @@ class Reader(Cursor):
         if function is not None and len(values) == len(function.parameters):
             given = dict(zip(function.parameters, values, strict=True))
             return Piece(substitute(function.body, given))
+        if not self.guesses and function is not None and not function.parameters:
+            return Piece(symbol(name))
         if not self.guesses and name not in ("Gamma", "zeta") and function is None:
             return Piece(unknown(name, tuple(values)))
         if any(value.op != "symbol" for value in values) or not self.guesses:
