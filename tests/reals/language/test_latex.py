@@ -30,6 +30,11 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 
 EXPRESSIONS = {
+    r"\bar x+\hat{\theta}_0-\tilde{y_1}": "x_bar + theta0hat - y1tilde",
+    r"\mathcal{E}x^*": "E_mathcal*x_star",
+    r"{1 \over x+1}": "1/(x + 1)",
+    r"\int^1_0 x\,dx": "integral(x, x, 0, 1)",
+    r"\biggl(\cfrac{x}{2}\biggr)": "x/2",
     r"\int x\cos x\,dx+1": "integral(x*cos(x), x) + 1",
     r"\sum_{k=1}^n k^2+n": "sum(k**2, k, 1, n) + n",
     r"\prod_{k=2}^{n}\frac{k}{k-1}": "product(k/(k - 1), k, 2, n)",

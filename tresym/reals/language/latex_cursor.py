@@ -26,7 +26,7 @@ from tresym.reals.language.latex_tokens import (
 from tresym.reals.numbers.exact import InputError
 
 BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
-FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac")
+FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")
 DOTS = ("\\dot", "\\ddot")
@@ -282,6 +282,8 @@ class Cursor:
                 parts.append(self.take().removeprefix("\\"))
             self.take("}")
             text = "".join(parts)
+            if self.author and self.author.strict:
+                text = text.replace("+", "plus").replace("-", "minus").replace(",", "")
             if not text:
                 return ""
         else:

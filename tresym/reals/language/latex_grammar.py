@@ -560,11 +560,12 @@ class Reader(Cursor):
         """``∫_{low}^{high} … dx``, or without ends: all terms that carry the differential."""
         self.take("\\int")
         ends: list[Expr] = []
-        if self.peek() == "_":
-            self.at += 1
-            low = self.script().tree
-            self.take("^")
-            ends = [low, self.script().tree]
+        if self.peek() in ("_", "^"):
+            first = self.take()
+            ends = [self.script().tree]
+            self.take("^" if first == "_" else "_")
+            ends.append(self.script().tree)
+            ends = ends if first == "_" else ends[::-1]
         outer, self.differentials = self.differentials, []
         self.integrals += 1
         body = self.integrand()
