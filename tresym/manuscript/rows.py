@@ -21,6 +21,7 @@ from tresym.reals.language.latex_tokens import (
 from tresym.reals.numbers.exact import InputError
 
 GAP, AND, OR, OTHERWISE, WORDS = "\\gapquad", "\\wordand", "\\wordor", "\\otherwise", "\\words"
+MAX_RELATIONS = 500
 ARROWS = frozenset(
     (
         *(
@@ -124,6 +125,8 @@ def statements(text: str) -> list[Said]:
     """
     words: list[str] = []
     tokens = tokenize(_prepared(text, words), frozenset({"hot"}))
+    if sum(token in RELATIONS for token in tokens) > MAX_RELATIONS:
+        raise InputError(f"there are more than {MAX_RELATIONS} relations in it")
     found: list[Said] = []
     for row in _rows(tokens):
         found += _chains(row)
