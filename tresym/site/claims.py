@@ -70,8 +70,8 @@ def annotated(ledger: Record) -> str:
     lines = [
         "# The paper, annotated",
         f"The {len(placed)} statements of the paper in the order in which they stand there, each "
-        "with its verdict; what is read more sharply than it is printed says so. The lemmas between "
-        "them are in [the ledger](index.md). The paper: "
+        "with its verdict; what is read more sharply than it is printed says so. The lemmas "
+        "between them are in [the ledger](index.md). The paper: "
         "[doi:10.1016/j.physd.2016.07.010](https://doi.org/10.1016/j.physd.2016.07.010), "
         "[arXiv:1606.08237](https://arxiv.org/abs/1606.08237).",
     ]
