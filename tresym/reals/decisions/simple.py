@@ -1,4 +1,4 @@
-"""Points with small numbers in the conditions: of witnesses, those that are read with ease."""
+"""Points with small numbers in the conditions, and the exact point of a witness."""
 
 from __future__ import annotations
 
@@ -7,7 +7,11 @@ from itertools import islice, product
 
 from flint import fmpq
 
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.language.expression import Expr
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 
 SIMPLE = (*map(fmpq, (2, -1, 3, -2, 1, 5)), fmpq(1, 2), fmpq(-3, 2), fmpq(1, 3))
@@ -25,3 +29,11 @@ def simple_points(names: Sequence[str], given: Given, count: int) -> list[dict[s
                 if len(found) == count:
                     return found
     return found or list(given.points(names, count))
+
+
+def exact_witness(answer: Answer) -> dict[str, Expr] | None:
+    """The point at which a claim was refuted; None where that is no exact point."""
+    try:
+        return {name: parse(text) for name, text in (answer.witness or {}).items()}
+    except InputError:  # intervals between whose ends a sign changes
+        return None
