@@ -17,7 +17,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.values import Walker
 
 SECONDS = 1.5
-"""How long each of SymPy's procedures may take, where it can be stopped."""
+"""Of computing time that each of SymPy's procedures may take, where it can be stopped."""
 MOST = 8
 
 
@@ -101,17 +101,17 @@ class _StoppedError(Exception):
 def _stopped_after(seconds: float) -> Iterator[None]:
     """Stop the block after so long, in the main thread of a system with timers; else never."""
     here = threading.current_thread() is threading.main_thread() and hasattr(signal, "setitimer")
-    if not here or signal.getitimer(signal.ITIMER_REAL)[0]:
+    if not here or signal.getitimer(signal.ITIMER_PROF)[0]:
         yield
         return
 
     def stop(*_: object) -> None:
         raise _StoppedError
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)

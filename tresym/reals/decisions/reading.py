@@ -429,7 +429,7 @@ def _given(given: Any) -> tuple[Compared, ...]:
         return tuple(_condition(link) for chain in chains for link in chain.links)
     if isinstance(given, str):
         return tuple(parse_given(_AND.sub(",", plain(given)).strip()))
-    if isinstance(given, Iterable):
+    if isinstance(given, Iterable) and getattr(given, "ndim", None) != 0:
         return tuple(link for part in given for link in _given(part))
     if type(given).__name__ == "Equality":
         return (_condition((unworked(given.lhs), "==", unworked(given.rhs))),)
