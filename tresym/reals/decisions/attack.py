@@ -9,6 +9,7 @@ from flint import arb
 from tresym.reals.advocate import contradiction, program, said, where
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.reading import Comparison, Path, Statement
+from tresym.reals.decisions.reading import functions as unknown
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 
@@ -29,6 +30,9 @@ def attack(
     if statement.path is not None:
         return _attack_order(comparison, statement.path, answer)
     claim = (comparison.left, comparison.relation, comparison.right)
+    said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
+    if statement.equations or any(next(unknown(e), None) is not None for e in said):
+        return None  # its cases, without equations and such functions, were attacked themselves
     return contradiction(
         claim, statement.given.comparisons, functions, derivatives, spent, statement.integers
     )

@@ -13,10 +13,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
+from flint import fmpq
+
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.identity import exact_text
 from tresym.reals.decisions.reading import Comparison, Statement
-from tresym.reals.decisions.simple import exact_witness
+from tresym.reals.decisions.simple import constants_hold, exact_witness, tidied
 from tresym.reals.language.expression import (
     HALF,
     ONE,
@@ -35,7 +37,6 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.parsing import Compared
-from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -66,6 +67,7 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
     Args:
         decided: decides the claim under what is left.
     """
+    statement = among_integers(statement) or statement
     (left, right), *others = statement.equations
     rest = replace(statement, equations=tuple(others))
     e = left - right
@@ -79,12 +81,24 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
         return Answer(Verdict.UNDECIDED, f"{left} == {right} is not shown to have a point")
     for name in _candidates(claim, statement, e):
         cases = _solved(e, name, statement.given)
+        if name in statement.integers and cases is not None:
+            cases = _whole(cases, statement.integers)
         if cases is not None:
             return _by_cases(claim, rest, name, cases, decided)
     return Answer(
         Verdict.UNDECIDED,
         f"no variable of the condition {left} == {right} is eliminated: write it solved for one",
     )
+
+
+def among_integers(statement: Statement) -> Statement | None:
+    """The statement, an equation between integers alone in front; None without such a one."""
+    for pair in statement.equations:
+        e = pair[0] - pair[1]
+        if symbols(e) <= {*statement.integers} and _is_whole(e, statement.integers):
+            others = tuple(other for other in statement.equations if other is not pair)
+            return replace(statement, equations=(pair, *others))
+    return None
 
 
 def _is_defined(e: Expr, given: Given) -> bool:
@@ -94,9 +108,37 @@ def _is_defined(e: Expr, given: Given) -> bool:
 def _candidates(claim: Comparison, statement: Statement, e: Expr) -> list[str]:
     """Variables to eliminate, those of which little hangs first."""
     path = () if statement.path is None else (statement.path.name,)
-    names = symbols(e) - {*statement.integers, *path}
+    names = symbols(e) - {*path}
     beyond = [c.expression for c in statement.given.conditions]
-    return sorted(names, key=lambda n: (sum(n in symbols(c) for c in beyond), n))
+
+    def cost(name: str) -> tuple[bool, int, str]:
+        return name in statement.integers, sum(name in symbols(c) for c in beyond), name
+
+    return sorted(names, key=cost)
+
+
+def _whole(cases: list[Case], integers: tuple[str, ...]) -> list[Case] | None:
+    """The cases where every value is an integer where it is one at all; None if not shown."""
+    kept = []
+    for case in cases:
+        value = case.value
+        if value is None or not _is_whole(value, integers):
+            if value is None or value.op != "number":
+                return None
+            continue
+        kept.append(case)
+    return kept
+
+
+def _is_whole(e: Expr, integers: tuple[str, ...]) -> bool:
+    if e.op == "number":
+        return bool(e.args[0].q == 1)
+    if e.op == "symbol":
+        return e.args[0] in integers
+    if e.op == "^":
+        natural = e.args[1].op == "number" and e.args[1].args[0].q == 1 and e.args[1].args[0] > 0
+        return natural and _is_whole(e.args[0], integers)
+    return e.op in ("+", "*") and all(_is_whole(arg, integers) for arg in e.args)
 
 
 # Solving
@@ -104,16 +146,13 @@ def _candidates(claim: Comparison, statement: Statement, e: Expr) -> list[str]:
 
 def _solved(e: Expr, name: str, given: Given) -> list[Case] | None:
     """All solutions of ``e = 0`` for the variable under the conditions; None if not found."""
+    at = {name: ZERO}
     slope = differentiate(e, name)
     if _is_free(slope, name):
-        return _linear(substitute(slope, {name: ZERO}), substitute(e, {name: ZERO}), given)
+        return _linear(tidied(substitute(slope, at)), tidied(substitute(e, at)), given)
     bend = differentiate(slope, name)
     if _is_free(bend, name):
-        a, b, c = (
-            multiply(HALF, substitute(bend, {name: ZERO})),
-            substitute(slope, {name: ZERO}),
-            substitute(e, {name: ZERO}),
-        )
+        a, b, c = (tidied(substitute(part, at)) for part in (HALF * bend, slope, e))
         if sign(a, given, "!=") not in PROVING["!="]:
             return None
         under = b**2 - 4 * a * c
@@ -204,9 +243,9 @@ def _inverses(e: Expr, arg: Expr, v: Expr) -> Iterator[tuple[Expr, tuple[Compare
             yield apply("cos", v), ((v, "<=", PI), (v, ">=", ZERO))
 
 
-def _roots(r: object, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
+def _roots(r: fmpq, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
     """All u with ``u**r = v``."""
-    exponent = number(r)  # type: ignore[arg-type]
+    exponent = number(r)
     value = exponent.args[0]
     if value.q != 1:  # u ≥ 0, and v too
         yield power(v, 1 / exponent), ((v, ">=" if value > 0 else ">", ZERO),)
@@ -273,26 +312,9 @@ def _put_in(
     sides = Comparison(
         substitute(claim.left, known), claim.relation, substitute(claim.right, known)
     )
-    given = Given(tuple(dict.fromkeys((*moved, *case.conditions, *value))))
-    return sides, replace(rest, given=_of_variables(given), equations=equations)
-
-
-def _of_variables(given: Given) -> Given:
-    """The conditions, less those between constants that hold."""
-    kept = []
-    for left, relation, right in given.comparisons:
-        constant = not symbols(left) | symbols(right)
-        if not (constant and _holds(left, relation, right)):
-            kept.append((left, relation, right))
-    return Given(tuple(kept))
-
-
-def _holds(left: Expr, relation: str, right: Expr) -> bool:
-    with ball_precision():
-        difference = evaluate(left - right, {})
-    if difference.is_finite() and stands(difference, relation):
-        return True
-    return relation in (">=", "<=") and difference.is_finite() and equal_at(left, right, {})
+    links = tuple(dict.fromkeys((*moved, *case.conditions, *value)))
+    given = constants_hold(links)
+    return sides, replace(rest, given=Given(links) if given is None else given, equations=equations)
 
 
 def _is_empty(given: Given) -> bool:

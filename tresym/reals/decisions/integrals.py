@@ -293,7 +293,8 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
         or not all(elementary(*n.args) for n in nodes)
     ):
         return None
-    for at in simple_points(names, statement.given, PARAMETERS) if names else [{}]:
+    points = simple_points(names, statement.given, PARAMETERS, statement.integers)
+    for at in points if names else [{}]:
         for bits in BITS:
             with ball_precision(bits):
                 balls = {name: arb(value) for name, value in at.items()}

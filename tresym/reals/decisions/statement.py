@@ -104,15 +104,29 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
 
         return decide_unknown
     if nodes & {"sum", "product"}:
-        return None
-    if statement.equations:
-        from tresym.reals.decisions.equations import decide_under_equations
+        from tresym.reals.decisions.totals import decide_totals
 
+        return decide_totals
+    if statement.equations:
+        from tresym.reals.decisions.equations import among_integers, decide_under_equations
+
+        if among_integers(statement):
+            return decide_under_equations
+    if statement.integers and statement.path is None:
+        from tresym.reals.decisions.whole import alternates, decide_whole
+
+        if alternates(comparison, statement):
+            return decide_whole
+    if statement.equations:
         return decide_under_equations
     if "integral" in nodes:
         from tresym.reals.decisions.integrals import decide_integrals
 
         return decide_integrals
+    if statement.integers and statement.path is None:
+        from tresym.reals.decisions.whole import decide_whole
+
+        return decide_whole
     if statement.path is not None:
         from tresym.reals.decisions.tending import decide_tending
 

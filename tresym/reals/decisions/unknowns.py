@@ -11,12 +11,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
+from flint import fmpq
+
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement, functions
 from tresym.reals.decisions.simple import exact_witness
 from tresym.reals.language.binders import outermost
-from tresym.reals.language.expression import ZERO, Expr, replaced, substitute, symbol
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import needs
@@ -63,13 +73,11 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     equations = tuple((variable(x), variable(y)) for x, y in statement.equations)
     plain = replace(statement, given=given, equations=equations)
     answer = decided(Comparison(left, claim.relation, right), plain)
-    if answer.verdict is Verdict.REFUTED and not _exists(atoms, answer):
-        return Answer(
-            Verdict.UNDECIDED,
-            f"{answer.why}, where it is not shown that a function has all of these values",
-        )
+    if answer.verdict is Verdict.REFUTED:
+        answer = _realised(atoms, answer)
     names = sorted({node.args[0].args[0] for node in atoms})
-    return replace(answer, why=f"{answer.why}, for every smooth {', '.join(names)}")
+    what = "a" if answer.verdict is Verdict.REFUTED else "every"
+    return replace(answer, why=f"{answer.why}, for {what} smooth {', '.join(names)}")
 
 
 def functions_inside(node: Expr) -> Iterator[Expr]:
@@ -85,25 +93,43 @@ def _is_same(one: Expr, other: Expr) -> bool:
     )
 
 
-def _exists(atoms: Atoms, answer: Answer) -> bool:
-    """Whether some smooth functions have the values of the witness."""
+def _realised(atoms: Atoms, answer: Answer) -> Answer:
+    """The refutation, if some smooth functions have the values of its witness."""
     point = exact_witness(answer)
-    if point is None:
-        return False
+    if point is not None:
+        missing = {name for node in atoms for name in symbols(node)} - point.keys()
+        free = {name: number(fmpq(n + 3, n + 2)) for n, name in enumerate(sorted(missing))}
+        if _exist(atoms, point | free):
+            shown = {name: str(value) for name, value in free.items()}
+            return replace(answer, witness=dict(answer.witness or {}) | shown)
+    why = f"{answer.why}, where it is not shown that a function has all of these values"
+    return Answer(Verdict.UNDECIDED, why)
+
+
+def _exist(atoms: Atoms, point: dict[str, Expr]) -> bool:
+    """Whether functions with these values exist: their arguments differ, or are one place."""
+    point = point | {str(v.args[0]): point.get(str(v.args[0]), ZERO) for v in atoms.values()}
+    nodes = []
     with ball_precision():
-        at = {}
         for node, variable in atoms.items():
-            args = [evaluate(substitute(arg, point), {}) for arg in node.args[1:]]
-            at[node] = variable, node.args[0].args, args
-        nodes = list(at.values())
+            inner = replaced_inside(node, atoms)
+            args = [evaluate(substitute(arg, point), {}) for arg in inner]
+            if not all(x.is_finite() for x in args):
+                return False
+            nodes.append((variable, node.args[0].args, args))
         return all(
             one == other  # the same variable
-            or heads[0] != others[0]
-            or (heads[1] != others[1] and _are_same(atoms, one, other))
+            or head[0] != heads[0]
+            or (head[1] != heads[1] and _are_same(atoms, one, other))
             or any(x != y for x, y in zip(here, there, strict=True))
-            for n, (one, heads, here) in enumerate(nodes)
-            for other, others, there in nodes[:n]
+            for n, (one, head, here) in enumerate(nodes)
+            for other, heads, there in nodes[:n]
         )
+
+
+def replaced_inside(node: Expr, atoms: Atoms) -> tuple[Expr, ...]:
+    """The arguments of a function with variables for the values of others."""
+    return tuple(replaced(arg, atoms) for arg in node.args[1:])
 
 
 def _are_same(atoms: Atoms, one: Expr, other: Expr) -> bool:
