@@ -1,4 +1,4 @@
-"""Random claims of limits, integrals, sums, integers, equations: ``python tests/hunt.py [N [SEED]]``
+"""Random claims of limits, integrals, sums and the like: ``python tests/hunt.py [N [SEED]]``
 
 Each claim is built together with its truth; N of them, 3000 unless told, are decided, and every
 verdict that is wrong is printed. The counts of verdicts, by kind and truth, come at the end.
@@ -191,11 +191,7 @@ def totals(r: random.Random) -> Claim:
     scale = rational(r)
     form = f"({scale})*({c})" if total else f"1 + ({c})**2"
     here, before, start = (
-        form.replace("n", f"({t})").replace("si(", "si(") for t in ("k", "k - 1", "0")
-    )
-    here, before, start = (
-        t.replace("si(k)", "sin").replace("si(k - 1)", "sin").replace("si(0)", "sin")
-        for t in (here, before, start)
+        form.replace("n", f"({t})").replace(f"si({t})", "sin") for t in ("k", "k - 1", "0")
     )
     true = r.random() < 0.5
     error = r.choice(["1/3", "n", "n*(n - 1)", "(-1)**n", "n*(n - 1)*(n - 2)*(n - 3)"])
@@ -250,10 +246,9 @@ def equations(r: random.Random) -> Claim:
     true = r.random() < 0.5
     if kind == "==":
         return f"{first} == {second if true else moved(r, second)} given {e} == 0{given}", true
+    square = f"{'' if true else '-'}({r.choice(forms)})**2"
     low = "" if true and kind == ">=" else " + 1" if true else " - 1/5"
-    return f"({r.choice(forms)})**2{low} + ({e})*({first}) {kind} 0 given {e} == 0{given}", (
-        True if true else None
-    )
+    return f"{square}{low} + ({e})*({first}) {kind} 0 given {e} == 0{given}", true
 
 
 def unknowns(r: random.Random) -> Claim:
@@ -295,12 +290,12 @@ def main(count: int = 3000, seed: int = 1) -> None:
     tasks = (Task(text) for _, (text, _) in asked)
     for (kind, (text, truth)), (_, found) in zip(asked, check_all(tasks, LIMIT), strict=True):
         said = "not read" if isinstance(found, InputError) else found.verdict.value
-        counts[kind_name := kind, truth, said] += 1
+        counts[kind, truth, said] += 1
         holds = said in (Verdict.PROVED.value, Verdict.ENCLOSED.value)
         if said == "not read":
             print("NOT READ", text, found)
         elif (holds and truth is not True) or (said == Verdict.REFUTED.value and truth is True):
-            print("WRONG", kind_name, truth, said, text, "|", found.why[:200], flush=True)
+            print("WRONG", kind, truth, said, text, "|", found.why[:200], flush=True)
         elif "please report" in found.why:
             print("AT FAULT", text, "|", found.why[:300], flush=True)
     for (kind, truth, said), number in sorted(counts.items(), key=str):
