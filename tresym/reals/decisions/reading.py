@@ -354,9 +354,7 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
     Raises:
         InputError: what else binds a variable and is not decided.
     """
-    ends = [end for node in outermost(e) if node.op == "integral" for end in node.args[1:]]
-    infinite = sum(end in (INFINITY, -INFINITY) for end in ends)
-    if INFINITY.args[0] in symbols(e) and not infinite:
+    if _is_infinite(e):
         raise InputError(NO_INFINITY)
     for node in outermost(e):
         place = node.args[-1]
@@ -376,6 +374,14 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
             function, times = instantiate(function.args[0], (place,)), times + 1
         yield from _derivatives(function, work)
         yield Derivative(work(function), place.args[0], times, work(node))
+
+
+def _is_infinite(e: Expr) -> bool:
+    """Whether oo stands in it elsewhere than at the end of an integral."""
+    if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
+        return e == INFINITY
+    ends = (INFINITY, -INFINITY) if e.op == "integral" else ()
+    return any(_is_infinite(arg) for arg in e.args if arg not in ends)
 
 
 def _is_slope_of_unknown(node: Expr) -> bool:

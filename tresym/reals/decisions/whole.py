@@ -52,7 +52,7 @@ PERIODIC = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 MOST_RESIDUES = 48
 SMALL = 3
 """Up to where, on both sides of 0, integers are looked at one by one."""
-LOOKED_AT = (1, 2, 0, 3, -1, 4, -2, 5, 7, -3, 10)
+LOOKED_AT = (1, 2, 0, 3, -1, 4, -2, 5, 7, -3, 10, 20, 100)
 MOST_POINTS, SHOWN = 120, 14
 _WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
