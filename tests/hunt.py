@@ -154,8 +154,8 @@ def improper(r: random.Random) -> Claim:
         ]
     )
     true = r.random() < 0.5
-    value = value.format(a=a)
-    claim = f"integral({f.format(a=a)}, x, {ends}) == {value if true else moved(r, value)}"
+    f, value = f.format(a=f"({a})"), value.format(a=f"({a})")
+    claim = f"integral({f}, x, {ends}) == {value if true else moved(r, value)}"
     return f"{claim} given a > 0" if a == "a" else claim, true
 
 
