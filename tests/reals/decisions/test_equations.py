@@ -26,6 +26,7 @@ HOLD = [
     "x == -1/2 + sqrt(5)/2 given x**2 + x == 1, x > 0",
     "x*y == 1 given 1/x == y",
     "integral(x, x, 0, a) == 1/2 given a == 1",
+    "x**2 == 1/4 given x >= 1/2, x <= 1/2",
 ]
 FAIL = [
     "a*b <= 1/5 given a + b == 1",
@@ -42,6 +43,8 @@ FAIL = [
 ]
 OPEN = [
     "x > 5 given x == 1, x == 2",
+    "x > 5 given x >= 1, x < 1",
+    "x == 1 given x >= 1, x <= 1, x != 1",
     "x == 1 given 1 == 2",
     "x**2 == -1 given x**2 == -4",
     "x == 0 given sqrt(x) == -1",

@@ -234,11 +234,9 @@ class _Approach:
         value = self.limit(e.args[0])
         if value is None:
             return None
-        if e.op == "log" and (
-            value == INFINITY or (value != MINUS_INFINITY and not self._sign(value))
-        ):
-            if value == INFINITY:
-                return INFINITY
+        if e.op == "log" and value == INFINITY:
+            return INFINITY
+        if e.op == "log" and self._sign(value) == 0:
             return MINUS_INFINITY if self._sign_beside(e.args[0]) == 1 else None
         if _is_infinite(value):
             ends = _AT_INFINITY.get(e.op)

@@ -18,6 +18,7 @@ from tresym.reals.language.expression import (
     differentiate,
     instantiate,
     multiply,
+    number,
     opened,
     symbol,
     symbols,
@@ -213,6 +214,12 @@ def _stated(shown: str, text: str) -> Statement:
     said = parse_given(under)
     given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
+    equations += tuple(
+        (symbol(name), number(where.low))
+        for name, where in given.box.items()
+        if where.low is not None and where.low == where.high
+        if not (where.low_open or where.high_open)
+    )
     integers = tuple(dict.fromkeys(str(link[0]) for link in said if link[1] == "in"))
     if len(parts) == 1 and any(side.op == "limit" for side in parts[0][::2]):
         comparison, path = _limit(*parts[0], path)
