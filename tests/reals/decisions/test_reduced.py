@@ -81,6 +81,21 @@ def test_a_condition_or_a_domain_that_does_not_scale_is_kept() -> None:
         assert all(question[2] != parse("1") for question in asked)
 
 
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "atan2(x, -1) >= atan2(y, -1) given x < y",  # each falls where it does not jump
+        "atan2(x, -y) <= atan2(x, y) + 4 given y > 0",
+        "x - 2*sign(x) >= y - 2*sign(y) - 1 given x > y",
+    ],
+)
+def test_what_jumps_is_not_reduced(claim: str) -> None:
+    body, _, given = claim.partition(" given ")
+    ((left, _, right),) = parse_claim(body)
+    asked = by_one_variable(left, ">=", right, Given.parse(given), decide_inequality)
+    assert asked is None
+
+
 def test_a_refutation_names_a_point_of_both_variables() -> None:
     body, given = "(x - y)/(log(x) - log(y)) <= (x + y)/3", Given.parse("0 < x, x < y")
     ((left, _, right),) = parse_claim(body)

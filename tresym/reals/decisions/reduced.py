@@ -10,7 +10,7 @@ What is left is asked of the procedure for one variable, whose answer this is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from flint import arb, fmpq
@@ -19,6 +19,7 @@ from tresym.reals.balls.contact import candidates
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.language.cancellation import collected
 from tresym.reals.language.expression import (
+    LEAVES,
     ONE,
     ZERO,
     Expr,
@@ -50,12 +51,24 @@ STARTS = 8
 def by_one_variable(
     left: Expr, relation: str, right: Expr, given: Given, decide: Decide
 ) -> Answer | None:
-    """An answer by claims of one variable, for ``>=`` and ``>``; None where none is found."""
+    """An answer by claims of one variable, for ``>=`` and ``>``; None where none is found.
+
+    Of what jumps nothing is said: between two places, and where it scales, the normal form leaves
+    the jumps out.
+    """
+    if _jumps((left, right, *(c.expression for c in given.conditions))):
+        return None
     for method in (_scaled, _monotone, _separated):
         found = method(left, relation, right, given, decide)
         if found is not None:
             return found
     return None
+
+
+def _jumps(expressions: Iterable[Expr]) -> bool:
+    return any(
+        e.op in ("sign", "atan2") or (e.op not in LEAVES and _jumps(e.args)) for e in expressions
+    )
 
 
 # -- scaling ------------------------------------------------------------------------------------

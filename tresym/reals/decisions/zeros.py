@@ -15,6 +15,7 @@ from flint import arb, fmpq, fmpz_poly
 from tresym.reals.balls.contact import candidates
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.identity import shown
+from tresym.reals.decisions.region import is_isolated
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.field import Field
@@ -118,6 +119,8 @@ def equal_at_simple(
             if not evaluate(difference, at).contains(0):
                 continue
             if not all(satisfies(condition, point, at) for condition in given.conditions):
+                continue
+            if is_isolated(at, (left, right)):
                 continue
             sides = evaluate(left, at), evaluate(right, at)
         if all(side.is_finite() for side in sides) and equal_at(left, right, point):
