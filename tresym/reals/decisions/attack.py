@@ -8,7 +8,7 @@ from flint import arb
 
 from tresym.reals.advocate import contradiction, program, said, where
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.reading import ORDERS, Comparison, Path, Statement
+from tresym.reals.decisions.reading import Comparison, Path, Statement
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 
@@ -26,10 +26,12 @@ def attack(
         spent: seconds that its decision took.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
-    if comparison.relation in ORDERS:
+    if statement.path is not None:
         return _attack_order(comparison, statement.path, answer)
     claim = (comparison.left, comparison.relation, comparison.right)
-    return contradiction(claim, statement.given.comparisons, functions, derivatives, spent)
+    return contradiction(
+        claim, statement.given.comparisons, functions, derivatives, spent, statement.integers
+    )
 
 
 def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str | None:

@@ -12,7 +12,8 @@ from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP, exact_text
-from tresym.reals.decisions.reading import ORDERS, Comparison, Statement, read
+from tresym.reals.decisions.reading import Comparison, Statement, read
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import ZERO, Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
@@ -51,7 +52,7 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
     return replace(
         answer,
         statement=_short(statement.text),
-        given=_short(str(statement.given)),
+        given=_short(statement.under),
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
@@ -76,18 +77,23 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
+    nodes = {node.op for node in outermost(left, right)}
+    if nodes == {"integral"} and statement.path is None and not statement.integers:
+        from tresym.reals.decisions.integrals import decide_integrals
+
+        return decide_integrals(comparison, statement, _bounded)
+    if statement.equations or statement.integers or nodes:
+        return Answer(Verdict.UNDECIDED, "claims of this kind are read and not decided yet")
+    if statement.path is not None:
+        from tresym.reals.decisions.tending import decide_tending
+
+        return decide_tending(comparison, statement, _bounded)
     functions = comparison.differentiated, comparison.by
     if relation == "==":
         found = decide_equality(left, right, statement.given, *functions)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
         return Answer(found.verdict, found.why)
-    if relation in ORDERS:
-        from tresym.reals.decisions.orders import decide_order
-
-        if statement.path is None:
-            raise TypeError("an order claim is read with its path")
-        return decide_order(comparison, statement.path)
     return _decide_inequality(left, relation, right, statement.given, *functions)
 
 
