@@ -44,6 +44,10 @@ NO_CLAIMS = {
     r"\[ \sin\theta(1 + x) = y \]": "UNREAD",
     r"\[ r = a(1 - e\cos E), \quad e^{x} = b \]": "DEFINED UNREAD",
     r"\[ f(x) = f(-x) \]": "EQUATION",
+    r"\[ \tan x = x, \quad x > 0 \]": "EQUATION",
+    r"\[ 1\,\mathrm{eV} = 1.602\times 10^{-19}\,\mathrm{J} \]": "UNREAD",
+    r"\[ E = 1\,\mathrm{eV} = 1.602\times 10^{-19}\,\mathrm{J} \]": "UNREAD UNREAD",
+    r"The cases $a = b$ and $c = d$ are left out. \[ c^2 = d^2 \]": "EQUATION",
 }
 
 
@@ -57,7 +61,10 @@ CLAIMS = {
     r"\[ \sin\frac{z}{2} = \pm\left(\frac{1-\cos z}{2}\right)^{1/2} \]": "PROVED",
     r"\[ \ln(xy) = \ln x + \ln y, \quad x > 0,\ y > 0 \]": "PROVED",
     r"\[ \ln x^2 = 2\ln x \qquad (x > 0) \]": "PROVED",
-    r"\[ \sqrt{x^2} = x \text{ for } x < 0 \]": "REFUTED",
+    r"\[ \sqrt{x^2} = x \text{ for all } x < 0 \]": "REFUTED",
+    r"\[ \sqrt{x^2} = x \quad \forall x < 0 \]": "REFUTED",
+    r"\[ \sqrt{x^2} = -x \text{ for } x < 0 \]": "PROVED",
+    r"\[ \sin x < \frac{x}{2} \text{ for } x > 0 \]": "REFUTED",
     r"Let $x < 0$. \[ \sqrt{x^2} = -x \]": "PROVED",
     r"\section{A} Let $x < 0$. \section{B} \[ \sqrt{x^2} = -x \]": "PROVED",
     r"\[ f(x) = x^2 \] \[ f'(x) = 2x = x + x \]": "DEFINED PROVED PROVED",

@@ -18,7 +18,7 @@ from flint import fmpq
 from tresym.manuscript import prose
 from tresym.manuscript.notes import Orders, orders_of
 from tresym.manuscript.rows import STRANGE, WORDS, Said, statements
-from tresym.manuscript.surface import Display, Event, Note, Prose, Section
+from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Section
 from tresym.reals.decisions.reading import chained, functions
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import Expr, number, substitute, symbol, symbols
@@ -145,6 +145,8 @@ class _Reading:
             elif isinstance(event, Section):
                 self.earlier += self.lasting
                 self.noted, self.lasting, before = [], [], ""
+            elif isinstance(event, Missing):
+                continue
             elif isinstance(event, Prose):
                 self.remember(event.text)
                 before = event.text
@@ -380,7 +382,9 @@ class _Reading:
         spoken = [_names((c,)) for c in (*given, *around.given)]
         lasting = [c for c in self.lasting if _names((c,)) not in spoken]
         everything = (*self.noted, *lasting, *around.given, *given)
-        kind = around.kind or (prose.CLAIM if own and not around.noted else "")
+        bounds = own and not {"=", "\\equiv"} & {*said.ops}
+        claimed = said.universal or (bounds and around.kind != prose.ASSUME)
+        kind = prose.CLAIM if claimed and not around.noted else around.kind
         return replace(
             around, given=everything, put_in=tuple(put_in), path=path, kind=kind
         ), problem
@@ -686,6 +690,8 @@ class _Reading:
         if WORDS in tokens:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:
+            lone = len(said.ops) == 1 and self.head(said.terms[0]) is not None
+            tokens = _without_units(tokens) if lone else tokens
             if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
                 tokens = tokens[1:]
             return self.term(tokens)
@@ -693,7 +699,7 @@ class _Reading:
             return _plain(str(error))
 
     def term(self, tokens: Sequence[str]) -> Piece:
-        tokens = _without_units(_digits_joined(list(tokens)))
+        tokens = _digits_joined(list(tokens))
         while tokens and tokens[-1] in (",", ".", ";", ":"):
             tokens.pop()
         reader = Reader(tokens, self.author)
@@ -852,7 +858,7 @@ def _unknown(*trees: Expr) -> set[str]:
     return {str(f.args[0].args[0]) for e in trees for f in functions(e)}
 
 
-def _without_units(tokens: list[str]) -> list[str]:
+def _without_units(tokens: Sequence[str]) -> Sequence[str]:
     """A number without the unit behind it."""
     start = next((n for n, token in enumerate(tokens) if token in _UNITS), 0)
     numbers = {"\\times", "\\cdot", "^", "{", "}", "-", "+"}

@@ -20,6 +20,8 @@ from tresym.reals.language.latex_tokens import (
 )
 from tresym.reals.numbers.exact import InputError
 
+FORALL = "\\forallsaid"
+"""The token before a condition that says "for all"."""
 GAP, AND, OR, OTHERWISE, WORDS = "\\gapquad", "\\wordand", "\\wordor", "\\otherwise", "\\words"
 MAX_RELATIONS = 500
 ARROWS = frozenset(
@@ -71,6 +73,7 @@ _FOR = re.compile(
     r"|whenever|as|given|given that|provided|provided that|with|where|on|in the limit|assuming"
     r"|for real|for all real)"
 )
+_ALL = re.compile(r"for (?:all|any|every|each)\b")
 _WITHOUT = re.compile(
     r"(?:here|then|so|so that|hence|thus|therefore|or equivalently|i\.e\.|which is"
     r"|that is|resp\.?|respectively)"
@@ -87,6 +90,7 @@ class Said:
         values: what follows by commas, as in ``n = 0, 1, 2``.
         conditions: those that are said of it with a word such as "for".
         words: upright text that stands in it.
+        universal: it is said "for all".
     """
 
     terms: tuple[tuple[str, ...], ...]
@@ -95,6 +99,7 @@ class Said:
     values: tuple[tuple[str, ...], ...] = ()
     conditions: tuple[Said, ...] = ()
     words: tuple[str, ...] = field(default=())
+    universal: bool = False
 
     @property
     def tokens(self) -> tuple[str, ...]:
@@ -156,6 +161,9 @@ def _prepared(text: str, words: list[str]) -> str:
     )
     text = re.sub(r"\\(?:triangleq|coloneq|doteq|eqdef|defeq)(?![a-zA-Z])|:\s*=", ":=", text)
     text = _DEFINED.sub(lambda m: ":=" if re.search("def|triangle|Delta", m[1]) else "=", text)
+    text = re.sub(
+        r"\\forall(?![a-zA-Z])", rf"{AND} {FORALL} {CONDITION} ".replace("\\", r"\\"), text
+    )
     text = re.sub(r"\\colon(?![a-zA-Z])", " ", text)
     text = re.sub(r"\\(?:dots|dotsc|cdots|dotsb)(?![a-zA-Z])", r"\\ldots ", text)
     return _TEXT.sub(lambda m: _spoken(m, words), text)
@@ -184,6 +192,8 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
             result += f" {OR} "
         elif word in ("otherwise", "else"):
             result += f" {CONDITION} {OTHERWISE} "
+        elif _ALL.match(word) and _FOR.fullmatch(word):
+            result += f" {AND} {FORALL} {CONDITION} "
         elif _FOR.fullmatch(word):
             result += f" {CONDITION} "
         elif _WITHOUT.fullmatch(word):
@@ -376,7 +386,9 @@ def _chains(tokens: list[str]) -> list[Said]:
         elif stop in ARROWS or stop in (OR, ";", "."):
             under = False
         if not chain.ops:
-            if part == [OTHERWISE] and found:
+            if part == [FORALL]:
+                found = [replace(one, universal=True) for one in found]
+            elif part == [OTHERWISE] and found:
                 found[-1] = replace(found[-1], conditions=(*found[-1].conditions, chain))
             elif stop in (GAP, "") and found and part[0] in _OPERATORS:
                 found[-1] = _extended(found[-1], [part])
