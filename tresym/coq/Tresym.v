@@ -1345,3 +1345,45 @@ Ltac give :=
 Ltac worked_out W :=
   cbv beta;
   first [exact W | lra | etransitivity; [| etransitivity; [exact W |]]; first [ring | field; side]].
+
+(* The defect of a shape between two numbers, by the signs of what is left of its equation. *)
+Lemma asin_by_atan x : -1 < x < 1 -> asin x = atan (x / sqrt (1 - x * x)).
+Proof. intros H; rewrite asin_atan by exact H; reflexivity. Qed.
+Lemma share_below a b e : 0 < a -> 0 < b -> -1 < sqrt (b * / (a + b)) * cos e < 1.
+Proof.
+  intros A B; assert (Q : 0 <= b * / (a + b) < 1).
+  { split; [apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra] |].
+    apply (Rmult_lt_reg_r (a + b)); [lra |]; rewrite Rmult_assoc, Rinv_l by lra; lra. }
+  pose proof (sqrt_lt_1 _ 1 (proj1 Q) ltac:(lra) (proj2 Q)) as M; rewrite sqrt_1 in M.
+  pose proof (sqrt_pos (b * / (a + b))); pose proof (COS_bound e); split; nra.
+Qed.
+Definition turn_short (a b e : R) : R :=
+  1 - 2 / (exp (2 * (sqrt (a * b) * (PI + atan (sqrt (b * / (a + b)) * cos e
+    / sqrt (1 - sqrt (b * / (a + b)) * cos e * (sqrt (b * / (a + b)) * cos e)))))) + 1)
+  - / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Lemma defect_exists a b lo hi : 0 < a -> 0 < b -> lo <= hi ->
+  turn_short a b lo <= 0 -> 0 <= turn_short a b hi ->
+  exists e, lo <= e <= hi /\ tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Proof.
+  intros A B L S T.
+  assert (I : forall e, 0 < b * / a * sin e ^ 2 + 1).
+  { intros e; pose proof (pow2_ge_0 (sin e)); assert (0 < b * / a).
+    { apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]. } nra. }
+  assert (W : forall e, turn_short a b e = tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e).
+  { intros e; unfold turn_short; rewrite (asin_by_atan _ (share_below a b e A B)); f_equal.
+    set (x := sqrt (a * b) * _); replace (2 * x) with (x + x) by ring; rewrite exp_plus, tanh_law.
+    pose proof (exp_pos x); field; split; nra. }
+  destruct (root_exists (fun e => tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e) lo hi L) as [e [E Z]].
+  - intros e _; pose proof (share_below a b e A B); continues; cbv beta; try lra.
+    apply Rgt_not_eq, sqrt_lt_R0, I.
+  - cbv beta; rewrite <- !W; nra.
+  - exists e; split; [exact E |]; cbv beta in Z; lra.
+Qed.
+Ltac inverse_sines := repeat match goal with
+  | |- context [asin ?u] => rewrite (asin_by_atan u) by (split; interval with (i_prec 90))
+  end.
+(* The premises as the arithmetic of intervals takes them. *)
+Ltac weakly := repeat match goal with H : _ < _ |- _ => apply Rlt_le in H end.
