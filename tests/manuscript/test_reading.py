@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from hangs import HANGS
 
 from tresym.manuscript.deciding import Row, decided
 from tresym.manuscript.reading import read_links
@@ -11,7 +12,7 @@ from tresym.manuscript.surface import read_manuscript
 
 def read(tmp_path: Path, text: str) -> list[Row]:
     (tmp_path / "m.tex").write_text(text)
-    return decided(read_links(read_manuscript(tmp_path / "m.tex")), 5.0, 1)
+    return decided(read_links(read_manuscript(tmp_path / "m.tex")), HANGS, 1)
 
 
 NO_CLAIMS = {

@@ -115,11 +115,11 @@ def summary(rows: list[Row]) -> str:
     return f"{displays} displays, {len(rows)} links: {parts}"
 
 
-_ADVICE = {
+_ADVICE = {  # of a part of its reason
     "write % tresym: as": "has no path: % tresym: as x -> 0, or whichever it is, before display",
     "write % tresym: claim": "fails somewhere: % tresym: claim or solve before display",
     "two readings remain": "can be read in two ways: brackets, or % tresym: shorter, in display",
-    "its condition is not read": "has a condition that is not read: % tresym: given, before display",
+    "its condition is not read": "has a condition not read: % tresym: given … before display",
 }
 """What is said of rows that a note would settle, and the note."""
 

@@ -174,22 +174,23 @@ class _Reading:
     def remember(self, text: str) -> None:
         """Definitions and lasting conditions in the lines of a text."""
         for found in prose.inline(text):
-            if not (found.lasting or found.defining):
-                continue
             for said in _quietly(found.tex):
-                if found.defining and len(said.ops) == 1 and said.ops[0] in ("=", ":="):
-                    self.defined_in_line(said)
+                if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
+                    self.defined_in_line(said, found.defining)
                 elif found.lasting:
                     given, _, _ = self.condition(said) or ((), (), "")
                     self.lasting += given
 
-    def defined_in_line(self, said: Said) -> None:
+    def defined_in_line(self, said: Said, surely: bool) -> None:
+        """A definition in the line, by the words before it or as one of a function, f(x) = …."""
         head = self.head(said.terms[0])
+        if head is None or not (surely or head.parameters):
+            return
         try:
             value = self.term(said.terms[1]).tree
         except InputError:
             return
-        if head and not head.derived and value.op != "number" and head.name not in symbols(value):
+        if not head.derived and value.op != "number" and head.name not in symbols(value):
             self.define(head, value)
 
     def conditions_around(self, before: str, after: str) -> Under:
