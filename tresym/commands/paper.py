@@ -29,7 +29,7 @@ def add(commands: Commands) -> None:
         "UNDECIDED or UNREAD; 2 when the file cannot be read.",
         allow_abbrev=False,
     )
-    parser.add_argument("manuscript", metavar="MANUSCRIPT.tex", help="its LaTeX source")
+    parser.add_argument("paper", metavar="MANUSCRIPT.tex", help="its LaTeX source")
     parser.add_argument("--notes", metavar="FILE", help="notes by display number and hash")
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
@@ -51,7 +51,7 @@ def run(args: argparse.Namespace) -> int:
     from tresym.manuscript.surface import Missing, read_manuscript
 
     limit = parse_seconds(args.limit)
-    events = read_manuscript(Path(args.manuscript))
+    events = read_manuscript(Path(args.paper))
     if args.notes is not None:
         events = with_notes(events, Path(args.notes))
     missing = [event.name for event in events if isinstance(event, Missing)]
@@ -80,7 +80,7 @@ def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
     if args.html is not None:
         folder = Path(args.html)
         folder.mkdir(parents=True, exist_ok=True)
-        write_text(str(folder / "index.html"), page.page(rows, Path(args.manuscript).name))
+        write_text(str(folder / "index.html"), page.page(rows, Path(args.paper).name))
     if args.marks is not None:
         write_text(args.marks, page.marks(rows))
         write_text(str(Path(args.marks).with_name("tresym.sty")), page.STYLE)
