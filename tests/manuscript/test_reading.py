@@ -46,6 +46,14 @@ NO_CLAIMS = {
     r"\[ r = a(1 - e\cos E), \quad e^{x} = b \]": "DEFINED UNREAD",
     r"\[ f(x) = f(-x) \]": "EQUATION",
     r"\[ \tan x = x, \quad x > 0 \]": "EQUATION",
+    r"\[ N = 1,000 \]": "UNREAD",
+    r"\[ x = 1, 2 \]": "UNREAD",
+    r"\[ n = 0, 1, 2, \ldots \]": "ASSUMED",
+    r"\begin{align} x &= a & y &= b \\ -z &= c & -w &= 2d \end{align}": (
+        "DEFINED DEFINED EQUATION EQUATION"
+    ),
+    r"\begin{eqnarray} x &=& a \\ y &=& b \\ &=& c \end{eqnarray}": "DEFINED DEFINED EQUATION",
+    r"\[ \begin{array}{rclrcl} x &=& a & y &=& b \end{array} \]": "DEFINED DEFINED",
     r"\[ 1\,\mathrm{eV} = 1.602\times 10^{-19}\,\mathrm{J} \]": "UNREAD",
     r"\[ E = 1\,\mathrm{eV} = 1.602\times 10^{-19}\,\mathrm{J} \]": "UNREAD UNREAD",
     r"The cases $a = b$ and $c = d$ are left out. \[ c^2 = d^2 \]": "EQUATION",

@@ -356,6 +356,18 @@ class _Reading:
                 why = f"the words {said.words[0]!a} are not read"
             yield replace(blank, status=UNREAD, why=why, shown=shown)
             return
+        if said.values:
+            listed = said.ops == ("=",) and said.values[-1] == ("\\ldots",)
+            found = self.integers(said) if listed else None
+            shown = " ".join(said.tokens)
+            if found is None:
+                why = "a list of values, or a number with commas, is not read"
+                yield replace(blank, status=UNREAD, why=why, shown=shown)
+            else:
+                self.lasting += found[0]
+                why, text = "a condition", chained(found[0])
+                yield replace(blank, status=ASSUMED, why=why, shown=shown, read_as=text)
+            return
         under, problem = self.under(said, extra, around)
         pieces = [self.piece(term, said) for term in said.terms]
         for n, op in enumerate(said.ops):

@@ -249,20 +249,27 @@ def _rows(tokens: list[str]) -> list[list[str]]:
         for column, cell in enumerate(split):
             if not cell:
                 continue
-            goes_on = cells and (
-                cell[0] in RELATIONS
-                or cell[0] in STRANGE
-                or (cell[0] in _OPERATORS and (column > 0 or not _relation_in(row)))
-                or cells[-1][-1] in _OPERATORS
-                or cells[-1][-1] in RELATIONS
-                or (column > 0 and not _relation_in(cell) and cell[0] != CONDITION)
-            )
-            if goes_on:
+            after = split[column + 1] if column + 1 < len(split) else []
+            if cells and _goes_on(cells[-1], cell, after, column, row):
                 cells[-1] += cell
             else:
                 cells.append(cell)
                 columns.append(column)
     return [[*cell, *heads.get(column, [])] for cell, column in zip(cells, columns, strict=True)]
+
+
+def _goes_on(
+    before: list[str], cell: list[str], after: list[str], column: int, row: list[str]
+) -> bool:
+    """Whether a cell goes on with the statement before it."""
+    if cell[0] in RELATIONS or cell[0] in STRANGE:
+        return True
+    if before[-1] in _OPERATORS or before[-1] in RELATIONS:
+        return True
+    starts = after[:1] and after[0] in RELATIONS and _relation_in(before)
+    if cell[0] in _OPERATORS:  # in an even column of an align an equation begins
+        return not (starts and column % 2 == 0) and (column > 0 or not _relation_in(row))
+    return column > 0 and not starts and not _relation_in(cell) and cell[0] != CONDITION
 
 
 def _without_brace(tokens: list[str]) -> list[str]:
