@@ -75,6 +75,7 @@ class Link:
         claims: what is asked, in the order of trying: as it stands, then with definitions put in.
         firm: whether a refutation counts; else the link is then ``otherwise``.
         same: whether the same variables stand on both sides.
+        unknown: whether there is a function in it that is left unknown.
     """
 
     display: Display
@@ -87,6 +88,7 @@ class Link:
     firm: bool = False
     otherwise: tuple[str, str] = ("UNDECIDED", "")
     same: bool = False
+    unknown: bool = False
     shown: str = field(default="", repr=False)
 
 
@@ -612,7 +614,7 @@ class _Reading:
         keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
         link = replace(link, claims=tuple(attempts.values()), firm=firm, same=same)
         if fallback[0] == EQUATION and _unknown(left, right):
-            link = replace(link, same=False)
+            link = replace(link, same=False, unknown=True)
         return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
     def forms(
