@@ -64,6 +64,8 @@ _DROPPED = re.compile(
     r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
     r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
 )
+_GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
+_BRACE = re.compile(rf"\\(?:under|over)brace\s*{_GROUP}(?:\s*[_^]\s*{_GROUP})?")
 _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
@@ -155,6 +157,7 @@ def _prepared(text: str, words: list[str]) -> str:
     """With marks for gaps and upright text; what only sets the page is dropped."""
     text = _DROPPED.sub(" ", text)
     text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
+    text = _BRACE.sub(r"{\1}", text)
     text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)
     text = re.sub(
         r"\\q?quad(?![a-zA-Z])|\\enspace(?![a-zA-Z])", f" {GAP} ".replace("\\", r"\\"), text
