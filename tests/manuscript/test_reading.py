@@ -16,6 +16,15 @@ def read(tmp_path: Path, text: str) -> list[Row]:
 
 
 NO_CLAIMS = {
+    r"\[ y = x^2 \] \[ \frac{d}{dx}(xy) = 3x^2 \] \[ \frac{d}{dx}(xy) = y \]": (
+        "DEFINED PROVED REFUTED"
+    ),
+    r"\[ y = x^2 \] \[ \int_0^1 xy\,dx = \frac{1}{4} = \int_0^1 xy^2\,dx \]": (
+        "DEFINED PROVED REFUTED"
+    ),
+    r"\[ w = xv, \quad v = x^2 \] \[ \frac{dw}{dx} = 3x^2 \]": "DEFINED DEFINED PROVED",
+    r"\[ z' = z \] \[ \frac{d}{dx}(xz) = z \]": "EQUATION UNREAD",
+    r"\[ \frac{dz}{dx} = z \] \[ \frac{d}{dx}(xz) = z \]": "EQUATION UNREAD",
     r"\[ E = mc^2 \]": "DEFINED",
     r"\[ f(x) = x^2 + 1 \]": "DEFINED",
     r"\[ v = \frac{dx}{dt} \]": "DEFINED",
@@ -66,6 +75,15 @@ def test_what_is_no_claim_is_never_called_false(text: str, tmp_path: Path) -> No
 
 
 CLAIMS = {
+    r"\[ y = x^2 \] \[ \frac{d}{dx}(xy) = 3x^2 \] \[ \frac{d}{dx}(xy) = y \]": (
+        "DEFINED PROVED REFUTED"
+    ),
+    r"\[ y = x^2 \] \[ \int_0^1 xy\,dx = \frac{1}{4} = \int_0^1 xy^2\,dx \]": (
+        "DEFINED PROVED REFUTED"
+    ),
+    r"\[ w = xv, \quad v = x^2 \] \[ \frac{dw}{dx} = 3x^2 \]": "DEFINED DEFINED PROVED",
+    r"\[ z' = z \] \[ \frac{d}{dx}(xz) = z \]": "EQUATION UNREAD",
+    r"\[ \frac{dz}{dx} = z \] \[ \frac{d}{dx}(xz) = z \]": "EQUATION UNREAD",
     r"\[ \sin(u\pm v) = \sin u\cos v \pm \cos u\sin v \]": "PROVED PROVED",
     r"\[ \sin\frac{z}{2} = \pm\left(\frac{1-\cos z}{2}\right)^{1/2} \]": "PROVED",
     r"\[ \ln(xy) = \ln x + \ln y, \quad x > 0,\ y > 0 \]": "PROVED",

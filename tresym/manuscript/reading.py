@@ -9,7 +9,7 @@ or "for all". Any other equality that does not hold everywhere is an equation to
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple, TypeAlias
 
@@ -21,7 +21,19 @@ from tresym.manuscript.rows import STRANGE, WORDS, Said, statements
 from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Section
 from tresym.reals.decisions.reading import chained, functions
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.expression import Expr, number, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    BINDERS,
+    LEAVES,
+    UNWORKED,
+    Expr,
+    bind,
+    instantiate,
+    number,
+    rebuild,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author, Function
@@ -45,6 +57,14 @@ _CALLED = re.compile(
     r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
 )
 """The head of a function's definition."""
+_L = r"([a-zA-Z]|\\[a-zA-Z]+)"
+_D = r"\s*(?:d|\\mathrm\s*\{?d\}?|\\partial)(?:\s*\^\s*\{?\d\}?)?\s*"
+_DERIVATIVES = (
+    (rf"\\d?dot\s*\{{?\s*{_L}", "t"),
+    (r"(?<![a-zA-Z\\])([a-zA-Z])(?:_\w)?'", ""),
+    (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
+)
+"""How derivatives of symbols are written."""
 _UNITS = frozenset(("\\mathrm", "\\text", "\\textrm", "\\rm", "\\unit"))
 _WORKED = frozenset(("antiderivative", "derivative", "limit"))
 """What is written to be worked out: an equality with one of these is no equation to be solved."""
@@ -124,6 +144,7 @@ class _Reading:
         self.orders = Orders()
         self.shorter = False
         self.ahead: dict[str, Expr] = {}
+        self.dependent = _dependent(text)
         self.called = frozenset(m[1].lstrip("\\") for m in _CALLED.finditer(text))
         self.seen: set[str] = set()
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
@@ -549,6 +570,10 @@ class _Reading:
     ) -> Link:
         """What is asked of a link, and what it is if the answer is no."""
         left, relation, right = compared
+        try:
+            left, right = self.under_binders(left), self.under_binders(right)
+        except InputError as error:
+            return replace(_read(link, compared), status=UNREAD, why=str(error))
         if signed and said.either:
             left, right = left**2, right**2
         if pieces[0].printed and not pieces[1].printed and relation == "==":
@@ -653,6 +678,36 @@ class _Reading:
             found.append((left, right, given, f"with {', '.join(used)} put in"))
         named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
         yield from (*found[:1], *(named[:1] if sources else ()), *found[1:][-1:])
+
+    def under_binders(self, e: Expr) -> Expr:
+        """With what is a function of the variable of a derivative or an integral put in there.
+
+        In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Raises:
+            InputError: it is not known whether a symbol is a function of the variable.
+        """
+        if e.op in LEAVES or elementary(e):
+            return e
+        if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
+            if e.op in UNWORKED or e.op == "unknown":
+                return e
+            return rebuild(e, tuple(map(self.under_binders, e.args)))
+        args = tuple(map(self.under_binders, e.args[1:]))
+        body = instantiate(e.args[0], tuple(map(symbol, e.names)))
+        known = self.ahead | {name: function.body for name, function in self.functions.items()}
+        for _ in range(_DEPTH):
+            values = {
+                n: known[n] for n in symbols(body) & known.keys() if _reaches(n, e.names, known)
+            }
+            if not values:
+                break
+            body = substitute(body, values)
+        for name in sorted(symbols(body) - {*e.names}):
+            on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
+            if on & {"", *e.names}:
+                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
+        return Expr(e.op, (bind(self.under_binders(body), e.names), *args), e.names)
 
     def fallback(
         self, left: Expr, relation: str, right: Expr, head: Head | None
@@ -866,6 +921,25 @@ def _digits_joined(tokens: list[str]) -> list[str]:
         else:
             result.append(token)
     return result
+
+
+def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:
+    """Whether what ``name`` stands for has one of ``names`` in it, however deep."""
+    reached, left = set(), {name}
+    while left:
+        reached |= left
+        left = {s for n in left if n in known for s in symbols(known[n])} - reached
+    return not reached.isdisjoint(names)
+
+
+def _dependent(text: str) -> dict[str, set[str]]:
+    """The letters of which derivatives are written, and by what; the empty name for any."""
+    found: dict[str, set[str]] = {}
+    for pattern, by in _DERIVATIVES:
+        for match in re.finditer(pattern, text):
+            name, *rest = (part.lstrip("\\") for part in match.groups())
+            found.setdefault(name, set()).add(rest[0] if rest else by)
+    return found
 
 
 def _unknown(*trees: Expr) -> set[str]:
