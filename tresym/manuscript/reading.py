@@ -571,7 +571,8 @@ class _Reading:
         """What is asked of a link, and what it is if the answer is no."""
         left, relation, right = compared
         try:
-            left, right = self.under_binders(left), self.under_binders(right)
+            known = self.known(under)
+            left, right = self.under_binders(left, known), self.under_binders(right, known)
         except InputError as error:
             return replace(_read(link, compared), status=UNREAD, why=str(error))
         if signed and said.either:
@@ -609,7 +610,7 @@ class _Reading:
                 conditions = tuple(c for c in conditions if ends not in _names((c,)))
             about = chained(_about(symbols(left) | symbols(right), conditions))
             said_so = f"{left} {relation} {right}" + (f" given {about}" if about else "") + as_path
-            for one, other, given, how in self.forms(left, right, conditions, under.sources):
+            for one, other, given, how in self.forms(left, right, conditions, under):
                 if as_path:  # where it holds, the path says
                     given = [c for c in given if as_path.split()[1] not in _names((c,))]
                 shown = chained(_about(symbols(one) | symbols(other), given))
@@ -647,7 +648,7 @@ class _Reading:
         left: Expr,
         right: Expr,
         given: Sequence[Compared],
-        sources: Sequence[tuple[str, Expr]],
+        under: Under,
     ) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str]]:
         """Both sides and the conditions as they stand, and with definitions put in.
 
@@ -655,14 +656,10 @@ class _Reading:
         follow from; in the end everything is.
         """
         yield left, right, given, ""
-        equal = {name for name, _ in sources}
+        known, equal = self.known(under), {name for name, _ in under.sources}
         given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
         used: list[str] = []
         found: list[tuple[Expr, Expr, Sequence[Compared], str]] = []
-        known = self.ahead | {name: function.body for name, function in self.functions.items()}
-        for name, body in sources:
-            known.pop(name, None)
-            known[name] = body
         for _ in range(_DEPTH):
             names = symbols(left) | symbols(right)
             name = next((n for n in reversed(known) if n in names), "")
@@ -677,9 +674,17 @@ class _Reading:
             used.append(f"{name} = {value[name]}")
             found.append((left, right, given, f"with {', '.join(used)} put in"))
         named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
-        yield from (*found[:1], *(named[:1] if sources else ()), *found[1:][-1:])
+        yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
 
-    def under_binders(self, e: Expr) -> Expr:
+    def known(self, under: Under) -> dict[str, Expr]:
+        """What symbols stand for, what was said last at the end."""
+        known = self.ahead | {name: function.body for name, function in self.functions.items()}
+        for name, body in under.sources:
+            known.pop(name, None)
+            known[name] = body
+        return known
+
+    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
         """With what is a function of the variable of a derivative or an integral put in there.
 
         In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
@@ -692,10 +697,9 @@ class _Reading:
         if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
             if e.op in UNWORKED or e.op == "unknown":
                 return e
-            return rebuild(e, tuple(map(self.under_binders, e.args)))
-        args = tuple(map(self.under_binders, e.args[1:]))
+            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
+        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
-        known = self.ahead | {name: function.body for name, function in self.functions.items()}
         for _ in range(_DEPTH):
             values = {
                 n: known[n] for n in symbols(body) & known.keys() if _reaches(n, e.names, known)
@@ -707,7 +711,7 @@ class _Reading:
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
             if on & {"", *e.names}:
                 raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
-        return Expr(e.op, (bind(self.under_binders(body), e.names), *args), e.names)
+        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
 
     def fallback(
         self, left: Expr, relation: str, right: Expr, head: Head | None
