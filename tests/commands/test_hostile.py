@@ -380,7 +380,7 @@ def test_a_line_without_an_end_is_refused_and_a_long_one_passed_over(
 @pytest.mark.parametrize(
     "words",
     [["check", "-f", "in", "-o", "in"], ["chart", "many", "--from", "in", "-o", "./in"],
-     ["audit", "in", "-o", "in"], ["paper", "in", "--marks", "in"],
+     ["audit", "in", "-o", "in"], ["paper", "in", "-o", "in"], ["paper", "in", "--marks", "in"],
      ["sweep", "--csv", "in", "-o", "in"],
      ["sweep", "--csv", "in", "-o", "t", "--export", "in"]],
 )  # fmt: skip
