@@ -47,6 +47,7 @@ NO_CLAIMS = {
     r"\[ f(x) = f(-x) \]": "EQUATION",
     r"\[ \tan x = x, \quad x > 0 \]": "EQUATION",
     r"\[ N = 1,000 \]": "UNREAD",
+    r"\[ 2x^2 > \pm x^2 \]": "UNREAD",
     r"\[ x = 1, 2 \]": "UNREAD",
     r"\[ n = 0, 1, 2, \ldots \]": "ASSUMED",
     r"\begin{align} x &= a & y &= b \\ -z &= c & -w &= 2d \end{align}": (

@@ -575,6 +575,9 @@ class _Reading:
             left, right = self.under_binders(left, known), self.under_binders(right, known)
         except InputError as error:
             return replace(_read(link, compared), status=UNREAD, why=str(error))
+        if signed and said.either and relation != "==":
+            why = "which sign is meant is not said"
+            return replace(_read(link, compared), status=UNREAD, why=why)
         if signed and said.either:
             left, right = left**2, right**2
         if pieces[0].printed and not pieces[1].printed and relation == "==":
