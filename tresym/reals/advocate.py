@@ -85,6 +85,7 @@ def contradiction(
         *map(symbols, trees), *(symbols(e) for c in given for e in c[::2])
     )
     names = sorted(spoken_of.union(d[1] for d in derivatives) - {INFINITE})
+    fixed = [name in integers for name in names]
     patience = 1 if relation == "==" else SLOWER
     start, shown, against = process_time(), 0, ""
 
@@ -96,7 +97,7 @@ def contradiction(
         found = None if point is None else value(point)
         if point is not None and found is not None:
             shown += 1
-            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
+            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point, fixed):
                 against = (
                     f"at {where(names, point)} its sides are {said(found[0])} and {said(found[1])}"
                 )
@@ -190,10 +191,19 @@ def exact(x: arb) -> fmpq:
     return fmpq(mantissa * 2 ** max(exponent, 0), 2 ** max(-exponent, 0))
 
 
-def _is_a_limit(value: Program, point: Tried) -> bool:
-    """Whether all is defined close by: what is so at single points is nobody's claim."""
+def _is_a_limit(value: Program, point: Tried, fixed: Sequence[bool] = ()) -> bool:
+    """Whether all is defined close by: what is so at single points is nobody's claim.
+
+    Args:
+        fixed: which coordinates are integers, and stay.
+    """
     return any(
-        value([x + arb((_noise(k, j) % 97 - 48, -60)) * (1 + abs(x)) for j, x in enumerate(point)])
+        value(
+            [
+                x + arb((_noise(k, j) % 97 - 48, -60)) * (1 + abs(x)) * (not any(fixed[j : j + 1]))
+                for j, x in enumerate(point)
+            ]
+        )
         for k in range(16)
     )
 

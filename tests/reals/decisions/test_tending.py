@@ -57,6 +57,8 @@ OPEN = [
     "log(-1 - x**2) -> 0 as x -> 0",
     "a*x -> 0 given a > 1, a < 0 as x -> 0",  # no such parameter
     "sqrt(-1 - a**2)*x -> 0 as x -> 0",
+    "diff(log(-x), x) > 0 as x -> oo",  # not real on the way
+    "log(-x) < 0 as x -> 0+",
 ]
 
 

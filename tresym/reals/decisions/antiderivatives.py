@@ -1,4 +1,4 @@
-"""Antiderivatives that SymPy suggests. They are guesses: who uses one checks it.
+"""Antiderivatives, and closed forms of sums, that SymPy suggests: guesses, which the user checks.
 
 SymPy is loaded when the first is asked for.
 """
@@ -58,6 +58,24 @@ def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
         if found:
             break
     return found[:MOST]
+
+
+def summed(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> list[Expr]:
+    """Candidates for closed forms of the ``"sum"`` or ``"product"`` of ``f``."""
+    import sympy
+
+    k = sympy.Symbol(name, integer=True)
+    names = symbols(f) | symbols(high)
+    values = {s: sympy.Symbol(s, real=True) for s in names} | {name: k}
+    values |= {s: sympy.Symbol(s, integer=True, positive=True) for s in symbols(high)}
+    procedure = sympy.summation if kind == "sum" else sympy.product
+    try:
+        body, *ends = (_InSympy(sympy, values).value(e) for e in (f, low, high))
+        with _stopped_after(SECONDS):
+            result = procedure(body, (k, *ends))
+        return [from_sympy(form) for form in _branches(sympy, sympy.factor(result))]
+    except Exception:  # SymPy's own faults are not ours to name
+        return []
 
 
 class _InSympy(Walker):

@@ -20,6 +20,7 @@ from math import lcm
 
 from flint import fmpq
 
+from tresym.reals.decisions.simple import tidied
 from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
@@ -79,7 +80,8 @@ def limit_of(e: Expr, name: str, point: Expr | None, side: int, given: Given) ->
     """
     along = side / T if point is None else point + side * T
     try:
-        return _Approach(given).limit(in_powers(substitute(e, {name: along})))
+        found = _Approach(given).limit(in_powers(substitute(e, {name: along})))
+        return None if found is None else tidied(found)
     except InputError:  # an expression on the way is too large
         return None
 
@@ -232,11 +234,9 @@ class _Approach:
         value = self.limit(e.args[0])
         if value is None:
             return None
-        if e.op == "log" and (
-            value == INFINITY or (value != MINUS_INFINITY and not self._sign(value))
-        ):
-            if value == INFINITY:
-                return INFINITY
+        if e.op == "log" and value == INFINITY:
+            return INFINITY
+        if e.op == "log" and self._sign(value) == 0:
             return MINUS_INFINITY if self._sign_beside(e.args[0]) == 1 else None
         if _is_infinite(value):
             ends = _AT_INFINITY.get(e.op)

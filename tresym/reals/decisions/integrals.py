@@ -89,20 +89,22 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
     said = "; ".join(dict.fromkeys(notes))
     if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
-        return _infinite(claim.relation, sides, said)
+        names = sorted(symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]})
+        at = simple_points(names, statement.given, 1, statement.integers)
+        return _infinite(claim.relation, sides, said, at[0] if at else None)
     if any(INFINITY.args[0] in symbols(side) for side in sides):
         return Answer(Verdict.UNDECIDED, f"an infinite value stands in a sum or product; {said}")
     answer = decided(replace(claim, left=sides[0], right=sides[1]), statement)
     return replace(answer, why=f"{said}; {answer.why}")
 
 
-def _infinite(relation: str, sides: list[Expr], said: str) -> Answer:
-    """The comparison of values of which one is infinite."""
-    if relation != "==":
+def _infinite(relation: str, sides: list[Expr], said: str, at: dict[str, fmpq] | None) -> Answer:
+    """The comparison of values of which one is infinite wherever the conditions hold."""
+    if relation != "==" or at is None:
         return Answer(Verdict.UNDECIDED, f"{said}; a value that is infinite is claimed by ==")
     if sides[0] == sides[1]:
         return Answer(Verdict.PROVED, said)
-    return Answer(Verdict.REFUTED, said, witness={})
+    return refuted(said, at)
 
 
 # By an antiderivative
@@ -293,7 +295,8 @@ def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
         or not all(elementary(*n.args) for n in nodes)
     ):
         return None
-    for at in simple_points(names, statement.given, PARAMETERS) if names else [{}]:
+    points = simple_points(names, statement.given, PARAMETERS, statement.integers)
+    for at in points if names else [{}]:
         for bits in BITS:
             with ball_precision(bits):
                 balls = {name: arb(value) for name, value in at.items()}

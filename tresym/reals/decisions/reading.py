@@ -18,6 +18,7 @@ from tresym.reals.language.expression import (
     differentiate,
     instantiate,
     multiply,
+    number,
     opened,
     symbol,
     symbols,
@@ -213,6 +214,12 @@ def _stated(shown: str, text: str) -> Statement:
     said = parse_given(under)
     given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
+    equations += tuple(
+        (symbol(name), number(where.low))
+        for name, where in given.box.items()
+        if where.low is not None and where.low == where.high
+        if not (where.low_open or where.high_open)
+    )
     integers = tuple(dict.fromkeys(str(link[0]) for link in said if link[1] == "in"))
     if len(parts) == 1 and any(side.op == "limit" for side in parts[0][::2]):
         comparison, path = _limit(*parts[0], path)
@@ -354,9 +361,7 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
     Raises:
         InputError: what else binds a variable and is not decided.
     """
-    ends = [end for node in outermost(e) if node.op == "integral" for end in node.args[1:]]
-    infinite = sum(end in (INFINITY, -INFINITY) for end in ends)
-    if INFINITY.args[0] in symbols(e) and not infinite:
+    if _is_infinite(e):
         raise InputError(NO_INFINITY)
     for node in outermost(e):
         place = node.args[-1]
@@ -376,6 +381,14 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
             function, times = instantiate(function.args[0], (place,)), times + 1
         yield from _derivatives(function, work)
         yield Derivative(work(function), place.args[0], times, work(node))
+
+
+def _is_infinite(e: Expr) -> bool:
+    """Whether oo stands in it elsewhere than at the end of an integral."""
+    if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
+        return e == INFINITY
+    ends = (INFINITY, -INFINITY) if e.op == "integral" else ()
+    return any(_is_infinite(arg) for arg in e.args if arg not in ends)
 
 
 def _is_slope_of_unknown(node: Expr) -> bool:

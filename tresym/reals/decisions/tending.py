@@ -75,6 +75,8 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
         return replace(found, why=f"of right and left: {found.why}")
     if claim.relation in ("O", "o", "~"):
         return decide_order(claim, path)
+    if claim.derivatives and where_real(Given(), claim.differentiated, claim.by)[0] != Given():
+        return Answer(Verdict.UNDECIDED, "what is differentiated is not real everywhere")
     return _eventually(claim, path, statement, decided)
 
 
@@ -117,7 +119,7 @@ def _limit(claim: Comparison, path: Path) -> Answer:
             why=f"the left side does not tend to {end}; of the {said}: {answer.why}",
             values=None,
         )
-    again = _periodic(f, end, path)
+    again = None if claim.derivatives else _periodic(f, end, path)
     return answer if again is None else again
 
 
