@@ -681,6 +681,107 @@ Ltac log_parts :=
     | rewrite ln_1 ];
   rewrite ?INR_IZR_INZ; cbn [Z.of_nat Pos.of_succ_nat Pos.succ].
 
+(* Equations step by step: what is a function of what has a name gets a name, out of the way. *)
+Definition same (x y : R) : Prop := x = y.
+Definition both (P Q : Prop) : Prop := P /\ Q.
+Lemma some_name (x : R) : exists y, x = y.
+Proof. now exists x. Qed.
+
+Lemma acosh_law x : acosh x = ln (x + sqrt (x ^ 2 + (-1))).
+Proof. reflexivity. Qed.
+Lemma arcsinh_law x : arcsinh x = ln (x + sqrt (x ^ 2 + 1)).
+Proof. reflexivity. Qed.
+Lemma atanh_law x : atanh x = ln ((1 + x) * / (1 + (-1) * x)) * (1 / 2).
+Proof.
+  unfold atanh, Rdiv; replace (1 + (-1) * x) with (1 - x) by ring; now rewrite Rmult_1_l.
+Qed.
+Ltac spell :=
+  unfold sec, csc, sech, csch, coth, Rpower in *;
+  rewrite ?tan_law, ?cot_law, ?sinh_law, ?cosh_law, ?tanh_law, ?acosh_law, ?arcsinh_law,
+    ?atanh_law in *.
+
+Lemma root_unique_3 x y : y ^ 3 = x -> root 3 x = y.
+Proof.
+  intros E; assert (C := root_3_pow x); rewrite <- E in C at 2.
+  set (r := root 3 x) in *; clearbody r; clear E.
+  assert (F : (r - y) * (r ^ 2 + r * y + y ^ 2) = 0) by (replace ((r - y) * (r ^ 2 + r * y + y ^ 2)) with (r ^ 3 - y ^ 3) by ring; lra).
+  apply Rmult_integral in F; destruct F as [F|F]; [lra |].
+  pose proof (pow2_ge_0 (r + y / 2)); pose proof (pow2_ge_0 y).
+  assert (Y : y = 0) by (apply Rsqr_0_uniq; unfold Rsqr; nra).
+  rewrite Y in *; apply Rsqr_0_uniq; unfold Rsqr; lra.
+Qed.
+Lemma exp_part q x v : (q <> 0)%nat -> 0 < x -> 0 < v -> v ^ q = x -> exp (/ INR q * ln x) = v.
+Proof.
+  intros N X V E; change (Rpower x (/ INR q) = v); rewrite <- root_pos by exact X.
+  now apply root_unique.
+Qed.
+Lemma ln_of_root q v x y : (q <> 0)%nat -> 0 < v -> v ^ q = x -> ln x = INR q * y -> ln v = y.
+Proof.
+  intros N V E L; rewrite <- E, ln_pow_ in L by exact V.
+  apply (Rmult_eq_reg_l (INR q)); [exact L | now apply not_0_INR].
+Qed.
+Lemma ln_like m n x y z : (m <> 0)%nat -> 0 < x -> 0 < y -> x ^ m = y ^ n ->
+  INR m * z = INR n * ln y -> ln x = z.
+Proof.
+  intros M X Y E Z; apply (Rmult_eq_reg_l (INR m)); [| now apply not_0_INR].
+  rewrite Z, <- !ln_pow_ by assumption; now rewrite E.
+Qed.
+Lemma ln_unlike m n x y z : (m <> 0)%nat -> 0 < x -> 0 < y -> x ^ m * y ^ n = 1 ->
+  INR m * z = - (INR n * ln y) -> ln x = z.
+Proof.
+  intros M X Y E Z; apply (Rmult_eq_reg_l (INR m)); [| now apply not_0_INR].
+  rewrite Z, <- !ln_pow_ by assumption.
+  assert (P : ln (x ^ m * y ^ n) = 0) by (rewrite E; apply ln_1).
+  rewrite ln_mult in P by now apply pow_lt.
+  lra.
+Qed.
+
+Lemma turn_atan u w : 0 < w -> w ^ 2 = 1 + u ^ 2 -> sin (atan u) = u / w /\ cos (atan u) = 1 / w.
+Proof.
+  intros W E; rewrite sin_atan, cos_atan; replace (1 + u²) with (w ^ 2) by (unfold Rsqr; lra).
+  rewrite sqrt_pow2 by lra; split; reflexivity.
+Qed.
+Lemma turn_asin u w : -1 <= u <= 1 -> 0 <= w -> w ^ 2 = 1 - u ^ 2 ->
+  sin (asin u) = u /\ cos (asin u) = w.
+Proof.
+  intros U W E; rewrite sin_asin, cos_asin by exact U; replace (1 - u²) with (w ^ 2) by (unfold Rsqr; lra).
+  rewrite sqrt_pow2 by lra; split; reflexivity.
+Qed.
+Lemma atan_unique w g : - PI / 2 < g < PI / 2 -> sin g = w * cos g -> atan w = g.
+Proof.
+  intros B E; assert (C : 0 < cos g) by (apply cos_gt_0; lra).
+  rewrite <- (atan_tan g) by lra; f_equal; unfold tan; rewrite E; field; lra.
+Qed.
+Lemma asin_unique w g : - PI / 2 <= g <= PI / 2 -> sin g = w -> asin w = g.
+Proof. intros B E; rewrite <- E; apply asin_sin; lra. Qed.
+Lemma half_angle w g : - PI < g < PI -> w * (1 + cos g) = sin g -> atan w = g / 2.
+Proof.
+  intros B E; apply atan_unique; [lra |].
+  assert (C : 0 < cos (g / 2)) by (apply cos_gt_0; lra).
+  replace g with (2 * (g / 2)) in E by field; rewrite sin_2a, cos_2a_cos in E.
+  apply (Rmult_eq_reg_l (2 * cos (g / 2))); [lra | lra].
+Qed.
+Ltac turns :=
+  repeat first [rewrite sin_plus | rewrite cos_plus];
+  rewrite ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI2, ?cos_PI2; ring.
+Ltac signed := first [assumption | lra | side | nra | hard].
+Ltac in_numbers := unfold same in *; subst; interval with (i_prec 60).
+Ltac away equal := repeat split; first [side | sides equal | nra].
+Ltac absurd_ := first [lra | nra | match goal with H : ?a <> 0 |- _ => apply H; first [ring | field; side | nra] end].
+Ltac split_logs :=
+  repeat first [rewrite ln_mult by first [assumption | positive] | rewrite ln_Rinv by first [assumption | positive]].
+Lemma factor_above x y : 0 < y -> 0 < x * y -> 0 < x.
+Proof. intros Y P; apply (Rmult_lt_reg_r y); [exact Y | now rewrite Rmult_0_l]. Qed.
+Ltac plainly := first [assumption | lra | positive].
+(* An equation put into the goal and into the premises that are no equations. *)
+Ltac put E :=
+  try rewrite E;
+  repeat match goal with
+  | H : _ <> _ |- _ => rewrite E in H
+  | H : _ < _ |- _ => rewrite E in H
+  | H : _ <= _ |- _ => rewrite E in H
+  end.
+
 (* Relations of numbers. *)
 Lemma above x y : 0 < y - x -> x < y.
 Proof. lra. Qed.
