@@ -81,10 +81,10 @@ def _attack_limit(claim: Comparison, statement: Statement, path: Path, ranged: b
     }.get(claim.relation)
     if vanishing is None or (path.point is not None and symbols(path.point)):
         return None
-    names = sorted(symbols(vanishing) - {path.name})
+    needed = (vanishing, left, *claim.differentiated)  # what is differentiated must be real there
+    names = sorted(set().union(*map(symbols, needed)) - {path.name})
     with ball_precision(NEAR_BITS):
-        parts = (vanishing, left, *claim.differentiated)
-        value = program(parts, [*names, path.name])
+        value = program(needed, [*names, path.name])
         holds = conditions(names, statement.given.comparisons)
         for at in ([arb(k + n) for n in range(len(names))] for k in (1, -2, 3)):
             if not holds(at):
