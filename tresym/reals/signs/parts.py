@@ -14,15 +14,15 @@ from contextlib import suppress
 from flint import fmpq
 
 from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
+from tresym.reals.normal.box import REALS, coefficient_sign, sign_on_box
 from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, project, small_factor
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.arithmetic import ball_precision, decided
 from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.atoms import Atoms
-from tresym.reals.signs.box import REALS, coefficient_sign, sign_on_box
 
 MAX_ATOMS = 8
 MAX_TERMS = 200
@@ -35,7 +35,6 @@ MAX_LOOKS = 60
 """Polynomials that are looked at for one question, all parts of it together."""
 DEPTH = 2
 """At most this many conditions are taken out of a sum."""
-_BITS = 128
 
 WEAK = ("+", ">=0", "0")
 FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
@@ -226,7 +225,7 @@ class Parts:
             return _absolute(self.span(e.args[0]), self.nonzero(e.args[0]))
         if e.op in ("+", "*"):
             return REALS
-        return _within(_RANGES.get(e.op, REALS), self._span_by_sign(e))
+        return _RANGES.get(e.op, REALS) & self._span_by_sign(e)
 
     def _span_by_sign(self, e: Expr) -> Interval:
         """Above or below 0; and 1, for an exponential or a root."""
@@ -235,7 +234,7 @@ class Parts:
             above_one = self.sign(e.args[0])
         elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
             above_one = self.sign(e.args[0] - ONE)
-        return _within(_beside(fmpq(0), found), _beside(fmpq(1), above_one))
+        return _beside(fmpq(0), found) & _beside(fmpq(1), above_one)
 
     # -- polynomials in atoms -------------------------------------------------------------------
 
@@ -297,7 +296,8 @@ class Parts:
             return None
         best = None
         for q in self.atoms.rewritten(p, self._is_positive):
-            found = self._on_box(q) or self._by_factors(q)
+            found = self._on_box(q)
+            found = found if found in ("+", "-", "0") else self._by_factors(q) or found
             if found in ("+", "-", "0"):
                 return found
             best = best or found
@@ -477,19 +477,16 @@ class Parts:
 
 
 def _constant_sign(e: Expr) -> str | None:
-    for bits in (_BITS, 8 * _BITS):
-        with ball_precision(bits):
-            value = evaluate(e, {})
-        if value > 0:
-            return "+"
-        if value < 0:
-            return "-"
-    return "0" if value.is_zero() else None
+    def attempt() -> str | None:
+        x = evaluate(e, {})
+        return "+" if x > 0 else "-" if x < 0 else "0" if x.is_zero() else None
+
+    return decided(attempt)
 
 
 def _constant_span(e: Expr) -> Interval:
     """Rational ends of the ball of a constant."""
-    with ball_precision(_BITS):
+    with ball_precision():
         value = evaluate(e, {})
         low, high = rational_ends(value)[:2]
     below = None if low is None else fmpq((low * 2**64).floor() - 1, 2**64)
@@ -512,17 +509,6 @@ def _beside(end: fmpq, found: str | None) -> Interval:
     return Interval(None, end, False, found == "-") if found in ("-", "<=0") else REALS
 
 
-def _within(one: Interval, other: Interval) -> Interval:
-    """The values in both."""
-    low, low_open = one.low, one.low_open
-    if low is None or (other.low is not None and other.low >= low):
-        low, low_open = other.low, other.low_open or (other.low == low and low_open)
-    high, high_open = one.high, one.high_open
-    if high is None or (other.high is not None and other.high <= high):
-        high, high_open = other.high, other.high_open or (other.high == high and high_open)
-    return Interval(low, high, low_open, high_open)
-
-
 def _absolute(span: Interval, nonzero: bool) -> Interval:
     """The range of the absolute value of what has a range."""
     if span.low is not None and span.low >= 0:
@@ -532,11 +518,9 @@ def _absolute(span: Interval, nonzero: bool) -> Interval:
         return Interval(-span.high, low, span.high_open, span.low_open)
     if span.low is None or span.high is None:
         return Interval(fmpq(0), None, nonzero)
-    top = max(-span.low, span.high)
-    is_open = all(
-        o for end, o in ((-span.low, span.low_open), (span.high, span.high_open)) if end == top
-    )
-    return Interval(fmpq(0), top, nonzero, is_open)
+    ends = (-span.low, not span.low_open), (span.high, not span.high_open)
+    top, closed = max(ends)
+    return Interval(fmpq(0), top, nonzero, not closed)
 
 
 def _times(x: str, y: str) -> str:
