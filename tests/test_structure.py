@@ -30,7 +30,7 @@ INSIDE = {
         ("language", "processes"),
         ("places", "corpus", "advocate"),
         ("normal",),
-        ("signs", "balls"),
+        ("signs", "balls", "growth"),
         ("decisions",),
     ),
     "racket": (

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 from flint import arb
+from hangs import HANGS
 
 from tresym.commands import main
+from tresym.commands.flip import _told
 from tresym.output import colour_wanted
 from tresym.racket.flip import flip_defect
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -56,6 +60,50 @@ def test_the_three_ways_to_name_a_body_agree(capsys: pytest.CaptureFixture[str])
         assert main(["flip", *words, "--json"]) == 0
         defects.add(json.loads(capsys.readouterr().out)["defect"]["mid"])
     assert len(defects) == 1
+
+
+def _never_a_thousand(args: argparse.Namespace, digits: int, colour: bool) -> str:
+    if digits == 1000:
+        time.sleep(HANGS)
+    return _told(args, digits, colour)
+
+
+def test_what_is_known_when_time_is_over(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("tresym.commands.flip._told", _never_a_thousand)
+    words = ["flip", "--body", "str", "--digits", "1000", "--json", "--limit", "1.5"]
+    assert main(words) == 1
+    out, err = capsys.readouterr()
+    found = json.loads(out)
+    assert found["digits"] in (5, 50, 500)
+    assert found["defect"]["mid"].startswith("0.1149441")
+    assert err == (
+        f"tresym: flip: after 1.5 s {found['digits']} of 1000 digits are known; see --limit\n"
+    )
+
+
+def test_nothing_is_written_where_nothing_is_known(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = tmp_path / "answer"
+    extreme = ["flip", "--shape", "1e-9999", "1", "--digits", "9999", "--gamma", "1e-9999"]
+    assert main([*extreme, "--limit", "0.001", "-o", str(target)]) == 1
+    assert capsys.readouterr().err.count("nothing is known") == 1
+    assert not target.exists()
+
+
+def test_a_limit_changes_no_answer_and_no_complaint(capsys: pytest.CaptureFixture[str]) -> None:
+    for words in (["--rung", "asymptotic"], ["--rung", "carlson"], ["--psi0", "1", "--rate", "2"]):
+        asked = ["flip", "--body", "str", "--json", *words]
+        status, (out, err) = main(asked), capsys.readouterr()
+        assert main([*asked, "--limit", "3000"]) == status
+        again, complaint = capsys.readouterr()
+        assert (_untimed(again), complaint) == (_untimed(out), err)
+
+
+def _untimed(text: str) -> dict[str, object] | None:
+    return json.loads(text) | {"seconds": 0} if text else None
 
 
 def test_the_text_says_what_a_person_wants_to_know(capsys: pytest.CaptureFixture[str]) -> None:

@@ -15,18 +15,30 @@ import signal
 import subprocess
 import sys
 import time
+import tracemalloc
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from decimal import Decimal
 from pathlib import Path
+from typing import Any
 
 import chunks
+import numpy as np
 import pytest
 from flint import ctx, fmpq, fmpz
 from hangs import HANGS
 
-from tresym import InputError, flip_defect
+from tresym import (
+    Body,
+    InputError,
+    check,
+    flip_angle,
+    flip_defect,
+    flip_map,
+    verify,
+)
 from tresym.commands import main
+from tresym.commands.check import read_tasks
 from tresym.racket.angle import parse_angle
 from tresym.racket.body import shape
 from tresym.reals.language.parsing import parse, parse_conditions
@@ -156,6 +168,52 @@ def test_the_api_answers_or_refuses_in_one_line() -> None:
         with ball_precision(200):
             again = flip_defect(*shape(a, b), gamma, 30)
             assert flip_defect(a, b, gamma, digits).defect.overlaps(again.defect)
+
+
+ODD = [0.5, None, True, float("nan"), 1j, b"1", 10**400, [], {}, object, "\0x", np.bool_(True),
+       np.float64(0.5), np.array(1), np.array([1, 2]), np.datetime64(0, "s")]  # fmt: skip
+CALLS: dict[str, Callable[[Any], object]] = {
+    "flip_defect a": lambda x: flip_defect(x, "1/2"),
+    "flip_defect b": lambda x: flip_defect("1", x),
+    "flip_defect gamma": lambda x: flip_defect("1", "1/2", x),
+    "flip_defect digits": lambda x: flip_defect("1", "1/2", digits=x),
+    "flip_defect rung": lambda x: flip_defect("1", "1/2", rung=x),
+    "flip_angle psi0": lambda x: flip_angle("1", "1/2", x, "1"),
+    "flip_angle rate": lambda x: flip_angle("1", "1/2", "1", x),
+    "flip_angle theta0": lambda x: flip_angle("1", "1/2", "1", theta0=x),
+    "flip_angle precession": lambda x: flip_angle("1", "1/2", "1", "1", precession=x),
+    "flip_map a": lambda x: flip_map(x, 0.5, 0.1, 0.1),
+    "flip_map b": lambda x: flip_map(1, x, 0.1, 0.1),
+    "flip_map psi0": lambda x: flip_map(1, 0.5, x, [0.1, 0.2, 0.3]),
+    "flip_map rate": lambda x: flip_map(1, 0.5, [0.1, 0.2, 0.3], x),
+    "flip_map precession": lambda x: flip_map(1, 0.5, 0.1, [0.1, 0.2, 0.3], x),
+    "Body": lambda x: Body(x, 2, 3),
+    "check claim": check,
+    "check given": lambda x: check("x == x", x),
+    "check path": lambda x: check("x == x", path=x),
+    "check limit": lambda x: check("x == x", limit=x),
+    "verify labels": lambda x: verify([x]),
+    "verify label": lambda x: verify(x) if not isinstance(x, list | dict) else None,
+    "verify workers": lambda x: verify("eq_gamma", workers=x),
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_every_argument_of_the_api_is_taken_or_refused_in_one_line(name: str) -> None:
+    for odd in ODD:
+        complaint = complaint_of(CALLS[name], odd)
+        assert complaint is None or one_line(complaint), repr(odd)
+
+
+def test_numbers_of_numpy_are_taken() -> None:
+    one = np.int64(1)
+    found = flip_defect(one, np.str_("1/2"), np.int8(0), np.int32(20))
+    assert found.digits == 20
+    assert type(found.digits) is int
+    assert str(found.defect) == str(flip_defect(1, "1/2", 0, 20).defect)
+    assert flip_map(one, np.float32(0.5), np.float32(1), one) == flip_map(1, 0.5, 1.0, 1.0)
+    assert check("x == x", limit=np.int64(5))
+    assert len(verify("eq_gamma", workers=one).rows) == len(verify(["eq_gamma"]).rows)
 
 
 @pytest.mark.parametrize("numbers", [("1e-9999", "1/2", 1), ("1", "1e-9999", -1), ("1", "𝟏" * 99)])
@@ -289,6 +347,48 @@ def test_a_file_of_claims_may_hold_anything(
     assert all(json.loads(line) for line in out.splitlines())
     assert all(line.startswith("tresym: ") for line in err.splitlines()[:-1])
     assert "Traceback" not in err
+
+
+def test_a_file_of_claims_is_never_held_as_a_whole(tmp_path: Path) -> None:
+    claims = tmp_path / "claims"
+    claims.write_text("# a comment\nx == x\n" + f"y == y # {'.' * 190}\n" * 50_000)
+    tracemalloc.start()
+    try:
+        count = sum(1 for _ in read_tasks(str(claims), "", None))
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert count == 50_001
+    assert peak < 1_000_000 < claims.stat().st_size / 9
+
+
+def test_a_line_without_an_end_is_refused_and_a_long_one_passed_over(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    claims = tmp_path / "claims"
+    claims.write_text(f"{'x' * 250_000}\nx == x\n")
+    first, second = read_tasks(str(claims), "", None)
+    assert (first.line, len(first.claim)) == (1, 100_000)
+    assert second == ("x == x", "", None, 2)
+    monkeypatch.setattr("tresym.commands.check.LONGEST_REST", 200_000)
+    assert complaint_of(lambda: list(read_tasks(str(claims), "", None))) == (
+        f"{claims}: a line has no end"
+    )
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["check", "-f", "in", "-o", "in"], ["chart", "many", "--from", "in", "-o", "./in"],
+     ["audit", "in", "-o", "in"], ["sweep", "--csv", "in", "-o", "in"],
+     ["sweep", "--csv", "in", "-o", "t", "--export", "in"]],
+)  # fmt: skip
+def test_an_input_is_never_replaced(
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("in").write_text("x == x\n")
+    assert main(words) == 2
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"in": "x == x\n"}
 
 
 # Whole processes

@@ -54,7 +54,7 @@ def test_stored_proofs_are_of_statements_that_stand() -> None:
         and (told := ENTRIES[label].theorem) is not None
         and stamp(told) != row["statement"]
     ]
-    assert len(stale) < len(STORE["claims"]) / 2
+    assert len(stale) < len(STORE["claims"]) / 10
 
 
 def test_a_theorem_whose_premise_has_no_proof_is_proved_in_part() -> None:
@@ -78,7 +78,7 @@ def test_the_files_assume_nothing_and_the_index_names_every_claim(tmp_path: Path
     assert said.count("Definition says_") == sum(
         row["theorem"] is not None for row in index.values()
     )
-    assert len(proved()) > 60
+    assert len(proved()) > 240
 
 
 def test_conditions_are_shown_to_hold_somewhere() -> None:

@@ -10,10 +10,14 @@ import os
 import re
 import sys
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 import tresym
 from tresym.commands.parser import BAD_INPUT, INTERRUPTED, Parser, one_line
 from tresym.reals.numbers.exact import InputError
+
+if TYPE_CHECKING:
+    import argparse
 
 COMMANDS = (
     "verify",
@@ -30,6 +34,9 @@ COMMANDS = (
     "chart",
 )
 """In the order of the help; only the file of the one that is asked for is loaded."""
+
+INPUTS, OUTPUTS = ("file", "source", "paper", "csv"), ("path", "coq", "export")
+"""Arguments, of any command, that name a file to read, and one to write."""
 
 _OPTION = re.compile(r"-[hof]|--")
 
@@ -59,6 +66,19 @@ def _keep_negative_values(words: list[str]) -> list[str]:
     ]
 
 
+def _keep_inputs(args: argparse.Namespace) -> None:
+    """See, before any work, that no output would replace an input.
+
+    Raises:
+        InputError: one would.
+    """
+    given = vars(args)
+    for goal in filter(None, map(given.get, OUTPUTS)):
+        for source in filter(None, map(given.get, INPUTS)):
+            if os.path.isfile(goal) and os.path.realpath(goal) == os.path.realpath(source):
+                raise InputError(f"{goal}: is read here, and is not replaced; name another file")
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run one command line; returns the exit status."""
     words = sys.argv[1:] if arguments is None else arguments
@@ -67,6 +87,7 @@ def main(arguments: list[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     try:
         args = build_parser(next(iter(words), None)).parse_args(_keep_negative_values(words))
+        _keep_inputs(args)
         status: int = args.run(args)
         if sys.stdout is not None:
             sys.stdout.flush()

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import io
-import json
 import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from fractions import Fraction
 from functools import partial
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -17,9 +14,11 @@ from typing import TYPE_CHECKING
 from tresym.commands.parser import (
     Commands,
     add_output,
+    json_line,
+    parse_seconds,
 )
 from tresym.output import bold, colour_wanted, dim, writing
-from tresym.reals.numbers.exact import InputError, parse_number
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 if TYPE_CHECKING:
@@ -63,12 +62,10 @@ def run(args: argparse.Namespace) -> int:
     return many(args.file, args.given, args.tends, args.limit, args.json, args.path)
 
 
-MAX_BYTES = 50_000_000
-
-
-MAX_SECONDS = 86_400
-LEAST_SECONDS = 0.001
-
+LONGEST_LINE = 100_000
+"""Characters of a line at most that are kept: a claim of so many is refused."""
+LONGEST_REST = 50_000_000
+"""Characters that are passed over for the end of a line that is too long."""
 
 REFUTED, BAD, UNDECIDED = 1, 2, 3
 
@@ -88,12 +85,12 @@ def one(
     """Decide one claim and show the answer; returns the exit status."""
     from tresym.reals.decisions.limits import Task, check_within
 
-    answer = check_within(Task(claim.strip(), given, path), _seconds(limit))
+    answer = check_within(Task(claim.strip(), given, path), parse_seconds(limit))
     colour = colour_wanted() and target is None
     said = None if coq is None else _in_coq(claim.strip(), given, path, answer, coq)
     if as_json:
         value = answer.as_json() if said is None else answer.as_json() | {"coq": said}
-        text = json.dumps(value, ensure_ascii=False) + "\n"
+        text = json_line(value)
     else:
         text = answer_text(answer, colour)
         text += "" if said is None else f"  {dim('coq        ', colour)}{said['says']}\n"
@@ -130,7 +127,7 @@ def many(
     from tresym.reals.decisions.limits import check_all
 
     tasks = read_tasks(file, given, path)
-    seconds = _seconds(limit)
+    seconds = parse_seconds(limit)
     counts = dict.fromkeys([*(verdict.value for verdict in Verdict), "not read"], 0)
     status = 0
     colour = colour_wanted() and target is None
@@ -145,7 +142,7 @@ def many(
             else:
                 status = _worse(status, _STATUS.get(found.verdict, 0))
                 counts[found.verdict.value] += 1
-                show(_line(found) if as_json else answer_text(found, colour))
+                show(json_line(found.as_json()) if as_json else answer_text(found, colour))
             _progress(sum(counts.values()))
     summary = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
     print(f"{sum(counts.values())} claims: {summary}", file=sys.stderr)
@@ -168,18 +165,9 @@ def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     """
     from tresym.reals.decisions.limits import Task
 
-    try:
-        with open(sys.stdin.fileno() if file == "-" else file, "rb", closefd=file != "-") as stream:
-            data = stream.read(MAX_BYTES + 1)
-    except AttributeError:
-        raise InputError("there is no standard input to read claims from") from None
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read ({error.strerror})") from None
-    if len(data) > MAX_BYTES:
-        raise InputError(f"{file}: more than {MAX_BYTES} bytes")
     tasks = (
         Task(claim, given, path, number)
-        for number, line in enumerate(_lines(data), 1)
+        for number, line in enumerate(_lines(file), 1)
         if (claim := line.split("#")[0].strip())
     )
     first = next(tasks, None)
@@ -188,10 +176,24 @@ def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     return chain([first], tasks)
 
 
-def _lines(data: bytes) -> Iterator[str]:
-    """The lines, one at a time: a list of many short ones would be far larger than the file."""
-    text = io.TextIOWrapper(io.BytesIO(data), encoding="utf-8-sig", errors="replace")
-    return (line for piece in text for line in piece.splitlines())
+def _lines(file: str) -> Iterator[str]:
+    """The lines, one at a time: neither a long file nor a long line is ever held as a whole."""
+    if file == "-" and sys.stdin is None:
+        raise InputError("there is no standard input to read claims from")
+    name: str | int = sys.stdin.fileno() if file == "-" else file
+    try:
+        with open(name, encoding="utf-8-sig", errors="replace", closefd=file != "-") as stream:
+            while line := stream.readline(LONGEST_LINE):
+                rest = line
+                for _ in range(LONGEST_REST // LONGEST_LINE):
+                    if not rest or rest.endswith("\n"):
+                        break
+                    rest = stream.readline(LONGEST_LINE)
+                else:
+                    raise InputError(f"{file}: a line has no end")
+                yield from line.splitlines() or [""]
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read ({error.strerror})") from None
 
 
 def answer_text(answer: Answer, colour: bool = False) -> str:
@@ -203,10 +205,6 @@ def answer_text(answer: Answer, colour: bool = False) -> str:
     return "\n".join([head + where, *(f"  {dim(f'{n:<11}', colour)}{t}" for n, t in rows)]) + "\n"
 
 
-def _line(answer: Answer) -> str:
-    return json.dumps(answer.as_json(), ensure_ascii=False) + "\n"
-
-
 def _bad_line(task: Task, error: InputError) -> str:
     from tresym.reals.decisions.answer import Answer
 
@@ -216,14 +214,7 @@ def _bad_line(task: Task, error: InputError) -> str:
         "line": task.line,
         "error": str(error),
     }
-    return json.dumps(value, ensure_ascii=False) + "\n"
-
-
-def _seconds(text: str) -> float:
-    value = parse_number(text, "--limit")
-    if not 0 < value <= MAX_SECONDS:
-        raise InputError(f"--limit: more than 0 and at most {MAX_SECONDS} seconds")
-    return max(float(Fraction(int(value.p), int(value.q))), LEAST_SECONDS)
+    return json_line(value)
 
 
 def _show_all(text: str, target: str | None) -> None:

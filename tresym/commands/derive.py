@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 
-from tresym.commands.parser import (
-    UNEXPECTED,
-    Commands,
-    deliver,
-)
+from tresym.commands.parser import UNEXPECTED, Commands, deliver
+from tresym.reals.numbers.exact import InputError
 
 
 def add(commands: Commands) -> None:
@@ -28,14 +26,22 @@ def add(commands: Commands) -> None:
         help="print refuted claims too, marked, with what is true instead",
     )
     parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+    parser.add_argument(
+        "--figures",
+        action="store_true",
+        help="of the article, write the figures too, as PDF, into the folder figures beside PATH",
+    )
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
+    if args.figures and (args.labels or args.path is None):
+        raise InputError("derive: --figures belongs to the whole article, and to -o PATH")
     from tresym.ledger.verification import verify
     from tresym.reals.processes import cores
     from tresym.report.pages import derivation
+    from tresym.report.pages.article import article
 
     report = verify(args.labels, workers=cores())
     asked = [report[label] for label in dict.fromkeys(args.labels)]
@@ -44,6 +50,19 @@ def run(args: argparse.Namespace) -> int:
         print("\n".join(refused), file=sys.stderr)
         return UNEXPECTED
     statements = map(derivation.fragment, asked)
-    text = "\n".join(statements) if args.labels else derivation.article(report)
+    text = "\n".join(statements) if args.labels else article(report)
     deliver(text, args.path)
+    if args.figures:
+        _draw(os.path.join(os.path.dirname(args.path), "figures"))
     return 0 if report.as_expected else UNEXPECTED
+
+
+def _draw(folder: str) -> None:
+    """The figures of the article, into a folder that is made where it is not there."""
+    from tresym.output import write_bytes
+    from tresym.report import figures
+    from tresym.report.pages.article import figures_of
+
+    os.makedirs(folder, exist_ok=True)
+    for name in figures_of():
+        write_bytes(os.path.join(folder, f"{name}.pdf"), figures.picture(name, "pdf"))

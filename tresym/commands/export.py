@@ -6,6 +6,7 @@ import argparse
 import shutil
 import sys
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,9 @@ def add(commands: Commands) -> None:
     parser.add_argument("labels", nargs="*", metavar="LABEL", help="claims, such as eq_gamma")
     parser.add_argument("--coq", required=True, metavar="DIR", help="the folder to write")
     parser.add_argument(
-        "--search", action="store_true", help="find the proofs anew by asking coqtop, and keep them"
+        "--search",
+        action="store_true",
+        help="find the proofs that are missing by asking coqtop, and keep them",
     )
     parser.add_argument(
         "--check",
@@ -37,8 +40,7 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
-    from tresym.coq.export import Memory, save, search, stored, write
-    from tresym.ledger.paper import all_claims
+    from tresym.coq.export import stored, write
 
     store = stored()
     if args.check:
@@ -46,12 +48,7 @@ def run(args: argparse.Namespace) -> int:
     if args.search:
         if shutil.which("coqtop") is None:
             raise InputError("export: --search asks coqtop, which is not installed here")
-        wanted = [c for c in all_claims() if not args.labels or c.label in args.labels]
-        memory = Memory(Path(args.coq) / "search.json")
-        found = search(wanted, lambda text: print(text, file=sys.stderr), memory)
-        claims = {**store["claims"], **found["claims"]}
-        store = {**found, "claims": claims} if not args.labels else {**store, "claims": claims}
-        save(store)
+        store = _search(Path(args.coq), args.labels)
     index = write(Path(args.coq), args.labels, store)
     counts = Counter(row["status"] for row in index.values())
     print(
@@ -59,6 +56,31 @@ def run(args: argparse.Namespace) -> int:
         f"part, {counts['none']} not; run make there to have Coq check them"
     )
     return 0
+
+
+def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
+    """Find the proofs that are missing, or those of the labels, and keep each when it is found."""
+    from tresym.coq.export import open_claims, save, stored
+    from tresym.coq.finding import Memory, search, witnesses
+    from tresym.coq.search import version
+    from tresym.ledger.paper import all_claims
+
+    def keep(label: str, row: dict[str, Any]) -> None:
+        store = stored()
+        store["claims"][label] = row
+        save(store)
+
+    memory = Memory(folder / "search.json", stored())
+    wanted = [c for c in open_claims() if not labels or c.label in labels]
+    search(wanted, memory, keep, lambda text: print(text, file=sys.stderr, flush=True))
+    store = stored()
+    if not labels:
+        claims = all_claims()
+        rows = {c.label: store["claims"].get(c.label) for c in claims}
+        store["claims"] = {label: row for label, row in rows.items() if row}
+        store |= {"coq": version(), "possible": witnesses(claims, memory)}
+        save(store)
+    return store
 
 
 def _check(folder: Path, store: dict[str, Any]) -> int:

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import argparse
+import re
+import sys
 from typing import TYPE_CHECKING
 
 from flint import arb, fmpq
 
 from tresym.commands.parser import (
+    UNEXPECTED,
     Commands,
     add_output,
     deliver,
-    deliver_json,
+    json_line,
+    parse_seconds,
 )
 from tresym.output import bold, colour_wanted, dim
 from tresym.racket.formulas import printed
@@ -54,49 +58,110 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--precession", metavar="ANGLE", help="with --psi0: how far phi goes (default: 2*pi)"
     )
+    parser.add_argument(
+        "--limit", metavar="SECONDS", help="then say with fewer digits what is known (60)"
+    )
     add_output(parser)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
-    from tresym.racket.flip.ladder import climb, parse_digits
-    from tresym.reals.numbers.exact import parse_number
-
-    if args.psi0 is not None:
-        return _journey(args)
-    if args.rate is not None or args.theta0 is not None or args.precession is not None:
-        raise InputError("flip: --rate, --theta0 and --precession belong to --psi0")
-    shape, title = _body(args)
-    gamma = parse_number("0" if args.gamma is None else args.gamma, "gamma")
-    answer = climb(shape, gamma, parse_digits(args.digits), args.rung)
-    if args.json:
-        deliver_json(answer.as_json(), args.path)
-    else:
-        deliver(flip_text(answer, title, colour_wanted() and args.path is None), args.path)
-    return 0
-
-
-def _journey(args: argparse.Namespace) -> int:
-    """A start of the user's own."""
-    from tresym.racket.flip import flip_angle
     from tresym.racket.flip.ladder import parse_digits
 
+    digits, colour = parse_digits(args.digits), colour_wanted() and args.path is None
+    if args.limit is None and _is_short(args, digits):
+        deliver(_told(args, digits, colour), args.path)
+        return 0
+    seconds = parse_seconds("60" if args.limit is None else args.limit)
+    known, text = _known_within(seconds, args, digits, colour)
+    if known:
+        deliver(text, args.path)
+    if known == digits:
+        return 0
+    what = f"{known} of {digits} digits are known" if known else "nothing is known"
+    print(f"tresym: flip: after {seconds:g} s {what}; see --limit", file=sys.stderr)
+    return UNEXPECTED
+
+
+SOONER = (5, 50, 500, 5000)
+"""Digits that are asked for first, where time may not be enough for all."""
+
+_LONG = re.compile(r"[eE][+-]?\d{3}|.{40}")
+
+
+def _is_short(args: argparse.Namespace, digits: int) -> bool:
+    """Whether the answer comes at once: no great number of digits, no number of great length."""
+    asked = (args.gamma, args.psi0, args.rate, args.theta0, args.precession)
+    numbers = (*asked, *(args.inertia or ()), *(args.shape or ()))
+    return digits <= 1000 and not any(_LONG.search(text) for text in numbers if text is not None)
+
+
+def _known_within(
+    seconds: float, args: argparse.Namespace, digits: int, colour: bool
+) -> tuple[int, str]:
+    """How many digits are known after so many seconds, and what is said of them.
+
+    FLINT cannot be interrupted from inside: a process of its own works, and is ended.
+    """
+    import time
+
+    from tresym.reals.processes import Processes
+
+    end, known, text = time.monotonic() + seconds, 0, ""
+    with Processes(1, forked=True) as pool:
+        few = [n for n in SOONER if n < digits]
+        calls = [(n, pool.submit(_told, args, n, colour)) for n in (*few, digits)]
+        for asked, future in calls:
+            try:
+                text = future.result(max(0, end - time.monotonic()))
+                known = asked
+            except TimeoutError:
+                pool.end()
+                break
+            except InputError:
+                if asked == digits:
+                    raise
+        pool.shutdown(cancel_futures=True)
+    return known, text
+
+
+def _told(args: argparse.Namespace, digits: int, colour: bool) -> str:
+    """The answer to so many digits, as it is shown."""
     shape, title = _body(args)
-    answer = flip_angle(
+    if args.psi0 is None:
+        answer = _flip(args, shape, digits)
+        text = answer.as_json() if args.json else flip_text(answer, title, colour)
+    else:
+        journey = _journey(args, shape, digits)
+        text = journey.as_json() if args.json else journey_text(journey, title, colour)
+    return text if isinstance(text, str) else json_line(text)
+
+
+def _flip(args: argparse.Namespace, shape: Shape, digits: int) -> Flip:
+    """The symmetric trajectory."""
+    from tresym.racket.flip.ladder import climb
+    from tresym.reals.numbers.exact import parse_number
+
+    if args.rate is not None or args.theta0 is not None or args.precession is not None:
+        raise InputError("flip: --rate, --theta0 and --precession belong to --psi0")
+    gamma = parse_number("0" if args.gamma is None else args.gamma, "gamma")
+    return climb(shape, gamma, digits, args.rung)
+
+
+def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
+    """A start of the user's own."""
+    from tresym.racket.flip import flip_angle
+
+    return flip_angle(
         *shape,
         args.psi0,
         args.rate,
-        parse_digits(args.digits),
+        digits,
         theta0=args.theta0,
         precession="2*pi" if args.precession is None else args.precession,
         rung=args.rung,
     )
-    if args.json:
-        deliver_json(answer.as_json(), args.path)
-    else:
-        deliver(journey_text(answer, title, colour_wanted() and args.path is None), args.path)
-    return 0
 
 
 def _body(args: argparse.Namespace) -> tuple[Shape, str]:

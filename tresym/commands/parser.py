@@ -57,9 +57,28 @@ def deliver(text: str, path: str | None) -> None:
 
 def deliver_json(answer: dict[str, Any], path: str | None) -> None:
     """A value as one line of JSON, delivered."""
+    deliver(json_line(answer), path)
+
+
+def json_line(answer: dict[str, Any]) -> str:
+    """A value as one line of JSON."""
     import json
 
-    deliver(json.dumps(answer, ensure_ascii=False) + "\n", path)
+    return json.dumps(answer, ensure_ascii=False) + "\n"
+
+
+MAX_SECONDS = 86_400
+LEAST_SECONDS = 0.001
+
+
+def parse_seconds(text: str) -> float:
+    """The seconds that --limit names; InputError unless they are above 0 and at most a day."""
+    from tresym.reals.numbers.exact import parse_number
+
+    value = parse_number(text, "--limit")
+    if not 0 < value <= MAX_SECONDS:
+        raise InputError(f"--limit: more than 0 and at most {MAX_SECONDS} seconds")
+    return max(int(value.p) / int(value.q), LEAST_SECONDS)
 
 
 def deliver_picture(draw: Callable[[str], bytes], path: str | None) -> None:

@@ -402,10 +402,16 @@ Proof.
   rewrite pow_mult; apply pow_le, pow2_ge_0.
 Qed.
 
+Lemma even_above x n : Nat.even n = true -> x <> 0 -> 0 < x ^ n.
+Proof.
+  intros E H; destruct (even_power x n E) as [P|P]; [exact P |].
+  now elim (pow_nonzero x n H).
+Qed.
+
 (* Positivity by structure. *)
 Ltac positive :=
   lazymatch goal with
-  | |- 0 < _ * _ => apply Rmult_lt_0_compat; positive
+  | |- 0 < _ * _ => first [assumption | apply Rmult_lt_0_compat; positive | lra]
   | |- 0 < / _ => apply Rinv_0_lt_compat; positive
   | |- 0 < _ / _ => apply Rdiv_lt_0_compat; positive
   | |- 0 < exp _ => apply exp_pos
@@ -413,7 +419,8 @@ Ltac positive :=
   | |- 0 < sqrt _ => apply sqrt_lt_R0; positive
   | |- 0 < root _ _ => apply root_lt; positive
   | |- 0 < PI => exact PI_RGT_0
-  | |- 0 < _ ^ _ => apply pow_lt; positive
+  | |- 0 < _ ^ _ =>
+      first [assumption | apply even_above; [reflexivity | assumption] | apply pow_lt; positive]
   | |- 0 < _ => solve [assumption | lra | sum]
   | |- 0 <= _ * _ => first [assumption | lra | apply Rmult_le_pos; positive]
   | |- 0 <= / _ => left; positive
@@ -471,7 +478,7 @@ Ltac tidy :=
 (* Sums of angles and of exponents. *)
 Ltac angles :=
   repeat first [rewrite sin_plus | rewrite cos_plus];
-  rewrite ?sin_neg, ?cos_neg, ?sin_0, ?cos_0; ring.
+  rewrite ?sin_neg, ?cos_neg, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0; ring.
 Ltac exponents :=
   rewrite ?exp_plus, ?exp_Ropp, ?exp_0; field; repeat split; apply Rgt_not_eq, exp_pos.
 Lemma sin_square x : sin x ^ 2 = 1 - cos x ^ 2.
@@ -531,6 +538,12 @@ Proof. intros X; pose proof (ln_below (/ x) ltac:(apply Rinv_0_lt_compat; lra)) 
 Qed.
 
 (* What is known of the values of functions that stand in the goal. *)
+Lemma asin_positive u : 0 < u -> u <= 1 -> 0 < asin u.
+Proof.
+  intros P Q; destruct (Rlt_or_le 0 (asin u)) as [H|H]; [exact H |].
+  pose proof (sin_asin u) as S; pose proof (asin_bound u); pose proof PI_RGT_0.
+  assert (0 <= sin (- asin u)) by (apply sin_ge_0; lra); rewrite sin_neg, S in * by lra; lra.
+Qed.
 Ltac facts :=
   repeat match goal with
   | |- context [PI] => add (3 < PI <= 4) ltac:(exact pi_between)
@@ -544,6 +557,10 @@ Ltac facts :=
   | |- context [ln ?u] => add (ln u <= u - 1) ltac:(apply ln_below; solve [assumption | lra | positive])
   | |- context [ln ?u] => add (0 <= ln u) ltac:(apply ln_nonnegative; solve [assumption | lra | nra])
   | |- context [atan ?u] => add (- PI / 2 < atan u < PI / 2) ltac:(apply atan_bound)
+  | |- context [asin ?u] => add (- PI / 2 <= asin u <= PI / 2) ltac:(apply asin_bound)
+  | |- context [asin ?u] => add (0 < asin u) ltac:(apply asin_positive; solve [positive | lra])
+  | |- context [acos ?u] => add (0 <= acos u <= PI) ltac:(apply acos_bound)
+  | |- context [acos ?u] => add (0 < acos u < PI) ltac:(apply acos_bound_lt; lra)
   | |- context [cosh ?u] => add (1 <= cosh u) ltac:(apply cosh_above)
   | |- context [sqrt ?u] => add (0 <= sqrt u) ltac:(apply sqrt_pos)
   | |- context [sin (PI * ?u)] => add (0 <= sin (PI * u)) ltac:(apply sin_ge_0; nra)
@@ -1314,6 +1331,17 @@ Proof.
 Qed.
 End Limits.
 (* The premises of a lemma, or of a theorem that is applied, from those at hand. *)
+Ltac seen :=
+  repeat match goal with H : _ = _ |- _ => clear H end;
+  lazymatch goal with
+  | |- _ <> 0 => first [apply Rgt_not_eq; facts; nra | apply Rlt_not_eq; facts; nra]
+  | |- _ => facts; nra
+  end.
 Ltac give :=
   cbv beta;
-  first [ assumption | reflexivity | lra | nonzero | positive | apply Rgt_lt; positive | nra ].
+  first [ assumption | reflexivity | lra | nonzero | positive | apply Rgt_lt; positive
+        | seen | nra ].
+(* What is said, from what it is when values are put in and worked out. *)
+Ltac worked_out W :=
+  cbv beta;
+  first [exact W | lra | etransitivity; [| etransitivity; [exact W |]]; first [ring | field; side]].

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import select
+import signal
 import subprocess
 import tempfile
 import time
@@ -74,13 +75,13 @@ class Dialogue:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
             )
-            self.said(HEAD + f"Set Default Timeout {self.patience}.\n", 120)
-        deadline = time.monotonic() + seconds
+            self.said(HEAD, 120)
+        begun = _worked(self.process.pid)
         for sentence in _SENTENCE.findall(text):
-            if time.monotonic() > deadline:
+            if _worked(self.process.pid) - begun > seconds:
                 self.said("Abort All.", 60)
                 return False
-            said = self.said(sentence, 4 * self.patience)
+            said = self.said(sentence, self.patience)
             if said is None:
                 self.end()
                 return False
@@ -90,21 +91,41 @@ class Dialogue:
         return True
 
     def said(self, sentence: str, seconds: float) -> str | None:
-        """What Coq says to it, None where it says nothing for so long."""
+        """What Coq says to it, None where it says nothing after so long at work.
+
+        It is interrupted after these seconds of the processor, however busy the machine is.
+        """
         assert self.process is not None
         assert self.process.stdin is not None
         assert self.process.stdout is not None
         self.process.stdin.write(f"{sentence}\n{_DONE}\n".encode())
         self.process.stdin.flush()
-        deadline, found = time.monotonic() + seconds, b""
+        begun, start, found = _worked(self.process.pid), time.monotonic(), b""
+        interrupted = False
         while b"v_done : Prop =>" not in found:
-            left = deadline - time.monotonic()
-            ready, _, _ = select.select([self.process.stdout], [], [], max(left, 0))
-            piece = os.read(self.process.stdout.fileno(), 65536) if ready else b""
-            if not piece:
+            ready, _, _ = select.select([self.process.stdout], [], [], 0.2)
+            if ready:
+                piece = os.read(self.process.stdout.fileno(), 65536)
+                if not piece:
+                    return None
+                found += piece
+                continue
+            worked = _worked(self.process.pid) - begun
+            if worked > 2 * seconds or time.monotonic() - start > 20 * seconds:
                 return None
-            found += piece
-        return found.decode(errors="replace")
+            if worked > seconds and not interrupted:
+                self.process.send_signal(signal.SIGINT)
+                interrupted = True
+        return found.decode(errors="replace") + ("Error:" if interrupted else "")
+
+
+def _worked(process: int) -> float:
+    """The seconds of the processor that a process has had; where that is not told, the clock's."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return time.monotonic()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def accepted(texts: Sequence[str]) -> list[bool]:

@@ -14,7 +14,7 @@ from math import lcm
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from tresym.coq.linear import as_expression, expanded, whole_basis
+from tresym.coq.linear import as_expression, expanded, whole_basis, without_squares
 from tresym.coq.statement import Theorem, term
 from tresym.reals.language.expression import (
     HALF,
@@ -35,6 +35,7 @@ from tresym.reals.signs.sign import sign
 LEAVES = ("number", "symbol", "pi")
 OPAQUE = ("log", "asin", "acos", "atan", "asinh", "acosh", "atanh", "atan2")
 MAX_MULTIPLE = 24
+MAX_ANGLES = 3
 
 
 def equation_proofs(theorem: Theorem) -> Iterator[str]:
@@ -157,7 +158,7 @@ class Script:
         self.after: list[str] = []
         self.late: list[tuple[Expr, int, str]] = []
         bounds = tuple(bound(*part) for part in theorem.defined if symbols(part[0]))
-        self.known = Given(theorem.given + bounds)
+        self.known = Given((*(c for c in theorem.given if c[1] != "=="), *bounds))
         self.angles: list[Expr] = []
         self.exponents: list[Expr] = []
 
@@ -181,6 +182,10 @@ class Script:
             for e in nodes([t.left]):
                 if e.op in ("asin", "acos", "asinh"):
                     self.written_roots(e)
+        self.equations()
+        for e, relation in t.defined:
+            if relation == "!=" and e.op == "+" and self.positive(e):
+                self.add(f"try (assert (0 < {term(e)}) by (first [positive | facts; nra])).")
         self.add("laws.")
         self.prepared(parts)
         for line in self.after:
@@ -189,6 +194,27 @@ class Script:
         self.add(f"field{known}.")
         self.add(f"all: try side. all: try (sides ltac:(fun _ => ring{known})). all: try nra.")
         return "\n".join(self.lines)
+
+    def equations(self) -> None:
+        """Equations among the premises, each for its greatest power."""
+        for x, relation, y in self.theorem.given:
+            if relation != "==":
+                continue
+            try:
+                terms = expanded(unfolded(x - y))
+            except OverflowError:
+                continue
+            fit = [m for m, c in terms.items() if abs(c) == 1 and len(m) == 1]
+            if not fit or any(n < 0 for m in terms for _, n in m):
+                continue
+            first = max(fit, key=lambda m: max(n for _, n in m))
+            others = as_expression({m: -c / terms[first] for m, c in terms.items() if m != first})
+            if {part for part, _ in first} & {*nodes([others])}:
+                continue
+            use = self.fresh("R")
+            text = term(as_expression({first: terms[first] / terms[first]}))
+            self.add(f"assert ({use} : {text} = {term(others)}) by (laws; lra).")
+            self.relations.append(use)
 
     def written_roots(self, e: Expr) -> None:
         """The root in the derivative of an inverse function as the claim writes it."""
@@ -206,11 +232,14 @@ class Script:
     def prepared(self, parts: Iterable[Expr]) -> None:
         """Facts and names for everything in the parts."""
         self.tops(self.theorem)
-        whole = [unfolded(e) for e in parts]
-        whole = self.logarithms(whole)
+        whole = self.logarithms(self.signs([unfolded(e) for e in parts]))
         every = nodes(whole)
         every.sort(key=lambda e: (-e.size, str(e)))
         self.roots([e for e in every if is_root(e)])
+        opaque = [e for e in every if e.op in OPAQUE or e.op == "sign"]
+        outer = [e for e in opaque if inner(e, ("sin", "cos", "exp"))]
+        for e in outer:
+            self.opaque(e)
         exponential_first = not any(inner(e, ("exp",)) for e in every if e.op in ("sin", "cos"))
         for phase in (True, False) if exponential_first else (False, True):
             if phase:
@@ -218,11 +247,21 @@ class Script:
             else:
                 self.trigonometry(every)
         self.bases()
-        for e in every:
-            if e.op in OPAQUE or e.op == "sign":
+        for e in opaque:
+            if e not in outer:
                 self.opaque(e)
         if self.names:
             self.add(f"clearbody {' '.join(dict.fromkeys(self.names))}.")
+
+    def signs(self, whole: list[Expr]) -> list[Expr]:
+        """Signs that the premises show put in."""
+        for e in nodes(whole):
+            found = sign(e.args[0], self.known) if e.op == "sign" else None
+            if found in ("+", "-"):
+                law, value = ("sign_pos", 1) if found == "+" else ("sign_neg", -1)
+                self.add(f"try rewrite ({law} {term(e.args[0], 3)}) in * by first [side | nra].")
+                whole = [exchanged(part, {e: number(value)}) for part in whole]
+        return whole
 
     def positive(self, e: Expr) -> bool:
         """Whether the premises show ``e > 0``."""
@@ -245,7 +284,8 @@ class Script:
                 found.append((factor, n))
         total: Counter[Expr] = Counter()
         for factor, n in found:
-            for part, k in irreducible(factor):
+            inside = Counter(_factors(fewest_terms(factor)))
+            for part, k in ((p, k * m) for f, m in inside.items() for p, k in irreducible(f)):
                 if part.op == "number" and part.args[0].q != 1:
                     return None
                 shown = part.op == "number" or self.positive(part)
@@ -301,7 +341,7 @@ class Script:
     def roots(self, found: list[Expr]) -> None:
         """Every root by those of a few radicands, and what binds these."""
         asked = [as_root(e) for e in found]
-        if len(dict.fromkeys(asked)) == 1 and quotient(asked[0][0])[1].op == "number":
+        if len(dict.fromkeys(asked)) == 1 and not self.divides(asked[0][0]):
             u, q, _ = asked[0]
             self.canonical(u, q, asked[0][2])
             return
@@ -342,10 +382,19 @@ class Script:
             self.add(f"set ({name} := {term(_root(u, q))}) in *.")
             self.names.append(name)
 
+    def divides(self, u: Expr) -> bool:
+        """Whether a radicand has a denominator, or fewer terms by sines and cosines."""
+        top, bottom = quotient(u)
+        return bottom.op != "number" or fewest_terms(top) != top
+
     def by_field(self) -> str:
         """The tactic for an equation with what is known of roots."""
         known = f" [{' '.join(self.relations)}]" if self.relations else ""
-        return f"first [field{known}; side | trigonometric; field{known}; side]"
+        sides = nodes([self.theorem.left, self.theorem.right])
+        angles = dict.fromkeys(e.args[0] for e in sides if e.op in ("sin", "cos"))
+        squares = [f"(sin_square {term(u, 3)})" for u in angles]
+        last = f" | field [{' '.join([*self.relations, *squares])}]; side" if squares else ""
+        return f"first [field{known}; side | trigonometric; field{known}; side{last}]"
 
     def canonical(self, u: Expr, q: int, odd: bool) -> None:
         """What binds a root; it is named later."""
@@ -423,10 +472,10 @@ class Script:
         names = [f"p{j}" for j, n in enumerate(c) if n]
         atoms = [(f"p{j}", n) for j, n in enumerate(c) if n]
         total = " + ".join(_repeated(name, n) for name, n in atoms) or "0"
-        shift = f" + {quarters} * (PI / 2)" if quarters > 0 else f" + - ({-quarters} * (PI / 2))"
+        shift = (" + PI / 2" if quarters > 0 else " + - (PI / 2)") * abs(quarters)
         sine, cosine = _addition(atoms)
         sine, cosine = _turned(sine, cosine, quarters)
-        total = total + (shift if quarters else "")
+        total += shift
         for f, value in (("sin", sine), ("cos", cosine)):
             law, use = self.fresh("L"), self.fresh("E")
             binder = f"forall {' '.join(names)} : R, " if names else ""
@@ -517,6 +566,19 @@ def _key(e: Expr) -> object:
         return frozenset((m, c) for m, c in terms.items() if c)
     except OverflowError:
         return e
+
+
+def fewest_terms(e: Expr) -> Expr:
+    """A sum without the squares of sines, or of cosines, where that leaves fewer terms."""
+    angles = list(dict.fromkeys(f.args[0] for f in nodes([e]) if f.op in ("sin", "cos")))
+    if e.op != "+" or not 0 < len(angles) <= MAX_ANGLES:
+        return e
+    try:
+        terms = expanded(e)
+        best = min(without_squares(terms, angles), key=len)
+    except OverflowError:
+        return e
+    return as_expression(best) if len(best) < len(terms) else e
 
 
 def irreducible(e: Expr) -> list[tuple[Expr, int]]:

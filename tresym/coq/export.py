@@ -9,34 +9,24 @@ part.
 from __future__ import annotations
 
 import json
-import math
 import re
-import signal
-import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from hashlib import sha256
+from collections.abc import Iterable, Mapping
 from importlib import import_module
-from itertools import islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tresym.coq.dialogue import HEAD, TEXT_SECONDS, Dialogue, prelude
-from tresym.coq.ledger import Joint, conditions_of, name_of, stamp, stem, theorem_of
+from tresym.coq.dialogue import HEAD, prelude
+from tresym.coq.ledger import Joint, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
-from tresym.coq.proving import Plan, candidates, plans
-from tresym.coq.search import assumptions, version
-from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
+from tresym.coq.search import assumptions
+from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.claim import AllOf, Claim
-from tresym.ledger.meaning import known
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections
 from tresym.output import write_text
-from tresym.reals.language.expression import number, symbols
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
-_AND = " /\\ "
-UNWRITTEN = ArithmeticError, AttributeError, RecursionError, TypeError, ValueError, NotExportedError
-MOST, WRITING_SECONDS, CLAIM_SECONDS = 6, 1.5, 30
+_MACHINE = re.compile(r"\b(interval|numeric|base_value)\b")  # tactics that compute
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
 
@@ -124,210 +114,17 @@ def entries(store: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
     return found
 
 
-class Memory:
-    """What Coq said before of these very texts, kept in a file: a search can be taken up again."""
-
-    def __init__(self, path: Path | None, seconds: float = TEXT_SECONDS, most: int = MOST) -> None:
-        self.path = path
-        self.seconds, self.most, self.until = seconds, most, math.inf
-        self.known: dict[str, bool | str] = {}
-        self.coq: Dialogue | None = None
-        self.count = 0
-        if path is not None and path.is_file():
-            self.known = json.loads(path.read_text(encoding="utf-8"))
-
-    def longer(self) -> None:
-        """Give whole claims the time that lemmas are not worth."""
-        if self.coq is not None:
-            self.coq.end()
-        self.coq, self.seconds = Dialogue(CLAIM_SECONDS), 4.0 * CLAIM_SECONDS
-
-    @property
-    def is_over(self) -> bool:
-        """Whether the time for lemmas is over."""
-        return time.monotonic() > self.until
-
-    def ask(self, texts: Mapping[str, str]) -> dict[str, bool]:
-        """Of each text, by name, whether Coq accepts it."""
-        keys = {name: _hash(text) for name, text in texts.items()}
-        losing = _hash(f"{prelude()}{self.seconds}")
-        known = {}
-        for name, key in keys.items():
-            if key in self.known:
-                known[name] = True
-            elif losing + key in self.known:
-                known[name] = False
-        todo = [name for name in texts if name not in known]
-        self.coq = self.coq or Dialogue()
-        for name in todo:
-            self.count += 1
-            ok = self.coq.accepts(texts[name].replace("@", str(self.count)), self.seconds)
-            known[name] = ok
-            self.known[keys[name] if ok else losing + keys[name]] = ok
-        return known
-
-    def keep(self) -> None:
-        """Write it down."""
-        if self.path is not None:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            self.path.write_text(json.dumps(self.known), encoding="utf-8")
-
-
-def _hash(text: str) -> str:
-    return sha256(text.encode()).hexdigest()[:20]
-
-
-def search(
-    claims: Sequence[Claim],
-    say: Callable[[str], object] = lambda _: None,
-    memory: Memory | None = None,
-) -> dict[str, Any]:
-    """Find proofs anew, by asking Coq."""
-    memory = memory or Memory(None)
-    todo: dict[str, tuple[Theorem | Joint, list[Plan]]] = {}
-    for claim in claims:
+def open_claims() -> list[Claim]:
+    """The claims of whose statement, as it stands, no proof is stored."""
+    store, found = stored()["claims"], []
+    for claim in all_claims():
         try:
             whole = theorem_of(claim)
-            whole.text  # noqa: B018
-            todo[claim.label] = (whole, list(plans(claim, whole)))
         except NotExportedError:
             continue
-    every = [lemma for _, options in todo.values() for plan in options for lemma in plan.lemmas]
-    every.sort(key=lambda lemma: lemma.relation == "==")
-    proved = lemmas_proved(every, memory, say)
-    memory.longer()
-    kept: dict[str, Any] = {}
-    for label, (whole, options) in todo.items():
-        for plan in options:
-            text = _trial(whole, plan, todo)
-            if text is None or any(lemma.body not in proved for lemma in plan.lemmas):
-                continue
-            if memory.ask({label: text})[label]:
-                kept[label] = _row_of(whole, plan, proved)
-                break
-    memory.keep()
-    say(f"{len(kept)} of {len(todo)} claims")
-    return {"coq": version(), "claims": kept, "possible": witnesses(claims, memory)}
-
-
-def _row_of(whole: Theorem | Joint, plan: Plan, proved: Mapping[str, str]) -> dict[str, Any]:
-    """What is stored of a claim."""
-    lemmas = (f"{t.text}\nProof.\n{proved[t.body]}\nQed." for t in plan.lemmas)
-    return {
-        "statement": stamp(whole),
-        "lemmas": "\n".join(lemmas),
-        "script": plan.script,
-        "uses": list(plan.uses),
-    }
-
-
-def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
-    """A point for each set of conditions, and the proof that they hold there."""
-    found: dict[str, Any] = {}
-    for claim in claims:
-        try:
-            given = tuple(conditions_of(claim.given))
-        except InputError:
-            continue
-        if any(c.sign == "==" for c in given):
-            continue  # the point is given
-        names = sorted(frozenset().union(*(symbols(c.left) | symbols(c.right) for c in given)))
-        body = " /\\\n".join(f"  {comparison(*c)}" for c in given)
-        body = f"  exists {' '.join(map(variable, names))} : R,\n{body}"
-        key = _hash(body)
-        if not names or key in found:
-            continue
-        point = known(given).satisfying_point()
-        if point is None:
-            continue
-        script = f"exists {', '.join(f'({term(number(point[name]))})' for name in names)}. "
-        script += "repeat split; numeric."
-        if memory.ask({key: f"Theorem trial_@ :\n{body}.\nProof.\n{script}\nQed."})[key]:
-            found[key] = {"name": f"possible_{len(found) + 1}", "body": body, "script": script}
+        if store.get(claim.label, {}).get("statement") != stamp(whole):
+            found.append(claim)
     return found
-
-
-def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
-    """The proofs that are written in a few seconds of the processor each."""
-
-    def late(*_: object) -> None:
-        raise OverflowError("a proof takes too long to write")
-
-    before = signal.signal(signal.SIGVTALRM, late)
-    try:
-        while True:
-            signal.setitimer(signal.ITIMER_VIRTUAL, WRITING_SECONDS)
-            proof = next(proofs, None)
-            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-            if proof is None:
-                return
-            yield proof
-    finally:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-        signal.signal(signal.SIGVTALRM, before)
-
-
-def lemmas_proved(
-    lemmas: Iterable[Theorem], memory: Memory, say: Callable[[str], object]
-) -> dict[str, str]:
-    """The proofs of lemmas, by their statements."""
-    won: dict[str, str] = {}
-    asked: dict[str, None] = {}
-    for lemma in lemmas:
-        try:
-            body = lemma.body
-            if body in asked:
-                continue
-            asked[body] = None
-            key = "lemma " + _hash(body)
-            lost = f"{key} {memory.seconds} {memory.most} {_hash(prelude())}"
-            if key in memory.known:
-                won[body] = str(memory.known[key])
-            if key in memory.known or lost in memory.known or memory.is_over:
-                continue
-            for proof in islice(_found_soon(candidates(lemma)), memory.most):
-                text = f"Theorem trial_@ :\n{body}.\nProof.\n{proof}\nQed."
-                if memory.ask({body: text})[body]:
-                    won[body] = memory.known[key] = proof
-                    break
-            else:
-                memory.known[lost] = False
-        except (
-            ArithmeticError,
-            AttributeError,
-            RecursionError,
-            TypeError,
-            ValueError,
-            NotExportedError,
-        ):
-            continue  # an expression on the way grew too large
-        if len(asked) % 10 == 0:
-            memory.keep()
-            say(f"{len(won)} of {len(asked)} lemmas; last {lemma.name}")
-    memory.keep()
-    return won
-
-
-def _trial(
-    whole: Theorem | Joint, plan: Plan, known: Mapping[str, tuple[Theorem | Joint, list[Plan]]]
-) -> str | None:
-    """The claim's theorem with its lemmas, and the theorems that it applies, as premises."""
-
-    def whole_of(told: Theorem | Joint) -> str:
-        if isinstance(told, Theorem):
-            return f"({told.body})"
-        return f"({_AND.join(whole_of(known[part.label][0]) for part in told.parts)})"
-
-    try:
-        used = [whole_of(known[label][0]) for label in plan.uses]
-        says = whole_of(whole)
-    except KeyError:
-        return None
-    premises = [*used, *(f"({lemma.body})" for lemma in plan.lemmas)]
-    names = [*map(name_of, plan.uses), *(lemma.name for lemma in plan.lemmas)]
-    lines = ["Theorem trial_@ :", " ->\n".join([*premises, says]) + ".", "Proof."]
-    lines += [f"intros {' '.join(names)}."] if names else []
-    return "\n".join([*lines, plan.script, "Qed."])
 
 
 def save(store: Mapping[str, Any]) -> None:
@@ -423,8 +220,14 @@ def _text(label: str, entry: Entry, store: Mapping[str, Any]) -> str:
 
 
 def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str, Any]) -> str:
-    """The theorems whose premises are all proved, put together, and what each rests on."""
+    """The theorems whose premises are all proved, put together, and what they rest on.
+
+    Coq goes through all its library to say that, so it is asked once of those whose proofs name no
+    machine arithmetic and once of the others.
+    """
     lines = [f"(* The theorems put together. *)\n\n{HEAD}Require Import {' '.join(parts)}.\n"]
+    groups: dict[str, list[str]] = {"by_reals": [], "by_machine": []}
+    machine: set[str] = set()
     for label, entry in chosen.items():
         if entry.script is None:
             continue
@@ -434,20 +237,32 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
             lines.append(
                 f"Theorem {name_of(label)} : says_{stem(label)}.\nProof.\nexact ({whole}).\nQed."
             )
-        lines.append(f"Print Assumptions {_theorem(label, entry)}.")
+        if _MACHINE.search(f"{entry.lemmas} {entry.script}") or machine & {*uses}:
+            machine.add(label)
+        groups["by_machine" if label in machine else "by_reals"].append(_theorem(label, entry))
+    for name, theorems in groups.items():
+        if theorems:
+            lines.append(f"Definition {name} :=\n  ({', '.join(theorems)}).")
+            lines.append(f"Print Assumptions {name}.")
     return "\n".join(lines) + "\n"
 
 
 def assumed(folder: Path, said: str) -> dict[str, str]:
     """What each theorem rests on, by name, from what Coq printed when it read Ledger.v."""
-    asked = re.findall(
-        r"^Print Assumptions (\w+)\.", (folder / "Ledger.v").read_text(), re.MULTILINE
+    groups = re.findall(
+        r"^Definition (?:by_reals|by_machine) :=\s+\((.*)\)\.$",
+        (folder / "Ledger.v").read_text(encoding="utf-8"),
+        re.MULTILINE,
     )
     blocks = re.split(r"^(?=Axioms:|Closed under)", said, flags=re.MULTILINE)[1:]
-    blocks = blocks[-len(asked) :]  # Ledger.v is read last
-    if len(asked) != len(blocks):
-        raise InputError(f"Coq says of {len(blocks)} theorems what they rest on, not {len(asked)}")
-    return {name: assumptions(block) for name, block in zip(asked, blocks, strict=True)}
+    blocks = blocks[-len(groups) :]  # Ledger.v is read last
+    if len(groups) != len(blocks):
+        raise InputError(f"Coq says of {len(blocks)} groups what they rest on, not {len(groups)}")
+    return {
+        name: assumptions(block).replace("and on Coq's", "and at most on Coq's")
+        for group, block in zip(groups, blocks, strict=True)
+        for name in group.split(", ")
+    }
 
 
 def _theorem(label: str, entry: Entry) -> str:

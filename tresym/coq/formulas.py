@@ -97,13 +97,18 @@ def put_at(e: Expr) -> Expr:
         names, body = inside(e)
         if not elementary(body):
             return put_at(substitute(body, dict(zip(names, e.args[1:], strict=True))))
-    return e if e.op in LEAVES | BINDERS else rebuild(e, tuple(map(put_at, e.args)))
+    if e.op in LEAVES | BINDERS:
+        return e
+    parts = tuple(map(put_at, e.args))
+    return e if parts == e.args else rebuild(e, parts)  # as it is written
 
 
 def values_of(f: Relation) -> tuple[Relation, dict[Expr, Expr]]:
     """The relation with names for its integrals and derivatives, and what they are names of."""
     left, right = put_at(f.left), put_at(f.right)
     nodes = [node for node in dict.fromkeys(outermost(left, right)) if node.op != "at"]
+    if not nodes:
+        return Relation(left, f.sign, right), {}
     taken = symbols(left) | symbols(right)
     names = {node: symbol(fresh(f"value{n}", taken)) for n, node in enumerate(nodes, 1)}
     return Relation(replaced(left, names), f.sign, replaced(right, names)), names

@@ -20,7 +20,7 @@ from tresym.coq.equations import (
     unfolded,
 )
 from tresym.coq.linear import as_expression, expanded
-from tresym.coq.reductions import Reduction, reductions
+from tresym.coq.reductions import Reduction, known, reductions
 from tresym.coq.statement import Theorem, formula, term, variable
 from tresym.reals.language.expression import (
     ONE,
@@ -39,7 +39,6 @@ from tresym.reals.language.formula import Relation
 from tresym.reals.language.inverted import solutions
 from tresym.reals.normal.written import numerator
 from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import with_domain
 from tresym.reals.places.points import Range
 from tresym.reals.signs.inside import sign_inside
 from tresym.reals.signs.sign import directly, sign
@@ -59,7 +58,7 @@ def inequality_proofs(theorem: Theorem, depth: int = 3) -> Iterator[str]:
     left, right, relation = theorem.left, theorem.right, theorem.relation
     d = left - right if relation in (">", ">=", "!=") else right - left
     strict = relation in (">", "<", "!=")
-    given = with_domain(Given(theorem.given), left, right)
+    given = known(theorem)
     for difference in (d, -d) if relation == "!=" else (d,):
         yield from expected(theorem, difference, strict, given)
     if relation != "!=" and depth:
@@ -160,9 +159,9 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
             for f in factors:
                 x = f if f.op == "symbol" else f.args[0]
                 degrees[x] = lcm(degrees.get(x, 1), q)
-    known = with_domain(Given(theorem.given), theorem.left, theorem.right)
+    premises = known(theorem)
     for x, q in sorted(degrees.items(), key=str):
-        found = sign(x, known)
+        found = sign(x, premises)
         if found not in ("+", ">=0"):
             return
         new = symbol(f"root{x.args[0]}")
@@ -206,7 +205,7 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
     except OverflowError:
         return
     for part in parts:
-        low, high = _span(part, known, put)
+        low, high = _span(part, premises, put)
         if part.op != "symbol":
             name = symbol(f"part{len(names)}")
             fact = FACTS.get("sqrt" if is_root(part) else part.op)
@@ -238,7 +237,7 @@ def cone_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
 
 def homogeneous_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
     """By q >= c or q <= c among the conditions, which makes the constant homogeneous."""
-    known = with_domain(Given(theorem.given), theorem.left, theorem.right)
+    premises = known(theorem)
     try:
         terms = expanded(d)
     except OverflowError:
@@ -264,7 +263,7 @@ def homogeneous_proofs(theorem: Theorem, d: Expr) -> Iterator[str]:
         whole = as_expression(
             expanded(d - number(constant) + number(constant) * q ** (degree // k))
         )
-        spans = {symbol(v): Span(*_span(symbol(v), known, {})) for v in symbols(d)}
+        spans = {symbol(v): Span(*_span(symbol(v), premises, {})) for v in symbols(d)}
         tree = cone_lines(whole, spans)
         law = "pow_R1_Rle" if c < 0 else "pow_below"
         side = f"1 <= {term(bound)}" if c < 0 else f"{term(bound)} <= 1"

@@ -9,6 +9,7 @@ several claims together is the conjunction of their theorems.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from hashlib import sha256
@@ -236,8 +237,9 @@ Meaning = tuple[tuple[Condition, ...], Relation]
 def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], frozenset[str]]:
     """The equations for the symbols ``names`` and for those in them, foundations first.
 
-    What is assumed of an integral is among them where it speaks of one of these. Returns all
-    the symbols, too.
+    What is assumed of an integral is among them where it speaks of one of these, and so are the
+    equations for a symbol that has several: together they tie what they say it is. Returns all the
+    symbols, too.
     """
     table = [
         (conditions(used.given), part)
@@ -247,8 +249,15 @@ def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], fro
         for part in relations(read(used.statement))
     ]
     found: set[int] = set()
+    several = Counter(part.left for part in {part for _, part in table})
+
+    def speaks(part: Relation) -> bool:
+        """Whether the equation is for one of the symbols, or ties or restricts one."""
+        sides = (part.left, part.right) if several[part.left] > 1 else (part.left,)
+        return any(symbols(side) & names for side in sides)
+
     while True:
-        new = [n for n, (_, part) in enumerate(table) if n not in found and _speaks(part, names)]
+        new = [n for n, (_, part) in enumerate(table) if n not in found and speaks(part)]
         if not new:
             return [table[n] for n in sorted(found)], names
         for n in new:
@@ -257,11 +266,6 @@ def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], fro
                 free(part), *(symbols(e) for c in conditions_ for e in (c[0], c[2]))
             )
         found.update(new)
-
-
-def _speaks(part: Relation, names: frozenset[str]) -> bool:
-    """Whether the equation is for one of the symbols, or restricts one."""
-    return bool(symbols(part.left) & names)
 
 
 def existence(claim: Claim, says: Formula) -> Theorem:

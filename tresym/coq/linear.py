@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from itertools import product
 from math import lcm
 
-from tresym.reals.language.expression import ZERO, Expr, add, multiply, number, power
+from tresym.reals.language.expression import ZERO, Expr, add, apply, multiply, number, power
 
 Monomial = frozenset[tuple[Expr, int]]
 Vector = dict[Monomial, Fraction]
@@ -125,3 +126,34 @@ def _term(m: Monomial, c: Fraction) -> Expr:
     """One term."""
     factors = [power(part, number(n)) for part, n in sorted(m, key=str)]
     return multiply(number(c), *factors)
+
+
+def without_squares(terms: Vector, angles: Sequence[Expr]) -> Iterator[Vector]:
+    """The terms without squares of the sine, or of the cosine, of each angle."""
+    for choice in product(("sin", "cos"), repeat=len(angles)):
+        found = terms
+        for name, angle in zip(choice, angles, strict=True):
+            found = without_square(found, name, angle)
+        yield found
+
+
+def without_square(terms: Vector, name: str, angle: Expr) -> Vector:
+    """Terms in which the sine, or the cosine, of the angle stands at most once."""
+    gone = apply(name, angle)
+    kept = apply("cos" if name == "sin" else "sin", angle)
+    found: Vector = {}
+    for monomial, c in terms.items():
+        powers = dict(monomial)
+        n = powers.pop(gone, 0)
+        half, odd = divmod(n, 2)
+        if odd:
+            powers[gone] = 1
+        coefficient = Fraction(1)
+        for k in range(half + 1):  # (1 − kept²)^half
+            own = dict(powers)
+            if k:
+                own[kept] = own.get(kept, 0) + 2 * k
+            key = frozenset((part, m) for part, m in own.items() if m)
+            found[key] = found.get(key, Fraction(0)) + c * coefficient
+            coefficient = -coefficient * (half - k) / (k + 1)
+    return {key: c for key, c in found.items() if c}

@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import islice
 
 from flint import fmpq
 
-from tresym.coq.equations import exchanged
+from tresym.coq.equations import exchanged, nodes
 from tresym.coq.formulas import defined, inside, put_at, values_of
 from tresym.coq.ledger import Joint, free, name_of, read, relations, stem, theorem_of
+from tresym.coq.manifest import manifest_proofs
 from tresym.coq.search import proofs
 from tresym.coq.statement import (
     FUNCTIONS,
@@ -80,6 +82,16 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
                 continue
 
 
+def _pattern(says: Formula, name: str) -> str:
+    """What takes a conjunction apart, and no equation in it."""
+    if not isinstance(says, Conjunction):
+        return name
+    first, *rest = (_pattern(part, f"{name}_{n}") for n, part in enumerate(says.parts, 1))
+    for n, part in enumerate(rest, 1):
+        first += f" {'[' if n < len(rest) else ''}{part}"
+    return f"[{first}{']' * len(rest)}"
+
+
 def _conjoined(names: list[str]) -> str:
     first, *rest = names
     return f"(conj {first} {_conjoined(rest)})" if rest else first
@@ -109,9 +121,11 @@ class _Planner:
         counts = (len(whole.definitions), len(whole.given), len(whole.defined))
         for letter, count in zip("DGN", counts, strict=True):
             names += [f"{letter}_{n + 1}" for n in range(count)]
-        for n, (asked, _) in enumerate(whole.definitions, 1):
-            if asked:
-                self.head.append(f"pose proof (D_{n}{' ltac:(give)' * len(asked)}).")
+        cases = [
+            f"try pose proof (D_{n}{' ltac:(give)' * len(asked)})."
+            for n, (asked, _) in enumerate(whole.definitions, 1)
+            if asked
+        ]
         if isinstance(proof, Together):
             assert isinstance(whole.says, Conjunction)
             pairs = zip(whole.says.parts, proof.chains, strict=True)
@@ -119,7 +133,7 @@ class _Planner:
         else:
             body = self.shown(whole.says, proof if isinstance(proof, tuple) else ())
         first = [f"intros {' '.join(names)}."] if names else []
-        text = "\n".join([*first, *self.head, body])
+        text = "\n".join([*first, *cases, *self.head, *cases, body])
         return Plan(tuple(self.lemmas), text, tuple(self.uses))
 
     def shown(self, says: Formula, chain: Chain, entry: int = 0) -> str:
@@ -195,7 +209,8 @@ class _Planner:
         """A relation without integrals and derivatives."""
         if not elementary(put_at(says.left), put_at(says.right)):
             says = Relation(worked_out(says.left), says.sign, worked_out(says.right))
-            return f"change ({formula(says)}).\n" + self.bare(says, chain, entry)
+            text = self.bare(says, chain, entry)
+            return f"enough (W : {formula(says)}) by (worked_out W).\n{text}"
         if self.steps and chain:
             return self.chain(says, chain, entry)
         return self.applied(self.lemma(says))
@@ -265,9 +280,8 @@ class _Planner:
             if any(r.function is not None for r in reasons) and not equal:
                 raise _NoPlanError
             if link.expression is None:
-                if goal is None:
-                    raise _NoPlanError
-                move(goal)
+                if goal is not None:
+                    move(goal)
                 continue
             found = stage(link.expression)
             if isinstance(found, Relation):
@@ -295,7 +309,7 @@ class _Planner:
                         continue
                     if part.sign == "==" and part.left.op == "symbol":
                         rules.append(part)
-                    elif part.sign != "==":
+                    else:
                         facts.append(part)
         return rules, facts
 
@@ -336,7 +350,7 @@ class _Planner:
         fact = f"F_{len(self.facts)}"
         self.head.append(f"assert ({fact} : {formula(told.says)}) by (apply ({names}); give).")
         if len(says) > 1:
-            self.head.append(f"repeat (destruct {fact} as [? {fact}]).")
+            self.head.append(f"destruct {fact} as {_pattern(told.says, fact)}.")
         self.uses[used.label] = None
         self.facts[used.label] = tuple(says)
         return tuple(says)
@@ -366,13 +380,13 @@ class _Planner:
                     t = tree(reason.term)
                     left, right = Expr("+", (left, t)), Expr("+", (right, t))
                     hole = f"({hole} + {term(t, 1)})"
-                    back.append("apply Rplus_eq_reg_r in K.")
+                    back.append("apply Rplus_eq_reg_r in K_0.")
                 if reason.factor is not None:
                     c = tree(reason.factor)
                     left, right = Expr("*", (left, c)), Expr("*", (right, c))
                     hole = f"({hole} * {term(c, 2)})"
                     unlike = self.lemma(Relation(c, "!=", ZERO), rules=rules, more=facts)
-                    back.append(f"apply Rmult_eq_reg_r in K; [| {self.applied(unlike)[:-1]}].")
+                    back.append(f"apply Rmult_eq_reg_r in K_0; [| {self.applied(unlike)[:-1]}].")
                 if reason.function is not None:
                     if reason.function not in INJECTIVE:
                         raise _NoPlanError
@@ -385,7 +399,8 @@ class _Planner:
                             if asks == ">"
                             else (f" | apply Rge_le; {self.applied(lemma)[:-1]}")
                         )
-                    back.append(f"apply {name} in K; [{shown}]." if asks else f"apply {name} in K.")
+                    left_over = f"; [{shown}]" if asks else ""
+                    back.append(f"apply {name} in K_0{left_over}.")
                     if reason.function == "square":
                         left, right, hole = left**2, right**2, f"(({hole}) ^ 2)"
                     else:
@@ -405,14 +420,14 @@ class _Planner:
                     f"by ({self.applied(lemma)[:-1]})."
                 )
                 equal.append(name)
-            there = f"(f_equal (fun z : R => {hole}) H)"
+            there = f"(f_equal (fun z : R => {hole}) H_0)"
             names.append(f"I_{len(names) + 1}")
             lines.append(
                 f"assert ({names[-1]} : {formula(current)} <-> {formula(after)}).\n"
-                f"{{ split; intro H.\n"
+                f"{{ split; intro H_0.\n"
                 f"  {{ exact (eq_trans (eq_sym {equal[0]}) (eq_trans {there} {equal[1]})). }}\n"
-                f"  {{ pose proof (eq_trans {equal[0]} (eq_trans H (eq_sym {equal[1]}))) as K.\n"
-                f"    {' '.join(reversed(back))} exact K. }} }}"
+                f"  {{ pose proof (eq_trans {equal[0]} (eq_trans H_0 (eq_sym {equal[1]})))"
+                f" as K_0.\n    {' '.join(reversed(back))} exact K_0. }} }}"
             )
             current = after
         if current != goal:
@@ -476,12 +491,31 @@ def witness(claim: Claim) -> dict[str, fmpq] | None:
 def candidates(lemma: Theorem) -> Iterator[str]:
     """Proofs of a lemma to try: its definitions are put in first."""
     meanings = {meaning.left: meaning.right for _, meaning in lemma.definitions}
-    if not meanings:
-        yield from proofs(lemma)
+    if meanings:
+        put = " ".join(term(name) for name in meanings)
+        for proof in candidates(_put_in(lemma, meanings)):
+            yield proof.replace("intros", f"intros; subst {put}", 1)
         return
-    put = " ".join(term(name) for name in meanings)
-    for proof in proofs(_put_in(lemma, meanings)):
-        yield proof.replace("intros", f"intros; subst {put}", 1)
+    rewritten = {
+        x: y
+        for x, relation, y in lemma.given
+        if relation == "==" and (x.op in FUNCTIONS or x.op == "^") and x not in nodes([y])
+    }
+    if rewritten and lemma.by is None:
+        lines = "".join(
+            f" match goal with H : {term(e)} = _ |- _ => try rewrite H in *; clear H end."
+            for e in rewritten
+        )
+        kept = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
+        for proof in islice(candidates(_put_in(kept, rewritten)), 4):
+            yield f"intros.{lines} {proof}"
+    found = proofs(lemma)
+    if not isinstance(lemma.says, Relation) or lemma.by is not None:
+        yield from found
+        return
+    yield from islice(found, 1)
+    yield from islice(manifest_proofs(lemma), 4)
+    yield from found
 
 
 def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
@@ -495,7 +529,7 @@ def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
             e = after
         return e
 
-    given = tuple((whole(x), relation, whole(y)) for x, relation, y in lemma.given)
+    given = tuple(Relation(whole(x), relation, whole(y)) for x, relation, y in lemma.given)
     parts = tuple((whole(e), sign) for e, sign in lemma.defined)
     names = tuple(name for name in lemma.variables if symbol(name) not in meanings)
     said = lemma.says

@@ -47,7 +47,8 @@ class Reduction:
 
 def known(theorem: Theorem) -> Given:
     """The premises with what is defined by them."""
-    return with_domain(Given(theorem.given), theorem.left, theorem.right)
+    given = Given(tuple(c for c in theorem.given if c[1] != "=="))
+    return with_domain(given, theorem.left, theorem.right)
 
 
 def stated(theorem: Theorem, left: Expr, relation: str, right: Expr) -> Theorem:

@@ -8,6 +8,7 @@ from concurrent.futures import BrokenExecutor
 from contextlib import nullcontext
 from dataclasses import dataclass
 from difflib import get_close_matches
+from typing import Any
 
 from tresym.ledger import paper
 from tresym.ledger.axioms import Axiom
@@ -18,7 +19,7 @@ from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.reals.numbers.exact import InputError, quoted
-from tresym.reals.processes import Processes
+from tresym.reals.processes import Processes, checked_workers
 from tresym.reals.verdict import Verdict
 
 JSON_VERSION = 1
@@ -72,16 +73,21 @@ class Report:
         return resting
 
     def __getitem__(self, label: str) -> Row:
-        return next(row for row in self.rows if row.claim.label == label)
+        for row in self.rows:
+            if row.claim.label == label:
+                return row
+        near = get_close_matches(str(label), [row.claim.label for row in self.rows], n=1)
+        hint = f"; did you mean {near[0]}?" if near else ""
+        raise KeyError(f"no claim of this report is labelled {quoted(label)}{hint}")
 
 
 def verify(
-    labels: Iterable[str] = (), on_row: Callable[[Row], None] | None = None, workers: int = 1
+    labels: str | Iterable[str] = (), on_row: Callable[[Row], None] | None = None, workers: int = 1
 ) -> Report:
     """Judge every claim, or those named by ``labels`` with all that they rest on.
 
     Args:
-        labels: labels of claims; none means all.
+        labels: a label, or several; none means all.
         on_row: called with each row as it is found, for progress.
         workers: processes to look at the evidence in; with 1, this very process.
 
@@ -89,9 +95,10 @@ def verify(
         InputError: a label that no claim has, claims that no ledger can hold together, or
             processes that keep dying.
     """
+    asked, workers = _labels(labels), checked_workers(workers)
     claims = paper.all_claims()
     _need_coherent(claims)
-    chosen, requested = _choose(claims, tuple(labels))
+    chosen, requested = _choose(claims, asked)
     found: dict[str, Finding] = {}
     rows = []
     for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
@@ -100,6 +107,17 @@ def verify(
         if on_row is not None:
             on_row(rows[-1])
     return Report(tuple(rows))
+
+
+def _labels(asked: Any) -> tuple[str, ...]:
+    """One label, or several, as they are asked for; InputError for anything else."""
+    try:
+        found = (asked,) if isinstance(asked, str) else tuple(asked)
+    except TypeError:
+        found = (asked,)
+    if not all(isinstance(label, str) for label in found):
+        raise InputError("verify: labels are text, such as eq_gamma")
+    return found
 
 
 def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | None]:

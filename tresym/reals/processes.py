@@ -15,7 +15,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
 
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import whole_number
 
 DEATHS = 3
 """Processes that may die over one call before it is given up."""
@@ -42,11 +42,13 @@ def cores() -> int:
 def parse_workers(text: str) -> int:
     """The number of processes that ``text`` asks for; InputError unless it is 1 to 1024."""
     word = text.strip(" ")
-    if not (
-        word.isascii() and word.isdecimal() and len(word) <= 4 and 1 <= int(word) <= MOST_WORKERS
-    ):
-        raise InputError(f"workers: must be an integer from 1 to {MOST_WORKERS}")
-    return int(word)
+    is_number = word.isascii() and word.isdecimal() and len(word) <= len(str(MOST_WORKERS))
+    return checked_workers(int(word) if is_number else 0)
+
+
+def checked_workers(count: int) -> int:
+    """``count`` if it is between 1 and 1024; InputError otherwise."""
+    return whole_number(count, 1, MOST_WORKERS, "workers")
 
 
 class _Child(NamedTuple):

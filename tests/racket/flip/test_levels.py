@@ -6,12 +6,12 @@ import pytest
 from flint import arb, fmpq
 
 from tresym.racket.angle import parse_angle
-from tresym.racket.flip.defect import defect_on
-from tresym.racket.flip.levels import _bracket, level_of, turning_level
+from tresym.racket.flip.defect import defect_on, inverted
+from tresym.racket.flip.levels import _bracket, _enclosed, level_of, turning_level
 from tresym.racket.flip.slopes import slopes
 from tresym.racket.motion.orbit import exact_level
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, parse_number
 
 STR = fmpq(1517, 121), fmpq(55, 874)
 NOT_BODIES = [
@@ -99,6 +99,24 @@ def test_the_inverse_is_where_the_defect_falls(shape: tuple[fmpq, fmpq], value: 
     below, above = defects(a, b, [rational(level) - apart, rational(level) + apart])
     with ball_precision(256):
         assert below > parse_angle(value).ball() > above
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "value"),
+    [("1", "1", "1.5706"), ("1/100", "1", "1.57"), ("3", "999999999/1000000000", "1.5707")],
+)
+def test_next_to_a_right_angle_where_the_phase_stands_still(a: str, b: str, value: str) -> None:
+    shape, angle = (parse_number(a), parse_number(b)), parse_angle(value)
+    found = level_of(*shape, angle, 15)
+    with ball_precision(300):
+        low, high = found.lower().fmpq(), found.upper().fmpq()
+        above, below = (inverted(*shape, level, 30).defect for level in (low, high))
+        assert above > angle.ball() > below
+
+
+def test_newtons_method_is_given_up_where_it_leads_nowhere() -> None:
+    with pytest.raises(ArithmeticError, match="does not converge"):
+        _enclosed(lambda x: x * x + arb((1, -60)), arb((1, -31)), 200, 30)
 
 
 def test_a_bracket_that_does_not_exist_is_given_up() -> None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import threading
 from fractions import Fraction
 
 import mpmath
 import pytest
 from flint import arb, ctx, fmpq
+from hangs import HANGS
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -19,6 +21,7 @@ from tresym.reals.numbers.arithmetic import (
     mp_precision,
     to_mp,
 )
+from tresym.reals.processes import Processes
 
 ANYWHERE = ("exp", "expm1", "sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "asinh")
 POSITIVE = ("sqrt", "log", "log1p")
@@ -110,3 +113,35 @@ def test_rationals_enter_without_loss(x: Fraction) -> None:
         value = ball(fmpq(x.numerator, x.denominator))
         assert (value * x.denominator).contains(x.numerator)
         assert abs(to_mp(fmpq(x.numerator, x.denominator), m) * x.denominator - x.numerator) < 1e-20
+
+
+@pytest.mark.parametrize("precise", [ball_precision, mp_precision])
+def test_threads_take_turns_and_leave_the_precision_as_it_was(precise: type) -> None:
+    entered, left = threading.Event(), threading.Event()
+
+    def other() -> None:
+        with precise(200):
+            entered.set()
+            left.wait(HANGS)
+
+    before = ctx.prec, mpmath.mp.prec
+    thread = threading.Thread(target=other)
+    with precise(100):
+        found = ctx.prec, mpmath.mp.prec
+        thread.start()
+        assert not entered.wait(0.05)
+        assert (ctx.prec, mpmath.mp.prec) == found
+    left.set()
+    thread.join(HANGS)
+    assert (ctx.prec, mpmath.mp.prec) == before
+
+
+def test_a_copy_of_the_process_waits_for_no_thread_that_it_lacks() -> None:
+    with Processes(1, limit=HANGS, forked=True) as pool, ball_precision(100):
+        # The copy is made by the thread that leads it, while this one holds the precision.
+        assert pool.submit(_thirds, 20).result() == "0.33333333333333333333"
+
+
+def _thirds(digits: int) -> str:
+    with ball_precision(200):
+        return str((arb(1) / 3).str(digits, radius=False))

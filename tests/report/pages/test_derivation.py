@@ -12,7 +12,9 @@ from tresym.commands import main
 from tresym.ledger.verification import Report, verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.derivation import article, fragment, prose
+from tresym.report import figures
+from tresym.report.pages.article import article, figures_of
+from tresym.report.pages.derivation import fragment, prose
 
 
 @pytest.fixture(scope="module")
@@ -26,17 +28,30 @@ def test_every_claim_is_in_the_article(report: Report) -> None:
         assert rf"\label{{claim:{row.claim.label}}}" in text
 
 
-def test_quoted_theorems_are_in_the_bibliography(report: Report) -> None:
+def test_quoted_theorems_have_their_section(report: Report) -> None:
     text = article(report)
-    entries = text[text.index(r"\begin{thebibliography}") :].split(r"\bibitem")[1:]
-    assert len(entries) == len(report.axioms) > 0
-    for (axiom, resting), entry in zip(report.axioms.items(), entries, strict=True):
+    entries = text[text.index(r"\label{quoted}") : text.index(r"\begin{thebibliography}")]
+    listed = entries.split(r"\paragraph")[1:]
+    assert len(listed) == len(report.axioms) > 0
+    for (axiom, resting), entry in zip(report.axioms.items(), listed, strict=True):
         assert prose(axiom.name) in entry
         assert prose(axiom.source) in entry
         assert all(rf"\hyperref[claim:{claim.label}]" in entry for claim in resting)
-    cited = text.count(r"\cite{axiom:")
-    assert cited == sum(len(row.claim.axioms) for row in report.rows)
-    assert "bibliography" not in article(verify(["eq_gamma"]))
+    ledger = text[text.index(r"\section{The ledger}") :]
+    assert ledger.count(r"\textsf{\small Quoted:}") == sum(
+        bool(r.claim.axioms) for r in report.rows
+    )
+
+
+def test_what_the_article_tells_is_there(report: Report) -> None:
+    text = article(report)
+    assert not re.search(r"^@|\{\{ \w+ \}\}", text, re.MULTILINE)
+    known = {row.claim.label for row in report.rows}
+    assert set(re.findall(r"\\(?:claim|judged)\{(\w+)\}", text)) <= known
+    assert text.count(r"\begin{figure}") == len(figures_of())
+    assert set(figures_of()) <= set(figures.FIGURES)
+    labels = re.findall(r"\\label\{([^}]+)\}", text)
+    assert len(labels) == len(set(labels))
 
 
 def test_nothing_unprintable_is_left(report: Report) -> None:
@@ -91,13 +106,34 @@ def test_the_article_compiles(report: Report, tmp_path: Path) -> None:
     if shutil.which("pdflatex") is None:
         assert not os.environ.get("CI"), "TeX Live must be there in CI"
         pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
-    (tmp_path / "derivation.tex").write_text(article(report), encoding="utf-8")
-    for _ in range(2):
-        command = ["pdflatex", "-interaction=nonstopmode", "derivation.tex"]
-        subprocess.run(command, cwd=tmp_path, capture_output=True)
-    log = (tmp_path / "derivation.log").read_text(encoding="latin-1")
-    assert (tmp_path / "derivation.pdf").exists()
-    assert "\n!" not in log, log[log.index("\n!") :][:400]
+    log = compiled(article(report), tmp_path, times=2)
     assert "undefined" not in log
+    assert "tresym: a display is shrunk" not in log
+
+
+def test_tables_for_a_paper_compile(tmp_path: Path) -> None:
+    if shutil.which("pdflatex") is None:
+        assert not os.environ.get("CI"), "TeX Live must be there in CI"
+        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
+    tables = Path(__file__).parents[3] / "docs" / "generated" / "tables"
+    head = r"""\documentclass[a4paper,11pt]{article}
+\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}
+\usepackage{lmodern,amsmath,amssymb,booktabs,array,rotating,geometry}\geometry{margin=25mm}
+"""
+    body = "".join(path.read_text(encoding="utf-8") for path in sorted(tables.glob("*.tex")))
+    assert body.count(r"\label{tab:") == len(list(tables.glob("*.tex"))) > 4
+    compiled(head + r"\begin{document}" + body + r"\end{document}", tmp_path, times=1)
+
+
+def compiled(text: str, folder: Path, times: int) -> str:
+    """What TeX says of a text: there must be no error, and nothing that sticks out by 5 pt."""
+    (folder / "text.tex").write_text(text, encoding="utf-8")
+    for _ in range(times):
+        command = ["pdflatex", "-interaction=nonstopmode", "text.tex"]
+        subprocess.run(command, cwd=folder, capture_output=True)
+    log = (folder / "text.log").read_text(encoding="latin-1")
+    assert (folder / "text.pdf").exists()
+    assert "\n!" not in log, log[log.index("\n!") :][:400]
     overfull = [float(x) for x in re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)]
     assert all(x < 5 for x in overfull), overfull
+    return log

@@ -11,7 +11,7 @@ from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import verify
 from tresym.racket.notation import WORDS
-from tresym.report.pages.derivation import article
+from tresym.report.pages.article import article
 from tresym.report.pages.symbols import anchor, as_used, rows, symbols, used
 from tresym.site.claims import page
 

@@ -16,8 +16,9 @@ from tresym.commands.verify import show_verification
 from tresym.ledger.claim import AllOf, Claim, all_of, by, equal
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report, verify
+from tresym.report.pages.article import article
 from tresym.report.pages.corrections import corrections
-from tresym.report.pages.derivation import article, fragment, prose
+from tresym.report.pages.derivation import fragment, prose
 from tresym.report.pages.derivation import in_dollars as dollars
 from tresym.report.pages.documents import ledger
 from tresym.report.pages.site_data import record

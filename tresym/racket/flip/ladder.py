@@ -20,7 +20,7 @@ from tresym.racket.flip import asymptotic, defect, separatrix
 from tresym.racket.motion.trajectory import Start, travel
 from tresym.racket.result import Flip, Journey, proves
 from tresym.reals.numbers.arithmetic import BITS_PER_DIGIT, ball_precision, bits
-from tresym.reals.numbers.exact import InputError, quoted
+from tresym.reals.numbers.exact import InputError, quoted, whole_number
 
 MAX_DIGITS = 10_000
 
@@ -46,9 +46,7 @@ def parse_digits(text: str) -> int:
 
 def checked_digits(digits: int) -> int:
     """``digits`` if it is between 1 and 10 000; InputError otherwise."""
-    if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= MAX_DIGITS:
-        raise InputError(f"digits: must be an integer from 1 to {MAX_DIGITS}")
-    return digits
+    return whole_number(digits, 1, MAX_DIGITS, "digits")
 
 
 def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None) -> Flip:
@@ -57,7 +55,7 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     Raises:
         InputError: digits or γ out of range, an unknown rung, or one that cannot deliver.
     """
-    checked_digits(digits)
+    digits = checked_digits(digits)
     _checked_rung(rung)
     level = defect.checked_gamma(shape.a, shape.b, fmpq(gamma))
     start = time.perf_counter()
@@ -77,7 +75,7 @@ def follow(
     Raises:
         InputError: digits out of range, a start that does not exist, or another rung than planar.
     """
-    checked_digits(digits)
+    digits = checked_digits(digits)
     _checked_rung(rung)
     if rung not in (None, "planar"):
         raise InputError(f"rung: {rung} knows symmetric trajectories only; a start needs planar")
@@ -89,7 +87,7 @@ def follow(
 
 
 def _checked_rung(rung: str | None) -> None:
-    if rung is not None and rung not in RUNGS:
+    if rung is not None and not (isinstance(rung, str) and rung in RUNGS):
         raise InputError(f"rung: {quoted(rung)} is not known; known: {', '.join(RUNGS)}")
 
 

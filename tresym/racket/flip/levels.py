@@ -23,6 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
+from itertools import count
 
 from flint import arb, fmpq
 
@@ -34,6 +35,8 @@ from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import InputError
 
 RIGHT_ANGLE = Angle(fmpq(1, 2), fmpq(0))
+MOST_STEPS = 64
+"""Newton steps at most; a dozen do, from a point that is near enough."""
 FAR = arb((1, 40))
 """Odds beyond exp(±2⁴⁰) are not looked at."""
 
@@ -137,20 +140,24 @@ def _level_by(
 ) -> arb:
     """γ where the function ``excess`` of x is 0, to ``digits`` digits.
 
-    It has one sign change, beyond ``start`` where that is given, and is negative for lower γ.
+    It has one sign change, beyond ``start`` where that is given, and is negative for lower γ. For
+    b = 1 it goes as the cube root of a distance next to ε = π/2, where the phase stands still, so
+    that Newton's method may have to begin very near: each round begins twice as many bits near.
     """
-    precision = bits(digits, 64)
+    precision, correct = bits(digits, 64), 30
     limit = 16 * precision
     with ball_precision(128):
-        near = _refined(excess, *_bracket(excess, -regime, start))
+        bracket = _bracket(excess, -regime, start)
     while precision < limit:
         with suppress(ArithmeticError):
-            x = _enclosed(excess, near, precision)
+            with ball_precision(4 * correct + 8):
+                near = _refined(excess, *bracket, correct)
+            x = _enclosed(excess, near, precision, correct)
             with ball_precision(precision):
                 gamma = level_at(a, b, regime, x).gamma
             if proves(gamma, digits):
                 return gamma
-        precision += precision // 2
+        precision, correct = precision + precision // 2, 2 * correct
     raise ArithmeticError("the precision limit is reached")
 
 
@@ -179,12 +186,20 @@ def _bracket(
     return low, high
 
 
-def _refined(excess: Callable[[arb], arb], low: arb, high: arb) -> arb:
-    """A point near the root in a bracket, by regula falsi with halved weights (Illinois)."""
+def _refined(excess: Callable[[arb], arb], low: arb, high: arb, correct: int) -> arb:
+    """A point within some 2^−``correct`` of the root, by regula falsi with halved weights.
+
+    Each third step halves the bracket, as next to a cube root the others hardly move one end.
+    """
     at_low, at_high = excess(low).mid(), excess(high).mid()
     before, here = low, high
-    while abs(here - before) > arb((1, -30)):
+    near = arb((1, -correct))
+    for step in count(1):
+        if abs(here - before) <= near or high - low <= near:
+            break
         before, here = here, ((low * at_high - high * at_low) / (at_high - at_low)).mid()
+        if step % 3 == 0:
+            here = ((low + high) / 2).mid()
         value = excess(here).mid()
         if value == 0:
             break
@@ -195,16 +210,16 @@ def _refined(excess: Callable[[arb], arb], low: arb, high: arb) -> arb:
     return here
 
 
-def _enclosed(excess: Callable[[arb], arb], near: arb, precision: int) -> arb:
-    """The root as a ball, from a point within 2^−28 of it: Newton's method, then two signs.
+def _enclosed(excess: Callable[[arb], arb], near: arb, precision: int, correct: int) -> arb:
+    """The root as a ball, from a point ``correct`` bits near: Newton's method, then two signs.
 
     The slope is a difference over a third of the working precision, which rises by a half a step.
 
     Raises:
         ArithmeticError: no change of sign is shown.
     """
-    work = 128
-    while True:
+    work = 4 * correct + 8
+    for _ in range(MOST_STEPS):
         work = min(work, precision)
         with ball_precision(work):
             apart = arb((1, -(work // 3)))
@@ -219,5 +234,6 @@ def _enclosed(excess: Callable[[arb], arb], near: arb, precision: int) -> arb:
                     return low.union(high)
                 raise ArithmeticError("no change of sign at this precision")
             if not step.is_finite() or (work == precision and abs(step) > 1):
-                raise ArithmeticError("Newton's method does not converge at this precision")
+                break
         work = work * 3 // 2
+    raise ArithmeticError("Newton's method does not converge at this precision")

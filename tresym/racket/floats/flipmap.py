@@ -69,7 +69,7 @@ def flip_map(
         an array is masked.
 
     Raises:
-        InputError: a or b out of range, or beyond 1e±100.
+        InputError: a or b out of range, or beyond 1e±100; starts that are no numbers.
     """
     p, q = _floats(a, b)
     starts, shape = _broadcast(psi0, rate, precession)
@@ -133,6 +133,7 @@ def _floats(a: Exact | float, b: Exact | float) -> tuple[float, float]:
     """The shape in float64; what is given exactly is checked exactly."""
     from fractions import Fraction
 
+    a, b = (float(x) if isinstance(x, np.floating) else x for x in (a, b))
     if not all(math.isfinite(x) for x in (a, b) if isinstance(x, float)):
         raise InputError("flip map: a and b must be finite")
     shape = exact_shape(*(Fraction(x) if isinstance(x, float) else x for x in (a, b)))
@@ -154,15 +155,27 @@ def _arrive(
 
 def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
     """Flat arrays of one size, and the shape they had."""
-    same = np.broadcast_arrays(*(_unmasked(x) for x in given))
+    try:
+        same = np.broadcast_arrays(*(_unmasked(x) for x in given))
+    except ValueError as error:
+        raise InputError(f"flip map: {error}") from None
     return [np.ascontiguousarray(x).ravel() for x in same], same[0].shape
 
 
 def _unmasked(x: ArrayLike) -> Floats:
-    """As floats, NaN where the array is masked."""
-    if isinstance(x, np.ma.MaskedArray):
-        return np.asarray(np.ma.filled(x.astype(np.float64), np.nan))
-    return np.asarray(x, dtype=np.float64)
+    """As floats, NaN where the array is masked.
+
+    Raises:
+        InputError: what is no array of real numbers.
+    """
+    try:
+        if np.iscomplexobj(x):
+            raise TypeError
+        if isinstance(x, np.ma.MaskedArray):
+            return np.asarray(np.ma.filled(x.astype(np.float64), np.nan))
+        return np.asarray(x, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError("flip map: starts and precession are real numbers, or arrays") from None
 
 
 def _compiled() -> Callable[..., None] | None:

@@ -35,6 +35,7 @@ from tresym.reals.verdict import Verdict
 Function = Callable[[Any, Any], Any]
 
 KINDS = ("O", "o", "~", "<=")
+MOST_HALVINGS = 16
 ORIGIN = fmpq(0)
 ONE = fmpq(1)
 
@@ -155,11 +156,13 @@ class _Expansion:
         return Size(germ.leading, power, exponent, self.logarithmic)
 
 
-def judge_order(statement: Order, precision: int = WORKING) -> Judgement:
+def judge_order(
+    statement: Order, precision: int = WORKING, halvings: int = MOST_HALVINGS
+) -> Judgement:
     """Decide an order statement; UNDECIDED where the expansion or the boxes do not suffice."""
     judge = _at_most if statement.kind == "<=" else _compared
     with ball_precision(precision):
-        for expansion in _expansions(statement):
+        for expansion in _expansions(statement, halvings):
             try:
                 found = judge(statement, expansion)
             except UnresolvedError:
@@ -168,13 +171,13 @@ def judge_order(statement: Order, precision: int = WORKING) -> Judgement:
     return Judgement(Verdict.UNDECIDED)
 
 
-def _expansions(statement: Order) -> Iterator[_Expansion]:
+def _expansions(statement: Order, most: int = MOST_HALVINGS) -> Iterator[_Expansion]:
     """Expansions on shorter and shorter ranges, at two orders."""
     index, logarithmic = 1, False
     start = statement.upto or fmpq(1)
     for order in (8, 16):
         halvings = 0
-        while halvings < 16:
+        while halvings < most:
             if index == 1 and not logarithmic:
                 reach = own = start / 2**halvings
             else:

@@ -6,6 +6,7 @@ within a limit of time.
 
 from __future__ import annotations
 
+from numbers import Real
 from typing import Any
 
 from tresym.reals.decisions.answer import Answer
@@ -35,7 +36,10 @@ def check(
     Raises:
         InputError: the claim is not read, or the limit is no number of seconds; one line says why.
     """
-    if limit is not None and not (isinstance(limit, int | float) and 0 < limit < MAX_SECONDS):
+    if not (path is None or isinstance(path, str)):
+        raise InputError("path: text such as x -> 0+")
+    is_limit = isinstance(limit, Real) and not isinstance(limit, bool) and 0 < limit < MAX_SECONDS
+    if not (limit is None or is_limit):
         raise InputError(f"limit: a number of seconds above 0 and below {MAX_SECONDS}")
     if not (isinstance(claim, str) and isinstance(given, str)):
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
@@ -43,4 +47,4 @@ def check(
         return decide_claim(claim, given, path)
     from tresym.reals.decisions.limits import Task, check_within
 
-    return check_within(Task(claim, given, path), limit)
+    return check_within(Task(claim, given, path), float(limit))

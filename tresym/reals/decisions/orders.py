@@ -11,9 +11,9 @@ from tresym.reals.balls.ends import sign_beside
 from tresym.reals.balls.order import Judgement
 from tresym.reals.decisions.answer import Answer, constant_ball, refuted
 from tresym.reals.decisions.derivatives import where_real
-from tresym.reals.decisions.ratios import judged, judged_by_ratio
+from tresym.reals.decisions.growth import judged_by_expansion, judged_by_growth, sign_near
 from tresym.reals.decisions.reading import Comparison, Path
-from tresym.reals.language.expression import ONE, Expr, number, substitute, symbol
+from tresym.reals.language.expression import Expr, number, substitute, symbol
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.places.conditions import Given
@@ -21,6 +21,8 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 LONGEST = fmpq(1)
+FIRST_HALVINGS = 3
+"""How far a range is halved before growth is looked at by itself."""
 LARGEST = arb((1, 10**8))
 SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3))
 """Where on the path both sides are shown, if they are not real where a refutation would."""
@@ -92,12 +94,7 @@ def _sign_along(e: Expr, path: Path, side: int) -> tuple[int, fmpq] | None:
     if beside is not None:
         return beside
     along = substitute(e, {path.name: _along(path, side)})
-    reach = judged_by_ratio("o", ONE, along, _PARAMETER).upto
-    if reach is None:
-        return None
-    with ball_precision():
-        value = evaluate(along, {_PARAMETER: arb(reach / 3)})
-    return (1 if value > 0 else -1, reach / 3) if value > 0 or value < 0 else None
+    return sign_near(along, _PARAMETER)
 
 
 def _shown_at(
@@ -136,11 +133,13 @@ def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb
 def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
     mapping = {path.name: _along(path, side)}
     sides = substitute(claim.left, mapping), substitute(claim.right, mapping)
-    found = judged(claim.relation, *sides, _PARAMETER, upto)
+    found = judged_by_expansion(claim.relation, *sides, _PARAMETER, upto, FIRST_HALVINGS)
+    if found.verdict is Verdict.UNDECIDED:
+        found = judged_by_growth(claim.relation, *sides, _PARAMETER, upto)
     if found.verdict is Verdict.UNDECIDED and path.point is not None and upto == 1:
         found = decide_smooth(claim.relation, claim.left, claim.right, path.name, path.point, side)
-    if found.verdict is Verdict.UNDECIDED and upto == 1:
-        return judged_by_ratio(claim.relation, *sides, _PARAMETER)
+    if found.verdict is Verdict.UNDECIDED:
+        found = judged_by_expansion(claim.relation, *sides, _PARAMETER, upto)
     return found
 
 

@@ -315,7 +315,7 @@ def _given(given: Any) -> Given:
         return Given(tuple(condition(*link) for chain in chains for link in chain.links))
     if isinstance(given, str):
         return Given.parse(_AND.sub(",", plain(given)).strip())
-    if isinstance(given, Iterable):
+    if isinstance(given, Iterable) and getattr(given, "ndim", None) != 0:
         result = Given()
         for part in given:
             result = result & _given(part)

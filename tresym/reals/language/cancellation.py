@@ -8,7 +8,18 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from tresym.reals.language.expression import Expr, apply, multiply, number, power, sqrt, symbols
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    apply,
+    multiply,
+    number,
+    power,
+    sqrt,
+    symbols,
+)
 
 MAX_EXPONENT = 100
 
@@ -37,6 +48,23 @@ def scaled(term: Expr) -> tuple[fmpq, Expr]:
     if term.op == "*" and term.args[0].op == "number":
         return term.args[0].args[0], multiply(*term.args[1:])
     return fmpq(1), term
+
+
+def collected(e: Expr) -> Expr:
+    """A sum with its like terms as one, multiples of sums multiplied out."""
+    found: dict[Expr, Expr] = {}
+
+    def take(term: Expr, scale: Expr) -> None:
+        own, inner = scaled(term)
+        scale = scale * number(own)
+        if inner.op == "+":
+            for part in inner.args:
+                take(part, scale)
+        else:
+            found[inner] = found.get(inner, ZERO) + scale
+
+    take(e, ONE)
+    return add(*(multiply(scale, inner) for inner, scale in found.items() if scale != ZERO))
 
 
 def _joined_logarithms(terms: list[Expr]) -> list[Expr]:

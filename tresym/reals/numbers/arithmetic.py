@@ -3,15 +3,18 @@
 A formula is a plain function whose last argument ``m`` is an arithmetic: a namespace with the
 function names of the Python array API standard (``sqrt``, ``asin``, ``sinh``, …) and ``pi``.
 ``numpy``, ``mpmath.mp`` and ``sympy`` are such namespaces already; only the balls of python-flint
-need the small adapter below. Precision is global in both mpmath and FLINT, so it is set only by
-the two context managers here, which restore what they found, on errors too.
+need the small adapter below. Precision is global in both mpmath and FLINT, of all threads at once,
+so it is set only by the two context managers here: one thread at a time is inside, and what it
+found is restored, on errors too. (Threads lose nothing: python-flint never lets two of them run.)
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from operator import methodcaller
+from threading import RLock
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from flint import arb, ctx, fmpq
@@ -58,17 +61,32 @@ def bits(digits: int, guard: int = 32) -> int:
     return int(digits * BITS_PER_DIGIT) + 1 + guard
 
 
+_alone = RLock()
+
+
+def _alone_again() -> None:
+    """In a copy of this process: the thread that held the lock is not in it, and never lets go."""
+    global _alone
+    _alone = RLock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_alone_again)
+
+
 class ball_precision:  # noqa: N801 - used like a function; a class because it is entered often
     """Set FLINT's working precision to ``precision`` bits inside the block; yields the balls."""
 
-    __slots__ = ("before", "precision")
+    __slots__ = ("before", "held", "precision")
 
     def __init__(self, precision: int = WORKING) -> None:
         """Remember the precision to work at."""
         self.precision = precision
 
     def __enter__(self) -> Balls:
-        """Set the precision."""
+        """Set the precision, once no other thread has it set."""
+        self.held = _alone
+        self.held.acquire()
         self.before = ctx.prec
         ctx.prec = self.precision
         return balls
@@ -76,6 +94,7 @@ class ball_precision:  # noqa: N801 - used like a function; a class because it i
     def __exit__(self, *_: object) -> None:
         """Restore what was found."""
         ctx.prec = self.before
+        self.held.release()
 
 
 def decided(
@@ -100,7 +119,7 @@ def mp_precision(digits: int) -> Iterator[mpmath.MPContext]:
     """Set mpmath's working precision to ``digits`` inside the block; yields ``mpmath.mp``."""
     import mpmath
 
-    with mpmath.workdps(digits):
+    with _alone, mpmath.workdps(digits):
         yield mpmath.mp
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from numbers import Rational
+from operator import index
 from typing import NamedTuple
 
 from flint import arb, fmpq, fmpz
@@ -28,8 +29,9 @@ def shortened(text: str, length: int = 40) -> str:
     return text if len(text) <= length else text[: length - 3] + "..."
 
 
-def quoted(text: str) -> str:
+def quoted(found: object) -> str:
     """How a complaint quotes bad input: in ASCII, where one character may be ten, and not long."""
+    text = found if isinstance(found, str) else repr(found)
     return ascii(shortened(text, 40 if text.isascii() else 12))
 
 
@@ -235,6 +237,21 @@ def _radius(rad: int, exponent: int) -> str:
         cut = len(text) - 3
         text, exponent = str(int(text[:3]) + 1), exponent + cut
     return "0" if text == "0" else _place_point(text, exponent)
+
+
+def whole_number(x: object, least: int, most: int, what: str) -> int:
+    """``x`` as an integer from ``least`` to ``most``; NumPy's are taken too.
+
+    Raises:
+        InputError: anything else, truth values among them.
+    """
+    try:
+        found = index(x)  # type: ignore[arg-type]
+    except TypeError:
+        found = least - 1
+    if isinstance(x, bool) or not least <= found <= most:
+        raise InputError(f"{what}: must be an integer from {least} to {most}")
+    return found
 
 
 def fraction_text(x: fmpq) -> str:

@@ -20,7 +20,7 @@ from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval, rational_ends
+from tresym.reals.numbers.exact import InputError, Interval, rational_ends, shortened
 from tresym.reals.places.points import _sample, corners
 from tresym.reals.places.values import evaluate
 from tresym.reals.places.windows import windows
@@ -83,7 +83,7 @@ class Given:
                 left, right = from_sympy(item.lhs), from_sympy(item.rhs)
                 result.append((left, RELATIONS[name], right))
             elif name != "BooleanTrue":
-                raise InputError(f"{item} is not a condition such as a > 0")
+                raise InputError(f"{shortened(str(item))} is not a condition such as a > 0")
         return Given(tuple(result))
 
     def __and__(self, other: Given) -> Given:

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from flint import fmpq
 
+from tresym.reals.language.cancellation import collected
 from tresym.reals.language.expression import ONE, ZERO, Expr, number, power, symbols
-from tresym.reals.language.products import collected
 from tresym.reals.normal.polynomials import as_expression, degree, polynomial
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.cones import sign_on_cones

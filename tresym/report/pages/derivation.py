@@ -1,4 +1,4 @@
-"""The derivation as one LaTeX article: each statement, its chain with the reasons, its verdict."""
+"""Claims in LaTeX: an entry of the ledger each, with its chain and its reasons, or one to paste."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ from collections.abc import Callable, Collection, Iterator
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
-from tresym.ledger.paper import sections
-from tresym.ledger.verification import Report, Row
+from tresym.ledger.verification import Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.symbols import rows as table_of_symbols
+from tresym.report.words.breaking import broken
 from tresym.report.words.chains import EQUIVALENT, Because, Display, Line, displays
 from tresym.report.words.markdown import scripted
 from tresym.report.words.place import place_text
@@ -20,39 +19,8 @@ from tresym.report.words.wording import readable
 
 WIDEST = 62
 """Letters of a formula with its reason that fit a line of the article."""
-QUOTED = "Theorems that are quoted"
-SYMBOLS = "Symbols"
-SHORT = 24
-"""Letters of a formula that fit beside the words in the table of symbols."""
-
-PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
-\usepackage[T1]{fontenc}
-\usepackage[utf8]{inputenc}
-\usepackage{lmodern,amsmath,amssymb,adjustbox,xcolor,geometry,longtable}
-\usepackage[hidelinks]{hyperref}
-\geometry{margin=25mm}
-\setlength{\parindent}{0pt}
-\setlength{\parskip}{4pt plus 2pt}
-\emergencystretch=3em
-\definecolor{proved}{HTML}{1B6E3C}
-\definecolor{enclosed}{HTML}{1F5FA8}
-\definecolor{refuted}{HTML}{9C2A6B}
-\definecolor{undecided}{HTML}{8A6D00}
-\definecolor{defined}{HTML}{4A5A6A}
-\definecolor{assumed}{HTML}{7A4B1E}
-\newcommand{\verdict}[2]{\textcolor{#1}{\textsf{\small #2}}}
-\newcommand{\fitted}[1]{\[\adjustbox{max width=\linewidth}{$\displaystyle #1$}\]}
-"""
-
-TITLE = r"""\title{The tennis racket effect, derived and judged}
-\author{tresym}
-\date{}
-\begin{document}
-\maketitle
-Each statement of L.~Van Damme, P.~Mardešić and D.~Sugny, \emph{The tennis racket effect in a
-three-dimensional rigid body}, Physica~D 338 (2017) 17, with its proof and its verdict. A step of a
-chain uses only the reasons that stand at its right.
-"""
+LINE = 66
+"""Letters of a formula alone that fit a line."""
 
 _LETTERS = {
     "₀": r"\textsubscript{0}", "₁": r"\textsubscript{1}", "₂": r"\textsubscript{2}",
@@ -95,48 +63,8 @@ def _lettered(text: str) -> str:
     return "".join(_LETTERS.get(c, c if ord(c) < 256 or c in "–—’“”šćž" else "?") for c in text)
 
 
-def article(report: Report) -> str:
-    """The whole article for the rows of a report, in the order of the proofs."""
-    rows = {row.claim.label: row for row in report.rows}
-    pages = [PREAMBLE, TITLE, *_symbols(rows.keys())]
-    for title, claims in sections():
-        entries = [_entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
-        if entries:
-            pages += [rf"\section*{{{prose(title[:1].upper() + title[1:])}}}" + "\n", *entries]
-    return "\n".join([*pages, *_quoted(report), r"\end{document}", ""])
-
-
-def _symbols(known: Collection[str]) -> Iterator[str]:
-    """The table of the symbols that have words, each with the claim that defines it."""
-    yield rf"\section*{{{SYMBOLS}}}" + "\n"
-    yield r"\begin{longtable}{@{}lp{0.56\linewidth}l@{}}"
-    named = {row.name: row for row in table_of_symbols() if row.words}
-    for row in named.values():
-        by = _reference(row.entry.claim, known) if row.entry else ""
-        short = row.meaning if row.meaning and width(row.meaning) < SHORT else ""
-        stands = (
-            f": {row.note}${short}$" if short and row.entry and not row.entry.claim.shown else ""
-        )
-        yield rf"${row.symbol}$ & {prose(row.words)}{stands} & {by} \\"
-    yield r"\end{longtable}"
-
-
-def _quoted(report: Report) -> Iterator[str]:
-    """The theorems that are quoted, each with the claims that rest on it, as a bibliography."""
-    if not report.axioms:
-        return
-    known = [row.claim.label for row in report.rows]
-    yield rf"\section*{{{QUOTED}}}" + "\n"
-    yield r"\begin{thebibliography}{99}"
-    for axiom, resting in report.axioms.items():
-        names = ", ".join(_reference(claim, known) for claim in resting)
-        yield rf"\bibitem{{{_key(axiom)}}} \emph{{{prose(axiom.name)}}}. {prose(axiom.says)}"
-        yield rf"\fitted{{{axiom.formula}}}" if axiom.formula else ""
-        yield rf"{prose(axiom.source)}. {{\raggedright Claims that rest on it: {names}.\par}}"
-    yield r"\end{thebibliography}"
-
-
-def _key(axiom: Axiom) -> str:
+def axiom_key(axiom: Axiom) -> str:
+    """The label by which a quoted theorem is referred to."""
     return "axiom:" + "".join(c for c in axiom.name if c.isascii() and c.isalpha())
 
 
@@ -147,7 +75,7 @@ def fragment(row: Row) -> str:
     """
     claim = row.claim
     if row.finding.verdict is not Verdict.REFUTED:
-        return "\n".join([*_in_words(claim), *_numbered(claim)]) + "\n"
+        return "\n".join([*in_words(claim), *_numbered(claim)]) + "\n"
     lines = [rf"\textbf{{Refuted}} (\texttt{{{_lettered(claim.label)}}}):", *_stated(claim)]
     lines += [prose(f"Evidence: {readable(row.finding.why[:300])}.")]
     for true in claim.amended_by:
@@ -166,7 +94,7 @@ def refused(rows: Collection[Row]) -> tuple[str, ...]:
     )
 
 
-def _in_words(claim: Claim, name: Callable[[str], str] | None = None) -> list[str]:
+def in_words(claim: Claim, name: Callable[[str], str] | None = None) -> list[str]:
     """What a claim says in words: its sentence, if it has one, and its conditions."""
     found = said(claim)
     lines = [prose(found.says)] if found.says else []
@@ -176,12 +104,12 @@ def _in_words(claim: Claim, name: Callable[[str], str] | None = None) -> list[st
 def _stated(claim: Claim) -> list[str]:
     """What a claim says with its conditions, without its chain, in lines of text."""
     formula = said(claim).formula
-    return [*_in_words(claim), *([rf"\[{formula}\]"] if formula else [])]
+    return [*in_words(claim), *([rf"\[{formula}\]"] if formula else [])]
 
 
 def _numbered(claim: Claim) -> Iterator[str]:
     """The displays as equations that can be referred to: by the label of the claim, then -2, -3."""
-    for n, body in enumerate(_displays(claim), 1):
+    for n, body in enumerate(set_displays(claim), 1):
         label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
         yield f"\\begin{{equation}}\\label{{{label}}}\n{body}\n\\end{{equation}}"
 
@@ -191,7 +119,8 @@ def in_dollars(formula: str) -> str:
     return f"${formula}$"
 
 
-def _entry(row: Row, known: Collection[str]) -> str:
+def entry(row: Row, known: Collection[str]) -> str:
+    """A claim in the ledger: place, verdict, words, chain, and what was found."""
     claim, finding = row.claim, row.finding
     verdict = finding.verdict.value
     head = (
@@ -199,28 +128,32 @@ def _entry(row: Row, known: Collection[str]) -> str:
         rf"\hfill\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small "
         rf"{prose(place_text(claim) if claim.where else 'lemma')}}}\par"
     )
-    lines = [head]
+    lines = [r"\needspace{4\baselineskip}", head]
     if finding.verdict is Verdict.REFUTED:
         lines.append(r"\verdict{refuted}{This is refuted:}\par")
     if claim.paper_says:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
-    lines += [rf"{{\raggedright {words}\par}}" for words in _in_words(claim, _code)]
-    lines += [rf"\textsf{{\small Decided as}} \fitted{{{body}}}" for body in said(claim).means]
-    lines += [rf"\fitted{{{body}}}" for body in _displays(claim)]
+    lines += [rf"{{\raggedright {words}\par}}" for words in in_words(claim, code)]
+    lines += [
+        rf"\textsf{{\small Decided as}} \fitted{{{alone(body)}}}" for body in said(claim).means
+    ]
+    lines += [rf"\fitted{{{body}}}" for body in set_displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
     if claim.axioms:
-        cited = ", ".join(rf"{prose(a.name)}~\cite{{{_key(a)}}}" for a in claim.axioms)
+        cited = ", ".join(rf"{prose(a.name)} (Section~\ref{{quoted}})" for a in claim.axioms)
         lines.append(rf"\textsf{{\small Quoted:}} {cited}.\par")
-    lines += _outcome(row, known)
+    lines += outcome(row, known)
     return "\n".join(lines) + "\n"
 
 
-def _outcome(row: Row, known: Collection[str]) -> Iterator[str]:
+def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
     """What a report adds to the statement: value, witness, amendment."""
     finding = row.finding
     if finding.value is not None:
         yield rf"\textsf{{\small Value}} {finding.value.mid[:52]}.\par"
+    if finding.verdict is Verdict.ENCLOSED and " = " not in finding.why:
+        yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding.why)}.\par}}"
     if finding.verdict is Verdict.REFUTED:
         why = readable(finding.why[:300])
         yield rf"\textsf{{\small Evidence:}} {{\sloppy {prose(why)}}}.\par"
@@ -228,40 +161,77 @@ def _outcome(row: Row, known: Collection[str]) -> Iterator[str]:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
             yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(readable(point[:400]))}}}.\par"
     if row.claim.amended_by:
-        names = ", ".join(_reference(c, known) for c in row.claim.amended_by)
+        names = ", ".join(reference(c, known) for c in row.claim.amended_by)
         yield rf"{{\raggedright\textsf{{\small True instead:}} {names}.\par}}"
 
 
-def _reference(claim: Claim, known: Collection[str]) -> str:
+def _enclosed(why: str) -> str:
+    """How a bound was enclosed; the labels that it follows from are set as such."""
+    start, follows, labels = why.partition("follows from ")
+    if follows and not start:
+        return follows + ", ".join(map(code, labels.split(", ")))
+    return prose(readable(why[:200]))
+
+
+def reference(claim: Claim, known: Collection[str]) -> str:
+    """Its label, linked to its entry where there is one."""
     name = rf"\texttt{{{_lettered(claim.label)}}}"
     return rf"\hyperref[claim:{claim.label}]{{{name}}}" if claim.label in known else name
 
 
-def _displays(claim: Claim) -> list[str]:
+def set_displays(claim: Claim) -> list[str]:
     """The displays of a claim, each in `aligned`; a formula alone stands by itself."""
     return [_aligned(display) for display in displays(claim)]
+
+
+def alone(formula: str) -> str:
+    """A formula without a chain; one that is too wide takes several lines."""
+    lines = broken(formula, LINE)
+    return formula if len(lines) == 1 else _rows([f"&{lines[0]}", *map(_continued, lines[1:])])
 
 
 def _aligned(display: Display) -> str:
     """Lines aligned at the sign, reasons at the right; what is too wide for that is broken."""
     if len(display) == 1 and not display[0].reasons:
-        return display[0].right
+        return alone(display[0].right)
     start = width(display[0].left)
-    broken = any(start + width(line.right) + _extent(line) > WIDEST for line in display)
-    rows = []
+    narrow = all(start + width(line.right) + _extent(line) <= WIDEST for line in display)
+    return _rows([*map(_row, display)] if narrow else [*_broken(display)])
+
+
+def _row(line: Line) -> str:
+    why = _because(line)
+    return f"{line.left} &{line.right}{f' && {why}' if why else ''}".lstrip()
+
+
+def _broken(display: Display) -> Iterator[str]:
+    """The lines one below the other, each reason beside the end of its formula or below it."""
     for line in display:
-        why = ", ".join(map(_reason, line.reasons))
-        reason = rf"\text{{\footnotesize {why}}}"
-        if not broken:
-            rows.append(f"{line.left} &{line.right}{f' && {reason}' if why else ''}".lstrip())
-            continue
         arrow = line.left if line.left == EQUIVALENT else ""
-        rows += [f"&{line.left}"] if line.left and not arrow else []
-        fits = width(line.right) + _extent(line) <= WIDEST or not why
-        rows.append(rf"&{arrow}\quad {line.right}" + (rf"\qquad {reason}" if fits and why else ""))
-        rows += [] if fits else [rf"&\qquad {reason}"]
+        if line.left and not arrow:
+            first, *rest = broken(line.left, LINE)
+            yield from (f"&{first}", *map(_continued, rest))
+        first, *rest = broken(line.right, LINE)
+        *lines, last = (rf"&{arrow}\quad {first}", *map(_continued, rest))
+        yield from lines
+        why = _because(line)
+        beside = width((rest or [first])[-1]) + _extent(line) <= WIDEST
+        yield last + (rf"\qquad {why}" if why and beside else "")
+        yield from [rf"&\qquad {why}"] if why and not beside else []
+
+
+def _continued(line: str) -> str:
+    return rf"&\quad\quad {line}"
+
+
+def _rows(rows: list[str]) -> str:
     body = " \\\\\n".join(rows)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
+
+
+def _because(line: Line) -> str:
+    why = ", ".join(map(_reason, line.reasons))
+    return rf"\text{{\footnotesize {why}}}" if why else ""
 
 
 def _extent(line: Line) -> float:
@@ -272,9 +242,10 @@ def _extent(line: Line) -> float:
 
 def _reason(why: Because) -> str:
     if why.labels:
-        return f"{why.words} " + ", ".join(map(_code, why.labels))
+        return f"{why.words} " + ", ".join(map(code, why.labels))
     return f"{why.words} ${why.formula}$" if why.formula else why.words
 
 
-def _code(label: str) -> str:
+def code(label: str) -> str:
+    """A label as it is set."""
     return rf"\texttt{{{_lettered(label)}}}"

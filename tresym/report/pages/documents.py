@@ -22,9 +22,9 @@ from tresym.report import charts, figures
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import checked_twice
+from tresym.report.pages.article import article
 from tresym.report.pages.check_tables import measured
 from tresym.report.pages.corrections import corrections
-from tresym.report.pages.derivation import article
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
 from tresym.report.pages.site_data import record

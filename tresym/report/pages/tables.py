@@ -6,6 +6,7 @@ that proves the digits shown.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from difflib import get_close_matches
 from typing import NamedTuple
@@ -18,6 +19,11 @@ from tresym.reals.numbers.exact import InputError, as_rational, fraction_text, q
 from tresym.report.words.markdown import escaped
 
 FORMATS = ("text", "markdown", "latex")
+LONGEST = 22
+"""Characters of a number that fit a column of a paper; the rest is left out, and that is shown."""
+WIDEST = 90
+"""Characters of a row that fit a page of a paper; a wider table is turned on its side."""
+_NUMBER = re.compile(r"([-+]?\d+(?:\.\d+)?)(?:e([-+]?\d+))?( %)?")
 
 
 class Table(NamedTuple):
@@ -26,6 +32,7 @@ class Table(NamedTuple):
     caption: str
     heads: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    name: str = ""
 
 
 def digits_of(x: arb, digits: int) -> str:
@@ -194,7 +201,7 @@ def table(name: str) -> Table:
         near = get_close_matches(name, TABLES, n=1)
         hint = f"did you mean {near[0]}? " if near else ""
         raise InputError(f"table: {quoted(name)} is not known; {hint}known: {', '.join(TABLES)}")
-    return TABLES[name]()
+    return TABLES[name]()._replace(name=name)
 
 
 def written(found: Table, form: str) -> str:
@@ -219,24 +226,44 @@ def _markdown(found: Table) -> str:
 
 
 def _latex(found: Table) -> str:
+    """A table for a paper that loads booktabs, array, and rotating for the widest."""
     from tresym.report.pages.derivation import prose
 
-    head, *body = [" & ".join(map(prose, row)) + r" \\" for row in (found.heads, *found.rows)]
+    def cell(text: str) -> str:
+        number = _NUMBER.fullmatch(text)
+        if number is None:
+            return prose(text)
+        digits = number[1] if len(number[1]) <= LONGEST else number[1][:LONGEST] + r"\dots"
+        power = rf"\times 10^{{{int(number[2])}}}" if number[2] else ""
+        return f"${digits}{power}${prose(number[3] or '')}"
+
+    head, *body = [" & ".join(map(cell, row)) + r" \\" for row in (found.heads, *found.rows)]
+    columns = [_column(cells) for cells in zip(found.heads, *found.rows, strict=True)]
+    kind = "sidewaystable" if sum(width for _, width in columns) > WIDEST else "table"
     return "\n".join(
         [
-            r"\begin{table}",
-            rf"\caption{{{prose(found.caption)}}}",
-            rf"\begin{{tabular}}{{{'l' * len(found.heads)}}}",
-            r"\hline",
+            rf"\begin{{{kind}}}\small\setlength{{\tabcolsep}}{{4pt}}",
+            rf"\caption{{{prose(found.caption)}}}\label{{tab:{found.name}}}",
+            rf"\begin{{tabular}}{{@{{}}{''.join(kind for kind, _ in columns)}@{{}}}}",
+            r"\toprule",
             head,
-            r"\hline",
+            r"\midrule",
             *body,
-            r"\hline",
+            r"\bottomrule",
             r"\end{tabular}",
-            r"\end{table}",
+            rf"\end{{{kind}}}",
             "",
         ]
     )
+
+
+def _column(cells: tuple[str, ...]) -> tuple[str, int]:
+    """How a column is set, and its width: a head much longer than its cells takes several lines."""
+    head, *body = (min(len(text), LONGEST) + 3 * ("e-" in text) for text in cells)
+    widest = max(max(body, default=0), 7)
+    if len(cells[0]) <= widest:
+        return "l", max(head, widest)
+    return rf">{{\raggedright\arraybackslash}}p{{{0.5 * widest:.1f}em}}", widest
 
 
 def _short(x: fmpq) -> str:

@@ -30,7 +30,8 @@ ENCLOSING = (
     "reals.balls",
     "reals.decisions.region",
     "reals.decisions.orders",
-    "reals.decisions.ratios",
+    "reals.decisions.growth",
+    "reals.growth",
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
     "ledger.evidence.asymptotics",
@@ -57,7 +58,7 @@ RECHECKED = {
         *("reals.places.windows", "reals.places.descent", "ledger.second_look.somewhere"),
     ),
     "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
-        *("reals.normal.denested", "reals.language.products", "reals.balls.boxes._found"),
+        *("reals.normal.denested", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
         *("reals.places.unworked._found", "reals.places.unworked._change"),
         *("ledger.evidence.printed._find_inputs", "ledger.evidence.printed._between"),

@@ -1,4 +1,4 @@
-"""Order claims by other forms of the ratio: scales whose order is known, and planted falsehoods."""
+"""Order claims by growth: scales whose order is known, and planted falsehoods."""
 
 import pytest
 from flint import arb, fmpq
@@ -8,20 +8,15 @@ from hypothesis import strategies as st
 import tresym
 from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.order import Size
-from tresym.reals.decisions import ratios
-from tresym.reals.decisions.identity import decide
-from tresym.reals.decisions.ratios import judged_by_ratio, one_level_up
-from tresym.reals.language import products
+from tresym.reals.decisions.growth import judged_by_growth, sign_near
 from tresym.reals.language.parsing import parse
-from tresym.reals.language.products import collected, factors, in_exponentials, joined
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import positive
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 pytestmark = pytest.mark.slow
 
-PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
+ENCLOSED = Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
 SCALE = ("exp(x)", "x", "log(x)", "log(log(x))")
@@ -104,72 +99,6 @@ def test_zero_is_like_zero(claim: str) -> None:
     assert tresym.check(claim, path="x -> 0").verdict in (ENCLOSED, UNDECIDED)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "t**2*exp(1/t)*t**(-1/2)*exp(-2/t)",
-        "sqrt(4*t**2)*(t + t**2)**3/t",
-        "exp(2*log(t) + 1/t - log(t**3))",
-        "(exp(1/t) + exp(-1/t))*exp(-1/t)",
-        "log(t**3)*abs(-2*t)*log(abs(t**2 - 1))",
-        "t*log(t) + t**2*log(t)",
-        "sinh(1/t)**2 - cosh(1/t)**2 + coth(t)",
-        "log(exp(1/t) + t) - 1/t",
-        "(exp(1/t) + 1)**(1/3)",
-        "(exp(1/t) - 1)**(-2)*exp(1/t) + (exp(-1/t) + 3)**(-1)",
-        "log(sqrt(2)*exp(1/t)*t + sqrt(2)*t) - log(cosh(1/t))",
-        "log(6/35*10**(1/3)*exp(1/t)*(1 + t))",
-        "log(3*t**2*exp(1/t)*(1 + t)**2)",
-        "log(1000000007*1000000009*exp(1/t) + exp(2/t))",
-        "(1 + t)**2*(2 - t) - (t + 3)**3",
-    ],
-)
-def test_what_is_joined_is_the_same_function(text: str) -> None:
-    e = parse(text)
-    forms = [joined(e, "t"), collected(e), in_exponentials(e, "t")]
-    product = parse("1")
-    for base, exponent in factors(e, "t"):
-        product = product * base**exponent
-    for form in (*forms, product):
-        with ball_precision(200):
-            x, y = (evaluate(f, {"t": arb(fmpq(2, 7))}) for f in (e, form))
-            assert x.is_finite()
-            assert x.overlaps(y)
-            assert abs(x - y) < fmpq(1, 10**40)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "log(t)*t**2 + log(2/t**3)",
-        "log(abs(log(t)))*t**(1/3)",
-        "log(t**t)*log(1/t)",
-        "log(sqrt(2)*t)**2/t",
-        "exp(log(t)**2)*log(3*t**2)",
-        "log(1 + t)*log(t)",
-    ],
-)
-def test_one_level_up_is_the_same_function(text: str) -> None:
-    e = parse(text)
-    raised = one_level_up(e, "t")
-    assert raised is not None
-    with ball_precision(200):
-        s = arb(fmpq(2, 7))
-        x, y = evaluate(e, {"t": (-1 / s).exp()}), evaluate(raised, {"t": s})
-        assert x.is_finite()
-        assert abs(x - y) < fmpq(1, 10**40)
-
-
-def test_what_cancels_is_gone() -> None:
-    assert joined(parse("exp(exp(1/t))*exp(-exp(1/t) - 1/t)*t**2/t"), "t") == parse("exp(-1/t)*t")
-    assert (
-        decide(
-            in_exponentials(parse("cosh(1/t)**2 - sinh(1/t)**2"), "t"), parse("1"), positive("t")
-        ).verdict
-        is PROVED
-    )
-
-
 @pytest.mark.parametrize("upto", [1, 2, 8])
 def test_germs_of_bounded_functions(upto: int) -> None:
     """A function of which only bounds are known: powers, quotients and logarithms keep them."""
@@ -188,7 +117,7 @@ def test_germs_of_bounded_functions(upto: int) -> None:
 
 
 def test_deep_towers_end_undecided_and_not_in_an_error() -> None:
-    found = judged_by_ratio("o", parse("exp(exp(exp(1/t)))"), parse("exp(exp(exp(1/t) + 1))"), "t")
+    found = judged_by_growth("o", parse("exp(exp(exp(1/t)))"), parse("exp(exp(exp(1/t) + 1))"), "t")
     assert found.verdict in (ENCLOSED, UNDECIDED)
 
 
@@ -213,7 +142,7 @@ def test_deep_towers_end_undecided_and_not_in_an_error() -> None:
         ("diff(atanh(3 + sin(1/x)), x) == O(x**(-2))", "x -> 0", UNDECIDED, None),
         ("diff(log(-log(log(x))), x) ~ 1/(x*log(x)*log(log(x)))", "x -> oo", UNDECIDED, None),
         ("diff(log(-1/log(log(log(x)))), x) == O(1)", "x -> oo", UNDECIDED, None),
-        ("diff(log(log(log(x))), x) ~ 1/(x*log(x)*log(log(x)))", "x -> oo", ENCLOSED, "x >= 1"),
+        ("diff(log(log(log(x))), x) ~ 1/(x*log(x)*log(log(x)))", "x -> oo", ENCLOSED, "x >= 2"),
         ("diff(log(3 + sin(1/x)), x) == O(x**(-2))", "x -> 0+", ENCLOSED, "0 < x <= 1"),
     ],
 )
@@ -231,18 +160,82 @@ def test_a_refutation_is_shown_where_the_functions_are_real() -> None:
     assert fmpq(*map(int, answer.witness["x"].split("/"))) < fmpq(1, 1000)
 
 
+BY_GROWTH = [
+    ("exp(x)*(exp(1/x - exp(-x)) - exp(1/x)) == -1 + o(1)", "x -> oo"),
+    ("(3**x + 5**x)**(1/x) == 5 + o(1)", "x -> oo"),
+    ("x**x == 1 + x*log(x) + O(x**2*log(x)**2)", "x -> 0+"),
+    ("atan(sin(x)/x) == pi/4 + o(1)", "x -> 0"),
+    ("asin(x) == pi/2 - sqrt(2*(1 - x)) + O((1 - x)**(3/2))", "x -> 1-"),
+    ("1 == o(x + exp(-exp(x)))", "x -> oo"),
+    ("1/(2 + sin(x)) == O(1)", "x -> oo"),
+    ("x*(2 + sin(x)) == O(x)", "x -> oo"),
+    ("abs(x - 1/1000) ~ 1/1000 - x", "x -> 0"),
+]
+NOT_BY_GROWTH = [
+    ("exp(x)*(exp(1/x - exp(-x)) - exp(1/x)) == -1 - 1/10**30 + o(1)", "x -> oo"),
+    ("(3**x + 5**x)**(1/x) == 3 + o(1)", "x -> oo"),
+    ("x**x == 1 + x*log(x) + o(x**2*log(x)**2)", "x -> 0+"),
+    ("asin(x) == pi/2 - sqrt(2*(1 - x)) + o((1 - x)**(3/2))", "x -> 1-"),
+    ("1 == O(sin(x))", "x -> oo"),
+    ("tan(x) == O(x)", "x -> oo"),
+    ("x*sin(x) == o(x)", "x -> oo"),
+    ("1 == O(sin(x) + exp(-x))", "x -> oo"),
+    ("2 + sin(x) ~ 2", "x -> oo"),
+    ("sin(x)*cos(3*x) == o(1)", "x -> oo"),
+]
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize(("claim", "path"), BY_GROWTH)
+def test_what_growth_decides_comes_with_a_range(claim: str, path: str) -> None:
+    answer = tresym.check(claim, path=path)
+    assert answer.verdict is ENCLOSED
+    assert answer.region
+    assert ("O(" in claim) == (answer.constant is not None)
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize(("claim", "path"), NOT_BY_GROWTH)
+def test_what_differs_a_little_or_at_a_phase_is_refuted(claim: str, path: str) -> None:
+    assert tresym.check(claim, path=path).verdict is REFUTED
+
+
 @pytest.mark.quick
 @pytest.mark.parametrize(
-    "wrong", ["t + t**2", "2*t", "t*sign(sin(1/t))**2", "t*abs(t - 1)/(1 - t)"]
+    ("claim", "path"),
+    [
+        ("sin(x)*sin(sqrt(2)*x) == O(sin(x))", "x -> oo"),  # true, and no sine may be divided by
+        ("x*sin(x)**2 == O(x*sin(x))", "x -> oo"),
+        ("1 == O(1 + cos(x) + sin(x/2)**2)", "x -> oo"),  # true: the phases are not free
+        ("log(sin(x)) == O(1)", "x -> oo"),
+    ],
 )
-def test_a_rewriting_that_is_not_equal_is_not_used(
-    monkeypatch: pytest.MonkeyPatch, wrong: str
-) -> None:
-    e, other = parse("t"), parse(wrong)
-    for name in ("joined", "in_exponentials", "collected"):
-        monkeypatch.setattr(products, name, lambda *_: other)
-        assert getattr(ratios, name)(e, "t") == e
-        monkeypatch.setattr(products, name, lambda *_: parse("t**2/t"))
-        assert getattr(ratios, name)(e, "t") == parse("t**2/t")
-    monkeypatch.setattr(products, "factors", lambda *_: [(other, parse("1"))])
-    assert ratios.factors(e, "t") == [(e, parse("1"))]
+def test_waves_are_not_divided_by(claim: str, path: str) -> None:
+    assert tresym.check(claim, path=path).verdict in (ENCLOSED, UNDECIDED)
+
+
+@pytest.mark.quick
+def test_a_range_ends_where_a_sign_changes() -> None:
+    found = judged_by_growth("~", parse("abs(t - 1/100)"), parse("1/100 - t"), "t")
+    assert found.verdict is ENCLOSED
+    assert found.upto is not None
+    assert found.upto < fmpq(1, 100)
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize(
+    ("text", "sign"), [("t - 1/100", -1), ("log(1 + t) - t + t**2/2", 1), ("t - t", 0)]
+)
+def test_the_sign_near_zero_holds_on_its_range(text: str, sign: int) -> None:
+    found = sign_near(parse(text), "t")
+    assert found is not None
+    assert found[0] == sign
+    with ball_precision():
+        for part in (1, 2, 50):
+            value = evaluate(parse(text), {"t": arb(found[1] / part)})
+            assert value > 0 if sign > 0 else value < 0 if sign < 0 else value.contains(0)
+
+
+@pytest.mark.quick
+def test_no_sign_is_given_to_a_wave() -> None:
+    assert sign_near(parse("t*sin(1/t)"), "t") is None

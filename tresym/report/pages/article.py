@@ -1,0 +1,171 @@
+"""The article: the derivation in the paper's order, what is corrected, and the ledger behind it.
+
+The words are those of article.tex beside this file. In it a line ``@claim LABEL`` stands for a
+statement with its chain, ``@says LABEL`` for the statement alone, ``@figure NAME | caption`` for a
+figure, and ``{{ name }}`` for a number of :mod:`tresym.report.pages.numbers`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Iterator
+from importlib.resources import files
+
+import tresym
+from tresym.ledger.claim import AllOf, Claim
+from tresym.ledger.paper import Correction, corrections, sections
+from tresym.ledger.verification import Report, Row
+from tresym.report.pages.derivation import (
+    alone,
+    axiom_key,
+    entry,
+    in_words,
+    outcome,
+    prose,
+    reference,
+    set_displays,
+)
+from tresym.report.pages.numbers import numbers
+from tresym.report.pages.symbols import rows as table_of_symbols
+from tresym.report.pages.tables import table, written
+from tresym.report.words.place import place_text
+from tresym.report.words.said import said
+from tresym.report.words.width import width
+
+_DIRECTIVE = re.compile(r"^@(\w+)(?: ((?:.+\n?)+?))?(?=\n@|\n\n|\n\Z|^@)", re.MULTILINE)
+"""A line that begins with @, to the next of its kind or the end of its paragraph."""
+LONGEST_CHAIN = 16
+"""A chain of more lines stands in the ledger only."""
+SHORT = 24
+"""Letters of a formula that fit beside the words in the table of symbols."""
+QUOTED = "Theorems that are quoted"
+SYMBOLS = "Notation"
+
+
+def article(report: Report) -> str:
+    """The whole article, with the statements, the figures and the ledger of a report."""
+    rows = {row.claim.label: row for row in report.rows}
+    parts: dict[str, Callable[[str], Iterator[str]]] = {
+        "claim": lambda label: _claimed(rows[label], rows.keys(), with_chain=True),
+        "says": lambda label: _claimed(rows[label], rows.keys(), with_chain=False),
+        "figure": _figure,
+        "symbols": lambda _: _symbols(rows.keys()),
+        "bodies": lambda _: iter([written(table("objects"), "latex")]),
+        "corrections": lambda _: _corrected(rows),
+        "quoted": lambda _: _quoted(report),
+        "ledger": lambda _: _ledger(rows),
+    }
+
+    def put_in(found: re.Match[str]) -> str:
+        return "\n".join(parts[found[1]](" ".join((found[2] or "").split()))) + "\n"
+
+    known = numbers(report) | {"version": tresym.__version__}
+    text = _DIRECTIVE.sub(put_in, _words())
+    return re.sub(r"\{\{ (\w+) \}\}", lambda found: known[found[1]], text)
+
+
+def figures_of() -> tuple[str, ...]:
+    """The names of the figures that the article shows, each a file ``figures/NAME.pdf``."""
+    return tuple(re.findall(r"^@figure ([\w-]+)", _words(), re.MULTILINE))
+
+
+def _words() -> str:
+    return files("tresym.report.pages").joinpath("article.tex").read_text(encoding="utf-8")
+
+
+def _claimed(row: Row, known: Collection[str], with_chain: bool) -> Iterator[str]:
+    """A statement with place and verdict, its equation numbered, and its chain if that is short."""
+    claim, found = row.claim, said(row.claim)
+    verdict = row.finding.verdict.value
+    mark = rf"\verdict{{{verdict.lower()}}}{{{verdict}}}"
+    place = prose(place_text(claim)) if claim.where else "ours"
+    yield rf"\judged{{{claim.label}}}{{{place}}}{{{mark}}}"
+    yield from (rf"{{\raggedright {words}\par}}" for words in in_words(claim))
+    formulas = [alone(f) for f in ([found.formula] if found.formula else found.means)]
+    chains = [body for body in set_displays(claim) if r"\footnotesize" in body]
+    rows = sum(body.count(r"\\") + 1 for body in chains)
+    if rows == len(formulas) == 1:
+        formulas, chains = chains, []
+    for n, formula in enumerate(formulas, 1):
+        label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
+        yield rf"\begin{{equation}}\label{{{label}}}\fits{{{formula}}}\end{{equation}}"
+    if with_chain and rows <= LONGEST_CHAIN:
+        yield from (rf"\fitted{{{body}}}" for body in chains)
+    yield from outcome(row, known)
+
+
+def _figure(words: str) -> Iterator[str]:
+    name, _, caption = words.partition(" | ")
+    yield rf"\begin{{figure}}[tb]\centering\shown{{{name}}}"
+    yield rf"\caption{{{caption}}}\label{{{name}}}\end{{figure}}"
+
+
+def _symbols(known: Collection[str]) -> Iterator[str]:
+    """The table of the symbols that have words, each with the claim that defines it."""
+    yield rf"\section{{{SYMBOLS}}}" + "\n"
+    yield r"\begin{longtable}{@{}lp{0.56\linewidth}l@{}}\toprule"
+    named = {row.name: row for row in table_of_symbols() if row.words}
+    for row in named.values():
+        by = reference(row.entry.claim, known) if row.entry else ""
+        short = row.meaning if row.meaning and width(row.meaning) < SHORT else ""
+        stands = (
+            f": {row.note}${short}$" if short and row.entry and not row.entry.claim.shown else ""
+        )
+        yield rf"${row.symbol}$ & {prose(row.words)}{stands} & {by} \\"
+    yield r"\bottomrule\end{longtable}"
+
+
+def _corrected(rows: dict[str, Row]) -> Iterator[str]:
+    yield r"\section{Corrections}\label{corrections}" + "\n"
+    yield "What the paper prints and does not hold, each finding once, the weightiest first.\n"
+    yield r"\begin{enumerate}"
+    for correction in corrections():
+        yield from _correction(correction, rows)
+    yield r"\end{enumerate}"
+
+
+def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
+    said_in = [rows[label].claim for label in correction.labels if label in rows]
+    claim = said_in[0]
+    names = ", ".join(reference(each, rows.keys()) for each in said_in)
+    yield rf"\item \textbf{{{prose(correction.title)}}} ({prose(place_text(claim))}; {names})."
+    yield rf"Printed: “{prose(correction.quote)}”."
+    why = correction.why or claim.note
+    yield prose(why) if why else ""
+    own = [each for each in said_in if each is claim or not isinstance(each.proof, AllOf)]
+    true = dict.fromkeys(each for wrong in own for each in wrong.amended_by)
+    if true:
+        listed = "; ".join(map(_instead, true))
+        yield rf"True instead: {{\sloppy {listed}\par}}"
+
+
+def _instead(claim: Claim) -> str:
+    """What is true instead, in a line: its sentence, or its formula where that is short."""
+    found = said(claim)
+    name = rf"\claim{{{claim.label}}}"
+    if found.says:
+        return f"{prose(found.says.rstrip('.'))} ({name})"
+    short = found.formula and width(found.formula) < 2 * SHORT
+    return f"${found.formula}$ ({name})" if short else name
+
+
+def _quoted(report: Report) -> Iterator[str]:
+    """The theorems that are quoted, each with the claims that rest on it."""
+    yield rf"\section{{{QUOTED}}}\label{{quoted}}" + "\n"
+    known = [row.claim.label for row in report.rows]
+    for axiom, resting in report.axioms.items():
+        names = ", ".join(reference(claim, known) for claim in resting)
+        yield rf"\paragraph{{{prose(axiom.name)}}}\label{{{axiom_key(axiom)}}} {prose(axiom.says)}"
+        yield rf"\fitted{{{axiom.formula}}}" if axiom.formula else ""
+        yield rf"{prose(axiom.source)}. {{\raggedright Claims that rest on it: {names}.\par}}"
+    if not report.axioms:
+        yield "None."
+
+
+def _ledger(rows: dict[str, Row]) -> Iterator[str]:
+    """Every claim in the order of the proofs, with its chain."""
+    for title, claims in sections():
+        entries = [entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
+        if entries:
+            yield rf"\subsection{{{prose(title[:1].upper() + title[1:])}}}" + "\n"
+            yield from entries
