@@ -151,3 +151,9 @@ def test_what_is_zero_is_not_nonzero() -> None:
     assert not parts.nonzero(parse("(x + 1)**2 - x**2 - 2*x - 1"))
     assert parts.nonzero(parse("x*y"))
     assert not parts.nonzero(parse("x*(y - 1)"))
+
+
+@pytest.mark.parametrize("text", ["exp(x)**2 - 2*exp(y)", "sin(x)**2 - 2*sin(y)"])
+def test_what_rises_is_compared_with_its_like_alone(text: str) -> None:
+    near = Given.parse("x > y, -pi/2 < y < pi/2, -pi/2 < x < pi/2")
+    assert Parts(near).sign(parse(text)) is None
