@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 FLOORS = (
     ("reals",),
     ("racket", "output", "ledger"),
-    ("sweep", "proofs", "coq"),
+    ("sweep", "proofs", "coq", "manuscript"),
     ("report", "bench"),
     ("commands",),
     ("site", "__main__"),

@@ -27,6 +27,7 @@ COMMANDS = (
     "flip",
     "check",
     "export",
+    "paper",
     "audit",
     "bench",
     "sweep",

@@ -17,7 +17,7 @@ from tresym.commands.parser import (
 )
 
 if TYPE_CHECKING:
-    from tresym.ledger.audit import Audit, PieceRow
+    from tresym.ledger.audit.coverage import Audit, PieceRow
 
 
 def add(commands: Commands) -> None:
@@ -40,10 +40,10 @@ def run(args: argparse.Namespace) -> int:
     from pathlib import Path
 
     from tresym import proofs
-    from tresym.ledger import audit
+    from tresym.ledger.audit import coverage
 
-    index = audit.load_index(Path(proofs.__file__).with_name("index.json"))
-    found = audit.audit(Path(args.paper), proofs.claims(), index)
+    index = coverage.load_index(Path(proofs.__file__).with_name("index.json"))
+    found = coverage.audit(Path(args.paper), proofs.claims(), index)
     if args.json or args.path is not None:
         import json
 
@@ -60,7 +60,7 @@ SHOWN_CLAIMS = 3
 
 def show_audit(audit: Audit, console: Console) -> None:
     """Print every row, and how many of each kind are covered."""
-    from tresym.ledger.audit import Transcription
+    from tresym.ledger.audit.coverage import Transcription
 
     table = Table(box=None, pad_edge=False, header_style="bold")
     for heading in ("piece", "label", "line"):
@@ -78,7 +78,7 @@ def show_audit(audit: Audit, console: Console) -> None:
 
 
 def _cells(row: PieceRow) -> tuple[Text | str, ...]:
-    from tresym.ledger.audit import Text as Found
+    from tresym.ledger.audit.coverage import Text as Found
 
     names = ", ".join(row.claims[:SHOWN_CLAIMS])
     more = len(row.claims) - SHOWN_CLAIMS

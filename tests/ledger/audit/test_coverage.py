@@ -12,7 +12,7 @@ from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, 
 
 from tresym.commands import main
 from tresym.commands.audit import show_audit
-from tresym.ledger.audit import (
+from tresym.ledger.audit.coverage import (
     Audit,
     Entry,
     Text,
@@ -20,9 +20,8 @@ from tresym.ledger.audit import (
     audit,
     entry_of,
     load_index,
-    read_source,
-    scan,
 )
+from tresym.ledger.audit.source import read_source, scan
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
 from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal, formally
 from tresym.ledger.paper import all_claims

@@ -86,7 +86,7 @@ EXPRESSIONS = {
 REFUSED = {
     r"3\,000": "two numbers side by side",
     r"\frac{d^2}{dx^3}x": "a derivative of higher order is written",
-    r"\frac{d^2y}{dx^2}": "a derivative of higher order is written",
+    r"\frac{d^2y}{dx^2}": "a derivative of a symbol is not known",
     r"1/2x": "what is below the slash",
     r"x^12": "of several digits TeX takes one",
     r"\foo{x}": "this is not read",
@@ -376,7 +376,7 @@ NO_VARIABLES = {
     r"\frac{\mathrm{d}y}{\mathrm{d}x}": r"write \frac{d}{dx}",
     r"\frac{\partial y}{\partial x}": r"write \frac{d}{dx}",
     r"\frac{\partial^2 f}{\partial x\partial y}": "a derivative of higher order is written",
-    r"\frac{d^2x}{dt^2}": "a derivative of higher order is written",
+    r"\frac{d^2x}{dt^2}": "a derivative of a symbol is not known",
     r"dy/dx": r"write \frac{d}{dx}",
     r"d/dx x^2": r"write \frac{d}{dx}",
     r"\mathrm{d}z": "a differential",

@@ -95,12 +95,16 @@ def read_source(path: Path) -> str:
     Raises:
         InputError: no such file, too large, not text, an undecodable byte, or no LaTeX document.
     """
-    data = _bytes(path)
-    text = _decoded(data, path)
-    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    text = read_text(path)
     if "\\begin{document}" not in text:
         raise InputError(f"{path}: no \\begin{{document}} in it; a LaTeX source is expected")
     return text
+
+
+def read_text(path: Path) -> str:
+    """As :func:`read_source`, of a file that need not be a whole document."""
+    text = _decoded(_bytes(path), path)
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _bytes(path: Path) -> bytes:

@@ -128,6 +128,7 @@ class Judgement:
         constant: for O a ball around the supremum of |function/gauge| on the range; C for <=.
         upto: the range of the small parameter on which the constant holds; None for all.
         points: for REFUTED, a parameter on the path at which the ratio was found.
+        real: whether both functions are shown to be real on the range, by no point of it.
     """
 
     verdict: Verdict
@@ -136,6 +137,7 @@ class Judgement:
     constant: arb | None = None
     upto: fmpq | None = None
     points: dict[str, fmpq] = field(default_factory=dict)
+    real: bool = False
 
 
 @dataclass(frozen=True)

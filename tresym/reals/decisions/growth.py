@@ -159,7 +159,10 @@ def _on_a_range(kind: str, f: Expr, g: Expr, found: Rewritten, upto: fmpq) -> Ju
             continue
         if below.low > 0 and constant.is_finite():
             return Judgement(
-                Verdict.ENCLOSED, constant=constant if kind == "O" else None, upto=reach
+                Verdict.ENCLOSED,
+                constant=constant if kind == "O" else None,
+                upto=reach,
+                real=found.real,
             )
     return _OPEN
 

@@ -17,7 +17,8 @@ in balls, to be defined.
 5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
    value put in is decided by itself: see jumps.py. Where the conditions may have points that are no
    limits from inside, the proof must do without those with equality: see regular.py.
-6. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
+6. An inverse function is taken away where the other side is in its range: see branches.py.
+7. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
 """
 
@@ -29,7 +30,9 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from tresym.reals.language.expression import ZERO, Expr, number, symbols
+from tresym.reals.decisions.branches import THEORIES, without_inverse
+from tresym.reals.language.expression import ZERO, Expr, apply, number, symbols
+from tresym.reals.normal.at_point import equal_at
 from tresym.reals.normal.constants import settled, vanishes
 from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.locally_constant import equal_by_derivative
@@ -110,22 +113,22 @@ def decide(
         return [point for point, _ in look(*SIGN_POINTS, where)]
 
     proof, obstacle = _prove(sides, given, theories, points)
-    if proof is not None:
-        unproved = _at_jumps(sides, given, theories)
-        if unproved is not None:
-            return unproved
-        if left != right and not is_regular(given if stated is None else stated):
-            fewer = _open(given)
-            proof = _prove(sides, fewer, theories, points)[0] if is_regular(fewer) else None
-            if proof is None:
-                return Decision(Verdict.UNDECIDED, ONLY_INSIDE)
-        where = shown(defined)
-        return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {where}")
-    for bits, count in LATER_LOOKS:
-        for point, values in look(count, bits):
-            if not values[0].overlaps(values[1]):
-                return _refutation(point, values)
-    return Decision(Verdict.UNDECIDED, obstacle)
+    if proof is None:
+        for bits, count in LATER_LOOKS:
+            for point, values in look(count, bits):
+                if not values[0].overlaps(values[1]):
+                    return _refutation(point, values)
+        proof = _prove_by_branch(sides, given, theories, points)
+    if proof is None:
+        return Decision(Verdict.UNDECIDED, obstacle)
+    unproved = _at_jumps(sides, given, theories)
+    if unproved is not None:
+        return unproved
+    if left != right and not is_regular(given if stated is None else stated):
+        fewer = _open(given)
+        if not is_regular(fewer) or _prove(sides, fewer, theories, points)[0] is None:
+            return Decision(Verdict.UNDECIDED, ONLY_INSIDE)
+    return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown(defined)}")
 
 
 def _open(given: Given) -> Given:
@@ -196,6 +199,10 @@ def no_point(parts: tuple[Expr, ...], given: Given) -> str:
     """Why nothing is proved where no point is found at which all ``parts`` are defined."""
     names = sorted(frozenset().union(*map(symbols, parts)))
     if not names:
+        with ball_precision():
+            for part in undefined_parts(parts, {}):
+                if _is_undefined(part):
+                    return f"{part} is not defined; nothing is proved vacuously"
         return "one of the sides is not shown to be a real number; nothing is proved vacuously"
     if next(given.points(names, 1), None) is None:
         return "no exact point satisfies the conditions strictly; nothing is proved vacuously"
@@ -209,6 +216,20 @@ def no_point(parts: tuple[Expr, ...], given: Given) -> str:
     if any(part.op == "log" for part in missing):
         hint += ", or log(abs(u)) for log(u)"
     return f"{NOWHERE}: {blamed or 'parts of them'} would have to be real; {hint}"
+
+
+_POLES = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin"}
+"""The function in the denominator of each."""
+
+
+def _is_undefined(part: Expr) -> bool:
+    """Whether a constant, whose operands are numbers, is shown to be none."""
+    inner = part.args[0]
+    if part.op in _POLES:
+        return equal_at(apply(_POLES[part.op], inner), ZERO, {})
+    if part.op == "^" and evaluate(part.args[1], {}) < 0 and equal_at(inner, ZERO, {}):
+        return True
+    return part.op in ("log", "^") and bool(evaluate(inner, {}) < 0)
 
 
 def _prove(
@@ -242,6 +263,16 @@ def _prove(
         if all(_prove(sides, case, theories, points, depth + 1)[0] for case in cases):
             return f"it is proved by cases, in the sign of {in_doubt}", ""
     return proof, "" if proof else _obstacle(field, value)
+
+
+def _prove_by_branch(
+    sides: tuple[Expr, Expr], given: Given, theories: frozenset[str], points: Points
+) -> str | None:
+    """A sentence on the proof of the sides without an inverse function, or None."""
+    for pair in without_inverse(*sides, given) if theories >= THEORIES else ():
+        if _prove(pair, given, theories, points, MAX_CASES)[0]:
+            return f"in the range of the inverse function it says that {pair[0]} = {pair[1]}"
+    return None
 
 
 def _difference(

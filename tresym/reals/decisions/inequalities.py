@@ -14,7 +14,7 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.derivatives import where_real
-from tresym.reals.decisions.identity import decide, sampled_values, shown
+from tresym.reals.decisions.identity import decide, no_point, sampled_values, shown
 from tresym.reals.decisions.region import is_isolated, search
 from tresym.reals.language.expression import PI, Expr, number, substitute, symbol, symbols
 from tresym.reals.language.parsing import parse
@@ -61,6 +61,8 @@ def decide_inequality(
     defined, refutation = _sampled(left, relation, right, inside, names)
     if refutation is not None:
         return refutation
+    if defined is None and not names:
+        return Answer(Verdict.UNDECIDED, no_point((left, right), inside))
     if defined is None:
         return Answer(
             Verdict.UNDECIDED,

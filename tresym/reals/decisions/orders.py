@@ -24,7 +24,7 @@ LONGEST = fmpq(1)
 FIRST_HALVINGS = 3
 """How far a range is halved before growth is looked at by itself."""
 LARGEST = arb((1, 10**8))
-SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3))
+SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3, 1, 0))
 """Where on the path both sides are shown, if they are not real where a refutation would."""
 _PARAMETER = "_t"
 """The small parameter; the only symbol left once the path is put in."""
@@ -57,8 +57,8 @@ def decide_order(claim: Comparison, path: Path) -> Answer:
         if shown is not None:
             return _refutation(claim, path, side, judgement, *shown)
     if all(judgement.verdict is Verdict.ENCLOSED for judgement in found):
-        ranges = [judgement.upto or fmpq(1) for judgement in found]
-        if all(_values(claim, path, s, t / 3) for s, t in zip(path.sides, ranges, strict=True)):
+        sides = zip(path.sides, found, strict=True)
+        if all(j.real or _values(claim, path, s, (j.upto or fmpq(1)) / 3) for s, j in sides):
             return _holds(claim, path, found)
         return Answer(
             Verdict.UNDECIDED,
@@ -100,21 +100,25 @@ def _sign_along(e: Expr, path: Path, side: int) -> tuple[int, fmpq] | None:
 def _shown_at(
     claim: Comparison, path: Path, side: int, judgement: Judgement, upto: fmpq
 ) -> tuple[fmpq, tuple[arb, arb]] | None:
-    """Where on the path a refutation is shown, and both sides there: real, and no tower of digits.
+    """Where on the path a refutation is shown, and both sides there: real, and best no tower.
 
     Where the order was found by another form of the ratio, the largest ratio is shown.
     """
     if judgement.verdict is not Verdict.REFUTED:
         return None
-    found = []
+    found, towers = [], []
     for t in (min(t, upto) for t in (judgement.points["t"], *SHOWN_AT)):
         values = _values(claim, path, side, t)
-        if values is not None and all(abs(value) < LARGEST for value in values):
-            found.append((t, values))
-            if judgement.true_order is not None or claim.relation == "~":
-                break
+        if values is None:
+            continue
+        if not all(abs(value) < LARGEST for value in values):
+            towers.append((t, values))
+            continue
+        found.append((t, values))
+        if judgement.true_order is not None or claim.relation == "~":
+            break
     with ball_precision():
-        return max(found, key=lambda item: _ratio(*item[1]), default=None)
+        return max(found or towers[:1], key=lambda item: _ratio(*item[1]), default=None)
 
 
 def _ratio(left: arb, right: arb) -> arb:

@@ -7,10 +7,12 @@ waves of a phase of which nothing is known.
 
 from __future__ import annotations
 
+from functools import reduce
+
 from flint import fmpq
 
 from tresym.reals.growth.scale import Leading, Scale, T, UnresolvedError
-from tresym.reals.growth.series import Expansions, plus, quotient
+from tresym.reals.growth.series import Expansions, plus, quotient, times
 from tresym.reals.language.cancellation import collected
 from tresym.reals.language.expression import (
     ONE,
@@ -42,6 +44,8 @@ class Rewritten:
         self.expansions = Expansions(self.scale)
         self.signed: set[Expr] = set()
         """What must keep its sign where the rewritten function stands for the function itself."""
+        self.real = True
+        """Whether all functions are real and finite where what is signed keeps its sign."""
         self._known: dict[Expr, Expr] = {}
 
     def of(self, e: Expr) -> Expr:
@@ -67,12 +71,12 @@ class Rewritten:
         if e.op == "+":
             return collected(rebuild(e, args))
         if e.op == "*":
-            return rebuild(e, args)
+            return reduce(times, args)
         if e.op == "^":
             base, exponent = args
             if exponent.op != "number":
-                return self._exp(exponent * self._log(base))
-            return power(base, exponent) if exponent != ZERO else ONE
+                return self._exp(times(exponent, self._log(base)))
+            return self._power(base, exponent.args[0])
         return getattr(self, "_" + e.op)(*args)
 
     def _way(self, u: Expr) -> int:
@@ -83,6 +87,18 @@ class Rewritten:
         found = self.scale.sign(first.coefficient)
         self.signed.add(u)
         return found
+
+    def _power(self, base: Expr, r: fmpq) -> Expr:
+        """The power, real and finite on a range if the sign of its base is that."""
+        if r.q != 1 or r <= 0:
+            try:
+                way = self._way(base)
+            except UnresolvedError:  # a wave, such as that of tan x
+                self.real = False
+            else:
+                if (way == 0 and r <= 0) or (way < 0 and r.q != 1):
+                    raise UnresolvedError("a power that is no real number")
+        return ONE if r == 0 else power(base, number(r))
 
     # -- what tends to infinity -------------------------------------------------------------
 
@@ -125,7 +141,7 @@ class Rewritten:
         for w, x in first.powers.items():
             if w not in self.scale.heights:
                 raise UnresolvedError("a logarithm of too many logarithms")
-            u = multiply(u, power(symbol(w), -x))
+            u = times(u, power(symbol(w), -x))
             terms.append(multiply(-x, self.scale.heights[w]))
         return sum(terms, ZERO if u == ONE else apply("log", u))
 

@@ -45,6 +45,7 @@ ORDERS = (2, 3, 5, 9, 16)
 MAX_TRIES = 2
 """Orders tried beyond the first that has a term that is not 0."""
 LARGEST_PRODUCT = 16
+MOST = arb(10**6)
 MAX_SIZE = 4_000
 
 Term = tuple[Expr, Expr]
@@ -540,7 +541,7 @@ class Expansions:
             else:
                 height = self._height(w)
                 least = height.low / self.largest(self.scale.times({}, height.powers, -1))
-                found = (-least).exp()
+                found = arb((-least.min(MOST)).exp().upper())  # a bound, and no tower
             if not 0 < found < 1:
                 raise UnresolvedError("the range is too long")
             self._largest[w] = found
@@ -558,7 +559,8 @@ class Expansions:
             raise UnresolvedError("the zero function")
         if not self.scale.elements(e):
             return Enclosure(self.scale.ball(e), {}, arb(0))
-        w = self.scale.elements(e)[0]
+        for w in reversed(self.scale.elements(e)):
+            self._element(w)  # is between 0 and 1 on all of the range
         tries = MAX_TRIES
         for n in ORDERS:
             found = self.tried(e, w, n)
@@ -593,6 +595,8 @@ class Expansions:
             if not found.is_finite():
                 raise UnresolvedError("a coefficient that is not a number")
             return Size(arb(found.abs_upper()), {})
+        for w in inside:
+            self._element(w)  # is between 0 and 1 on all of the range
         if e.op == "symbol":
             return Size(arb(1), {inside[0]: ONE})
         if e.op == "+":

@@ -10,7 +10,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NoReturn
 
-from tresym.reals.language.expression import Expr, symbol
+from tresym.reals.language.binders import derivative
+from tresym.reals.language.expression import Expr, symbol, symbols
 from tresym.reals.language.latex_reach import Ahead, Piece
 from tresym.reals.language.latex_tokens import (
     CLOSING,
@@ -28,6 +29,7 @@ BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
 FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")
+DOTS = ("\\dot", "\\ddot")
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
 
 
@@ -63,15 +65,34 @@ class Author:
     """Somebody whose claims are compared with what is read, and whose symbols are any quantities.
 
     ``f(x)``, ``dy/dx``, ``\\dot x`` and the word "hot" are symbols for him, and of two readings the
-    shorter one is taken.
+    shorter one is taken, where he does not ask that both are told.
 
     Attributes:
-        functions: those that he defines, by name.
+        functions: those that he defines, by name; without parameters, a symbol that stands for a
+            value.
         variable: that of a bracket with limits, where print does not tell.
+        strict: what can be read in two ways is refused, as for anybody else, and ``f(x)`` of an
+            unknown f is a symbol of its own, ``f_of_x``.
+        letter_e: ``e`` is a variable of his, and no number.
     """
 
     functions: Mapping[str, Function] = field(default_factory=dict)
     variable: str = ""
+    strict: bool = False
+    letter_e: bool = False
+
+    def derivative(self, name: str, by: str, times: int) -> Expr | None:
+        """The derivative of one of his functions, ``by`` its variable if that is not named."""
+        known = self.functions.get(name)
+        if known is None or not self.strict:
+            return None
+        by = by or (known.parameters[0] if len(known.parameters) == 1 else "")
+        result = known.body
+        if by not in symbols(result) and by not in known.parameters:
+            return None
+        for _ in range(times):
+            result = derivative(result, by)
+        return result
 
 
 class Cursor:
@@ -87,6 +108,7 @@ class Cursor:
     def __init__(self, tokens: list[str], author: Author | None = None) -> None:
         self.tokens = tokens
         self.author = author
+        self.guesses = author is not None and not author.strict
         self.at = 0
         self.differentials: list[str] = []
         self.integrals = 0
@@ -173,7 +195,7 @@ class Cursor:
 
     def is_exponential(self, i: int) -> bool:
         """Whether ``e^…`` begins at token ``i``."""
-        return self.tokens[i : i + 2] == ["e", "^"]
+        return not (self.author and self.author.letter_e) and self.tokens[i : i + 2] == ["e", "^"]
 
     def is_derivative_at(self, i: int) -> bool:
         """A fraction whose halves are ``d…`` and ``d`` before a letter."""
@@ -287,12 +309,12 @@ def allowed(text: str) -> str:
     return f"{text}_" if text in RESERVED else text
 
 
-def derived(kind: str, above: str, below: str) -> Piece:
+def derived(kind: str, above: str, below: str, times: int = 1) -> Piece:
     """The symbol of an author's that stands for a derivative."""
-    d = kind.removeprefix("\\")
-    return Piece(symbol(f"{d}{above.rstrip('_')}_{d}{below.rstrip('_')}"))
+    d, n = kind.removeprefix("\\"), "" if times == 1 else str(times)
+    return Piece(symbol(f"{d}{n}{above.rstrip('_')}_{d}{below.rstrip('_')}{n}"))
 
 
 def is_derivative(piece: Piece) -> bool:
     """Whether there is a symbol in it that stands for a derivative."""
-    return any(re.match(r"(d|partial)[A-Za-z]\w*_(d|partial)[A-Za-z]", x) for x in piece.names)
+    return any(re.match(r"(d|partial)\d?[A-Za-z]\w*_(d|partial)[A-Za-z]", x) for x in piece.names)

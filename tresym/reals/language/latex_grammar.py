@@ -26,6 +26,7 @@ from tresym.reals.language.latex_cursor import (
     BRACKETS,
     CLOSED,
     DIFFERENTIALS,
+    DOTS,
     FRACTIONS,
     INSTEAD,
     NO_DERIVATIVE,
@@ -105,13 +106,13 @@ class Reader(Cursor):
         if is_number(self.peek()) and is_number(self.tokens[self.at - 1]):
             self.refuse("two numbers side by side: one with spaces, or a product?")
         opening = self.peek(1) if self.peek() == "{" else self.peek()
-        if last.symbol and opening == "(" and not self.author:
+        if last.symbol and opening == "(" and not self.guesses:
             factors.append(self.factor_in_brackets(last))
         else:
             factors.append(self.factor_or_differential())
         operators.append("*")
         new = factors[-1]
-        if last.symbol == "d" and new and new.symbol and not self.author:
+        if last.symbol == "d" and new and new.symbol and not self.guesses:
             self.refuse("d before a letter is a differential,")
         if last.printed and new and new.tree.op == "number" and new.strength == 2:
             self.two_readings(f"{last.printed} + {new.tree}", f"{last.printed}*({new.tree})")
@@ -161,7 +162,7 @@ class Reader(Cursor):
         while True:
             ahead = self.ahead()
             reach = rule(telling, ahead)
-            shorter = self.author and not ahead.operator
+            shorter = self.guesses and not ahead.operator
             if reach is Reach.ENDS or (reach is Reach.DOUBT and shorter):
                 if rule in (after_open, after_nested, after_derivative):
                     self.open_end = self.at
@@ -244,9 +245,8 @@ class Reader(Cursor):
         if token == "\\infty":
             self.take()
             return Piece(INFINITY)
-        if token == "\\dot" and self.author:
-            self.take()
-            return derived("d", self.argument_group().symbol, "t")
+        if token in DOTS and self.author:
+            return self.dotted()
         if token.lstrip("\\") in FUNCTIONS and token.startswith("\\"):
             return self.function()
         if re.fullmatch(r"\d.*|\.\d+", token):
@@ -347,7 +347,7 @@ class Reader(Cursor):
         needed = needed and piece.strength < 4
         if self.open_end == self.at - 1:  # as in {\sin x}y
             needed = needed or not (closed or self.ahead().kind in ("function", "derivative"))
-        if needed and not self.author:
+        if needed and not self.guesses:
             self.refuse("braces do not print: write brackets around what stands in them,")
         return Piece(piece.tree, symbol=piece.symbol, printed=piece.printed)
 
@@ -370,35 +370,53 @@ class Reader(Cursor):
     def derivative(self) -> Piece:
         """``\\frac{dy}{dx}``, a symbol of an author's, or ``\\frac{d}{dx}`` of what follows."""
         above, below, self.at = self.halves(self.at)
-        kind, times = above[0], 1
-        if "^" in (*above[1:2], *below):
-            order = above[1:]
+        kind, above, times = above[0], above[1:], 1
+        if "^" in (*above[:1], *below):
+            length = 4 if above[1:2] == ["{"] else 2
+            order, above = above[:length], above[length:]
             digits = "".join(order).strip("^{}")
-            if below[-len(order) :] != order or not digits.isdigit():
+            if below[-length:] != order or not digits.isdigit():
                 self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
             if len(digits) > 2 or not 1 <= (times := int(digits)) <= MAX_DERIVATIVES:
                 self.refuse(f"the order of a derivative goes from 1 to {MAX_DERIVATIVES}")
-            above, below = above[:1], below[: -len(order)]
+            below = below[:-length]
         variable = Reader(below[1:], self.author)
         name = variable.symbol()
         if variable.peek():
             variable.refuse("one variable is expected")
-        if len(above) == 1:
+        if not above:
             return self.differentiated(kind, name, times)
-        function = Reader(above[1:], self.author)
+        function = Reader(above, self.author)
         piece = function.product()
         if function.peek():
             function.refuse("one product is expected")
         if not (piece.symbol and piece.strength == 4):
-            return self.slope(piece, kind, name)
+            return self.slope(piece, kind, name, times)
+        return self.of_symbol(kind, piece.symbol, name, times)
+
+    def of_symbol(self, kind: str, above: str, below: str, times: int) -> Piece:
+        """The derivative of a symbol of an author's: of what it stands for, or one more symbol."""
         if not self.author:
             self.refuse(NO_DERIVATIVE)
-        return derived(kind, piece.symbol, name)
+        known = self.author.derivative(above, below, times)
+        if known is not None and self.peek() == "(":
+            self.refuse("a derivative at a point is not read,")
+        return derived(kind, above, below or "t", times) if known is None else Piece(known)
+
+    def dotted(self) -> Piece:
+        """``\\dot x`` and ``\\ddot x``, derivatives by the time."""
+        times = len(self.take()) - 3
+        name = self.argument_group().symbol
+        if not name:
+            self.refuse("one letter is expected under the dots,")
+        return self.of_symbol("d", name, "" if self.author and self.author.strict else "t", times)
 
     def slope(self, e: Piece, kind: str, name: str, times: int = 1) -> Piece:
         """The derivative of ``e``, in which ``d/dx`` needs the variable: else it is a symbol's."""
         known = name in e.names or not e.names or kind == "\\partial" or _has_derivative(e)
-        if not known and not self.author:
+        if not known and not self.guesses:
+            if e.symbol and e.strength == 4:
+                return self.of_symbol(kind, e.symbol, name, times)
             self.refuse(NO_DERIVATIVE)
         tree = e.tree
         for _ in range(times):
@@ -481,7 +499,7 @@ class Reader(Cursor):
         else:
             nested = self.kind(self.at) in ("function", "inverse") or self.is_exponential(self.at)
             return self.operand(applied, self.factor(), after_nested if nested else after_open)
-        if self.peek() == "^" and doubtful and not self.author:
+        if self.peek() == "^" and doubtful and not self.guesses:
             self.take()
             exponent = self.script().tree
             inside = applied(Piece(inner.tree**exponent, 3))
@@ -496,9 +514,9 @@ class Reader(Cursor):
         )
         inner = self.enclosed()
         if inside[0] in ("+", "-"):
-            if inner.strength == 0 and not self.author:
+            if inner.strength == 0 and not self.guesses:
                 self.refuse("braces do not print: write brackets around what stands in them,")
-        elif not self.author:
+        elif not self.guesses:
             shown = Reader([*name, *inside], Author()).sum()
             if shown.tree != applied(inner).tree:
                 self.two_readings(applied(inner), shown)
@@ -556,26 +574,34 @@ class Reader(Cursor):
                 self.at += 2
                 return derived(token, above, self.symbol())
             self.at = start
-        if not self.author:
+        if not self.guesses:
             self.check_name()
         if self.is_exponential(self.at):
             self.at += 2
             return Piece(apply("exp", self.script().tree))
-        if token in ("e", "\\pi"):
+        if token == "\\pi" or (token == "e" and not (self.author and self.author.letter_e)):
             self.take()
             return Piece(E if token == "e" else PI)
         if token in ORDERS and self.peek(1) == "(":
             self.take()
             return Piece(order(token, self.enclosed().tree))
         name = self.symbol()
+        primes = self.primes() if self.author else 0
+        if primes:
+            return self.primed(name, primes)
         if self.author and self.peek() == "(" and (self.is_list() or self.is_argument(name)):
             return self.value(name, self.author.functions.get(name))
         return Piece(symbol(name), symbol=name)
 
     def is_argument(self, name: str) -> bool:
         """Whether the bracket here is the argument of ``name``: f(…), or one symbol, ε(γ)."""
-        if name in LETTERS_OF_FUNCTIONS or (self.author and name in self.author.functions):
+        known = self.author and self.author.functions.get(name)
+        if known and self.author and self.author.strict:
+            return bool(known.parameters)
+        if name in LETTERS_OF_FUNCTIONS or known:
             return True
+        if not self.guesses:
+            return False
         start = self.at
         self.at += 1
         alone = is_letter(self.peek())
@@ -594,7 +620,42 @@ class Reader(Cursor):
         if any(value.op != "symbol" for value in values):
             self.at = start
             self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
-        return Piece(symbol(name))
+        if self.guesses:
+            return Piece(symbol(name))
+        return Piece(symbol("_".join((name, "of", *map(str, values)))))
+
+    def primes(self) -> int:
+        """How many primes follow, ``''`` or ``^{\\prime\\prime}``, stepped over."""
+        start = self.at
+        if self.peek() == "^" and self.peek(1) in ("\\prime", "{"):
+            self.at += 1 + (self.peek(1) == "{")
+            if self.peek() != "\\prime":
+                self.at = start
+                return 0
+        count = 0
+        while self.peek() in ("'", "\\prime"):
+            self.at, count = self.at + 1, count + 1
+        if self.tokens[start : start + 2] == ["^", "{"]:
+            self.take("}")
+        return count
+
+    def primed(self, name: str, primes: int) -> Piece:
+        """``f'`` and ``f'(x)``: the derivative of what f stands for, or a symbol of its own."""
+        known = self.author.derivative(name, "", primes) if self.author else None
+        if known is None or self.author is None:
+            called = f"{name}_prime{'' if primes == 1 else primes}"
+            arguments = self.peek() == "(" and self.is_argument_of_prime()
+            return self.value(called, None) if arguments else Piece(symbol(called), symbol=called)
+        if self.peek() != "(":
+            return Piece(known)
+        parameters, values = self.author.functions[name].parameters, self.arguments()
+        if len(values) != 1:
+            self.refuse(f"{name}' takes one argument,")
+        return Piece(at(known, {parameters[0]: values[0]}))
+
+    def is_argument_of_prime(self) -> bool:
+        """Whether the bracket behind a prime holds one symbol."""
+        return is_letter(self.peek(1)) and self.tokens[self.partner(self.at) - 1] != ","
 
     def arguments(self) -> list[Expr]:
         """What stands in a bracket, apart by commas."""

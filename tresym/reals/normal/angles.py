@@ -16,7 +16,7 @@ from tresym.reals.normal.sign_equations import AgainError
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
 
-MAX_HALF_TURN = 240
+MAX_HALF_TURN = 720
 MAX_MULTIPLE = 96
 
 
@@ -25,6 +25,8 @@ class AngleRing(PowerRing):
 
     _half_turn = 1
     """M, where 2cos(π/M) is the generator of all cosines of rational multiples of π."""
+    _twelfths = False
+    """Whether roots stand for multiples of π/12, as long as M is 1."""
 
     def pi(self, r: fmpq) -> Fraction:
         """r·π."""
@@ -177,7 +179,8 @@ class AngleRing(PowerRing):
         """Cosine and sine of rπ."""
         if r == 0:
             return self.one, self.zero
-        if 12 % int(r.q) == 0:
+        if 12 % int(r.q) == 0 and self._half_turn == 1:
+            self._twelfths = True
             return self._turn_power(self._twelfth(12 // int(r.q)), int(r.p % (2 * r.q)))
         return self._cyclotomic(r)
 
@@ -188,7 +191,7 @@ class AngleRing(PowerRing):
         if m > MAX_HALF_TURN:
             raise TooLargeError(f"an angle of pi/{m}")
         self._half_turn = m
-        if m != old != 1:
+        if m != old and (old != 1 or self._twelfths):
             raise AgainError
         generator = self.generator("cosine", m, (m,))
         z = self.variable(generator)

@@ -17,7 +17,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
 
-MAX_BITS = 30_000
+MAX_BITS = 150_000
 MAX_MULTIPLE = 200
 
 

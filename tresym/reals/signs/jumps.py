@@ -111,7 +111,7 @@ def _cases(node: Expr, given: Given) -> Iterator[tuple[dict[Expr, Expr], dict[st
 
 EMPTY = Given(((ZERO, ">", ZERO),))
 _EXCLUDING = {">": ("-", "0"), ">=": ("-",), "!=": ("0",)}
-"""The signs of a constant with which it does not have its relation to zero."""
+"""The signs with which an expression nowhere has its relation to zero."""
 
 
 def _critical(node: Expr) -> Expr:
@@ -174,12 +174,11 @@ def _remaining(given: Given, values: dict[str, Expr]) -> Given | None:
         found = None if singularities(e) and symbols(e) else sign(e, Given())
         if found in PROVING[condition.relation]:
             continue
-        if symbols(e):
-            kept.append(comparison)
-        elif found in _EXCLUDING[condition.relation]:
+        if found in _EXCLUDING[condition.relation]:
             return EMPTY
-        else:
+        if not symbols(e):
             return None
+        kept.append(comparison)
     remaining = Given(tuple(kept))
     beyond = values and any(c.relation == ">=" for c in remaining.beyond_box)
     return None if beyond else remaining  # single points may satisfy those

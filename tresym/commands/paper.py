@@ -1,0 +1,91 @@
+"""``tresym paper``: the displays of a manuscript of one's own, a status for each of their links."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from tresym.commands.check import parse_seconds
+from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver
+from tresym.output import bold, colour_wanted, dim
+
+if TYPE_CHECKING:
+    from tresym.manuscript.deciding import Row
+
+
+def add(commands: Commands) -> None:
+    """Add `tresym paper` to the command line."""
+    parser = commands.add_parser(
+        "paper",
+        help="the displays of a manuscript of your own",
+        description="Read every display of a manuscript's LaTeX and give each link of its chains a "
+        "status: PROVED, ENCLOSED, REFUTED, UNDECIDED, DEFINED, ASSUMED, EQUATION or UNREAD. "
+        "Comments such as '% tresym: given a > 0' steer it.",
+        epilog="Exit status 1 when something is REFUTED, with --strict also when something is "
+        "UNDECIDED or UNREAD; 2 when the file cannot be read.",
+        allow_abbrev=False,
+    )
+    parser.add_argument("manuscript", metavar="MANUSCRIPT.tex", help="its LaTeX source")
+    parser.add_argument("--strict", action="store_true", help="let nothing be open")
+    parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+    add_output(parser)
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run it; returns the exit status."""
+    from pathlib import Path
+
+    from tresym.manuscript.deciding import decided
+    from tresym.manuscript.reading import read_links
+    from tresym.manuscript.surface import read_manuscript
+
+    limit = parse_seconds(args.limit)
+    links = read_links(read_manuscript(Path(args.manuscript)))
+    rows = decided(links, limit, progress=_progress)
+    if args.json:
+        lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)
+        deliver("".join(f"{line}\n" for line in lines), args.path)
+    else:
+        deliver(as_text(rows, colour_wanted() and args.path is None), args.path)
+    print(summary(rows), file=sys.stderr)
+    bad = {"REFUTED"} | ({"UNDECIDED", "UNREAD"} if args.strict else set())
+    return UNEXPECTED if any(row.status in bad for row in rows) else 0
+
+
+def as_text(rows: list[Row], colour: bool = False) -> str:
+    """The rows in lines for people, and what notes would help most."""
+    result = []
+    for row in rows:
+        display = row.link.display
+        where = f"line {display.line}" if not display.file else f"{display.file}:{display.line}"
+        label = f" ({display.labels[0]})" if display.labels else ""
+        which = f"display {display.number}{label}, link {row.link.number}"
+        result.append(f"{bold(f'{row.status:<9}', colour)} {which}" + dim(f"  {where}", colour))
+        shown = {"read as": row.link.read_as, "why": row.why}
+        if not row.link.read_as:
+            shown = {"LaTeX": row.link.shown[:200], **shown}
+        if row.witness is not None:
+            values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
+            shown["witness"] = values or "the constants themselves"
+        result += [f"  {dim(f'{name:<8}', colour)} {text}" for name, text in shown.items() if text]
+    return "\n".join(result) + "\n"
+
+
+def summary(rows: list[Row]) -> str:
+    """How many links have which status."""
+    from tresym.manuscript.deciding import STATUSES
+
+    counts = Counter(row.status for row in rows)
+    displays = len({row.link.display.number for row in rows})
+    parts = ", ".join(f"{counts[name]} {name}" for name in STATUSES if counts[name])
+    return f"{displays} displays, {len(rows)} links: {parts}"
+
+
+def _progress(done: int, total: int) -> None:
+    if sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR"):
+        print(f"\r{done} of {total} claims\r", end="", file=sys.stderr, flush=True)

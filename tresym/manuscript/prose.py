@@ -1,0 +1,96 @@
+"""What the prose around a display says of its kind and of its conditions, read cautiously."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+DEFINE, ASSUME, SOLVE, CLAIM = "define", "assume", "solve", "claim"
+
+_KINDS = (
+    (
+        SOLVE,
+        r"equations?|solv\w+|roots?|satisf\w+|obeys?|govern\w*|unknowns?|curve|system|constraints?"
+        r"|equilibri\w+|differential|conserv\w+|laws?|boundary|initial",
+    ),
+    (ASSUME, r"suppos\w+|assum\w+|hypothes\w+|ansatz|try|seek|look for|postulat\w+|require\w*"),
+    (DEFINE, r"let|defin\w+|denot\w+|introduc\w+|set|put|write|where|with|abbreviat\w+|call\w*"),
+    (CLAIM, r"identit\w+|for (?:all|every|any|each)"),
+)
+_KIND = tuple((kind, re.compile(rf"\b(?:{words})\b")) for kind, words in _KINDS)
+_INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
+_SENTENCE = re.compile(r"(?<=[a-z)}$])[.!?](?=\s+[A-Z\\$])|\n\s*\n|\\par(?![a-zA-Z])")
+_LASTING = re.compile(
+    r"\b(?:let|suppose|assume|assuming|throughout|consider|restrict\w*|take)\b[^.$]*$",
+    re.IGNORECASE,
+)
+_PASSING = re.compile(
+    r"\b(?:for|when|if|where|with|provided|given|whenever|that|all|any|every|on|as|and|or|,)\W*\Z"
+    r"|\b(?:for|when|if|where|with|provided|given|whenever)\b[^.$]*\Z",
+    re.IGNORECASE,
+)
+_DEFINING = re.compile(
+    r"\b(?:let|where|with|defin\w+|set|setting|denot\w+|put|putting|introduc\w+|writ\w+|and|by|here"
+    r"|parameters?|variables?|notation|abbreviat\w+|substitut\w+)\b[^.$]*\Z|\A\W*\Z",
+    re.IGNORECASE,
+)
+MAX_AFTER = 600
+
+
+class Inline(NamedTuple):
+    """A formula in the line, and what the words before it make of it.
+
+    Attributes:
+        tex: the formula.
+        lasting: a condition from here to the end of the section ("Let $a > 0$").
+        passing: a condition of the display of this sentence ("for $x > 0$").
+        defining: it may define a symbol ("where $r = \\sqrt{b/a}$").
+    """
+
+    tex: str
+    lasting: bool
+    passing: bool
+    defining: bool
+
+
+def kind_of(before: str) -> str:
+    """What the sentence before a display calls it: the word that stands last decides."""
+    words = _INLINE.sub(" ", last_sentence(before)).lower()
+    found = [(m.end(), kind) for kind, pattern in _KIND for m in pattern.finditer(words)]
+    return max(found)[1] if found else ""
+
+
+def last_sentence(text: str) -> str:
+    """The sentence that leads over to what follows ``text``."""
+    pieces = _SENTENCE.split(text)
+    return next((piece for piece in reversed(pieces) if piece.strip()), "")
+
+
+def first_sentence(text: str) -> str:
+    """The end of a sentence that goes on in ``text`` after a display, if one does."""
+    text = text[:MAX_AFTER]
+    start = text.lstrip(" \n\t.,;")
+    skipped = text[: len(text) - len(start)]
+    goes_on = start[:1].islower() or start[:1] == "$" or start[:1] == "("
+    if "\n\n" in skipped or "." in skipped or not goes_on:
+        return ""
+    return _SENTENCE.split(start)[0]
+
+
+def inline(text: str) -> Iterator[Inline]:
+    """The formulas in the lines of a text, sentence by sentence."""
+    for sentence in _SENTENCE.split(text):
+        start, carried = 0, (False, False, False)
+        for found in _INLINE.finditer(sentence):
+            words = sentence[start : found.start()]
+            if start and re.fullmatch(r"[\s,~]*(?:and|or)?[\s,~]*", words):
+                marks = carried
+            else:
+                marks = (
+                    bool(_LASTING.search(words)),
+                    bool(_PASSING.search(words)),
+                    bool(_DEFINING.search(words)),
+                )
+            yield Inline(found[1] or found[2], *marks)
+            start, carried = found.end(), marks

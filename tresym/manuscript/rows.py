@@ -1,0 +1,426 @@
+"""A display taken apart: its rows and cells, the statements in them, and the terms of each chain.
+
+Nothing is read here as mathematics: a term is a list of tokens, so one that cannot be read takes
+no other with it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from tresym.reals.language.latex_tokens import (
+    CONDITION,
+    FUNCTIONS,
+    RELATIONS,
+    Spaced,
+    tokenize,
+    with_sign,
+)
+from tresym.reals.numbers.exact import InputError
+
+GAP, AND, OR, OTHERWISE, WORDS = "\\gapquad", "\\wordand", "\\wordor", "\\otherwise", "\\words"
+ARROWS = frozenset(
+    (
+        *(
+            "\\Rightarrow",
+            "\\Longrightarrow",
+            "\\implies",
+            "\\impliedby",
+            "\\leadsto",
+            "\\therefore",
+        ),
+        *("\\iff", "\\Leftrightarrow", "\\Longleftrightarrow", "\\because"),
+    )
+)
+STRANGE = frozenset(
+    (
+        *("\\propto", "\\cong", "\\subset", "\\subseteq", "\\gtrsim", "\\lesssim", "\\asymp"),
+        *("\\perp", "\\parallel", "\\notin", "\\longrightarrow", "\\xrightarrow"),
+        *("\\mapsto", "\\longmapsto"),
+    )
+)
+"""Relations that are told apart, and not read."""
+_STOPS = frozenset((",", ";", ".", AND, OR, GAP, CONDITION)) | ARROWS
+_NESTED = frozenset(
+    ("aligned", "alignedat", "gathered", "split", "array", "cases", "dcases", "rcases", "multlined")
+)
+_CASES = frozenset(("cases", "dcases", "rcases"))
+_OPEN, _CLOSE = (
+    frozenset(("(", "[", "{", "\\{", "\\langle")),
+    frozenset(")]}") | {"\\}", "\\rangle"},
+)
+_OPERATORS = frozenset(("+", "-", "\\pm", "\\mp", "\\cdot", "\\times", "*", "/"))
+_DEFINED = re.compile(
+    r"\\(?:stackrel|overset|underset)\s*\{((?:[^{}]|\{[^{}]*\})*)\}\s*(?:\{\s*=\s*\}|=)"
+)
+_DROPPED = re.compile(
+    r"\\(?:nonumber|notag|displaystyle|textstyle|allowbreak|nobreak|noindent|hfill|hfil|qedhere"
+    r"|mathstrut|strut|Biggl|Biggr|middle)(?![a-zA-Z])"
+    r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
+    r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
+)
+_TEXT = re.compile(
+    r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
+    r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
+)
+_FOR = re.compile(
+    r"(?:and )?(?:holds? )?(?:valid |only |true )?(?:for|for all|for any|for every|for each|if|when"
+    r"|whenever|as|given|given that|provided|provided that|with|where|on|in the limit|assuming"
+    r"|for real|for all real)"
+)
+_WITHOUT = re.compile(
+    r"(?:here|then|so|so that|hence|thus|therefore|or equivalently|i\.e\.|which is"
+    r"|that is|resp\.?|respectively)"
+)
+
+
+@dataclass(frozen=True)
+class Said:
+    """A chain of terms, as tokens: ``terms[0] ops[0] terms[1] …``.
+
+    Attributes:
+        ops: the relations as they are written.
+        before: the arrow or word that leads it in, ``\\implies`` or ``or``.
+        values: what follows by commas, as in ``n = 0, 1, 2``.
+        conditions: those that are said of it with a word such as "for".
+        words: upright text that stands in it.
+    """
+
+    terms: tuple[tuple[str, ...], ...]
+    ops: tuple[str, ...] = ()
+    before: str = ""
+    values: tuple[tuple[str, ...], ...] = ()
+    conditions: tuple[Said, ...] = ()
+    words: tuple[str, ...] = field(default=())
+
+    @property
+    def tokens(self) -> tuple[str, ...]:
+        """All of them, as they stand."""
+        found = [*self.terms[0]]
+        for op, term in zip(self.ops, self.terms[1:], strict=True):
+            found += [op, *term]
+        return tuple(found)
+
+    def signed(self, sign: str) -> Said:
+        """With ``\\pm`` as this sign."""
+        return replace(self, terms=tuple(tuple(with_sign(list(t), sign)) for t in self.terms))
+
+
+def statements(text: str) -> list[Said]:
+    """The chains that a display states, in order.
+
+    Raises:
+        InputError: environments that are not closed, or more tokens than are read.
+    """
+    words: list[str] = []
+    tokens = tokenize(_prepared(text, words), frozenset({"hot"}))
+    found: list[Said] = []
+    for row in _rows(tokens):
+        found += _chains(row)
+    if WORDS in tokens:
+        found = list(_with_words(found, words))
+    return [chain for chain in found if chain.ops or any(chain.terms)]
+
+
+def _with_words(found: list[Said], words: list[str]) -> Iterator[Said]:
+    left = iter(words)
+
+    def named(chain: Said) -> Said:
+        count = chain.tokens.count(WORDS) + sum(v.count(WORDS) for v in chain.values)
+        own = tuple(next(left, "") for _ in range(count))
+        return replace(chain, words=own, conditions=tuple(map(named, chain.conditions)))
+
+    return map(named, found)
+
+
+def _prepared(text: str, words: list[str]) -> str:
+    """With marks for gaps and upright text; what only sets the page is dropped."""
+    text = _DROPPED.sub(" ", text)
+    text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
+    text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)
+    text = re.sub(
+        r"\\q?quad(?![a-zA-Z])|\\enspace(?![a-zA-Z])", f" {GAP} ".replace("\\", r"\\"), text
+    )
+    text = re.sub(r"\\(?:triangleq|coloneq|doteq|eqdef|defeq)(?![a-zA-Z])|:\s*=", ":=", text)
+    text = _DEFINED.sub(lambda m: ":=" if re.search("def|triangle|Delta", m[1]) else "=", text)
+    text = re.sub(r"\\colon(?![a-zA-Z])", " ", text)
+    text = re.sub(r"\\(?:dots|dotsc|cdots|dotsb)(?![a-zA-Z])", r"\\ldots ", text)
+    return _TEXT.sub(lambda m: _spoken(m, words), text)
+
+
+def _spoken(found: re.Match[str], words: list[str]) -> str:
+    """Upright text as the tokens that it stands for."""
+    command, text = found[1], found[2]
+    if command in ("mathrm", "operatorname", "operatorname*") or re.fullmatch(r"\s*\w\s*", text):
+        return found[0]
+    if found.string[: found.start()].rstrip().endswith(("_", "^", "_{", "^{")):
+        return found[0]
+    pieces = re.split(r"\$([^$]*)\$", text)
+    result = ""
+    for n, piece in enumerate(pieces):
+        if n % 2:
+            result += f" {piece} "
+            continue
+        word = " ".join(re.sub(r"[~\s(),.:;\\]+", " ", piece).lower().split())
+        stop = " , " if re.match(r"\s*[,;.]", piece) else " "
+        if not word:
+            result += stop
+        elif word in ("and", "and also", "as well as"):
+            result += f" {AND} "
+        elif word in ("or",):
+            result += f" {OR} "
+        elif word in ("otherwise", "else"):
+            result += f" {CONDITION} {OTHERWISE} "
+        elif _FOR.fullmatch(word):
+            result += f" {CONDITION} "
+        elif _WITHOUT.fullmatch(word):
+            result += f" {AND} "
+        elif word == "rad":
+            result += " "
+        elif word in FUNCTIONS:
+            result += found[0]
+        elif not re.search(r"[^\W\d_]{2}", word):
+            result += found[0] if len(pieces) == 1 else f" {piece} "
+        else:
+            words.append(" ".join(piece.split()))
+            result += f" {WORDS} "
+    return result
+
+
+def _environment(token: str) -> str:
+    return token[token.index("{") + 1 : -1].rstrip("*") if "{" in token else ""
+
+
+def _levels(tokens: list[str]) -> Iterator[tuple[int, str, int]]:
+    """Each token with its place and how deep it stands in brackets and environments."""
+    depth = 0
+    for n, token in enumerate(tokens):
+        if token in _CLOSE or token.startswith("\\end{"):
+            depth = max(depth - 1, 0)
+        yield n, token, depth
+        if token in _OPEN or token.startswith("\\begin{"):
+            depth += 1
+
+
+def _rows(tokens: list[str]) -> list[list[str]]:
+    """The statements of a display, each cell one unless it goes on with the one before."""
+    tokens = _unwrapped(tokens)
+    tokens = _without_brace(tokens)
+    start = next((n for n, t, d in _levels(tokens) if d == 0 and t.startswith("\\begin{")), None)
+    if start is not None:
+        name = _environment(tokens[start])
+        end = _end_of(tokens, start)
+        if name in _CASES and start:
+            return _cases(tokens, start, end)
+        if name in _NESTED:
+            inner = _body(tokens[start + 1 : end], name)
+            return _rows([*tokens[:start], *inner, *tokens[end + 1 :]])
+    cells: list[list[str]] = []
+    heads: dict[int, list[str]] = {}
+    columns: list[int] = []
+    for row in _split(tokens, "\\\\"):
+        split = [_without_gaps(cell) for cell in _split(row, "&")]
+        if any(split) and all(cell[:1] == [CONDITION] for cell in split if cell):
+            heads = {n: [t for t in cell if t != ":"] for n, cell in enumerate(split) if cell}
+            continue
+        for column, cell in enumerate(split):
+            if not cell:
+                continue
+            goes_on = cells and (
+                cell[0] in RELATIONS
+                or cell[0] in STRANGE
+                or (cell[0] in _OPERATORS and (column > 0 or not _relation_in(row)))
+                or cells[-1][-1] in _OPERATORS
+                or cells[-1][-1] in RELATIONS
+                or (column > 0 and not _relation_in(cell) and cell[0] != CONDITION)
+            )
+            if goes_on:
+                cells[-1] += cell
+            else:
+                cells.append(cell)
+                columns.append(column)
+    return [[*cell, *heads.get(column, [])] for cell, column in zip(cells, columns, strict=True)]
+
+
+def _without_brace(tokens: list[str]) -> list[str]:
+    """Without a brace at the left of an environment whose partner does not print."""
+    starts = [
+        n
+        for n in range(len(tokens) - 1)
+        if tokens[n] == "\\{" and tokens[n + 1].startswith("\\begin{")
+    ]
+    for n in reversed(starts):
+        end = _end_of(tokens, n + 1)
+        if tokens[end + 1 : end + 2] == ["\\right."]:
+            tokens = [*tokens[:n], *tokens[n + 1 : end + 1], *tokens[end + 2 :]]
+    return tokens
+
+
+def _without_gaps(cell: list[str]) -> list[str]:
+    while cell[:1] == [GAP]:
+        cell = cell[1:]
+    while cell[-1:] == [GAP]:
+        cell = cell[:-1]
+    return cell
+
+
+def _relation_in(tokens: list[str]) -> bool:
+    return any(t in RELATIONS or t in STRANGE for _, t, depth in _levels(tokens) if depth == 0)
+
+
+def _unwrapped(tokens: list[str]) -> list[str]:
+    """Without braces around everything."""
+    tokens = _without_gaps(tokens)
+    while tokens[:1] == ["{"] and tokens[-1] == "}":
+        closing = next(n for n, t, d in _levels(tokens) if n and t == "}" and d == 0)
+        if closing != len(tokens) - 1:
+            break
+        tokens = _without_gaps(tokens[1:-1])
+    return tokens
+
+
+def _end_of(tokens: list[str], start: int) -> int:
+    depth = 0
+    for n in range(start, len(tokens)):
+        depth += tokens[n].startswith("\\begin{")
+        depth -= tokens[n].startswith("\\end{")
+        if depth == 0:
+            return n
+    raise InputError(f"{tokens[start]} is not closed")
+
+
+def _body(tokens: list[str], name: str) -> list[str]:
+    if name == "array" and tokens[:1] == ["["]:
+        tokens = tokens[tokens.index("]") + 1 :] if "]" in tokens else tokens
+    if name in ("array", "alignedat") and tokens[:1] == ["{"]:
+        end = next((n for n, t, d in _levels(tokens) if n and t == "}" and d == 0), 0)
+        return tokens[end + 1 :]
+    if tokens[:1] == ["["] and tokens[2:3] == ["]"]:
+        return tokens[3:]
+    return tokens
+
+
+def _cases(tokens: list[str], start: int, end: int) -> list[list[str]]:
+    """``f = \\begin{cases} g & x > 0 \\\\ … \\end{cases}``: a statement for each row."""
+    head, rest = tokens[:start], _without_gaps(tokens[end + 1 :])
+    if rest and rest[0] not in (".", ",", ";", CONDITION):
+        raise InputError("something follows the cases")
+    found = []
+    for row in _split(tokens[start + 1 : end], "\\\\"):
+        value, *when = (_without_gaps(cell) for cell in _split(row, "&"))
+        while value[-1:] in ([","], [";"], ["."]):
+            value = value[:-1]
+        said = [t for cell in when for t in cell]
+        if not value:
+            continue
+        marked = said if said[:1] == [CONDITION] or not said else [CONDITION, *said]
+        found.append([*head, *value, *marked])
+    return found
+
+
+def _split(tokens: list[str], separator: str) -> list[list[str]]:
+    parts: list[list[str]] = [[]]
+    for _, token, depth in _levels(tokens):
+        if token == separator and depth == 0:
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts
+
+
+def _parts(tokens: list[str]) -> list[tuple[str, list[str]]]:
+    """What lies between stops, each with the stop before it; gaps inside brackets are spaces."""
+    parts: list[tuple[str, list[str]]] = [("", [])]
+    spaced = False
+    for n, token, depth in _levels(tokens):
+        if (
+            token in _STOPS
+            and depth == 0
+            and not (token == "." and n + 1 < len(tokens) and tokens[n + 1][:1].isdigit())
+        ):
+            before, here = parts[-1]
+            if here or token not in (GAP, ","):
+                parts.append((token if here or token != GAP else before, []))
+        elif token == GAP:
+            spaced = True
+        else:
+            parts[-1][1].append(Spaced(token) if spaced else token)
+            spaced = False
+    return [part for part in parts if part[1]]
+
+
+def _chains(tokens: list[str]) -> list[Said]:
+    """The chains of one row."""
+    found: list[Said] = []
+    pending: list[list[str]] = []
+    ahead: list[Said] = []
+    under = False
+    for stop, part in _parts(tokens):
+        inner = _bracketed(part)
+        chain = _chain(inner or part)
+        if stop == CONDITION:
+            under = True
+        elif stop in ARROWS or stop in (OR, ";", "."):
+            under = False
+        if not chain.ops:
+            if part == [OTHERWISE] and found:
+                found[-1] = replace(found[-1], conditions=(*found[-1].conditions, chain))
+            elif stop in (GAP, "") and found and part[0] in _OPERATORS:
+                found[-1] = _extended(found[-1], [part])
+            elif found and found[-1].ops and stop == "," and _plain(part):
+                found[-1] = replace(found[-1], values=(*found[-1].values, tuple(part)))
+            else:
+                pending.append(part)
+            continue
+        if not chain.terms[0] and (found or pending):
+            if pending:
+                chain = replace(chain, terms=(tuple(pending.pop()), *chain.terms[1:]))
+            else:
+                found[-1] = _extended(found[-1], chain.terms, chain.ops)
+                continue
+        several = [replace(chain, terms=(tuple(p), *chain.terms[1:])) for p in pending]
+        pending = []
+        for one in (*several, chain):
+            if (under or inner) and found:
+                found[-1] = replace(found[-1], conditions=(*found[-1].conditions, one))
+            elif under:
+                ahead.append(one)
+            else:
+                before = stop if stop in ARROWS or stop == OR else ""
+                found.append(replace(one, before=before, conditions=tuple(ahead)))
+    found += [Said((tuple(part),)) for part in pending]
+    return found or ahead
+
+
+def _bracketed(part: list[str]) -> list[str] | None:
+    """What stands in brackets around all of a part, if that is a relation: ``(x > 0)``."""
+    if part[0] not in ("(", "[") or part[-1] not in (")", "]"):
+        return None
+    if any(depth == 0 for n, _, depth in _levels(part) if 0 < n < len(part) - 1):
+        return None
+    return part[1:-1] if _relation_in(part[1:-1]) else None
+
+
+def _plain(part: list[str]) -> bool:
+    """A value in a list, such as ``2`` or ``\\ldots``."""
+    return all(t[0].isdigit() or t in ("-", "\\ldots", "\\pm", "\\mp") or t[0] == "." for t in part)
+
+
+def _extended(chain: Said, terms: Sequence[Sequence[str]], ops: tuple[str, ...] = ()) -> Said:
+    first, *rest = terms
+    joined = (*chain.terms[:-1], (*chain.terms[-1], *first), *map(tuple, rest))
+    return replace(chain, terms=joined, ops=(*chain.ops, *ops))
+
+
+def _chain(tokens: list[str]) -> Said:
+    terms: list[list[str]] = [[]]
+    ops: list[str] = []
+    for _, token, depth in _levels(tokens):
+        if depth == 0 and (token in RELATIONS or token in STRANGE):
+            ops.append(str(token))
+            terms.append([])
+        else:
+            terms[-1].append(token)
+    return Said(tuple(map(tuple, terms)), tuple(ops))
