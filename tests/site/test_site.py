@@ -48,7 +48,7 @@ def test_every_claim_has_a_page(ledger: claims.Record) -> None:
     assert set(pages) == {"index.md", claims.AXIOMS, *(f"{label}.md" for label in ledger["claims"])}
     for label, claim in ledger["claims"].items():
         page = pages[f"{label}.md"]
-        assert f"# `{label}`" in page
+        assert f"# {claims.named(label)}\n\n`{label}`" in page
         assert f"[{claim['verdict']}]" in page
         for other in (*claim["uses"], *claim["used_by"], *claim["amended_by"]):
             assert f"(/claims/{other}.md)" in page, (label, other)

@@ -29,7 +29,7 @@ def measure(name: str, keep: Keep = forget) -> Measurement:
     try:
         found: Measurement = import_module(f"tresym.bench.{name}").measure(keep)
     except ModuleNotFoundError as error:
-        raise InputError(f"bench: needs {error.name} (pip install 'tresym[bench]')") from None
+        raise InputError(f"bench: needs {error.name} (pip install -e '.[bench]')") from None
     return found
 
 

@@ -33,8 +33,23 @@ COMMANDS = (
     "sweep",
     "figure",
     "chart",
+    "completion",
 )
 """In the order of the help; only the file of the one that is asked for is loaded."""
+
+BEGIN = """\
+tresym: the tennis racket effect, verified. To begin with:
+
+  tresym flip --body str                  how far a racket is from a perfect flip, in 50 digits
+  tresym flip --inertia 1210 16380 17480  the same of a body of yours
+  tresym verify eq_gamma                  one statement of the paper, and all that it rests on
+  tresym check 'exp(x) >= 1 + x'          a claim of your own
+  tresym paper MANUSCRIPT.tex             the displays of a manuscript of yours
+  tresym verify                           the verdict on every statement (half a minute)
+
+tresym --help lists the commands, tresym COMMAND --help the arguments of one.
+"""
+"""What `tresym` alone says."""
 
 INPUTS, OUTPUTS = ("file", "source", "paper", "csv"), ("path", "coq", "export")
 """Arguments, of any command, that name a file to read, and one to write."""
@@ -86,6 +101,9 @@ def main(arguments: list[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")
+    if not words:
+        print(BEGIN, end="")
+        return 0
     try:
         args = build_parser(next(iter(words), None)).parse_args(_keep_negative_values(words))
         _keep_inputs(args)

@@ -18,7 +18,7 @@ def add(commands: Commands) -> None:
         "chart",
         help="a chart of saved measurements",
         description="Draw one chart of `tresym bench --save`; without a name, list them.",
-        epilog="Needs matplotlib: pip install 'tresym[docs]'.",
+        epilog="Needs matplotlib: pip install -e '.[docs]'.",
         allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a chart, such as work-precision")

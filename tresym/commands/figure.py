@@ -18,7 +18,7 @@ def add(commands: Commands) -> None:
         "figure",
         help="a figure of the paper, recomputed",
         description="Draw one figure; without a name, list them.",
-        epilog="Needs matplotlib: pip install 'tresym[docs]'.",
+        epilog="Needs matplotlib: pip install -e '.[docs]'.",
         allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from fractions import Fraction
 from html import escape
 from typing import Any
 
+import tresym
 from tresym.report.words.markdown import finding, sentence
 from tresym.report.words.said import conditions, display, in_dollars, of_record, stated
 from tresym.site.markdown import badge, chain, inline, link, statement
@@ -28,9 +30,13 @@ def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]
     """
     yield "index.md", index(ledger)
     yield AXIOMS, axioms(ledger)
-    titles = {label: part["title"] for part in ledger["parts"] for label in part["claims"]}
+    order = [(label, part["title"]) for part in ledger["parts"] for label in part["claims"]]
+    titles = dict(order)
+    placed = list(titles)
     for label in ledger["claims"]:
-        yield f"{label}.md", page(label, ledger, titles.get(label), seconds.get(label))
+        text = page(label, ledger, titles.get(label), seconds.get(label))
+        beside = _beside(label, placed) if label in titles else ""
+        yield f"{label}.md", text + beside
 
 
 def index(ledger: Record) -> str:
@@ -87,7 +93,33 @@ def _quoted(axiom: Record) -> Iterator[str]:
 
 def _item(label: str, claim: Record) -> str:
     place = f" [{claim['place']}]{{.place}}" if claim["place"] else ""
-    return f"{link(label)} {badge(claim['verdict'])}{place}\\\n{inline(claim)}"
+    coq = " [Coq]{.mark .coq}" if claim["coq"] and not claim["coq"]["premises"] else ""
+    axioms = " [quoted theorem]{.mark .axioms}" if claim["axioms"] else ""
+    return f"{link(label)} {badge(claim['verdict'])}{place}{coq}{axioms}\\\n{inline(claim)}"
+
+
+def _beside(label: str, order: list[str]) -> str:
+    """Links to the claims before and after it, in the order of the proofs."""
+    at = order.index(label)
+    before = [f"← {link(order[at - 1])}"] if at else []
+    after = [f"{link(order[at + 1])} →"] if at + 1 < len(order) else []
+    return "\n" + " · ".join([*before, "[the ledger](index.md)", *after]) + "\n"
+
+
+def _cited(label: str, claim: Record) -> str:
+    """What the buttons of the page copy: its formula in LaTeX, and an entry for BibTeX."""
+    formula = claim["formula"] or ", \\quad ".join(claim["means"])
+    entry = "\n".join(
+        [
+            f"@misc{{tresym-{label},",
+            "  author = {The tresym contributors},",
+            f"  title = {{Claim {label} ({claim['verdict']}) on the tennis racket effect}},",
+            f"  note = {{tresym {tresym.__version__}, checked by: tresym verify {label}}},",
+            "}",
+        ]
+    )
+    data = f'data-latex="{escape(formula or "")}" data-bibtex="{escape(entry)}"'
+    return f'```{{raw}} html\n<div class="copied-from" {data}></div>\n```'
 
 
 def page(label: str, ledger: Record, title: str | None, seconds: float | None) -> str:
@@ -95,7 +127,8 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
     claims = ledger["claims"]
     claim = claims[label]
     sections = [
-        f"---\norphan: true\n---\n\n# `{label}`",
+        f"---\norphan: true\n---\n\n# {named(label)}",
+        f"`{label}`",
         _heading(claim, title),
         *_printed(claim),
         *_decided(claim),
@@ -107,9 +140,17 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_relations(claim, claims),
         *_symbols(claim),
         *_cost(claim, seconds),
+        _cited(label, claim),
         f"```sh\ntresym verify {label}\ntresym derive {_if_refuted(claim)}{label}\n```",
     ]
     return "\n\n".join(sections) + "\n"
+
+
+def named(label: str) -> str:
+    """The label in words, as it is searched for; a display without one by its number."""
+    words = label.removeprefix("eq_").replace("_", " ")
+    display = re.fullmatch(r"d(\d\d)", label)
+    return f"Display {int(display[1])}" if display else words[:1].upper() + words[1:]
 
 
 def _heading(claim: Record, title: str | None) -> str:

@@ -235,7 +235,7 @@ def _pyarrow() -> Any:
         import pyarrow.parquet
     except ImportError:
         raise InputError(
-            "Parquet needs pyarrow (pip install 'tresym[parquet]'); CSV needs nothing"
+            "Parquet needs pyarrow (pip install -e '.[parquet]'); CSV needs nothing"
         ) from None
     return pyarrow
 

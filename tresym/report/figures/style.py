@@ -27,6 +27,8 @@ _LOOKS = {
     "svg.fonttype": "path",
     "pdf.fonttype": 42,
     "path.simplify": True,
+    "text.hinting": "none",  # letters as wide as they are drawn, so that none is cut off
+    "text.hinting_factor": 1,
     "font.family": "DejaVu Sans",
     "font.size": 9,
     "axes.titlesize": 9,
@@ -54,7 +56,7 @@ def looks() -> Iterator[None]:
     try:
         import matplotlib
     except ModuleNotFoundError:
-        raise InputError("figure: needs matplotlib (pip install 'tresym[docs]')") from None
+        raise InputError("figure: needs matplotlib (pip install -e '.[docs]')") from None
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_LOOKS)
