@@ -60,6 +60,7 @@ RECHECKED = {
     "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
         *("reals.normal.denested", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
+        *("reals.signs.parts.Parts._ways", "reals.signs.parts.Parts._multiples"),
         *("reals.places.unworked._found", "reals.places.unworked._change"),
         *("ledger.evidence.printed._find_inputs", "ledger.evidence.printed._between"),
         *(f"reals.normal.powers.PowerRing.{n}" for n in ("_multiples", "_share", "_combination")),
