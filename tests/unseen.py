@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from statistics import median, quantiles
 
-import tresym
+from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.limits import Task, check_all
 from tresym.reals.numbers.exact import InputError
 
@@ -27,7 +27,7 @@ def claims(name: str) -> list[tuple[bool, str]]:
     return [(truth == "true", claim) for truth, claim in parts]
 
 
-def is_right(truth: bool, answer: tresym.Answer) -> bool | None:
+def is_right(truth: bool, answer: Answer) -> bool | None:
     """Whether the verdict is that of the claim; None where it is open."""
     if answer.verdict.name == "UNDECIDED":
         return None

@@ -93,6 +93,8 @@ HOSTILE = {
     "itself": r"\input{m} \[ a = b \]",
     "outside": r"\input{../m} \[ a = b \]",
     "absolute": r"\input{/etc/passwd} \[ a = b \]",
+    "an environment": r"\[ \begin{cases} x = 1 \]",
+    "a definition": r"\newcommand{\a}{x" * 100,
     "no display": "Nothing here.",
     "a note": "% tresym: prove it\n\\[ a = a \\]",
     "cut off": r"\begin{document} \[ a = a \]",

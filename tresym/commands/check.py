@@ -30,15 +30,19 @@ def add(commands: Commands) -> None:
     """Add `tresym check` to the command line."""
     parser = commands.add_parser(
         "check",
-        help="a claim of your own: an identity, an inequality, an order",
-        description="Decide claims such as 'diff(F, x) == f', 'exp(x) >= 1 + x' or, with a path, "
-        "'sin(x) == x + O(x**3)': PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
+        help="a claim of your own: an identity, a bound, an order, a limit, an integral, a sum",
+        description="Decide claims such as 'diff(F, x) == f', 'exp(x) >= 1 + x', "
+        "'integral(f, x, 0, oo) == V', 'integral(f, x) == F', 'sum(f, k, 1, n) == S', "
+        "'product(f, k, 1, n) == P' or, with a path, 'sin(x) == x + O(x**3)' (O, o, Theta, omega, "
+        "~), 'f -> L', 'f > g' (eventually): PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
         epilog="Exit status 0 when it holds, 1 when refuted, 3 when undecided, 2 when not read; "
         "of many claims the first of 2, 1, 3 that occurs.",
         allow_abbrev=False,
     )
     parser.add_argument("claim", nargs="?", metavar="CLAIM", help="text or LaTeX")
-    parser.add_argument("--given", default="", metavar="CONDITIONS", help="a > 0, 0 < b <= 1")
+    parser.add_argument(
+        "--given", default="", metavar="CONDITIONS", help="a > 0, 0 < b <= 1, a + b == 1, n integer"
+    )
     parser.add_argument("--as", dest="tends", metavar="PATH", help="x -> 0+, 0-, 0, 1/2, oo, -oo")
     parser.add_argument(
         "-f", dest="file", metavar="FILE", help="one claim a line; # comments; - reads input"

@@ -3,26 +3,43 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from tresym.commands.parser import (
     PICTURE_PATH,
     Commands,
+    add_body,
+    body_of,
     deliver,
     deliver_picture,
 )
+from tresym.reals.numbers.exact import InputError
+
+if TYPE_CHECKING:
+    from tresym.racket.body import Shape
+
+KINDS = ("svg", "pdf", "png", "gif")
+WIDTHS, DOTS = (40, 600), (20, 1200)
+"""The least and the most of --width, in millimetres, and of --dpi."""
 
 
 def add(commands: Commands) -> None:
     """Add `tresym figure` to the command line."""
     parser = commands.add_parser(
         "figure",
-        help="a figure of the paper, recomputed",
-        description="Draw one figure; without a name, list them.",
+        help="a figure of the paper, recomputed, or of a body of one's own",
+        description="Draw one figure; without a name, list them. flip-portrait, flip-map, "
+        "flip-curves and racket-flip are drawn of any body.",
         epilog="Needs matplotlib: pip install -e '.[docs]'.",
         allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")
-    parser.add_argument("-o", dest="path", metavar="PATH", help=PICTURE_PATH)
+    add_body(parser, required=False)
+    parser.add_argument("--gamma", metavar="G", help="of flip-curves: one level alone")
+    parser.add_argument("--width", metavar="MM", help="width of the picture in millimetres")
+    parser.add_argument("--dpi", metavar="N", default="200", help="dots an inch of a PNG")
+    parser.add_argument("--format", choices=KINDS, help="default: what PATH ends in, or svg")
+    parser.add_argument("-o", dest="path", metavar="PATH", help=f"{PICTURE_PATH}; racket-flip .gif")
     parser.set_defaults(run=run)
 
 
@@ -33,6 +50,44 @@ def run(args: argparse.Namespace) -> int:
     if args.name is None:
         names = (f"{name:<16} {title}\n" for name, title in figures.FIGURES.items())
         deliver("".join(names), args.path)
-    else:
-        deliver_picture(lambda kind: figures.picture(args.name, kind), args.path)
+        return 0
+    from tresym.report.figures.curves import floats
+
+    own = any((args.body, args.inertia, args.shape))
+    shape, _ = body_of(args if own else argparse.Namespace(body="str", inertia=None))
+    gamma = None if args.gamma is None else _level(shape, args.gamma)
+    width = None if args.width is None else _within(args.width, WIDTHS, "--width")
+    dpi = round(_within(args.dpi, DOTS, "--dpi"))
+
+    def draw(kind: str) -> bytes:
+        return figures.picture(
+            args.name,
+            kind,
+            floats(shape) if own else None,
+            gamma,
+            width,
+            dpi,
+        )
+
+    deliver_picture(draw, args.path, args.format)
     return 0
+
+
+def _level(shape: Shape, text: str) -> float:
+    """The γ of a level that is neither the separatrix nor at rest."""
+    from tresym.racket.flip.defect import checked_gamma
+    from tresym.reals.numbers.exact import parse_number
+
+    gamma = checked_gamma(*shape, parse_number(text, "gamma"))
+    if gamma == 0:
+        raise InputError("figure: --gamma 0 is the separatrix, on which no motion comes back")
+    return int(gamma.p) / int(gamma.q)
+
+
+def _within(text: str, ends: tuple[int, int], what: str) -> float:
+    from tresym.reals.numbers.exact import parse_number
+
+    value = parse_number(text, what)
+    if not ends[0] <= value <= ends[1]:
+        raise InputError(f"{what}: from {ends[0]} to {ends[1]}")
+    return int(value.p) / int(value.q)

@@ -12,7 +12,9 @@ from flint import arb, fmpq
 from tresym.commands.parser import (
     UNEXPECTED,
     Commands,
+    add_body,
     add_output,
+    body_of,
     deliver,
     json_line,
     parse_seconds,
@@ -36,12 +38,7 @@ def add(commands: Commands) -> None:
         epilog="Numbers are exact: 0.0629, 1e-4 or 16380/1210; angles also pi/2 or -3*pi/4.",
         allow_abbrev=False,
     )
-    body = parser.add_mutually_exclusive_group(required=True)
-    body.add_argument("--body", metavar="NAME", help="a body of the paper, such as str or book")
-    body.add_argument(
-        "--inertia", nargs=3, metavar=("I1", "I2", "I3"), help="moments, smallest first"
-    )
-    body.add_argument("--shape", nargs=2, metavar=("A", "B"), help="a = I2/I1 - 1, b = 1 - I2/I3")
+    add_body(parser, required=True)
     parser.add_argument("--digits", default="50", metavar="N", help="1 to 10000 (default: 50)")
     parser.add_argument("--rung", metavar="NAME", help="force one model of the ladder")
     where = parser.add_mutually_exclusive_group()
@@ -128,7 +125,7 @@ def _known_within(
 
 def _told(args: argparse.Namespace, digits: int, colour: bool) -> str:
     """The answer to so many digits, as it is shown."""
-    shape, title = _body(args)
+    shape, title = body_of(args)
     if args.psi0 is None:
         answer = _flip(args, shape, digits)
         text = answer.as_json() if args.json else flip_text(answer, title, colour)
@@ -162,18 +159,6 @@ def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
         precession="2*pi" if args.precession is None else args.precession,
         rung=args.rung,
     )
-
-
-def _body(args: argparse.Namespace) -> tuple[Shape, str]:
-    """The shape asked for, and a title that says where it came from."""
-    from tresym.racket import body
-
-    if args.body is not None:
-        named = body.named_body(args.body)
-        return named.shape, f"{named.title}, {named.source}"
-    if args.inertia is not None:
-        return body.shape_of_moments(*args.inertia), "body with the given moments"
-    return body.shape(*args.shape), "body of the given shape"
 
 
 LONGEST_FRACTION = 24

@@ -30,6 +30,11 @@ def add(commands: Commands) -> None:
         allow_abbrev=False,
     )
     parser.add_argument("manuscript", metavar="MANUSCRIPT.tex", help="its LaTeX source")
+    parser.add_argument("--notes", metavar="FILE", help="notes by display number and hash")
+    parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
+    parser.add_argument(
+        "--marks", metavar="FILE", help="write marks for the margin, and tresym.sty beside them"
+    )
     parser.add_argument("--strict", action="store_true", help="let nothing be open")
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
     add_output(parser)
@@ -41,20 +46,41 @@ def run(args: argparse.Namespace) -> int:
     from pathlib import Path
 
     from tresym.manuscript.deciding import decided
+    from tresym.manuscript.notes import with_notes
     from tresym.manuscript.reading import read_links
     from tresym.manuscript.surface import read_manuscript
 
     limit = parse_seconds(args.limit)
-    links = read_links(read_manuscript(Path(args.manuscript)))
+    events = read_manuscript(Path(args.manuscript))
+    if args.notes is not None:
+        events = with_notes(events, Path(args.notes))
+    links = read_links(events)
     rows = decided(links, limit, progress=_progress)
     if args.json:
         lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)
         deliver("".join(f"{line}\n" for line in lines), args.path)
     else:
         deliver(as_text(rows, colour_wanted() and args.path is None), args.path)
+    _write_pages(args, rows)
     print(summary(rows), file=sys.stderr)
     bad = {"REFUTED"} | ({"UNDECIDED", "UNREAD"} if args.strict else set())
     return UNEXPECTED if any(row.status in bad for row in rows) else 0
+
+
+def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
+    """The page and the marks, where they are asked for."""
+    from pathlib import Path
+
+    from tresym.manuscript import page
+    from tresym.output import write_text
+
+    if args.html is not None:
+        folder = Path(args.html)
+        folder.mkdir(parents=True, exist_ok=True)
+        write_text(str(folder / "index.html"), page.page(rows, Path(args.manuscript).name))
+    if args.marks is not None:
+        write_text(args.marks, page.marks(rows))
+        write_text(str(Path(args.marks).with_name("tresym.sty")), page.STYLE)
 
 
 def as_text(rows: list[Row], colour: bool = False) -> str:

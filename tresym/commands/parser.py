@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias
 
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from tresym.racket.body import Shape
 
 Commands: TypeAlias = "argparse._SubParsersAction[Parser]"
 
@@ -36,6 +39,28 @@ def add_output(parser: argparse.ArgumentParser) -> None:
     """Add --json and -o."""
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.add_argument("-o", dest="path", metavar="PATH", help="write to a file instead")
+
+
+def add_body(parser: argparse.ArgumentParser, *, required: bool) -> None:
+    """Add the three ways of naming a body."""
+    body = parser.add_mutually_exclusive_group(required=required)
+    body.add_argument("--body", metavar="NAME", help="a body of the paper, such as str or book")
+    body.add_argument(
+        "--inertia", nargs=3, metavar=("I1", "I2", "I3"), help="moments, smallest first"
+    )
+    body.add_argument("--shape", nargs=2, metavar=("A", "B"), help="a = I2/I1 - 1, b = 1 - I2/I3")
+
+
+def body_of(args: argparse.Namespace) -> tuple[Shape, str]:
+    """The shape asked for, and a title that says where it came from."""
+    from tresym.racket import body
+
+    if args.body is not None:
+        named = body.named_body(args.body)
+        return named.shape, f"{named.title}, {named.source}"
+    if args.inertia is not None:
+        return body.shape_of_moments(*args.inertia), "body with the given moments"
+    return body.shape(*args.shape), "body of the given shape"
 
 
 def worker_count(text: str | None) -> int:
@@ -81,13 +106,17 @@ def parse_seconds(text: str) -> float:
     return max(int(value.p) / int(value.q), LEAST_SECONDS)
 
 
-def deliver_picture(draw: Callable[[str], bytes], path: str | None) -> None:
-    """To a file of the kind its name ends in, or as SVG to standard output."""
+def deliver_picture(
+    draw: Callable[[str], bytes], path: str | None, kind: str | None = None
+) -> None:
+    """To a file of this kind, or the one its name ends in; to standard output where it has none."""
     from tresym.output import write_bytes
     from tresym.report.figures import kind_of
 
-    picture = draw(kind_of(path))
-    if path is None:
+    picture = draw(kind_of(path) if kind is None else kind)
+    if path is not None:
+        write_bytes(path, picture)
+    elif kind in (None, "svg"):
         print(picture.decode(), end="")
     else:
-        write_bytes(path, picture)
+        sys.stdout.buffer.write(picture)

@@ -681,6 +681,107 @@ Ltac log_parts :=
     | rewrite ln_1 ];
   rewrite ?INR_IZR_INZ; cbn [Z.of_nat Pos.of_succ_nat Pos.succ].
 
+(* Equations step by step: what is a function of what has a name gets a name, out of the way. *)
+Definition same (x y : R) : Prop := x = y.
+Definition both (P Q : Prop) : Prop := P /\ Q.
+Lemma some_name (x : R) : exists y, x = y.
+Proof. now exists x. Qed.
+
+Lemma acosh_law x : acosh x = ln (x + sqrt (x ^ 2 + (-1))).
+Proof. reflexivity. Qed.
+Lemma arcsinh_law x : arcsinh x = ln (x + sqrt (x ^ 2 + 1)).
+Proof. reflexivity. Qed.
+Lemma atanh_law x : atanh x = ln ((1 + x) * / (1 + (-1) * x)) * (1 / 2).
+Proof.
+  unfold atanh, Rdiv; replace (1 + (-1) * x) with (1 - x) by ring; now rewrite Rmult_1_l.
+Qed.
+Ltac spell :=
+  unfold sec, csc, sech, csch, coth, Rpower in *;
+  rewrite ?tan_law, ?cot_law, ?sinh_law, ?cosh_law, ?tanh_law, ?acosh_law, ?arcsinh_law,
+    ?atanh_law in *.
+
+Lemma root_unique_3 x y : y ^ 3 = x -> root 3 x = y.
+Proof.
+  intros E; assert (C := root_3_pow x); rewrite <- E in C at 2.
+  set (r := root 3 x) in *; clearbody r; clear E.
+  assert (F : (r - y) * (r ^ 2 + r * y + y ^ 2) = 0) by (replace ((r - y) * (r ^ 2 + r * y + y ^ 2)) with (r ^ 3 - y ^ 3) by ring; lra).
+  apply Rmult_integral in F; destruct F as [F|F]; [lra |].
+  pose proof (pow2_ge_0 (r + y / 2)); pose proof (pow2_ge_0 y).
+  assert (Y : y = 0) by (apply Rsqr_0_uniq; unfold Rsqr; nra).
+  rewrite Y in *; apply Rsqr_0_uniq; unfold Rsqr; lra.
+Qed.
+Lemma exp_part q x v : (q <> 0)%nat -> 0 < x -> 0 < v -> v ^ q = x -> exp (/ INR q * ln x) = v.
+Proof.
+  intros N X V E; change (Rpower x (/ INR q) = v); rewrite <- root_pos by exact X.
+  now apply root_unique.
+Qed.
+Lemma ln_of_root q v x y : (q <> 0)%nat -> 0 < v -> v ^ q = x -> ln x = INR q * y -> ln v = y.
+Proof.
+  intros N V E L; rewrite <- E, ln_pow_ in L by exact V.
+  apply (Rmult_eq_reg_l (INR q)); [exact L | now apply not_0_INR].
+Qed.
+Lemma ln_like m n x y z : (m <> 0)%nat -> 0 < x -> 0 < y -> x ^ m = y ^ n ->
+  INR m * z = INR n * ln y -> ln x = z.
+Proof.
+  intros M X Y E Z; apply (Rmult_eq_reg_l (INR m)); [| now apply not_0_INR].
+  rewrite Z, <- !ln_pow_ by assumption; now rewrite E.
+Qed.
+Lemma ln_unlike m n x y z : (m <> 0)%nat -> 0 < x -> 0 < y -> x ^ m * y ^ n = 1 ->
+  INR m * z = - (INR n * ln y) -> ln x = z.
+Proof.
+  intros M X Y E Z; apply (Rmult_eq_reg_l (INR m)); [| now apply not_0_INR].
+  rewrite Z, <- !ln_pow_ by assumption.
+  assert (P : ln (x ^ m * y ^ n) = 0) by (rewrite E; apply ln_1).
+  rewrite ln_mult in P by now apply pow_lt.
+  lra.
+Qed.
+
+Lemma turn_atan u w : 0 < w -> w ^ 2 = 1 + u ^ 2 -> sin (atan u) = u / w /\ cos (atan u) = 1 / w.
+Proof.
+  intros W E; rewrite sin_atan, cos_atan; replace (1 + u²) with (w ^ 2) by (unfold Rsqr; lra).
+  rewrite sqrt_pow2 by lra; split; reflexivity.
+Qed.
+Lemma turn_asin u w : -1 <= u <= 1 -> 0 <= w -> w ^ 2 = 1 - u ^ 2 ->
+  sin (asin u) = u /\ cos (asin u) = w.
+Proof.
+  intros U W E; rewrite sin_asin, cos_asin by exact U; replace (1 - u²) with (w ^ 2) by (unfold Rsqr; lra).
+  rewrite sqrt_pow2 by lra; split; reflexivity.
+Qed.
+Lemma atan_unique w g : - PI / 2 < g < PI / 2 -> sin g = w * cos g -> atan w = g.
+Proof.
+  intros B E; assert (C : 0 < cos g) by (apply cos_gt_0; lra).
+  rewrite <- (atan_tan g) by lra; f_equal; unfold tan; rewrite E; field; lra.
+Qed.
+Lemma asin_unique w g : - PI / 2 <= g <= PI / 2 -> sin g = w -> asin w = g.
+Proof. intros B E; rewrite <- E; apply asin_sin; lra. Qed.
+Lemma half_angle w g : - PI < g < PI -> w * (1 + cos g) = sin g -> atan w = g / 2.
+Proof.
+  intros B E; apply atan_unique; [lra |].
+  assert (C : 0 < cos (g / 2)) by (apply cos_gt_0; lra).
+  replace g with (2 * (g / 2)) in E by field; rewrite sin_2a, cos_2a_cos in E.
+  apply (Rmult_eq_reg_l (2 * cos (g / 2))); [lra | lra].
+Qed.
+Ltac turns :=
+  repeat first [rewrite sin_plus | rewrite cos_plus];
+  rewrite ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI2, ?cos_PI2; ring.
+Ltac signed := first [assumption | lra | side | nra | hard].
+Ltac in_numbers := unfold same in *; subst; interval with (i_prec 60).
+Ltac away equal := repeat split; first [side | sides equal | nra].
+Ltac absurd_ := first [lra | nra | match goal with H : ?a <> 0 |- _ => apply H; first [ring | field; side | nra] end].
+Ltac split_logs :=
+  repeat first [rewrite ln_mult by first [assumption | positive] | rewrite ln_Rinv by first [assumption | positive]].
+Lemma factor_above x y : 0 < y -> 0 < x * y -> 0 < x.
+Proof. intros Y P; apply (Rmult_lt_reg_r y); [exact Y | now rewrite Rmult_0_l]. Qed.
+Ltac plainly := first [assumption | lra | positive].
+(* An equation put into the goal and into the premises that are no equations. *)
+Ltac put E :=
+  try rewrite E;
+  repeat match goal with
+  | H : _ <> _ |- _ => rewrite E in H
+  | H : _ < _ |- _ => rewrite E in H
+  | H : _ <= _ |- _ => rewrite E in H
+  end.
+
 (* Relations of numbers. *)
 Lemma above x y : 0 < y - x -> x < y.
 Proof. lra. Qed.
@@ -1345,3 +1446,45 @@ Ltac give :=
 Ltac worked_out W :=
   cbv beta;
   first [exact W | lra | etransitivity; [| etransitivity; [exact W |]]; first [ring | field; side]].
+
+(* The defect of a shape between two numbers, by the signs of what is left of its equation. *)
+Lemma asin_by_atan x : -1 < x < 1 -> asin x = atan (x / sqrt (1 - x * x)).
+Proof. intros H; rewrite asin_atan by exact H; reflexivity. Qed.
+Lemma share_below a b e : 0 < a -> 0 < b -> -1 < sqrt (b * / (a + b)) * cos e < 1.
+Proof.
+  intros A B; assert (Q : 0 <= b * / (a + b) < 1).
+  { split; [apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra] |].
+    apply (Rmult_lt_reg_r (a + b)); [lra |]; rewrite Rmult_assoc, Rinv_l by lra; lra. }
+  pose proof (sqrt_lt_1 _ 1 (proj1 Q) ltac:(lra) (proj2 Q)) as M; rewrite sqrt_1 in M.
+  pose proof (sqrt_pos (b * / (a + b))); pose proof (COS_bound e); split; nra.
+Qed.
+Definition turn_short (a b e : R) : R :=
+  1 - 2 / (exp (2 * (sqrt (a * b) * (PI + atan (sqrt (b * / (a + b)) * cos e
+    / sqrt (1 - sqrt (b * / (a + b)) * cos e * (sqrt (b * / (a + b)) * cos e)))))) + 1)
+  - / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Lemma defect_exists a b lo hi : 0 < a -> 0 < b -> lo <= hi ->
+  turn_short a b lo <= 0 -> 0 <= turn_short a b hi ->
+  exists e, lo <= e <= hi /\ tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Proof.
+  intros A B L S T.
+  assert (I : forall e, 0 < b * / a * sin e ^ 2 + 1).
+  { intros e; pose proof (pow2_ge_0 (sin e)); assert (0 < b * / a).
+    { apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]. } nra. }
+  assert (W : forall e, turn_short a b e = tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e).
+  { intros e; unfold turn_short; rewrite (asin_by_atan _ (share_below a b e A B)); f_equal.
+    set (x := sqrt (a * b) * _); replace (2 * x) with (x + x) by ring; rewrite exp_plus, tanh_law.
+    pose proof (exp_pos x); field; split; nra. }
+  destruct (root_exists (fun e => tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e) lo hi L) as [e [E Z]].
+  - intros e _; pose proof (share_below a b e A B); continues; cbv beta; try lra.
+    apply Rgt_not_eq, sqrt_lt_R0, I.
+  - cbv beta; rewrite <- !W; nra.
+  - exists e; split; [exact E |]; cbv beta in Z; lra.
+Qed.
+Ltac inverse_sines := repeat match goal with
+  | |- context [asin ?u] => rewrite (asin_by_atan u) by (split; interval with (i_prec 90))
+  end.
+(* The premises as the arithmetic of intervals takes them. *)
+Ltac weakly := repeat match goal with H : _ < _ |- _ => apply Rlt_le in H end.

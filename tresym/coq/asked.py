@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from tresym.coq.statement import Condition, NotExportedError, Theorem
-from tresym.reals.decisions.reading import ORDERS, Comparison, Statement
-from tresym.reals.language.binders import derivative
+from tresym.reals.decisions.reading import Comparison, Statement
+from tresym.reals.language.binders import derivative, elementary
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.places.domain import needs
@@ -16,8 +16,12 @@ def theorems(statement: Statement, name: str = "claim") -> list[Theorem]:
     Raises:
         NotExportedError: a kind of claim that has no statement yet.
     """
-    if statement.comparisons[0].relation in ORDERS:
-        raise NotExportedError("orders are not exported to Coq yet")
+    if statement.path is not None:
+        raise NotExportedError("orders and limits are not exported to Coq yet")
+    if statement.equations or statement.integers:
+        raise NotExportedError("conditions that are no inequalities are not exported to Coq yet")
+    if not all(elementary(c.left, c.right) for c in statement.comparisons):
+        raise NotExportedError("integrals, sums and unknown functions are not exported to Coq yet")
     count = len(statement.comparisons)
     names = [name] if count == 1 else [f"{name}_{n + 1}" for n in range(count)]
     return [

@@ -65,8 +65,8 @@ class Dialogue:
             self.process.communicate()
         self.process = None
 
-    def accepts(self, text: str, seconds: float) -> bool:
-        """Whether Coq reads the text without an error; what it defines stays defined."""
+    def begin(self) -> None:
+        """Begin the process, where there is none."""
         if self.process is None:
             self.process = subprocess.Popen(
                 ["coqtop", "-q", "-Q", library().name, ""],
@@ -76,6 +76,18 @@ class Dialogue:
                 stderr=subprocess.STDOUT,
             )
             self.said(HEAD, 120)
+
+    def holds(self, sentence: str) -> bool:
+        """Whether Coq takes the sentence; where it does not, all is as it was before."""
+        said = None if self.process is None else self.said(sentence, self.patience)
+        if said is None:
+            self.end()
+        return said is not None and "Error:" not in said
+
+    def accepts(self, text: str, seconds: float) -> bool:
+        """Whether Coq reads the text without an error; what it defines stays defined."""
+        self.begin()
+        assert self.process is not None
         begun = _worked(self.process.pid)
         for sentence in _SENTENCE.findall(text):
             if _worked(self.process.pid) - begun > seconds:

@@ -459,13 +459,13 @@ class Script:
         angles = [e.args[0] for e in every if e.op in ("sin", "cos")]
         if not angles:
             return
-        turns = {u: _quarters(u) for u in angles}
+        turns = {u: quarters(u) for u in angles}
         bases, whole = whole_basis([v for v, _ in turns.values()])
         self.angles = bases
         for u in dict.fromkeys(angles):
-            v, quarters = turns[u]
+            v, n = turns[u]
             if u not in bases:
-                self.multiple(u, bases, whole[v], quarters)
+                self.multiple(u, bases, whole[v], n)
 
     def multiple(self, u: Expr, bases: list[Expr], c: list[int], quarters: int) -> None:
         """The sine and cosine of u = Σ c·base + quarters·π/2."""
@@ -652,7 +652,7 @@ def is_root(e: Expr) -> bool:
     )
 
 
-def _quarters(u: Expr) -> tuple[Expr, int]:
+def quarters(u: Expr) -> tuple[Expr, int]:
     """``u`` as v + n·π/2 with v free of such a term."""
     try:
         v = expanded(u)

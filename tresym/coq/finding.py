@@ -30,7 +30,7 @@ _AND = " /\\ "
 _LEMMA = re.compile(r"Theorem \w+ :\n(.*?)\.\nProof\.\n(.*?)\nQed\.", re.DOTALL)
 UNWRITTEN = ArithmeticError, AttributeError, RecursionError, TypeError, ValueError, NotExportedError
 WRITING_SECONDS, CLAIM_SECONDS, TEXTS = 1.5, 30, 150
-EFFORTS = (2, 2), (6, 4)  # how many proofs of a lemma are tried, and seconds for a sentence
+EFFORTS = (3, 2), (8, 4)  # how many proofs of a lemma are tried, and seconds for a sentence
 
 
 class Memory:
@@ -162,23 +162,30 @@ def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
     return found
 
 
+class _LateError(BaseException):
+    """A proof takes too long to write; those who write it have nothing to catch it with."""
+
+
 def _found_soon(proofs: Iterator[str]) -> Iterator[str]:
     """The proofs that are written in a few seconds of the processor each."""
 
     def late(*_: object) -> None:
-        raise OverflowError("a proof takes too long to write")
+        raise _LateError
 
     before = signal.signal(signal.SIGVTALRM, late)
     try:
         while True:
             signal.setitimer(signal.ITIMER_VIRTUAL, WRITING_SECONDS)
-            proof = next(proofs, None)
-            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+            try:
+                proof = next(proofs, None)
+            except _LateError:
+                return
+            finally:
+                signal.setitimer(signal.ITIMER_VIRTUAL, 0)
             if proof is None:
                 return
             yield proof
     finally:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
         signal.signal(signal.SIGVTALRM, before)
 
 

@@ -13,12 +13,13 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
 
-from flint import fmpq
-
-from tresym.coq.equations import exchanged, nodes
+from tresym.coq.equations import exchanged, nodes, quarters
 from tresym.coq.formulas import defined, inside, put_at, values_of
+from tresym.coq.inequalities import QUICK, by_intervals
 from tresym.coq.ledger import Joint, free, name_of, read, relations, stem, theorem_of
 from tresym.coq.manifest import manifest_proofs
+from tresym.coq.points import point_proofs
+from tresym.coq.reductions import known
 from tresym.coq.search import proofs
 from tresym.coq.statement import (
     FUNCTIONS,
@@ -30,13 +31,11 @@ from tresym.coq.statement import (
     term,
     variable,
 )
-from tresym.ledger.claim import Chain, Claim, Counterexample, Definition, Reason, Together
-from tresym.ledger.judge import judge_evidence
+from tresym.ledger.claim import Chain, Claim, Definition, Reason, Together
 from tresym.ledger.meaning import stage, tree
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import (
-    ONE,
     ZERO,
     Expr,
     apply,
@@ -73,7 +72,7 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
             (), script, tuple(used.label for used in claim.rests_on if stem(used.label) in found)
         )
     if whole.exists:
-        yield from at_point(claim, whole)
+        yield from (Plan((), script) for script in point_proofs(claim, whole))
     else:
         for steps in (False, True):
             try:
@@ -230,8 +229,9 @@ class _Planner:
                 for _, meaning in whole.definitions
                 if meaning.left.op == "symbol" and elementary(meaning.left, meaning.right)
             ]
-        once = {rule.left: rule for rule in reversed([*rules])}
-        given = tuple(dict.fromkeys((*more, *whole.given)))
+        once = {rule.left: rule for rule in reversed([*rules]) if rule.sign == "=="}
+        ranges = [m for asked, m in whole.definitions if m.sign != "==" and not asked]
+        given = tuple(dict.fromkeys((*more, *ranges, *whole.given)))
         parts = tuple(dict.fromkeys((*(p for p in extra if symbols(p[0])), *whole.defined)))
         sides = [e for x, _, y in given for e in (x, y)] + [e for e, _ in parts]
         used = frozenset().union(free(says), *map(symbols, sides))
@@ -465,29 +465,6 @@ def _transitive(names: list[str]) -> str:
     return f"(eq_trans {first} {_transitive(rest)})" if rest else first
 
 
-def at_point(claim: Claim, whole: Theorem) -> Iterator[Plan]:
-    """The witness of what is refuted; what is defined has its value there."""
-    point = witness(claim)
-    if point is None:
-        return
-    values = {symbol(name): number(x) for name, x in point.items()}
-    for _, meaning in whole.definitions:
-        if meaning.left.op == "symbol" and elementary(meaning.right):
-            values.setdefault(meaning.left, exchanged(meaning.right, values))
-    texts = [f"({term(values.get(symbol(name), ONE))})" for name in whole.variables]
-    there = f"exists {', '.join(texts)}. " if texts else ""
-    for first in ("", "laws; unfold root, acosh, atanh in *; "):
-        yield Plan((), f"{there}repeat split; {first}first [reflexivity | numeric].")
-
-
-def witness(claim: Claim) -> dict[str, fmpq] | None:
-    """The exact point at which the claim fails."""
-    if isinstance(claim.proof, Counterexample):
-        return dict(claim.proof.point)
-    found = judge_evidence(claim)
-    return dict(found.witness) if found and found.witness else None
-
-
 def candidates(lemma: Theorem) -> Iterator[str]:
     """Proofs of a lemma to try: its definitions are put in first."""
     meanings = {meaning.left: meaning.right for _, meaning in lemma.definitions}
@@ -509,13 +486,45 @@ def candidates(lemma: Theorem) -> Iterator[str]:
         kept = replace(lemma, given=tuple(c for c in lemma.given if c[0] not in rewritten))
         for proof in islice(candidates(_put_in(kept, rewritten)), 4):
             yield f"intros.{lines} {proof}"
-    found = proofs(lemma)
-    if not isinstance(lemma.says, Relation) or lemma.by is not None:
-        yield from found
-        return
-    yield from islice(found, 1)
-    yield from islice(manifest_proofs(lemma), 4)
-    yield from found
+    turns = turned(lemma)
+    if turns and lemma.by is None:
+        lines = " ".join(
+            f"try (assert (T_0 : {term(e)} = {term(value)}) by ({by}); "
+            "rewrite T_0 in *; clear T_0)."
+            for e, value, by in turns
+        )
+        values = {e: value for e, value, _ in turns}
+        for proof in islice(candidates(_put_in(lemma, values)), 3):
+            yield f"intros. {lines} {proof}"
+    if lemma.relation != "==":
+        if next(by_intervals(lemma, known(lemma)), None):
+            yield "intros; saturate; weakly; numeric."
+        yield QUICK
+        yield from islice(manifest_proofs(lemma), 4)
+    yield from proofs(lemma)
+
+
+def turned(lemma: Theorem) -> list[tuple[Expr, Expr, str]]:
+    """Sines and cosines of what is turned by right angles: their values, and why they are these."""
+    found = []
+    sides = [lemma.left, lemma.right, *(e for e, _ in lemma.defined)]
+    for e in nodes(sides):
+        if e.op not in ("sin", "cos"):
+            continue
+        v, n = quarters(e.args[0])
+        turned_back = v.op == "*" and v.args[0] == number(-1)
+        base = -v if turned_back else v
+        if (not n and not turned_back) or base.op in ("+", "number"):
+            continue
+        sine, cosine = apply("sin", base), apply("cos", base)
+        sine = -sine if turned_back else sine
+        for _ in range(n % 4):
+            sine, cosine = cosine, -sine
+        whole = ("- " if turned_back else "") + term(base, 3)
+        whole += (" + PI / 2" if n > 0 else " + - (PI / 2)") * abs(n)
+        by = f"replace {term(e.args[0], 3)} with ({whole}) by field; angles"
+        found.append((e, sine if e.op == "sin" else cosine, by))
+    return found
 
 
 def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:

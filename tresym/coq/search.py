@@ -12,18 +12,17 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from tresym.coq.dialogue import accepted, prelude
+from tresym.coq.dialogue import TEXT_SECONDS, Dialogue, prelude
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
+from tresym.coq.stepwise import stepwise
 from tresym.reals.numbers.exact import InputError
 
-SENTENCE_SECONDS = 8
-AT_ONCE = 4
 MISSING = "coqc is not installed here, so that Coq has not been asked"
 _REALS = {
     "ClassicalDedekindReals.sig_not_dec",
@@ -66,12 +65,13 @@ def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
         return Outcome(None, MISSING, file_of(theorems, found))
     deadline = time.monotonic() + seconds
     found = []
-    for theorem in theorems:
-        proof = _first(theorem, deadline)
-        if proof is None:
-            says = f"no proof of {theorem.name} was found that Coq accepts"
-            return Outcome(False, says, file_of(theorems, found))
-        found.append(proof)
+    with Dialogue() as coq:
+        for theorem in theorems:
+            proof = found_by(theorem, coq, deadline)
+            if proof is None:
+                says = f"no proof of {theorem.name} was found that Coq accepts"
+                return Outcome(False, says, file_of(theorems, found))
+            found.append(proof)
     text = file_of(theorems, found)
     accepted, said, took = run(text, seconds)
     if not accepted:
@@ -90,28 +90,34 @@ def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
     return "\n".join(parts) + "\n"
 
 
-def _first(theorem: Theorem, deadline: float) -> str | None:
+def found_by(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
     """The first proof that Coq accepts."""
-    candidates = list(dict.fromkeys(proofs(theorem)))
-    for start in range(0, len(candidates), AT_ONCE):
-        some = candidates[start : start + AT_ONCE]
+    for proof in dict.fromkeys(proofs(theorem)):
         left = deadline - time.monotonic()
         if left <= 0:
             return None
-        held = trial([(theorem, proof) for proof in some], left)
-        found = next((proof for proof, ok in zip(some, held, strict=True) if ok), None)
-        if found is not None:
-            return found
+        if coq.accepts(f"Goal\n{theorem.body}.\nProof.\n{proof}\nQed.", min(left, TEXT_SECONDS)):
+            return proof
+    if theorem.relation == "==" and theorem.by is None:
+        return by_steps(theorem, coq, deadline)
     return None
 
 
-def trial(items: Sequence[tuple[Theorem, str]], seconds: float) -> list[bool]:
-    """For each theorem whether Coq accepts the proof."""
-    texts = [
-        f"{replace(theorem, name=f'trial_{n}').text}\nProof.\n{proof}\nQed."
-        for n, (theorem, proof) in enumerate(items)
-    ]
-    return accepted(texts)
+def by_steps(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
+    """A proof of an equation that is found by asking Coq after each step."""
+
+    def begin() -> None:
+        coq.begin()
+        coq.holds("Abort All.")
+        coq.holds(f"Goal\n{theorem.body}.")
+
+    def ask(sentence: str) -> bool:
+        return time.monotonic() < deadline and coq.holds(sentence)
+
+    proof = stepwise(theorem, ask, begin)
+    held = proof is not None and coq.holds("Qed.")
+    coq.holds("Abort All.")
+    return proof if held else None
 
 
 def run(text: str, seconds: float) -> tuple[bool, str, float]:

@@ -79,11 +79,12 @@ def decided(
 def _row(link: Link, answers: list[Answer | InputError]) -> Row:
     if not answers:
         return Row(link, link.status, link.why)
-    last = answers[-1]
-    if isinstance(last, InputError):
-        return Row(link, UNREAD, str(last))
-    seconds = sum(a.seconds for a in answers if isinstance(a, Answer))
-    asked = link.claims[len(answers) - 1]
+    read = [answer for answer in answers if isinstance(answer, Answer)]
+    if not read:
+        return Row(link, UNREAD, str(answers[0]))
+    last = read[-1]
+    seconds = sum(answer.seconds for answer in read)
+    asked = link.claims[len(read) - 1]
     how = asked.how
     if last:
         link = replace(link, read_as=asked.read_as)
@@ -104,6 +105,6 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
         if status == "UNDECIDED":
             return replace(row, status=status, why=f"{where}; {advice}", witness=None)
         return replace(row, status=status, why=f"{fallback}; {where}: {advice}", witness=None)
-    if status != "UNDECIDED":
+    if status != "UNDECIDED" and not link.same:
         return replace(row, status=status, why=fallback)
     return row

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from flint import fmpq
 
@@ -19,7 +19,7 @@ from tresym.manuscript import prose
 from tresym.manuscript.notes import Orders, orders_of
 from tresym.manuscript.rows import STRANGE, WORDS, Said, statements
 from tresym.manuscript.surface import Display, Event, Note, Prose, Section
-from tresym.reals.decisions.reading import chained
+from tresym.reals.decisions.reading import chained, functions
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import Expr, number, substitute, symbol, symbols
 from tresym.reals.language.formula import NEGATED
@@ -28,17 +28,31 @@ from tresym.reals.language.latex_cursor import Author, Function
 from tresym.reals.language.latex_grammar import Reader
 from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
-from tresym.reals.language.parsing import INFINITY, Compared, parse_conditions
+from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared, parse_given
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 _DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|(\w+?)_prime\d?")
 _CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 _LETTER_E = re.compile(
-    r"(?<![a-zA-Z\\{_^])e\s*\\(?:sin|cos)|1\s*[-+]\s*e(?![a-zA-Z^])|1\s*[-+]\s*e\s*\^\s*\{?2(?!\d)"
-    r"|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)|<\s*e(?![a-zA-Z^])|[$\s]e\s*&?=(?!\s*2\.7)"
+    r"(?<![a-zA-Z\\{_^])e\s*\\(?:sin|cos)|1\s*[-+]\s*e(?![a-zA-Z^])"
+    r"|1\s*-\s*e\s*\^\s*(?:\{\s*2\s*\}|2(?!\d))|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)"
+    r"|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*2\.7)"
 )
+"""Where e stands as no number does: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
+_CALLED = re.compile(
+    r"(?<![a-zA-Z\\_^{])([a-zA-Z]|\\[a-zA-Z]+)\s*\(\s*(?:[a-z]|\\[a-z]+)"
+    r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
+)
+"""The head of a function's definition."""
+_UNITS = frozenset(("\\mathrm", "\\text", "\\textrm", "\\rm", "\\unit"))
+_WORKED = frozenset(("antiderivative", "derivative", "limit"))
+"""What is written to be worked out: an equality with one of these is no equation to be solved."""
 _DEPTH = 10
+
+
+Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
+"""What conditions state: comparisons, values that are put in, and a path."""
 
 
 class Attempt(NamedTuple):
@@ -85,6 +99,7 @@ class Under:
     path: str = ""
     kind: str = ""
     noted: bool = False
+    sources: tuple[tuple[str, Expr], ...] = ()
 
 
 def read_links(events: Sequence[Event]) -> list[Link]:
@@ -105,12 +120,21 @@ class _Reading:
         self.earlier: list[Compared] = []
         self.labels: dict[str, list[Compared]] = {}
         self.orders = Orders()
+        self.shorter = False
+        self.ahead: dict[str, Expr] = {}
+        self.called = frozenset(m[1].lstrip("\\") for m in _CALLED.finditer(text))
         self.seen: set[str] = set()
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
 
     @property
     def author(self) -> Author:
-        return Author(self.functions, strict=True, letter_e=self.letter_e)
+        return Author(
+            self.functions,
+            strict=True,
+            shorter=self.shorter,
+            letter_e=self.letter_e,
+            called=self.called,
+        )
 
     def links(self) -> Iterator[Link]:
         """The links of all displays."""
@@ -130,7 +154,7 @@ class _Reading:
                 follows = self.events[n + 1] if n + 1 < len(self.events) else None
                 after = follows.text if isinstance(follows, Prose) else ""
                 found = list(self.display(event, before, after))
-                for label in event.labels:
+                for label in (*event.labels, str(event.number)):
                     self.labels[label] = [x.sides for x in found if x.sides]
                 yield from found
                 self.orders, before = Orders(), ""
@@ -140,7 +164,7 @@ class _Reading:
         orders = orders_of(note)
         if orders.forget:
             self.noted, self.lasting = [], []
-        self.noted += parse_conditions(orders.given) if orders.given else []
+        self.noted += parse_given(orders.given) if orders.given else []
         self.orders = self.orders.with_(orders)
 
     # prose
@@ -184,15 +208,14 @@ class _Reading:
 
     # conditions
 
-    def condition(
-        self, said: Said
-    ) -> tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str] | None:
+    def condition(self, said: Said) -> Conditions | None:
         """The comparisons, the values put in and the path that a condition states, if it is one."""
         if not said.ops or any(op in STRANGE for op in said.ops):
             return None
+        if said.values and said.ops == ("=",):
+            return self.integers(said)
         if said.ops == ("\\in",) and said.terms[1][:1] == ("\\mathbb",):
-            real = [t for t in said.terms[1] if t.isalpha()] == ["R"]
-            return ((), (), "") if real else None
+            return self.member(said)
         try:
             (chain,) = read_latex(" ".join(said.tokens), self.author)
         except (InputError, ValueError):
@@ -207,8 +230,10 @@ class _Reading:
         ]
         if any(op == "==" for _, op, _ in links):
             left, _, right = links[0]
-            if len(links) > 1 or left.op != "symbol" or said.values:
+            if len(links) > 1 or said.values or not elementary(left, right):
                 return None
+            if left.op != "symbol":
+                return tuple(links), (), ""
             return (), ((left.args[0], right),), ""
         if any(op not in NEGATED for _, op, _ in links) or not elementary(
             *(side for left, _, right in links for side in (left, right))
@@ -216,16 +241,48 @@ class _Reading:
             return None
         return tuple(links), (), ""
 
+    def integers(self, said: Said) -> Conditions | None:
+        """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if any is."""
+        listed = [said.terms[1], *said.values]
+        head, first = self.head(said.terms[0]), said.terms[1]
+        if head is None or not all(len(v) == 1 and v[0].isdigit() for v in listed[:-1]):
+            return None
+        found = [int(v[0]) for v in listed[:-1]]
+        if found != list(range(found[0], found[0] + len(found))):
+            return None
+        name = symbol(head.name)
+        given: list[Compared] = [(name, "in", INTEGERS), (name, ">=", number(int(first[0])))]
+        last = listed[-1]
+        if last != ("\\ldots",):
+            if last != (str(found[-1] + 1),):
+                return None
+            given.append((name, "<=", number(found[-1] + 1)))
+        return tuple(given), (), ""
+
+    def member(self, said: Said) -> Conditions | None:
+        """``n \\in \\mathbb{Z}``, and the like."""
+        head = self.head(said.terms[0])
+        which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
+        if head is None or which not in ("R", "Z", "N", "Z+", "N0"):
+            return None
+        name = symbol(head.name)
+        given: list[Compared] = [] if which == "R" else [(name, "in", INTEGERS)]
+        if which in ("N", "Z+", "N0"):
+            given.append((name, ">=", number(0 if which == "N0" else 1)))
+        return tuple(given), (), ""
+
     # displays
 
     def display(self, display: Display, before: str, after: str) -> Iterator[Link]:
         """The links of a display."""
         orders = self.orders
+        self.shorter = orders.shorter
         around = self.conditions_around(before, after)
         kind = orders.kind or around.kind
         around = replace(
             around, kind=kind, noted=bool(orders.kind), path=orders.path or around.path
         )
+        around = self.following(around, orders)
         blank = Link(display, 1, shown=" ".join(display.text.split()))
         if orders.skip is not None:
             yield replace(blank, status=UNREAD, why=f"skipped by a note: {orders.skip}")
@@ -243,13 +300,47 @@ class _Reading:
             return
         self.remember(after[: prose.MAX_AFTER] if prose.first_sentence(after) else "")
         count, self.cases = 0, []
-        for group in _grouped(found, self):
-            said, under = group
-            for sign in "+-" if {"\\pm", "\\mp"} & {*said.tokens} else " ":
+        groups = list(_grouped(found, self))
+        self.ahead = dict(self.defined_in(said for said, _ in groups))
+        for said, under in groups:
+            open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
+            for sign in "+-" if open_sign else " ":
                 one = said.signed(sign) if sign != " " else said
                 for link in self.chain(replace(blank, shown=""), one, under, around, sign != " "):
                     count += 1
                     yield replace(link, number=count)
+
+    def defined_in(self, found: Iterable[Said]) -> Iterator[tuple[str, Expr]]:
+        """What the chains of a display define, for those that stand before."""
+        for said in found:
+            if not said.ops or said.ops[0] not in ("=", ":=") or {"\\pm", "\\mp"} & {*said.tokens}:
+                continue
+            head, value = self.head(said.terms[0]), self.piece(said.terms[1], said)
+            if head and not head.derived and not isinstance(value, str) and not said.conditions:
+                names = symbols(value.tree)
+                if names and head.name not in names and head.name not in self.functions:
+                    yield head.name, value.tree
+
+    def following(self, around: Under, orders: Orders) -> Under:
+        """With the displays from which this one follows: equations, and what symbols stand for."""
+        given = list(around.given)
+        values: list[tuple[str, Expr]] = []
+        for left, op, right in self.noted:
+            if op == "==" and left.op == "symbol":
+                values.append((str(left), right))
+        if not orders.sources:
+            return replace(around, sources=tuple(values))
+        for label in orders.sources:
+            if label not in self.labels:
+                raise InputError(f"the note 'from {label[:60]}': no display before has that label")
+            for left, op, right in self.labels[label]:
+                name = str(left)
+                if op == "==" and left.op == "symbol" and name not in symbols(right):
+                    values.append((name, right))
+                elif elementary(left, right):
+                    given.append((left, op, right))
+        kind = around.kind if around.noted else prose.CLAIM
+        return replace(around, given=tuple(given), sources=tuple(values), kind=kind, noted=True)
 
     def chain(
         self, blank: Link, said: Said, extra: Sequence[Said], around: Under, signed: bool
@@ -266,8 +357,10 @@ class _Reading:
         pieces = [self.piece(term, said) for term in said.terms]
         for n, op in enumerate(said.ops):
             shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            signs = {*said.terms[n][:1], *said.terms[n + 1][:1]} & {"\\pm", "\\mp"}
+            several = signed or (said.either and bool(signs))
             link = replace(blank, shown=shown)
-            yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, signed)
+            yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, several)
 
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""
@@ -292,9 +385,7 @@ class _Reading:
             around, given=everything, put_in=tuple(put_in), path=path, kind=kind
         ), problem
 
-    def other_cases(
-        self, said: Said
-    ) -> tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str] | None:
+    def other_cases(self, said: Said) -> Conditions | None:
         """Of "otherwise" what it says: that no case before it is."""
         cases = [given for head, given in self.cases if head == said.terms[0]]
         if not cases or any(len(given) != 1 for given in cases):
@@ -320,8 +411,13 @@ class _Reading:
             return replace(link, status=UNREAD, why=right)
         if head and (op == ":=" or self.is_new(head, right.tree, under)):
             return self.definition(link, head, right.tree, signed or bool(said.conditions), under)
+        if isinstance(left, str) and head is not None and head.name in self.functions:
+            left = Piece(symbol(head.name))
         if isinstance(left, str):
             return replace(link, status=UNREAD, why=left)
+        if relation in ("<<", ">>") and n == 0:
+            link = _read(link, (left.tree, relation, right.tree))
+            return replace(link, status=ASSUMED, why="how much is not said, so it is not used")
         if op in STRANGE or relation in ("<<", ">>"):
             return replace(link, status=UNREAD, why=f"the relation {op} is not read")
         self.seen |= symbols(left.tree) | symbols(right.tree)
@@ -338,7 +434,7 @@ class _Reading:
             return self.assumption(link, compared, "an assumption")
         if problem:
             return replace(_read(link, compared), status=UNREAD, why=problem)
-        return self.claim(link, n, said, compared, (left, right), under, head)
+        return self.claim(link, n, said, compared, (left, right), under, head, signed)
 
     def interval_or_limit(self, link: Link, said: Said, under: Under) -> Link:
         found = self.condition(said)
@@ -364,12 +460,17 @@ class _Reading:
 
     def is_new(self, head: Head, value: Expr, under: Under) -> bool:
         """Whether ``head = value`` defines: it was not defined before and is not in the value."""
-        if under.kind == prose.SOLVE and under.noted:
+        if under.noted and under.kind == prose.SOLVE:
             return False
+        if under.noted and under.kind == prose.CLAIM:
+            known = (
+                {name for name, _ in under.sources} | self.functions.keys() | _names(under.given)
+            )
+            return not head.derived and head.name not in known
         if under.kind == prose.DEFINE and under.noted:
             return True
         base = {head.name, head.base} | {n for n in symbols(value) if _base(n) == head.base}
-        if not base.isdisjoint(symbols(value)):
+        if not base.isdisjoint(symbols(value) | _unknown(value)):
             return False
         if head.derived:
             return head.base not in self.functions and head.name not in self.functions
@@ -425,9 +526,14 @@ class _Reading:
         pieces: tuple[Piece, Piece],
         under: Under,
         head: Head | None,
+        signed: bool,
     ) -> Link:
         """What is asked of a link, and what it is if the answer is no."""
         left, relation, right = compared
+        if signed and said.either:
+            left, right = left**2, right**2
+        if pieces[0].printed and not pieces[1].printed and relation == "==":
+            left, right, pieces = right, left, pieces[::-1]
         if under.put_in:
             values = dict(under.put_in)
             left, right = substitute(left, values), substitute(right, values)
@@ -436,11 +542,12 @@ class _Reading:
         if relation == "~" or orders:
             if relation == "~" and not symbols(left) | symbols(right):
                 return self.printed(link, compared, pieces[1])
-            if not under.path:
+            path = under.path or _usual_path(right)
+            if not path:
                 advice = "write % tresym: as x -> 0, or whichever it is, before the display"
                 why = f"it has no path: {advice}"
                 return replace(_read(link, compared), status=UNREAD, why=why)
-            as_path = f" as {under.path}"
+            as_path = f" as {path}"
         elif (
             relation == "=="
             and pieces[1].printed.strip("-")
@@ -449,24 +556,37 @@ class _Reading:
         ):
             return self.printed(link, compared, pieces[1])
         attempts: dict[str, Attempt] = {}
-        same = False
+        same, free = False, {"oo"}
+        if any(node.op == "antiderivative" for node in outermost(left, right)):
+            free |= {name for name in symbols(left) | symbols(right) if _CONSTANTS.fullmatch(name)}
         for conditions in (under.given, (*under.given, *self.earlier)):
+            if as_path:
+                ends = as_path.split()[1]
+                conditions = tuple(c for c in conditions if ends not in _names((c,)))
             about = chained(_about(symbols(left) | symbols(right), conditions))
             said_so = f"{left} {relation} {right}" + (f" given {about}" if about else "") + as_path
-            for one, other, given, how in self.forms(left, right, conditions):
+            for one, other, given, how in self.forms(left, right, conditions, under.sources):
+                if as_path:  # where it holds, the path says
+                    given = [c for c in given if as_path.split()[1] not in _names((c,))]
                 shown = chained(_about(symbols(one) | symbols(other), given))
                 text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "")
                 attempts.setdefault(text + as_path, Attempt(text + as_path, how, said_so))
-                same = same or symbols(one) == symbols(other)
+                same = same or not (symbols(one) ^ symbols(other)) - free
         sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
         goes_on = n > 0 and same and under.kind != prose.SOLVE
         constants = not symbols(left) | symbols(right)
+        worked = not _unknown(left, right) and any(
+            node.op in _WORKED for node in outermost(compared[0], compared[2])
+        )
         firm = not said.before and not as_path and (sure or goes_on or constants)
+        firm = firm or (worked and same and relation == "==" and under.kind != prose.SOLVE)
         if under.noted and under.kind in (prose.SOLVE,) and n == 0:
             firm = False
         read_as = next(iter(attempts.values())).read_as
         link = replace(link, sides=(left, relation, right), read_as=read_as)
         fallback = self.fallback(left, relation, right, head)
+        if under.noted and under.kind == prose.CLAIM:
+            fallback = "UNDECIDED", ""
         if under.noted and n == 0 and under.kind == prose.SOLVE:
             return replace(link, status=fallback[0], why=fallback[1])
         if head is not None and fallback[0] == DEFINED and symbols(right):
@@ -474,24 +594,37 @@ class _Reading:
         undecided = "UNDECIDED", ""
         keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
         link = replace(link, claims=tuple(attempts.values()), firm=firm, same=same)
+        if fallback[0] == EQUATION and _unknown(left, right):
+            link = replace(link, same=False)
         return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
     def forms(
-        self, left: Expr, right: Expr, given: Sequence[Compared]
+        self,
+        left: Expr,
+        right: Expr,
+        given: Sequence[Compared],
+        sources: Sequence[tuple[str, Expr]],
     ) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str]]:
         """Both sides and the conditions as they stand, and with definitions put in.
 
-        What was defined last is put in first, by itself; in the end everything is.
+        What was defined last is put in first, by itself, then all of what the claim is said to
+        follow from; in the end everything is.
         """
         yield left, right, given, ""
+        equal = {name for name, _ in sources}
+        given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
         used: list[str] = []
         found: list[tuple[Expr, Expr, Sequence[Compared], str]] = []
+        known = self.ahead | {name: function.body for name, function in self.functions.items()}
+        for name, body in sources:
+            known.pop(name, None)
+            known[name] = body
         for _ in range(_DEPTH):
             names = symbols(left) | symbols(right)
-            name = next((n for n in reversed(self.functions) if n in names), None)
-            if name is None:
+            name = next((n for n in reversed(known) if n in names), "")
+            if not name:
                 break
-            value = {name: self.functions[name].body}
+            value = {name: known[name]}
             try:
                 left, right = substitute(left, value), substitute(right, value)
                 given = [(substitute(a, value), r, substitute(b, value)) for a, r, b in given]
@@ -499,7 +632,8 @@ class _Reading:
                 break
             used.append(f"{name} = {value[name]}")
             found.append((left, right, given, f"with {', '.join(used)} put in"))
-        yield from found[:1] + found[1:][-1:]
+        named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
+        yield from (*found[:1], *(named[:1] if sources else ()), *found[1:][-1:])
 
     def fallback(
         self, left: Expr, relation: str, right: Expr, head: Head | None
@@ -510,7 +644,10 @@ class _Reading:
         known = head is not None and head.name in self.functions and not head.derived
         if head is not None and known and head.name not in symbols(right):
             return DEFINED, "defined before, and otherwise: from here on it is this"
-        names = symbols(left) | symbols(right)
+        names = (symbols(left) | symbols(right)) - {"oo"}
+        unknown = _unknown(left, right)
+        if unknown:
+            return EQUATION, f"to be solved for {' or '.join(sorted(unknown))}"
         derived = sorted({base for name in names if (base := _base(name)) != name})
         if head is not None and not derived and head.name in symbols(right):
             derived = [head.name]
@@ -549,12 +686,14 @@ class _Reading:
         if WORDS in tokens:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:
+            if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
+                tokens = tokens[1:]
             return self.term(tokens)
         except InputError as error:
             return _plain(str(error))
 
     def term(self, tokens: Sequence[str]) -> Piece:
-        tokens = _digits_joined(list(tokens))
+        tokens = _without_units(_digits_joined(list(tokens)))
         while tokens and tokens[-1] in (",", ".", ";", ":"):
             tokens.pop()
         reader = Reader(tokens, self.author)
@@ -630,17 +769,33 @@ def _grouped(found: list[Said], reading: _Reading) -> Iterator[tuple[Said, list[
 
 def _is_condition(said: Said, before: Said, reading: _Reading) -> bool:
     """Whether a chain behind an equality is a condition of it, by its form."""
-    if said.before or said.conditions or not said.ops or "=" not in before.ops:
+    claims = "=" in before.ops or not all(map(_is_plain, before.terms))
+    if said.before or said.conditions or not said.ops or not claims:
         return False
     relations = {RELATIONS.get(op, "") for op in said.ops}
+    if relations == {"->"} and len(said.terms[0]) < 3:
+        return True
     if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
         return bool(said.values) and relations == {"=="}
-    return any(len(term) <= 4 or "|" in term[0] for term in said.terms)
+    return any(len(term) <= 4 or "|" in term[0] for term in said.terms) or (
+        all(map(_is_plain, said.terms[::2]))
+    )
+
+
+def _usual_path(right: Expr) -> str:
+    """Where a remainder is small: O(x**3) as x -> 0, O(1/n) as n -> oo."""
+    (*_, gauge) = [None, *(node.args[0] for node in outermost(right) if node.op == "O")]
+    if gauge is None:
+        return ""
+    base, exponent = gauge.args if gauge.op == "^" else (gauge, number(1))
+    if base.op != "symbol" or exponent.op != "number":
+        return ""
+    return f"{base} -> {'0' if exponent.args[0] > 0 else 'oo'}"
 
 
 def _is_plain(term: Sequence[str]) -> bool:
     """A symbol or a number, perhaps with a sign, or infinity."""
-    bare = [t for t in term if t not in ("+", "-")]
+    bare = [t for t in term if t not in ("+", "-", "|", "\\left|", "\\right|")]
     if not bare:
         return False
     if len(bare) == 1:
@@ -682,13 +837,28 @@ def _digits_joined(tokens: list[str]) -> list[str]:
     result: list[str] = []
     for n, token in enumerate(tokens):
         grouped = result and "." in result[-1] and result[-1][0].isdigit() and token.isdigit()
-        if grouped and len(token) in (3, 5) and tokens[n - 1][-1:].isdigit():
+        places = len(result[-1].partition(".")[2]) if grouped else 1
+        if grouped and (places % 5 == 0 or places % 3 == 0) and tokens[n - 1][-1:].isdigit():
             result[-1] += token
         elif token == "\\ldots" and result and "." in result[-1] and n == len(tokens) - 1:
             continue
         else:
             result.append(token)
     return result
+
+
+def _unknown(*trees: Expr) -> set[str]:
+    """The names of the functions in the trees that are left unknown."""
+    return {str(f.args[0].args[0]) for e in trees for f in functions(e)}
+
+
+def _without_units(tokens: list[str]) -> list[str]:
+    """A number without the unit behind it."""
+    start = next((n for n, token in enumerate(tokens) if token in _UNITS), 0)
+    numbers = {"\\times", "\\cdot", "^", "{", "}", "-", "+"}
+    if start and all(t in numbers or t[0].isdigit() or t[0] == "." for t in tokens[:start]):
+        return tokens[:start]
+    return tokens
 
 
 def _plain(why: str) -> str:

@@ -21,6 +21,7 @@ from tresym.reals.language.latex_tokens import (
 from tresym.reals.numbers.exact import InputError
 
 GAP, AND, OR, OTHERWISE, WORDS = "\\gapquad", "\\wordand", "\\wordor", "\\otherwise", "\\words"
+MAX_RELATIONS = 500
 ARROWS = frozenset(
     (
         *(
@@ -103,6 +104,14 @@ class Said:
             found += [op, *term]
         return tuple(found)
 
+    @property
+    def either(self) -> bool:
+        """Whether a sign that is left open leads one side alone: ``\\cos x = \\pm\\sqrt{…}``."""
+        signs = {"\\pm", "\\mp"}
+        leads = [bool(signs & {*term[:1]}) for term in self.terms]
+        inside = any(signs & {*term[1:]} for term in self.terms)
+        return not inside and any(leads) and not all(leads)
+
     def signed(self, sign: str) -> Said:
         """With ``\\pm`` as this sign."""
         return replace(self, terms=tuple(tuple(with_sign(list(t), sign)) for t in self.terms))
@@ -116,6 +125,8 @@ def statements(text: str) -> list[Said]:
     """
     words: list[str] = []
     tokens = tokenize(_prepared(text, words), frozenset({"hot"}))
+    if sum(token in RELATIONS for token in tokens) > MAX_RELATIONS:
+        raise InputError(f"there are more than {MAX_RELATIONS} relations in it")
     found: list[Said] = []
     for row in _rows(tokens):
         found += _chains(row)

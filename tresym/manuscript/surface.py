@@ -7,6 +7,7 @@ macros are written out.
 
 from __future__ import annotations
 
+import hashlib
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
@@ -22,6 +23,7 @@ MAX_CHARACTERS = 20_000_000
 MAX_DISPLAY = 20_000
 MAX_BRACES = 100
 MAX_FILES = 500
+MAX_DISPLAYS = 5000
 
 DISPLAYS = frozenset(
     name + star
@@ -34,9 +36,9 @@ DISPLAYS = frozenset(
 _HIDDEN = re.compile(
     r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
           .*? (?:\\end\{(?P=name)\}|\Z))
-      | (?P<verb>\\(?:verb\*?|lstinline)(?P<bar>[^a-zA-Z\s*{\[]).*?(?P=bar))
+      | (?P<verb>\\(?:verb\*?|lstinline)(?P<bar>[^a-zA-Z\s*{\[])[^\n]*?(?P=bar))
       | (?P<url>\\(?:url|href|path)\s*\{[^{}\n]*\})
-      | (?P<off>\\iffalse(?![a-zA-Z]).*?\\fi(?![a-zA-Z]))
+      | (?P<off>\\iffalse(?![a-zA-Z]).*?(?:\\fi(?![a-zA-Z])|\Z))
       | (?P<command>\\(?:[a-zA-Z]+|.))
       | %(?P<comment>[^\n]*)""",
     re.VERBOSE | re.DOTALL,
@@ -57,6 +59,7 @@ _MARKS = re.compile(
 )
 _CLOSED = re.compile(r"\\\\|\\\]")
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
+_ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{([^{}]*)\}")
 _OPENS = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\[|\\\]|\$\$")
 
 
@@ -103,6 +106,11 @@ class Display:
     text: str = field(repr=False)
     problem: str = ""
     notes: tuple[Note, ...] = ()
+
+    @property
+    def sha256(self) -> str:
+        """Of the text with white space made single spaces."""
+        return hashlib.sha256(" ".join(self.text.split()).encode()).hexdigest()
 
 
 Event: TypeAlias = Note | Section | Prose | Display
@@ -212,7 +220,10 @@ class _Source:
         found: dict[str, str] = {}
         for _, _, text in self.parts:
             for command in DEFINITIONS.finditer(text):
-                made, _ = definition(text, command)
+                try:
+                    made, _ = definition(text, command)
+                except InputError as error:
+                    raise InputError(f"{self.path}: {command[0]}: {error}") from None
                 for name, macro in made.items():
                     body = " ".join((macro.body or "").split())
                     itself = re.search(rf"{re.escape(name)}(?![a-zA-Z])", body)
@@ -327,6 +338,14 @@ class _Scanner:
             self.fail(start, f"braces are nested deeper than {MAX_BRACES} levels in the display")
         if depth:
             self.fail(start, "the braces of the display do not match")
+        opened: list[str] = []
+        for mark in _ENVIRONMENT.finditer(text):
+            if mark[1] == "begin":
+                opened.append(mark[2])
+            elif not opened or opened.pop() != mark[2]:
+                self.fail(start, f"\\end{{{mark[2]}}} closes nothing in the display")
+        if opened:
+            self.fail(start, f"\\begin{{{opened[-1]}}} is not closed in the display")
         notes = tuple(self.source.notes[int(mark[1])] for mark in _MARKED.finditer(text))
         text = _MARKED.sub("", text)
         if kind.startswith(("alignat", "xalignat")):
@@ -341,6 +360,8 @@ class _Scanner:
                 self.fail(start, str(error))
             problem = str(error)
         self.count += 1
+        if self.count > MAX_DISPLAYS:
+            self.fail(start, f"there are more than {MAX_DISPLAYS} displays")
         file, line = self.source.place(start)
         return Display(self.count, kind, labels, file, line, text, problem, notes), after
 

@@ -13,14 +13,15 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
+from itertools import pairwise
 from math import comb
 from time import process_time
 from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.expression import Expr, opened, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 
@@ -37,6 +38,10 @@ SLOWER = 4
 SHARE = 0.06
 """The part of a decision's time that more points may take."""
 MOST = 600
+PARTS, TERMS, LONGEST_POWER = 64, 40, 10**5
+"""Of an integral, of a sum and of a power: how far they are computed."""
+INFINITE = "oo"
+"""The end of an integral, and no variable."""
 
 FALSE = {"==": operator.ne, "!=": operator.eq} | {
     ">": operator.le,
@@ -63,6 +68,7 @@ def contradiction(
     functions: Sequence[Expr] = (),
     derivatives: Sequence[Derivative] = (),
     spent: float = 0.0,
+    integers: Sequence[str] = (),
 ) -> str | None:
     """Where balls contradict ``claim`` and what they are there, in words; None if nowhere found.
 
@@ -71,13 +77,15 @@ def contradiction(
         functions: what has to be defined there, too.
         derivatives: each is compared with difference quotients of its function.
         spent: seconds that the decision took; with more of them, more points are tried.
+        integers: the variables that take the values of integers alone.
     """
     left, relation, right = claim
     trees = [left, right, *functions, *(e for f, _, _, slope in derivatives for e in (f, slope))]
     spoken_of = frozenset().union(
         *map(symbols, trees), *(symbols(e) for c in given for e in c[::2])
     )
-    names = sorted(spoken_of.union(d[1] for d in derivatives))
+    names = sorted(spoken_of.union(d[1] for d in derivatives) - {INFINITE})
+    fixed = [name in integers for name in names]
     patience = 1 if relation == "==" else SLOWER
     start, shown, against = process_time(), 0, ""
 
@@ -89,7 +97,7 @@ def contradiction(
         found = None if point is None else value(point)
         if point is not None and found is not None:
             shown += 1
-            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point):
+            if FALSE[relation](found[0], found[1]) and _is_a_limit(value, point, fixed):
                 against = (
                     f"at {where(names, point)} its sides are {said(found[0])} and {said(found[1])}"
                 )
@@ -98,12 +106,14 @@ def contradiction(
         return found
 
     with ball_precision(BITS):
-        value, holds, lowest = program(trees, names), conditions(names, given), None
+        value, holds = program(trees, names, integers), conditions(names, given, integers)
+        lowest: list[Any] | None = None
         for tried, point in enumerate(points(names, given, holds), 1):
+            point = _whole(point, names, integers, tried, holds) if integers else point
             found = look(point)
             if against:
                 return against
-            if found is not None and point is not None and relation[0] in "<>":
+            if found and point is not None and relation[0] in "<>" and not integers:
                 room = _room(found, relation)
                 lowest = [room, point] if lowest is None or room < lowest[0] else lowest
             enough = shown >= patience * ENOUGH or tried >= (1 if shown else 5) * patience * TRIED
@@ -118,6 +128,23 @@ def contradiction(
             if n >= patience * ENOUGH and not has_time(1):
                 break
     return None
+
+
+def _whole(
+    point: Tried | None,
+    names: Sequence[str],
+    integers: Sequence[str],
+    k: int,
+    holds: Callable[[Tried], bool],
+) -> Tried | None:
+    """The point with small integers for some of its coordinates, if the conditions hold there."""
+    if point is None:
+        point = [arb(0) for _ in names]
+    moved = [
+        arb((k * (j + 1) + k // 7) % 14 - 2) if name in integers else x
+        for j, (name, x) in enumerate(zip(names, point, strict=True))
+    ]
+    return moved if holds(moved) else None
 
 
 def _room(sides: list[arb], relation: str) -> arb:
@@ -164,10 +191,19 @@ def exact(x: arb) -> fmpq:
     return fmpq(mantissa * 2 ** max(exponent, 0), 2 ** max(-exponent, 0))
 
 
-def _is_a_limit(value: Program, point: Tried) -> bool:
-    """Whether all is defined close by: what is so at single points is nobody's claim."""
+def _is_a_limit(value: Program, point: Tried, fixed: Sequence[bool] = ()) -> bool:
+    """Whether all is defined close by: what is so at single points is nobody's claim.
+
+    Args:
+        fixed: which coordinates are integers, and stay.
+    """
     return any(
-        value([x + arb((_noise(k, j) % 97 - 48, -60)) * (1 + abs(x)) for j, x in enumerate(point)])
+        value(
+            [
+                x + arb((_noise(k, j) % 97 - 48, -60)) * (1 + abs(x)) * (not any(fixed[j : j + 1]))
+                for j, x in enumerate(point)
+            ]
+        )
         for k in range(16)
     )
 
@@ -231,6 +267,41 @@ def _general(x: arb, y: arb) -> arb:
     raise _UndefinedError
 
 
+def _to_integer(x: arb, y: arb) -> arb:
+    """A power whose exponent takes the values of integers alone."""
+    n = y.unique_fmpz()
+    if n is None or x.contains(0) or abs(n) > LONGEST_POWER:
+        raise _UndefinedError
+    return x ** int(n)
+
+
+def _integrated(body: Callable[[arb], arb], low: arb, high: arb) -> arb:
+    """An integral, by the balls of its integrand on small parts of the way."""
+    if not (low.is_finite() and high.is_finite()):
+        raise _UndefinedError
+    step = (high - low) / PARTS
+    ends = [low + n * step for n in range(PARTS + 1)]
+    return sum((body(x.union(y)) for x, y in pairwise(ends)), arb(0)) * step
+
+
+def _added(body: Callable[[arb], arb], low: arb, high: arb, product: bool = False) -> arb:
+    """A sum or a product, term by term."""
+    first, last = low.unique_fmpz(), high.unique_fmpz()
+    if first is None or last is None or not -1 <= last - first < TERMS:
+        raise _UndefinedError
+    total = arb(1 if product else 0)
+    for k in range(int(first), int(last) + 1):
+        total = total * body(arb(k)) if product else total + body(arb(k))
+    return total
+
+
+_BOUND: dict[str, Callable[..., arb]] = {
+    "integral": _integrated,
+    "sum": _added,
+    "product": partial(_added, product=True),
+}
+
+
 def _rational(p: int, q: int) -> Callable[[arb], arb]:
     """x^(p/q): a root of any degree asks for x ≥ 0, a power that is not positive for x ≠ 0."""
 
@@ -257,8 +328,9 @@ _BY_NAME: dict[str, Callable[..., arb]] = (
 Program = Callable[[Tried], "list[arb] | None"]
 
 
-def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
+def program(trees: Sequence[Expr], names: Sequence[str], integers: Sequence[str] = ()) -> Program:
     """The values of ``trees`` as a function of a point; None where not all are shown defined."""
+    here: Tried = []
     places: dict[Expr, int] = {}
     start: list[Any] = [None] * len(names)
     steps: list[tuple[Callable[..., arb], int, int | None, int]] = []
@@ -268,12 +340,33 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
         start.append(None)
         return len(start) - 1
 
+    def inside(node: Expr) -> Callable[[arb], arb]:
+        """The body of what binds a variable, as a function of it."""
+        (name,), body = opened(node, names)
+        counted = (*integers, name) if node.op != "integral" else integers
+        run = program([body], [*names, name], counted)
+
+        def value(x: arb) -> arb:
+            found = run([*here, x])
+            if found is None:
+                raise _UndefinedError
+            return found[0]
+
+        return value
+
     def place(node: Expr) -> int:
         k = places.get(node)
         if k is not None:
             return k
         op, args = node.op, node.args
-        if op == "symbol":
+        if op == "symbol" and args[0] == INFINITE:
+            k = len(start)
+            start.append(arb.pos_inf())
+        elif op in _BOUND:
+            k = step(partial(_BOUND[op], inside(node)), place(args[1]), place(args[2]))
+        elif op == "^" and symbols(args[1]) and symbols(args[1]) <= {*integers}:
+            k = step(_to_integer, place(args[0]), place(args[1]))
+        elif op == "symbol":
             k = names.index(args[0])
         elif op == "number" or op == "pi":
             k = len(start)
@@ -294,6 +387,7 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
 
     def run(point: Tried) -> list[arb] | None:
         values = [*point, *start[len(point) :]]
+        here[:] = point
         try:
             for function, i, j, k in steps:
                 if j is not None:  # finite where its arguments are
@@ -312,9 +406,11 @@ def program(trees: Sequence[Expr], names: Sequence[str]) -> Program:
 # Where the points lie
 
 
-def conditions(names: Sequence[str], given: Sequence[Comparison]) -> Callable[[Tried], bool]:
+def conditions(
+    names: Sequence[str], given: Sequence[Comparison], integers: Sequence[str] = ()
+) -> Callable[[Tried], bool]:
     """Whether all of ``given`` is shown to hold at a point."""
-    sides = program([e for c in given for e in (c[0], c[2])], names)
+    sides = program([e for c in given for e in (c[0], c[2])], names, integers)
     relations = [SHOWN[relation] for _, relation, _ in given]
 
     def holds(point: Tried) -> bool:

@@ -17,3 +17,8 @@ def test_orders(truth: bool, claim: str) -> None:
 @pytest.mark.parametrize(("truth", "claim"), claims("angles")[::PART])
 def test_angles(truth: bool, claim: str) -> None:
     assert is_right(truth, tresym.check(claim))
+
+
+@pytest.mark.parametrize(("truth", "claim"), claims("inequalities")[3::PART])
+def test_inequalities(truth: bool, claim: str) -> None:
+    assert is_right(truth, tresym.check(claim))

@@ -352,4 +352,4 @@ def test_a_body_is_closed_by_its_names_alone() -> None:
     assert bind(parse("x + y"), ("x",)) != bind(parse("x + y"), ("y",))
     assert opened(integral(x + y, "x", number(0), number(1)), avoid=("x",))[0] == ("x_1",)
     with pytest.raises(InputError, match="order"):
-        order("Theta", x)
+        order("Omega", x)

@@ -30,6 +30,16 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 
 EXPRESSIONS = {
+    r"\bar x+\hat{\theta}_0-\tilde{y_1}": "x_bar + theta0hat - y1tilde",
+    r"\mathcal{E}x^*": "E_mathcal*x_star",
+    r"{1 \over x+1}": "1/(x + 1)",
+    r"\int^1_0 x\,dx": "integral(x, x, 0, 1)",
+    r"\biggl(\cfrac{x}{2}\biggr)": "x/2",
+    r"\int x\cos x\,dx+1": "integral(x*cos(x), x) + 1",
+    r"\sum_{k=1}^n k^2+n": "sum(k**2, k, 1, n) + n",
+    r"\prod_{k=2}^{n}\frac{k}{k-1}": "product(k/(k - 1), k, 2, n)",
+    r"\binom{n}{2}-\frac{x^3}{3!}": "n*(n - 1)/2 - x**3/6",
+    r"|xy|-|x||y|": "abs(x*y) - abs(x)*abs(y)",
     r"a+b": "a + b",
     r"-a+b": "-a + b",
     r"a-(b-c)": "a - (b - c)",
@@ -107,7 +117,6 @@ REFUSED = {
 AUTHORS_REFUSED = {
     r"f(2x)": "not known",
     r"[xy]_0^1": "needs its variable",
-    r"\int f dx": "needs its limits",
     r"\int_0^1 f": "differential",
 }
 
@@ -395,7 +404,6 @@ NO_VARIABLES = {
     r"\mathrm{i}": "variables are real",
     r"2j": "variables are real",
     r"\imath": "variables are real",
-    r"\int x\,dx": r"an integral needs its limits; of an antiderivative F write \frac{d}{dx} (F)",
     r"\int_0^1 f": "differential",
     r"\max x": r"write \max(x, y)",
     r"\max(x)": r"write \max(x, y)",

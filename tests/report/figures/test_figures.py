@@ -14,6 +14,7 @@ from tresym.racket.body import named_body
 from tresym.racket.flip import flip_angle, flip_defect
 from tresym.racket.floats.flipmap import flip_map
 from tresym.racket.motion.attitude import attitude
+from tresym.reals.numbers.exact import InputError
 from tresym.report import figures
 from tresym.report.figures import (
     curves,
@@ -483,14 +484,75 @@ def test_a_figure_for_an_article_or_a_slide(ending, begins, tmp_path):
 @pytest.mark.parametrize(
     ("name", "path", "message"),
     [
-        ("flip-map", "x.jpg", "a picture is saved as .svg, .pdf or .png"),
-        ("racket-flip", "x.pdf", "racket-flip moves, so it is SVG only"),
+        ("flip-map", "x.jpg", "a picture is saved as .svg, .pdf or .png; what moves, .gif too"),
+        ("flip-map", "x.gif", "flip-map does not move, so it is no GIF"),
     ],
 )
 def test_a_picture_of_no_such_kind_is_bad_input(name, path, message, capsys, tmp_path):
     assert main(["figure", name, "-o", str(tmp_path / path)]) == 2
     assert message in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+BODY = tuple(map(float, curves.shape_of("ethylene")))
+
+
+def test_the_portrait_of_a_body_of_ones_own_has_its_levels():
+    found = flip_portrait.data(BODY)
+    a, b = BODY
+    assert (found.a, found.b) == BODY
+    assert all(-b < curve.gamma < 0 for curve in found.oscillating)
+    assert all(0 < curve.gamma < a for curve in found.rotating)
+    (panel,) = flip_curves.data(BODY, -0.1)
+    assert panel.gamma == -0.1
+    assert np.sin(panel.psi[:, 0].min()) ** 2 == pytest.approx(0.1 / b)
+
+
+def test_a_body_of_ones_own_flips_exactly_in_its_animation():
+    found = racket_flip.data(BODY)
+    half = len(found.psi) // 2
+    assert found.psi[half] == pytest.approx(np.pi, abs=1e-9)
+    assert abs(flip_defect(*(str(x) for x in BODY), str(found.gamma)).defect.mid()) < 1e-9
+    with pytest.raises(InputError, match="flips by π exactly"):
+        racket_flip.data((1e-6, 1e-6))
+
+
+def test_the_animation_as_a_picture_that_moves_and_as_a_strip(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    paths = [tmp_path / "flip.gif", tmp_path / "strip.png"]
+    for path in paths:
+        assert main(["figure", "racket-flip", "--body", "ethylene", "-o", str(path)]) == 0
+    with image.open(paths[0]) as moving:
+        assert moving.n_frames > 80
+        assert moving.size == (racket_flip.WIDTH, racket_flip.HEIGHT)
+    with image.open(paths[1]) as strip:
+        assert strip.size[0] > 4 * strip.size[1]
+
+
+def test_a_picture_has_the_width_that_is_asked_for(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    path = tmp_path / "portrait.png"
+    asked = ["--shape", "1", "1/3", "--width", "127", "--dpi", "100", "-o", str(path)]
+    assert main(["figure", "flip-portrait", *asked]) == 0
+    with image.open(path) as found:
+        assert found.size[0] == 500
+
+
+@pytest.mark.parametrize(
+    ("asked", "message"),
+    [
+        (["euler-angles", "--body", "str"], "of a body of one's own there are flip-portrait"),
+        (["flip-map", "--gamma", "0.01"], "--gamma belongs to flip-curves"),
+        (["flip-curves", "--gamma", "0"], "--gamma 0 is the separatrix"),
+        (["flip-curves", "--gamma", "99"], "gamma: must be between -b and a"),
+        (["flip-curves", "--width", "1e9"], "--width: from 40 to 600"),
+        (["flip-curves", "--dpi", "1e9"], "--dpi: from 20 to 1200"),
+        (["racket-flip", "--width", "100"], "what moves has one size"),
+    ],
+)
+def test_what_a_figure_cannot_be_is_said_in_a_line(asked, message, capsys):
+    assert main(["figure", *asked]) == 2
+    assert message in capsys.readouterr().err
 
 
 def test_an_unknown_figure_is_bad_input(capsys):

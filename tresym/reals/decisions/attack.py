@@ -6,13 +6,18 @@ from collections.abc import Iterator
 
 from flint import arb
 
-from tresym.reals.advocate import contradiction, program, said, where
+from tresym.reals.advocate import conditions, contradiction, program, said, where
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.reading import ORDERS, Comparison, Path, Statement
+from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
+from tresym.reals.decisions.reading import functions as unknown
+from tresym.reals.language.binders import outermost
+from tresym.reals.language.expression import symbols
+from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 
-BITS = 512
+BITS, NEAR_BITS = 512, 12_000
+SMALL, LESS = arb((1, -4)), arb("0.9")
 HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
 """How often the range of an order is halved on the way to its end."""
 
@@ -26,17 +31,22 @@ def attack(
         spent: seconds that its decision took.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
-    if comparison.relation in ORDERS:
-        return _attack_order(comparison, statement.path, answer)
+    if statement.path is not None:
+        against = _attack_order(comparison, statement.path, answer)
+        return _attack_limit(comparison, statement, statement.path) if against is None else against
     claim = (comparison.left, comparison.relation, comparison.right)
-    return contradiction(claim, statement.given.comparisons, functions, derivatives, spent)
+    said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
+    if statement.equations or any(next(unknown(e), None) is not None for e in said):
+        return None  # its cases, without equations and such functions, were attacked themselves
+    totals = [node for node in outermost(*claim[::2]) if node.op in ("sum", "product")]
+    counted = {*statement.integers}.union(*(symbols(node.args[2]) for node in totals))
+    return contradiction(
+        claim, statement.given.comparisons, functions, derivatives, spent, sorted(counted)
+    )
 
 
 def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str | None:
-    """Where the ratio exceeds the constant of an O that is certified on the region, in words.
-
-    An o or ~ says nothing of any one point.
-    """
+    """Where the ratio exceeds the constant of an O that is certified on the region, in words."""
     if path is None or answer.constant is None or answer.region is None:
         return None
     with ball_precision(BITS):
@@ -48,6 +58,50 @@ def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str |
                 sides = f"{said(found[0])} and {said(found[1])}"
                 return f"at {where([path.name], [x])} its sides are {sides}, beyond the constant"
     return None
+
+
+def _attack_limit(claim: Comparison, statement: Statement, path: Path) -> str | None:
+    """Where what must vanish at the end of the path is large, and grows on the way there.
+
+    A limit says nothing of any one point; from one point to a far nearer one it should get smaller.
+    """
+    left, right = claim.left, claim.right
+    infinite = {INFINITY: 1, -INFINITY: -1}.get(right) if claim.relation == LIMIT else None
+    vanishing = {
+        LIMIT: left - right if infinite is None else 1 / left,
+        "o": left / right,
+        "~": left / right - 1,
+        "omega": right / left,
+    }.get(claim.relation)
+    if vanishing is None or (path.point is not None and symbols(path.point)):
+        return None
+    names = sorted(symbols(vanishing) - {path.name})
+    with ball_precision(NEAR_BITS):
+        value = program((vanishing, left), [*names, path.name])
+        holds = conditions(names, statement.given.comparisons)
+        for at in ([arb(k + n) for n in range(len(names))] for k in (1, -2, 3)):
+            if not holds(at):
+                continue
+            for side in path.sides:
+                found = [value([*at, x]) for x in _nearer(path, side)]
+                if found[0] is None or found[1] is None:
+                    continue
+                (first, last), f = (values[0] for values in found if values), found[1][1]
+                wrong = infinite is not None and bool(f * infinite < 0)
+                if wrong or (abs(last) > SMALL and bool(abs(last) > abs(first) * LESS)):
+                    return f"near the end of the path, {said(last)} does not vanish"
+    return None
+
+
+def _nearer(path: Path, side: int) -> Iterator[arb]:
+    """Two points on one side of the path, one near its end and one far nearer."""
+    end = None if path.point is None else program([path.point], [])([])
+    for halvings in (100, 4000):
+        t = arb((side, -halvings))
+        if path.point is None:
+            yield 1 / t
+        elif end is not None:
+            yield end[0] + t
 
 
 def _along(path: Path, reach: arb) -> Iterator[arb]:

@@ -14,12 +14,22 @@ from itertools import product
 
 from flint import arb, fmpq
 
+from tresym.reals.balls.ends import sign_beside
 from tresym.reals.balls.order import MOST_HALVINGS, Judgement, Order, judge_order
 from tresym.reals.balls.run import formula
 from tresym.reals.growth.rewritten import Rewritten
-from tresym.reals.growth.scale import UnresolvedError
+from tresym.reals.growth.scale import T, UnresolvedError
 from tresym.reals.growth.series import Expansions
-from tresym.reals.language.expression import ONE, PI, ZERO, Expr, multiply, power, substitute
+from tresym.reals.language.expression import (
+    ONE,
+    PI,
+    ZERO,
+    Expr,
+    multiply,
+    power,
+    substitute,
+    symbol,
+)
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -67,6 +77,15 @@ def judged_by_growth(
     except _FAILS:
         return _OPEN
     return _OPEN if truth is None else Judgement(Verdict.REFUTED, points={"t": upto / 16})
+
+
+def sign_towards(e: Expr, name: str, point: Expr | None, side: int) -> tuple[int, fmpq] | None:
+    """As :func:`tresym.reals.balls.ends.sign_beside`, and by growth where that settles nothing."""
+    beside = sign_beside(e, name, point, side)
+    if beside is not None:
+        return beside
+    t = symbol(T)
+    return sign_near(substitute(e, {name: side / t if point is None else point + side * t}), T)
 
 
 def sign_near(e: Expr, name: str) -> tuple[int, fmpq] | None:

@@ -112,10 +112,13 @@ def decide(
     def points(where: Given) -> list[dict[str, fmpq]]:
         return [point for point, _ in look(*SIGN_POINTS, where)]
 
-    proof, obstacle = _prove(sides, given, theories, points)
+    proof, obstacle, in_doubt = _prove(sides, given, theories, points)
     if proof is None:
-        for bits, count in LATER_LOOKS:
-            for point, values in look(count, bits):
+        looks = [(bits, count, given) for bits, count in LATER_LOOKS]
+        for e in () if in_doubt is None else (in_doubt, -in_doubt):
+            looks.append((*LATER_LOOKS[0], given & Given(((e, ">", ZERO),))))
+        for bits, count, where in looks:
+            for point, values in look(count, bits, where):
                 if not values[0].overlaps(values[1]):
                     return _refutation(point, values)
         proof = _prove_by_branch(sides, given, theories, points)
@@ -238,22 +241,23 @@ def _prove(
     theories: frozenset[str],
     points: Points,
     depth: int = 0,
-) -> tuple[str | None, str]:
-    """A sentence on the proof, or None and a sentence on what stopped it."""
+) -> tuple[str | None, str, Expr | None]:
+    """A sentence on the proof, or None, a sentence on what stopped it, and whose sign did so."""
     left, right = sides
     if left == right:
-        return "both sides are the same expression", ""
+        return "both sides are the same expression", "", None
     try:
         field, value = _difference(sides, given, theories, points)
     except (TooLargeError, UndefinedError) as error:
-        return None, f"the exact normal form stopped: {error}"
+        return None, f"the exact normal form stopped: {error}", None
     count = len(field.generators)
     if value.num.is_zero():
-        return f"the difference has normal form 0 ({count} generators)", ""
+        return f"the difference has normal form 0 ({count} generators)", "", None
     try:
         value = settled(field, value, functions=bool(symbols(left) | symbols(right)))
         if vanishes(field, value.num):
-            return f"the difference has normal form 0 after its constants ({count} generators)", ""
+            why = f"the difference has normal form 0 after its constants ({count} generators)"
+            return why, "", None
         proof = equal_by_derivative(left, right, given, theories, field.size)
     except (TooLargeError, UndefinedError):
         proof = None
@@ -261,8 +265,8 @@ def _prove(
     if in_doubt is not None:
         cases = [given & Given(((e, ">", ZERO),)) for e in (in_doubt, -in_doubt)]
         if all(_prove(sides, case, theories, points, depth + 1)[0] for case in cases):
-            return f"it is proved by cases, in the sign of {in_doubt}", ""
-    return proof, "" if proof else _obstacle(field, value)
+            return f"it is proved by cases, in the sign of {in_doubt}", "", None
+    return proof, "" if proof else _obstacle(field, value), in_doubt
 
 
 def _prove_by_branch(

@@ -6,16 +6,19 @@ an identity, and nothing is proved where no such point is found.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from itertools import islice, product
+from itertools import chain, islice, pairwise, product
+from operator import itemgetter
 
 from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.identity import decide, no_point, sampled_values, shown
+from tresym.reals.decisions.reduced import by_one_variable
 from tresym.reals.decisions.region import is_isolated, search
+from tresym.reals.decisions.zeros import equal_at_algebraic, equal_at_simple
 from tresym.reals.language.expression import PI, Expr, number, substitute, symbol, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
@@ -34,6 +37,7 @@ from tresym.reals.verdict import Verdict
 LOOKS = ((128, 40), (700, 10))
 HALVINGS = 40
 MAX_PAIRS = 8
+GRID, GRID_STEPS = range(-80, 81), 5
 MAX_STARTS = 24
 PERIODS = (2 * PI, number(2))
 
@@ -77,13 +81,25 @@ def decide_inequality(
     partly = found is not None and not is_regular(given)
     if found is not None and not partly:
         return Answer(Verdict.PROVED, f"{found}; both sides are defined at {shown(defined)}")
+    if relation != ">=":
+        zero = equal_at_algebraic(left, right, inside)
+        if zero is not None:
+            return zero
     if relation == "!=":
-        return _shown_under(given, _apart(left, right, region, inside, defined))
+        answer = _shown_under(given, _apart(left, right, region, inside, defined))
+        split = None if differentiated or answer.verdict is not Verdict.UNDECIDED else _sides(given)
+        return answer if split is None else _on_both_sides(left, right, *split, answer)
     starts = inside.points(names, MAX_STARTS)
     for point in low_points(left - right, inside, starts):
         refutation = _refuted_at(point, left, relation, right, inside)
+        if refutation is None and relation == ">" and len(names) > 1:
+            refutation = equal_at_simple(left, right, inside, point)
         if refutation is not None:
             return refutation
+    if not differentiated:
+        reduced = by_one_variable(left, relation, right, given, decide_inequality)
+        if reduced is not None and not (partly and reduced):
+            return reduced
     period = _one_period(left - right, region, given)
     answer = _shown_under(given, search(left, right, relation == ">", period, inside))
     if partly and answer.verdict is Verdict.UNDECIDED:
@@ -178,10 +194,12 @@ def _apart(
     """``left != right``: refuted by a zero between two points, or by a strict inequality."""
     names = sorted(defined)
     signs: dict[bool, list[dict[str, fmpq]]] = {True: [], False: []}
-    for point, (x, y) in sampled_values(left, right, region, names, *LOOKS[0][::-1]):
+    sampled = sampled_values(left, right, region, names, *LOOKS[0][::-1])
+    for point, (x, y) in chain(sampled, _on_grid(left, right, inside, names)):
         if not x.overlaps(y):
             signs[bool(x > y)].append(point)
-    for start, end in islice(product(signs[True], signs[False]), MAX_PAIRS):
+    pairs = islice(product(signs[True], signs[False]), MAX_PAIRS)
+    for start, end in chain(_neighbours(signs), pairs):
         zero = _zero_between(left - right, region, start, end)
         if zero is not None:
             return zero
@@ -203,6 +221,54 @@ def _apart(
             return zero
     why = "the difference changes its sign, so it may vanish; no zero of it was found"
     return Answer(Verdict.UNDECIDED, why)
+
+
+def _on_grid(
+    left: Expr, right: Expr, given: Given, names: list[str]
+) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
+    """Values at equal steps along the line, for poles and zeros that take turns."""
+    for k in GRID if len(names) == 1 else ():
+        point = {names[0]: fmpq(k, GRID_STEPS)}
+        with ball_precision():
+            at = {name: arb(value) for name, value in point.items()}
+            if all(condition.holds_exactly(at) for condition in given.conditions):
+                x, y = evaluate(left, at), evaluate(right, at)
+                if x.is_finite() and y.is_finite():
+                    yield point, (x, y)
+
+
+def _neighbours(
+    signs: dict[bool, list[dict[str, fmpq]]],
+) -> Iterator[tuple[dict[str, fmpq], dict[str, fmpq]]]:
+    """Points of one variable next to each other at which the signs differ: no pole is between."""
+    points = [(*p.values(), above, p) for above, found in signs.items() for p in found]
+    if points and len(points[0]) == 3:
+        for (_, above, p), (_, below, q) in pairwise(sorted(points, key=itemgetter(0))):
+            if above != below:
+                yield p, q
+
+
+def _sides(given: Given) -> tuple[Given, Given] | None:
+    """The conditions on both sides of one that excludes the zeros of an expression."""
+    for k, comparison in enumerate(given.comparisons):
+        left, relation, right = comparison
+        if relation == "!=":
+            others = given.comparisons[:k] + given.comparisons[k + 1 :]
+            return Given(((left, ">", right), *others)), Given(((left, "<", right), *others))
+    return None
+
+
+def _on_both_sides(left: Expr, right: Expr, one: Given, other: Given, answer: Answer) -> Answer:
+    """``left != right`` by cases, or the ``answer`` where they do not settle it."""
+    found = [decide_inequality(left, "!=", right, case) for case in (one, other)]
+    for each in found:
+        if each.verdict is Verdict.REFUTED:
+            return each
+    if not all(found):
+        return answer
+    weakest = next((each for each in found if each.verdict is Verdict.ENCLOSED), found[0])
+    why = f"on both sides of what the conditions exclude: {weakest.why}"
+    return replace(weakest, why=why, region=None)
 
 
 def _zero_between(

@@ -7,11 +7,10 @@ from dataclasses import replace
 from flint import arb, fmpq
 
 from tresym.reals.balls.contact import decide_smooth
-from tresym.reals.balls.ends import sign_beside
 from tresym.reals.balls.order import Judgement
 from tresym.reals.decisions.answer import Answer, constant_ball, refuted
 from tresym.reals.decisions.derivatives import where_real
-from tresym.reals.decisions.growth import judged_by_expansion, judged_by_growth, sign_near
+from tresym.reals.decisions.growth import judged_by_expansion, judged_by_growth, sign_towards
 from tresym.reals.decisions.reading import Comparison, Path
 from tresym.reals.language.expression import Expr, number, substitute, symbol
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -79,22 +78,13 @@ def _real_upto(claim: Comparison, path: Path, side: int) -> fmpq | None:
     if inside.names - {path.name}:
         return None
     conditions = [(c.expression, c.relation) for c in inside.conditions]
-    found = [_sign_along(e, path, side) for e, _ in conditions]
+    found = [sign_towards(e, path.name, path.point, side) for e, _ in conditions]
     for beside, (_, relation) in zip(found, conditions, strict=True):
         if beside is not None and (beside[0] == 0 or (beside[0] < 0 and relation != "!=")):
             return fmpq(0)
     if None in found:
         return None
     return min([LONGEST, *(beside[1] for beside in found if beside is not None)])
-
-
-def _sign_along(e: Expr, path: Path, side: int) -> tuple[int, fmpq] | None:
-    """The sign of ``e`` for 0 < t <= r, and r: by its expansion, or at a point where 1 = o(e)."""
-    beside = sign_beside(e, path.name, path.point, side)
-    if beside is not None:
-        return beside
-    along = substitute(e, {path.name: _along(path, side)})
-    return sign_near(along, _PARAMETER)
 
 
 def _shown_at(

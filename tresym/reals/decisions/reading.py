@@ -4,20 +4,33 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tresym.reals.language import expression
 from tresym.reals.language.binders import elementary, outermost, worked_out
-from tresym.reals.language.expression import ONE, Expr, add, instantiate, opened, symbol, symbols
+from tresym.reals.language.expression import (
+    LEAVES,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    instantiate,
+    multiply,
+    number,
+    opened,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.parsing import (
     INFINITY,
+    INTEGERS,
+    NO_INFINITY,
     Compared,
-    condition,
     parse,
     parse_claim,
-    parse_conditions,
+    parse_given,
 )
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
 from tresym.reals.language.typography import plain
@@ -27,7 +40,8 @@ from tresym.reals.places.conditions import Given
 if TYPE_CHECKING:
     from tresym.reals.language.latex import Relations
 
-ORDERS = ("O", "o", "~")
+ORDERS = ("O", "o", "~", "Theta", "omega")
+LIMIT = "->"
 MAX_CHARACTERS = 30_000
 MAX_PATH = 200
 NO_CHAIN = "an order claim is one relation, and no chain"
@@ -39,14 +53,18 @@ _AND = re.compile(r"\band\b|;|&&?|∧")
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
 _NOT_DECIDED = {
-    "integral": "integrals are not decided: claim diff(F, x) == f of an antiderivative F",
-    "limit": "a limit is claimed by itself: limit(f, x, a) == L, or f == L + o(1) as x -> a",
+    "antiderivative": "integral(f, x) is compared with what it is: integral(f, x) == F",
+    "root": "the root of an equation is not decided here",
+    "limit": "a limit is claimed by itself: limit(f, x, a) == L, or f -> L as x -> a",
     "at": "a value at a point is not decided here: put the point in",
     "derivative": "the value of a derivative at a point is not decided: write the derivative out",
     **dict.fromkeys(
         expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
     ),
 }
+VALUED = ("integral", "sum", "product", "unknown")
+"""What may stand in a claim and is worked out when it is decided."""
+_LONE = "the limit stands alone on one side, compared by == with its value"
 _ASSUMPTIONS = {
     "is_extended_positive": ">",
     "is_extended_negative": "<",
@@ -67,7 +85,7 @@ class Derivative(NamedTuple):
 
 @dataclass(frozen=True)
 class Comparison:
-    """``left relation right``; for ``O`` and ``o`` the right side is the gauge.
+    """``left relation right``; for an order the right side is the gauge, for ``->`` the limit.
 
     Attributes:
         derivatives: those that were written: a derivative is one where its function is real, there
@@ -116,8 +134,10 @@ class Statement:
 
     Attributes:
         comparisons: all of them are claimed.
-        given: the conditions.
-        path: for an order statement.
+        given: the conditions that are inequalities.
+        path: for orders, limits, and what holds near its end alone.
+        equations: the conditions that are equations, a pair of sides each.
+        integers: the variables that take the values of integers alone.
         text: how it was written.
         read_as: the same in the grammar of expressions, conditions and path included.
     """
@@ -127,20 +147,29 @@ class Statement:
     path: Path | None
     text: str
     read_as: str = ""
+    equations: tuple[tuple[Expr, Expr], ...] = ()
+    integers: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         return self.text
+
+    @property
+    def under(self) -> str:
+        """All conditions in words."""
+        equal = ((left, "==", right) for left, right in self.equations)
+        whole = ((symbol(name), "in", INTEGERS) for name in self.integers)
+        return chained((*self.given.comparisons, *equal, *whole))
 
 
 class _Written(NamedTuple):
     """A claim as it was written, nothing of it worked out."""
 
     comparisons: tuple[Compared, ...]
-    given: Given
+    given: tuple[Compared, ...]
     path: Path | None
 
     def __str__(self) -> str:
-        parts = (("", chained(self.comparisons)), (" given ", chained(self.given.comparisons)))
+        parts = (("", chained(self.comparisons)), (" given ", chained(self.given)))
         text = "".join(word + part for word, part in parts if part)
         return text if self.path is None else f"{text} as {self.path}"
 
@@ -150,7 +179,7 @@ def chained(comparisons: Iterable[Compared]) -> str:
     text, last = "", None
     for left, relation, right in comparisons:
         joint = "" if left is last else f"{', ' if text else ''}{left}"
-        text += f"{joint} {relation} {right}"
+        text += f"{joint} integer" if relation == "in" else f"{joint} {relation} {right}"
         last = right
     return text
 
@@ -170,9 +199,9 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
     written = _written(claim, given, path)
     text = _split(claim)[0] if isinstance(claim, str) else str(claim)
     for _, relation, _ in written.comparisons:
-        if relation not in (*RELATIONS.values(), *ORDERS):
-            raise InputError(f"{relation} is no claim: one is made with == != > >= < <= or ~")
-        if relation in ORDERS and len(written.comparisons) > 1:
+        if relation not in (*RELATIONS.values(), *ORDERS, LIMIT):
+            raise InputError(f"{relation} is no claim: one is made with == != > >= < <= ~ or ->")
+        if relation in (*ORDERS, LIMIT) and len(written.comparisons) > 1:
             raise InputError(NO_CHAIN)
     return _checked(_stated(str(written), text))
 
@@ -182,11 +211,45 @@ def _stated(shown: str, text: str) -> Statement:
     claim, _, end = shown.partition(" as ")
     claim, _, under = claim.partition(" given ")
     parts, path = tuple(parse_claim(claim)), read_path(end) if end else None
-    given = Given(tuple(parse_conditions(under)))
-    if len(parts) == 1 and parts[0][0].op == "limit" and parts[0][1] == "==":
-        comparison, path = _limit(parts[0][0], parts[0][2], path)
-        return Statement((comparison,), given, path, text, shown)
-    return Statement(tuple(_comparison(*part) for part in parts), given, path, text, shown)
+    said = parse_given(under)
+    given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
+    equations = tuple((left, right) for left, relation, right in said if relation == "==")
+    equations += tuple(
+        (symbol(name), number(where.low))
+        for name, where in given.box.items()
+        if where.low is not None and where.low == where.high
+        if not (where.low_open or where.high_open)
+    )
+    integers = tuple(dict.fromkeys(str(link[0]) for link in said if link[1] == "in"))
+    if len(parts) == 1 and any(side.op == "limit" for side in parts[0][::2]):
+        comparison, path = _limit(*parts[0], path)
+        found: tuple[Comparison, ...] = (comparison,)
+    else:
+        found = tuple(_comparison(*part) for part in parts)
+    _need_apart(found, said)
+    return Statement(found, given, path, text, shown, equations, integers)
+
+
+def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> None:
+    """That no letter names a variable and a function, or functions of several arities."""
+    trees = [side for c in comparisons for side in (c.left, c.right)]
+    trees += [side for link in said for side in link[::2]]
+    heads = {node.args[0].args[0]: len(node.args) for e in trees for node in functions(e)}
+    for e in trees:
+        for name in symbols(e) & heads.keys():
+            raise InputError(f"{name} is a function and a variable; for a product write {name}*(…)")
+        for node in functions(e):
+            if len(node.args) != heads[node.args[0].args[0]]:
+                raise InputError(f"{node.args[0].args[0]} has several numbers of arguments")
+
+
+def functions(e: Expr) -> Iterator[Expr]:
+    """The functions left unknown in ``e``, at their arguments."""
+    if e.op not in LEAVES:
+        for arg in e.args:
+            yield from functions(arg)
+        if e.op == "unknown":
+            yield e
 
 
 def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
@@ -204,9 +267,9 @@ def read_as(claim: Any, given: Any = "", path: str | None = None) -> str:
 def _written(claim: Any, given: Any, path: str | None) -> _Written:
     if not isinstance(claim, str):
         comparison, conditions = _from_sympy(claim)
-        return _Written((comparison,), _given(given) & conditions, _path(path))
+        return _Written((comparison,), (*_given(given), *conditions), _path(path))
     text, own, own_path = _split(claim)
-    under, end = _given(given) & _given(own), _path(own_path or path)
+    under, end = (*_given(given), *_given(own)), _path(own_path or path)
     if not _LATEX.search(text):
         return _Written(tuple(parse_claim(plain(text))), under, end)
     from tresym.reals.language.latex import read_latex
@@ -219,7 +282,7 @@ def _written(claim: Any, given: Any, path: str | None) -> _Written:
     if said is not None and said.ops[0].startswith("->"):
         end = _path_of(said)
     elif said is not None:
-        under = under & Given(tuple(condition(*link) for link in said.links))
+        under = (*under, *map(_condition, said.links))
     return _Written(tuple(chains[0].links), under, end)
 
 
@@ -244,18 +307,52 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
         rest = [term for term in terms if term is not orders[0]]
         left = left - add(*rest) if rest else left
         relation, right = orders[0].op, orders[0].args[0]
+    if any(n.op == "antiderivative" for n in outermost(left, right)) and relation == "==":
+        return _without_ends(left, right)
+    if relation == LIMIT and right in (INFINITY, -INFINITY):
+        return replace(_comparison(left, relation, ZERO), right=right)
+    if relation == "==" and right in (INFINITY, -INFINITY) and left.op == "integral":
+        return replace(_comparison(left, relation, ZERO), right=right)
     work = cache(worked_out)
     written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
     return Comparison(work(left), relation, work(right), written)
 
 
-def _limit(left: Expr, value: Expr, path: Path | None) -> tuple[Comparison, Path]:
-    """``limit(f, x, p) == L`` as ``f == L + o(1)`` on its path."""
+def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:
+    """``limit(f, x, p) == L`` as ``f -> L`` on its path."""
     if path is not None:
         raise InputError("a limit has its path in it: write no other")
+    left, value = (left, right) if left.op == "limit" else (right, left)
+    if relation != "==" or not elementary(value):
+        raise InputError(_LONE)
     (name,), body = opened(left, symbols(value))
     side = {1: "+", -1: "-"}.get(int(left.args[2].args[0].p), "")
-    return _comparison(body - value, "o", ONE), _ending(name, left.args[1], side)
+    return _comparison(body, LIMIT, value), _ending(name, left.args[1], side)
+
+
+def _without_ends(left: Expr, right: Expr) -> Comparison:
+    """An equation of integrals without ends as one of derivatives."""
+    names, known, rest = set(), [], []
+    for term in (left - right).args if (left - right).op == "+" else (left - right,):
+        nodes = [node for node in outermost(term) if node.op == "antiderivative"]
+        if not nodes:
+            rest.append(-term)
+            continue
+        (node, *others), name = nodes, str(nodes[0].args[1])
+        parts = term.args if term.op == "*" else (term,)
+        factors = [part for part in parts if part != node]
+        if others or len(factors) != len(parts) - 1 or name in symbols(multiply(*factors)):
+            raise InputError(_NOT_DECIDED["antiderivative"])
+        names.add(name)
+        known.append(multiply(*factors, instantiate(node.args[0], (node.args[1],))))
+    if len(names) != 1:
+        raise InputError("integrals without ends are compared by one variable")
+    (by,) = names
+    f, function = (worked_out(add(*terms)) for terms in (known, rest))
+    for side in (f, function):
+        tuple(_derivatives(side, worked_out))
+    value = differentiate(function, by)
+    return Comparison(value, "==", f, (Derivative(function, by, 1, value),))
 
 
 def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
@@ -264,10 +361,16 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
     Raises:
         InputError: what else binds a variable and is not decided.
     """
-    if INFINITY.args[0] in symbols(e):
-        raise InputError("oo is no real number or variable, and all here are real")
+    if _is_infinite(e):
+        raise InputError(NO_INFINITY)
     for node in outermost(e):
         place = node.args[-1]
+        if node.op in VALUED:
+            if not all(map(_is_valued, node.args)):
+                raise InputError("what is integrated or summed holds no derivative, limit or order")
+            continue
+        if _is_slope_of_unknown(node):
+            continue
         if node.op == "at" and elementary(*node.args) and node.args[0].loose:
             continue
         fixed = place.op != "symbol" or bool(symbols(place) & symbols(node.args[0]))
@@ -278,6 +381,30 @@ def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
             function, times = instantiate(function.args[0], (place,)), times + 1
         yield from _derivatives(function, work)
         yield Derivative(work(function), place.args[0], times, work(node))
+
+
+def _is_infinite(e: Expr) -> bool:
+    """Whether oo stands in it elsewhere than at the end of an integral."""
+    if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
+        return e == INFINITY
+    ends = (INFINITY, -INFINITY) if e.op == "integral" else ()
+    return any(_is_infinite(arg) for arg in e.args if arg not in ends)
+
+
+def _is_slope_of_unknown(node: Expr) -> bool:
+    """Whether it is a derivative of a function left unknown, at some point."""
+    points: list[Expr] = []
+    while node.op in ("derivative", "at"):
+        points += node.args[1:]
+        node = node.args[0]
+    return node.op == "unknown" and all(map(_is_valued, (*points, *node.args)))
+
+
+def _is_valued(e: Expr) -> bool:
+    """Whether nothing that binds is in it but what may be."""
+    if e.op in LEAVES:
+        return True
+    return (e.op in VALUED or e.op not in expression.UNWORKED) and all(map(_is_valued, e.args))
 
 
 def _path(path: str | None) -> Path | None:
@@ -300,30 +427,35 @@ def _path_of(chain: Relations) -> Path:
 def _ending(name: str, point: Expr, side: str) -> Path:
     if point in (INFINITY, -INFINITY):
         return Path(name, None, (1 if point == INFINITY else -1,))
-    if symbols(point) or not elementary(point):
-        raise InputError("a path ends at a constant or at oo")
+    if name in symbols(point) or not elementary(point):
+        raise InputError("a path ends at a constant, at a parameter or at oo")
     return Path(name, point, _SIDES[side])
 
 
-def _given(given: Any) -> Given:
+def _given(given: Any) -> tuple[Compared, ...]:
     if isinstance(given, Given):
-        return given
+        return given.comparisons
     if isinstance(given, str) and _LATEX.search(given):
         from tresym.reals.language.latex import read_latex
 
         chains = read_latex(given.strip().strip("$"))
-        return Given(tuple(condition(*link) for chain in chains for link in chain.links))
+        return tuple(_condition(link) for chain in chains for link in chain.links)
     if isinstance(given, str):
-        return Given.parse(_AND.sub(",", plain(given)).strip())
+        return tuple(parse_given(_AND.sub(",", plain(given)).strip()))
     if isinstance(given, Iterable) and getattr(given, "ndim", None) != 0:
-        result = Given()
-        for part in given:
-            result = result & _given(part)
-        return result
-    return Given.from_sympy(given)
+        return tuple(link for part in given for link in _given(part))
+    if type(given).__name__ == "Equality":
+        return (_condition((unworked(given.lhs), "==", unworked(given.rhs))),)
+    return Given.from_sympy(given).comparisons
 
 
-def _from_sympy(claim: Any) -> tuple[Compared, Given]:
+def _condition(link: Compared) -> Compared:
+    """A condition from elsewhere, if it can be one."""
+    parse_given(chained((link,)))
+    return link
+
+
+def _from_sympy(claim: Any) -> tuple[Compared, tuple[Compared, ...]]:
     """A SymPy relation, and the assumptions its symbols carry."""
     name = type(claim).__name__
     if name not in RELATIONS:
@@ -339,7 +471,9 @@ def _from_sympy(claim: Any) -> tuple[Compared, Given]:
         for assumption, sign in _ASSUMPTIONS.items():
             if getattr(variable, assumption):
                 conditions.append((symbol(variable.name), sign, expression.ZERO))
-    return comparison, Given(tuple(conditions))
+        if variable.is_integer:
+            conditions.append((symbol(variable.name), "in", INTEGERS))
+    return comparison, tuple(conditions)
 
 
 def _variables(claim: Any) -> list[Any]:
@@ -352,7 +486,7 @@ def _variables(claim: Any) -> list[Any]:
     for variable in found:
         if variable.is_extended_real is False or variable.is_finite is False:
             raise InputError(f"{variable.name} is not a real variable, and all variables here are")
-        for kind in ("integer", "rational", "algebraic"):
+        for kind in () if variable.is_integer else ("integer", "rational", "algebraic"):
             if variable.assumptions0.get(kind) is not None:
                 raise InputError(
                     f"whether {variable.name} is {kind} is assumed, and variables here take every "
@@ -380,22 +514,21 @@ def read_path(text: str) -> Path:
 
 def _checked(statement: Statement) -> Statement:
     """The statement, if its parts belong together."""
-    orders = [c for c in statement.comparisons if c.relation in ORDERS]
-    if orders and len(statement.comparisons) > 1:
+    kinds = [c.relation for c in statement.comparisons]
+    near = [kind for kind in kinds if kind in (*ORDERS, LIMIT)]
+    if near and len(kinds) > 1:
         raise InputError(NO_CHAIN)
-    if not orders:
-        if statement.path is not None:
-            raise InputError("a path belongs to O, o and ~ alone; use given for conditions")
+    path = statement.path
+    if path is None:
+        if near:
+            raise InputError("an order claim needs its path, such as --as 'x -> 0+'")
         return statement
-    if statement.path is None:
-        raise InputError("an order claim needs its path, such as --as 'x -> 0+'")
-    if statement.given.comparisons:
-        raise InputError("an order claim takes no conditions; its path says where it holds")
-    (comparison,) = statement.comparisons
-    others = (symbols(comparison.left) | symbols(comparison.right)) - {statement.path.name}
-    if others:
+    if not near and "==" in kinds:
         raise InputError(
-            f"an order claim has one variable, {statement.path.name}; "
-            f"{', '.join(sorted(others))} must be numbers"
+            "a path belongs to O, o, ~, -> and inequalities; of an equation write its conditions"
         )
+    said = [*statement.given.names, *statement.integers]
+    said += [name for sides in statement.equations for e in sides for name in symbols(e)]
+    if path.name in said:
+        raise InputError(f"no condition speaks of {path.name}: the path says where the claim holds")
     return statement

@@ -7,7 +7,7 @@ neighbourhood of an end or of a point of contact on which the germ of the differ
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any
@@ -16,10 +16,19 @@ from flint import arb, fmpq
 
 from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, decide_bound
 from tresym.reals.balls.contact import candidates, enclosure, sign_at_contact
-from tresym.reals.balls.ends import sign_beside
+from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.growth import sign_towards
 from tresym.reals.decisions.identity import shown
-from tresym.reals.language.expression import PI, ZERO, Expr, differentiate, number, symbol, symbols
+from tresym.reals.language.expression import (
+    LEAVES,
+    ZERO,
+    Expr,
+    differentiate,
+    number,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.inverted import solutions
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.written import numerator
@@ -109,6 +118,7 @@ class _Search:
     def __post_init__(self) -> None:
         self.difference = self.left - self.right
         self.slopes = [differentiate(self.difference, name) for name in self.names]
+        self.smooth = list(_smooth_parts(self.difference)) or [self.difference]
 
     # -- one variable -----------------------------------------------------------------------
 
@@ -123,7 +133,7 @@ class _Search:
             if end is not None:
                 ends.append(end)
                 continue
-            beside = sign_beside(self.difference, self.names[0], None, side)
+            beside = sign_towards(self.difference, self.names[0], None, side)
             if beside is None:
                 beside = self._beyond(side)
             if beside is None or beside[0] < 0 or (self.strict and beside[0] == 0):
@@ -200,15 +210,13 @@ class _Search:
         """The sign of the difference on a neighbourhood on that side."""
         name = self.names[0]
         found = sign_at_contact(self.difference, name, point, side)
-        if found is None and (point.op == "number" or _in_pi(point)):
-            found = sign_beside(self.difference, name, point, side)
-        return found
+        return sign_towards(self.difference, name, point, side) if found is None else found
 
     def _excluded_beside(self, point: Expr, side: int) -> tuple[int, fmpq] | None:
         """A neighbourhood on that side which a condition excludes."""
         for condition in self.region.conditions:
             if condition.relation != "!=":
-                beside = sign_beside(condition.expression, self.names[0], point, side)
+                beside = sign_towards(condition.expression, self.names[0], point, side)
                 if beside is not None and beside[0] < 0:
                     return beside
         return None
@@ -330,7 +338,17 @@ class _Search:
             bound = self._mean_value(coordinates, at)
             if bound > 0 or (not self.strict and bound >= 0):
                 return _ONE
+            if len(coordinates) == 1 and self._by_taylor(coordinates[0]) > 0:
+                return _ONE
         return value if inside else _NAN
+
+    def _by_taylor(self, x: arb) -> arb:
+        """The difference on an interval, what its absolute values are of by Taylor's theorem."""
+        (name,) = self.names
+        known = {part: taylor_value(part, name, x) for part in self.smooth}
+        if known.get(self.difference) is not None:
+            return known[self.difference]
+        return evaluate(self.difference, {name: x}, known)
 
     def _mean_value(self, coordinates: tuple[arb, ...], at: dict[str, arb]) -> arb:
         """A ball whose lower end bounds the difference below on the box."""
@@ -348,8 +366,12 @@ class _Search:
         return evaluate(self.difference, corner) + spread
 
 
-def _in_pi(point: Expr) -> bool:
-    return PI in (point, *point.args)
+def _smooth_parts(e: Expr) -> Iterator[Expr]:
+    """What absolute values are of, if there is none in it."""
+    if e.op in LEAVES:
+        return
+    inner = [part for arg in e.args for part in _smooth_parts(arg)]
+    yield from inner if inner or e.op != "abs" else e.args
 
 
 def _contains(piece: tuple[fmpq, fmpq], x: arb) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -12,7 +12,8 @@ from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP, exact_text
-from tresym.reals.decisions.reading import ORDERS, Comparison, Statement, read
+from tresym.reals.decisions.reading import Comparison, Statement, functions, read
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import ZERO, Expr, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
@@ -51,7 +52,7 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
     return replace(
         answer,
         statement=_short(statement.text),
-        given=_short(str(statement.given)),
+        given=_short(statement.under),
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
@@ -76,19 +77,61 @@ def _bounded(comparison: Comparison, statement: Statement) -> Answer:
 
 def _decide(comparison: Comparison, statement: Statement) -> Answer:
     left, relation, right = comparison.left, comparison.relation, comparison.right
-    functions = comparison.differentiated, comparison.by
+    door = _door(comparison, statement)
+    if door is not None:
+        return door(comparison, statement, _bounded)
+    real = comparison.differentiated, comparison.by
     if relation == "==":
-        found = decide_equality(left, right, statement.given, *functions)
+        found = decide_equality(left, right, statement.given, *real)
         if found.witness is not None and found.values is not None:
             return refuted(found.why, found.witness, *found.values)
         return Answer(found.verdict, found.why)
-    if relation in ORDERS:
-        from tresym.reals.decisions.orders import decide_order
+    return _decide_inequality(left, relation, right, statement.given, *real)
 
-        if statement.path is None:
-            raise TypeError("an order claim is read with its path")
-        return decide_order(comparison, statement.path)
-    return _decide_inequality(left, relation, right, statement.given, *functions)
+
+Door = Callable[[Comparison, Statement, Callable[[Comparison, Statement], Answer]], Answer]
+"""Decides a claim by simpler ones, which it hands to its last argument."""
+
+
+def _door(comparison: Comparison, statement: Statement) -> Door | None:
+    """What decides claims that hold more than elementary expressions and inequalities."""
+    sides = comparison.left, comparison.right
+    nodes = {node.op for node in outermost(*sides)}
+    said = [side for link in statement.given.comparisons for side in link[::2]]
+    said += [side for pair in statement.equations for side in pair]
+    if any(next(functions(e), None) is not None for e in (*sides, *said)):
+        from tresym.reals.decisions.unknowns import decide_unknown
+
+        return decide_unknown
+    if nodes & {"sum", "product"}:
+        from tresym.reals.decisions.totals import decide_totals
+
+        return decide_totals
+    if statement.equations:
+        from tresym.reals.decisions.equations import among_integers, decide_under_equations
+
+        if among_integers(statement):
+            return decide_under_equations
+    if statement.integers and statement.path is None:
+        from tresym.reals.decisions.whole import alternates, decide_whole
+
+        if alternates(comparison, statement):
+            return decide_whole
+    if statement.equations:
+        return decide_under_equations
+    if "integral" in nodes:
+        from tresym.reals.decisions.integrals import decide_integrals
+
+        return decide_integrals
+    if statement.integers and statement.path is None:
+        from tresym.reals.decisions.whole import decide_whole
+
+        return decide_whole
+    if statement.path is not None:
+        from tresym.reals.decisions.tending import decide_tending
+
+        return decide_tending
+    return None
 
 
 def _decide_inequality(

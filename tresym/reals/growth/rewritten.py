@@ -32,6 +32,7 @@ from tresym.reals.language.expression import (
 
 MAX_ROUNDS = 8
 CUBE_ROOT = number(fmpq(1, 3))
+HALF = fmpq(1, 2)
 
 
 class Rewritten:
@@ -99,6 +100,9 @@ class Rewritten:
                 if (way == 0 and r <= 0) or (way < 0 and r.q != 1):
                     raise UnresolvedError("a power that is no real number")
         return ONE if r == 0 else power(base, number(r))
+
+    def _over(self, above: Expr, below: Expr) -> Expr:
+        return times(above, self._power(below, fmpq(-1)))
 
     # -- what tends to infinity -------------------------------------------------------------
 
@@ -168,16 +172,16 @@ class Rewritten:
         return apply("cos", self._wave(u))
 
     def _tan(self, u: Expr) -> Expr:
-        return self._sin(u) / self._cos(u)
+        return self._over(self._sin(u), self._cos(u))
 
     def _cot(self, u: Expr) -> Expr:
-        return self._cos(u) / self._sin(u)
+        return self._over(self._cos(u), self._sin(u))
 
     def _sec(self, u: Expr) -> Expr:
-        return 1 / self._cos(u)
+        return self._over(ONE, self._cos(u))
 
     def _csc(self, u: Expr) -> Expr:
-        return 1 / self._sin(u)
+        return self._over(ONE, self._sin(u))
 
     def _sinh(self, u: Expr) -> Expr:
         return self._exp(u) / 2 - self._exp(-u) / 2
@@ -186,25 +190,25 @@ class Rewritten:
         return self._exp(u) / 2 + self._exp(-u) / 2
 
     def _tanh(self, u: Expr) -> Expr:
-        return (self._exp(2 * u) - 1) / (self._exp(2 * u) + 1)
+        return self._over(self._exp(2 * u) - 1, self._exp(2 * u) + 1)
 
     def _coth(self, u: Expr) -> Expr:
-        return 1 / self._tanh(u)
+        return self._over(ONE, self._tanh(u))
 
     def _sech(self, u: Expr) -> Expr:
-        return 1 / self._cosh(u)
+        return self._over(ONE, self._cosh(u))
 
     def _csch(self, u: Expr) -> Expr:
-        return 1 / self._sinh(u)
+        return self._over(ONE, self._sinh(u))
 
     def _asinh(self, u: Expr) -> Expr:
         return self._log(u + sqrt(u**2 + 1))
 
     def _acosh(self, u: Expr) -> Expr:
-        return self._log(u + sqrt(u**2 - 1))
+        return self._log(u + self._power(u**2 - 1, HALF))
 
     def _atanh(self, u: Expr) -> Expr:
-        return self._log((1 + u) / (1 - u)) / 2
+        return self._log(self._over(1 + u, 1 - u)) / 2
 
     def _atan(self, u: Expr) -> Expr:
         if self.expansions.growth(u) <= 0:
@@ -212,7 +216,7 @@ class Rewritten:
         return self._way(u) * PI / 2 - apply("atan", 1 / u)
 
     def _asin(self, u: Expr) -> Expr:
-        return self._atan(u / sqrt(1 - u**2))
+        return self._atan(times(u, self._power(1 - u**2, -HALF)))
 
     def _acos(self, u: Expr) -> Expr:
         return PI / 2 - self._asin(u)

@@ -1,4 +1,4 @@
-"""Nodes that bind a variable: integrals, derivatives, values at a point, limits, roots.
+"""Nodes that bind a variable: integrals, derivatives, values at a point, limits, roots, sums.
 
 The variable of a node is a number in its body (de Bruijn's index) and a free variable is a name,
 so substitution needs no renaming, and ``∫ f(x) dx`` and ``∫ f(y) dy`` are one tree. A body is
@@ -36,6 +36,19 @@ def integral(f: Expr, name: str, low: Expr, high: Expr) -> Expr:
     return Expr("integral", (bind(f, (name,)), low, high), (name,))
 
 
+def antiderivative(f: Expr, name: str) -> Expr:
+    """∫ f of the variable ``name`` without ends: any function of it whose derivative is ``f``."""
+    return Expr("antiderivative", (bind(f, (name,)), symbol(name)), (name,))
+
+
+def total(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> Expr:
+    """The ``"sum"`` or ``"product"`` of ``f`` over the integers ``name`` from ``low`` to ``high``.
+
+    The ends do not know the variable. Where ``high`` is ``low - 1`` there is no term: 0, or 1.
+    """
+    return Expr(kind, (bind(f, (name,)), low, high), (name,))
+
+
 def derivative(f: Expr, name: str, point: Expr | None = None) -> Expr:
     """The derivative of ``f`` by the variable ``name``, at ``point`` or at the variable itself."""
     place = symbol(name) if point is None else point
@@ -67,13 +80,13 @@ def root(f: Expr, name: str, low: Expr, high: Expr) -> Expr:
 
 
 def order(kind: str, gauge: Expr) -> Expr:
-    """Landau's term ``O(gauge)`` or ``o(gauge)``.
+    """Landau's term ``O(gauge)``, ``o(gauge)``, ``Theta(gauge)`` or ``omega(gauge)``.
 
     Raises:
         InputError: another letter.
     """
     if kind not in ORDERS:
-        raise InputError(f"{kind} is no order; known are O and o")
+        raise InputError(f"{kind} is no order; known are O, o, Theta and omega")
     return Expr(kind, (gauge,))
 
 
@@ -94,12 +107,12 @@ def elementary(*trees: Expr) -> bool:
 def worked_out(e: Expr) -> Expr:
     """``e`` with values put in and derivatives carried out, but those of what hides its variable.
 
-    An integral, and a limit, hides what it depends on.
+    An integral, a limit and a sum hide what they depend on; unknown functions do not.
     """
     if e.op in LEAVES or elementary(e):
         return e
     if e.op not in ("at", "derivative"):
-        if e.op not in UNWORKED:
+        if e.op not in UNWORKED or e.op == "unknown":
             return rebuild(e, tuple(map(worked_out, e.args)))
         return e
     place = e.args[1]
@@ -112,9 +125,18 @@ def worked_out(e: Expr) -> Expr:
     values = dict(zip(names, points, strict=True))
     if e.op == "at":
         return worked_out(substitute(body, values))
-    if any(names[0] in symbols(node) for node in outermost(body)):
+    if _hides(body, names[0]):
         return derivative(body, names[0], points[0])
     return substitute(differentiate(body, names[0]), values)
+
+
+def _hides(e: Expr, name: str) -> bool:
+    """Whether a node hides how ``e`` depends on the variable."""
+    return any(
+        any(_hides(arg, name) for arg in node.args) if node.op == "unknown" else True
+        for node in outermost(e)
+        if name in symbols(node)
+    )
 
 
 def ordered(e: Expr) -> Expr:

@@ -11,6 +11,9 @@ Integrals, derivatives, values at a point, limits and roots are nodes that bind 
 binders.py makes them. The variable has no name in the tree, only a number, and the name that it was
 written with is kept for showing: trees are equal up to the names of bound variables, and what is
 put in for a symbol cannot be captured.
+
+A function that is left unknown, ``f(x)``, is a node ``unknown`` of a leaf ``function`` (its name,
+and how often it is differentiated in each of its places) and of its arguments; see :func:`unknown`.
 """
 
 from __future__ import annotations
@@ -27,12 +30,14 @@ from tresym.reals.numbers.exact import InputError, as_rational, fraction_text
 
 Number: TypeAlias = int | Fraction | fmpq
 
-LEAVES = frozenset(("number", "symbol", "pi", "bound"))
-BINDERS = frozenset(("integral", "derivative", "at", "limit", "root"))
+LEAVES = frozenset(("number", "symbol", "pi", "bound", "function"))
+BINDERS = frozenset(
+    ("integral", "antiderivative", "derivative", "at", "limit", "root", "sum", "product")
+)
 """Operations that bind: the first operand is the body, under as many variables as have names."""
-ORDERS = frozenset(("O", "o"))
+ORDERS = frozenset(("O", "o", "Theta", "omega"))
 """Landau's terms, of a gauge; like a binder, such a node is no number that could be computed."""
-UNWORKED = BINDERS | ORDERS
+UNWORKED = BINDERS | ORDERS | {"unknown"}
 
 MAX_DEPTH = 120
 MAX_SIZE = 20_000
@@ -46,9 +51,10 @@ class Expr:
 
     Attributes:
         op: ``"number"``, ``"symbol"``, ``"pi"``, ``"+"``, ``"*"``, ``"^"``, ``"atan2"``, a
-            function's name, one of :data:`UNWORKED`, or ``"bound"``.
-        args: the operands; an ``fmpq`` for a number, a ``str`` for a symbol, and for a bound
-            variable how many variables that are bound stand between it and its binder.
+            function's name, one of :data:`UNWORKED`, ``"bound"`` or ``"function"``.
+        args: the operands; an ``fmpq`` for a number, a ``str`` for a symbol, for a bound
+            variable how many variables that are bound stand between it and its binder, and for
+            an unknown function its name and the orders of its derivatives.
         names: what the variables that this node binds are called where it is shown. They take no
             part in equality.
         loose: how many variables must be bound around this node; 0 for all but parts of a body.
@@ -65,7 +71,7 @@ class Expr:
         size, depth, loose = 1, 1, 0
         if op == "bound":
             loose = args[0] + 1
-        elif op not in ("number", "symbol"):
+        elif op not in ("number", "symbol", "function"):
             around = len(names)
             for arg in args:
                 size += arg.size
@@ -268,6 +274,16 @@ def angle(y: Expr, x: Expr) -> Expr:
     return Expr("atan2", (y, x))
 
 
+def unknown(name: str, args: tuple[Expr, ...], orders: tuple[int, ...] = ()) -> Expr:
+    """A function that is left unknown, ``name(args)``, or a partial derivative of it there.
+
+    Args:
+        orders: how often it is differentiated in each place: ``f''(u)`` is
+            ``unknown("f", (u,), (2,))``. It is smooth, so their succession plays no part.
+    """
+    return Expr("unknown", (Expr("function", (name, orders or (0,) * len(args))), *args))
+
+
 def off_the_cut(e: Expr) -> Expr:
     """A node ``atan2(y, x)`` where (x, y) is not on the negative x-axis, by an arc tangent."""
     y, x = e.args
@@ -376,7 +392,7 @@ def differentiate(e: Expr, name: str) -> Expr:
         if name not in symbols(node):
             return None
         if node not in done:
-            hidden = node.op in UNWORKED
+            hidden = node.op in UNWORKED and node.op != "unknown"
             done[node] = _kept_derivative(node, name) if hidden else _derivative(node, walk)
         return done[node]
 
@@ -399,11 +415,27 @@ def _derivative(node: Expr, walk: Any) -> Expr | None:
         )
     if node.op == "^":
         return _power_derivative(*node.args, *parts)
+    if node.op == "unknown":
+        return _unknown_derivative(node, parts)
     if node.op == "atan2":
         y, x = node.args
         dy, dx = (ZERO if part is None else part for part in parts)
         return (x * dy - y * dx) / (x**2 + y**2)
     return multiply(_SLOPES[node.op](node.args[0], node), parts[0])
+
+
+def _unknown_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
+    """The chain rule."""
+    name, orders = node.args[0].args
+    return add(
+        *(
+            multiply(
+                unknown(name, node.args[1:], (*orders[:i], orders[i] + 1, *orders[i + 1 :])), part
+            )
+            for i, part in enumerate(parts[1:])
+            if part is not None
+        )
+    )
 
 
 def _kept_derivative(node: Expr, name: str) -> Expr:
@@ -537,7 +569,27 @@ def _text(e: Expr, level: int) -> str:
         return f"[{e.args[0]}]"
     if e.op in BINDERS:
         return _binder_text(e)
+    if e.op == "unknown":
+        return _unknown_text(e)
     return f"{e.op}({', '.join(_text(arg, 0) for arg in e.args)})"
+
+
+def _unknown_text(e: Expr) -> str:
+    """``f(u)``, ``diff(f(x), x, 2)``, or the value of such a derivative at the arguments."""
+    (name, orders), args = e.args[0].args, e.args[1:]
+    at_symbols = len({arg for arg in args if arg.op == "symbol"}) == len(args)
+    shown, names = args, [str(arg.args[0]) for arg in args if arg.op == "symbol"]
+    if any(orders) and not at_symbols:
+        names = [fresh(f"x_{n}", symbols(e)) for n in range(1, len(args) + 1)]
+        shown = tuple(map(symbol, names))
+    text = f"{name}({', '.join(_text(arg, 0) for arg in shown)})"
+    for times, variable in zip(orders, names, strict=False):
+        if times:
+            text = f"diff({text}, {variable}{f', {times}' if times > 1 else ''})"
+    if shown is args:
+        return text
+    pairs = (f"{n}, {_text(arg, 0)}" for n, arg in zip(names, args, strict=True))
+    return f"at({text}, {', '.join(pairs)})"
 
 
 def _binder_text(e: Expr) -> str:
@@ -555,6 +607,8 @@ def _binder_text(e: Expr) -> str:
     if e.op == "at":
         pairs = (f"{name}, {value}" for name, value in zip(names, e.args[1:], strict=True))
         return f"at({body}, {', '.join(pairs)})"
+    if e.op == "antiderivative":
+        return f"integral({instantiate(e.args[0], e.args[1:])}, {e.args[1]})"
     rest = e.args[1:-1] if e.op == "limit" and e.args[-1] == ZERO else e.args[1:]
     return f"{e.op}({', '.join(map(str, (body, names[0], *rest)))})"
 

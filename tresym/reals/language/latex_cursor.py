@@ -26,7 +26,7 @@ from tresym.reals.language.latex_tokens import (
 from tresym.reals.numbers.exact import InputError
 
 BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
-FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac")
+FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")
 DOTS = ("\\dot", "\\ddot")
@@ -71,15 +71,19 @@ class Author:
         functions: those that he defines, by name; without parameters, a symbol that stands for a
             value.
         variable: that of a bracket with limits, where print does not tell.
-        strict: what can be read in two ways is refused, as for anybody else, and ``f(x)`` of an
-            unknown f is a symbol of its own, ``f_of_x``.
+        strict: what can be read in two ways is refused, as for anybody else, and f is left unknown
+            in ``f(x)`` where it is not defined.
+        shorter: how far an argument goes is no question: the shorter reading is meant.
         letter_e: ``e`` is a variable of his, and no number.
+        called: names of functions of his, some of which may be unknown.
     """
 
     functions: Mapping[str, Function] = field(default_factory=dict)
     variable: str = ""
     strict: bool = False
+    shorter: bool = False
     letter_e: bool = False
+    called: frozenset[str] = frozenset()
 
     def derivative(self, name: str, by: str, times: int) -> Expr | None:
         """The derivative of one of his functions, ``by`` its variable if that is not named."""
@@ -110,6 +114,7 @@ class Cursor:
         self.author = author
         self.guesses = author is not None and not author.strict
         self.at = 0
+        self.bars = 0
         self.differentials: list[str] = []
         self.integrals = 0
         self.open_end = -1
@@ -154,6 +159,8 @@ class Cursor:
         token = self.peek()
         if not token or token in RELATIONS or token in STOPS:
             return False
+        if token == "|" and not self.bars and self.peek(1) != "_":
+            return True
         return token not in CLOSING and not token.startswith(("\\end", "\\right"))
 
     def sides(self) -> list[str]:
@@ -182,7 +189,7 @@ class Cursor:
         token = self.tokens[i] if i < len(self.tokens) else ""
         if token.startswith("\\") and token[1:] in FUNCTIONS:
             return "inverse" if FUNCTIONS[token[1:]].startswith("a") else "function"
-        if token in ("\\int", "\\lim", *EXTREMES):
+        if token in ("\\int", "\\lim", "\\sum", "\\prod", *EXTREMES):
             return "function"
         if token in ("\\dot", "\\ddot") or self.is_derivative_at(i):
             return "derivative"
@@ -275,6 +282,8 @@ class Cursor:
                 parts.append(self.take().removeprefix("\\"))
             self.take("}")
             text = "".join(parts)
+            if self.author and self.author.strict:
+                text = text.replace("+", "plus").replace("-", "minus").replace(",", "")
             if not text:
                 return ""
         else:

@@ -4,8 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from math import factorial
 
-from tresym.reals.language.binders import at, derivative, integral, limit, order, outermost
+from tresym.reals.language.binders import (
+    antiderivative,
+    at,
+    derivative,
+    integral,
+    limit,
+    order,
+    outermost,
+    total,
+)
 from tresym.reals.language.expression import (
     MAX_DERIVATIVES,
     MINUS_ONE,
@@ -17,10 +27,13 @@ from tresym.reals.language.expression import (
     add,
     apply,
     extreme,
+    multiply,
+    number,
     sqrt,
     substitute,
     symbol,
     symbols,
+    unknown,
 )
 from tresym.reals.language.latex_cursor import (
     BRACKETS,
@@ -63,6 +76,10 @@ from tresym.reals.language.latex_tokens import (
 )
 from tresym.reals.language.parsing import INFINITY, call
 from tresym.reals.numbers.exact import InputError
+
+MAX_FACTORIAL = 100
+TOTALS = {"\\sum": "sum", "\\prod": "product"}
+BINOMIALS = ("\\binom", "\\tbinom", "\\dbinom")
 
 
 class Reader(Cursor):
@@ -162,7 +179,7 @@ class Reader(Cursor):
         while True:
             ahead = self.ahead()
             reach = rule(telling, ahead)
-            shorter = self.guesses and not ahead.operator
+            shorter = (self.guesses or (self.author and self.author.shorter)) and not ahead.operator
             if reach is Reach.ENDS or (reach is Reach.DOUBT and shorter):
                 if rule in (after_open, after_nested, after_derivative):
                     self.open_end = self.at
@@ -183,7 +200,7 @@ class Reader(Cursor):
 
     def factor(self, base: Piece | None = None) -> Piece:
         """A base, here or read already, with its powers, evaluation bars and values at a point."""
-        raised = base is None and self.peek() == "e" and self.peek(1) == "^"
+        raised = base is None and self.is_exponential(self.at)
         base = base or self.base()
         while True:
             if self.peek() == "^" and not self.sides():
@@ -192,9 +209,13 @@ class Reader(Cursor):
                 self.at += 1
                 raised = True
                 exponent = self.script()
+                if self.author and self.author.letter_e and base.symbol == "e":
+                    self.check_power_of_e(exponent)
                 ten = base.printed == "10" and re.fullmatch(r"-?\d+", exponent.printed)
                 printed = f"1e{exponent.printed}" if ten else ""
                 base = Piece(base.tree**exponent.tree, 3, base.symbol, printed)
+            elif self.peek() == "!":
+                base = self.factorial(base)
             elif self.peek() == "|" and self.peek(1) == "_":
                 self.at += 2
                 base = self.evaluated(base.tree)
@@ -203,6 +224,11 @@ class Reader(Cursor):
                 base = Piece(at(base.tree, values))
             else:
                 return base
+
+    def check_power_of_e(self, exponent: Piece) -> None:
+        """Refuse a power of the letter e that may be the exponential function."""
+        if symbols(exponent.tree) or exponent.tree.op != "number":
+            self.two_readings(f"exp({exponent.tree})", f"e**({exponent.tree}) of the variable e")
 
     def script(self) -> Piece:
         """An exponent or a limit: a group, or one token."""
@@ -240,6 +266,10 @@ class Reader(Cursor):
             return self.integral()
         if token == "\\lim":
             return self.limit()
+        if token in TOTALS:
+            return self.total()
+        if token in BINOMIALS:
+            return self.binomial()
         if token in EXTREMES:
             return self.extreme()
         if token == "\\infty":
@@ -284,7 +314,9 @@ class Reader(Cursor):
     def absolute(self) -> Piece:
         """An absolute value."""
         self.take()
+        self.bars += 1
         piece = self.sum()
+        self.bars -= 1
         if self.peek() not in ("", "|", "\\right|"):
             self.refuse("the bar | is not closed")
         self.take()
@@ -525,16 +557,15 @@ class Reader(Cursor):
     # integrals
 
     def integral(self) -> Piece:
-        """``∫_{low}^{high} … dx``: all terms that carry the differential."""
+        """``∫_{low}^{high} … dx``, or without ends: all terms that carry the differential."""
         self.take("\\int")
-        if self.peek() != "_":
-            self.refuse(
-                "an integral needs its limits; of an antiderivative F write \\frac{d}{dx} (F) = f,"
-            )
-        self.at += 1
-        low = self.script().tree
-        self.take("^")
-        high = self.script().tree
+        ends: list[Expr] = []
+        if self.peek() in ("_", "^"):
+            first = self.take()
+            ends = [self.script().tree]
+            self.take("^" if first == "_" else "_")
+            ends.append(self.script().tree)
+            ends = ends if first == "_" else ends[::-1]
         outer, self.differentials = self.differentials, []
         self.integrals += 1
         body = self.integrand()
@@ -543,7 +574,39 @@ class Reader(Cursor):
         self.differentials = outer
         if len(variables) != 1:
             self.refuse("an integral needs one variable and its differential")
-        return Piece(integral(body, variables.pop(), low, high))
+        name = variables.pop()
+        return Piece(integral(body, name, *ends) if ends else antiderivative(body, name))
+
+    def total(self) -> Piece:
+        """``\\sum_{k=low}^{high}`` and ``\\prod`` of the product that follows."""
+        kind = TOTALS[self.take()]
+        self.take("_")
+        self.take("{")
+        name = self.symbol()
+        self.take("=")
+        low = self.sum().tree
+        self.take("}")
+        self.take("^")
+        high = self.script().tree
+        return Piece(total(kind, self.product().tree, name, low, high), 2)
+
+    def binomial(self) -> Piece:
+        """``\\binom{n}{k}``, written out: k is a number."""
+        self.take()
+        above, below = self.argument_group().tree, self.argument_group().tree
+        k = _whole(below)
+        if k is None or k > MAX_FACTORIAL:
+            self.refuse("of \\binom the lower entry is a small number: write it out,")
+        factors = [above - n for n in range(k)]
+        return Piece(multiply(*factors) / factorial(k)) if k else Piece(ONE)
+
+    def factorial(self, base: Piece) -> Piece:
+        """``3!``, and of nothing else."""
+        n = _whole(base.tree)
+        if n is None or n > MAX_FACTORIAL or base.strength < 4 or self.peek(1) == "!":
+            self.refuse("the factorial is read of small numbers alone,")
+        self.take()
+        return Piece(number(factorial(n)))
 
     def integrand(self) -> Expr:
         """The terms that carry the differential of the integral."""
@@ -596,8 +659,8 @@ class Reader(Cursor):
     def is_argument(self, name: str) -> bool:
         """Whether the bracket here is the argument of ``name``: f(…), or one symbol, ε(γ)."""
         known = self.author and self.author.functions.get(name)
-        if known and self.author and self.author.strict:
-            return bool(known.parameters)
+        if self.author and self.author.strict and (known or name in self.author.called):
+            return name in self.author.called or bool(known and known.parameters)
         if name in LETTERS_OF_FUNCTIONS or known:
             return True
         if not self.guesses:
@@ -617,12 +680,14 @@ class Reader(Cursor):
         if function is not None and len(values) == len(function.parameters):
             given = dict(zip(function.parameters, values, strict=True))
             return Piece(substitute(function.body, given))
-        if any(value.op != "symbol" for value in values):
+        if not self.guesses and function is not None and not function.parameters:
+            return Piece(symbol(name))
+        if not self.guesses and name not in ("Gamma", "zeta") and function is None:
+            return Piece(unknown(name, tuple(values)))
+        if any(value.op != "symbol" for value in values) or not self.guesses:
             self.at = start
             self.refuse(f"{name}(…) is a function that is not known: write out what it is,")
-        if self.guesses:
-            return Piece(symbol(name))
-        return Piece(symbol("_".join((name, "of", *map(str, values)))))
+        return Piece(symbol(name))
 
     def primes(self) -> int:
         """How many primes follow, ``''`` or ``^{\\prime\\prime}``, stepped over."""
@@ -643,19 +708,16 @@ class Reader(Cursor):
         """``f'`` and ``f'(x)``: the derivative of what f stands for, or a symbol of its own."""
         known = self.author.derivative(name, "", primes) if self.author else None
         if known is None or self.author is None:
+            if self.peek() == "(" and not self.guesses:
+                return Piece(unknown(name, tuple(self.arguments()), (primes,)))
             called = f"{name}_prime{'' if primes == 1 else primes}"
-            arguments = self.peek() == "(" and self.is_argument_of_prime()
-            return self.value(called, None) if arguments else Piece(symbol(called), symbol=called)
+            return Piece(symbol(called), symbol=called)
         if self.peek() != "(":
             return Piece(known)
         parameters, values = self.author.functions[name].parameters, self.arguments()
         if len(values) != 1:
             self.refuse(f"{name}' takes one argument,")
         return Piece(at(known, {parameters[0]: values[0]}))
-
-    def is_argument_of_prime(self) -> bool:
-        """Whether the bracket behind a prime holds one symbol."""
-        return is_letter(self.peek(1)) and self.tokens[self.partner(self.at) - 1] != ","
 
     def arguments(self) -> list[Expr]:
         """What stands in a bracket, apart by commas."""
@@ -666,6 +728,12 @@ class Reader(Cursor):
             found.append(self.sum().tree)
         self.take(BRACKETS[opening])
         return found
+
+
+def _whole(e: Expr) -> int | None:
+    """The natural number that ``e`` is, or None."""
+    is_natural = e.op == "number" and e.args[0].q == 1 and e.args[0] >= 0
+    return int(e.args[0].p) if is_natural else None
 
 
 def _has_derivative(piece: Piece) -> bool:

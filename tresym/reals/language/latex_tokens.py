@@ -49,10 +49,22 @@ LETTERS_OF_FUNCTIONS = _words("f g h F G Gamma zeta")
 RESERVED = _words("E I lambda pi") | frozenset(FUNCTIONS.values())
 _GAPS = {"\\ "} | _words("\\, \\; \\: \\quad \\qquad ~")
 _SPACES = _GAPS | _words("\\! \\displaystyle \\textstyle \\limits \\nonumber \\notag")
-_SIZES = _words("\\big \\Big \\bigl \\bigr \\Bigl \\Bigr \\bigg \\Bigg")
+_SIZES = frozenset(
+    f"\\{size}{side}" for size in _words("big Big bigg Bigg") for side in ("", *"lrm")
+)
+_LETTER = r"([A-Za-z]|\\(?:" + "|".join(sorted(GREEK)) + r")(?![a-zA-Z]))"
+_SUBSCRIPT = r"(?:\s*_\s*(?:\{([^{}]*)\}|([a-zA-Z0-9])))?"
+_ACCENT = re.compile(
+    r"\\(bar|hat|tilde|check|breve|widehat|widetilde|overline|mathcal|mathscr|mathfrak)(?![a-zA-Z])"
+    rf"\s*(?:\{{\s*{_LETTER}{_SUBSCRIPT}\s*\}}|{_LETTER}){_SUBSCRIPT}"
+)
+_STAR = re.compile(
+    rf"{_LETTER}{_SUBSCRIPT}\s*\^\s*(?:\{{\s*(?:\*|\\ast|\\star)\s*\}}|\*|\\ast|\\star)"
+)
+_OVER = re.compile(r"\{([^{}]*)\\over(?![a-zA-Z])([^{}]*)\}")
 ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
 STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
-CLOSING = _words("+ - ) ] \\} } & : / | ^")
+CLOSING = _words("+ - ) ] \\} } & : / | ^ !")
 CONDITION = "\\conditionfor"
 """The token for upright words that open a condition."""
 _CONDITIONS = frozenset(("for", "for all", "if", "when", "whenever", "as", "given", "provided"))
@@ -110,7 +122,15 @@ def _prepared(source: str) -> str:
     source = re.sub(
         r"(\\(?:text|textrm|mathrm|operatorname|mbox|textup))\s*\{([^{}]*)\}", _text, source
     )
+    source = _OVER.sub(r"\\frac{\1}{\2}", source)
+    source = _STAR.sub(lambda m: _marked(m[1], m[2], m[3], "star"), source)
+    source = _ACCENT.sub(lambda m: _marked(m[2] or m[5], m[3], m[4], m[6], m[7], m[1]), source)
     return _BRACED.sub(r"\1 ", source)
+
+
+def _marked(letter: str, *marks: str | None) -> str:
+    """A letter with an accent, a script or a star: they are the end of its name."""
+    return f"{letter}_{{{''.join(mark for mark in marks if mark)}}}"
 
 
 def _text(match: re.Match[str]) -> str:

@@ -19,12 +19,15 @@ import warnings
 from collections.abc import Callable
 
 from tresym.reals.language.binders import (
+    antiderivative,
     at,
     derivative,
     elementary,
     integral,
     limit,
     order,
+    outermost,
+    total,
     worked_out,
 )
 from tresym.reals.language.expression import (
@@ -45,6 +48,7 @@ from tresym.reals.language.expression import (
     sqrt,
     symbol,
     symbols,
+    unknown,
 )
 from tresym.reals.language.hints import about_function, about_name, hint
 from tresym.reals.numbers.exact import InputError, parse_number
@@ -67,14 +71,22 @@ _RECIPROCALS = {
     "acsch": "asinh",
     "acoth": "atanh",
 }
+_INTEGER = re.compile(r"\b(\w+)\s+(?:is\s+)?(?:an\s+)?integer\b")
+_EQUALS = re.compile(r"(?<![=<>!~:])=(?![=<>])")
 _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
 """Python's parser refuses integers of more digits than that, and takes them as decimals."""
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
 """The names of functions."""
+UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?")
+"""The names of functions that may be left unknown."""
+TOTALS = {"sum": "sum", "product": "product", "prod": "product"}
 INFINITY = symbol("oo")
-"""No number, and read only where a path or an interval ends."""
+"""No number, and read only where a path or an interval ends, or where a limit is claimed."""
+INFINITE = {"oo": INFINITY, "+oo": INFINITY, "-oo": -INFINITY}
+INTEGERS = symbol("ZZ")
+"""What a variable is said to be ``in``, where it takes the values of integers alone."""
 
 
 def parse(text: str) -> Expr:
@@ -83,7 +95,15 @@ def parse(text: str) -> Expr:
     Raises:
         InputError: text outside the grammar or its bounds; one line says which.
     """
-    return worked_out(as_written(text))
+    e = worked_out(as_written(text))
+    for node in outermost(e):
+        if node.op == "unknown":
+            raise _unknown_function(node.args[0].args[0])
+    return e
+
+
+def _unknown_function(name: str) -> InputError:
+    return InputError(f"unknown function {name}: {about_function(name, KNOWN)}")
 
 
 def as_written(text: str) -> Expr:
@@ -213,8 +233,17 @@ class _Reader:
             return self._diff(args)
         if name in ORDERS and len(args) == 1:
             return order(name, self._read(args[0]))
+        if name == "integral" and len(args) == 2:
+            return antiderivative(self._read(args[0]), self._name(args[1]))
         if name == "integral" and len(args) == 4:
-            return integral(self._read(args[0]), self._name(args[1]), *map(self._read, args[2:]))
+            return integral(self._read(args[0]), self._name(args[1]), *map(self._end, args[2:]))
+        if name in TOTALS and len(args) == 4:
+            return total(
+                TOTALS[name],
+                self._read(args[0]),
+                self._name(args[1]),
+                *map(self._end, args[2:]),
+            )
         if name == "at" and len(args) > 2 and len(args) % 2:
             pairs = zip(args[1::2], args[2::2], strict=True)
             return at(self._read(args[0]), {self._name(x): self._read(p) for x, p in pairs})
@@ -225,7 +254,13 @@ class _Reader:
                 else 0
             )
             return limit(self._read(args[0]), self._name(args[1]), self._end(args[2]), side)
+        if args and UNKNOWN.fullmatch(name) and not self._stands_alone(name):
+            return unknown(name, tuple(self._read(arg) for arg in args))
         return call(name, [self._read(arg) for arg in args])
+
+    def _stands_alone(self, name: str) -> bool:
+        """Whether a name is that of a variable, too."""
+        return re.search(rf"\b{name}\b(?!\s*\()", self.source) is not None
 
     def _diff(self, args: list[ast.expr]) -> Expr:
         if len(args) not in (2, 3):
@@ -252,9 +287,8 @@ class _Reader:
         return int(e.args[0].p)
 
     def _end(self, node: ast.expr) -> Expr:
-        """Where a limit is taken: an expression, ``oo`` or ``-oo``."""
-        ends = {"oo": INFINITY, "-oo": -INFINITY}
-        return ends.get(self._segment(node)) or self._read(node)
+        """An expression, ``oo`` or ``-oo``."""
+        return INFINITE.get(self._segment(node).replace(" ", "")) or self._read(node)
 
     def _segment(self, node: ast.expr) -> str:
         return self.source[node.col_offset : node.end_col_offset]
@@ -286,7 +320,7 @@ def call(name: str, values: list[Expr]) -> Expr:
     if name in _FOLDED and len(values) > 1:
         return extreme(_FOLDED[name], values)
     if name not in KNOWN:
-        raise InputError(f"unknown function {name}: {about_function(name, KNOWN)}")
+        raise _unknown_function(name)
     if len(values) != 1:
         raise InputError(f"{name} takes one argument, {len(values)} given")
     if name == "sqrt":
@@ -303,6 +337,7 @@ _RELATIONS: dict[type[ast.cmpop], str] = {
     ast.Lt: "<",
     ast.LtE: "<=",
     ast.NotEq: "!=",
+    ast.In: "in",
 }
 
 Compared = tuple[Expr, str, Expr]
@@ -315,9 +350,18 @@ def parse_conditions(text: str) -> list[Compared]:
     Raises:
         InputError: anything but ``> >= < <= !=`` between expressions.
     """
+    return [condition(*part) for part in parse_given(text)]
+
+
+def parse_given(text: str) -> list[Compared]:
+    """As :func:`parse_conditions`, with equations, and ``(n, "in", ZZ)`` for ``n integer``.
+
+    Raises:
+        InputError: anything but ``== > >= < <= !=`` between expressions.
+    """
     if not text.strip():
         return []
-    source = tidy(text)
+    source = tidy(_INTEGER.sub(r"\1 in ZZ", _EQUALS.sub("==", text)))
     body = tree(source)
     reader = _Reader(source)
     result: list[Compared] = []
@@ -327,7 +371,21 @@ def parse_conditions(text: str) -> list[Compared]:
             shown = _quoted(reader._segment(part))
             raise InputError(f"{shown} is not a condition such as a > 0{advice}")
         result += _chain(reader, part)
-    return [condition(*part) for part in result]
+    for left, relation, right in result:
+        if (relation == "in" or right == INTEGERS) and (
+            relation != "in" or right != INTEGERS or left.op != "symbol"
+        ):
+            raise InputError("a variable that takes integer values is written n integer")
+        if INFINITY.args[0] in symbols(left) | symbols(right):
+            raise InputError(NO_INFINITY)
+        if not all(map(_algebraic, (left, right))):
+            raise InputError(NO_DERIVATIVE)
+    return result
+
+
+def _algebraic(e: Expr) -> bool:
+    """Whether nothing in it is left to be worked out but functions that are unknown."""
+    return all(node.op == "unknown" and all(map(_algebraic, node.args)) for node in outermost(e))
 
 
 def condition(left: Expr, relation: str, right: Expr) -> Compared:
@@ -344,26 +402,31 @@ def condition(left: Expr, relation: str, right: Expr) -> Compared:
 
 
 def _chain(reader: _Reader, node: ast.Compare) -> list[Compared]:
-    """The links of ``a < b <= c``."""
+    """The links of ``a < b <= c``; each end may be infinite, for limits and integrals."""
     result = []
-    left = reader.read(node.left)
+    left = reader._end(node.left)
     for op, other in zip(node.ops, node.comparators, strict=True):
-        if type(op) not in _RELATIONS:
+        if type(op) not in _RELATIONS or (isinstance(op, ast.In) and not _is_integers(other)):
             raise InputError("a relation is one of == != > >= < <=, as in 0 < x <= 1")
-        right = reader.read(other)
+        right = reader._end(other)
         result.append((left, _RELATIONS[type(op)], right))
         left = right
     return result
 
 
+def _is_integers(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name) and node.id == INTEGERS.args[0]
+
+
+NO_INFINITY = "oo is no real number or variable, and all here are real"
 NO_DERIVATIVE = "a condition takes no derivative: write it out, and where its function is real"
 
 
 def parse_claim(text: str) -> list[Compared]:
     """A chain of comparisons, or one order statement.
 
-    Relations are ``== != > >= < <=``, with ``=`` for ``==``, and ``f ~ g``. In ``f == h + O(g)``
-    the right side has a node for the order.
+    Relations are ``== != > >= < <=``, with ``=`` for ``==``, ``f ~ g``, and ``f -> L`` for a limit.
+    In ``f == h + O(g)`` the right side has a node for the order.
 
     Raises:
         InputError: anything else; one line says what is expected.
@@ -372,7 +435,10 @@ def parse_claim(text: str) -> list[Compared]:
     if source.count("~") == 1:
         left, right = (as_written(side) for side in source.split("~"))
         return [(left, "~", right)]
-    source = re.sub(r"(?<![=<>!~:])=(?![=<>])", "==", source)
+    if source.count("->") == 1 and not re.search("[<=>]", source.replace("->", "")):
+        start, end = source.split("->")
+        return [(as_written(start), "->", INFINITE.get(end.replace(" ", "")) or as_written(end))]
+    source = _EQUALS.sub("==", source)
     body = tree(source)
     if not isinstance(body, ast.Compare):
         apart = isinstance(body, ast.Tuple | ast.BoolOp)

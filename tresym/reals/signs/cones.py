@@ -26,7 +26,8 @@ from tresym.reals.places.points import Range
 from tresym.reals.signs.inside import Ask, without_powers
 
 MAX_VARIABLES = 4
-MAX_CONES = 600
+MAX_CONES = {2: 40, 3: 80, 4: 160, 5: 480}
+"""By the number of coordinates."""
 MAX_CHARTS = 16
 
 
@@ -216,6 +217,7 @@ def _homogenised(q: fmpz_mpoly, last: int, context: fmpz_mpoly_ctx) -> fmpz_mpol
 def _proved(start: _Cone, strict: bool) -> int | None:
     """The number of cones that settle it, or None."""
     stack, count = [start], 0
+    most = MAX_CONES.get(start.target.context().nvars(), 0)
     while stack:
         cone = stack.pop()
         count += 1
@@ -226,7 +228,7 @@ def _proved(start: _Cone, strict: bool) -> int | None:
                 return None
             continue
         parts = _parts(cone)
-        if _fails_at_vertex(cone) or count + len(stack) + len(parts) > MAX_CONES:
+        if _fails_at_vertex(cone) or count + len(stack) + len(parts) > most:
             return None
         stack.extend(parts)
     return count

@@ -28,8 +28,11 @@ FIGURES = {
 """The figures ``tresym figure`` knows, by name; the file of ``a-b`` is ``a_b.py``."""
 
 
-KINDS = ("svg", "pdf", "png")
-"""The kinds of file a picture is saved as."""
+KINDS = ("svg", "pdf", "png", "gif")
+"""The kinds of file a picture is saved as; only what moves is a GIF."""
+MM_PER_INCH = 25.4
+OF_A_BODY = ("flip-portrait", "flip-map", "flip-curves", "racket-flip")
+"""The figures that are drawn of any body."""
 
 
 def svg(name: str) -> str:
@@ -41,26 +44,54 @@ def svg(name: str) -> str:
     return picture(name).decode()
 
 
-def picture(name: str, kind: str = "svg") -> bytes:
+def picture(
+    name: str,
+    kind: str = "svg",
+    body: tuple[float, float] | None = None,
+    gamma: float | None = None,
+    width: float | None = None,
+    dpi: int = 200,
+) -> bytes:
     """The figure ``name`` as the bytes of a file of this kind, one of ``KINDS``.
 
+    Args:
+        name: one of ``FIGURES``.
+        kind: one of ``KINDS``.
+        body: (a, b) of a shape, for a figure of ``OF_A_BODY``; the standard racket otherwise.
+        gamma: of the one level that flip-curves shall show.
+        width: of the picture, in millimetres; its height follows.
+        dpi: dots an inch of a PNG.
+
     Raises:
-        InputError: an unknown name, an animation that shall be no SVG, or no matplotlib.
+        InputError: an unknown name, what this figure is not drawn of, or no matplotlib.
     """
     if name not in FIGURES:
         raise InputError(f"figure: {quoted(name)} is not known; known: {', '.join(FIGURES)}")
+    if body is not None and name not in OF_A_BODY:
+        raise InputError(f"figure: of a body of one's own there are {', '.join(OF_A_BODY)}")
+    if gamma is not None and name != "flip-curves":
+        raise InputError("figure: --gamma belongs to flip-curves")
+    if kind == "gif" and name != "racket-flip":
+        raise InputError(f"figure: {name} does not move, so it is no GIF")
     module = import_module(f"{__name__}.{name.replace('-', '_')}")
-    if name == "racket-flip":
-        if kind != "svg":
-            raise InputError(f"figure: {name} moves, so it is SVG only")
-        return str(module.draw(module.data())).encode()
+    given = {key: x for key, x in (("body", body), ("gamma", gamma)) if x is not None}
+    if name == "racket-flip" and kind in ("svg", "gif"):
+        if width is not None:
+            raise InputError("figure: what moves has one size; a PDF or PNG of it is a strip")
+        found = module.data(**given)
+        return module.moving(found) if kind == "gif" else str(module.draw(found)).encode()
     from tresym.report.figures import style
 
     with style.looks():
-        figure = module.draw(module.data())
+        drawn = module.strip if name == "racket-flip" else module.draw
+        figure = drawn(module.data(**given))
+        if width is not None:
+            figure.set_size_inches(
+                figure.get_size_inches() * (width / MM_PER_INCH / figure.get_figwidth())
+            )
         if kind == "svg":
             return style.svg_text(figure, FIGURES[name]).encode()
-        return style.bitmap_or_page(figure, FIGURES[name], kind)
+        return style.bitmap_or_page(figure, FIGURES[name], kind, dpi)
 
 
 def kind_of(path: str | None) -> str:
@@ -71,5 +102,5 @@ def kind_of(path: str | None) -> str:
     """
     ending = "" if path is None else PurePath(path).suffix[1:].lower()
     if ending and ending not in KINDS:
-        raise InputError(f"{path}: a picture is saved as .svg, .pdf or .png")
+        raise InputError(f"{path}: a picture is saved as .svg, .pdf or .png; what moves, .gif too")
     return ending or "svg"

@@ -26,10 +26,18 @@ class Panel(NamedTuple):
 Data = tuple[Panel, ...]
 
 
-def data() -> Data:
-    """Starts with dψ/dφ ≥ 0, evenly between the turning points or, rotating, over a half turn."""
-    a, b = shape_of("str")
-    return tuple(_panel(a, b, gamma) for gamma in GAMMAS)
+def data(body: tuple[float, float] | None = None, gamma: float | None = None) -> Data:
+    """Starts with dψ/dφ ≥ 0, evenly between the turning points or, rotating, over a half turn.
+
+    Args:
+        body: (a, b) of another shape than the standard racket's, with γ in proportion to b.
+        gamma: one level alone, −b < γ ≤ a and not 0.
+    """
+    a, b = body or shape_of("str")
+    if gamma is not None:
+        return (_panel(a, b, gamma),)
+    part = 1.0 if body is None else b / shape_of("str")[1]
+    return tuple(_panel(a, b, level * part) for level in GAMMAS)
 
 
 def _panel(a: float, b: float, gamma: float) -> Panel:
@@ -45,14 +53,15 @@ def _panel(a: float, b: float, gamma: float) -> Panel:
 
 def draw(data: Data) -> Any:
     """γ < 0 left, γ > 0 right; nearer to the separatrix from top to bottom."""
-    figure, grid = style.canvas(7.2, 7.6, 3, 2, sharex=True)
+    size = (7.2, 7.6, 3, 2) if len(data) > 1 else (5.0, 3.6, 1, 1)
+    figure, grid = style.canvas(*size, sharex=True)
     for sheet, panel in zip(grid.flat, data, strict=True):
         for x in (0, np.pi, 2 * np.pi):
             sheet.axhline(x, color="0.75", linewidth=0.6, zorder=0)
         for psi in panel.psi:
             look = {**style.kind(panel.gamma), "linestyle": "-", "linewidth": 0.9}
             sheet.plot(panel.phi, psi, **look)
-        sheet.set_title(f"γ = {panel.gamma:g}".replace("-", "−"))
+        sheet.set_title(f"γ = {panel.gamma:.3g}".replace("-", "−"))
         sheet.set_xlim(0, 2 * np.pi)
         style.pi_ticks(sheet.xaxis, [Fraction(i, 2) for i in range(5)])
         whole = panel.gamma > 0

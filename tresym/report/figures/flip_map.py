@@ -38,14 +38,23 @@ class Data(NamedTuple):
     whole: Flips
     zoom: Flips
     separatrices: tuple[Floats, Floats]
+    reach: tuple[float, float] = REACH
+    zoomed: tuple[float, float] = ZOOM
 
 
-def data() -> Data:
-    """The flips at the middles of the pixels."""
-    a, b = shape_of("str")
-    whole, zoom = _flips(a, b, *REACH, 360, 240), _flips(a, b, *ZOOM, 280, 280)
+def data(body: tuple[float, float] | None = None) -> Data:
+    """The flips at the middles of the pixels, of the standard racket or of the shape ``body``."""
+    a, b = body or shape_of("str")
+    reach, zoomed = (REACH, ZOOM) if body is None else _windows(a, b)
+    whole, zoom = _flips(a, b, *reach, 360, 240), _flips(a, b, *zoomed, 280, 280)
     separatrices = rate_at(whole.psi, 0.0, a, b), rate_at(zoom.psi, 0.0, a, b)
-    return Data(whole, zoom, separatrices)
+    return Data(whole, zoom, separatrices, reach, zoomed)
+
+
+def _windows(a: float, b: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """How far the panels reach: beyond the top of the separatrix, and along its slope at 0."""
+    top = float(np.sqrt(b * (a + b)) / max(1 - b, 0.05))
+    return (np.pi, 1.6 * top), (ZOOM[0], 0.95 * float(np.sqrt(a * b)) * ZOOM[0])
 
 
 def _flips(a: float, b: float, width: float, height: float, columns: int, rows: int) -> Flips:
@@ -58,7 +67,7 @@ def draw(data: Data) -> Any:
     """One scale of colours for both; the exact flip Δψ = π is outlined."""
     figure, grid = style.canvas(7.4, 3.5, 1, 2, width_ratios=(1.45, 1))
     for sheet, part, rate, reach in zip(
-        grid[0], data[:2], data.separatrices, (REACH, ZOOM), strict=True
+        grid[0], data[:2], data.separatrices, (data.reach, data.zoomed), strict=True
     ):
         image = sheet.imshow(
             part.flip,
@@ -76,7 +85,7 @@ def draw(data: Data) -> Any:
             sheet.plot(part.psi, sign * rate, **_DOTS)
         sheet.plot(0, 0, "o", color="black", markerfacecolor="white", markersize=4)
     left, right = grid[0]
-    x, y = ZOOM
+    x, y = data.zoomed
     left.plot([-x, x, x, -x, -x], [-y, -y, y, y, -y], color="black", linewidth=1.2)
     left.set_ylabel(r"$(d\psi/d\phi)_0$")
     style.pi_ticks(left.xaxis, [Fraction(i, 2) for i in range(-2, 3)])

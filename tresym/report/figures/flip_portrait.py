@@ -33,12 +33,16 @@ class Data(NamedTuple):
     separatrix: Curve
 
 
-def data() -> Data:
-    """The standard racket's orbits at a few values of γ."""
-    a, b = shape_of("str")
+def data(body: tuple[float, float] | None = None) -> Data:
+    """The orbits of the standard racket, or of the shape ``body``, at a few values of γ."""
+    standard = shape_of("str")
+    a, b = body or standard
+    part = 1.0 if body is None else b / standard[1]
+    oscillating = [gamma * part for gamma in OSCILLATING]
+    rotating = [gamma * part for gamma in ROTATING if gamma * part < a]
     psi = np.linspace(0.0, np.pi, 181)
-    closed = tuple(Curve(g, *flip_plane(orbit(a, b, g).momentum, a, b)) for g in OSCILLATING)
-    through = tuple(Curve(g, psi, rate_at(psi, g, a, b)) for g in ROTATING)
+    closed = tuple(Curve(g, *flip_plane(orbit(a, b, g).momentum, a, b)) for g in oscillating)
+    through = tuple(Curve(g, psi, rate_at(psi, g, a, b)) for g in rotating)
     return Data(a, b, closed, through, Curve(0.0, psi, rate_at(psi, 0.0, a, b)))
 
 
@@ -50,9 +54,15 @@ def draw(data: Data) -> Any:
     for x, name in ((0, "unstable"), (np.pi, "unstable"), (np.pi / 2, "stable")):
         face = "white" if name == "unstable" else "black"
         sheet.plot(x, 0, "o", color="black", markerfacecolor=face, markersize=5, zorder=5)
-    sheet.set_ylim(-1.75, 1.75)
+    top = 1.75 if (data.a, data.b) == shape_of("str") else 1.15 * _highest(data)
+    sheet.set_ylim(-top, top)
     style.legend(sheet, style.ORBITS, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
     return figure
+
+
+def _highest(data: Data) -> float:
+    """The largest dψ/dφ that is drawn."""
+    return max(float(curve.rate.max()) for curve in (*data.rotating, data.separatrix))
 
 
 def lines(sheet: Any, data: Data, look: dict[str, Any] | None = None) -> None:

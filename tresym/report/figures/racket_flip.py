@@ -7,23 +7,29 @@ picture repeats without a jump. Steps are equal in φ; the clock follows the tim
 
 from __future__ import annotations
 
+import io
 import math
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from tresym.racket.floats.flipmap import Floats
 from tresym.racket.motion.attitude import attitude
+from tresym.reals.numbers.exact import InputError
+from tresym.report.figures import style
 from tresym.report.figures.curves import rate_at, shape_of
 from tresym.report.figures.defect_map import symmetric_defect
 from tresym.report.figures.grid import coordinate
 from tresym.report.figures.racket import racket
-from tresym.report.figures.view import View, circle, view
+from tresym.report.figures.view import View, bare, circle, view
 
 STEPS = 96
 SECONDS = 8.0
 SCALE, WIDTH, HEIGHT = 150.0, 380, 310
+FINER = 3
+"""How much finer the GIF is drawn than it is shown."""
+STILLS = 9
 FACES = ("#e69f00", "#0072b2")
 """The colours of the two faces of the head; +e₃ first."""
 
@@ -52,10 +58,18 @@ class Data(NamedTuple):
     frames: Floats
 
 
-def data() -> Data:
-    """The motion with an exact flip, found by bisection on ε(γ), which falls through 0."""
-    a, b = shape_of("str")
-    low, high = 0.0, 0.01
+def data(body: tuple[float, float] | None = None) -> Data:
+    """The motion with an exact flip, found by bisection on ε(γ), which falls through 0.
+
+    Raises:
+        InputError: the shape ``body`` flips exactly at no level that float arithmetic can tell.
+    """
+    a, b = body or shape_of("str")
+    low, high = 0.0, min(0.01, a / 2)
+    while symmetric_defect(a, b, np.array(high)) > 0:
+        if 2 * high >= a:
+            raise InputError("figure: no motion of this body flips by π exactly in one turn")
+        low, high = high, 2 * high
     for _ in range(60):
         middle = (low + high) / 2
         still = symmetric_defect(a, b, np.array(middle)) > 0
@@ -147,3 +161,56 @@ def _moves(attribute: str, values: Iterable[str], clock: str, mode: str = "linea
         f'<animate attributeName="{attribute}" dur="{SECONDS:g}s" repeatCount="indefinite" '
         f'calcMode="{mode}" keyTimes="{clock}" values="{";".join(values)}"/>'
     )
+
+
+def moving(data: Data) -> bytes:
+    """The same as a GIF: equal steps in φ, each shown as long as it takes."""
+    from PIL import Image, ImageDraw
+
+    eye, shape = view(-50, 22), racket(41)
+    ring = _points(eye, circle([0, 0, 1], points=73))
+    momentum = _points(eye, np.array([[0, 0, 0], [0, 0, 1.0]]))
+    pictures = []
+    for frame in data.frames[:-1]:
+        sheet = Image.new("RGB", (FINER * WIDTH, FINER * HEIGHT), "white")
+        pen = ImageDraw.Draw(sheet)
+        pen.line(ring, fill="#bbbbbb", width=FINER)
+        pen.line(momentum, fill="#555555", width=2 * FINER)
+        face = FACES[0 if eye.depth(frame[2]) > 0 else 1]
+        pen.polygon(_points(eye, shape.rim @ frame), fill=face, outline="#222222", width=3 * FINER)
+        for string in shape.strings:
+            pen.line(_points(eye, string @ frame), fill="#222222", width=1)
+        pen.line(_points(eye, shape.handle @ frame), fill="#222222", width=7 * FINER)
+        pictures.append(sheet.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS))
+    shown = np.diff(np.round(100 * SECONDS * data.time))  # a GIF counts in hundredths of a second
+    out = io.BytesIO()
+    first, *rest = pictures
+    first.save(
+        out,
+        format="GIF",
+        save_all=True,
+        append_images=rest,
+        duration=[10 * max(int(part), 2) for part in shown],
+        loop=0,
+    )
+    return out.getvalue()
+
+
+def strip(data: Data) -> Any:
+    """Stills of one turn of the handle, side by side, for print."""
+    eye, shape = view(-50, 22), racket(41)
+    figure, grid = style.canvas(9.0, 1.9, 1, STILLS)
+    for n, sheet in enumerate(grid[0]):
+        at = n * STEPS // (2 * (STILLS - 1))
+        frame = data.frames[at]
+        bare(sheet, 1.2)
+        sheet.plot(*eye.flat(circle([0, 0, 1], points=73)).T, color="0.75", linewidth=0.6)
+        face = FACES[0 if eye.depth(frame[2]) > 0 else 1]
+        sheet.fill(*eye.flat(shape.rim @ frame).T, facecolor=face, edgecolor=style.INK)
+        sheet.plot(*eye.flat(shape.handle @ frame).T, color=style.INK, linewidth=2.5)
+        sheet.set_title(f"φ = {data.phi[at] / math.pi:.2g}π", fontsize=8)
+    return figure
+
+
+def _points(eye: View, points: Floats) -> list[tuple[float, float]]:
+    return [(FINER * x, FINER * y) for x, y in (_at(eye, point) for point in points)]

@@ -28,7 +28,6 @@ _LOOKS = {
     "pdf.fonttype": 42,
     "path.simplify": True,
     "text.hinting": "none",  # letters as wide as they are drawn, so that none is cut off
-    "text.hinting_factor": 1,
     "font.family": "DejaVu Sans",
     "font.size": 9,
     "axes.titlesize": 9,
@@ -93,13 +92,13 @@ def svg_text(figure: Any, title: str) -> str:
     return on_grid(text, title).replace(" <metadata>", f" <title>{title}</title>\n <metadata>", 1)
 
 
-def bitmap_or_page(figure: Any, title: str, kind: str) -> bytes:
-    """The figure as the bytes of a PDF page or of a PNG with 200 dots an inch."""
+def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
+    """The figure as the bytes of a PDF page or of a PNG with so many dots an inch."""
     _settle(figure)
     out = io.BytesIO()
     of_the_day = {"pdf": ("CreationDate", "Creator", "Producer"), "png": ("Software",)}
     metadata = {"Title": title, **dict.fromkeys(of_the_day[kind])}
-    figure.savefig(out, format=kind, dpi=200, metadata=metadata)
+    figure.savefig(out, format=kind, dpi=dpi, metadata=metadata)
     return out.getvalue()
 
 

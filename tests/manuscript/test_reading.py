@@ -1,0 +1,102 @@
+"""Of what kind a link is, and that nothing but a claim is called false."""
+
+from pathlib import Path
+
+import pytest
+
+from tresym.manuscript.deciding import Row, decided
+from tresym.manuscript.reading import read_links
+from tresym.manuscript.surface import read_manuscript
+
+
+def read(tmp_path: Path, text: str) -> list[Row]:
+    (tmp_path / "m.tex").write_text(text)
+    return decided(read_links(read_manuscript(tmp_path / "m.tex")), 5.0, 1)
+
+
+NO_CLAIMS = {
+    r"\[ E = mc^2 \]": "DEFINED",
+    r"\[ f(x) = x^2 + 1 \]": "DEFINED",
+    r"\[ v = \frac{dx}{dt} \]": "DEFINED",
+    r"\[ g = 9.81\,\mathrm{m/s^2} \]": "DEFINED",
+    r"\[ x_\pm = 1 \]": "UNREAD UNREAD",
+    r"\[ x = \frac{-b \pm \sqrt{b^2-4ac}}{2a} \]": "DEFINED DEFINED",
+    r"\[ y(x) = C_1 e^x + C_2 e^{-x} \]": "ASSUMED",
+    r"\[ m\ddot x = -kx \]": "EQUATION",
+    r"\[ \frac{dy}{dx} = -y \]": "EQUATION",
+    r"\[ \frac{d\theta}{d\phi} = -b\sin\theta\sin\psi \]": "EQUATION",
+    r"\[ y'' + y = 0 \]": "EQUATION",
+    r"\[ \tan x = x \]": "EQUATION",
+    r"\[ x^3 + y^3 = 3xy \]": "EQUATION",
+    r"\[ x^2 = 4 \implies x = 2 \]": "EQUATION DEFINED",
+    r"\[ x^2 - 2x = 0, \quad x(x - 2) = 0 \]": "EQUATION EQUATION",
+    r"\[ \cos^2 t = 1 - \sin^2 t \Rightarrow \sin t = \sqrt{1-\cos^2 t} \]": "PROVED EQUATION",
+    r"\[ n_1\sin\theta_1 = n_2\sin\theta_2 \]": "EQUATION",
+    r"\[ T = 2\pi\sqrt{\ell/g} \] and then \[ T = 3 m a \]": "DEFINED DEFINED",
+    r"\[ F = ma = -kx \]": "DEFINED EQUATION",
+    r"\[ 0 < k < 1, \quad a > 0 \]": "ASSUMED ASSUMED ASSUMED",
+    r"\[ \epsilon \ll 1 \]": "ASSUMED",
+    r"Suppose that \[ a^2 + b^2 = c^2. \]": "ASSUMED",
+    r"\[ \vec F = m\vec a \]": "UNREAD",
+    r"\[ e^{i\pi} = -1 \]": "UNREAD",
+    r"\[ \Gamma(x+1) = x\Gamma(x) \]": "UNREAD",
+    r"\[ \sin\theta \approx \theta \]": "UNREAD",
+    r"\[ \sin\theta(1 + x) = y \]": "UNREAD",
+    r"\[ r = a(1 - e\cos E), \quad e^{x} = b \]": "DEFINED UNREAD",
+    r"\[ f(x) = f(-x) \]": "EQUATION",
+}
+
+
+@pytest.mark.parametrize("text", NO_CLAIMS)
+def test_what_is_no_claim_is_never_called_false(text: str, tmp_path: Path) -> None:
+    assert " ".join(row.status for row in read(tmp_path, text)) == NO_CLAIMS[text]
+
+
+CLAIMS = {
+    r"\[ \sin(u\pm v) = \sin u\cos v \pm \cos u\sin v \]": "PROVED PROVED",
+    r"\[ \sin\frac{z}{2} = \pm\left(\frac{1-\cos z}{2}\right)^{1/2} \]": "PROVED",
+    r"\[ \ln(xy) = \ln x + \ln y, \quad x > 0,\ y > 0 \]": "PROVED",
+    r"\[ \ln x^2 = 2\ln x \qquad (x > 0) \]": "PROVED",
+    r"\[ \sqrt{x^2} = x \text{ for } x < 0 \]": "REFUTED",
+    r"Let $x < 0$. \[ \sqrt{x^2} = -x \]": "PROVED",
+    r"\section{A} Let $x < 0$. \section{B} \[ \sqrt{x^2} = -x \]": "PROVED",
+    r"\[ f(x) = x^2 \] \[ f'(x) = 2x = x + x \]": "DEFINED PROVED PROVED",
+    r"\[ f(x) = x^2 \] \[ f(2x) = 4 f(x) \]": "DEFINED PROVED",
+    r"\[ r = \sqrt{1-b^2}= \sqrt{1-v^2}, \quad b = v \]": "DEFINED PROVED DEFINED",
+    r"with $b = v^2$ we have \[ \sqrt{b} = |v| \]": "PROVED",
+    r"\[ y = \sin 2x = 2\sin x \cos x = \sin x\cos x \]": "DEFINED PROVED REFUTED",
+    r"For all $x$ \[ \cos 2x = \cos^2 x + \sin^2 x \]": "REFUTED",
+    r"\[ \sin\frac{\pi}{6} = \frac{\sqrt{3}}{2} \]": "REFUTED",
+    r"\[ \pi = 3.1416 \] \[ \pi = 3.1417 \]": "ENCLOSED REFUTED",
+    r"\[ \pi = 3.14159\,26\ldots \] \[ 3.14159\,26 = \pi \]": "ENCLOSED ENCLOSED",
+    r"\[ \int x\cos x\,dx = x\sin x+\cos x + C \]": "PROVED",
+    r"\[ \int x\cos x\,dx = x\sin x-\cos x + C \]": "REFUTED",
+    r"\[ \sin x = x - \frac{x^3}{3!} + O(x^5) \]": "ENCLOSED",
+    r"% tresym: claim" "\n" r"\[ \tan x = x \]": "REFUTED",
+    r"% tresym: solve" "\n" r"\[ \sin^2 x + \cos^2 x = 1 \]": "EQUATION",
+    r"% tresym: define" "\n" r"\[ P = 2x = x + x \]": "DEFINED PROVED",
+    r"\[ c = 2s \label{a} \]" "\n% tresym: from a\n" r"\[ c^2 = 4s^2 \]": "DEFINED PROVED",
+    r"\[ c = 2s \label{a} \]" "\n% tresym: from a\n" r"\[ c^2 = 2s^2 \]": "DEFINED REFUTED",
+    r"\newcommand\half[1]{\frac{#1}{2}} \[ \half{x} + \half x = x \]": "PROVED",
+    r"\begin{align} a + b &= b \\ &\quad + a \end{align}": "PROVED",
+    r"\[ \left\{\begin{aligned} |x| &= \sqrt{x^2} \\ 2x &= x + x\end{aligned}\right. \]": (
+        "PROVED PROVED"
+    ),
+}
+
+
+@pytest.mark.parametrize("text", CLAIMS)
+def test_a_claim_is_decided_under_what_is_said_of_it(text: str, tmp_path: Path) -> None:
+    assert " ".join(row.status for row in read(tmp_path, text)) == CLAIMS[text]
+
+
+def test_a_number_is_not_put_in_for_a_symbol(tmp_path: Path) -> None:
+    """Else what holds for one value would pass for all."""
+    found = read(tmp_path, r"\[ a = 2 \] \[ a^2 = 4 \] \[ y = a^2 = 2a \]")
+    assert [row.status for row in found] == ["DEFINED", "EQUATION", "DEFINED", "REFUTED"]
+
+
+def test_a_condition_that_is_not_read_lets_nothing_pass(tmp_path: Path) -> None:
+    (row,) = read(tmp_path, r"\[ x + x = 2x \text{ for } x \in \mathbb{Q} \]")
+    assert row.status == "UNREAD"
+    assert "condition" in row.why

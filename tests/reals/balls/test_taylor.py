@@ -1,0 +1,68 @@
+"""Taylor's theorem over an interval: it holds what the function does there, and little more."""
+
+import pytest
+from flint import arb, ctx, fmpq
+
+from tresym.reals.balls.taylor import taylor_value
+from tresym.reals.language.parsing import parse
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.values import evaluate
+
+pytestmark = pytest.mark.quick
+
+TEXTS = [
+    "x**3 - x",
+    "1/x",
+    "x**(-3)",
+    "sqrt(x)",
+    "x**(2/3)",
+    "x**pi",
+    "2**x",
+    "exp(x) - 1 - x",
+    "log(x)*sin(x)",
+    "cos(x)**2",
+    "tan(x/3)",
+    "cot(x) + sec(x/3)*csc(x)",
+    "asin(x/4) + acos(x/5)",
+    "atan(x)",
+    "sinh(x) - cosh(x) + tanh(x)",
+    "coth(x)*sech(x) - csch(x)",
+    "asinh(x) + acosh(1 + x) + atanh(x/4)",
+    "atan2(x, 2 - x)",
+    "pi*x - E",
+]
+
+
+@pytest.mark.parametrize("text", TEXTS)
+@pytest.mark.parametrize(("low", "high"), [("1/2", "3/4"), ("1", "5/4"), ("1.99", "2")])
+def test_it_contains_the_values(text: str, low: str, high: str) -> None:
+    e = parse(text)
+    with ball_precision():
+        ends = [evaluate(parse(end), {}) for end in (low, high)]
+        x = ends[0].union(ends[1])
+        for terms in (1, 2, 8):
+            found = taylor_value(e, "x", x, terms)
+            assert found.is_finite()
+            for k in range(11):
+                at = ends[0] + (ends[1] - ends[0]) * k / 10
+                assert found.overlaps(evaluate(e, {"x": at}))
+                assert not evaluate(e, {"x": at}) > found.upper()
+                assert not evaluate(e, {"x": at}) < found.lower()
+
+
+def test_what_cancels_is_seen() -> None:
+    e = parse("exp(x) - (1 + x + x**2/2 + x**3/6 + x**4/24)")
+    with ball_precision():
+        x = arb(0).union(arb(fmpq(1, 16)))
+        assert abs(taylor_value(e, "x", x)) < arb(fmpq(1, 10**6))
+        assert not abs(evaluate(e, {"x": x})) < arb(fmpq(1, 100))
+
+
+@pytest.mark.parametrize(
+    "text", ["log(x)", "1/x", "sqrt(x)", "abs(x)", "cbrt(x)", "sign(x)", "1/x**2"]
+)
+def test_nothing_is_found_over_what_is_not_smooth(text: str) -> None:
+    before = ctx.cap
+    with ball_precision():
+        assert not taylor_value(parse(text), "x", arb(0, 1)).is_finite()
+    assert ctx.cap == before

@@ -1,0 +1,78 @@
+"""Exact limits with parameters: the rules, and what each of their guards keeps out."""
+
+from __future__ import annotations
+
+import pytest
+
+from tresym.reals.decisions.approach import limit_of
+from tresym.reals.decisions.identity import decide
+from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
+
+LIMITS = [
+    ("sin(a*x)/x", "0", "", "a"),
+    ("(1 + a/x)**x", "oo", "", "exp(a)"),
+    ("x**3*exp(-a*x)", "oo", "a > 0", "0"),
+    ("x**a*exp(-x)", "oo", "", "0"),
+    ("x**a*log(x)", "0", "a > 0", "0"),
+    ("log(x)/x**a", "oo", "a > 0", "0"),
+    ("sqrt(x + a) - sqrt(x)", "oo", "", "0"),
+    ("sqrt(x**2 + a*x) - x", "oo", "", "a/2"),
+    ("(a**x - 1)/x", "0", "a > 0", "log(a)"),
+    ("atan(x/a)", "oo", "a > 0", "pi/2"),
+    ("atan(x/a)", "oo", "a < 0", "-pi/2"),
+    ("x*sin(1/x)", "0", "", "0"),
+    ("x*(atan(x) - pi/2)", "oo", "", "-1"),
+    ("a**x", "oo", "a > 1", "oo"),
+    ("a**x", "oo", "a > 0, a < 1", "0"),
+    ("x**x", "0", "", "1"),
+    ("sqrt(x)*log(x)**3", "0", "", "0"),
+    ("log(sin(x))", "0", "", "-oo"),
+    ("asin(1 - x)", "0", "", "pi/2"),
+    ("1/(cos(x) - 1)", "0", "", "-oo"),
+]
+
+
+@pytest.mark.parametrize(("e", "point", "given", "value"), LIMITS)
+def test_limits(e: str, point: str, given: str, value: str) -> None:
+    where = None if point == "oo" else parse(point)
+    found = limit_of(parse(e), "x", where, 1, Given.parse(given))
+    infinite = {"oo": INFINITY, "-oo": -INFINITY}
+    if value in infinite:
+        assert found == infinite[value]
+    else:
+        assert found is not None
+        assert decide(found, parse(value), Given.parse(given)).verdict is Verdict.PROVED
+
+
+NONE = [
+    ("sin(1/x)", "0", ""),
+    ("atan(x/a)", "oo", ""),  # the sign of a is open
+    ("x**a", "0", ""),
+    ("exp(-a*x)", "oo", ""),
+    ("a**x", "oo", "a > 0"),
+    ("sqrt(-x)", "0", ""),  # real at 0 and nowhere beside it
+    ("sqrt(x - x**2 - x)", "0", ""),
+    ("log(-x)", "0", ""),
+    ("asin(1 + x)", "0", ""),
+    ("(-x)**x", "0", ""),
+    ("sqrt(log(x))*x", "0", ""),
+    ("x/log(1 + x)*log(x)/log(1 + x**2)*0*tan(1/x)", "0", ""),
+    ("exp(-1/x)*tan(1/x)", "0", ""),  # tan is not bounded
+    ("exp(-1/x)/sin(1/x)", "0", ""),
+    ("a/a", "0", ""),  # a may be 0
+    ("sqrt(a)*x", "0", ""),
+    ("log(a + x)", "0", "a >= 0"),  # -oo at a = 0 alone
+    ("1/(a + x)", "0", "a >= 0"),
+    ("log(-x)*x", "0", ""),
+    ("(x**2 - 1)/(x - a)", "1", ""),
+    ("sign(x - x)", "0", ""),
+    ("x*exp(1/x)*log(1 + x - 1)/log(2 - x/x - 1)", "0", ""),
+]
+
+
+@pytest.mark.parametrize(("e", "point", "given"), NONE)
+def test_what_has_no_limit_or_none_that_is_shown(e: str, point: str, given: str) -> None:
+    where = None if point == "oo" else parse(point)
+    assert limit_of(parse(e), "x", where, 1, Given.parse(given)) is None

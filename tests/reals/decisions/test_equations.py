@@ -1,0 +1,82 @@
+"""Equations as conditions: every case of the variable counts, and none that has no point."""
+
+from __future__ import annotations
+
+import pytest
+
+import tresym
+from tresym.reals.language.expression import substitute
+from tresym.reals.language.parsing import parse
+from tresym.reals.normal.at_point import equal_at
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    "a*b <= 1/4 given a + b == 1",
+    "a**2 + b**2 + c**2 >= 1/3 given a + b + c == 1",
+    "x + y <= sqrt(2) given x**2 + y**2 == 1",
+    "x == y given x**2 == y**2, x > 0, y > 0",
+    "a == 0 given a*b == 0, b != 0",
+    "x > 0 given exp(x) == y, y > 1",
+    "log(y) == x given exp(x) == y",
+    "x + 1/x >= 2 given x*y == 1, x > 0",
+    "x == 2 given x**2 == 4, x > 0",
+    "x**3 == y given x == cbrt(y)",
+    "a + b == 3 given a == 1, b == 2",
+    "tan(x) == y given x == atan(y)",
+    "x == -1/2 + sqrt(5)/2 given x**2 + x == 1, x > 0",
+    "x*y == 1 given 1/x == y",
+    "integral(x, x, 0, a) == 1/2 given a == 1",
+    "x**2 == 1/4 given x >= 1/2, x <= 1/2",
+]
+FAIL = [
+    "a*b <= 1/5 given a + b == 1",
+    "a**2 + b**2 + c**2 > 1/3 given a + b + c == 1",  # equal at one point
+    "x + y <= 1 given x**2 + y**2 == 1",
+    "x == y given x**2 == y**2",  # the other root
+    "a == 0 given a*b == 0",  # b = 0
+    "x + y >= 2 given x*y == 1",
+    "x == 1 given abs(x) == 1",
+    "x == 1 given x**2 == 1",
+    "x == 1 given x**(-2) == 1",
+    "x > 0 given x**2 + x == 1",
+    "integral(x, x, 0, a) == 1 given a == 1",
+]
+OPEN = [
+    "x > 5 given x == 1, x == 2",
+    "x > 5 given x >= 1, x < 1",
+    "x == 1 given x >= 1, x <= 1, x != 1",
+    "x == 1 given 1 == 2",
+    "x**2 == -1 given x**2 == -4",
+    "x == 0 given sqrt(x) == -1",
+    "x == 0 given exp(x) == -1",
+    "x == 0 given atan(x) == 2",
+    "x == 0 given 0*log(x) == 0, x < 0",
+    "sin(x) == 0 given cos(x) == 1",  # not solved, and not passed over
+    "x == 1 given x + sin(x) == 1 + sin(1)",
+    "x == 0 given x**2 + y**2 == 0",  # one point, of which no other is near
+]
+
+
+@pytest.mark.parametrize("claim", HOLD)
+def test_what_holds_under_equations(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_has_a_witness_that_satisfies_the_equation_exactly(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness is not None
+    at = {name: parse(value) for name, value in answer.witness.items()}
+    equation = next(part for part in claim.split(" given ")[1].split(",") if "==" in part)
+    left, right = (substitute(parse(side), at) for side in equation.split("=="))
+    assert equal_at(left, right, {})
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_what_speaks_of_no_point_is_not_decided(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED
+
+
+def test_it_is_said_that_no_point_satisfies_the_conditions() -> None:
+    assert "no point satisfies" in tresym.check("x > 5 given x == 1, x == 2").why

@@ -1,0 +1,104 @@
+"""Definite integrals: values that are proved, bounds, and what each guard keeps out."""
+
+from __future__ import annotations
+
+import pytest
+
+import tresym
+from tresym.reals.decisions import antiderivatives, integrals
+from tresym.reals.language.parsing import parse
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
+
+PROVED = [
+    "integral(x, x, 0, 1) == 1/2",
+    "integral(x, x, 1, 0) == -1/2",
+    "integral(x, x, a, b) == (b**2 - a**2)/2",
+    "integral(1/x, x, a, b) == log(b/a) given a > 0, b > 0",
+    "integral(1/x, x, -2, -1) == -log(2)",
+    "integral(x*y, x, 0, y) == y**3/2",
+    "integral(x, x, 0, x) == x**2/2",
+    "integral(integral(x*y, x, 0, y), y, 0, 1) == 1/8",
+    "integral(exp(-a*x), x, 0, oo) == 1/a given a > 0",
+    "integral(1/(1 + x**2), x, -oo, oo) == pi",
+    "integral(log(x), x, 0, 1) == -1",
+    "integral(1/sqrt(x), x, 0, 1) == 2",
+    "integral(abs(x), x, -1, 1) == 1",
+    "integral(abs(sin(x)), x, 0, 2*pi) == 4",
+    "integral(1/sqrt(abs(x)), x, -1, 1) == 4",
+    "integral(1/x, x, 1, oo) == oo",
+    "integral(sin(n*x), x, 0, pi) == (1 - cos(n*pi))/n given n > 0",
+    "1 + integral(2*x, x, 0, a) >= 1",
+]
+REFUTED = [
+    "integral(x, x, 0, 1) == 1/3",
+    "integral(exp(-a*x), x, 0, oo) == 2/a given a > 0",
+    "integral(1/x, x, 0, 1) == 5",  # it diverges
+    "integral(1/x**2, x, -1, 1) == -2",  # F(1) - F(-1), across a pole
+    "integral(1/(2 + cos(x)), x, 0, 2*pi) == 0",  # F(2 pi) - F(0), across a jump of F
+    "integral(sign(x), x, -1, 2) == 2",
+    "integral(exp(-x**2), x, 0, 1) > 3/4",
+    "integral(1/x, x, 1, oo) == -oo",
+    "integral(x**a, x, 0, 1) == 5 given a < -1",
+]
+OPEN = [
+    "integral(1/x, x, -1, 1) == 0",  # no value
+    "integral(tan(x), x, 0, pi) == 0",
+    "integral(cos(x), x, 0, oo) == 0",  # no limit at oo
+    "integral(sqrt(x), x, -1, 1) == 2/3",  # not real on the way
+    "integral(1/x, x, a, b) == log(b/a)",
+    "integral(exp(-a*x), x, 0, oo) == 1/a",  # not of a < 0
+    "integral(1/(x**2 - 1), x, 0, 2) == -log(3)/2",
+    "integral(f(x), x, 0, 1) == 1",
+    "integral(x, x, 0, 1) == 1/2 given a > 1, a < 0",
+]
+
+
+@pytest.mark.parametrize("claim", PROVED)
+def test_an_integral_with_an_antiderivative(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize("claim", REFUTED)
+def test_a_false_value_is_refuted(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness is not None
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_what_has_no_value_that_is_shown(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED
+
+
+def test_a_bound_without_an_antiderivative_is_enclosed() -> None:
+    assert tresym.check("integral(exp(-x**2), x, 0, 1) < 3/4").verdict is Verdict.ENCLOSED
+
+
+@pytest.mark.parametrize(
+    ("f", "function", "low", "high"),
+    [
+        ("1/(2 + cos(x))", "2*sqrt(3)*atan(sqrt(3)*tan(x/2)/3)/3", "0", "2*pi"),  # it jumps
+        ("1/x**2", "-1/x", "-1", "1"),
+        ("2*x", "x**2 + x", "0", "1"),
+        ("sign(x)", "abs(x)", "-1", "1"),  # no derivative at 0
+        ("1/(1 + x**2)", "atan((1 + x)/(1 - x))", "0", "2"),
+        ("0*sqrt(-x)", "0*x", "0", "1"),
+        ("0*x", "sign(x)", "-1", "1"),
+        ("1/x", "log(abs(x))", "-1", "1"),
+        ("x", "x**2/2 + 0*log(x - 1)", "0", "1"),
+        ("cos(x)", "sin(x)", "0", "oo"),
+    ],
+)
+def test_what_is_no_antiderivative_between_the_ends(
+    f: str, function: str, low: str, high: str
+) -> None:
+    ends = [integrals.INFINITY if e == "oo" else parse(e) for e in (low, high)]
+    found = integrals._difference("x", parse(f), parse(function), ends[0], ends[1], Given())
+    assert found is None
+
+
+def test_a_wrong_suggestion_proves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(antiderivatives, "suggested", lambda *_: [parse("x"), parse("-1/x")])
+    for claim in ("integral(x + 1, x, 0, 1) == 3/2", "integral(1/x**2, x, -1, 1) == -2"):
+        assert tresym.check(claim).verdict is not Verdict.PROVED

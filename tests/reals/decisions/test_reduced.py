@@ -1,0 +1,106 @@
+"""Several variables by one: what is reduced, and falsehoods that a wrong reduction would pass."""
+
+from typing import Any
+
+import pytest
+
+import tresym
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.inequalities import decide_inequality
+from tresym.reals.decisions.reduced import _is_homogeneous, by_one_variable
+from tresym.reals.language.parsing import parse, parse_claim
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    ("sqrt(x*y) <= (x - y)/(log(x) - log(y)) given 0 < x, x < y", "it is homogeneous"),
+    ("(x - y)/(log(x) - log(y)) <= (x + y)/2 given 0 < x, x < y", "it is homogeneous"),
+    ("tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi/2", "it compares"),
+    ("log(x)/x >= log(y)/y given E <= x, x < y", "it compares"),
+    ("exp(x) + exp(y) >= 2 + x + y", "each variable by itself"),
+    ("exp(x) - log(y) >= x + 2 - y given y > 0", "each variable by itself"),
+]
+FAIL = [
+    "(x - y)/(log(x) - log(y)) <= (x + y)/2.0001 given 0 < x, x < y",
+    "sqrt(x*y) < (x - y)/(log(x) - log(y)) - (x - y)**2/10**6/y given 0 < x, x < y",
+    "tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi",  # a pole is between
+    "1/x > 1/y given x < y",
+    "log(x)/x >= log(y)/y given 2.7 <= x, x < y",
+    "exp(x) + exp(y) >= 2.0001 + x + y",
+    "exp(x) - log(y) > x + 2 - y given y > 0",
+]
+
+
+@pytest.mark.parametrize(("claim", "why"), HOLD)
+def test_what_is_said_of_one_variable_holds_of_several(claim: str, why: str) -> None:
+    body, _, given = claim.partition(" given ")
+    ((left, relation, right),) = parse_claim(body)
+    if relation in ("<", "<="):
+        left, relation, right = right, relation.replace("<", ">"), left
+    answer = by_one_variable(left, relation, right, Given.parse(given), decide_inequality)
+    assert answer is not None
+    assert answer
+    assert answer.why.startswith(why)
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_is_not_reduced_to_what_holds(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.REFUTED, Verdict.UNDECIDED)
+
+
+@pytest.mark.parametrize(
+    ("text", "given", "homogeneous"),
+    [
+        ("x*y + y**2", "y > 0", True),
+        ("log(x) - log(y)", "x > 0, y > 0", True),
+        ("sqrt(x*y)/(x + y)**2", "x > 0, y > 0", True),
+        ("x*y + y", "y > 0", False),
+        ("x - 2", "y > 0", False),
+        ("log(x)", "x > 0, y > 0", False),
+        ("x*y + y**2 + 1/10**50", "y > 0", False),
+    ],
+)
+def test_what_scales(text: str, given: str, homogeneous: bool) -> None:
+    assert _is_homogeneous(parse(text), "x", "y", Given.parse(given)) is homogeneous
+
+
+def test_a_condition_or_a_domain_that_does_not_scale_is_kept() -> None:
+    for claim in (
+        "x >= y given x > 0, y > 0, x >= 2, y <= 1",
+        "x + 0*sqrt(x - 2) >= y + 0*sqrt(1 - y) given x > 0, y > 0",
+    ):
+        body, _, given = claim.partition(" given ")
+        ((left, relation, right),) = parse_claim(body)
+        asked: list[tuple[Any, ...]] = []
+
+        def ask(*question: Any) -> Answer:
+            asked.append(question)  # noqa: B023
+            return Answer(Verdict.UNDECIDED, "")
+
+        by_one_variable(left, relation, right, Given.parse(given), ask)
+        assert all(question[2] != parse("1") for question in asked)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "atan2(x, -1) >= atan2(y, -1) given x < y",  # each falls where it does not jump
+        "atan2(x, -y) <= atan2(x, y) + 4 given y > 0",
+        "x - 2*sign(x) >= y - 2*sign(y) - 1 given x > y",
+    ],
+)
+def test_what_jumps_is_not_reduced(claim: str) -> None:
+    body, _, given = claim.partition(" given ")
+    ((left, _, right),) = parse_claim(body)
+    asked = by_one_variable(left, ">=", right, Given.parse(given), decide_inequality)
+    assert asked is None
+
+
+def test_a_refutation_names_a_point_of_both_variables() -> None:
+    body, given = "(x - y)/(log(x) - log(y)) <= (x + y)/3", Given.parse("0 < x, x < y")
+    ((left, _, right),) = parse_claim(body)
+    answer = by_one_variable(right, ">=", left, given, decide_inequality)
+    assert answer is not None
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness is not None
+    assert sorted(answer.witness) == ["x", "y"]

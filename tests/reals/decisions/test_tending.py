@@ -1,0 +1,79 @@
+"""Claims along a path: true ones hold, false ones are refuted, and none is proved of nothing."""
+
+from __future__ import annotations
+
+import pytest
+
+import tresym
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    "limit(sin(x)/x, x, 0) == 1",
+    "1 == limit(sin(x)/x, x, 0)",
+    "sin(a*x)/x -> a as x -> 0",
+    "(1 + a/x)**x -> exp(a) as x -> oo",
+    "1/x -> oo as x -> 0+",
+    "1/x -> -oo as x -> 0-",
+    "1/x**2 -> oo as x -> 0",
+    "-x**3 -> -oo as x -> oo",
+    "abs(x)/x -> 1 as x -> 0+",
+    "limit(tan(x), x, pi/2, -1) == oo",
+    "limit((x**2 - a**2)/(x - a), x, a) == 2*a",
+    "exp(-a*x) -> 0 given a > 0 as x -> oo",
+    "x**2 > 100*x as x -> oo",
+    "sin(x) < 2 as x -> oo",
+    "a*x > b given a > 0 as x -> oo",
+    "x == Theta(2*x + 1) as x -> oo",
+    "x**2 == omega(x) as x -> oo",
+    "a*x == O(x) given a > 0 as x -> 0",
+    "x**a == o(1) given a > 0 as x -> 0+",
+    "log(x) -> -oo as x -> 0+",
+]
+FAIL = [
+    "limit(sin(x)/x, x, 0) == 2",
+    "sin(a*x)/x -> 2*a as x -> 0",
+    "limit(x**2, x, a) == a**3",
+    "1/x -> oo as x -> 0",  # from below it is -oo
+    "abs(x)/x -> 1 as x -> 0",
+    "x**3 -> -oo as x -> oo",
+    "limit(tan(x), x, pi/2) == oo",
+    "exp(-a*x) -> 0 as x -> oo",  # not of a < 0
+    "sin(x) -> 0 as x -> oo",
+    "cos(x) -> 1/2 as x -> oo",
+    "cos(1/x) -> 1/2 as x -> 0+",
+    "tan(x) -> oo as x -> oo",
+    "x*sin(x) -> 0 as x -> oo",
+    "sin(x) > 0 as x -> oo",
+    "x > 100*x as x -> oo",
+    "1/x > 0 as x -> 0",
+    "x > x as x -> oo",
+    "x == Theta(x**2) as x -> oo",
+    "x**2 == Theta(x) as x -> oo",
+    "x == omega(x) as x -> oo",
+    "a*x == o(x) given a > 0 as x -> 0",
+]
+OPEN = [
+    "sqrt(x) -> 0 as x -> 0",  # from below it is not real
+    "log(-1 - x**2) -> 0 as x -> 0",
+    "a*x -> 0 given a > 1, a < 0 as x -> 0",  # no such parameter
+    "sqrt(-1 - a**2)*x -> 0 as x -> 0",
+    "diff(log(-x), x) > 0 as x -> oo",  # not real on the way
+    "log(-x) < 0 as x -> 0+",
+]
+
+
+@pytest.mark.parametrize("claim", HOLD)
+def test_what_holds_along_a_path(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_along_a_path_is_refuted_with_a_witness(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_what_says_nothing_is_not_decided(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED

@@ -1,0 +1,86 @@
+"""Finite sums and products: induction needs its base, its step, and terms free of n."""
+
+from __future__ import annotations
+
+import pytest
+
+import tresym
+from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.statement import _bounded
+from tresym.reals.decisions.totals import _end, _induction
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    "sum(k, k, 1, n) == n*(n + 1)/2",
+    "sum(k**3, k, 1, n) == sum(k, k, 1, n)**2",
+    "sum(x**k, k, 0, n) == (1 - x**(n + 1))/(1 - x) given x != 1",
+    "sum(1/(k*(k + 1)), k, 1, n) == n/(n + 1)",
+    "product(1 - 1/k**2, k, 2, n) == (n + 1)/(2*n)",
+    "sum((-1)**k, k, 0, n) == (1 + (-1)**n)/2",
+    "sum(sin(k*x), k, 1, n) == sin(n*x/2)*sin((n + 1)*x/2)/sin(x/2)",
+    "sum(1/k**2, k, 1, n) <= 2 - 1/n given n >= 1",
+    "sum(k, k, 1, n) > 0 given n >= 1",
+    "sum(a*k + b, k, 1, n) == a*n*(n + 1)/2 + b*n",
+    "sum(2**k, k, 0, n - 1) == 2**n - 1",
+    "product(2, k, 1, n) == 2**n",
+    "sum(k, k, 1, 10) == 55",
+    "sum(k, k, 1, 0) == 0",
+    "product(k, k, 1, 0) == 1",
+    "sum(sum(j, j, 1, 3)*k, k, 1, 4) == 60",
+    "sum(k*k_1, k, 1, 3) == 6*k_1",
+]
+FAIL = [
+    "sum(k, k, 1, n) == n*(n + 1)/3",
+    "sum(x**k, k, 0, n) == (1 - x**n)/(1 - x) given x != 1",
+    "sum(k, k, 1, n) == n*(n + 1)/2 + (n - 1)*(n - 2)*(n - 3)*(n - 4) given n >= 1",
+    "product(k + 1, k, 1, n) == n*(n + 1)",
+    "sum(k, k, 1, 10) == 56",
+    "sum(k, k, 1, n) < 100 given n >= 1",
+    "sum(k, k, 1, n) == n*(n + 1)/2 + 1 given n >= 3",
+]
+OPEN = [
+    "sum(k, k, 1, n) > 0",  # of no term it is 0: from where on is not said
+    "sum(n, k, 1, n) == n*(n - 1)/2",
+    "sum(k, k, 1, n) == sum(k, k, 1, m)",
+    "sum(k, k, 5, 1) == 0",
+    "sum(k, k, 1, 1000000) == 1",
+    "sum(k, k, 1, n/2) == 1",
+    "sum(1/(k - 3), k, 1, n) == 1 given n >= 3",  # a term is not defined
+]
+
+
+@pytest.mark.parametrize("claim", HOLD)
+def test_what_holds_of_sums(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_is_refuted_at_some_n(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness is not None
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_what_is_not_spoken_of_is_not_decided(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(
+    ("claim", "least"),
+    [
+        ("sum(k, k, 1, n) == n*(n + 1)/2 + 1", 0),  # the step holds, the base does not
+        ("sum(k, k, 1, n) == n", 0),  # the base holds, the step does not
+        ("sum(k, k, 1, n) == n**2", 1),
+    ],
+)
+def test_induction_needs_its_base_and_its_step(claim: str, least: int) -> None:
+    statement = read(claim, "n integer")
+    (comparison,) = statement.comparisons
+    ends = {comparison.left: _end(comparison.left)}
+    assert not _induction(comparison, statement, "n", least, ends, _bounded)
+
+
+def test_terms_that_know_the_end_are_not_added_to_what_was() -> None:
+    (comparison,) = read("sum(n, k, 1, n) == n*(n - 1)/2").comparisons
+    assert _end(comparison.left) is None

@@ -1,0 +1,60 @@
+"""Functions left unknown: what holds of every smooth function, and a function where it fails."""
+
+from __future__ import annotations
+
+import pytest
+
+import tresym
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    "diff(f(x)*g(x), x) == diff(f(x), x)*g(x) + f(x)*diff(g(x), x)",
+    "diff(f(x)/g(x), x) == (diff(f(x), x)*g(x) - f(x)*diff(g(x), x))/g(x)**2",
+    "diff(f(x**2), x) == 2*x*at(diff(f(y), y), y, x**2)",
+    "diff(log(f(x)), x) == diff(f(x), x)/f(x)",
+    "f(x + x) == f(2*x)",
+    "f(g(x) + g(x)) == f(2*g(x))",
+    "sqrt(f(x)**2) == f(x) given f(x) > 0",
+    "diff(diff(f(x, y), x), y) == diff(diff(f(x, y), y), x)",
+    "f(x)*f(x) >= 0",
+    "f(x) > 1 given f(x) == 2",
+    "f(x) == f(x)",
+]
+FAIL = [
+    "diff(f(x)*g(x), x) == diff(f(x), x)*diff(g(x), x)",
+    "f(x) == f(-x)",
+    "f(x) == f(y)",
+    "f(x + y) == f(x) + f(y)",
+    "sqrt(f(x)**2) == f(x)",
+    "diff(f(x), x) == f(x)",
+    "f(f(x)) == x",
+    "diff(f(2*x), x) == at(diff(f(y), y), y, 2*x)",
+    "f(x, y) == f(y, x)",
+]
+OPEN = [
+    "f(x) == f(1) given x == 1",  # the two values are one: no function has both
+    "f(x) == f(y) given x == y",
+    "f(x) -> f(0) as x -> 0",
+    "integral(f(x), x, 0, 1) == 1",
+    "f(log(-1 - x**2)) == 1",
+]
+
+
+@pytest.mark.parametrize("claim", HOLD)
+def test_what_holds_of_every_function(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict in (Verdict.PROVED, Verdict.ENCLOSED)
+    assert "every smooth f" in answer.why
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_of_one_gives_its_values(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness
+    assert any("f(" in name for name in answer.witness)
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_what_no_function_is_shown_to_be_is_not_decided(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED

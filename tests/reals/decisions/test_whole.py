@@ -1,0 +1,67 @@
+"""Integer variables: angles and signs by residues, refuted at integers alone."""
+
+from __future__ import annotations
+
+import pytest
+
+import tresym
+from tresym.reals.verdict import Verdict
+
+HOLD = [
+    "sin(n*pi) == 0 given n integer",
+    "cos(n*pi) == (-1)**n given n integer",
+    "sin(x + n*pi) == (-1)**n*sin(x) given n integer",
+    "tan(x + n*pi) == tan(x) given n integer",
+    "cos(n*pi/2)*sin(n*pi/2) == 0 given n integer",
+    "sin((2*n + 1)*pi/2) == (-1)**n given n integer",
+    "(-1)**n*(-1)**m == (-1)**(n + m) given n integer, m integer",
+    "n**2 >= n given n integer",
+    "n*(n - 1)*(n - 2) >= 0 given n integer, n >= 0",
+    "(-1)**n + 2 > 0 given n integer",
+    "x**2 == 1 given x == (-1)**n, n integer",
+    "(-1)**n == 1 given n == 2*m, n integer, m integer",
+    "n == 3 given 2*n == 6, n integer",
+    "integral(sin(n*x), x, 0, pi) == (1 - (-1)**n)/n given n integer, n >= 1",
+    "integral(abs((-1)**n*x), x, 0, 1) == 1/2 given n integer",
+    "2**n >= n + 1 given n integer, n >= 0",
+]
+FAIL = [
+    "cos(n*pi) == 1 given n integer",
+    "sin(x + n*pi) == sin(x) given n integer",
+    "n**2 > n given n integer",
+    "(-2)**n > 0 given n integer",
+    "(-1)**n + 1 > 0 given n integer",  # a real power would be positive
+    "x > 0 given (-1)**n*x > 0, n integer",
+    "x == 1 given x == (-1)**n, n integer",
+    "integral(abs((-1)**n*x), x, 0, 1) == (-1)**n/2 given n integer",
+    "sin(n*pi/3) == 0 given n integer",
+    "n*(n - 1)*(n - 2)*(n - 5) >= 0 given n integer",
+]
+OPEN = [
+    "n == 1 given n integer, n > 1/4, n < 3/4",  # no integer
+    "n == 1 given 2*n == 3, n integer",
+    "sin(n*sqrt(2)*pi) != 0 given n integer, n >= 1",
+    "abs(n - 1/2) >= 1/2 given n integer, n > 10**6, n < 10**6 + 1",
+]
+
+
+@pytest.mark.parametrize("claim", HOLD)
+def test_what_holds_of_integers(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
+
+
+@pytest.mark.parametrize("claim", FAIL)
+def test_what_fails_of_them_fails_at_an_integer(claim: str) -> None:
+    answer = tresym.check(claim)
+    assert answer.verdict is Verdict.REFUTED
+    assert answer.witness is not None
+    assert int(answer.witness["n"]) is not None
+
+
+@pytest.mark.parametrize("claim", OPEN)
+def test_what_is_open(claim: str) -> None:
+    assert tresym.check(claim).verdict is Verdict.UNDECIDED
+
+
+def test_without_the_condition_a_variable_is_real() -> None:
+    assert tresym.check("sin(n*pi) == 0").verdict is Verdict.REFUTED

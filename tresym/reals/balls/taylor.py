@@ -1,0 +1,97 @@
+"""A function of one variable over an interval, by Taylor's theorem at its middle.
+
+    f(m + h) = c₀ + c₁h + … + c_{n−1}h^{n−1} + R hⁿ,
+
+where R is the nth coefficient over the whole interval. Where f is a difference that all but
+vanishes, with all its first derivatives, balls and the mean value theorem see nothing of that.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from flint import arb, arb_series, ctx, fmpq
+
+from tresym.reals.balls.gradient import horner
+from tresym.reals.language.expression import Expr, off_the_cut
+from tresym.reals.places.values import Walker
+
+TERMS = 8
+
+_QUOTIENTS = {
+    "cot": ("cos", "sin"),
+    "sec": (None, "cos"),
+    "csc": (None, "sin"),
+    "tanh": ("sinh", "cosh"),
+    "coth": ("cosh", "sinh"),
+    "sech": (None, "cosh"),
+    "csch": (None, "sinh"),
+}
+
+
+class _InSeries(Walker):
+    """Taylor coefficients; NaN, or an error of division, where a function is not smooth."""
+
+    def _number(self, x: Any) -> arb_series:
+        return x if isinstance(x, arb_series) else arb_series([arb(x)], ctx.cap)
+
+    def _computed(self, e: Expr) -> arb_series:
+        if e.op == "pi":
+            return self._number(arb.pi())
+        if e.op == "atan2":
+            return self.value(off_the_cut(e))
+        found: arb_series = super()._computed(e)
+        return found
+
+    def _power(self, base: Expr, exponent: Expr) -> arb_series:
+        x = self.value(base)
+        r = exponent.args[0] if exponent.op == "number" else None
+        if r is not None and r.q == 1:
+            n = int(r)
+            return x**n if n >= 0 else 1 / x**-n
+        if r == fmpq(1, 2):
+            return x.sqrt()
+        return (x.log() * self.value(exponent)).exp()
+
+    def _apply(self, name: str, *values: arb_series) -> arb_series:
+        (x,) = values
+        if name in _QUOTIENTS:
+            above, below = _QUOTIENTS[name]
+            return (self._apply(above, x) if above else 1) / self._apply(below, x)
+        match name:
+            case "sinh" | "cosh":
+                up, down = x.exp(), (-x).exp()
+                return (up + down if name == "cosh" else up - down) / 2
+            case "acos":
+                return arb.pi() / 2 - x.asin()
+            case "asinh":
+                return (x + (1 + x * x).sqrt()).log()
+            case "acosh":
+                return (x + (x * x - 1).sqrt()).log()
+            case "atanh":
+                return ((1 + x) / (1 - x)).log() / 2
+            case "exp" | "log" | "sin" | "cos" | "tan" | "asin" | "atan":
+                found: arb_series = getattr(x, name)()
+                return found
+        raise ZeroDivisionError(f"{name} is not smooth")
+
+
+def taylor_value(e: Expr, name: str, x: arb, terms: int = TERMS) -> arb:
+    """A ball that contains ``e`` at every value of its variable in ``x``; NaN where none is found.
+
+    FLINT cuts every series at a global length; it is raised here and restored.
+    """
+    middle = x.mid()
+    before = ctx.cap
+    ctx.cap = terms + 1
+    try:
+        near, over = (
+            _InSeries(None, {name: arb_series([at, 1], ctx.cap)}).value(e) for at in (middle, x)
+        )
+        if min(near.prec, over.prec) <= terms:
+            return arb.nan()
+        return horner([near[j] for j in range(terms)], x - middle, over[terms])
+    except (ValueError, ZeroDivisionError):
+        return arb.nan()
+    finally:
+        ctx.cap = before

@@ -1,0 +1,352 @@
+"""Equations as conditions: a variable is eliminated exactly, in as many cases as it has values.
+
+An equation is solved for a variable that it determines: one that it is linear or quadratic in, or
+that stands in it once, under functions that can be undone. Each case has its value of the variable
+and the conditions under which it is one, and together they are all points of the equation. The
+claim, the other conditions and the other equations are decided in every case with the value put in;
+cases that are shown to have no point are left out, and where all are, nothing is decided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import NamedTuple
+
+from flint import fmpq
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.identity import exact_text
+from tresym.reals.decisions.reading import Comparison, Statement
+from tresym.reals.decisions.simple import constants_hold, exact_witness, tidied
+from tresym.reals.language.expression import (
+    HALF,
+    ONE,
+    PI,
+    ZERO,
+    Expr,
+    add,
+    apply,
+    differentiate,
+    multiply,
+    number,
+    power,
+    sqrt,
+    substitute,
+    symbols,
+)
+from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.parsing import Compared
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import needs
+from tresym.reals.places.values import evaluate, stands
+from tresym.reals.signs.inside import PROVING, is_zero
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+Decide = Callable[[Comparison, Statement], Answer]
+"""The answer to a simpler claim."""
+
+_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
+_EMPTY = "no point satisfies the conditions, and nothing is proved vacuously"
+
+
+class Case(NamedTuple):
+    """A value of the variable, and the conditions and equations under which it is one."""
+
+    value: Expr | None
+    conditions: tuple[Compared, ...] = ()
+    equations: tuple[tuple[Expr, Expr], ...] = ()
+
+
+def decide_under_equations(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """The answer at the points that satisfy the first equation of the statement.
+
+    Args:
+        decided: decides the claim under what is left.
+    """
+    statement = among_integers(statement) or statement
+    (left, right), *others = statement.equations
+    rest = replace(statement, equations=tuple(others))
+    e = left - right
+    if not symbols(e) or is_zero(e, Given()):
+        with ball_precision():
+            value = evaluate(e, {}) if not symbols(e) else None
+        if value is not None and value != 0:
+            return Answer(Verdict.UNDECIDED, _EMPTY)
+        if is_zero(e, Given()) and _is_defined(e, statement.given):
+            return decided(claim, rest)
+        return Answer(Verdict.UNDECIDED, f"{left} == {right} is not shown to have a point")
+    for name in _candidates(claim, statement, e):
+        cases = _solved(e, name, statement.given)
+        if name in statement.integers and cases is not None:
+            cases = _whole(cases, statement.integers)
+        if cases is not None:
+            return _by_cases(claim, rest, name, cases, decided)
+    return Answer(
+        Verdict.UNDECIDED,
+        f"no variable of the condition {left} == {right} is eliminated: write it solved for one",
+    )
+
+
+def among_integers(statement: Statement) -> Statement | None:
+    """The statement, an equation between integers alone in front; None without such a one."""
+    for pair in statement.equations:
+        e = pair[0] - pair[1]
+        if symbols(e) <= {*statement.integers} and _is_whole(e, statement.integers):
+            others = tuple(other for other in statement.equations if other is not pair)
+            return replace(statement, equations=(pair, *others))
+    return None
+
+
+def _is_defined(e: Expr, given: Given) -> bool:
+    return all(sign(part, given, relation) in PROVING[relation] for part, relation in needs((e,)))
+
+
+def _candidates(claim: Comparison, statement: Statement, e: Expr) -> list[str]:
+    """Variables to eliminate, those of which little hangs first."""
+    path = () if statement.path is None else (statement.path.name,)
+    names = symbols(e) - {*path}
+    beyond = [c.expression for c in statement.given.conditions]
+
+    def cost(name: str) -> tuple[bool, int, str]:
+        return name in statement.integers, sum(name in symbols(c) for c in beyond), name
+
+    return sorted(names, key=cost)
+
+
+def _whole(cases: list[Case], integers: tuple[str, ...]) -> list[Case] | None:
+    """The cases where every value is an integer where it is one at all; None if not shown."""
+    kept = []
+    for case in cases:
+        value = case.value
+        if value is None or not _is_whole(value, integers):
+            if value is None or value.op != "number":
+                return None
+            continue
+        kept.append(case)
+    return kept
+
+
+def _is_whole(e: Expr, integers: tuple[str, ...]) -> bool:
+    if e.op == "number":
+        return bool(e.args[0].q == 1)
+    if e.op == "symbol":
+        return e.args[0] in integers
+    if e.op == "^":
+        natural = e.args[1].op == "number" and e.args[1].args[0].q == 1 and e.args[1].args[0] > 0
+        return natural and _is_whole(e.args[0], integers)
+    return e.op in ("+", "*") and all(_is_whole(arg, integers) for arg in e.args)
+
+
+# Solving
+
+
+def _solved(e: Expr, name: str, given: Given) -> list[Case] | None:
+    """All solutions of ``e = 0`` for the variable under the conditions; None if not found."""
+    at = {name: ZERO}
+    slope = differentiate(e, name)
+    if _is_free(slope, name):
+        return _linear(tidied(substitute(slope, at)), tidied(substitute(e, at)), given)
+    bend = differentiate(slope, name)
+    if _is_free(bend, name):
+        a, b, c = (tidied(substitute(part, at)) for part in (HALF * bend, slope, e))
+        if sign(a, given, "!=") not in PROVING["!="]:
+            return None
+        under = b**2 - 4 * a * c
+        real: tuple[Compared, ...] = ((under, ">=", ZERO),)
+        return [Case((-b + side * sqrt(under)) / (2 * a), real) for side in (1, -1)]
+    return _undone(e, name, ZERO, given)
+
+
+def _is_free(e: Expr, name: str) -> bool:
+    """Whether ``e`` is one expression in the other variables, defined wherever they are."""
+    if name not in symbols(e):
+        return True
+    return not needs((e,)) and is_zero(e - substitute(e, {name: ZERO}), Given())
+
+
+def _linear(p: Expr, q: Expr, given: Given) -> list[Case]:
+    """All v with p v + q = 0."""
+    if sign(p, given, "!=") in PROVING["!="]:
+        return [Case(-q / p)]
+    solved = Case(-q / p, ((p, "!=", ZERO),))
+    if sign(q, given, "!=") in PROVING["!="]:
+        return [solved]
+    return [solved, Case(None, (), ((p, ZERO), (q, ZERO)))]
+
+
+def _undone(e: Expr, name: str, value: Expr, given: Given) -> list[Case] | None:
+    """All solutions of ``e = value`` where the variable stands in ``e`` once."""
+    if e.op == "symbol":
+        return [Case(value)] if e.args == (name,) else None
+    inner = [arg for arg in e.args if isinstance(arg, Expr) and name in symbols(arg)]
+    if len(inner) != 1:
+        return None
+    (arg,) = inner
+    others = list(e.args)
+    others.remove(arg)
+    if e.op == "+":
+        return _undone(arg, name, value - add(*others), given)
+    if e.op == "*":
+        factor = multiply(*others)
+        if sign(factor, given, "!=") not in PROVING["!="]:
+            return None
+        return _undone(arg, name, value / factor, given)
+    steps = list(_inverses(e, arg, value))
+    found = []
+    for inverse, conditions in steps:
+        cases = _undone(arg, name, inverse, given)
+        if cases is None:
+            return None
+        found += [replaced_case(case, conditions) for case in cases]
+    return found or None
+
+
+def replaced_case(case: Case, conditions: tuple[Compared, ...]) -> Case:
+    """The case with more conditions."""
+    return case._replace(conditions=(*conditions, *case.conditions))
+
+
+def _inverses(e: Expr, arg: Expr, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
+    """The values of ``arg`` with ``e = v``, each with the conditions on v; none if too many."""
+    nonnegative: tuple[Compared, ...] = ((v, ">=", ZERO),)
+    positive: tuple[Compared, ...] = ((v, ">", ZERO),)
+    half = PI / 2
+    match e.op:
+        case "^" if e.args[1].op == "number" and arg is e.args[0]:
+            yield from _roots(e.args[1].args[0], v)
+        case "abs":
+            yield v, nonnegative
+            yield -v, positive
+        case "cbrt":
+            yield v**3, ()
+        case "exp":
+            yield apply("log", v), positive
+        case "log":
+            yield apply("exp", v), ()
+        case "sinh":
+            yield apply("asinh", v), ()
+        case "asinh":
+            yield apply("sinh", v), ()
+        case "tanh":
+            yield apply("atanh", v), ((v, "<", ONE), (v, ">", -ONE))
+        case "atanh":
+            yield apply("tanh", v), ()
+        case "atan":
+            yield apply("tan", v), ((v, "<", half), (v, ">", -half))
+        case "asin":
+            yield apply("sin", v), ((v, "<=", half), (v, ">=", -half))
+        case "acos":
+            yield apply("cos", v), ((v, "<=", PI), (v, ">=", ZERO))
+
+
+def _roots(r: fmpq, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
+    """All u with ``u**r = v``."""
+    exponent = number(r)
+    value = exponent.args[0]
+    if value.q != 1:  # u ≥ 0, and v too
+        yield power(v, 1 / exponent), ((v, ">=" if value > 0 else ">", ZERO),)
+    elif value.p % 2 == 0:
+        bound: tuple[Compared, ...] = ((v, ">=" if value > 0 else ">", ZERO),)
+        yield power(v, 1 / exponent), bound
+        yield -power(v, 1 / exponent), bound
+    elif abs(value.p) == 3:
+        root = apply("cbrt", v)
+        yield (root, ()) if value > 0 else (1 / root, ((v, "!=", ZERO),))
+    elif value == -1:
+        yield 1 / v, ((v, "!=", ZERO),)
+
+
+# Deciding
+
+
+def _by_cases(
+    claim: Comparison, rest: Statement, name: str, cases: list[Case], decided: Decide
+) -> Answer:
+    answers = []
+    for case in cases:
+        known = {} if case.value is None else {name: case.value}
+        try:
+            sides, inside = _put_in(claim, rest, case, known)
+        except InputError as error:
+            return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+        if _is_empty(inside.given):
+            continue
+        found = decided(sides, inside)
+        if found.verdict is Verdict.REFUTED and known:
+            found = _with_value(found, claim, name, case.value or ZERO)
+        shown = f"{name} = {case.value}" if known else chained_zero(case)
+        answers.append(replace(found, why=f"with {shown}: {found.why}", region=None))
+    if not answers:
+        return Answer(Verdict.UNDECIDED, _EMPTY)
+    return min(answers, key=lambda found: _WORST.index(found.verdict))
+
+
+def chained_zero(case: Case) -> str:
+    """The equations of a case in words."""
+    return ", ".join(f"{left} = {right}" for left, right in case.equations)
+
+
+def _put_in(
+    claim: Comparison, rest: Statement, case: Case, known: dict[str, Expr]
+) -> tuple[Comparison, Statement]:
+    """The claim and its conditions in a case; of what is differentiated, where it is real."""
+    value: tuple[Compared, ...] = ()
+    if case.value is not None:  # is a number, wherever it is put in
+        value = tuple((e, relation, ZERO) for e, relation in needs((case.value,)))
+    real = tuple(
+        (e, relation.replace(">=", ">"), ZERO) for e, relation in needs(claim.differentiated)
+    )
+    links = (*rest.given.comparisons, *real)
+    moved = tuple(
+        (substitute(left, known), relation, substitute(right, known))
+        for left, relation, right in links
+    )
+    equations = (
+        *((substitute(x, known), substitute(y, known)) for x, y in rest.equations),
+        *case.equations,
+    )
+    sides = Comparison(
+        substitute(claim.left, known), claim.relation, substitute(claim.right, known)
+    )
+    links = tuple(dict.fromkeys((*moved, *case.conditions, *value)))
+    given = constants_hold(links)
+    return sides, replace(rest, given=Given(links) if given is None else given, equations=equations)
+
+
+def _is_empty(given: Given) -> bool:
+    """Whether a condition is shown to fail wherever the others hold."""
+    for n, (left, relation, right) in enumerate(given.comparisons):
+        others = Given(given.comparisons[:n] + given.comparisons[n + 1 :])
+        if symbols(left) | symbols(right):
+            against = NEGATED[relation]
+            wanted = {"==": "0"}.get(against)
+            found = sign(left - right, others, None if wanted else against, dear=False)
+            negative = {"<": ("-",), "<=": ("-", "<=0", "0")}
+            proving = (wanted,) if wanted else (PROVING | negative)[against]
+            if found in proving:
+                return True
+        else:
+            with ball_precision():
+                difference = evaluate(left - right, {})
+            if difference.is_finite() and stands(difference, NEGATED[relation]):
+                return True
+    return False
+
+
+def _with_value(answer: Answer, claim: Comparison, name: str, value: Expr) -> Answer:
+    """A refutation with the value of the variable that was eliminated."""
+    point = exact_witness(answer)
+    if point is None:
+        return Answer(Verdict.UNDECIDED, f"{answer.why}, at no exact point")
+    for missing in symbols(value) - point.keys():
+        point[missing] = ONE
+    at = substitute(value, point)
+    with ball_precision():
+        if not evaluate(at, {}).is_finite():
+            return Answer(Verdict.UNDECIDED, f"{answer.why}, where {name} is not shown to be real")
+    point[name] = at
+    return replace(answer, witness={n: exact_text(v) for n, v in sorted(point.items())})

@@ -1,0 +1,321 @@
+"""Definite integrals: by an antiderivative that is checked, or enclosed by quadrature.
+
+∫ f from a to b, a < b, is F(b−) − F(a+) where F and f are analytic on the open interval, F′ = f
+there by the normal form, and F has these limits at its ends: so the integral converges, improper or
+not, and where one of the limits is infinite it diverges. An interval is cut where a part of f or F
+may be singular, and each piece is looked at by itself. Where the order of the ends is open, either
+order is. How F is found plays no part.
+
+An integral of which no antiderivative is known is enclosed by certified quadrature
+(:mod:`tresym.reals.places.unworked`), which refutes an equation, and bounds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from itertools import pairwise
+
+from flint import arb, fmpq
+
+from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.approach import limit_of
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.reading import Comparison, Statement, functions
+from tresym.reals.decisions.simple import simple_points
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import (
+    LEAVES,
+    PI,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    multiply,
+    number,
+    opened,
+    rebuild,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.inverted import solutions
+from tresym.reals.language.parsing import INFINITY
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places import unworked
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.domain import singularities
+from tresym.reals.places.values import evaluate, stands
+from tresym.reals.signs.defined import continuous_on
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+Decide = Callable[[Comparison, Statement], Answer]
+
+MINUS_INFINITY = -INFINITY
+BITS = (64, 128)
+CUTS = 12
+"""Pieces into which an interval is cut at most."""
+TURNS = 40
+"""Multiples of π at which a sine or a cosine in the integrand is looked at."""
+PARAMETERS = 3
+_OPEN = "no antiderivative was found that is shown to be one on the whole interval"
+
+
+class _OpenError(Exception):
+    """Nothing is shown; the text says of what."""
+
+
+def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with definite integrals.
+
+    Args:
+        decided: decides what holds no integral.
+    """
+    if any(next(functions(side), None) for side in (claim.left, claim.right)):
+        return Answer(
+            Verdict.UNDECIDED, "the integral of a function left unknown is not worked out"
+        )
+    found = _by_quadrature(claim, statement)
+    if found is not None:
+        return found
+    notes: list[str] = []
+    try:
+        sides = [_without(side, statement.given, notes) for side in (claim.left, claim.right)]
+    except _OpenError as error:
+        return Answer(Verdict.UNDECIDED, str(error))
+    except InputError as error:
+        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    said = "; ".join(dict.fromkeys(notes))
+    if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
+        names = sorted(symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]})
+        at = simple_points(names, statement.given, 1, statement.integers)
+        return _infinite(claim.relation, sides, said, at[0] if at else None)
+    if any(INFINITY.args[0] in symbols(side) for side in sides):
+        return Answer(Verdict.UNDECIDED, f"an infinite value stands in a sum or product; {said}")
+    answer = decided(replace(claim, left=sides[0], right=sides[1]), statement)
+    return replace(answer, why=f"{said}; {answer.why}")
+
+
+def _infinite(relation: str, sides: list[Expr], said: str, at: dict[str, fmpq] | None) -> Answer:
+    """The comparison of values of which one is infinite wherever the conditions hold."""
+    if relation != "==" or at is None:
+        return Answer(Verdict.UNDECIDED, f"{said}; a value that is infinite is claimed by ==")
+    if sides[0] == sides[1]:
+        return Answer(Verdict.PROVED, said)
+    return refuted(said, at)
+
+
+# By an antiderivative
+
+
+def _without(e: Expr, given: Given, notes: list[str]) -> Expr:
+    """``e`` with the values of its integrals put in.
+
+    Raises:
+        _OpenError: one has no value that is shown.
+    """
+    if e.op in LEAVES:
+        return e
+    if e.op != "integral":
+        return rebuild(e, tuple(_without(arg, given, notes) for arg in e.args))
+    (name,), body = opened(e, given.names)
+    low, high = (end if _ends(end) else _without(end, given, notes) for end in e.args[1:])
+    return _integral(name, body, low, high, given, notes)
+
+
+def _ends(e: Expr) -> bool:
+    return e in (INFINITY, MINUS_INFINITY)
+
+
+def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+    if low == high and not _ends(low):
+        high, low = low + 1, low  # shown to be defined around the point
+        return multiply(ZERO, _integral(name, f, low, high, given, notes))
+    order = _order(low, high, given)
+    if order < 0:
+        return -_integral(name, f, high, low, given, notes)
+    if order > 0:
+        return _between(name, f, low, high, given, notes)
+    forward = _between(name, f, low, high, given & Given(((low, "<", high),)), notes)
+    backward = _between(name, f, high, low, given & Given(((high, "<", low),)), [])
+    if decide(forward + backward, ZERO, given).verdict is not Verdict.PROVED:
+        raise _OpenError(f"which of {low} and {high} is the greater one is not known")
+    return forward
+
+
+def _order(low: Expr, high: Expr, given: Given) -> int:
+    """1 where low < high, −1 where high < low, 0 where that is not shown."""
+    if low == MINUS_INFINITY or high == INFINITY:
+        return 1
+    if high == MINUS_INFINITY or low == INFINITY:
+        return -1
+    return {"+": 1, "-": -1}.get(sign(high - low, given, "!=") or "", 0)
+
+
+def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+    """∫ f from ``low`` to ``high``, which is greater under ``given``."""
+    f = _without(f, given & _inside(name, low, high), notes)
+    pieces = list(_pieces(name, (f,), low, high))
+    values = [_piece(name, f, start, end, given, notes) for start, end in pieces]
+    infinite = {value for value in values if _ends(value)}
+    if len(infinite) > 1:
+        raise _OpenError(f"the integral of {f} has parts that are oo and -oo, and no value")
+    return infinite.pop() if infinite else add(*values)
+
+
+def _inside(name: str, low: Expr, high: Expr) -> Given:
+    x = symbol(name)
+    bounds = [] if low == MINUS_INFINITY else [(x, ">", low)]
+    bounds += [] if high == INFINITY else [(x, "<", high)]
+    return Given(tuple(bounds))
+
+
+def _pieces(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[tuple[Expr, Expr]]:
+    """The interval, cut at points at which a part may be singular."""
+    cuts: list[Expr] = []
+    for c in sorted(_cuts(name, parts, low, high), key=_middle):
+        if not cuts or _is_between(cuts[-1], c, INFINITY):
+            cuts.append(c)
+    ends = [low, *cuts[:CUTS], high]
+    yield from pairwise(ends)
+
+
+def _middle(e: Expr) -> fmpq:
+    with ball_precision():
+        return evaluate(e, {}).mid().fmpq()
+
+
+def _cuts(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[Expr]:
+    for part, _ in (found for f in parts for found in singularities(f)):
+        for c in (*solutions(part, name), *_turns(part, name)):
+            if not symbols(c) and _is_between(low, c, high):
+                yield c
+
+
+def _turns(part: Expr, name: str) -> Iterator[Expr]:
+    """Zeros of the sine or cosine of an expression that is linear in the variable."""
+    if part.op not in ("sin", "cos"):
+        return
+    inner = part.args[0]
+    slope = differentiate(inner, name)
+    if symbols(slope):
+        return
+    start = substitute(inner, {name: ZERO})
+    for n in range(-TURNS, TURNS + 1):
+        half = fmpq(1, 2) if part.op == "cos" else fmpq(0)
+        yield ((half + n) * PI - start) / slope
+
+
+def _is_between(low: Expr, c: Expr, high: Expr) -> bool:
+    with ball_precision():
+        at = evaluate(c, {})
+        if symbols(low) - {INFINITY.args[0]} or symbols(high) - {INFINITY.args[0]}:
+            return False
+        over = low == MINUS_INFINITY or bool(at > evaluate(low, {}))
+        return at.is_finite() and over and (high == INFINITY or bool(at < evaluate(high, {})))
+
+
+def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+    """∫ f over one piece, by the first antiderivative that passes, of the first cut that does."""
+    from tresym.reals.decisions.antiderivatives import suggested
+
+    inside = given & _inside(name, low, high)
+    plain = _without_corners(f, inside)
+    positive = {s for s in symbols(plain) if sign(symbol(s), inside) == "+"}
+    for candidate in suggested(plain, name, frozenset(positive)):
+        values = []
+        for start, end in _pieces(name, (candidate,), low, high):
+            here = given & _inside(name, start, end)
+            function = _without_corners(candidate, here)
+            values.append(_difference(name, plain, function, start, end, given))
+            if values[-1] is None:
+                break
+        else:
+            shown = [value for value in values if value is not None]
+            infinite = {value for value in shown if _ends(value)}
+            if len(infinite) < 2:
+                notes.append(
+                    f"{candidate} is an antiderivative of {f} for {inside or 'all'} {name}"
+                )
+                return infinite.pop() if infinite else add(*shown)
+    raise _OpenError(f"integral of {f}: {_OPEN}")
+
+
+def _difference(
+    name: str, f: Expr, function: Expr, low: Expr, high: Expr, given: Given
+) -> Expr | None:
+    """F(high−) − F(low+), if F is shown to be an antiderivative of f between them."""
+    inside = given & _inside(name, low, high)
+    if any(continuous_on(e, inside, dear=True) is not None for e in (f, function)):
+        return None
+    if decide(differentiate(function, name), f, inside).verdict is not Verdict.PROVED:
+        return None
+    ends = []
+    for end, side in ((high, -1), (low, 1)):
+        point = None if _ends(end) else end
+        toward = side if point is not None else 1 if end == INFINITY else -1
+        value = limit_of(function, name, point, toward, given)
+        if value is None:
+            return None
+        ends.append(value)
+    above, below = ends
+    if _ends(above) or _ends(below):
+        if above == below:
+            return None
+        return above if _ends(above) else -below
+    return above - below
+
+
+def _without_corners(e: Expr, given: Given) -> Expr:
+    """``e`` without the absolute values and signs of what has one sign."""
+    if e.op in LEAVES:
+        return e
+    args = tuple(_without_corners(arg, given) for arg in e.args)
+    if e.op in ("abs", "sign"):
+        found = sign(args[0], given)
+        if found in ("+", "-"):
+            up = 1 if found == "+" else -1
+            return up * args[0] if e.op == "abs" else number(up)
+    return rebuild(e, args)
+
+
+# By quadrature
+
+
+def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
+    """A refutation at simple values of the parameters; without any also a proof of a bound."""
+    sides = claim.left, claim.right
+    names = sorted(symbols(sides[0]) | symbols(sides[1]))
+    nodes = list(outermost(*sides))
+    if (
+        INFINITY.args[0] in names
+        or claim.derivatives
+        or not all(elementary(*n.args) for n in nodes)
+    ):
+        return None
+    points = simple_points(names, statement.given, PARAMETERS, statement.integers)
+    for at in points if names else [{}]:
+        for bits in BITS:
+            with ball_precision(bits):
+                balls = {name: arb(value) for name, value in at.items()}
+                left, right = (unworked.value(e, balls, _never) for e in sides)
+                if not (left.is_finite() and right.is_finite()):
+                    break
+                if _fails(left - right, claim.relation):
+                    why = "certified quadrature has the two sides apart"
+                    return refuted(why, at, left, right)
+                if not names and claim.relation != "==" and stands(left - right, claim.relation):
+                    return Answer(Verdict.ENCLOSED, "certified quadrature of the integrals")
+    return None
+
+
+def _never(*_: object) -> bool:
+    return False
+
+
+def _fails(difference: arb, relation: str) -> bool:
+    """Whether a ball shows that the relation does not hold."""
+    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">", "==": "!="}
+    return relation in opposite and stands(difference, opposite[relation])

@@ -1,0 +1,203 @@
+"""Inequalities of several variables as inequalities of one.
+
+- d(ty, y) = yᵏ d(t, 1) for y > 0: the claim at (x, y) is that at (x/y, 1), where conditions and
+  domain are so, too.
+- g(x) ≥ g(y) for x < y: g falls, where its derivative is nowhere positive on an interval of both.
+- Σ gᵢ(xᵢ) ≥ 0: gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
+
+What is left is asked of the procedure for one variable, whose answer this is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+
+from flint import arb, fmpq
+
+from tresym.reals.balls.contact import candidates
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.language.cancellation import collected
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.normal.at_point import equal_at
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import Interval
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.descent import low_points
+from tresym.reals.places.domain import needs
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.inside import PROVING, is_zero
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+Decide = Callable[[Expr, str, Expr, Given], Answer]
+DEGREES = tuple(fmpq(n, 2) for n in (0, 2, 4, -2, 6, 8, 1, -4, 3))
+Comparison = tuple[Expr, str, Expr]
+NEAR = fmpq(1, 2**24)
+STARTS = 8
+
+
+def by_one_variable(
+    left: Expr, relation: str, right: Expr, given: Given, decide: Decide
+) -> Answer | None:
+    """An answer by claims of one variable, for ``>=`` and ``>``; None where none is found.
+
+    Of what jumps nothing is said: between two places, and where it scales, the normal form leaves
+    the jumps out.
+    """
+    if _jumps((left, right, *(c.expression for c in given.conditions))):
+        return None
+    for method in (_scaled, _monotone, _separated):
+        found = method(left, relation, right, given, decide)
+        if found is not None:
+            return found
+    return None
+
+
+def _jumps(expressions: Iterable[Expr]) -> bool:
+    return any(
+        e.op in ("sign", "atan2") or (e.op not in LEAVES and _jumps(e.args)) for e in expressions
+    )
+
+
+# -- scaling ------------------------------------------------------------------------------------
+
+
+def _scaled(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    names = sorted(symbols(left - right) | given.names)
+    if len(names) != 2:
+        return None
+    for x, y in (names, names[::-1]):
+        if sign(symbol(y), given) != "+":
+            continue
+        parts = [left - right, *(c.expression for c in given.conditions)]
+        parts += [e for e, _ in needs((left, right))]
+        if not all(_is_homogeneous(e, x, y, given) for e in parts):
+            continue
+        at = {y: ONE}
+        comparisons = [tuple(substitute(e, at) for e in (a, b)) for a, _, b in given.comparisons]
+        one = Given(
+            tuple(
+                (a, c[1], b)
+                for (a, b), c in zip(comparisons, given.comparisons, strict=True)
+                if symbols(a - b)
+            )
+        )
+        found = ask(substitute(left, at), relation, substitute(right, at), one)
+        if found.verdict is Verdict.UNDECIDED:
+            return None
+        if found.witness is not None:
+            return replace(found, witness={**found.witness, y: "1"})
+        return replace(found, why=f"it is homogeneous, and at {y} = 1: {found.why}", region=None)
+    return None
+
+
+def _is_homogeneous(e: Expr, x: str, y: str, given: Given) -> bool:
+    """Whether e(xy, y) = yᵏ e(x, 1) for x of the same sign and y > 0."""
+    left, right = substitute(e, {x: symbol(x) * symbol(y)}), substitute(e, {y: ONE})
+    signs = {"+": (">",), "-": ("<",)}.get(sign(symbol(x), given) or "", ())
+    free = Given(((symbol(y), ">", ZERO), *((symbol(x), s, ZERO) for s in signs)))
+    with ball_precision():
+        at = {x: arb(fmpq(5, 7)) * (-1 if signs == ("<",) else 1)}
+        values = [evaluate(left, at | {y: arb(n)}) for n in (3, 1)]
+        for degree in DEGREES:
+            wrong = values[0] - values[1] * arb(3) ** arb(degree)
+            if wrong.is_finite() and not wrong.contains(0):
+                continue
+            if is_zero(left - symbol(y) ** number(degree) * right, free):
+                return True
+    return False
+
+
+# -- one function at two places -----------------------------------------------------------------
+
+
+def _monotone(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    names = sorted(symbols(left - right))
+    if len(names) != 2:
+        return None
+    x, y = names
+    difference = collected(left - right)
+    terms = difference.args if difference.op == "+" else (difference,)
+    ours = [term for term in terms if symbols(term) == {x}]
+    theirs = [term for term in terms if symbols(term) == {y}]
+    if len(ours) + len(theirs) != len(terms):
+        return None
+    g = add(*ours)
+    if not is_zero(difference - g + substitute(g, {x: symbol(y)}), Given()):
+        return None
+    order = sign(symbol(y) - symbol(x), given)
+    if order not in ("+", "-"):
+        return None
+    first, last = (x, y) if order == "+" else (y, x)
+    where = Given((*_bounds(first, 1, x, given), *_bounds(last, -1, x, given)))
+    slope = differentiate(g, x)
+    if not all(sign(e, where, r) in PROVING[r] for e, r in needs((g, slope))):
+        return None  # a jump or a pole between the two
+    sides = (ZERO, slope) if order == "+" else (slope, ZERO)
+    found = ask(sides[0], relation, sides[1], where)
+    if not found:
+        return None
+    why = f"it compares {g} at two places, and its derivative has one sign: {found.why}"
+    return replace(found, why=why, region=None)
+
+
+def _bounds(name: str, side: int, x: str, given: Given) -> Iterator[Comparison]:
+    """The bounds of a variable from below (``side`` 1) or above, as such of ``x``."""
+    for condition in given.conditions:
+        e = condition.expression
+        if symbols(e) == {name} and condition.relation != "!=":
+            slope = differentiate(e, name)
+            if slope.op == "number" and slope.args[0] * side > 0:
+                yield substitute(e, {name: symbol(x)}), condition.relation, ZERO
+
+
+# -- sums ---------------------------------------------------------------------------------------
+
+
+def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    difference = collected(left - right)
+    terms = difference.args if difference.op == "+" else (difference,)
+    names = sorted(symbols(difference))
+    parts = {name: add(*(t for t in terms if symbols(t) == {name})) for name in names}
+    alone = all(len(symbols(t)) <= 1 for t in terms)
+    apart = all(len(symbols(c.expression)) == 1 for c in given.conditions)
+    if len(names) < 2 or not (alone and apart):
+        return None
+    constant = add(*(t for t in terms if not symbols(t)))
+    least: dict[str, Expr] = {}
+    own = {}
+    for name, part in parts.items():
+        pairs = zip(given.comparisons, given.conditions, strict=True)
+        own[name] = Given(tuple(c for c, e in pairs if symbols(e.expression) == {name}))
+        lowest = next(_lowest(part, name, own[name]), None)
+        if lowest is None:
+            return None
+        least[name] = substitute(part, {name: lowest})
+    total = constant + add(*least.values())
+    if not (equal_at(total, ZERO, {}) and relation == ">=") and sign(total, Given()) != "+":
+        return None
+    answers = [ask(parts[name], ">=", least[name], own[name]) for name in names]
+    if not all(answers):
+        return None
+    weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
+    return replace(weakest, why=f"each variable by itself: {weakest.why}", region=None)
+
+
+def _lowest(part: Expr, name: str, given: Given) -> Iterator[Expr]:
+    """Points that may be the lowest, as far as descent and simple constants find them."""
+    points = list(low_points(part, given, given.points([name], STARTS)))
+    for point in points[-1:]:
+        x = point[name]
+        yield from candidates(Interval(x - NEAR, x + NEAR))

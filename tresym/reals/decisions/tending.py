@@ -1,0 +1,347 @@
+"""Claims along a path: limits, orders, and what holds from somewhere on ("eventually").
+
+``f -> L`` is ``f - L == o(1)``, and ``f -> oo`` is ``exp(-f) == o(1)``; from two sides it claims
+both. ``f == Theta(g)`` is two O, and ``f == omega(g)`` is ``g == o(f)``. Where parameters occur, a
+claim speaks of each of their values that the conditions allow, and of the path for each of them by
+itself: it is proved by the exact limit of what is compared (approach.py), and refuted at values of
+the parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from flint import arb, fmpq
+
+from tresym.reals.balls.ends import sign_beside
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.approach import limit_of
+from tresym.reals.decisions.derivatives import where_real
+from tresym.reals.decisions.identity import decide, exact_text
+from tresym.reals.decisions.orders import decide_order
+from tresym.reals.decisions.reading import LIMIT, Comparison, Derivative, Path, Statement
+from tresym.reals.decisions.simple import simple_points
+from tresym.reals.language.expression import (
+    ONE,
+    PI,
+    ZERO,
+    Expr,
+    apply,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import INFINITY
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError, fraction_text
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate, stands
+from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.sign import sign
+from tresym.reals.verdict import Verdict
+
+Decide = Callable[[Comparison, Statement], Answer]
+"""The answer to a simpler claim."""
+
+PARAMETERS = 6
+"""Values of the parameters at which a refutation is looked for."""
+FAR = (1, 10, 1000)
+"""From where on an inequality is asked."""
+PERIODIC = 12
+PATH_BITS = 256
+_EXACT = "the limit is exact, by Taylor's theorem and the rules of limits"
+_OPEN = "no rule of limits settles it with the parameters that occur"
+
+
+def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim along the path of the statement.
+
+    Args:
+        decided: decides what is no claim along a path.
+    """
+    path = statement.path
+    if path is None:
+        raise TypeError("a claim along a path is read with it")
+    if _parameters(claim, path):
+        return _with_parameters(claim, path, statement, decided)
+    if claim.relation == LIMIT:
+        return _limit(claim, path)
+    if claim.relation == "Theta":
+        return _theta(claim, path)
+    if claim.relation == "omega":
+        found = decide_order(_swapped(claim, "o"), path)
+        return replace(found, why=f"of right and left: {found.why}")
+    if claim.relation in ("O", "o", "~"):
+        return decide_order(claim, path)
+    if claim.derivatives and where_real(Given(), claim.differentiated, claim.by)[0] != Given():
+        return Answer(Verdict.UNDECIDED, "what is differentiated is not real everywhere")
+    return _eventually(claim, path, statement, decided)
+
+
+def _parameters(claim: Comparison, path: Path) -> list[str]:
+    found = symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]}
+    found |= frozenset() if path.point is None else symbols(path.point)
+    return sorted(found - {path.name})
+
+
+def _swapped(claim: Comparison, relation: str) -> Comparison:
+    return replace(claim, left=claim.right, right=claim.left, relation=relation)
+
+
+def _order(claim: Comparison, left: Expr, relation: str, right: Expr) -> Comparison:
+    return replace(claim, left=left, relation=relation, right=right)
+
+
+def _limit(claim: Comparison, path: Path) -> Answer:
+    f, end = claim.left, claim.right
+    infinite = end in (INFINITY, -INFINITY)
+    if not claim.derivatives:
+        found = [limit_of(f, path.name, path.point, side, Given()) for side in path.sides]
+        if all(value is not None and _are_equal(value, end, Given()) for value in found):
+            return Answer(Verdict.PROVED, f"the left side tends to {end}: {_EXACT}")
+    if not infinite:
+        answer = decide_order(_order(claim, f - end, "o", ONE), path)
+        said = "left side less the limit"
+    else:
+        answer = decide_order(_order(claim, ONE, "o", f), path)
+        said = "ratio of 1 and the left side"
+        if answer.verdict is not Verdict.REFUTED:
+            toward = apply("exp", -f if end == INFINITY else f)
+            answer = decide_order(_order(claim, toward, "o", ONE), path)
+            said = f"left side of {toward} == o(1)"
+    if answer.verdict is Verdict.ENCLOSED:
+        return replace(answer, why=f"the left side tends to {end}")
+    if answer.verdict is Verdict.REFUTED:
+        return replace(
+            answer,
+            why=f"the left side does not tend to {end}; of the {said}: {answer.why}",
+            values=None,
+        )
+    again = None if claim.derivatives else _periodic(f, end, path)
+    return answer if again is None else again
+
+
+def _are_equal(value: Expr, end: Expr, given: Given) -> bool:
+    infinite = (INFINITY, -INFINITY)
+    if value in infinite or end in infinite:
+        return value == end
+    return decide(value, end, given).verdict is Verdict.PROVED
+
+
+def _theta(claim: Comparison, path: Path) -> Answer:
+    above = decide_order(replace(claim, relation="O"), path)
+    if above.verdict is not Verdict.ENCLOSED:
+        return above
+    below = decide_order(_swapped(claim, "O"), path)
+    if below.verdict is not Verdict.ENCLOSED:
+        return replace(below, why=f"of right and left: {below.why}")
+    return replace(above, why=f"{above.why}; and of right and left: {below.why}")
+
+
+def _with_parameters(
+    claim: Comparison, path: Path, statement: Statement, decided: Decide
+) -> Answer:
+    given = statement.given
+    names = sorted({*_parameters(claim, path), *given.names})
+    if given.satisfying_point(names) is None:
+        return Answer(Verdict.UNDECIDED, "no exact point satisfies the conditions")
+    for at in simple_points(names, given, PARAMETERS):
+        known = {name: number(value) for name, value in at.items()}
+        try:
+            found = decide_tending(_at(claim, known), _path_at(statement, known), decided)
+        except InputError:  # a number on the way is too long
+            continue
+        if found.verdict is Verdict.REFUTED:
+            witness = {name: exact_text(value) for name, value in at.items()}
+            shown = ", ".join(f"{name} = {value}" for name, value in witness.items())
+            return replace(
+                found, why=f"at {shown}: {found.why}", witness=witness | dict(found.witness or {})
+            )
+    inside, _ = where_real(given, claim.differentiated, claim.by)
+    if claim.derivatives and inside != given:
+        return Answer(Verdict.UNDECIDED, _OPEN)
+    return _by_exact_limit(claim, path, given) or _from_somewhere_on(
+        claim, path, statement, decided
+    )
+
+
+def _at(claim: Comparison, known: dict[str, Expr]) -> Comparison:
+    derivatives = tuple(
+        Derivative(substitute(d.function, known), d.by, d.order, substitute(d.value, known))
+        for d in claim.derivatives
+    )
+    left, right = substitute(claim.left, known), substitute(claim.right, known)
+    return Comparison(left, claim.relation, right, derivatives)
+
+
+def _path_at(statement: Statement, known: dict[str, Expr]) -> Statement:
+    path = statement.path
+    if path is not None and path.point is not None:
+        path = replace(path, point=substitute(path.point, known))
+    return replace(statement, path=path, given=Given())
+
+
+def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | None:
+    """The claim by the exact limit of a side, of their ratio, or of their difference."""
+    left, right, relation = claim.left, claim.right, claim.relation
+    compared = {
+        LIMIT: left,
+        "omega": right / left,
+        **dict.fromkeys(("O", "o", "~", "Theta"), left / right),
+    }.get(relation, left - right)
+    found = [limit_of(compared, path.name, path.point, side, given) for side in path.sides]
+    values = [value for value in found if value is not None]
+    if len(values) < len(found) or not all(_allows(relation, v, right, given) for v in values):
+        return None
+    what = {LIMIT: "left side", "omega": "ratio of right and left"}.get(
+        relation, "ratio" if relation in ("O", "o", "~", "Theta") else "difference"
+    )
+    return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}: {_EXACT}")
+
+
+def _allows(relation: str, value: Expr, right: Expr, given: Given) -> bool:
+    """Whether the claim holds where what is compared has this limit."""
+    infinite = value in (INFINITY, -INFINITY)
+    if relation == LIMIT:
+        return _are_equal(value, right, given)
+    if relation in ("o", "omega", "~"):
+        return _are_equal(value, ONE if relation == "~" else ZERO, given)
+    if relation in ("O", "Theta"):
+        return not infinite and (relation == "O" or sign(value, given, "!=") in PROVING["!="])
+    if relation in ("<", "<="):
+        return value == -INFINITY if infinite else sign(value, given, "<") == "-"
+    if relation in (">", ">="):
+        return value == INFINITY if infinite else sign(value, given, ">") == "+"
+    return infinite or sign(value, given, "!=") in PROVING["!="]
+
+
+# Eventually
+
+
+def _eventually(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
+    """An inequality on a whole neighbourhood of the end of the path."""
+    difference, reach = claim.left - claim.right, fmpq(1)
+    signs = [sign_beside(difference, path.name, path.point, side) for side in path.sides]
+    for side, found in zip(path.sides, signs, strict=True):
+        if found is not None and not stands(arb(found[0]), claim.relation):
+            return _fails_beside(claim, path, side, *found)
+    if all(found is not None for found in signs):
+        reach = min(found[1] for found in signs if found is not None)
+        return Answer(
+            Verdict.ENCLOSED,
+            "the sign of the difference is that of its leading term",
+            region=_region(path, reach),
+        )
+    exact = _by_exact_limit(claim, path, Given())
+    return exact or _from_somewhere_on(claim, path, statement, decided)
+
+
+def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: fmpq) -> Answer:
+    """A refutation: the difference has the wrong sign for all 0 < t <= reach."""
+    sign_of = "0" if not found else "positive" if found > 0 else "negative"
+    why = f"left - right is {sign_of} on all of {_region(replace(path, sides=(side,)), reach)}"
+    if path.point is None:
+        return Answer(Verdict.REFUTED, why, witness={path.name: fraction_text(side / reach)})
+    if path.point.op == "number":
+        at = path.point.args[0] + side * reach
+        return Answer(Verdict.REFUTED, why, witness={path.name: fraction_text(at)})
+    at_text = exact_text(path.point + number(side * reach))
+    return Answer(Verdict.REFUTED, why, witness={path.name: at_text})
+
+
+def _region(path: Path, reach: fmpq) -> str:
+    if path.point is None:
+        far = fraction_text(1 / reach)
+        return f"{path.name} >= {far}" if path.sides == (1,) else f"{path.name} <= -{far}"
+    x = symbol(path.name)
+    if len(path.sides) == 2:
+        return f"0 < {apply('abs', x - path.point)} <= {fraction_text(reach)}"
+    return f"0 < {(x - path.point) * path.sides[0]} <= {fraction_text(reach)}"
+
+
+def _from_somewhere_on(
+    claim: Comparison, path: Path, statement: Statement, decided: Decide
+) -> Answer:
+    """An inequality on one of a few neighbourhoods, for all values of the parameters at once."""
+    if claim.relation not in (">", ">=", "<", "<=", "!="):
+        return Answer(Verdict.UNDECIDED, _OPEN)
+    for far in FAR:
+        near = [_neighbourhood(path, side, number(far)) for side in path.sides]
+        answers = []
+        for region in near:
+            inside = replace(statement, path=None, given=statement.given & region)
+            answers.append(decided(claim, inside))
+            if not answers[-1]:
+                break
+        else:
+            best = min(answers, key=lambda found: found.verdict is Verdict.PROVED)
+            return replace(best, region=str(near[0]) if len(near) == 1 else None)
+    difference = Comparison(claim.left - claim.right, claim.relation, ZERO)
+    found = _periodic_failure(difference, path)
+    if found is not None:
+        return found
+    why = f"it is not shown from {FAR[-1]} on, nor to fail again and again"
+    return Answer(Verdict.UNDECIDED, why)
+
+
+def _neighbourhood(path: Path, side: int, far: Expr) -> Given:
+    x = symbol(path.name)
+    if path.point is None:
+        return Given(((x, ">", far),) if side > 0 else ((x, "<", -far),))
+    end = path.point + side / far
+    low, high = (path.point, end) if side > 0 else (end, path.point)
+    return Given(((low, "<", x), (x, "<", high)))
+
+
+# What comes again and again
+
+
+def _periodic(f: Expr, end: Expr, path: Path) -> Answer | None:
+    """A limit refuted by a function of period 2π, in u or in 1/u, that has another value."""
+    if end in (INFINITY, -INFINITY):
+        return _periodic_failure(Comparison(f, "unbounded", ZERO), path)
+    return _periodic_failure(Comparison(f, "==", end), path)
+
+
+def _periodic_failure(claim: Comparison, path: Path) -> Answer | None:
+    """A refutation where both sides have the period 2π and the relation fails at a point."""
+    u = symbol("_u")
+    if path.point is not None and symbols(path.point):
+        return None
+    for side in path.sides:
+        along = side * u if path.point is None else path.point + side / u
+        sides = [substitute(e, {path.name: along}) for e in (claim.left, claim.right)]
+        if not symbols(sides[0]) | symbols(sides[1]) <= {"_u"}:
+            return None
+        beyond = [substitute(e, {"_u": u + 2 * PI}) for e in sides]
+        same = (decide(e, again).verdict for e, again in zip(sides, beyond, strict=True))
+        if not all(verdict is Verdict.PROVED for verdict in same):
+            continue
+        for at in _in_a_period():
+            with ball_precision(PATH_BITS):
+                left, right = (evaluate(e, {"_u": at}) for e in sides)
+                both = left.is_finite() and right.is_finite()
+                if both and _fails(left - right, claim.relation):
+                    where = substitute(along, {"_u": number(at)})
+                    why = (
+                        f"it has a period, and fails at {path.name} = {where} and "
+                        "wherever the same values come again on the way to the end"
+                    )
+                    return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(where)})
+    return None
+
+
+def _in_a_period() -> Iterator[fmpq]:
+    for n in range(PERIODIC):
+        yield fmpq(2 * n + 1, 4)
+
+
+def _fails(difference: arb, relation: str) -> bool:
+    if relation == "unbounded":
+        return True
+    if relation == "==":
+        return bool(difference > 0 or difference < 0)
+    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">", "!=": "=="}[relation]
+    return stands(difference, opposite)

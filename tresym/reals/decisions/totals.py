@@ -1,0 +1,287 @@
+"""Finite sums and products: term by term between numbers, by induction for every integer.
+
+A sum from a to b is one of the integers from a to b; with b = a − 1 it has no term and is 0, a
+product 1, and beyond that none is spoken of. A claim about a sum whose upper end is n + c is one
+about the integers n at which it is spoken of. It is refuted at small n, where the sum is written
+out. It is proved by induction: at the least n the sum is written out; from n to n + 1 the sum S is
+any number for which the claim holds at n, and S + f(n + 1 + c) is put in at n + 1. Where that does
+not settle it, a closed form that SymPy suggests is shown first, in the same way, and put in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.reading import Comparison, Statement
+from tresym.reals.language.binders import outermost
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    differentiate,
+    fresh,
+    multiply,
+    number,
+    opened,
+    rebuild,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import INFINITY
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
+
+Decide = Callable[[Comparison, Statement], Answer]
+"""The answer to a simpler claim."""
+
+TERMS = 200
+FIRST = 8
+"""Values of n at which a claim is looked at."""
+INSIDE = ("sum", "product")
+
+
+def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with finite sums and products.
+
+    Args:
+        decided: decides claims with fewer of them, and with none.
+    """
+    if claim.derivatives or statement.path is not None:
+        return Answer(Verdict.UNDECIDED, "of sums, derivatives and limits are not decided")
+    try:
+        claim = replace(claim, left=written_out(claim.left), right=written_out(claim.right))
+    except InputError as error:
+        return Answer(Verdict.UNDECIDED, f"a sum is not written out: {error}")
+    nodes = _nodes(claim)
+    if not nodes:
+        return decided(claim, statement)
+    ends = {node: _end(node) for node in nodes}
+    names = {end[0] for end in ends.values() if end is not None}
+    if None in ends.values() or len(names) != 1:
+        return Answer(
+            Verdict.UNDECIDED,
+            "a sum is decided from an integer to n + c, with one n in all sums, and without "
+            "a sum in it",
+        )
+    (n,) = names
+    given, least = _from(n, statement.given, ends)
+    whole = tuple(dict.fromkeys((*statement.integers, n)))
+    statement = replace(statement, integers=whole)
+    found = _looked_at(claim, statement, n, least, decided)
+    if found is not None:
+        return found
+    plain = replace(statement, given=given)
+    answer = _induction(claim, plain, n, least, ends, decided)
+    if answer:
+        return answer
+    found = _by_closed_forms(claim, statement, plain, n, least, ends, decided)
+    return answer if found is None else found
+
+
+def _nodes(claim: Comparison) -> list[Expr]:
+    return [node for node in outermost(claim.left, claim.right) if node.op in INSIDE]
+
+
+def written_out(e: Expr) -> Expr:
+    """``e`` with the sums between numbers written out.
+
+    Raises:
+        InputError: one of too many terms, or of fewer than none.
+    """
+    if e.op in LEAVES:
+        return e
+    if e.op not in INSIDE:
+        if e.names:
+            return e
+        return rebuild(e, tuple(map(written_out, e.args)))
+    low, high = (_integer(written_out(end)) for end in e.args[1:])
+    if low is None or high is None:
+        return e
+    if not -1 <= high - low < TERMS:
+        raise InputError(f"{high - low + 1} terms; it has from 0 to {TERMS}")
+    (name,), body = opened(e)
+    terms = (written_out(substitute(body, {name: number(k)})) for k in range(low, high + 1))
+    return add(ZERO, *terms) if e.op == "sum" else multiply(ONE, *terms)
+
+
+def _integer(e: Expr) -> int | None:
+    if e.op != "number" or e.args[0].q != 1:
+        return None
+    return int(e.args[0].p)
+
+
+def _end(node: Expr) -> tuple[str, int, int] | None:
+    """n, c and the lower end a, where the sum goes from a to n + c; None for others."""
+    low, high = _integer(node.args[1]), node.args[2]
+    names = symbols(high)
+    if low is None or len(names) != 1 or INFINITY.args[0] in names:
+        return None
+    (n,) = names
+    start = _integer(substitute(high, {n: ZERO}))
+    inner = opened(node)[1]
+    if n in symbols(node.args[0]):  # each of its terms changes with n
+        return None
+    if (
+        differentiate(high, n) != ONE
+        or start is None
+        or any(part.op in INSIDE or part.names for part in outermost(inner))
+    ):
+        return None
+    return n, start, low
+
+
+def _from(n: str, given: Given, ends: dict[Expr, tuple[str, int, int] | None]) -> tuple[Given, int]:
+    """The conditions without those on n, and the least n at which the claim speaks."""
+    kept = Given(
+        tuple(link for link in given.comparisons if n not in symbols(link[0]) | symbols(link[2]))
+    )
+    least = max(end[2] - 1 - end[1] for end in ends.values() if end is not None)
+    low = given.box[n].low if n in given.box else None
+    if low is not None:
+        floor = int(low.p) // int(low.q)
+        strict = given.box[n].low_open and low.q == 1
+        least = max(least, floor + (1 if low.q != 1 or strict else 0))
+    return kept, least
+
+
+def _at(claim: Comparison, n: str, value: Expr) -> Comparison:
+    at = {n: value}
+    return replace(
+        claim,
+        left=written_out(substitute(claim.left, at)),
+        right=written_out(substitute(claim.right, at)),
+    )
+
+
+def _looked_at(
+    claim: Comparison, statement: Statement, n: str, least: int, decided: Decide
+) -> Answer | None:
+    """A refutation at small n, or that the claim holds at none; None where it may be true."""
+    seen = empty = False
+    for value in range(least, least + FIRST):
+        at = {n: number(value)}
+        given = tuple(
+            (substitute(x, at), relation, substitute(y, at))
+            for x, relation, y in statement.given.comparisons
+        )
+        fixed = replace(
+            statement,
+            given=Given(given),
+            equations=tuple((substitute(x, at), substitute(y, at)) for x, y in statement.equations),
+            integers=tuple(name for name in statement.integers if name != n),
+        )
+        try:
+            found = _decided_at(_at(claim, n, number(value)), fixed, decided)
+        except InputError:
+            break
+        if found is None:
+            continue
+        if found.verdict is Verdict.REFUTED:
+            if n not in statement.given.names and _has_no_term(claim, n, value):
+                empty = True
+                continue
+            witness = {n: str(value)} | dict(found.witness or {})
+            return replace(found, why=f"at {n} = {value}: {found.why}", witness=witness)
+        seen = seen or bool(found)
+    if empty:
+        why = f"it fails of a sum without a term: say from which {n} on it is claimed"
+        return Answer(Verdict.UNDECIDED, why)
+    if not seen:
+        return Answer(Verdict.UNDECIDED, f"it is shown at no small {n}, and not by induction")
+    return None
+
+
+def _has_no_term(claim: Comparison, n: str, value: int) -> bool:
+    """Whether a sum of the claim is empty at this n."""
+    ends = (_end(node) for node in _nodes(claim))
+    return any(end is not None and value + end[1] < end[2] for end in ends)
+
+
+def _decided_at(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """The answer under conditions of which some are between numbers; None where one fails."""
+    from tresym.reals.decisions.simple import constants_hold
+
+    given = constants_hold(statement.given.comparisons)
+    return None if given is None else decided(claim, replace(statement, given=given))
+
+
+def _induction(
+    claim: Comparison,
+    statement: Statement,
+    n: str,
+    least: int,
+    ends: dict[Expr, tuple[str, int, int] | None],
+    decided: Decide,
+) -> Answer:
+    fixed = replace(statement, integers=tuple(m for m in statement.integers if m != n))
+    base = decided(_at(claim, n, number(least)), fixed)
+    if not base:
+        return replace(base, why=f"induction has no base at {n} = {least}: {base.why}")
+    taken = {*symbols(claim.left), *symbols(claim.right), *statement.given.names}
+    now: dict[Expr, Expr] = {}
+    later: dict[Expr, Expr] = {}
+    up = {n: symbol(n) + 1}
+    for node, end in ends.items():
+        name = fresh("S", taken)
+        taken.add(name)
+        now[node] = symbol(name)
+        (k,), body = opened(node)
+        term = substitute(body, {k: symbol(n) + number(1 + (end or ("", 0, 0))[1])})
+        later[node] = symbol(name) + term if node.op == "sum" else symbol(name) * term
+    left, right = (replaced(side, now) for side in (claim.left, claim.right))
+    marks = {node: symbol(f"[{i}]") for i, node in enumerate(now)}
+    put = {str(marks[node].args[0]): later[node] for node in now}
+    sides = (substitute(replaced(side, marks), up) for side in (claim.left, claim.right))
+    first, second = (substitute(side, put) for side in sides)
+    after = Comparison(first, claim.relation, second)
+    beyond = statement.given & Given(((symbol(n), ">=", number(least)),))
+    if claim.relation == "==":
+        under = replace(statement, given=beyond, equations=(*statement.equations, (left, right)))
+    else:
+        under = replace(statement, given=beyond & Given(((left, claim.relation, right),)))
+    step = decided(after, under)
+    if not step:
+        why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    worst = base if base.verdict is Verdict.ENCLOSED else step
+    why = f"by induction from {n} = {least}: {base.why}; from {n} to {n} + 1, {step.why}"
+    return replace(worst, why=why, region=None, constant=None)
+
+
+def _by_closed_forms(
+    claim: Comparison,
+    statement: Statement,
+    plain: Statement,
+    n: str,
+    least: int,
+    ends: dict[Expr, tuple[str, int, int] | None],
+    decided: Decide,
+) -> Answer | None:
+    """The claim with closed forms put in, each shown by induction; None where there are none."""
+    from tresym.reals.decisions.antiderivatives import summed
+
+    known: dict[Expr, Expr] = {}
+    for node, end in ends.items():
+        (k,), body = opened(node)
+        _, c, low = end or ("", 0, 0)
+        for form in summed(node.op, body, k, node.args[1], node.args[2]):
+            same = Comparison(node, "==", form)
+            if (node, form) == (claim.left, claim.right):
+                continue
+            if _induction(same, plain, n, low - c - 1, {node: end}, decided):
+                known[node] = form
+                break
+        else:
+            return None
+    left, right = (replaced(side, known) for side in (claim.left, claim.right))
+    given = statement.given & Given(((symbol(n), ">=", number(least)),))
+    found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
+    forms = ", ".join(f"{node} = {form}" for node, form in known.items())
+    return replace(found, why=f"{forms} by induction; {found.why}", region=None)
