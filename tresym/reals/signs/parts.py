@@ -15,7 +15,14 @@ from flint import fmpq
 
 from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
 from tresym.reals.normal.box import REALS, sign_on_box
-from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, project, small_factor
+from tresym.reals.normal.ring import (
+    MAX_DEGREE,
+    Fraction,
+    Poly,
+    UndefinedError,
+    project,
+    small_factor,
+)
 from tresym.reals.numbers.arithmetic import ball_precision, decided
 from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
@@ -290,11 +297,20 @@ class Parts:
 
     def _ways(self, p: Poly, den: Poly, depth: int) -> Iterator[Taken]:
         """Conditions that may be taken out of ``p/den``, by which a term goes."""
+        if self._trials >= MAX_TRIALS or max(p.total_degree(), den.total_degree()) > MAX_DEGREE:
+            return
         steps: list[tuple[Poly, Poly, int]] = []
         used = {*self.atoms.used(p)}
         for n, (fact, _, below) in enumerate(self.facts):
-            if not used.isdisjoint(self.atoms.used(fact)):
-                found = {(str(c), str(m)): (c, m, n) for c, m in self._multiples(p, fact)}
+            size = len(p) * len(below) + len(den) * len(fact)
+            if (
+                size <= MAX_TERMS
+                and fact.total_degree() <= MAX_DEGREE
+                and not used.isdisjoint(self.atoms.used(fact))
+            ):
+                few = len(p) <= MAX_SPLIT
+                multiples = self._multiples(p, fact) if few else ()
+                found = {(str(c), str(m)): (c, m, n) for c, m in multiples}
                 if len(p * below - den * fact) < len(p * below) + len(fact):
                     found[str(below), str(den)] = below, den, n
                 steps += found.values()
