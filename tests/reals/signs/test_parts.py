@@ -180,3 +180,10 @@ def test_what_is_taken_out_is_not_negative_and_known() -> None:
     assert strict._less(gap, ((one, one, 0),)) == "+"
     assert strict._less(gap * x**2, ((one, x**2, 0),)) == ">=0"
     assert strict._less(0 * one, ((one, 0 * one, 0),)) == ">=0"
+
+
+def test_what_is_linear_in_a_square_has_the_sign_of_its_ends() -> None:
+    parts = Parts(Given.parse("a > 0"))
+    p = parts.atoms.of(parse("a*cos(t)**2")).num
+    assert (parts._at_ends(p), parts._at_ends(-p)) == (">=0", "<=0")
+    assert parts._at_ends(p + parts.atoms.of(parse("a")).num) == "+"
