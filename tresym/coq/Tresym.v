@@ -830,15 +830,32 @@ Lemma atan_above x : 0 < x -> 0 < atan x.
 Proof. intros X; rewrite <- atan_0; now apply atan_increasing. Qed.
 Lemma atan_below x : x < 0 -> atan x < 0.
 Proof. intros X; rewrite <- atan_0; now apply atan_increasing. Qed.
+Lemma asin_above x : 0 < x -> 0 < asin x.
+Proof.
+  intros X; destruct (Rlt_or_le 1 x) as [B|B].
+  - unfold asin; destruct (Rle_dec x (-1)); [lra |]; destruct (Rle_dec 1 x); lra || apply PI2_RGT_0.
+  - destruct (some_asin_above x) as [t [T E]]; [lra | exact B |]; rewrite E, asin_sin by lra.
+    destruct (proj1 T) as [P|P]; [exact P |]; rewrite <- P, sin_0 in E; lra.
+Qed.
+Lemma asin_below x : x < 0 -> asin x < 0.
+Proof.
+  intros X; rewrite <- (Ropp_involutive x), asin_opp; pose proof (asin_above (- x)); lra.
+Qed.
 Ltac turns :=
   repeat first [rewrite sin_plus | rewrite cos_plus];
   rewrite ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI2, ?cos_PI2; ring.
 Ltac signed := first [assumption | lra | side | nra | hard].
 Ltac in_numbers := unfold same in *; subst; interval with (i_prec 60).
 Ltac away equal := repeat split; first [side | sides equal | nra].
-Ltac absurd_ := first [lra | nra | match goal with H : ?a <> 0 |- _ => apply H; first [ring | field; side | nra] end].
+Ltac inverses_below :=
+  repeat match goal with
+  | H : context [/ ?b] |- _ => add (/ b < 0) ltac:(apply Rinv_lt_0_compat; lra)
+  end.
+Ltac absurd_ := first [lra | nra | progress inverses_below; nra | match goal with H : ?a <> 0 |- _ => apply H; first [ring | field; side | nra] end].
 Ltac split_logs :=
   repeat first [rewrite ln_mult by first [assumption | positive] | rewrite ln_Rinv by first [assumption | positive]].
+Ltac apart H :=
+  repeat first [rewrite ln_mult in H by first [assumption | positive | signed]].
 Lemma factor_above x y : 0 < y -> 0 < x * y -> 0 < x.
 Proof. intros Y P; apply (Rmult_lt_reg_r y); [exact Y | now rewrite Rmult_0_l]. Qed.
 Ltac plainly := first [assumption | lra | positive].

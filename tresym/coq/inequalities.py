@@ -78,6 +78,8 @@ def expected(theorem: Theorem, d: Expr, strict: bool, given: Given) -> Iterator[
     said = directly(d, ">" if strict else ">=", given)
     if said is None or any(e.op == "abs" for e in nodes([d])):
         yield QUICK
+        if said is None:
+            yield from by_intervals(theorem, given)
     elif "concave" in said:
         yield from by_concavity(theorem, d, given)
     elif "about" in said:
@@ -446,11 +448,11 @@ def by_intervals(theorem: Theorem, given: Given) -> Iterator[str]:
         (r := box.get(name, Range())).low is not None and r.high is not None for name in names
     )
     if bounded:
-        options = [f"i_bisect {variable(name)}" for name in names]
-        yield f"intros. interval{' with (' + ', '.join(options) + ')' if options else ''}."
-        if len(names) == 1:
-            x = variable(names[0])
-            yield f"intros. interval with (i_taylor {x}, i_bisect {x})."
+        bisect = [f"i_bisect {variable(name)}" for name in names]
+        taylor = [f"i_taylor {variable(name)}" for name in names[:1]]
+        for options in (bisect, [*taylor, *bisect]) if names else ([],):
+            asked = f" with ({', '.join([*options, 'i_depth 20'])})" if options else ""
+            yield f"intros; first [interval{asked} | spell; interval{asked}]."
     elif not names:
         yield "intros. interval with (i_prec 100)."
 

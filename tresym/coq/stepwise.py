@@ -12,7 +12,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from copy import copy
 from fractions import Fraction
+from itertools import product
 from math import isqrt, lcm
+from operator import mul
 from typing import NamedTuple
 
 from flint import arb, fmpq
@@ -278,13 +280,41 @@ class _Steps:
     def go_on(self) -> None:
         """What is left of the proof."""
         if not self.points:
+            for g in self.is_arc_tangent:
+                self.sided(g)
             return self.must("exfalso; absurd_.")
         while (node := self.next()) is not None:
             try:
                 self.step(node)
             except _CasesError as cases:
                 return self.in_cases(*cases.args)
+        self.tied_logarithms()
         return self.must(f"{self.by_field}.")
+
+    def tied_logarithms(self) -> None:
+        """Of logarithms of which a sum of multiples is zero, one is written by the others."""
+        named = [(v, n) for v, n in self.logarithms.items() if self.has(n)][:5]
+        values = [self.values(n) for _, n in named]
+        for counts in product((0, 1, -1, 2, -2), repeat=len(named)):
+            sums = [sum(map(mul, counts, at), arb(0)) for at in zip(*values, strict=True)]
+            if any(counts) and all(map(_is_zero, sums)):
+                break
+        else:
+            return
+        up, down = (
+            [v for (v, _), c in zip(named, counts, strict=True) for _ in range(side * c)]
+            for side in (1, -1)
+        )
+        k = next(k for k, c in enumerate(counts) if c)
+        others = (n * c for j, ((_, n), c) in enumerate(zip(named, counts, strict=True)) if j != k)
+        label, back = self.label("P"), "; ".join(self.back(n) for _, n in named)
+        self.equation(
+            named[k][1],
+            self.quotients.canonical(add(*others) / -counts[k]),
+            f"assert ({label} : {_nested(up)} = {_nested(down)}) by ({self.by_field}); "
+            f"apply (f_equal ln) in {label}; rewrite ?ln_1 in {label}; "
+            f"apart {label}; {back}; lra",
+        )
 
     def next(self) -> Expr | None:
         """The smallest part that is to be written by names."""
@@ -575,11 +605,12 @@ class _Steps:
         return self.inverse_name(e, u)
 
     def sided(self, g: Expr) -> None:
-        """The sign of an arc tangent, if it is constant."""
-        sign, back = self.sign(g), self.back(g)
-        if sign and self.is_arc_tangent[g]:
-            says = f"0 < {term(g)}" if sign > 0 else f"{term(g)} < 0"
-            self.fact(says, f"{back}; apply atan_{'above' if sign > 0 else 'below'}; signed")
+        """The sign of an inverse function, if it is constant."""
+        back, law = self.back(g), "atan" if self.is_arc_tangent[g] else "asin"
+        signs = {self.sign(g)} if self.points else {1, -1}
+        for sign, says, way in ((1, f"0 < {term(g)}", "above"), (-1, f"{term(g)} < 0", "below")):
+            if sign in signs and self.fact(says, f"{back}; apply {law}_{way}; signed"):
+                return
 
     def jumps(self, e: Expr, u: Expr) -> None:
         """Cases by the sign of a factor, where there is an angle like this one for one sign."""
