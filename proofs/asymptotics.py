@@ -36,6 +36,7 @@ from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.near import (
     BY_K,
     BY_KAPPA,
+    KAPPA,
     below,
     bound,
     exponent_is_logarithm,
@@ -45,6 +46,7 @@ from tresym.proofs.near import (
     misses_from_four,
     misses_from_pi,
     phase_by_defect,
+    quarter,
     second_coefficient,
     too_small,
     turn_in_general,
@@ -65,6 +67,7 @@ from tresym.proofs.sweeps import sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
+from tresym.racket.flip.series import majorant
 from tresym.racket.formulas import printed
 from tresym.racket.near import charts
 from tresym.racket.notation import *
@@ -273,24 +276,20 @@ _BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIE
 """The bounds whose margins hold what a power series of Q leaves out."""
 
 
-def _third(label: str, constant: str, **rest: Any) -> Claim:
-    return boxed(
-        label,
-        f"|ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴| ≤ {constant} ε*⁶.",
-        within_numbers(EXCESS[2], constant),
-        SIDES,
-        NAMES,
-        QUARTER,
-        constant,
-        **rest,
-        **_BY_SERIES,
-    )
+_third = _second - c2 * epsilon_star**4
 
-
-third_order = _third("third_order", "7.36")
+third_order = below(
+    "third_order",
+    _third,
+    "7.36",
+    epsilon_star**6,
+    EXCESS[2],
+    put=(*_BY_COEFFICIENT, second_coefficient),
+    **_BY_SERIES,
+)
 third_order_too_small = Claim(
     label="third_order_too_small",
-    says=Abs(_second - c2 * epsilon_star**4) <= Rational("7.33") * epsilon_star**6,
+    says=Abs(_third) <= Rational("7.33") * epsilon_star**6,
     given=(*shape, a * b >= Rational(1, 4)),
     proof=Counterexample(
         {"a": fmpq(1, 4), "b": fmpq(1)},
@@ -300,17 +299,46 @@ third_order_too_small = Claim(
 )
 
 
-every_order = boxed(
-    "every_order",
-    "|ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
-    (
-        lambda b, kappa, m: arb(fmpq(1, 4)) - charts.growth(b, kappa, m)[0],
-        lambda b, kappa, m: arb(fmpq(26, 10)) - charts.growth(b, kappa, m)[1],
+def _room_for_majorant(b: Any, kappa: Any, m: Any) -> Any:
+    """1 − R sinh²√ρ."""
+    R = b * kappa * b * kappa
+    return 1 - R * m.sinh(m.sqrt(4 / (4 + 9 * R))) ** 2
+
+
+_rho = 4 / (4 + 9 * b / a)
+_sizes = majorant(_rho, b, b / a, sympy)
+
+_under_root = b / a * sinh(sqrt(_rho)) ** 2
+
+majorant_exists = bound(
+    "majorant_exists",
+    _under_root < 1,
+    On(BY_KAPPA, KAPPA, (Shown(_room_for_majorant),)),
+    put=(),
+    given=quarter,
+)
+
+terms_decrease = bound(
+    "terms_decrease",
+    Tuple(epsilon_star**2 * exp(2 * _sizes) / _rho < Rational(1, 4), exp(_sizes) < Rational(13, 5)),
+    On(
+        BY_KAPPA,
+        KAPPA,
+        (
+            Shown(lambda *at: fmpq(1, 4) - charts.growth(*at)[0]),
+            Shown(lambda *at: fmpq(13, 5) - charts.growth(*at)[1]),
+        ),
     ),
-    SIDES,
-    NAMES,
-    QUARTER,
-    also=(*coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
+    put=(leading_term,),
+    cited=(majorant_exists,),
+    given=quarter,
+    note="τ and e^q: the terms of the series are at most 2.6 τⁿ/(2n + 1).",
+)
+
+every_order = Claim(
+    says="For ab ≥ 1/4: |ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
+    kind="bound",
+    proof=all_of(terms_decrease, *coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
     note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
     "τ ≤ 1/4, and their sum solves the equation of ε₀.",
     quotes=(DOUBLE_SERIES,),

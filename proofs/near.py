@@ -258,6 +258,17 @@ bend_at_root = Reading(
     (exponent_of_defect, first_coefficient),
     ROOT,
 )
+_q2 = (
+    50 * b**2 + 40 * b * (b / a) + 5 * (b / a) ** 2 - 20 * b - 10 * b / a + 1
+) / 80 - c1**2 * 5 / 2
+twist_at_root = Reading(
+    charts.exponent_twist,
+    AT_ROOT,
+    ((Q / epsilon0**2 - c1) / epsilon0**2 - _q2) / epsilon0**2,
+    shape,
+    (exponent_of_defect, first_coefficient),
+    ROOT,
+)
 leading_in_kappa = Reading(
     charts.leading_square_over,
     BY_KAPPA,
@@ -371,6 +382,7 @@ READINGS = (
     defect_in_kappa,
     rate_at_root,
     bend_at_root,
+    twist_at_root,
     leading_in_kappa,
 )
 
@@ -396,11 +408,12 @@ def bound(
     *on: On,
     put: tuple[Claim, ...] = (leading_by_defect,),
     also: tuple[Claim, ...] = (),
+    cited: tuple[Claim, ...] = (),
     constant: str | None = None,
     **rest: Any,
 ) -> Claim:
     """A bound that the charts ``on`` show, with what ``put`` says put in."""
-    proof = Charted(on, READINGS, put, (*ROOT, phase_range), certificate(label), also=also)
+    proof = Charted(on, READINGS, put, (*ROOT, phase_range, *cited), certificate(label), also=also)
     if constant is not None:
         proof = replace(proof, constant=as_rational(constant))
     return Claim(label=label, says=says, proof=proof, **rest)

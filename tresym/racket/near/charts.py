@@ -18,7 +18,7 @@ from flint import arb
 
 from tresym.racket.flip.series import exponent_values, majorant
 from tresym.reals.balls.gradient import Divided, Gradient, gradients
-from tresym.reals.balls.traced import Named, Part
+from tresym.reals.balls.traced import Named, Part, traced
 from tresym.reals.language.expression import PI, Expr, number, trees
 from tresym.reals.numbers.arithmetic import balls
 
@@ -226,31 +226,53 @@ TERMS = 8
 """Coefficients of Q that ``exponent_twist`` uses."""
 
 
-def exponent_twist(square: Any, b: Any, R: Any, m: Any) -> tuple[Any, Any]:
-    """q₂ and (Q(e)/e² − c₁ − q₂e²)/e⁴ for e² = ``square``, a ball, on ab ≥ 1/4.
+def _exponent_twist(defect: arb, b: arb, r: arb) -> arb:
+    """As ``exponent_twist``: |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4), term by term.
 
-    |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4), term by term; what is left out after
-    ``TERMS`` is a geometric series.
+    What is left out after ``TERMS`` is a geometric series.
     """
+    R, square = r * r, defect * defect
     rho = 4 / (4 + 9 * R)
-    values, ratio = exponent_values(TERMS, b, R, m), square / rho
-    total = majorant(rho, b, R, m) / rho**3 * ratio ** (TERMS - 2) / (1 - ratio) * arb(0, 1)
+    values, ratio = exponent_values(TERMS, b, R, balls), square / rho
+    if not ratio < 1:
+        return arb.nan()
+    total = majorant(rho, b, R, balls) / rho**3 * ratio ** (TERMS - 2) / (1 - ratio) * arb(0, 1)
     powers = arb(1)
     for q in values[3:]:
         total, powers = total + q * powers, powers * square
-    return values[2], total
+    return total
+
+
+def _steady(b: Any, R: Any) -> Any:
+    """q₂ = c₂ − 5c₁²/2."""
+    first = (6 * b + 3 * R - 1) / 12
+    second = (50 * b * b + 40 * b * R + 5 * R * R - 20 * b - 10 * R + 1) / 80
+    return second - first * first * 5 / 2
+
+
+def _twist_meant(defect: Expr, b: Expr, r: Expr) -> Expr:
+    def special(op: Any, args: tuple[Expr, ...], body: Any = None) -> Expr:
+        found: Expr = op.meaning(*args)
+        return found
+
+    bend = traced(exponent_bend.formula, 3).meaning((defect, b, r), special)
+    return (bend - _steady(b, r * r)) / defect**2
+
+
+exponent_twist = Named(_exponent_twist, _twist_meant, asks=lambda defect, b, r: (defect, b, r))
+"""((Q(e)/e² − c₁)/e² − q₂)/e², regular at e = ``defect`` = 0."""
 
 
 def third_excess(root: Root, m: Any) -> Any:
-    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶ on ab ≥ 1/4, expanded as ``second_excess``."""
+    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶, expanded as ``second_excess``."""
     R, square = root.r * root.r, root.defect * root.defect
-    first = (6 * root.b + 3 * R - 1) / 12
-    steady, twist = exponent_twist(square, root.b, R, m)
+    first, steady = (6 * root.b + 3 * R - 1) / 12, _steady(root.b, R)
+    twist = exponent_twist(root.defect, root.b, root.r)
     bend = steady + square * twist
     rate = first + square * bend
     exponent = square * rate
     rest = twist + bend * (rate + first) / 2 + rate * rate * rate * expm1_further(exponent)
-    rest += 2 * first * (bend - 2 * rate * rate * expm1_rest(-2 * exponent))
+    rest = rest + 2 * first * (bend - 2 * rate * rate * expm1_rest(-2 * exponent))
     second = steady + first * first * 5 / 2
     return m.exp(6 * exponent) * (rest + 4 * second * rate * expm1_over(-4 * exponent))
 
