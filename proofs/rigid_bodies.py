@@ -9,7 +9,8 @@
 With u = 1/(a + 1) planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
 e = 2 arctan e^{−π} (tan e = 1/sinh π, cos e = tanh π) the claim ε₀ > e is
 arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)); arsinh is concave, so the left side is at least
-cπ (`arsinh_concave`), and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0, `floor_candidate`.
+cπ (`arsinh_concave`), and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0:
+`floor_candidate`.
 """
 
 from __future__ import annotations
@@ -98,8 +99,7 @@ floor_candidate = Claim(
         cited=(concave_at_the_floor,),
         stored=certificate("floor_candidate"),
     ),
-    note="Q(e) − log(e/ε*) at the candidate: a part that is not negative, as arsinh is concave, and "
-    "what the bound is about.",
+    note="Q(e) − log(e/ε*) at the candidate.",
 )
 
 _planar = (one_flip_defect, realizable, residual_increases, exponent_gap, planar_shape)

@@ -424,61 +424,123 @@ def sweep_error(b: Any, k: Any, start: Any, m: Any) -> Any:
     return angle_error(error, cotangent(b, k, phase, m), m)
 
 
-def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
-    """1 − ε/ε₀ of one Newton step after one sweep from ``start``.
+def _phase_bend(b: arb, k: arb, phase: arb, other: arb) -> arb:
+    """By Taylor's theorem half of minus the second derivative, at a place between the two."""
+    at = phase.union(other)
+    rise = balls.cosh(k * at) * at * hyperbolic_sine_over(k * at) * (k * k + b * b)
+    return b * rise / _spread(b, k, at, balls) ** 2
 
-    For g(P) = P − π − arctan(r tanh kP) Taylor's theorem gives P₂ − P = g″(ξ)(P − P₁)²/(2 g′(P₁))
-    with ξ between P and P₁, g′ = 1 − b/D, D = cosh²kP + r² sinh²kP and g″ = bD′/D² > 0: the step
-    lands above P, and ε is too small. The curvature is over the hull of P and P₁ (balls only).
-    """
-    phase = phase_over(b, k)
+
+def _bend_meant(share: Expr, rate: Callable[[Expr], Expr], phase: Expr, other: Expr) -> Expr:
+    """What that is about, where A(x) is arctan(``share`` tanh ``rate``(x))."""
+
+    def turn(x: Expr) -> Expr:
+        return trees.atan(share * trees.tanh(rate(x)))
+
+    spread = trees.cosh(rate(other)) ** 2 + share**2 * trees.sinh(rate(other)) ** 2
+    slope = rate(share) / spread
+    rest = turn(phase) - turn(other) - slope * (phase - other)
+    return -rest / (phase - other) ** 2
+
+
+phase_bend = Named(
+    _phase_bend,
+    lambda b, k, *ends: _bend_meant(b / k, lambda x: k * x, *ends),
+    asks=lambda b, k, *_: (b, k),
+)
+"""How far the tangent at ``other`` to A(P) = arctan(r tanh kP) is above A at ``phase``, over the
+square of their distance, in the chart (b, k)."""
+
+
+@Part
+def newton_excess(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
+    """P₂ − P of one Newton step after one sweep from ``start``, P₁; A′ = b/D."""
     difference = sweep_difference(b, k, phase, start, m)
     swept = m.pi + m.atan(b * start * hyperbolic_tangent_over(k * start))
-    at = phase.union(swept)
-    bend = 2 * m.cosh(k * at) * at * hyperbolic_sine_over(k * at) * (k * k + b * b)
-    curvature = b * bend / _spread(b, k, at, m) ** 2
-    excess = curvature * difference * difference / (2 * (1 - b / _spread(b, k, swept, m)))
-    error = tangent_error(-excess, phase, k, m)
-    return -angle_error(error, cotangent(b, k, phase, m), m)
+    bend = phase_bend(b, k, phase, swept)
+    return bend * difference * difference / (1 - b / _spread(b, k, swept, m))
 
 
-def far_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
+def newton_error(b: Any, k: Any, start: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 of one Newton step after one sweep from ``start``."""
+    phase = phase_over(b, k)
+    error = tangent_error(-newton_excess(b, k, phase, start, m), phase, k, m)
+    return angle_error(error, cotangent(b, k, phase, m), m)
+
+
+@Part
+def far_difference(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any:
     """T − T₁ of one sweep from ``start`` in the chart (b, κ), from f = e^{−2T}, g = e^{−2·start/κ}.
 
     tanh T − tanh(start/κ) = 2(g − f)/((1 + f)(1 + g)), and r/κ = b.
     """
-    r, f = b * kappa, flat(kappa, 2 * phase_by_kappa(b, kappa))
-    g = flat(kappa, 2 * start)
+    r, f, g = b * kappa, flat(kappa, 2 * phase), flat(kappa, 2 * start)
     gap = 2 * (g - f) / ((1 + f) * (1 + g))
     gap = gap / (1 + r * r * (1 - f) / (1 + f) * (1 - g) / (1 + g))
     return b * gap * arctangent_over(r * gap)
 
 
-def far_error(difference: Any, b: Any, kappa: Any, m: Any) -> Any:
-    """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ).
-
-    It is tan ε/tan ε₀ − 1, and as the arctangent is concave (`arctangent_concave`) ε/ε₀ − 1 is
-    between it and 0.
-    """
-    f, growth = flat(kappa, 2 * phase_by_kappa(b, kappa)), m.exp(difference)
+@Part
+def far_error(difference: Any, phase: Any, kappa: Any, m: Any) -> Any:
+    """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ), which is tan ε/tan ε₀ − 1."""
+    f, growth = flat(kappa, 2 * phase), m.exp(difference)
     return m.expm1(difference) * (1 + f * growth) / (1 - f * growth * growth)
 
 
-def far_newton_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
-    """T − T₂ of one Newton step after one sweep from ``start`` in the chart (b, κ).
+@Part
+def tangent_by_kappa(b: Any, kappa: Any, phase: Any, m: Any) -> Any:
+    """tan ε₀ in the chart (b, κ)."""
+    r, small = b * kappa, flat(kappa, phase)
+    return 2 / m.sqrt(1 + r * r) * small / (1 - small * small)
 
-    As ``newton_error``, with D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P/κ} at P₁ or between.
+
+@Part
+def far_angle_error(tangent_error_: Any, tangent: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and tan ε₀."""
+    share = tangent_error_ / (1 + tangent * tangent * (1 + tangent_error_))
+    return share * arctangent_over(tangent * share) / arctangent_over(tangent)
+
+
+def far_sweep_error(b: Any, kappa: Any, start: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 of one sweep from ``start`` in the chart (b, κ)."""
+    phase = phase_by_kappa(b, kappa)
+    error = far_error(far_difference(b, kappa, phase, start, m), phase, kappa, m)
+    return far_angle_error(error, tangent_by_kappa(b, kappa, phase, m), m)
+
+
+def _far_bend(b: arb, kappa: arb, phase: arb, other: arb) -> arb:
+    r, between = b * kappa, flat(kappa, 2 * phase.union(other))
+    spread = (1 + between) ** 2 + r * r * (1 - between) ** 2
+    return 4 * b * (1 + r * r) * between * (1 - between * between) / spread**2
+
+
+far_bend = Named(
+    _far_bend,
+    lambda b, kappa, *ends: kappa * _bend_meant(b * kappa, lambda x: x / kappa, *ends),
+    asks=lambda b, kappa, phase, other: (b, kappa, phase, other),
+)
+"""κ ``phase_bend`` in the chart (b, κ)."""
+
+
+@Part
+def far_newton_excess(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any:
+    """T₂ − T of one Newton step after one sweep from ``start`` in the chart (b, κ).
+
+    As ``newton_excess``; D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P₁/κ}.
     """
-    r, phase = b * kappa, phase_by_kappa(b, kappa)
-    difference = far_difference(b, kappa, start, m)
+    difference = far_difference(b, kappa, phase, start, m)
     swept = phase - kappa * difference
+    r, at = b * kappa, flat(kappa, 2 * swept)
+    spread = (1 + at) ** 2 + r * r * (1 - at) ** 2
+    bend = far_bend(b, kappa, phase, swept)
+    return bend * difference * difference / (1 - 4 * b * at / spread)
 
-    def spread(small: Any) -> Any:
-        return (1 + small) ** 2 + r * r * (1 - small) ** 2
 
-    between, at = flat(kappa, 2 * phase.union(swept)), flat(kappa, 2 * swept)
-    bend = 4 * b * (1 + r * r) * between * (1 - between * between) / spread(between) ** 2
-    return -bend * difference * difference / (1 - 4 * b * at / spread(at))
+def far_newton_error(b: Any, kappa: Any, start: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 of that step."""
+    phase = phase_by_kappa(b, kappa)
+    error = far_error(-far_newton_excess(b, kappa, phase, start, m), phase, kappa, m)
+    return far_angle_error(error, tangent_by_kappa(b, kappa, phase, m), m)
 
 
 arctangent_rest = Divided(lambda s: s.atan(), 3)
