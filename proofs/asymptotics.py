@@ -93,7 +93,6 @@ flat_bends = Claim(
 )
 
 RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases, flat_rises, flat_bends)
-QUARTER = "ab >= 1/4, 0 < b <= 1"
 EVERY = "a > 0, 0 < b <= 1"
 
 
@@ -115,45 +114,6 @@ def _printed_error(b: Any, kappa: Any, m: Any) -> Any:
     algebraic, flat = _printed_parts(b, kappa, m)
     return b * b * b * algebraic - flat
 
-
-def boxed(
-    label: str,
-    says: str,
-    parts: tuple[Callable[..., Any], ...],
-    sides: tuple[tuple[Any, Any], ...],
-    names: tuple[str, ...],
-    region: str,
-    constant: str | None = None,
-    expect: Verdict = Verdict.ENCLOSED,
-    slopes: bool = False,
-    meant: Meant | None = None,
-    also: tuple[Claim, ...] = (),
-    **rest: Any,
-) -> Claim:
-    """A claim that is a conjunction of bounds on one box, and rests on what each such claim does.
-
-    ``also`` are the claims that its own margins rest on beside them.
-    """
-    bounds = tuple(Bound(part, box(*sides), slopes) for part in parts)
-    exact = None if constant is None else as_rational(constant)
-    stored = certificate(label)
-    claims = (*RESTS_ON, *also)
-    proof = Boxes(bounds, names, region, exact, claims, stored, budget=30_000, meant=meant)
-    return Claim(label=label, says=says, proof=proof, expect=expect, **rest)
-
-
-def within_numbers(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
-    """The two margins of |error| < constant."""
-    limit = as_rational(constant)
-    return (
-        lambda x, y, m: arb(limit) - error(x, y, m),
-        lambda x, y, m: arb(limit) + error(x, y, m),
-    )
-
-
-SIDES = ((0, 1), (0, 2))
-"""The chart (b, κ) of ab ≥ 1/4."""
-NAMES = ("b", "kappa")
 
 _printed = printed.asymptotic_defect(a, b, sympy)
 _BY_LEADING = (exponent_is_logarithm, leading_term)
@@ -560,7 +520,7 @@ newton_line = _improved(
     lambda m: m.pi,
     "0.0001",
     (pi_readings, newton_beyond_pi),
-    "It errs on the side of too small an ε₀: the phase equation is convex (`newton_side`).",
+    "It errs on the side of too small an ε₀ (`newton_side`).",
 )
 balanced_newton = _improved(
     "balanced_newton",
@@ -568,7 +528,7 @@ balanced_newton = _improved(
     lambda m: fmpq(4),
     "0.000004",
     (four_readings, newton_beyond_four),
-    "As before.",
+    "It errs on the same side.",
 )
 
 uniform_formulas = Claim(

@@ -555,7 +555,7 @@ def _newton(
 ) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
     """As ``_sweep``, of a step of Newton's method from there; its phase stays above 3."""
     (difference, *_, far_difference, _, _), gained = from_sweep
-    k_, (later, last) = sqrt(a * b), (claim.says.args[0] for claim in improved)
+    k_, (later, last) = sqrt(a * b), (parts_of(claim.says)[0].args[0] for claim in improved)
     known: dict[str, Any] = {"given": shape, "cited": (phase_range,)}
     excess = Reading(
         charts.newton_excess,

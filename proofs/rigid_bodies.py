@@ -75,6 +75,7 @@ floor_angle = Claim(
 
 _turned = asin(_u * tanh(pi))
 
+_concave = asinh(_c * sinh(pi)) - _c * asinh(sinh(pi))
 _share_of_c = Instance(arsinh_concave, ((share, _c), (x, sinh(pi))))
 concave_at_the_floor = Claim(says=_share_of_c.says, given=_some, proof=_share_of_c)
 
@@ -93,7 +94,7 @@ floor_candidate = Claim(
             On(
                 (_u,),
                 box((0, 1)),
-                (Shown(_floor_margin, _c * _u / (1 + _u), concave_at_the_floor.says.args[0]),),
+                (Shown(_floor_margin, _c * _u / (1 + _u), _concave),),
             ),
         ),
         cited=(concave_at_the_floor,),
