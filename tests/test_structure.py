@@ -26,11 +26,12 @@ FLOORS = (
 
 INSIDE = {
     "reals": (
-        ("numbers", "verdict"),
+        ("numbers", "notebook", "verdict"),
         ("language", "processes"),
         ("places", "corpus", "advocate"),
         ("normal",),
-        ("signs", "balls", "growth"),
+        ("signs", "balls"),
+        ("growth",),
         ("decisions",),
     ),
     "racket": (

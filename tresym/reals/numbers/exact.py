@@ -17,6 +17,7 @@ from flint import arb, fmpq, fmpz
 MAX_CHARACTERS = 10_000
 MAX_EXPONENT = 10_000
 
+_TENS = [10**n for n in range(19)]
 _DECIMAL = re.compile(r"([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?", re.ASCII)
 
 
@@ -61,6 +62,15 @@ def _scaled(coefficient: int, exponent: int) -> fmpq:
     return fmpq(coefficient, ten ** (-exponent))
 
 
+def _decimal(text: str, what: str) -> fmpq:
+    """The decimal ``text`` exactly; a short one without a sign, as most are, at once."""
+    whole, _, part = text.partition(".")
+    digits = whole + part
+    if digits.isdecimal() and digits.isascii() and len(digits) < len(_TENS):
+        return fmpq(int(digits), _TENS[len(part)])
+    return _scaled(*_split(text, what))
+
+
 def parse_number(text: str, what: str = "number") -> fmpq:
     """The exact rational that a decimal (``1e-400``) or a fraction (``16380/1210``) names.
 
@@ -73,11 +83,11 @@ def parse_number(text: str, what: str = "number") -> fmpq:
     """
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
-    numerator, slash, denominator = text.strip(" \t").partition("/")
-    top = _scaled(*_split(numerator.strip(" \t"), what))
-    if not slash:
-        return top
-    bottom = _scaled(*_split(denominator.strip(" \t"), what))
+    if "/" not in text:
+        return _decimal(text.strip(" \t"), what)
+    numerator, _, denominator = text.partition("/")
+    top = _decimal(numerator.strip(" \t"), what)
+    bottom = _decimal(denominator.strip(" \t"), what)
     if bottom == 0:
         raise InputError(f"{what}: {quoted(text)} divides by zero")
     return top / bottom
@@ -93,10 +103,10 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
         return x
     if isinstance(x, str):
         return parse_number(x, what)
+    if type(x) is int or isinstance(x, fmpz):
+        return fmpq(x)
     if isinstance(x, bool):
         raise InputError(f"{what}: a truth value is not a number")
-    if isinstance(x, int | fmpz):
-        return fmpq(x)
     if isinstance(x, Rational):
         return fmpq(int(x.numerator), int(x.denominator))
     raise InputError(
