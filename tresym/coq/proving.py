@@ -74,9 +74,9 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
     if whole.exists:
         yield from (Plan((), script) for script in point_proofs(claim, whole))
     else:
-        for steps in (False, True):
+        for steps, every in ((False, False), (True, False), (True, True)):
             try:
-                yield _Planner(claim, whole, steps).plan()
+                yield _Planner(claim, whole, steps, every).plan()
             except (NotExportedError, InputError, OverflowError, RecursionError, _NoPlanError):
                 continue
 
@@ -107,6 +107,8 @@ class _Planner:
     claim: Claim
     whole: Theorem
     steps: bool
+    every: bool = False
+    """Whether a step has all definitions and not only those that it names."""
     lemmas: list[Theorem] = field(default_factory=list)
     uses: dict[str, None] = field(default_factory=dict)
     facts: dict[str, tuple[Relation, ...]] = field(default_factory=dict)
@@ -311,6 +313,9 @@ class _Planner:
                         rules.append(part)
                     else:
                         facts.append(part)
+        if self.every:
+            meanings = (m for _, m in self.whole.definitions if elementary(m.left, m.right))
+            rules += [m for m in meanings if m.left.op == "symbol" and m.sign == "=="]
         return rules, facts
 
     def fact(self, used: Claim) -> tuple[Relation, ...]:
