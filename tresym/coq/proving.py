@@ -157,13 +157,16 @@ class _Planner:
         for part in parts:
             if not isinstance(part, Relation) or part.left.op != "symbol":
                 raise _NoPlanError
+            if part.right.op == "integral":
+                values[part.left.args[0]] = part.right
+                continue
             if not elementary(part.right):
                 raise _NoPlanError
             values[part.left.args[0]] = exchanged(
                 part.right, {symbol(n): v for n, v in values.items()}
             )
         texts = ", ".join(f"({term(values[name])})" for name in names)
-        return f"exists {texts}; repeat split; reflexivity."
+        return f"exists {texts}; repeat split; first [reflexivity | integrable]."
 
     def relation(self, says: Relation, chain: Chain, entry: int) -> str:
         """One relation: its integrals and derivatives have values, and these are so related."""
