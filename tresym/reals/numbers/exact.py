@@ -132,6 +132,15 @@ class Interval(NamedTuple):
         """The distance of two finite ends."""
         return self.high - self.low
 
+    def __and__(self, other: Interval) -> Interval:
+        """The values in both."""
+        both = (self, other)
+        lows = ((i.low, i.low_open) for i in both if i.low is not None)
+        highs = ((i.high, not i.high_open) for i in both if i.high is not None)
+        low, low_open = max(lows, default=(None, False))
+        high, closed = min(highs, default=(None, True))
+        return Interval(low, high, low_open, not closed)
+
     def ball(self) -> arb:
         """The smallest ball at the working precision that contains a bounded interval."""
         return arb(self.low).union(arb(self.high))
