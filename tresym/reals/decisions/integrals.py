@@ -35,6 +35,7 @@ from tresym.reals.language.expression import (
     number,
     opened,
     rebuild,
+    replaced,
     substitute,
     symbol,
     symbols,
@@ -45,7 +46,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places import unworked
 from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import singularities
+from tresym.reals.places.domain import bound, needs, singularities
 from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.defined import continuous_on
 from tresym.reals.signs.sign import sign
@@ -81,8 +82,9 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     if found is not None:
         return found
     notes: list[str] = []
+    given = _where_defined(claim, statement.given)
     try:
-        sides = [_without(side, statement.given, notes) for side in (claim.left, claim.right)]
+        sides = [_without(side, given, notes) for side in (claim.left, claim.right)]
     except _OpenError as error:
         return Answer(Verdict.UNDECIDED, str(error))
     except InputError as error:
@@ -94,8 +96,18 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
         return _infinite(claim.relation, sides, said, at[0] if at else None)
     if any(INFINITY.args[0] in symbols(side) for side in sides):
         return Answer(Verdict.UNDECIDED, f"an infinite value stands in a sum or product; {said}")
-    answer = decided(replace(claim, left=sides[0], right=sides[1]), statement)
+    plain = replace(statement, given=given)
+    answer = decided(replace(claim, left=sides[0], right=sides[1]), plain)
     return replace(answer, why=f"{said}; {answer.why}")
+
+
+def _where_defined(claim: Comparison, given: Given) -> Given:
+    """The conditions, and that what stands beside the integrals is defined."""
+    marks = {node: symbol(f"[{node}]") for node in outermost(claim.left, claim.right)}
+    names = {str(mark.args[0]) for mark in marks.values()}
+    parts = needs(replaced(side, marks) for side in (claim.left, claim.right))
+    free = (part for part in parts if symbols(part[0]) and not symbols(part[0]) & names)
+    return given & Given(tuple(bound(*part) for part in free))
 
 
 def _infinite(relation: str, sides: list[Expr], said: str, at: dict[str, fmpq] | None) -> Answer:
