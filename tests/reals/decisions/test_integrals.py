@@ -23,6 +23,8 @@ PROVED = [
     "integral(1/(1 + x**2), x, -oo, oo) == pi",
     "integral(log(x), x, 0, 1) == -1",
     "integral(1/sqrt(x), x, 0, 1) == 2",
+    "integral(1/(x**2 - 1), x, 2, oo) == log(3)/2",
+    "integral(abs(x**2 - x), x, -1, 2) == 11/6",
     "integral(abs(x), x, -1, 1) == 1",
     "integral(abs(sin(x)), x, 0, 2*pi) == 4",
     "integral(1/sqrt(abs(x)), x, -1, 1) == 4",

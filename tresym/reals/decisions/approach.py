@@ -167,8 +167,35 @@ class _Approach:
         values = [self.limit(arg) for arg in e.args]
         ends = {value for value in values if _is_infinite(value)}
         if None in values or len(ends) > 1:
-            return None
+            return self._of_logarithms(e.args)
         return ends.pop() if ends else add(*(value for value in values if value is not None))
+
+    def _of_logarithms(self, terms: tuple[Expr, ...]) -> Expr | None:
+        """The limit of a sum of which the logarithms, joined to one, have a limit."""
+        scaled: dict[Expr, list[tuple[Expr, fmpq]]] = {}
+        rest = []
+        for term in terms:
+            factors = _factors(term)
+            logs = [factor for factor in factors if factor.op == "log"]
+            if len(logs) == 1 and self._sign_beside(logs[0].args[0]) == 1:
+                plain = (factor for factor in factors if factor.op not in ("log", "number"))
+                sizes = [factor.args[0] for factor in factors if factor.op == "number"]
+                size = sizes[0] if sizes else fmpq(1)
+                scaled.setdefault(multiply(*plain), []).append((logs[0].args[0], size))
+            else:
+                rest.append(term)
+        if not scaled or max(map(len, scaled.values())) < 2:
+            return None
+        joined = []
+        for scale, parts in scaled.items():
+            whole = lcm(*(int(size.q) for _, size in parts))
+            inner = multiply(*(power(u, number(size * whole)) for u, size in parts))
+            joined.append(
+                multiply(number(fmpq(1, whole)), scale, apply("log", in_powers_of(inner)))
+            )
+        values = [self.limit(part) for part in (*rest, *joined)]
+        known = [value for value in values if value is not None and not _is_infinite(value)]
+        return add(*known) if len(known) == len(values) else None
 
     def _product(self, e: Expr) -> Expr | None:
         values = [self.limit(arg) for arg in e.args]
@@ -340,6 +367,12 @@ class _Approach:
                 if not self._is_zero(value):
                     break
         return self._sign(value) or None
+
+
+def in_powers_of(e: Expr) -> Expr:
+    """``e`` with its power of t in front; t stays as it is."""
+    m, g = _leading(e)
+    return multiply(_power_of_t(m), g)
 
 
 def in_powers_product(exponent: Expr, base: Expr) -> Expr:

@@ -36,6 +36,7 @@ from tresym.reals.language.expression import (
     opened,
     rebuild,
     replaced,
+    sqrt,
     substitute,
     symbol,
     symbols,
@@ -56,7 +57,7 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 MINUS_INFINITY = -INFINITY
 BITS = (64, 128)
-CUTS = 12
+CUTS, DENOMINATOR = 12, 5040
 """Pieces into which an interval is cut at most."""
 TURNS = 40
 """Multiples of π at which a sine or a cosine in the integrand is looked at."""
@@ -201,9 +202,39 @@ def _middle(e: Expr) -> fmpq:
 
 def _cuts(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[Expr]:
     for part, _ in (found for f in parts for found in singularities(f)):
-        for c in (*solutions(part, name), *_turns(part, name)):
+        for c in (*solutions(part, name), *_roots(part, name), *_turns(part, name)):
             if not symbols(c) and _is_between(low, c, high):
                 yield c
+
+
+def _roots(part: Expr, name: str) -> Iterator[Expr]:
+    """Zeros of what is linear or quadratic in the variable."""
+    at = {name: ZERO}
+    slope = differentiate(part, name)
+    bend = differentiate(slope, name)
+    if name in symbols(differentiate(bend, name)) or name in symbols(substitute(bend, at) - bend):
+        return
+    try:
+        a, b, c = (decided_number(substitute(e, at)) for e in (bend / 2, slope, part))
+    except InputError:
+        return
+    if a is None or b is None or c is None:
+        return
+    if a != 0 and b * b >= 4 * a * c:
+        for side in (1, -1):
+            yield (-number(b) + side * sqrt(number(b * b - 4 * a * c))) / number(2 * a)
+    elif b != 0:
+        yield number(-c / b)
+
+
+def decided_number(e: Expr) -> fmpq | None:
+    """The rational number that ``e`` is by its exact value in balls; None if it is no such."""
+    if symbols(e):
+        return None
+    with ball_precision():
+        ball = evaluate(e, {})
+        found = (ball * DENOMINATOR).unique_fmpz() if ball.is_finite() else None
+    return None if found is None else fmpq(int(found), DENOMINATOR)
 
 
 def _turns(part: Expr, name: str) -> Iterator[Expr]:
