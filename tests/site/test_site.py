@@ -45,7 +45,12 @@ def ledger(report: Report) -> claims.Record:
 
 def test_every_claim_has_a_page(ledger: claims.Record) -> None:
     pages = dict(claims.pages(ledger, {}))
-    assert set(pages) == {"index.md", claims.AXIOMS, *(f"{label}.md" for label in ledger["claims"])}
+    assert set(pages) == {
+        "index.md",
+        claims.AXIOMS,
+        claims.ANNOTATED,
+        *(f"{label}.md" for label in ledger["claims"]),
+    }
     for label, claim in ledger["claims"].items():
         page = pages[f"{label}.md"]
         assert f"# {claims.named(label)}\n\n`{label}`" in page
@@ -72,6 +77,17 @@ def test_quoted_theorems_have_a_page_and_stand_on_those_of_their_claims(
         assert all(label in ledger["axioms"][name]["claims"] for name in claim["axioms"])
     assert claims.AXIOMS in pages["index.md"]
     assert claims.AXIOMS not in pages["eq_gamma.md"]
+
+
+def test_the_annotated_paper_has_what_stands_in_it_in_its_order(ledger: claims.Record) -> None:
+    page = dict(claims.pages(ledger, {}))[claims.ANNOTATED]
+    placed = [label for label, claim in ledger["claims"].items() if claim["place"]]
+    heads = re.findall(r"^\[.*\]\{\.place\} .* \[`(\w+)`\]", page, re.MULTILINE)
+    assert sorted(heads) == sorted(placed)
+    lines = [ledger["claims"][label]["line"] for label in heads]
+    assert lines == sorted(lines)
+    sections = re.findall(r"^## (.*)$", page, re.MULTILINE)
+    assert len(sections) == len(set(sections)) > 3
 
 
 def test_pages_tell_no_time_but_a_saved_one(ledger: claims.Record) -> None:

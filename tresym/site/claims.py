@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from html import escape
 from typing import Any
@@ -17,6 +18,8 @@ Record = dict[str, Any]
 
 SHARP = Fraction(1, 10**15)
 """How narrow a ball is about a constant that was typed."""
+ANNOTATED = "the-paper.md"
+"""The page that goes through the paper; a hyphen is in no label."""
 AXIOMS = "quoted-theorems.md"
 """The page of the theorems that are quoted; a hyphen is in no label."""
 
@@ -29,6 +32,7 @@ def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]
         seconds: saved cost of judging, by label; claims without one show none.
     """
     yield "index.md", index(ledger)
+    yield ANNOTATED, annotated(ledger)
     yield AXIOMS, axioms(ledger)
     order = [(label, part["title"]) for part in ledger["parts"] for label in part["claims"]]
     titles = dict(order)
@@ -55,6 +59,52 @@ def index(ledger: Record) -> str:
         lines += [_item(label, ledger["claims"][label]) for label in part["claims"]]
         lines.append("::::")
     return "\n\n".join(lines) + "\n"
+
+
+def annotated(ledger: Record) -> str:
+    """The paper from its abstract to its references: what each sentence and display got."""
+    claims: dict[str, Record] = ledger["claims"]
+    placed = sorted(
+        (c["line"], n, label) for n, (label, c) in enumerate(claims.items()) if c["place"]
+    )
+    lines = [
+        "# The paper, annotated",
+        f"The {len(placed)} statements of the paper in the order in which they stand there, each "
+        "with its verdict; what is read more sharply than it is printed says so. The lemmas "
+        "between them are in [the ledger](index.md). The paper: "
+        "[doi:10.1016/j.physd.2016.07.010](https://doi.org/10.1016/j.physd.2016.07.010), "
+        "[arXiv:1606.08237](https://arxiv.org/abs/1606.08237).",
+    ]
+    part = ""
+    for _, _, label in placed:
+        claim = claims[label]
+        section = _section(claim["place"])
+        if section != part:
+            part = section
+            lines += [f"## {section[:1].upper()}{section[1:]}", _counted(section, claims.values())]
+        lines.append(_annotation(label, claim))
+    return "\n\n".join(lines) + "\n"
+
+
+def _section(place: str) -> str:
+    """The section of a place; theorem and remark are Section 6's."""
+    first = place.split(", ")[0]
+    return "Sect. 6" if first.startswith(("Theorem", "Remark")) else first
+
+
+def _counted(section: str, claims: Iterable[Record]) -> str:
+    found = Counter(c["verdict"] for c in claims if c["place"] and _section(c["place"]) == section)
+    return ", ".join(f"{n} {badge(name)}" for name, n in found.most_common()) + "."
+
+
+def _annotation(label: str, claim: Record) -> str:
+    """A statement at its place, and what is true instead where it is refuted."""
+    place = claim["place"].removeprefix(f"{_section(claim['place'])}, ")
+    quote = f" “{sentence(claim['quote'])}”\\\n" if claim["quote"] else "\\\n"
+    true = ", ".join(map(link, claim["amended_by"]))
+    instead = f"\\\nTrue instead: {true}." if true else ""
+    head = f"[{place}]{{.place}} {badge(claim['verdict'])} {link(label)}"
+    return f"{head}{quote}{inline(claim)}{instead}"
 
 
 def _resting(ledger: Record) -> tuple[int, str]:
