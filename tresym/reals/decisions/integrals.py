@@ -4,7 +4,8 @@
 there by the normal form, and F has these limits at its ends: so the integral converges, improper or
 not, and where one of the limits is infinite it diverges. An interval is cut where a part of f or F
 may be singular, and each piece is looked at by itself. Where the order of the ends is open, either
-order is. How F is found plays no part.
+order is. How F is found plays no part: it may be given in the claim, by values of it that are
+written ``at(F, x, b) - at(F, x, a)``; else SymPy suggests one.
 
 An integral of which no antiderivative is known is enclosed by certified quadrature
 (:mod:`tresym.reals.places.unworked`), which refutes an equation, and bounds.
@@ -14,7 +15,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
+from typing import NamedTuple
 
 from flint import arb, fmpq
 
@@ -31,6 +33,7 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     differentiate,
+    instantiate,
     multiply,
     number,
     opened,
@@ -65,6 +68,13 @@ PARAMETERS = 3
 _OPEN = "no antiderivative was found that is shown to be one on the whole interval"
 
 
+class _Work(NamedTuple):
+    """Sentences on what was shown, and antiderivatives that may have been written."""
+
+    notes: list[str]
+    primitives: tuple[Expr, ...]
+
+
 class _OpenError(Exception):
     """Nothing is shown; the text says of what."""
 
@@ -82,15 +92,15 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     found = _by_quadrature(claim, statement)
     if found is not None:
         return found
-    notes: list[str] = []
+    work = _Work([], claim.primitives)
     given = _where_defined(claim, statement.given)
     try:
-        sides = [_without(side, given, notes) for side in (claim.left, claim.right)]
+        sides = [_without(side, given, work) for side in (claim.left, claim.right)]
     except _OpenError as error:
         return Answer(Verdict.UNDECIDED, str(error))
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
-    said = "; ".join(dict.fromkeys(notes))
+    said = "; ".join(dict.fromkeys(work.notes))
     if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
         names = sorted(symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]})
         at = simple_points(names, statement.given, 1, statement.integers)
@@ -123,7 +133,7 @@ def _infinite(relation: str, sides: list[Expr], said: str, at: dict[str, fmpq] |
 # By an antiderivative
 
 
-def _without(e: Expr, given: Given, notes: list[str]) -> Expr:
+def _without(e: Expr, given: Given, work: _Work) -> Expr:
     """``e`` with the values of its integrals put in.
 
     Raises:
@@ -132,27 +142,27 @@ def _without(e: Expr, given: Given, notes: list[str]) -> Expr:
     if e.op in LEAVES:
         return e
     if e.op != "integral":
-        return rebuild(e, tuple(_without(arg, given, notes) for arg in e.args))
+        return rebuild(e, tuple(_without(arg, given, work) for arg in e.args))
     (name,), body = opened(e, given.names)
-    low, high = (end if _ends(end) else _without(end, given, notes) for end in e.args[1:])
-    return _integral(name, body, low, high, given, notes)
+    low, high = (end if _ends(end) else _without(end, given, work) for end in e.args[1:])
+    return _integral(name, body, low, high, given, work)
 
 
 def _ends(e: Expr) -> bool:
     return e in (INFINITY, MINUS_INFINITY)
 
 
-def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     if low == high and not _ends(low):
         high, low = low + 1, low  # shown to be defined around the point
-        return multiply(ZERO, _integral(name, f, low, high, given, notes))
+        return multiply(ZERO, _integral(name, f, low, high, given, work))
     order = _order(low, high, given)
     if order < 0:
-        return -_integral(name, f, high, low, given, notes)
+        return -_integral(name, f, high, low, given, work)
     if order > 0:
-        return _between(name, f, low, high, given, notes)
-    forward = _between(name, f, low, high, given & Given(((low, "<", high),)), notes)
-    backward = _between(name, f, high, low, given & Given(((high, "<", low),)), [])
+        return _between(name, f, low, high, given, work)
+    forward = _between(name, f, low, high, given & Given(((low, "<", high),)), work)
+    backward = _between(name, f, high, low, given & Given(((high, "<", low),)), work)
     if decide(forward + backward, ZERO, given).verdict is not Verdict.PROVED:
         raise _OpenError(f"which of {low} and {high} is the greater one is not known")
     return forward
@@ -167,11 +177,11 @@ def _order(low: Expr, high: Expr, given: Given) -> int:
     return {"+": 1, "-": -1}.get(sign(high - low, given, "!=") or "", 0)
 
 
-def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """∫ f from ``low`` to ``high``, which is greater under ``given``."""
-    f = _without(f, given & _inside(name, low, high), notes)
+    f = _without(f, given & _inside(name, low, high), work)
     pieces = list(_pieces(name, (f,), low, high))
-    values = [_piece(name, f, start, end, given, notes) for start, end in pieces]
+    values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
     if len(infinite) > 1:
         raise _OpenError(f"the integral of {f} has parts that are oo and -oo, and no value")
@@ -260,14 +270,19 @@ def _is_between(low: Expr, c: Expr, high: Expr) -> bool:
         return at.is_finite() and over and (high == INFINITY or bool(at < evaluate(high, {})))
 
 
-def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """∫ f over one piece, by the first antiderivative that passes, of the first cut that does."""
     from tresym.reals.decisions.antiderivatives import suggested
 
     inside = given & _inside(name, low, high)
     plain = _without_corners(f, inside)
     positive = {s for s in symbols(plain) if sign(symbol(s), inside) == "+"}
-    for candidate in suggested(plain, name, frozenset(positive)):
+
+    def later() -> Iterator[Expr]:  # SymPy is loaded where it is needed
+        yield from suggested(plain, name, frozenset(positive))
+
+    written = (instantiate(body, (symbol(name),)) for body in work.primitives)
+    for candidate in chain(written, later()):
         values = []
         for start, end in _pieces(name, (candidate,), low, high):
             here = given & _inside(name, start, end)
@@ -279,9 +294,8 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[
             shown = [value for value in values if value is not None]
             infinite = {value for value in shown if _ends(value)}
             if len(infinite) < 2:
-                notes.append(
-                    f"{candidate} is an antiderivative of {f} for {inside or 'all'} {name}"
-                )
+                where = f" for {inside}" if inside.comparisons else ""
+                work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
                 return infinite.pop() if infinite else add(*shown)
     raise _OpenError(f"integral of {f}: {_OPEN}")
 

@@ -90,12 +90,15 @@ class Comparison:
     Attributes:
         derivatives: those that were written: a derivative is one where its function is real, there
             and beside it.
+        primitives: functions whose values at a point were written, as bodies of one variable: of an
+            integral they may be antiderivatives.
     """
 
     left: Expr
     relation: str
     right: Expr
     derivatives: tuple[Derivative, ...] = ()
+    primitives: tuple[Expr, ...] = ()
 
     @property
     def differentiated(self) -> tuple[Expr, ...]:
@@ -315,7 +318,9 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
         return replace(_comparison(left, relation, ZERO), right=right)
     work = cache(worked_out)
     written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
-    return Comparison(work(left), relation, work(right), written)
+    values = (node for node in outermost(left, right) if node.op == "at" and len(node.names) == 1)
+    primitives = tuple(dict.fromkeys(node.args[0] for node in values))
+    return Comparison(work(left), relation, work(right), written, primitives)
 
 
 def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:
