@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from types import ModuleType
 
     from sympy import Symbol
@@ -65,12 +66,12 @@ def alike() -> tuple[Symbol, Symbol]:
     return a, b
 
 
-def parts() -> tuple[tuple[str, tuple[Claim, ...]], ...]:
+def parts(names: tuple[str, ...] = PARTS) -> tuple[tuple[str, tuple[Claim, ...]], ...]:
     """For every file its title (the first line of its docstring) and the claims it states."""
     import sys
     from importlib import import_module
 
-    modules = [import_module(f"tresym.proofs.{part}") for part in PARTS]
+    modules = [import_module(f"tresym.proofs.{part}") for part in names]
     # The file that states a claim is done before any that takes it from there, whatever the order
     # of the parts; `sys.modules` has them in the order in which they were done.
     done = {name: n for n, name in enumerate(sys.modules)}
@@ -95,6 +96,19 @@ def _named_in(module: ModuleType) -> dict[Claim, None]:
     return dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))
 
 
-def claims() -> tuple[Claim, ...]:
-    """Every claim, in the order of the files and of the lines in them."""
-    return tuple(claim for _, stated in parts() for claim in stated)
+def claims(names: tuple[str, ...] = PARTS) -> tuple[Claim, ...]:
+    """Every claim of these files, in the order of the files and of the lines in them."""
+    return tuple(claim for _, stated in parts(names) for claim in stated)
+
+
+def written_in(labels: Iterable[str]) -> tuple[str, ...]:
+    """The files in whose text one of these labels stands, as a name or as a label."""
+    import re
+    from pathlib import Path
+
+    words = "|".join(map(re.escape, labels))
+    stands = re.compile(rf"^(?:{words})\b|label=\"(?:{words})\"", re.MULTILINE)
+    folder = Path(__file__).parent
+    return tuple(
+        part for part in PARTS if stands.search((folder / f"{part}.py").read_text("utf-8"))
+    )

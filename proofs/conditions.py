@@ -3,6 +3,11 @@
 from tresym.ledger.vocabulary import *
 from tresym.racket.notation import *
 
+STANDARD = {"a": fmpq(1517, 121), "b": fmpq(55, 874)}
+"""The shape of the standard racket, by the moments that Table 1 prints."""
+
+standard_racket = tuple(equal(x, Rational(str(STANDARD[str(x)]))) for x in (a, b))
+
 ordered_moments = (I1 > 0, I2 > 0, I3 > 0, I2 - I1 > 0, I3 - I2 > 0, M > 0)
 """0 < I₁ < I₂ < I₃, and a body that turns."""
 

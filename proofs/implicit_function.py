@@ -16,7 +16,7 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.proofs.axioms import IMPLICIT_FUNCTION
-from tresym.proofs.conditions import shape
+from tresym.proofs.conditions import STANDARD, shape
 from tresym.proofs.separatrix import flip_defect, stable_equation
 
 from tresym.ledger.evidence.asymptotics import t
@@ -65,7 +65,7 @@ reduced_equation = Claim(
     says=equal(epsilon0, printed.implicit_right_reduced(epsilon0, lam, mu, sympy)),
     kind="bound",
     given=shape,
-    proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874)}, (flip_defect, d40)),
+    proof=Counterexample(STANDARD, (flip_defect, d40)),
     where=display(41),
     amended_by=(stable_equation, right_sides),
     note="The higher orders of the equation before are dropped, one part in a thousand for the "

@@ -16,8 +16,6 @@ With what the file before shows of the motion once it has turned:
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
 from typing import Any
 
 from tresym.proofs.conditions import shape
@@ -34,7 +32,9 @@ from tresym.proofs.turning import (
     beyond_right_angle,
     body_stays_below,
     c,
+    flip_defect_on_level,
     near_right_angle,
+    one_time,
     others_do_not,
     phase_at_bottom,
     phase_rises_in_gamma,
@@ -46,12 +46,8 @@ from tresym.proofs.turning import (
 )
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.flip.defect import defect_on
 from tresym.racket.formulas import printed
-from tresym.racket.motion.orbit import exact_level
-from tresym.racket.motion.quadrature import rigorous_turned
 from tresym.racket.notation import *
-from tresym.reals.numbers.arithmetic import ball_precision
 
 F_epsilon, F_gamma = (Symbol(name, real=True) for name in ("F_epsilon", "F_gamma"))
 rotating_rate, unturned_rate = (
@@ -191,58 +187,21 @@ decrease_of_bodies = Claim(
     note="Else Φ(π, γ) < π near −b, and ε exceeds π/2, its limit at −b, before it falls.",
 )
 
-LONG = fmpq(10), fmpq(1, 2)
-"""A shape of no rigid body, whose motions turn several times."""
 
-
-NEAR = arb("1e-20")
-"""How near to what is found its change of sign is looked for."""
-
-
-def changing_sign(near: arb, excess: Callable[[arb], arb]) -> arb:
-    """A ball about ``near`` at whose ends ``excess`` has opposite signs: found in whatever way."""
-    low, high = (near.mid() - NEAR).mid(), (near.mid() + NEAR).mid()
-    return low.union(high) if excess(low) * excess(high) < 0 else arb.nan()
-
-
-@cache
-def _long_defect(level: fmpq) -> arb:
-    """ε of this shape: where it is, elliptic functions say; that it is there, an integral shows."""
-    with ball_precision(96):
-        a, b, gamma = arb(LONG[0]), arb(LONG[1]), arb(level)
-        largest = (1 + gamma / b).sqrt()
-        first = (defect_on(*LONG, exact_level(*LONG, level)).cos() / largest).asin()
-
-        def excess(chi: arb) -> arb:
-            return rigorous_turned(chi, a, b, gamma) - arb.pi()
-
-        turns = (n * arb.pi() + (-1) ** n * first for n in range(5))
-        chi = min(turns, key=lambda chi: float(abs(excess(chi.mid()))))
-        return (largest * changing_sign(chi, excess).sin()).acos()
-
-
-def _rise(low: fmpq, high: fmpq) -> Bound:
-    """ε(high) > ε(low) for this shape, each a ball from its own motion."""
-
-    def margin(a: arb, b: arb, m: Any) -> arb:
-        return _long_defect(high) - _long_defect(low)
-
-    return Bound(margin, box(*((side, side) for side in LONG)), precision=96)
+def _on(level: str) -> Subs:
+    """ε on a level."""
+    return at(flip_defect_on_level, {gamma: Rational(level)})
 
 
 up_and_down = Claim(
     says="For a = 10, b = 1/2 ε(γ) rises from γ = −7/15 to −19/60, falls to −3/20, and rises "
     "to −1/60.",
-    proof=Boxes(
-        (
-            _rise(fmpq(-7, 15), fmpq(-19, 60)),
-            _rise(fmpq(-3, 20), fmpq(-19, 60)),
-            _rise(fmpq(-3, 20), fmpq(-1, 60)),
-        ),
-        ("a", "b"),
-        "a = 10, b = 1/2",
-        claims=(precession_integrand,),
+    means=Tuple(
+        *(_on(low) < _on(high) for low, high in (("-7/15", "-19/60"), ("-3/20", "-19/60"))),
+        _on("-3/20") < _on("-1/60"),
     ),
+    given=(equal(a, 10), equal(b, Rational(1, 2))),
+    proof=Evaluated((one_time,)),
     note="It has the value ε(−19/60) twice more at least, once above −3/20 and once below −7/15.",
 )
 

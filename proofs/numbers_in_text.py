@@ -13,10 +13,7 @@ equation there is a claim for each reading.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
-from tresym.proofs.conditions import defect, shape, shape_of_a_body
+from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
 from tresym.proofs.flip_dynamics import precession_integrand, sign_of_tilt
@@ -24,22 +21,19 @@ from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import exponential_decay
 from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
-from tresym.proofs.printed import exact_defect, inputs, moments, number, share_of_pi
+from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.regimes import three_regimes
-from tresym.proofs.separatrix import flip_defect, leading_defect, one_flip_defect
+from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
 from tresym.proofs.turn_integral import closed_form, closed_slope, one_rotating_level
-from tresym.proofs.turning import one_turned_level
+from tresym.proofs.turning import chi, one_turned_level, phase, unfolded_turn
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.motion.quadrature import rigorous_turned
 from tresym.racket.notation import *
-from tresym.reals.numbers.exact import Interval, as_rational
+from tresym.reals.numbers.exact import as_rational
 
 STR = moments("str")
 """The standard racket's moments as Table 1 prints them."""
-A, B = fmpq(1517, 121), fmpq(55, 874)
-"""a and b of exactly these moments."""
 EXACTLY = (shape_and_depth, flip_defect, one_flip_defect)
 """What ε₀ is, by the moments."""
 BY_FORMULA = (shape_and_depth, leading_defect)
@@ -107,18 +101,6 @@ accuracy_relative = number(
 )
 
 # -- the slope ------------------------------------------------------------------------------------
-
-
-def exact_slope(a: arb, b: arb, m: Any) -> arb:
-    """dε/dγ at γ = 0 for every shape in the balls: ∂ε/∂F times ∂F/∂γ, in closed form."""
-    defect = exact_defect(a, b, m)
-    sine, cosine = m.sin(defect), m.cos(defect)
-    root = m.sqrt(a + b * sine * sine)
-    product = m.sqrt(a * b)
-    time = m.asinh(m.sqrt(a / (a + b)) * cosine / sine)
-    turn = (a - b - 2 * a * b) * time / (4 * product**3)
-    turn += root * cosine / (4 * b * m.sqrt(b) * a * sine * sine)
-    return -m.sqrt(b) * sine * root / (1 - b * sine * sine) * turn
 
 
 _slope = closed_form.xreplace({epsilon: epsilon0})
@@ -223,28 +205,18 @@ slower_at_lower_level = Claim(
 )
 
 
-def _longest(a: arb, b: arb, m: Any) -> arb:
-    """F(π/12, γ) at the least γ with which ψ = π/12 is reached, and where it is the turning point.
-
-    At χ = π/2 the motion has just come from there.
-    """
-    return rigorous_turned(m.pi / 2, a, b, -b * m.sin(m.pi / 12) ** 2)
-
+longest_unturned = Claim(
+    says=phase.xreplace({chi: pi / 2, gamma: -b * sin(pi / 12) ** 2}) < Rational("3.0373"),
+    given=standard_racket,
+    proof=Evaluated(),
+    note="F(π/12, γ) at the least γ with which ψ = π/12 is reached, and where it is the turning "
+    "point: at χ = π/2 the motion has just come from there.",
+)
 
 lower_level_unturned = Claim(
     says="By F(ε, γ) = π, as the appendix has it, no γ gives the standard racket ε = π/12: "
     "F(π/12, γ) stays below 3.0373 for every γ > −b sin²(π/12).",
-    proof=Boxes(
-        (
-            Bound(
-                lambda a, b, m: arb("3.0373") - _longest(a, b, m), (Interval(A, A), Interval(B, B))
-            ),
-        ),
-        ("a", "b"),
-        "the standard racket",
-        as_rational("3.0373"),
-        (slower_at_lower_level,),
-    ),
+    proof=all_of(longest_unturned, unfolded_turn, slower_at_lower_level),
     note="F falls as γ grows, so that it is largest in the limit γ = −b sin²(π/12).",
 )
 d29 = Claim(
@@ -271,7 +243,7 @@ threshold_impossible = Claim(
     kind="bound",
     means=Ge(_level.xreplace({epsilon: pi / 12}) + b * sin(pi / 12) ** 2, 0, evaluate=False),
     given=shape,
-    proof=Counterexample({"a": A, "b": B}, (leading_defect,)),
+    proof=Counterexample(STANDARD, (leading_defect,)),
     where=line(262),
     amended_by=(lower_level_exists, lower_level_unturned, lower_exact),
     note="For the standard racket it lies below the least γ with which ψ = π/12 can be reached.",
@@ -279,42 +251,40 @@ threshold_impossible = Claim(
 
 # -- what the formula is said to show -------------------------------------------------------------
 
-_REALIZABLE = tuple((v, v) for v in ("1", "3/10", "10", "31/1000"))
+_a1, _b1, _a2, _b2 = (Symbol(name, real=True) for name in ("a1", "b1", "a2", "b2"))
+_defect = TheRoot(*defect_is_one.statement.args)
+"""ε₀, where it is asked for of several shapes."""
+_LESS = (_a1 > 0, _b1 > 0, _b1 <= 1, _a2 > 0, _b2 > 0, _b2 <= 1, _a1 * _b1 <= _a2 * _b2)
+"""Two shapes, the first with the smaller product."""
 
 
-def _falls_with_product(defect: Callable[..., arb]) -> Callable[..., arb]:
-    """Positive if the first shape, with the smaller product ab, has the larger defect."""
+def _of_both(e: Expr) -> tuple[Basic, Basic]:
+    """``e`` of the first shape and of the second."""
+    return at(e, {a: _a1, b: _b1}), at(e, {a: _a2, b: _b2})
 
-    def margin(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
-        return defect(a1, b1, m) - defect(a2, b2, m) if a1 * b1 < a2 * b2 else arb(1)
 
-    return margin
+def _shapes(*numbers: str) -> dict[str, fmpq]:
+    return dict(zip(("a1", "b1", "a2", "b2"), map(as_rational, numbers), strict=True))
 
 
 larger_ab_smaller_eps0 = Claim(
     label="larger_ab_smaller_eps0",
     says="The larger the product ab is, the smaller ε₀ is.",
     kind="bound",
-    proof=Boxes(
-        (Bound(_falls_with_product(exact_defect), box(*_REALIZABLE)),),
-        ("a1", "b1", "a2", "b2"),
-        "two shapes that bodies can have",
-        claims=(one_flip_defect,),
-    ),
+    means=Ge(*_of_both(_defect), evaluate=False),
+    given=_LESS,
+    proof=Counterexample(_shapes("1", "3/10", "10", "31/1000"), (defect_is_one,)),
     where=line(251),
-    expect=Verdict.REFUTED,
     amended_by=(monotonicity,),
-    note="True at fixed a and at fixed b.",
+    note="True at fixed a and at fixed b. Both shapes are those of bodies.",
 )
-
-_a1, _b1, _a2, _b2 = (Symbol(name, real=True) for name in ("a1", "b1", "a2", "b2"))
 
 formula_shows_larger_ab = Claim(
     says="The larger the product ab is, the smaller ε₀ is, by the formula.",
     means=printed.asymptotic_defect(_a1, _b1, sympy) >= printed.asymptotic_defect(_a2, _b2, sympy),
     kind="bound",
-    given=(_a1 > 0, _b1 > 0, _b1 <= 1, _a2 > 0, _b2 > 0, _b2 <= 1, _a1 * _b1 <= _a2 * _b2),
-    proof=Counterexample({"a1": fmpq(1), "b1": fmpq(3, 10), "a2": fmpq(10), "b2": fmpq(31, 1000)}),
+    given=_LESS,
+    proof=Counterexample(_shapes("1", "3/10", "10", "31/1000")),
     where=line(251),
     amended_by=(monotonicity,),
     note="True at fixed a and at fixed b. Both shapes are those of bodies.",
@@ -327,19 +297,11 @@ robustness_at_fixed_b = Claim(
 
 larger_ab_less_robust = Claim(
     says="The larger the product ab is, the less robust is the effect: |dε/dγ| at γ = 0 is larger.",
-    proof=Boxes(
-        (
-            Bound(
-                lambda a1, b1, a2, b2, m: exact_slope(a1, b1, m) - exact_slope(a2, b2, m),
-                box(*((v, v) for v in ("1", "1/100", "1", "3/10"))),
-            ),
-        ),
-        ("a1", "b1", "a2", "b2"),
-        "two shapes that bodies can have",
-        claims=(one_flip_defect,),
-    ),
+    kind="bound",
+    means=Le(*_of_both(-closed_form.xreplace({epsilon: _defect})), evaluate=False),
+    given=_LESS,
+    proof=Counterexample(_shapes("1", "1/100", "1", "3/10"), (defect_is_one,)),
     where=line(254),
-    expect=Verdict.REFUTED,
     amended_by=(robustness_at_fixed_b,),
 )
 
@@ -456,7 +418,7 @@ zero_on_separatrix = Claim(
     says="On the separatrix the flip in one turn is approximately zero.",
     means=Le(pi - 2 * epsilon, pi / 2),
     given=(*shape, *defect[:2], printed.separatrix_residual(epsilon, a, b, sympy) > 0),
-    proof=Counterexample({"a": fmpq(1517, 121), "b": fmpq(55, 874), "epsilon": fmpq(1, 5)}),
+    proof=Counterexample({**STANDARD, "epsilon": fmpq(1, 5)}),
     where=line(284),
     amended_by=(flip_str_exact,),
     note="From ψ₀ = ε₀ it is π − 2ε₀, more than π − 2ε for ε above ε₀; and no quarter turn is near "
@@ -505,11 +467,6 @@ tre_if_eps0_small = Claim(
 )
 
 
-def _same_product(a1: Any, b1: Any, a2: Any, b2: Any, m: Any) -> Any:
-    """Positive if two shapes of one product ab have the same ε₀ (never: a ball refutes it)."""
-    return -abs(exact_defect(a1, b1, m) - exact_defect(a2, b2, m))
-
-
 product_along_a_level = number(
     "Along a level curve of ε₀ with ab ≥ 1/4, √(ab) varies by less than log(2.01/0.52)/π = {}.",
     log(Rational(201, 52)) / pi,
@@ -529,14 +486,11 @@ nearly_hyperbolic = Claim(
 hyperbolic_levels = Claim(
     says="The level curves of ε₀ are the hyperbolas ab = const.",
     paper_says="“Note the hyperbolic shape of the ε₀- level curves.” Read as: nearly ab = const.",
-    proof=Boxes(
-        (Bound(_same_product, box(*((v, v) for v in ("1", "3/10", "10", "3/100")))),),
-        ("a1", "b1", "a2", "b2"),
-        "two shapes of one product",
-        claims=(one_flip_defect,),
-    ),
+    kind="bound",
+    means=equal(at(_defect, {a: _a1, b: _b1}), at(_defect, {a: _a2, b: _a1 * _b1 / _a2})),
+    given=(_a1 > 0, _b1 > 0, _b1 <= 1, _a2 > 0, _a1 * _b1 <= _a2),
+    proof=Counterexample({"a1": fmpq(1), "b1": fmpq(3, 10), "a2": fmpq(10)}, (defect_is_one,)),
     where=line(291),
-    expect=Verdict.REFUTED,
     amended_by=(nearly_hyperbolic, monotonicity),
     note="The curves fall, as hyperbolas do, since ε₀ falls with a and with b.",
 )

@@ -20,7 +20,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from flint import acb
 from tresym.proofs.asymptotics import (
     DEFECT_SLOPE,
     printed_error,
@@ -30,7 +29,7 @@ from tresym.proofs.asymptotics import (
     slope_by_phase,
     slope_leading_term,
 )
-from tresym.proofs.conditions import shape
+from tresym.proofs.conditions import STANDARD, shape, standard_racket
 from tresym.proofs.exponent import logarithmic_equation
 from tresym.proofs.implicit_function import d40, unknown
 from tresym.proofs.moments import fourth_moment
@@ -49,14 +48,11 @@ from tresym.proofs.separatrix import flip_defect, one_flip_defect
 from tresym.proofs.slope import slope_of_integral
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
-from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.near import charts
 from tresym.racket.near.bending import curvature
-from tresym.racket.near.samples import RACKET, TURN, beside_tangent, in_bent_chart
+from tresym.racket.near.samples import in_bent_chart
 from tresym.racket.notation import *
-from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
 
 O, o = Function("O"), Function("o")  # noqa: E741
@@ -307,18 +303,8 @@ d57_true_order = _true_order(
 
 # -- near the separatrix --------------------------------------------------------------------------
 
-COARSE = arb("1e-4")
-"""Tolerance of the integral: the boxes are wider."""
 BENT = ((0, 1), (0, 2), (-1, 1))
 """The chart (b, κ, v) of ab ≥ 1/4, γ = bε₀²v."""
-
-
-def _racket() -> tuple[arb, arb, arb, arb]:
-    """a, b, ε₀ and dε/dγ of the standard racket."""
-    p, q = (arb(x) for x in RACKET)
-    defect = defect_over(p, q)
-    slope = stable.turn_slope(defect, p, q, balls)
-    return p, q, defect, slope / printed.integrand(defect, p, q, arb(0), 1, balls)
 
 
 def bending(constant: str) -> Bound:
@@ -351,22 +337,16 @@ tangent = Claim(
 )
 
 
-def _off_tangent(gamma_: arb, m: Any) -> arb:
-    """−|F − π| where ε is on the tangent."""
-    p, q, defect, slope = _racket()
-    return -abs(rigorous(defect + slope * gamma_, p, q, gamma_) - m.pi)
+_turn = Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, epsilon, pi / 2))
 
 
 linear = Claim(
     label="d31",
-    says=equal(epsilon, epsilon0 + gamma * _derivative),
-    proof=Boxes(
-        (Bound(_off_tangent, box(("1/10000", "1/10000")), precision=128),),
-        ("gamma",),
-        "the standard racket",
-        claims=(one_flip_defect,),
-        meant=Meant(beside_tangent((fmpq(1, 10000),)), 1 / TURN),
-    ),
+    says="ε = ε₀ + γ dε/dγ, with dε/dγ at γ = 0, as it stands.",
+    kind="bound",
+    means=equal(_turn.xreplace({epsilon: epsilon0 + gamma * DEFECT_SLOPE}), pi),
+    given=(*shape, gamma > 0),
+    proof=Counterexample({**STANDARD, "gamma": fmpq(1, 10000)}, (flip_defect,)),
     where=display(31),
     expect=Verdict.REFUTED,
     amended_by=(tangent,),
@@ -407,33 +387,17 @@ pavao = _printed_slope("eq_pavao", 23)
 summary = _printed_slope("d58", 58)
 
 
-def _beside_linear(side: int) -> Callable[..., Any]:
-    """side · (π − F) where ε is the printed linear formula plus side · 3 % of ε₀."""
-
-    def margin(gamma_: arb, m: Any) -> arb:
-        p, q, defect, _ = _racket()
-        e = printed.linear_defect(defect, q, gamma_) + side * 3 * defect / 100
-
-        def f(psi: acb, analytic: bool) -> acb:
-            square = q * psi.sin() ** 2
-            long = (p + square).sqrt(analytic=analytic)
-            return (1 - square) / (long * (gamma_ + square).sqrt(analytic=analytic))
-
-        return side * (m.pi - acb.integral(f, e, m.pi / 2, rel_tol=COARSE).real)
-
-    return margin
+def _beside_linear(share: str) -> Integral:
+    """F where ε is the printed linear formula and ``share`` of ε₀."""
+    beside = printed.linear_defect(epsilon0, b, gamma) + Rational(share) * epsilon0
+    return _turn.xreplace({epsilon: beside})
 
 
 bend_carries = Claim(
     says="For the standard racket the printed linear formula is within 3 % of ε₀ for |γ| ≤ 1/500.",
-    proof=Boxes(
-        tuple(Bound(_beside_linear(side), box(("-1/500", "1/500"))) for side in (1, -1)),
-        ("gamma",),
-        "the standard racket, |gamma| <= 1/500",
-        as_rational("0.03"),
-        (one_flip_defect,),
-        certificate("bend_carries"),
-    ),
+    means=Tuple(_beside_linear("0.03") < pi, _beside_linear("-0.03") > pi),
+    given=(*standard_racket, gamma >= Rational(-1, 500), gamma <= Rational(1, 500)),
+    proof=Evaluated((flip_defect,), certificate("bend_carries")),
     note="It carries 60 % of the way to −4bε₀², where the formula leaves what is possible.",
 )
 

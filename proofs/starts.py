@@ -10,19 +10,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
 
-from tresym.proofs.conditions import defect, shape_of_a_body
+from tresym.proofs.conditions import defect, shape_of_a_body, standard_racket
 from tresym.proofs.flip_definition import symmetric_is_extreme
-from tresym.proofs.flip_dynamics import precession_integrand
-from tresym.proofs.numbers_in_text import A, B, central_symmetry, lower_exact, upper_exact_value
+from tresym.proofs.numbers_in_text import central_symmetry, lower_exact, upper_exact_value
 from tresym.proofs.on_the_separatrix import level_of_a_start
 from tresym.proofs.phase_portraits import flip_between
 from tresym.proofs.regimes import oscillating
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
-from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.notation import *
 
 _square = sin(psi) ** 2
@@ -44,52 +42,36 @@ level_grows_with_the_rate = Claim(
 )
 
 
-def _level(start: Any, rate: Any, m: Any) -> Any:
-    """γ of the start (ψ₀, dψ/dφ) of the standard racket."""
-    square = arb(B) * m.sin(start) ** 2
-    return rate * rate * (1 - square) ** 2 / (arb(A) + square) - square
+_level = _rate**2 * (1 - b * sin(psi0) ** 2) ** 2 / (a + b * sin(psi0) ** 2) - b * sin(psi0) ** 2
+"""γ of the start (ψ₀, dψ/dφ)."""
 
 
-def _time(start: Any, turn: Any, level: Any) -> Any:
-    """Δφ in which ψ goes from ``start`` to ``start + turn``."""
-    p, q = arb(A), arb(B)
-    return rigorous(start, p, q, level) - rigorous(start + turn, p, q, level)
+def _time(level: Expr, start: Expr, end: Expr) -> Integral:
+    """Δφ in which ψ goes from ``start`` to ``end``."""
+    return Integral(printed.integrand(psi, a, b, level, 1, sympy), (psi, start, end))
 
 
-def _can_flip(reach: Any, m: Any) -> Any:
-    """Positive if a start with |ψ₀| and |dψ/dφ| up to ``reach`` might flip by 5π/6 in one turn.
-
-    It passes from ``reach`` to 5π/6 − ``reach`` on its way, at a level of reach²/a at most.
-    """
-    return 2 * m.pi - _time(reach, 5 * m.pi / 6 - 2 * reach, reach * reach / arb(A))
-
-
-_USED = (faster_at_higher_level, level_grows_with_the_rate, level_of_a_start, central_symmetry)
+def _of_starts(says: Callable[[Expr, Expr], Basic], turn: Expr, rate: str, least: str) -> Claim:
+    """What is said of the turn of the handle in which starts up to ψ₀ = 1/10 flip by ``turn``."""
+    needed = _time(_level.xreplace({_rate: Rational(rate)}), psi0, psi0 + turn)
+    ends = psi0 >= Rational(least), psi0 <= Rational(1, 10)
+    return Claim(says=says(needed, 2 * pi), given=(*standard_racket, *ends), proof=Evaluated())
 
 
-def _turns_enough(rate: str) -> Any:
-    """Positive if the start flips by 5π/6 at least."""
-    speed = arb(rate)
-    return lambda psi0, m: 2 * m.pi - _time(psi0, 5 * m.pi / 6, _level(psi0, speed, m))
-
-
-def _turns_too_much(psi0: Any, m: Any) -> Any:
-    """Positive if the start with dψ/dφ = 3/10 flips by 7π/6 at most."""
-    return _time(psi0, 7 * m.pi / 6, _level(psi0, arb("0.3"), m)) - 2 * m.pi
-
+fast_starts_flip = _of_starts(Lt, 5 * pi / 6, "3/20", "-1/10")
+slow_starts_flip = _of_starts(Lt, 5 * pi / 6, "1/10", "-1/20")
+fastest_starts_flip_once = _of_starts(Gt, 7 * pi / 6, "3/10", "-1/10")
 
 two_rectangles = Claim(
     says="The standard racket flips by π within π/6 from |ψ₀| ≤ 1/10 with 3/20 ≤ dψ/dφ ≤ 3/10, and "
     "from −1/20 ≤ ψ₀ ≤ 1/10 with 1/10 ≤ dψ/dφ ≤ 3/20.",
-    proof=Boxes(
-        (
-            Bound(_turns_enough("0.15"), box(("-1/10", "1/10"))),
-            Bound(_turns_enough("0.1"), box(("-1/20", "1/10"))),
-            Bound(_turns_too_much, box(("-1/10", "1/10"))),
-        ),
-        ("psi0",),
-        "the standard racket",
-        claims=_USED,
+    proof=all_of(
+        fast_starts_flip,
+        slow_starts_flip,
+        fastest_starts_flip_once,
+        faster_at_higher_level,
+        level_grows_with_the_rate,
+        level_of_a_start,
     ),
     note="At the least rate a start flips enough, and at the largest not too much.",
 )
@@ -123,12 +105,14 @@ near_flip_close = Claim(
     "it the standard racket flips by 5π/6 or more from some.",
     paper_says="“When we consider initial conditions close to this point, Fig. 10 shows that a "
     "near flip is very likely to happen.” Read as: from most starts in a rectangle about it.",
-    proof=Boxes(
-        (Bound(_can_flip, box(("1/100", "1/100")), precision=128),),
-        ("reach",),
-        "the standard racket, |psi0| and |dpsi/dphi| up to reach",
-        claims=_USED[:3],
+    kind="bound",
+    means=Le(
+        _time(1 / (10**4 * a), Rational(1, 100), 5 * pi / 6 - Rational(1, 100)),
+        2 * pi,
+        evaluate=False,
     ),
+    given=standard_racket,
+    proof=Evaluated((faster_at_higher_level, level_grows_with_the_rate, level_of_a_start)),
     where=line(283),
     expect=Verdict.REFUTED,
     amended_by=(likely_near,),
@@ -152,19 +136,18 @@ narrow_swing = Claim(
 )
 
 
-def _overshoots(level: Any, m: Any) -> Any:
-    """Positive if the symmetric start flips by more than 7π/6."""
-    return m.pi - rigorous(-m.pi / 12, arb(A), arb(B), level)
+_reached = _time(gamma, -pi / 12, pi / 2), _time(gamma, pi / 12, pi / 2)
+"""F(−π/12, γ) and F(π/12, γ)."""
 
+symmetric_overshoots = Claim(
+    says=_reached[0].xreplace({gamma: Rational("0.0104")}) < pi,
+    given=standard_racket,
+    proof=Evaluated(),
+)
 
 every_start_overshoots = Claim(
     says="At γ = 0.0104 the standard racket flips by more than 7π/6 from every start.",
-    proof=Boxes(
-        (Bound(_overshoots, box(("13/1250", "13/1250"))),),
-        ("gamma",),
-        "the standard racket",
-        claims=(symmetric_is_extreme, faster_at_higher_level),
-    ),
+    proof=all_of(symmetric_overshoots, symmetric_is_extreme, faster_at_higher_level),
     note="The symmetric start flips least there; and all flip by more at every larger γ.",
 )
 
@@ -177,29 +160,22 @@ far_from_separatrix = Claim(
 )
 
 
-def _misses(gamma: Any, m: Any) -> Any:
-    """Positive if the symmetric motion of the standard racket misses the tolerance at ``gamma``.
-
-    F falls with ε, so −π/12 < ε < π/12 exactly when F(π/12, γ) < π < F(−π/12, γ).
-    """
-    below, above = (rigorous(side * m.pi / 12, arb(A), arb(B), gamma) for side in (-1, 1))
-    return (m.pi - below).max(above - m.pi)
-
-
 no_tre_far = Claim(
     says="The standard racket shows no effect where |γ| > 10⁻², exactly.",
     paper_says="“the TRE does not occur far from the separatrix, approximately when |γ| > "
     "10^{−2}.” Read as: where |γ| is larger by 4 % or more.",
-    proof=Boxes(
-        (Bound(_misses, box(("51/5000", "51/5000"))),),
-        ("gamma",),
-        "the standard racket, symmetric start",
-        claims=(precession_integrand,),
+    kind="bound",
+    means=Ge(
+        at((_reached[0] - pi) * (_reached[1] - pi), {x.lhs: x.rhs for x in standard_racket}),
+        0,
+        evaluate=False,
     ),
+    given=(gamma > Rational(1, 100), gamma < 1),
+    proof=Counterexample({"gamma": fmpq(51, 5000)}),
     where=line(272),
-    expect=Verdict.REFUTED,
     amended_by=(far_from_separatrix, upper_exact_value, lower_exact),
-    note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035.",
+    note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035: F falls with ε, and π is between "
+    "F(π/12, γ) and F(−π/12, γ).",
 )
 
 label_claims(globals())

@@ -108,6 +108,44 @@ phase_rises_in_time = Claim(
     proof=(step(_end.rate, substituting(phase_slopes), differentiating_integral(Integer(0))),),
 )
 
+_y = Symbol("y", real=True)
+
+precession_goes_on = Claim(
+    says=Tuple(
+        (1 - b) * (a - gamma) * (1 - _y) + (a + b) * (1 + gamma) * _y > 0,
+        a * b * (1 - _y) - gamma * (b + a * _y) > 0,
+    ),
+    given=(*oscillating, b < 1, _y >= 0, _y <= 1),
+    proof=manifest,
+    note="N and R, with y for sin²χ.",
+)
+
+_always = Instance(precession_goes_on, ((_y, sin(chi) ** 2),))
+_signs = parts_of(_always.says)
+precession_never_stops = Claim(says=_always.says, given=(*oscillating, b < 1), proof=_always)
+
+_one_time = AtMostOne(chi, 0, 8 * pi, equal(phase, pi))
+
+one_time = Claim(
+    says="The precession reaches half a turn at one time at most, however often the motion turns.",
+    means=_one_time,
+    given=(*oscillating, b < 1),
+    proof=Monotone(
+        (
+            step(_end.rate, differentiating_integral(Integer(0))),
+            step(
+                _signs[0].gts / (_end.Q * sqrt(_signs[1].gts)),
+                trigonometry,
+                citing(precession_never_stops),
+            ),
+        )
+    ),
+    note="Φ rises with χ.",
+)
+
+flip_defect_on_level = _end.flip.xreplace({chi: TheRoot(*_one_time.args)})
+"""ε(γ) for γ < 0: ψ where Φ(χ, γ) = π."""
+
 phase_rises_in_gamma = Claim(
     says=Phi_gamma > 0,
     given=(*oscillating, *half_time),

@@ -26,7 +26,7 @@ FLOORS = (
 
 INSIDE = {
     "reals": (
-        ("numbers", "verdict"),
+        ("numbers", "notebook", "verdict"),
         ("language", "processes"),
         ("places", "corpus", "advocate"),
         ("normal",),

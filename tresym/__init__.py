@@ -10,8 +10,15 @@ from __future__ import annotations
 import os
 
 TYPE_CHECKING = False  # typing itself is not loaded: before the command listens, Ctrl-C is Python's
-if TYPE_CHECKING:
-    from typing import Any
+if TYPE_CHECKING:  # what editors and type checkers see, and refuse what is not here
+    from tresym.ledger.verification import verify
+    from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
+    from tresym.racket.body import Body
+    from tresym.racket.flip import flip_angle, flip_defect
+    from tresym.racket.floats.flipmap import flip_map
+    from tresym.reals.decisions import check
+    from tresym.reals.numbers.exact import InputError
+    from tresym.reals.verdict import Verdict
 
 __version__ = "0.1.0"
 
@@ -19,6 +26,7 @@ _HOMES = {
     "Body": "tresym.racket.body",
     "InputError": "tresym.reals.numbers.exact",
     "Verdict": "tresym.reals.verdict",
+    "bodies": "tresym.racket.body",
     "check": "tresym.reals.decisions",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
@@ -26,7 +34,18 @@ _HOMES = {
     "verify": "tresym.ledger.verification",
 }
 
-__all__ = ["Body", "InputError", "Verdict", "__version__", "check", "flip_defect", "verify"]
+__all__ = [
+    "Body",
+    "InputError",
+    "Verdict",
+    "__version__",
+    "bodies",
+    "check",
+    "flip_angle",
+    "flip_defect",
+    "flip_map",
+    "verify",
+]
 
 # In a wheel the proofs lie inside the package; in a checkout they lie beside it.
 _package = os.path.dirname(os.path.realpath(__file__))
@@ -35,12 +54,15 @@ if not os.path.isdir(f"{_package}/proofs") and os.path.isdir(f"{_checkout}/proof
     __path__.append(_checkout)
 
 
-def __getattr__(name: str) -> Any:
-    if name in _HOMES:
-        from importlib import import_module
+if not TYPE_CHECKING:
 
-        return getattr(import_module(_HOMES[name]), name)
-    raise AttributeError(f"module 'tresym' has no attribute {name!r}")
+    def __getattr__(name: str) -> object:
+        if name in _HOMES:
+            from importlib import import_module
+
+            there = "NAMED_BODIES" if name == "bodies" else name
+            return getattr(import_module(_HOMES[name]), there)
+        raise AttributeError(f"module 'tresym' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

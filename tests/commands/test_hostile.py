@@ -379,7 +379,8 @@ def test_a_line_without_an_end_is_refused_and_a_long_one_passed_over(
 @pytest.mark.parametrize(
     "words",
     [["check", "-f", "in", "-o", "in"], ["chart", "many", "--from", "in", "-o", "./in"],
-     ["audit", "in", "-o", "in"], ["sweep", "--csv", "in", "-o", "in"],
+     ["audit", "in", "-o", "in"], ["paper", "in", "-o", "in"],
+     ["sweep", "--csv", "in", "-o", "in"],
      ["sweep", "--csv", "in", "-o", "t", "--export", "in"]],
 )  # fmt: skip
 def test_an_input_is_never_replaced(

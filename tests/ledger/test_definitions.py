@@ -83,7 +83,7 @@ ledger = pytest.fixture(lambda monkeypatch: _ledger(monkeypatch))
 
 def _ledger(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
     def hold(*claims: Claim) -> None:
-        monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda: claims)
+        monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: claims)
 
     return hold
 

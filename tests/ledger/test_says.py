@@ -188,13 +188,6 @@ UNREAD = {
         "every_order",
         "third_order",
     ),
-    "an integral, at points or along a line": (
-        *("symmetric_maximum", "bend_carries", "no_tre_far"),
-        *("two_rectangles", "near_flip_likely", "every_start_overshoots", "larger_ab_less_robust"),
-        "up_and_down",
-        "lower_level_unturned",
-    ),
-    "two shapes at once": (*("larger_ab_smaller_eps0", "hyperbolic_levels"),),
 }
 """Bounds and orders in words that are compared by reading only, by the reason: it only shrinks."""
 

@@ -132,6 +132,37 @@ def test_refuted_claims_are_amended_by_claims_that_hold(ledger: Report) -> None:
                 assert ledger[amendment.label].finding.verdict.holds
 
 
+def test_a_label_loads_the_files_in_which_it_is_written_and_no_others() -> None:
+    code = """if True:
+        import sys
+        from tresym import verify
+        print(*(row.claim.label for row in verify("eq_gamma").rows))
+        print(*(name for name in sys.modules if name.startswith("tresym.proofs.")))
+    """
+    said = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, encoding="utf-8", check=True
+    )
+    labels, loaded = said.stdout.splitlines()
+    assert labels.split() == [row.claim.label for row in verify(["eq_gamma"]).rows]
+    assert "tresym.proofs.euler_angles" in loaded
+    assert "tresym.proofs.turning" not in loaded
+
+
+def test_claims_are_the_same_however_many_files_are_loaded() -> None:
+    for claim in CLAIMS[:: len(CLAIMS) // 40]:
+        some = all_claims([claim.label])
+        assert claim in some
+        assert set(claim.rests_on) < set(some) <= set(CLAIMS)
+
+
+def test_twins_in_two_files_are_both_loaded_and_an_unknown_label_loads_all() -> None:
+    # ``eq_gamma`` is taken by name in several files, and written in one.
+    assert proofs.written_in(["eq_gamma"]) == ("euler_angles",)
+    assert set(proofs.written_in(["eq_gamma", "eps0"])) > {"euler_angles"}
+    assert all_claims(["eq_gamma", "no_such_label"]) == CLAIMS
+    assert all_claims(["sqrt"]) == CLAIMS
+
+
 @pytest.mark.slow
 def test_a_claim_is_verified_with_all_it_rests_on(ledger: Report) -> None:
     report = verify(["eq_gamma"])

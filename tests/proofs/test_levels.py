@@ -1,28 +1,28 @@
-"""Levels of γ: found by elliptic functions, and shown by integrals alone."""
+"""Levels of γ: what the ledger evaluates by integrals alone, against elliptic functions."""
 
 from __future__ import annotations
 
 import pytest
-from flint import arb, fmpq
-from tresym.proofs import levels
-from tresym.proofs.levels import NEAR, changing_sign
+from flint import fmpq
+from tresym.proofs.levels import flip_defect_on_level, one_time
 
+from tresym.ledger.evidence.at_point import unique_by
+from tresym.ledger.meaning import tree
 from tresym.racket.flip.defect import defect_on
 from tresym.racket.motion.orbit import exact_level
 from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.places.unworked import value
 
-
-def test_a_change_of_sign_is_enclosed_and_nothing_else_is() -> None:
-    with ball_precision(128):
-        assert changing_sign(arb(2).sqrt(), lambda x: x * x - 2).contains(arb(2).sqrt().mid())
-        assert changing_sign(arb(2).sqrt() + 2 * NEAR, lambda x: x * x - 2).is_nan()
-        assert changing_sign(arb(0), lambda x: x * x).is_nan()
-        assert changing_sign(arb(0), lambda x: arb(0, 1)).is_nan()
+LONG = fmpq(10), fmpq(1, 2)
+"""A shape of no rigid body, whose motions turn several times."""
 
 
 @pytest.mark.parametrize("level", ["-7/15", "-19/60", "-3/20", "-1/60"])
 def test_a_motion_that_turns_several_times(level: str) -> None:
     gamma = fmpq(*map(int, level.split("/")))
+    at = {"a": LONG[0], "b": LONG[1], "gamma": gamma}
     with ball_precision(128):
-        found = defect_on(*levels.LONG, exact_level(*levels.LONG, gamma))
-    assert abs(levels._long_defect(gamma) - found) < 1e-18
+        found = defect_on(*LONG, exact_level(*LONG, gamma))
+        shown = value(tree(flip_defect_on_level), at, unique_by((one_time,)))
+        assert shown.is_finite()
+        assert abs(shown - found) < 1e-18

@@ -239,7 +239,7 @@ def test_verify_does_not_end_well(monkeypatch: Patch, capsys: Any) -> None:
     from tresym.ledger import verification
 
     claim = PLANTED[0]
-    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda: (claim,))
+    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (claim,))
     report = verification.verify()
     assert not report.as_expected
     assert report.counts["UNDECIDED"] == 1
@@ -252,7 +252,7 @@ def test_mutants_that_only_the_advocate_stops_are_told(monkeypatch: Patch, capsy
     from tresym.ledger.mutants.report import verify_mutants
 
     true = Claim("true", equal(sin(x) ** 2, 1 - cos(x) ** 2), by())
-    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda: (true,))
+    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (true,))
     report = verify_mutants(["true"], 3)
     assert not report.survivors
     assert report.stopped

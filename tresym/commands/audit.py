@@ -39,7 +39,7 @@ def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
     from pathlib import Path
 
-    from tresym import proofs
+    import tresym.proofs as proofs
     from tresym.ledger.audit import coverage
 
     index = coverage.load_index(Path(proofs.__file__).with_name("index.json"))

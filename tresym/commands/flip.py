@@ -20,10 +20,9 @@ from tresym.commands.parser import (
     parse_seconds,
 )
 from tresym.output import bold, colour_wanted, dim
-from tresym.racket.formulas import printed
-from tresym.racket.result import Flip, Journey, proves
-from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
-from tresym.reals.numbers.exact import InputError, decimal_ball, fraction_text
+from tresym.racket.result import Flip, Journey, proves, radians
+from tresym.reals.numbers.arithmetic import ball_precision, bits
+from tresym.reals.numbers.exact import InputError, fraction_text
 
 if TYPE_CHECKING:
     from tresym.racket.body import Shape
@@ -169,8 +168,8 @@ def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
     with ball_precision(bits(answer.digits, 64)):
         rows = [
             ("shape", _shape(answer)),
-            ("defect   ε", _radians(answer.defect, answer.digits)),
-            ("flip    Δψ", _radians(answer.turn, answer.digits)),
+            ("defect   ε", radians(answer.defect, answer.digits)),
+            ("flip    Δψ", radians(answer.turn, answer.digits)),
             *_approximations(answer),
             ("rung", f"{answer.rung}: {answer.why}"),
             ("realizable", _realizable(answer)),
@@ -184,9 +183,9 @@ def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
     with ball_precision(bits(answer.digits, 64)):
         rows = [
             ("shape", _shape(answer)),
-            ("flip    Δψ", _radians(answer.turn, answer.digits)),
-            ("ends at  ψ", _radians(answer.psi, answer.digits)),
-            ("         θ", _radians(answer.theta, answer.digits)),
+            ("flip    Δψ", radians(answer.turn, answer.digits)),
+            ("ends at  ψ", radians(answer.psi, answer.digits)),
+            ("         θ", radians(answer.theta, answer.digits)),
             ("rung", f"{answer.rung}: {answer.why}"),
             ("realizable", _realizable(answer)),
         ]
@@ -203,10 +202,9 @@ def _approximations(answer: Flip) -> list[tuple[str, str]]:
         ("", f"ε ≈ {_short(defect / degree)}°,   Δψ ≈ {_short(turn / degree)}°"),
         ("", f"Δψ = π(1 {'−' if defect > 0 else '+'} {_short(abs(2 * defect / arb.pi()))})"),
     ]
-    if answer.gamma != 0:
+    estimate = answer.paper
+    if estimate is None:
         return rows
-    a, b = arb(answer.shape.a), arb(answer.shape.b)
-    estimate = printed.asymptotic_defect(a, b, balls)
     error = 100 * (estimate / defect - 1)
     size = f"{float(abs(error)):.3g}"
     side = "large" if error > 0 else "small"
@@ -233,14 +231,6 @@ def _shape(answer: Flip | Journey) -> str:
         else:
             parts.append(f"{name} ≈ {_short(arb(value))}")
     return ",   ".join(parts)
-
-
-def _radians(x: arb, digits: int) -> str:
-    """A ball with every digit shown correct to within the radius beside it."""
-    if not proves(x, digits):
-        mid, rad = decimal_ball(x, digits)
-        return f"{mid} ± {rad} rad"
-    return x.str(max(digits, 2)).strip("[]").replace("+/-", "±") + " rad"
 
 
 def _realizable(answer: Flip | Journey) -> str:

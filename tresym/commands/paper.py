@@ -9,8 +9,7 @@ import sys
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from tresym.commands.check import parse_seconds
-from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver
+from tresym.commands.parser import UNEXPECTED, Commands, add_output, deliver, parse_seconds
 from tresym.output import bold, colour_wanted, dim
 
 if TYPE_CHECKING:

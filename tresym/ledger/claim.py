@@ -23,6 +23,7 @@ from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tup
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
 from tresym.ledger.statements import ExactlyOne, Statement, together_under
+from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.verdict import Verdict
 
 
@@ -386,6 +387,23 @@ class Claim:
         if not self.label:
             raise ValueError("a claim without a label: the last line of its part gives it one")
         return hash(self.label)
+
+    def __repr__(self) -> str:
+        return in_one_line(f"Claim({self.label}: {self.says})")
+
+    def _repr_html_(self) -> str:
+        """A small table for notebooks."""
+        given = ", ".join(map(str, self.given))
+        rows = [("says", str(self.says)), ("given", given), ("expected", self.expect.value)]
+        return html_table(self.label, [row for row in rows if row[1]])
+
+    def _repr_latex_(self) -> str:
+        """The formula that is decided; of prose alone, the prose."""
+        from sympy import latex
+
+        if self.statement is None:
+            return f"$\\text{{{self.says}}}$"
+        return f"${latex(self.statement)}$"
 
     @cached_property
     def statement(self) -> Basic | None:

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from time import process_time
 
-from sympy import Basic, Derivative, Integral, Subs
+from sympy import Basic, Derivative, Eq, Integral, Subs
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
@@ -46,6 +46,7 @@ from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condit
 from tresym.ledger.evidence.charted import Charted, judge_charted
 from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, denied_somewhere, judge_counterexample
+from tresym.ledger.evidence.evaluated import Evaluated, judge_evaluated
 from tresym.ledger.evidence.facts import by_facts, facts_of
 from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
@@ -136,7 +137,9 @@ def _attacked(claim: Claim, finding: Finding, spent: float) -> Finding:
     if says is None or not _can_be_evaluated(says, claim):
         return finding
     try:
-        against = contradiction(says, claim.given, _known(claim), spent)
+        values = tuple(c for c in claim.given if isinstance(c, Eq))
+        given = tuple(c for c in claim.given if c not in values)
+        against = contradiction(says, given, (*_known(claim), *values), spent)
     except CircularError:
         return finding
     if against is None:
@@ -203,6 +206,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         case Charted():
             finding = judge_charted(claim, claim.proof)
             return finding if finding.verdict.holds else denied_somewhere(claim) or finding
+        case Evaluated():
+            return judge_evaluated(claim, claim.proof)
         case Asymptotics():
             return judge_asymptotics(claim, claim.proof)
         case Boxes() | Denied():

@@ -6,6 +6,7 @@ The judge knows no paper; the proofs import the ledger, never the other way roun
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from functools import lru_cache
 from importlib import import_module
 from importlib.resources import files
@@ -20,10 +21,23 @@ PAPER = "tresym.proofs"
 """A package with ``claims()`` and ``parts()``, an index of the paper and stored box proofs."""
 
 
-def all_claims() -> tuple[Claim, ...]:
-    """Every claim of the proofs, each after all that it rests on."""
+def all_claims(labels: Iterable[str] = ()) -> tuple[Claim, ...]:
+    """Every claim of the proofs, each after all that it rests on.
+
+    Args:
+        labels: where they are given, no more files are loaded than those in which they are written
+            and what these rest on; all, where one is written nowhere.
+    """
+    proofs, asked = import_module(PAPER), set(labels)
+    found = _each_after_its_own(proofs.claims(proofs.written_in(asked))) if asked else ()
+    if found and asked <= {claim.label for claim in found}:
+        return found
+    return _each_after_its_own(proofs.claims())
+
+
+def _each_after_its_own(claims: Iterable[Claim]) -> tuple[Claim, ...]:
     order: dict[Claim, None] = {}
-    for claim in import_module(PAPER).claims():
+    for claim in claims:
         order.update(dict.fromkeys((*claim.rests_on, claim)))
     return tuple(order)
 

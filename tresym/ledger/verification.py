@@ -18,6 +18,7 @@ from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
 from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
+from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes, checked_workers
 from tresym.reals.verdict import Verdict
@@ -27,6 +28,10 @@ BATCH = 6
 """Claims that a process takes at once: neighbours, for they share what is remembered."""
 
 
+SHOWN = 40
+"""Claims that a notebook shows of a report."""
+
+
 @dataclass(frozen=True)
 class Row:
     """A claim, what was found, and whether it was asked for by name (or only rested on)."""
@@ -34,6 +39,19 @@ class Row:
     claim: Claim
     finding: Finding
     requested: bool = True
+
+    def __repr__(self) -> str:
+        beside = "" if self.as_expected else f", expected {self.claim.expect.value}"
+        return in_one_line(f"Row({self.claim.label}: {self.finding.verdict.value}{beside})")
+
+    def _repr_html_(self) -> str:
+        """A small table for notebooks."""
+        rows = [("verdict", self.finding.verdict.value), ("why", self.finding.why)]
+        return html_table(self.claim.label, rows) + self.claim._repr_html_()
+
+    def _repr_latex_(self) -> str:
+        """The claim, which the verdict is on."""
+        return self.claim._repr_latex_()
 
     @property
     def as_expected(self) -> bool:
@@ -51,6 +69,26 @@ class Report:
     """The ledger: one row per claim, in the order of the proofs."""
 
     rows: tuple[Row, ...]
+
+    def __repr__(self) -> str:
+        return in_one_line(f"Report({self._said})")
+
+    @property
+    def _said(self) -> str:
+        counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items() if count)
+        outcome = "as expected" if self.as_expected else "not as expected"
+        return f"{len(self.rows)} claims: {counts}; {outcome}"
+
+    def _repr_html_(self) -> str:
+        """The counts, and the claims that were asked for, what is not as expected first."""
+        chosen = sorted((row for row in self.rows if row.requested), key=lambda r: r.as_expected)
+        rows = [(row.claim.label, row.finding.verdict.value) for row in chosen[:SHOWN]]
+        more = [(f"and {len(chosen) - SHOWN} more",)] if len(chosen) > SHOWN else []
+        return html_table(self._said, [*rows, *more])
+
+    def _repr_latex_(self) -> str:
+        """The counts."""
+        return f"$\\text{{{self._said}}}$"
 
     @property
     def counts(self) -> dict[str, int]:
@@ -96,7 +134,7 @@ def verify(
             processes that keep dying.
     """
     asked, workers = _labels(labels), checked_workers(workers)
-    claims = paper.all_claims()
+    claims = paper.all_claims(asked)
     _need_coherent(claims)
     chosen, requested = _choose(claims, asked)
     found: dict[str, Finding] = {}
@@ -121,12 +159,15 @@ def _labels(asked: Any) -> tuple[str, ...]:
 
 
 def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | None]:
-    """What each claim's own evidence comes to, looked at in ``workers`` processes."""
+    """What each claim's own evidence comes to, looked at in ``workers`` processes.
+
+    They are copies of this one, in which all claims are at hand.
+    """
     batches = [claims[n : n + BATCH] for n in range(0, len(claims), BATCH)]
     if workers == 1 or len(batches) == 1:
         yield from (None for _ in claims)
         return
-    with Processes(min(workers, len(batches))) as processes:
+    with Processes(min(workers, len(batches)), forked=True) as processes:
         asked = [tuple(claim.label for claim in batch) for batch in batches]
         for future in [processes.submit(_evidence_of, a, searching_anew()) for a in asked]:
             try:
@@ -137,7 +178,7 @@ def _evidence(claims: tuple[Claim, ...], workers: int) -> Iterator[Finding | Non
 
 def _evidence_of(labels: tuple[str, ...], anew: bool) -> list[Finding | None]:
     """In a process of its own: the evidence of the claims with these labels."""
-    known = {claim.label: claim for claim in paper.all_claims()}
+    known = {claim.label: claim for claim in paper.all_claims(labels)}
     with finding_anew() if anew else nullcontext():
         return [judge_evidence(known[label]) for label in labels]
 
@@ -204,7 +245,7 @@ def _need_coherent(claims: tuple[Claim, ...]) -> None:
 
 def choose(labels: tuple[str, ...]) -> tuple[Claim, ...]:
     """The claims named by ``labels`` with all that they rest on, foundations first."""
-    return _choose(paper.all_claims(), labels)[0]
+    return _choose(paper.all_claims(labels), labels)[0]
 
 
 def _choose(

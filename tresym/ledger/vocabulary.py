@@ -26,6 +26,7 @@ from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted, On, Reading, Shown
 from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.evaluated import Evaluated
 from tresym.ledger.evidence.meant import Meant
 from tresym.ledger.reasons import (
     adding, algebra, applying, changing_variable, citing, collecting, cutting,
@@ -40,15 +41,15 @@ from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Charted", "Claim",
-    "Counterexample", "Definition", "Denied", "Derivative", "Equivalent", "ExactlyOne", "Expr",
-    "Fault", "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction", "Instance",
-    "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "On", "Place", "Printed",
-    "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Subs", "Symbol", "TheRoot",
-    "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of", "applying",
-    "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate", "changing_variable",
-    "citing", "collecting", "cos", "cosh", "cutting", "det", "diff", "differentiating_integral",
-    "differentiation", "display", "equal", "equations", "evaluating", "exp", "exponentials", "eye",
-    "fmpq", "formally", "integrating", "inverses", "label_claims", "line", "log", "manifest",
-    "multiplying", "oo", "order", "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step",
-    "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
+    "Counterexample", "Definition", "Denied", "Derivative", "Equivalent", "Evaluated", "ExactlyOne",
+    "Expr", "Fault", "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction",
+    "Instance", "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "On", "Place",
+    "Printed", "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Subs", "Symbol",
+    "TheRoot", "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of",
+    "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
+    "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
+    "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
+    "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses", "label_claims",
+    "line", "log", "manifest", "multiplying", "oo", "order", "parts_of", "pi", "roots", "sin",
+    "sinh", "sqrt", "step", "substituting", "sympy", "tan", "tanh", "together", "trigonometry",
 ]

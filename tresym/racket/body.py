@@ -6,14 +6,15 @@ data of the paper and nothing else.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from itertools import pairwise
 from numbers import Rational
 from typing import NamedTuple, TypeAlias
 
 from flint import fmpq
 
-from tresym.reals.numbers.exact import InputError, as_rational, quoted
+from tresym.reals.notebook import html_table
+from tresym.reals.numbers.exact import InputError, as_rational, fraction_text, quoted
 
 Exact: TypeAlias = str | int | Rational | fmpq
 """What a number may be given as; never a float."""
@@ -38,6 +39,8 @@ def shape(a: Exact, b: Exact) -> Shape:
         InputError: unless a > 0 and 0 < b ≤ 1; b = 0 is told apart as the symmetric top.
     """
     p, q = as_rational(a, "shape parameter a"), as_rational(b, "shape parameter b")
+    if p.p > 0 and 0 < q.p <= q.q:  # as integers, which are compared at a third of the cost
+        return Shape(p, q)
     if p < 0:
         raise InputError("shape parameter a: must be positive (a = I2/I1 - 1 with I1 < I2)")
     if p == 0:
@@ -50,9 +53,7 @@ def shape(a: Exact, b: Exact) -> Shape:
             "shape parameter b: 0 is a symmetric top (I2 = I3), whose separatrix is all "
             "equilibria: no isolated root, the defect tends to pi/2 as b -> 0; b must be in (0, 1]"
         )
-    if q < 0 or q > 1:
-        raise InputError("shape parameter b: must be in (0, 1] (b = 1 - I2/I3 with I2 < I3)")
-    return Shape(p, q)
+    raise InputError("shape parameter b: must be in (0, 1] (b = 1 - I2/I3 with I2 < I3)")
 
 
 class Body:
@@ -117,6 +118,17 @@ class Body:
         """As one would type it."""
         return f"Body('{self.I1}', '{self.I2}', '{self.I3}')"
 
+    def _repr_html_(self) -> str:
+        """A small table for notebooks."""
+        moments = ((name, fraction_text(getattr(self, name))) for name in self.__slots__)
+        shape = zip("ab", map(fraction_text, self.shape), strict=True)
+        return html_table("Body", (*moments, *shape, ("realizable", str(self.realizable))))
+
+    def _repr_latex_(self) -> str:
+        """The moments."""
+        moments = [f"I_{i} = {fraction_text(getattr(self, f'I{i}'))}" for i in (1, 2, 3)]
+        return "$" + ",\\ ".join(moments) + "$"
+
 
 def _order(moments: list[fmpq]) -> str:
     """The order the moments are in, as one writes it."""
@@ -140,6 +152,21 @@ def shape_of_rotational_constants(B1: Exact, B2: Exact, B3: Exact) -> Shape:
     return Body(*(1 / x for x in constants)).shape
 
 
+def as_shape(a: Exact | Shape | Body | NamedBody, b: Exact | None = None) -> Shape:
+    """The shape that two numbers give, or a body alone.
+
+    Raises:
+        InputError: as :func:`shape` does, or one number alone.
+    """
+    if b is not None:
+        return shape(a, b)
+    if isinstance(a, Shape):
+        return shape(*a)
+    if isinstance(a, Body | NamedBody):
+        return a.shape
+    raise InputError("shape: give a and b, or a body alone")
+
+
 class NamedBody(NamedTuple):
     """A body the paper prints data of: what it is, where the data stand, and how they are read."""
 
@@ -154,7 +181,7 @@ class NamedBody(NamedTuple):
         return self.read(*self.data)
 
 
-NAMED_BODIES = {
+NAMED_BODIES: Mapping[str, NamedBody] = {
     "str": NamedBody(
         "standard tennis racket (Wilson T-2000)",
         "moments of Table 1",

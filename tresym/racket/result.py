@@ -7,7 +7,9 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.racket.body import Shape
-from tresym.reals.numbers.arithmetic import ball_precision, bits
+from tresym.racket.formulas import printed
+from tresym.reals.notebook import html_table
+from tresym.reals.numbers.arithmetic import ball_precision, balls, bits
 from tresym.reals.numbers.exact import decimal_ball, fraction_text
 
 GUARD_BITS = 4
@@ -35,6 +37,31 @@ class Flip(NamedTuple):
         """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂)."""
         return self.shape.realizable
 
+    @property
+    def degrees(self) -> arb:
+        """The defect ε in degrees."""
+        with ball_precision(bits(self.digits, 64)):
+            return self.defect * 180 / arb.pi()
+
+    @property
+    def paper(self) -> arb | None:
+        """ε as the paper's asymptotic formula has it, which is for γ = 0 alone."""
+        if self.gamma != 0:
+            return None
+        with ball_precision(bits(self.digits, 64)):
+            return printed.asymptotic_defect(arb(self.shape.a), arb(self.shape.b), balls)
+
+    def __repr__(self) -> str:
+        return _line_of(self)
+
+    def _repr_html_(self) -> str:
+        """A small table for notebooks."""
+        return html_table("Flip", (*_shown(self), ("rung", f"{self.rung}: {self.why}")))
+
+    def _repr_latex_(self) -> str:
+        """Defect and flip."""
+        return _latex_of(self)
+
     def as_json(self) -> dict[str, Any]:
         """The answer under the keys of ``tresym flip --json``; numbers are decimal strings."""
         return _answer_json(self, ball_json(self.defect, self.digits), None, None)
@@ -61,10 +88,63 @@ class Journey(NamedTuple):
         """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂)."""
         return self.shape.realizable
 
+    def __repr__(self) -> str:
+        return _line_of(self)
+
+    def _repr_html_(self) -> str:
+        """A small table for notebooks."""
+        return html_table("Journey", (*_shown(self), ("rung", f"{self.rung}: {self.why}")))
+
+    def _repr_latex_(self) -> str:
+        """Where the start comes to."""
+        return _latex_of(self)
+
     def as_json(self) -> dict[str, Any]:
         """The same keys as for a flip; there is no defect away from the symmetric trajectory."""
         psi, theta = (ball_json(x, self.digits) for x in (self.psi, self.theta))
         return _answer_json(self, None, psi, theta)
+
+
+MOST_DIGITS = 50
+"""Digits that are shown of a ball where a value is shown in one line."""
+
+
+def _shown(answer: Flip | Journey) -> list[tuple[str, str]]:
+    """The names and numbers of an answer, the balls first."""
+    if isinstance(answer, Flip):
+        found = [("ε", answer.defect), ("Δψ", answer.turn)]
+    else:
+        found = [("Δψ", answer.turn), ("ψ", answer.psi), ("θ", answer.theta)]
+    few = min(answer.digits, MOST_DIGITS)
+    with ball_precision(bits(answer.digits, 64)):
+        rows = [(name, radians(x, few)) for name, x in found]
+        for name, y in (("a", answer.shape.a), ("b", answer.shape.b), ("γ", answer.gamma)):
+            exact = fraction_text(y) if isinstance(y, fmpq) else ""
+            rows.append((name, exact if 0 < len(exact) < 40 else arb(y).str(12, radius=False)))
+    return rows
+
+
+def radians(x: arb, digits: int) -> str:
+    """A ball with every digit shown correct to within the radius beside it."""
+    if not proves(x, digits):
+        mid, rad = decimal_ball(x, digits)
+        return f"{mid} ± {rad} rad"
+    return x.str(max(digits, 2)).strip("[]").replace("+/-", "±") + " rad"
+
+
+def _line_of(answer: Flip | Journey) -> str:
+    parts = ", ".join(f"{name} = {text}" for name, text in _shown(answer))
+    return f"{type(answer).__name__}({parts})"
+
+
+def _latex_of(answer: Flip | Journey) -> str:
+    named = {"ε": "\\varepsilon", "Δψ": "\\Delta\\psi", "ψ": "\\psi", "θ": "\\theta"}
+    parts = [
+        f"{named[name]} = " + text.removesuffix(" rad").replace("±", "\\pm")
+        for name, text in _shown(answer)
+        if name in named
+    ]
+    return "$" + ",\\ ".join(parts) + "$"
 
 
 def _answer_json(

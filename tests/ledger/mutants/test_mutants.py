@@ -163,7 +163,7 @@ def test_a_denial_by_what_is_false_denies_nothing(monkeypatch: pytest.MonkeyPatc
     for mutant in found:
         held = {c.label: judge(c, {}) for c in mutant.beneath}
         assert judge(mutant.claim, held).verdict is Verdict.UNDECIDED
-    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda: (ground, denied))
+    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (ground, denied))
     assert verify_mutants(["denied"], 2).survivors == ()
     believing = Finding(Verdict.REFUTED, "so it is said")
     monkeypatch.setattr(

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import pytest
-from flint import acb, arb, fmpq
+from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.language.binders import at as value_at
 from tresym.reals.language.binders import derivative, integral, order, root
-from tresym.reals.language.expression import FUNCTIONS, PI, Expr, apply, number, symbol
+from tresym.reals.language.expression import PI, Expr, number, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.unworked import MEROMORPHIC, At, Enclosing, _Holomorphic, value
-from tresym.reals.places.values import evaluate
+from tresym.reals.places.unworked import At, value
 
 
 def one(node: Expr, at: At) -> bool:
@@ -94,36 +94,6 @@ def test_a_bracket_is_widened_until_it_holds_all_roots() -> None:
     assert all(whole.contains(at(e, a=fmpq(n)).mid()) for n in (1, 2, 3))
 
 
-HOLOMORPHIC = ("x**2", "x**(-3)", "sqrt(x)", "x**(5/3)", "x**pi", "log(x)", "pi*x + 1/2", "abs(x)")
-
-
-@pytest.mark.parametrize("text", [*HOLOMORPHIC, *(f"{name}(x)" for name in sorted(MEROMORPHIC))])
-def test_in_the_complex_numbers_it_is_the_same_function(text: str) -> None:
-    e, here = parse(text), fmpq(3, 7)
-    with ball_precision(128):
-        outer = Enclosing({})
-        found = _Holomorphic(outer, "x", acb(here)).value(e)
-        assert found.real.overlaps(evaluate(e, {"x": here}))
-        assert found.real.rel_accuracy_bits() > 90
-        assert found.imag.contains(0)
-        turned = _Holomorphic(outer, "x", acb(0, 1)).value(e)
-        if text in ("sqrt(x)", "exp(x)", "cos(x)"):
-            assert not turned.imag.is_zero() or text == "cos(x)"
-
-
-@pytest.mark.parametrize("name", sorted(FUNCTIONS - MEROMORPHIC - {"abs", "log"}))
-def test_what_is_not_holomorphic_everywhere_is_not_taken_for_it(name: str) -> None:
-    outer = Enclosing({})
-    x = symbol("x")
-    assert not _Holomorphic(outer, "x", acb(fmpq(3, 2))).value(apply(name, x)).is_finite()
-
-
-@pytest.mark.parametrize("text", ["sqrt(x)", "x**(1/3)", "log(x)", "x**pi", "1/x", "abs(x)"])
-def test_a_ball_on_a_cut_has_no_holomorphic_value(text: str) -> None:
-    wide = acb(arb(0, 1), arb(0, 1))
-    assert not _Holomorphic(Enclosing({}), "x", wide).value(parse(text)).is_finite()
-
-
 def test_roots_that_are_known() -> None:
     assert (at(found("x**2 - 2", "0", "2")) ** 2).contains(2)
     assert at(found("cos(x)", "0", "3") - PI / 2).contains(0)
@@ -153,8 +123,24 @@ def test_a_root_that_nobody_says_is_one_has_no_value() -> None:
     assert not at(e, none).is_finite()
 
 
+def test_values_are_put_in_where_a_root_is_asked_for() -> None:
+    e = root(parse("x**2 - y"), "x", parse("0"), parse("y"))
+    asked = []
+
+    def there(node: Expr, at: At) -> bool:
+        asked.append(at["y"])
+        return node == e
+
+    two = value_at(e, {"y": parse("4*z")})
+    assert at(two - 2, there, z=fmpq(1), y=fmpq(25)).contains(0)
+    assert not at(two - 5, there, z=fmpq(1), y=fmpq(25)).contains(0)
+    assert {bool(y == 4) for y in asked} == {True}
+    assert at(value_at(derivative(parse("x**3"), "x"), {"x": parse("2")})) == 12
+
+
 def test_nothing_else_that_binds_has_a_value_here() -> None:
-    assert not at(derivative(parse("x**2"), "x"), x=fmpq(1)).is_finite()
+    rate = derivative(integral(parse("y*x"), "x", parse("0"), parse("1")), "y")
+    assert not at(rate, y=fmpq(1)).is_finite()
     assert not at(parse("limit(1/x, x, oo)")).is_finite()
     assert not at(order("O", symbol("x")), x=fmpq(1)).is_finite()
 

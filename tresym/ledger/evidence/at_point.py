@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import cast
 
 from flint import arb, ctx, fmpq
+from sympy import Basic
 
 from tresym.ledger.claim import Claim, Root
 from tresym.ledger.definitions import Entry, table
-from tresym.ledger.meaning import conditions, tree
-from tresym.ledger.statements import ExactlyOne
-from tresym.reals.language.expression import symbols
+from tresym.ledger.meaning import Conditions, conditions, tree
+from tresym.ledger.statements import AtMostOne, ExactlyOne, TheRoot
+from tresym.reals.language.binders import ordered
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import names
+from tresym.reals.places.unworked import At, Unique, value
 from tresym.reals.places.values import evaluate, stands
 
-Values = dict[str, arb]
+Values = Mapping[str, fmpq | arb]
 
 
-def values_at(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> Values:
+def values_at(point: Mapping[str, fmpq], claims: Iterable[Claim]) -> dict[str, arb]:
     """Balls around the coordinates, and around what the claims define by them.
 
     What is defined has no value of its own, and none where balls do not confirm the conditions
@@ -53,6 +58,34 @@ def _root(entry: Entry, known: Values) -> arb:
     name = f"[{entry.symbol.args[0]}]"
     low, high = (evaluate(tree(end), known) for end in (one.low, one.high))
     return changing_sign(low, high, lambda x: evaluate(entry.meaning, {**known, name: x}))
+
+
+def one_root(unique: Claim) -> Expr:
+    """The root of which a claim says that there is one, or one at most."""
+    return tree(TheRoot(*cast(Basic, unique.statement).args))
+
+
+def roots_of(claims: Iterable[Claim]) -> Iterator[tuple[Expr, Conditions, Claim]]:
+    """The roots of which claims say that there is one at most, and under which conditions."""
+    for claim in claims:
+        says = claim.statement
+        if isinstance(says, ExactlyOne | AtMostOne) and says.difference is not None:
+            bound = says.variable.name
+            given = tuple(c for c in conditions(claim.given) if bound not in names(c))
+            yield one_root(claim), given, claim
+
+
+def unique_by(claims: Iterable[Claim]) -> Unique:
+    """Whether one of the claims says that a root is one at most, at the values it is asked for."""
+    known = {ordered(node): given for node, given, _ in roots_of(claims)}
+
+    def unique(node: Expr, at: At) -> bool:
+        given = known.get(ordered(node))
+        return given is not None and all(
+            stands(value(c.left - c.right, at, unique), c.sign) for c in given
+        )
+
+    return unique
 
 
 def changing_sign(low: arb, high: arb, function: Callable[[arb], arb]) -> arb:

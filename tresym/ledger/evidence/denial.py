@@ -12,22 +12,21 @@ from sympy import Basic, Equivalent, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import Claim, Counterexample
-from tresym.ledger.evidence.at_point import values_at
+from tresym.ledger.evidence.at_point import Values, unique_by, values_at
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import conditions, defined, known, tree
 from tresym.ledger.second_look import excluded, scalars
 from tresym.ledger.statements import Under
-from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
-from tresym.reals.places.values import evaluate, stands
+from tresym.reals.places.unworked import Unique, value
+from tresym.reals.places.values import stands
 from tresym.reals.verdict import Verdict
 
 BITS = 256, 2048
 POINTS = 4
 """Exact points of a region at which a bound is tried."""
 Point = Mapping[str, fmpq]
-Values = Mapping[str, fmpq | arb]
 
 
 def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
@@ -60,50 +59,54 @@ def not_denied(claim: Claim, exact: Point, bits: int = BITS[0]) -> str | None:
     if claim.statement is None:
         return "a point denies a formula, and none is stated"
     with ball_precision(bits):
-        point = values_at(exact, claim.rests_on)
+        point, unique = values_at(exact, claim.rests_on), unique_by(claim.rests_on)
         for condition in claim.given:
-            if not _holds_at(condition, point):
+            if not _holds_at(condition, point, unique):
                 return f"{condition} is not shown at the point"
-        if denied_at(claim.statement, point) is None:
+        if denied_at(claim.statement, point, unique) is None:
             return "the statement is not shown to fail at the point"
     return None
 
 
-def denied_at(says: Basic, point: Values) -> tuple[tuple[Basic, ...], Relational] | None:
+def denied_at(
+    says: Basic, point: Values, unique: Unique = lambda node, at: False
+) -> tuple[tuple[Basic, ...], Relational] | None:
     """The relation in ``says`` that balls exclude at ``point``, after what holds there, or None."""
     match says:
         case Tuple():
-            return next((d for part in says.args if (d := denied_at(part, point))), None)
+            return next((d for part in says.args if (d := denied_at(part, point, unique))), None)
         case Under(args=(inner, given)):
-            denied = denied_at(inner, point) if _all_hold(given.args, point) else None
+            holds = _all_hold(given.args, point, unique)
+            denied = denied_at(inner, point, unique) if holds else None
             return denied and ((*given.args, *denied[0]), denied[1])
         case Equivalent(args=(first, second)):
             for one, other in ((first, second), (second, first)):
-                denied = denied_at(other, point) if _all_hold((one,), point) else None
+                holds = _all_hold((one,), point, unique)
+                denied = denied_at(other, point, unique) if holds else None
                 if denied is not None:
                     return (one, *denied[0]), denied[1]
         case Relational():
             for entry in scalars(says):
-                if excluded(_difference_at(entry, point), entry.rel_op):
+                if excluded(_difference_at(entry, point, unique), entry.rel_op):
                     return (), entry
     return None
 
 
-def _all_hold(conditions: tuple[Basic, ...], point: Values) -> bool:
-    return all(_holds_at(entry, point) for part in conditions for entry in scalars(part))
+def _all_hold(conditions: tuple[Basic, ...], point: Values, unique: Unique) -> bool:
+    return all(_holds_at(entry, point, unique) for part in conditions for entry in scalars(part))
 
 
-def _holds_at(relation: Basic, point: Values) -> bool:
+def _holds_at(relation: Basic, point: Values, unique: Unique) -> bool:
     """Whether balls show that a relation holds at ``point``; an equation only where they are 0."""
-    return stands(_difference_at(relation, point), relation.rel_op)
+    return stands(_difference_at(relation, point, unique), relation.rel_op)
 
 
-def _difference_at(relation: Basic, point: Values) -> arb:
+def _difference_at(relation: Basic, point: Values, unique: Unique) -> arb:
     """The difference of the sides; not finite where a symbol has no value, or a side none."""
     if not {symbol.name for symbol in relation.free_symbols} <= {*point}:
         return arb.nan()
-    left, right = map(worked_out, map(tree, relation.args))
-    return evaluate(left - right, point) if elementary(left, right) else arb.nan()
+    left, right = map(tree, relation.args)
+    return value(left - right, point, unique)
 
 
 @dataclass(frozen=True)

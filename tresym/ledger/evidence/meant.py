@@ -33,6 +33,7 @@ from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied
+from tresym.ledger.evidence.evaluated import Evaluated
 from tresym.ledger.meaning import tree
 from tresym.ledger.statements import As
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -53,7 +54,7 @@ HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
-    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Monotone),
+    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Evaluated, Monotone),
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
 

@@ -14,12 +14,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import product
-from typing import cast
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 from sympy import Basic, Eq, Symbol
 
 from tresym.ledger.claim import Claim, Root
+from tresym.ledger.evidence.at_point import one_root, roots_of
 from tresym.ledger.finding import Finding
 from tresym.ledger.meaning import (
     DEFINING,
@@ -30,10 +30,10 @@ from tresym.ledger.meaning import (
     known,
     tree,
 )
-from tresym.ledger.statements import AtMostOne, ExactlyOne, Rounds, TheRoot
+from tresym.ledger.statements import Rounds
 from tresym.reals.balls.boxes import halves
 from tresym.reals.language import expression
-from tresym.reals.language.binders import ordered, outermost, worked_out
+from tresym.reals.language.binders import ordered, outermost
 from tresym.reals.language.expression import Expr, symbol, symbols
 from tresym.reals.language.formula import Relation, names
 from tresym.reals.numbers.arithmetic import ball_precision, bits
@@ -66,13 +66,10 @@ class Rule:
 
 
 @dataclass(frozen=True)
-class Number:
-    """A printed number: its term, what is printed, and what the symbols are."""
+class Term:
+    """A term, over which box its inputs are, and what its symbols are by them."""
 
-    text: str
-    half_units: int
     term: Expr
-    target: Interval
     inputs: Mapping[str, Interval]
     rules: Mapping[str, Rule]
     roots: Mapping[Expr, Rule]
@@ -80,25 +77,55 @@ class Number:
     others: Mapping[str, fmpq] = field(default_factory=dict)
     """Values for the variables of the claims that are used of which nothing here speaks."""
 
+    constants: dict[int, Place] = field(default_factory=dict, compare=False)
+    """By precision, what does not depend on the inputs."""
+
     def value(self, sides: tuple[arb, ...]) -> arb:
         """The term at the inputs; NaN where it, or a condition, is not shown."""
         inputs = dict(zip(self.inputs, sides, strict=True))
         others = {name: arb(x) for name, x in self.others.items()}
-        place = Place({**inputs, **others}, self.rules, self.roots)
+        fixed = {name: rule for name, rule in self.rules.items() if name not in inputs}
+        constant = self.constants.setdefault(ctx.prec, Place(others, fixed, self.roots))
+        place = Place({**inputs, **others}, self.rules, self.roots, constant)
         return place.value(self.term) if place.meets(self.given) else arb.nan()
+
+
+@dataclass(frozen=True)
+class Number:
+    """A printed number: its term, and what is printed for it."""
+
+    of: Term
+    text: str
+    half_units: int
+    target: Interval
+
+    @property
+    def inputs(self) -> Mapping[str, Interval]:
+        """Where the inputs are."""
+        return self.of.inputs
+
+    def value(self, sides: tuple[arb, ...]) -> arb:
+        """The term at the inputs."""
+        return self.of.value(sides)
 
 
 class Place(dict[str, arb]):
     """What each symbol is at some inputs; what is defined is worked out when it is asked for."""
 
     def __init__(
-        self, inputs: Mapping[str, arb], rules: Mapping[str, Rule], roots: Mapping[Expr, Rule]
+        self,
+        inputs: Mapping[str, arb],
+        rules: Mapping[str, Rule],
+        roots: Mapping[Expr, Rule],
+        constant: Place | None = None,
     ) -> None:
-        """The inputs, and what is said of other symbols and of roots."""
+        """The inputs, what is said of other symbols and of roots, and what is so without inputs."""
         super().__init__(inputs)
-        self.rules, self.roots = rules, roots
+        self.rules, self.roots, self.constant = rules, roots, constant
 
     def __missing__(self, name: str) -> arb:
+        if self.constant is not None and name in self.rules and self.constant[name].is_finite():
+            return self.constant[name]
         rule = self.rules.get(name)
         if rule is None:
             raise UndefinedError
@@ -116,8 +143,12 @@ class Place(dict[str, arb]):
         return all(stands(self.value(c.left - c.right), c.sign) for c in given)
 
     def _is_one(self, node: Expr, at: At) -> bool:
+        """Whether the claim that a root is one says so ``at`` the values that it is asked for."""
         rule = self.roots.get(ordered(node))
-        return rule is not None and self.meets(rule.given)
+        differences = ((c.left - c.right, c.sign) for c in rule.given) if rule else ()
+        return rule is not None and all(
+            stands(value(e, at, self._is_one), sign) for e, sign in differences
+        )
 
 
 def number_of(claim: Claim) -> Number:
@@ -129,18 +160,25 @@ def number_of(claim: Claim) -> Number:
     says = claim.statement
     if not isinstance(says, Rounds):
         raise InputError("no printed number is stated")
+    return Number(term_of(claim, tree(says.term)), says.text, says.half_units, _target(says))
+
+
+def term_of(claim: Claim, term: Expr, box: Mapping[str, Interval] | None = None) -> Term:
+    """A term that a claim speaks of, under its conditions.
+
+    Args:
+        box: where inputs are of which no condition says how they are printed.
+
+    Raises:
+        InputError: as for a printed number.
+    """
     inputs, rules, plain = _inputs(claim.given)
-    found = Number(
-        text=says.text,
-        half_units=says.half_units,
-        term=worked_out(tree(says.term)),
-        target=_target(says),
-        inputs=inputs,
-        rules={**_rules(claim), **rules},
-        roots=_roots(claim),
-        given=conditions(tuple(plain)),
-    )
-    return _grounded(found)
+    twice = {*inputs, *rules} & {*(box or {})}
+    if twice:
+        raise InputError(f"{min(twice)} is given twice")
+    inputs |= box or {}
+    known, roots = {**_rules(claim), **rules}, _roots(claim)
+    return _grounded(Term(term, inputs, known, roots, conditions(tuple(plain))))
 
 
 def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Rule], list[Basic]]:
@@ -158,7 +196,7 @@ def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], dict[str, Ru
         if isinstance(part, Rounds):
             inputs[name.name] = _target(part)
         else:
-            rules[name.name] = Rule(worked_out(tree(part.args[1])), (), None)
+            rules[name.name] = Rule(tree(part.args[1]), (), None)
     return inputs, rules, plain
 
 
@@ -177,33 +215,22 @@ def _rules(claim: Claim) -> dict[str, Rule]:
     for used in dict.fromkeys((*claim.uses, *behind)):
         meanings = definitions((used,))
         if isinstance(used.proof, Root):
-            meanings = {tree(used.proof.symbol): _root(used.proof.unique)}
+            meanings = {tree(used.proof.symbol): one_root(used.proof.unique)}
         for left, right in meanings.items():
             if left.op == "symbol":
-                rule = Rule(worked_out(right), conditions(used.given), used)
+                rule = Rule(right, conditions(used.given), used)
                 rules.setdefault(left.args[0], rule)
     return rules
 
 
-def _root(unique: Claim) -> Expr:
-    """The root of which a claim says that there is one, or one at most."""
-    return tree(TheRoot(*cast(Basic, unique.statement).args))
-
-
 def _roots(claim: Claim) -> dict[Expr, Rule]:
     """The roots of which the claims behind the evidence say that there is one at most."""
-    found = {}
-    for used in claim.rests_on:
-        says = used.statement
-        if isinstance(says, ExactlyOne | AtMostOne) and says.difference is not None:
-            node, bound = _root(used), says.variable.name
-            given = tuple(c for c in conditions(used.given) if bound not in names(c))
-            found[ordered(node)] = Rule(node, given, used)
-    return found
+    found = roots_of(claim.rests_on)
+    return {ordered(node): Rule(node, given, used) for node, given, used in found}
 
 
-def _grounded(number: Number) -> Number:
-    """The number, if all that its term comes to is given, or said by a claim.
+def _grounded(number: Term) -> Term:
+    """The term, if all that its term comes to is given, or said by a claim.
 
     The variables of a claim that nothing here speaks of, such as the length of M, may have any
     values that its conditions allow: some are found.
@@ -240,7 +267,7 @@ def _grounded(number: Number) -> Number:
     return replace(number, others=_others(number, tuple(asked)))
 
 
-def _others(number: Number, asked: Conditions) -> dict[str, fmpq]:
+def _others(number: Term, asked: Conditions) -> dict[str, fmpq]:
     """Values for the symbols of the conditions of which nothing else speaks."""
     others = frozenset().union(*map(names, asked)) - {*number.inputs, *number.rules}
     here = tuple(c for c in asked if names(c) <= others | {*number.inputs})

@@ -50,6 +50,7 @@ from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied, denied_somewhere
+from tresym.ledger.evidence.evaluated import Evaluated, fails_at_once
 from tresym.ledger.judge import judge_evidence, refute
 from tresym.ledger.mutants.changed_numbers import (
     Named,
@@ -72,6 +73,8 @@ Variant = Any
 TRIES, INPUT_TRIES = 40, 3
 """Changes tried at one place to find those that count: few of an input, whose every change is
 looked at over its whole box."""
+EVALUATED_TRIES = 20
+"""Changes tried of what is evaluated over a box, integrals and all."""
 LOOSENED, REGION_TRIES = 3, 12
 """Changes of each condition, and of all of them those that are tried."""
 LARGEST = 60
@@ -199,6 +202,8 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             yield from _root_spots(claim, claim.proof, claim.statement)
         case Charted():
             yield _charted_spot(claim)
+        case Evaluated():
+            yield _evaluated_spot(claim)
         case Monotone(slope=chain) if isinstance(claim.statement, AtMostOne):
             yield from _slope_spots(claim, chain, claim.statement)
         case Counterexample():
@@ -277,6 +282,16 @@ def _charted_spot(claim: Claim) -> _Spot:
     return _Spot(
         "statement", variants, claims, lambda mutated: denied_somewhere(mutated) is not None
     )
+
+
+def _evaluated_spot(claim: Claim) -> _Spot:
+    """Another statement, which balls refute on the same box."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        return (saying(claim, changed),)
+
+    variants = () if claim.statement is None else _mutations(claim.statement)
+    return _Spot("statement", variants, claims, fails_at_once, EVALUATED_TRIES)
 
 
 def _counterexample_spot(claim: Claim) -> _Spot:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tresym.racket.angle import Angle, as_angle
-from tresym.racket.body import Exact, shape
+from tresym.racket.body import Body, Exact, NamedBody, Shape, as_shape
 from tresym.racket.flip.ladder import climb, follow
 from tresym.racket.motion.trajectory import Start
 from tresym.racket.result import Flip, Journey
@@ -13,12 +13,18 @@ __all__ = ["Flip", "Journey", "flip_angle", "flip_defect"]
 
 
 def flip_defect(
-    a: Exact, b: Exact, gamma: Exact = 0, digits: int = 50, *, rung: str | None = None
+    a: Exact | Shape | Body | NamedBody,
+    b: Exact | None = None,
+    gamma: Exact = 0,
+    digits: int = 50,
+    *,
+    rung: str | None = None,
 ) -> Flip:
     """The flip defect ε of the shape (a, b) at γ, as a ball with ``digits`` certified digits.
 
     Args:
-        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b`` and ``gamma``.
+        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b`` and ``gamma``. Or a body,
+            which has its ``b`` in it.
         b: 1 − I₂/I₃, in (0, 1].
         gamma: distance from the separatrix, from −b to a.
         digits: 1 to 10 000.
@@ -27,13 +33,13 @@ def flip_defect(
     Raises:
         InputError: anything outside these ranges.
     """
-    return climb(shape(a, b), as_rational(gamma, "gamma"), digits, rung)
+    return climb(as_shape(a, b), as_rational(gamma, "gamma"), digits, rung)
 
 
 def flip_angle(
-    a: Exact,
-    b: Exact,
-    psi0: Exact | Angle,
+    a: Exact | Shape | Body | NamedBody,
+    b: Exact | None = None,
+    psi0: Exact | Angle = "pi/2",
     rate: Exact | None = None,
     digits: int = 50,
     *,
@@ -44,7 +50,7 @@ def flip_angle(
     """Δψ from any start, as a ball with ``digits`` certified digits, with ψ and θ at the end.
 
     Args:
-        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b``.
+        a: I₂/I₁ − 1 > 0; text, an integer or a fraction, like ``b``. Or a body.
         b: 1 − I₂/I₃, in (0, 1].
         psi0: ψ at the start in radians; also text such as ``"pi/2"`` or ``"-3*pi/4"``.
         rate: dψ/dφ at the start; this or ``theta0``.
@@ -63,4 +69,4 @@ def flip_angle(
         None if rate is None else as_rational(rate, "rate"),
         None if theta0 is None else as_angle(theta0, "theta0"),
     )
-    return follow(shape(a, b), start, as_angle(precession, "precession"), digits, rung)
+    return follow(as_shape(a, b), start, as_angle(precession, "precession"), digits, rung)

@@ -65,6 +65,11 @@ def reach(a: float, b: float) -> float:
     return (4 * (exponent - math.log(2) + math.log1p(R) / 2) - math.log(second)) / math.log(10)
 
 
+def least_product(digits: int) -> float:
+    """A value of ab below which :func:`reach` is below ``digits``, as it is < 8.2 √(ab) + 3."""
+    return max(digits - 3, 0) ** 2 / 67.24
+
+
 def _quartic(b: Any, R: Any) -> Any:
     """C of the lower bound."""
     K = 0.005905 if isinstance(b, float) else LARGEST_K

@@ -26,6 +26,7 @@ MAX_DIGITS = 10_000
 
 RUNGS = ("asymptotic", "separatrix", "carlson", "planar")
 """The rungs, cheapest first."""
+WITHOUT_FORMULA = RUNGS[1:]
 
 
 class RungAnswer(NamedTuple):
@@ -57,9 +58,11 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     """
     digits = checked_digits(digits)
     _checked_rung(rung)
-    level = defect.checked_gamma(shape.a, shape.b, fmpq(gamma))
+    level = gamma if isinstance(gamma, fmpq) else fmpq(gamma)
+    if level != 0:
+        defect.checked_gamma(shape.a, shape.b, level)
     start = time.perf_counter()
-    for used in _worth_trying(shape, level, digits) if rung is None else (rung,):
+    for used in (rung,) if rung is not None else _worth_trying(shape, level, digits):
         answer, shortfall = _on_rung(used, shape, level, digits)
         if answer is not None:
             seconds = time.perf_counter() - start
@@ -96,8 +99,10 @@ def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
     if gamma != 0:
         return RUNGS[2:]
     a, b = float(arb(shape.a)), float(arb(shape.b))
+    if a * b < asymptotic.least_product(digits):
+        return WITHOUT_FORMULA
     in_reach = 0 < a < math.inf and b > 0 and asymptotic.reach(a, b) > digits
-    return RUNGS if in_reach else RUNGS[1:]
+    return RUNGS if in_reach else WITHOUT_FORMULA
 
 
 def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[RungAnswer | None, str]:

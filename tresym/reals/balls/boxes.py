@@ -345,6 +345,12 @@ def _shown(here: Box) -> str:
     return " x ".join(f"[{fraction_text(x.low)}, {fraction_text(x.high)}]" for x in here)
 
 
+def inner_points(region: Box) -> list[BoxPoint]:
+    """The middle, and what is next to the corners; one point where there is nothing to choose."""
+    middle = tuple(side.middle for side in region)
+    return [middle, *(_inner_corners(region) if region else ())]
+
+
 def _inner_corners(region: Box) -> list[BoxPoint]:
     """The corners, moved inward by 2⁻³² of the sides: an excluded edge yields no witness."""
     inset = fmpq(1, 2**32)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from html import escape
 from typing import Any
 
 from flint import arb, fmpq
 
 from tresym.reals.decisions.identity import exact_text
 from tresym.reals.language.expression import Expr
+from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Decimal, InputError, decimal_ball, parse_number
 from tresym.reals.verdict import Verdict
@@ -53,6 +53,9 @@ class Answer:
         """Whether the claim holds: PROVED or ENCLOSED."""
         return self.verdict.holds
 
+    def __repr__(self) -> str:
+        return in_one_line(f"Answer({self.verdict.value}: {self.read_as}; {self.why})")
+
     def __str__(self) -> str:
         return "\n".join([self.verdict.value, *(f"  {name}: {text}" for name, text in self.rows())])
 
@@ -88,11 +91,17 @@ class Answer:
 
     def _repr_html_(self) -> str:
         """A small table for notebooks."""
-        rows = "".join(
-            f"<tr><td>{escape(name)}</td><td style='text-align:left'>{escape(text)}</td></tr>"
-            for name, text in self.rows()
-        )
-        return f"<b>{self.verdict.value}</b><table>{rows}</table>"
+        return html_table(self.verdict.value, self.rows())
+
+    def _repr_latex_(self) -> str:
+        """The verdict, with the claim as it was read."""
+        return f"$\\textbf{{{self.verdict.value}}}:\\ \\texttt{{{_in_latex(self.read_as)}}}$"
+
+
+def _in_latex(text: str) -> str:
+    """Text with what LaTeX would take for its own marked."""
+    marked = {"\\": "\\backslash ", "^": "\\hat{}", "~": "\\sim "}
+    return "".join(marked.get(c, f"\\{c}" if c in "#$%&_{}" else c) for c in text)
 
 
 def _unspaced(text: str) -> str:

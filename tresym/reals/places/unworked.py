@@ -9,26 +9,23 @@ function at the two ends of a bracket, and its values inside, by which it has no
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Callable, Mapping
 from functools import partial
 
 from flint import acb, arb, ctx, fmpq
 
+from tresym.reals.language.binders import worked_out
 from tresym.reals.language.expression import LEAVES, MINUS_ONE, Expr, opened, symbol, symbols
 from tresym.reals.numbers.arithmetic import ball_precision, balls, side
-from tresym.reals.places.values import InBalls, UndefinedError, Walker
+from tresym.reals.places.integrands import Integrand
+from tresym.reals.places.values import InBalls, UndefinedError
 
 At = Mapping[str, arb | fmpq]
 Unique = Callable[[Expr, At], bool]
 """Whether it is known that a node has one root at most, where the variables have these values."""
 Root = Callable[[Expr, "Enclosing"], arb]
 
-MEROMORPHIC = frozenset(
-    (
-        *("exp", "sin", "cos", "tan", "cot", "sec", "csc"),
-        *("sinh", "cosh", "tanh", "coth", "sech", "csch"),
-    )
-)
 JUMPS = frozenset(("sign", "atan2"))
 """Operations whose balls are finite where their values jump."""
 ROUGH = 64
@@ -38,6 +35,8 @@ ENDS = 24
 STEPS = 60
 EVALUATIONS = 20_000
 """How far an integral is refined."""
+SPARE = 6
+"""Bits by which an integral is asked for better than the integrand is known."""
 WIDER = 8
 """How often a bracket is doubled."""
 
@@ -48,7 +47,7 @@ def no_root(e: Expr, outer: Enclosing) -> arb:
 
 
 class Enclosing(InBalls):
-    """Values in balls, those of integrals among them, and of roots; of nothing else that binds.
+    """Values in balls, those of integrals and roots among them, and of what is put in.
 
     Raises, as all values in balls do, where a value is not shown to exist.
     """
@@ -63,6 +62,12 @@ class Enclosing(InBalls):
             return self._integral(e)
         if e.op == "root":
             return self.root(e, self)
+        if e.op == "at":
+            names, body = opened(e)
+            points = dict(zip(names, map(self.value, e.args[1:]), strict=True))
+            return _Inner(self, points).value(body)
+        if e.op == "derivative" and (found := worked_out(e)).op != "derivative":
+            return self.value(found)
         if e.names or e.op in ("O", "o"):
             raise UndefinedError
         if e.op == "*":
@@ -82,17 +87,12 @@ class Enclosing(InBalls):
     def _integral(self, e: Expr) -> arb:
         low, high = (acb(self.value(end)) for end in e.args[1:])
         (name,), body = opened(e)
-
-        def integrand(z: acb, analytic: bool) -> acb:
-            if not (analytic or z.imag.is_zero()):
-                return acb(arb.nan())
-            try:
-                here = _Holomorphic(self, name, z) if analytic else _Inner(self, name, z.real)
-                return acb(here.value(body))
-            except UndefinedError:
-                return acb(arb.nan())
-
-        return acb.integral(integrand, low, high, eval_limit=EVALUATIONS).real
+        integrand = Integrand(worked_out(body), name, self.value)
+        # Not asked for much better than the integrand is known.
+        known = integrand.real(((low + high) / 2).real.mid()).rel_accuracy_bits()
+        tolerance = arb((1, -min(max(known, 0) + SPARE, ctx.prec)))
+        fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
+        return acb.integral(integrand, low, high, **fine).real
 
 
 def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:
@@ -104,43 +104,16 @@ def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:
 
 
 class _Inner(Enclosing):
-    """Values where one more variable has a value, the others known from outside."""
+    """Values where more variables have values, the others known from outside."""
 
-    def __init__(self, outer: Enclosing, name: str, x: arb) -> None:
-        super().__init__({name: x}, outer.root)
-        self.outer, self.name = outer, name
+    def __init__(self, outer: Enclosing, more: dict[str, arb]) -> None:
+        super().__init__(ChainMap(more, outer.at), outer.root)  # type: ignore[arg-type]
+        self.outer, self.names = outer, more.keys()
 
     def value(self, e: Expr) -> arb:
-        return super().value(e) if self.name in symbols(e) else self.outer.value(e)
-
-
-class _Holomorphic(Walker):
-    """Values in complex balls on which every operation is holomorphic; else what is not finite."""
-
-    _number = acb
-
-    def __init__(self, outer: Enclosing, name: str, z: acb) -> None:
-        super().__init__(balls, {name: z})
-        self.outer, self.name = outer, name
-
-    def value(self, e: Expr) -> acb:
-        return super().value(e) if self.name in symbols(e) else acb(self.outer.value(e))
-
-    def _power(self, base: Expr, exponent: Expr) -> acb:
-        x = self.value(base)
-        if exponent.op != "number":
-            return (self.value(exponent) * x.log(analytic=True)).exp()
-        p, q = int(exponent.args[0].p), int(exponent.args[0].q)
-        if q == 1:
-            return x**p
-        return (x.sqrt(analytic=True) if q == 2 else x.pow(acb(fmpq(1, q)), analytic=True)) ** p
-
-    def _apply(self, name: str, *values: acb) -> acb:
-        if name == "log":
-            return values[0].log(analytic=True)
-        if name == "abs":
-            return values[0].real_abs(analytic=True)
-        return getattr(values[0], name)() if name in MEROMORPHIC else acb(arb.nan())
+        if e not in self.known and self.names.isdisjoint(symbols(e)):
+            self.known[e] = self.outer.value(e)
+        return super().value(e)
 
 
 def jumps(e: Expr) -> bool:
@@ -180,7 +153,7 @@ def _along(name: str, body: Expr, at: At, root: Root) -> Callable[[arb], arb]:
     def function(x: arb) -> arb:
         outer = outers.setdefault(ctx.prec, Enclosing(at, root))  # what is known is so precise
         try:
-            return _Inner(outer, name, x).value(body)
+            return _Inner(outer, {name: x}).value(body)
         except UndefinedError:
             return arb.nan()
 

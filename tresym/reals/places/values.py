@@ -177,19 +177,37 @@ class InBalls(Walker):
         return found
 
     def _apply(self, name: str, *values: arb) -> arb:
-        return _OWN[name](*values) if name in _OWN else getattr(values[0], name)()
+        return applied(name, *values)
 
     def _power(self, base: Expr, exponent: Expr) -> arb:
         x = self.value(base)
         if exponent.op != "number":
-            return (self.value(exponent) * x.log()).exp()
-        r: fmpq = exponent.args[0]
-        p, q = int(r.p), int(r.q)
-        if p < 0 and x.contains(0):
-            raise UndefinedError
-        if q == 1:
-            return _natural_power(x, p) if x.contains(0) else x**p
-        if not x >= 0:
-            raise UndefinedError
-        root = x.sqrt() if q == 2 else _root(x, q)
-        return root if p == 1 else root**p
+            return real_power(x, self.value(exponent))
+        return rational_power(x, exponent.args[0])
+
+
+def applied(name: str, *values: arb) -> arb:
+    """A function of balls; not finite, or undefined, where it has no value."""
+    return _OWN[name](*values) if name in _OWN else getattr(values[0], name)()
+
+
+def real_power(x: arb, y: arb) -> arb:
+    """``x**y``, where y is no number that is written."""
+    return (y * x.log()).exp()
+
+
+def rational_power(x: arb, r: fmpq) -> arb:
+    """``x**r``.
+
+    Raises:
+        UndefinedError: the ball does not tell that it has a value.
+    """
+    p, q = int(r.p), int(r.q)
+    if p < 0 and x.contains(0):
+        raise UndefinedError
+    if q == 1:
+        return _natural_power(x, p) if x.contains(0) else x**p
+    if not x >= 0:
+        raise UndefinedError
+    root = x.sqrt() if q == 2 else _root(x, q)
+    return root if p == 1 else root**p
