@@ -217,9 +217,10 @@ def _stated(shown: str, text: str) -> Statement:
     said = parse_given(under)
     given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
+    closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
     equations += tuple(
         (symbol(name), number(where.low))
-        for name, where in given.box.items()
+        for name, where in (given.box.items() if closed else ())
         if where.low is not None and where.low == where.high
         if not (where.low_open or where.high_open)
     )
@@ -248,7 +249,7 @@ def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> 
 
 def functions(e: Expr) -> Iterator[Expr]:
     """The functions left unknown in ``e``, at their arguments."""
-    if e.op not in LEAVES:
+    if e.hidden:
         for arg in e.args:
             yield from functions(arg)
         if e.op == "unknown":
