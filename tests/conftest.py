@@ -5,11 +5,19 @@ a failure is the same failure tomorrow.
 """
 
 import os
+import pickle
+import time
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import chunks
 import pytest
+from hangs import HANGS
 from hypothesis import HealthCheck, settings
+
+if TYPE_CHECKING:
+    from tresym.ledger.verification import Report
 
 _COMMON = {
     "deadline": None,
@@ -44,3 +52,36 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
     if report.when == "call":
         chunks.record(report.nodeid, report.outcome, report.duration)
+
+
+@pytest.fixture(scope="session")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> "Report":
+    """The whole ledger, judged once in a run, however many processes share the tests."""
+    from tresym.ledger.paper import all_claims
+    from tresym.ledger.verification import Report, Row, verify
+    from tresym.reals.processes import cores
+
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        return verify(workers=cores())
+    kept = tmp_path_factory.getbasetemp().parent / "ledger.pickle"
+    try:
+        kept.with_suffix(".mine").touch(exist_ok=False)
+    except FileExistsError:
+        started = time.monotonic()
+        while not kept.exists():
+            time.sleep(0.1)
+            assert time.monotonic() - started < HANGS
+        data = kept.read_bytes()
+        if not data:
+            return verify(workers=cores())
+        found = pickle.loads(data)
+        return Report(tuple(Row(c, replace(found[c.label], of=c)) for c in all_claims()))
+    aside, data = kept.with_suffix(".aside"), b""
+    try:
+        report = verify(workers=cores())
+        found = {row.claim.label: replace(row.finding, of=None) for row in report.rows}
+        data = pickle.dumps(found)
+    finally:  # nothing where it failed: the others find that out for themselves
+        aside.write_bytes(data)
+        aside.rename(kept)
+    return report

@@ -30,7 +30,8 @@ INSIDE = {
         ("language", "processes"),
         ("places", "corpus", "advocate"),
         ("normal",),
-        ("signs", "balls", "growth"),
+        ("signs", "balls"),
+        ("growth",),
         ("decisions",),
     ),
     "racket": (

@@ -257,6 +257,7 @@ COMMANDS: dict[str, tuple[list[list[str]], list[str]]] = {
     "derive": ([["eq_gamma"], ["xyz"]], ["-o"]),
     "table": ([["objects"], []], ["--format", "--json", "-o"]),
     "audit": ([[PAPER], ["/dev/null"], ["/"], []], ["--json", "-o"]),
+    "paper": ([[PAPER], ["/dev/null"], ["/"], []], ["--json", "--strict", "--limit", "-o"]),
     "figure": ([["xyz"]], ["-o"]),
     "chart": ([["xyz"]], ["-o"]),
     "docs": ([["--check", "xyz"], ["xyz"]], []),
@@ -379,7 +380,7 @@ def test_a_line_without_an_end_is_refused_and_a_long_one_passed_over(
 @pytest.mark.parametrize(
     "words",
     [["check", "-f", "in", "-o", "in"], ["chart", "many", "--from", "in", "-o", "./in"],
-     ["audit", "in", "-o", "in"], ["paper", "in", "-o", "in"],
+     ["audit", "in", "-o", "in"], ["paper", "in", "-o", "in"], ["paper", "in", "--marks", "in"],
      ["sweep", "--csv", "in", "-o", "in"],
      ["sweep", "--csv", "in", "-o", "t", "--export", "in"]],
 )  # fmt: skip
@@ -435,6 +436,7 @@ WRITES = {
     "table": ["table", "objects"],
     "check": ["check", "sin(x)**2 + cos(x)**2 == 1"],
     "audit": ["audit", PAPER],
+    "paper": ["paper", PAPER],
     "figure": ["figure"],
     "chart": ["chart"],
 }
@@ -539,6 +541,7 @@ INTERRUPTED = {
     "check": ["check", "exp(x) >= 1 + x"],
     "table": ["table", "slope"],
     "audit": ["audit", PAPER],
+    "paper": ["paper", PAPER],
     "figure": ["figure", "flip-map", "-o", "out"],
     "sweep": ["sweep", "-o", "t", "--a", "0.1:1:40", "--b", "0.1:1:40", "--workers", "2"],
 }

@@ -26,7 +26,7 @@ from tresym.reals.corpus.rewriting import true_identity
 from tresym.reals.decisions.reading import read
 
 STORE = Path(__file__).with_name("coverage.json")
-SEED, EACH, SECONDS = 18, 60, 120.0
+SEED, EACH, SECONDS = 18, 60, 600.0
 
 
 def inequalities(random: Random) -> list[str]:

@@ -247,6 +247,23 @@ def test_a_claim_is_not_proved_of_what_an_assumed_equation_excludes() -> None:
     steps = (step(area(2 * t), integrating(t**2)), step(None, substituting(four)))
     assert judged(Claim("user", equal(x**2, 4), steps, given=(x > 1,))) is Verdict.PROVED
     assert not judged(Claim("user", equal(x**2, 4), steps, given=(x > 5,))).holds
+    for meaning, more in ((-(y**2) - 1, ()), (y, (new("less", equal(y, -ONE)),))):
+        odd = new("odd", equal(area(2 * t), meaning), assumes="so I say")
+        steps = (
+            step(area(2 * t), integrating(t**2)),
+            step(None, *map(substituting, (odd, *more))),
+        )
+        says = equal(x**2, meaning.subs(y, -1) if more else meaning)
+        assert not judged(Claim("user", says, steps)).holds
+
+
+def test_two_definitions_of_which_none_is_assumed_conflict() -> None:
+    one, two = new("one", equal(x, y)), new("two", equal(x, z))
+    assert conflict((one, two)) is not None
+    assert conflict((one, replace(two, proof=Definition("so it is")))) is None
+    turn = new("p", equal(x, y)), new("q", equal(z, x)), new("r", equal(y, z + 1))
+    assert "itself" in (conflict(turn) or "")
+    assert "itself" in (conflict((new("fine", equal(t, ONE)), *turn)) or "")
 
 
 def _planted() -> dict[str, Claim]:

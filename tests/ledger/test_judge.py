@@ -28,6 +28,7 @@ from sympy import (
     sign,
     sin,
     sqrt,
+    tan,
     tanh,
 )
 
@@ -278,6 +279,37 @@ def test_conjunctions_are_as_strong_as_their_weakest_part() -> None:
         ((put_in, new, good), Verdict.PROVED),
     ):
         assert judge(Claim("all", "all", all_of(*parts)), found).verdict is expected
+
+
+def test_evidence_is_judged_apart_from_what_it_rests_on() -> None:
+    good = Claim("good", equal(a, a), by())
+    alone = judge_evidence(good)
+    assert alone is not None
+    assert alone.verdict is Verdict.PROVED
+    assert judge_evidence(Claim("all", "all", all_of(good))) is None
+
+
+def test_all_that_is_used_was_judged_and_not_another_of_its_name() -> None:
+    positive = Claim("positive", Gt(a**2 + 1, 0, evaluate=False), manifest)
+    second = Claim("second", equal(t, 2), Definition())
+    user = Claim("user", equal(y, y), by(citing(positive), substituting(second)))
+    held = {"positive": judge(positive, {}), "second": judge(second, {})}
+    assert judge(user, held).verdict is Verdict.PROVED
+    held["second"] = judge(replace(second, says=equal(t, 3)), {})
+    assert judge(user, held).verdict is Verdict.UNDECIDED
+
+
+def test_conditions_with_integrals_alone_may_hold_nowhere() -> None:
+    nowhere = Integral(exp(t), (t, 0, 1)) < 0
+    for proof in (by(algebra), formally(), manifest):
+        assert not verdict(claim(nowhere, proof, (nowhere,))).holds
+        assert not verdict(claim(Gt(x**2 + 1, 0, evaluate=False), proof, (nowhere,))).holds
+
+
+@pytest.mark.parametrize("sides", [(tan(x) * cos(x), sin(x)), (sin(x), tan(x) * cos(x))])
+def test_both_sides_of_what_needs_no_chain_are_shown_to_exist(sides: tuple[Any, Any]) -> None:
+    assert verdict(claim(equal(*sides), formally())) is Verdict.UNDECIDED
+    assert verdict(claim(equal(*sides), formally(), (x > 0, x < 1))) is Verdict.PROVED
 
 
 def test_counterexamples_must_satisfy_the_conditions() -> None:

@@ -6,6 +6,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+from hangs import HANGS
 
 from tresym.commands import main
 
@@ -15,7 +16,7 @@ PAPERS = sorted(ROOT.parent.glob("shared/paper/*.txt"))
 
 
 def rows(path: Path, capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, list[dict]]:
-    status = main(["paper", str(path), "--json", *words])
+    status = main(["paper", str(path), "--json", "--limit", str(HANGS), *words])
     return status, [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
 

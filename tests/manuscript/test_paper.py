@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
+from hangs import HANGS
 
 from tresym.commands import main
 
@@ -38,7 +39,7 @@ We find the identity
 
 
 def rows(path: Path, capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, list[dict]]:
-    status = main(["paper", str(path), "--json", *words])
+    status = main(["paper", str(path), "--json", "--limit", str(HANGS), *words])
     return status, [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
 

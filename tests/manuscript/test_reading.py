@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from hangs import HANGS
 
 from tresym.manuscript.deciding import Row, decided
 from tresym.manuscript.reading import read_links
@@ -11,7 +12,7 @@ from tresym.manuscript.surface import read_manuscript
 
 def read(tmp_path: Path, text: str) -> list[Row]:
     (tmp_path / "m.tex").write_text(text)
-    return decided(read_links(read_manuscript(tmp_path / "m.tex")), 5.0, 1)
+    return decided(read_links(read_manuscript(tmp_path / "m.tex")), HANGS, 1)
 
 
 NO_CLAIMS = {
@@ -44,6 +45,19 @@ NO_CLAIMS = {
     r"\[ \sin\theta(1 + x) = y \]": "UNREAD",
     r"\[ r = a(1 - e\cos E), \quad e^{x} = b \]": "DEFINED UNREAD",
     r"\[ f(x) = f(-x) \]": "EQUATION",
+    r"\[ \tan x = x, \quad x > 0 \]": "EQUATION",
+    r"\[ N = 1,000 \]": "UNREAD",
+    r"\[ 2x^2 > \pm x^2 \]": "UNREAD",
+    r"\[ x = 1, 2 \]": "UNREAD",
+    r"\[ n = 0, 1, 2, \ldots \]": "ASSUMED",
+    r"\begin{align} x &= a & y &= b \\ -z &= c & -w &= 2d \end{align}": (
+        "DEFINED DEFINED EQUATION EQUATION"
+    ),
+    r"\begin{eqnarray} x &=& a \\ y &=& b \\ &=& c \end{eqnarray}": "DEFINED DEFINED EQUATION",
+    r"\[ \begin{array}{rclrcl} x &=& a & y &=& b \end{array} \]": "DEFINED DEFINED",
+    r"\[ 1\,\mathrm{eV} = 1.602\times 10^{-19}\,\mathrm{J} \]": "UNREAD",
+    r"\[ E = 1\,\mathrm{eV} = 1.602\times 10^{-19}\,\mathrm{J} \]": "UNREAD UNREAD",
+    r"The cases $a = b$ and $c = d$ are left out. \[ c^2 = d^2 \]": "EQUATION",
 }
 
 
@@ -53,11 +67,26 @@ def test_what_is_no_claim_is_never_called_false(text: str, tmp_path: Path) -> No
 
 
 CLAIMS = {
+    r"\[ y = 2 \label{a} \] \[ y = x^2 \label{b} \]"
+    "\n% tresym: from b\n"
+    r"\[ \frac{d}{dx}(xy) = y \]": ("DEFINED DEFINED REFUTED"),
+    r"\[ y = x^2 \] \[ \frac{d}{dx}(xy) = 3x^2 \] \[ \frac{d}{dx}(xy) = y \]": (
+        "DEFINED PROVED REFUTED"
+    ),
+    r"\[ y = x^2 \] \[ \int_0^1 xy\,dx = \frac{1}{4} = \int_0^1 xy^2\,dx \]": (
+        "DEFINED PROVED REFUTED"
+    ),
+    r"\[ w = xv, \quad v = x^2 \] \[ \frac{dw}{dx} = 3x^2 \]": "DEFINED DEFINED PROVED",
+    r"\[ z' = z \] \[ \frac{d}{dx}(xz) = z \]": "EQUATION UNREAD",
+    r"\[ \frac{dz}{dx} = z \] \[ \frac{d}{dx}(xz) = z \]": "EQUATION UNREAD",
     r"\[ \sin(u\pm v) = \sin u\cos v \pm \cos u\sin v \]": "PROVED PROVED",
     r"\[ \sin\frac{z}{2} = \pm\left(\frac{1-\cos z}{2}\right)^{1/2} \]": "PROVED",
     r"\[ \ln(xy) = \ln x + \ln y, \quad x > 0,\ y > 0 \]": "PROVED",
     r"\[ \ln x^2 = 2\ln x \qquad (x > 0) \]": "PROVED",
-    r"\[ \sqrt{x^2} = x \text{ for } x < 0 \]": "REFUTED",
+    r"\[ \sqrt{x^2} = x \text{ for all } x < 0 \]": "REFUTED",
+    r"\[ \sqrt{x^2} = x \quad \forall x < 0 \]": "REFUTED",
+    r"\[ \sqrt{x^2} = -x \text{ for } x < 0 \]": "PROVED",
+    r"\[ \sin x < \frac{x}{2} \text{ for } x > 0 \]": "REFUTED",
     r"Let $x < 0$. \[ \sqrt{x^2} = -x \]": "PROVED",
     r"\section{A} Let $x < 0$. \section{B} \[ \sqrt{x^2} = -x \]": "PROVED",
     r"\[ f(x) = x^2 \] \[ f'(x) = 2x = x + x \]": "DEFINED PROVED PROVED",

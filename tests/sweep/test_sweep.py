@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import itertools
 import json
+import logging
 import os
 import select
 import signal
@@ -38,7 +39,7 @@ from tresym.sweep.rows import FORMULAS, SweepRow, compute
 from tresym.sweep.run import Progress, batch_size, duration
 from tresym.sweep.source import LONGEST_LINE, read_values
 from tresym.sweep.table import packed
-from tresym.sweep.workers import Here, Workers
+from tresym.sweep.workers import Here, Workers, _unheard
 
 ROOT = Path(__file__).resolve().parents[2]
 DEEP = os.environ.get("HYPOTHESIS_PROFILE") == "deep"
@@ -928,3 +929,13 @@ def test_no_dask_is_one_line(
 def test_processes_of_one_is_this_process() -> None:
     with processes(1) as workers:
         assert workers.executor.submit(os.getpid).result() == os.getpid()
+
+
+def test_dask_logs_nothing_while_it_leads(caplog: pytest.LogCaptureFixture) -> None:
+    log = logging.getLogger("distributed.client")
+    with _unheard():
+        log.error("a traceback")
+    assert not caplog.records
+    log.error("another")
+    assert [record.message for record in caplog.records] in ([], ["another"])
+    assert not log.disabled

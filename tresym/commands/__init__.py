@@ -51,8 +51,8 @@ tresym --help lists the commands, tresym COMMAND --help the arguments of one.
 """
 """What `tresym` alone says."""
 
-INPUTS = ("file", "source", "paper", "csv", "manuscript")
-OUTPUTS = ("path", "coq", "export")
+INPUTS = ("file", "source", "paper", "notes", "csv")
+OUTPUTS = ("path", "coq", "export", "marks")
 """Arguments, of any command, that name a file to read, and one to write."""
 
 _OPTION = re.compile(r"-[hof]|--")

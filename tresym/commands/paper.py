@@ -28,7 +28,7 @@ def add(commands: Commands) -> None:
         "UNDECIDED or UNREAD; 2 when the file cannot be read.",
         allow_abbrev=False,
     )
-    parser.add_argument("manuscript", metavar="MANUSCRIPT.tex", help="its LaTeX source")
+    parser.add_argument("paper", metavar="MANUSCRIPT.tex", help="its LaTeX source")
     parser.add_argument("--notes", metavar="FILE", help="notes by display number and hash")
     parser.add_argument("--html", metavar="DIR", help="write a page with every display as read")
     parser.add_argument(
@@ -47,12 +47,15 @@ def run(args: argparse.Namespace) -> int:
     from tresym.manuscript.deciding import decided
     from tresym.manuscript.notes import with_notes
     from tresym.manuscript.reading import read_links
-    from tresym.manuscript.surface import read_manuscript
+    from tresym.manuscript.surface import Missing, read_manuscript
 
     limit = parse_seconds(args.limit)
-    events = read_manuscript(Path(args.manuscript))
+    events = read_manuscript(Path(args.paper))
     if args.notes is not None:
         events = with_notes(events, Path(args.notes))
+    missing = [event.name for event in events if isinstance(event, Missing)]
+    if missing:
+        print(f"not found, and left out: {', '.join(missing[:5])}", file=sys.stderr)
     links = read_links(events)
     rows = decided(links, limit, progress=_progress)
     if args.json:
@@ -76,7 +79,7 @@ def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
     if args.html is not None:
         folder = Path(args.html)
         folder.mkdir(parents=True, exist_ok=True)
-        write_text(str(folder / "index.html"), page.page(rows, Path(args.manuscript).name))
+        write_text(str(folder / "index.html"), page.page(rows, Path(args.paper).name))
     if args.marks is not None:
         write_text(args.marks, page.marks(rows))
         write_text(str(Path(args.marks).with_name("tresym.sty")), page.STYLE)
@@ -98,7 +101,7 @@ def as_text(rows: list[Row], colour: bool = False) -> str:
             values = ", ".join(f"{name} = {value}" for name, value in row.witness.items())
             shown["witness"] = values or "the constants themselves"
         result += [f"  {dim(f'{name:<8}', colour)} {text}" for name, text in shown.items() if text]
-    return "\n".join(result) + "\n"
+    return "\n".join(result) + "\n" + "".join(advice(rows))
 
 
 def summary(rows: list[Row]) -> str:
@@ -109,6 +112,30 @@ def summary(rows: list[Row]) -> str:
     displays = len({row.link.display.number for row in rows})
     parts = ", ".join(f"{counts[name]} {name}" for name in STATUSES if counts[name])
     return f"{displays} displays, {len(rows)} links: {parts}"
+
+
+_ADVICE = {  # of a part of its reason
+    "write % tresym: as": "has no path: % tresym: as x -> 0, or whichever it is, before display",
+    "write % tresym: claim": "fails somewhere: % tresym: claim or solve before display",
+    "two readings remain": "can be read in two ways: brackets, or % tresym: shorter, in display",
+    "its condition is not read": "has a condition not read: % tresym: given … before display",
+}
+"""What is said of rows that a note would settle, and the note."""
+
+
+def advice(rows: list[Row]) -> list[str]:
+    """The notes that would help most, those for the most links first."""
+    found: dict[str, list[int]] = {}
+    for row in rows:
+        for said, note in _ADVICE.items():
+            if said in row.why and row.status in ("EQUATION", "UNREAD", "UNDECIDED"):
+                found.setdefault(note, []).append(row.link.display.number)
+    lines = []
+    for note, displays in sorted(found.items(), key=lambda item: -len(item[1])):
+        shown = ", ".join(map(str, dict.fromkeys(displays[:10])))
+        links = "1 link" if len(displays) == 1 else f"{len(displays)} links"
+        lines.append(f"{links}: {note} {shown}{', …' if len(displays) > 10 else ''}\n")
+    return lines
 
 
 def _progress(done: int, total: int) -> None:

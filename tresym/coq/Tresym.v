@@ -497,6 +497,26 @@ Ltac sides equal :=
   | _ => side
   end.
 
+(* A variable as a sine or a cosine. *)
+Lemma some_asin x : -1 <= x -> x <= 1 -> exists t, - (PI / 2) <= t <= PI / 2 /\ x = sin t.
+Proof. intros A B; exists (asin x); split; [apply asin_bound | now rewrite sin_asin]. Qed.
+Lemma some_asin_above x : 0 <= x -> x <= 1 -> exists t, 0 <= t <= PI / 2 /\ x = sin t.
+Proof.
+  intros A B; exists (asin x); split; [| rewrite sin_asin; lra]; pose proof (asin_bound x).
+  split; [| lra]; destruct (Rle_or_lt 0 (asin x)) as [H'|H']; [exact H' |].
+  assert (S : sin (asin x) < 0) by (apply sin_lt_0_var; pose proof PI_RGT_0; lra).
+  rewrite sin_asin in S; lra.
+Qed.
+Lemma some_acos x : -1 <= x -> x <= 1 -> exists t, 0 <= t <= PI /\ x = cos t.
+Proof. intros A B; exists (acos x); split; [apply acos_bound | now rewrite cos_acos]. Qed.
+Lemma some_acos_above x : 0 <= x -> x <= 1 -> exists t, 0 <= t <= PI / 2 /\ x = cos t.
+Proof.
+  intros A B; exists (acos x); split; [| rewrite cos_acos; lra]; pose proof (acos_bound x).
+  split; [lra |]; destruct (Rle_or_lt (acos x) (PI / 2)) as [H'|H']; [exact H' |].
+  assert (S : cos (acos x) < 0) by (apply cos_lt_0; pose proof PI_RGT_0; lra).
+  rewrite cos_acos in S; lra.
+Qed.
+
 (* From the value at one point and the sign of the derivative: to its right, and to its left. *)
 
 Lemma mean_value f df a b : a <= b -> (forall t, a <= t <= b -> is_derive f t (df t)) ->
@@ -603,7 +623,21 @@ Ltac base_value :=
       end
   end;
   first [lra | right; equals | left; positive | facts; nra | interval].
-Ltac slope := first [ring | field; side | laws; field; side].
+Ltac squared :=
+  first [ assumption
+        | lazymatch goal with
+          | |- 0 <= _ * _ => apply Rmult_le_pos; squared
+          | |- 0 <= _ ^ 2 => apply pow2_ge_0
+          end
+        | lra ].
+Ltac slope_root :=
+  match goal with |- context [sqrt ?u] =>
+    let P := fresh in let E := fresh in let g := fresh in
+    assert (P : 0 < sqrt u) by (apply sqrt_lt_R0; hard);
+    assert (E : sqrt u ^ 2 = u) by (apply pow2_sqrt; hard);
+    set (g := sqrt u) in *; clearbody g; field [E]; repeat split; first [side | nra]
+  end.
+Ltac slope := first [ring | field; side | laws; field; side | slope_root].
 Ltac absolute := unfold Rabs in *; repeat match goal with
   | |- context [Rcase_abs ?u] => destruct (Rcase_abs u)
   | H : context [Rcase_abs ?u] |- _ => destruct (Rcase_abs u)
@@ -761,6 +795,41 @@ Proof.
   replace g with (2 * (g / 2)) in E by field; rewrite sin_2a, cos_2a_cos in E.
   apply (Rmult_eq_reg_l (2 * cos (g / 2))); [lra | lra].
 Qed.
+Lemma turn_special s c p q g : sqrt p = sin g -> sqrt q = cos g -> 0 <= s -> 0 <= c ->
+  s ^ 2 = p -> c ^ 2 = q -> both (sin g = s) (cos g = c).
+Proof.
+  intros P Q S C E F; rewrite <- P, <- Q, <- E, <- F, !sqrt_pow2 by assumption; split; reflexivity.
+Qed.
+Lemma turn_special_3 s c : 0 <= s -> 0 <= c -> s ^ 2 = 3 / 4 -> c ^ 2 = 1 / 4 ->
+  both (sin (PI / 3) = s) (cos (PI / 3) = c).
+Proof.
+  apply turn_special; apply sqrt_unique; rewrite ?sin_PI3, ?cos_PI3; try lra;
+  [pose proof (sqrt_pos 3); lra | pose proof (pow2_sqrt 3); lra].
+Qed.
+Lemma turn_special_6 s c : 0 <= s -> 0 <= c -> s ^ 2 = 1 / 4 -> c ^ 2 = 3 / 4 ->
+  both (sin (PI / 6) = s) (cos (PI / 6) = c).
+Proof.
+  apply turn_special; apply sqrt_unique; rewrite ?sin_PI6, ?cos_PI6; try lra;
+  [pose proof (sqrt_pos 3); lra | pose proof (pow2_sqrt 3); lra].
+Qed.
+Lemma turn_special_4 s c : 0 <= s -> 0 <= c -> s ^ 2 = 1 / 2 -> c ^ 2 = 1 / 2 ->
+  both (sin (PI / 4) = s) (cos (PI / 4) = c).
+Proof.
+  assert (S : 0 < sin (PI / 4)) by (apply sin_gt_0; pose proof PI_RGT_0; lra).
+  assert (E : sin (PI / 4) = cos (PI / 4)) by (now rewrite sin_PI4, cos_PI4).
+  pose proof (sin_square (PI / 4)).
+  apply turn_special; apply sqrt_unique; try lra; nra.
+Qed.
+Lemma exp_below x : (1 - x) * exp x <= 1.
+Proof.
+  pose proof (exp_ineq1_le (- x)) as E; rewrite exp_Ropp in E; pose proof (exp_pos x) as P.
+  apply (Rmult_le_reg_r (/ exp x)); [now apply Rinv_0_lt_compat |].
+  rewrite Rmult_assoc, Rinv_r by lra; lra.
+Qed.
+Lemma atan_above x : 0 < x -> 0 < atan x.
+Proof. intros X; rewrite <- atan_0; now apply atan_increasing. Qed.
+Lemma atan_below x : x < 0 -> atan x < 0.
+Proof. intros X; rewrite <- atan_0; now apply atan_increasing. Qed.
 Ltac turns :=
   repeat first [rewrite sin_plus | rewrite cos_plus];
   rewrite ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI2, ?cos_PI2; ring.

@@ -21,6 +21,7 @@ from tresym.coq.equations import (
 )
 from tresym.coq.linear import as_expression, expanded
 from tresym.coq.reductions import Reduction, known, reductions
+from tresym.coq.squares import square_proofs
 from tresym.coq.statement import Theorem, formula, term, variable
 from tresym.reals.language.expression import (
     ONE,
@@ -60,6 +61,8 @@ def inequality_proofs(theorem: Theorem, depth: int = 3) -> Iterator[str]:
     strict = relation in (">", "<", "!=")
     given = known(theorem)
     for difference in (d, -d) if relation == "!=" else (d,):
+        if depth > 1:
+            yield from square_proofs(theorem, difference, strict)
         yield from expected(theorem, difference, strict, given)
     if relation != "!=" and depth:
         for way in reductions(theorem):

@@ -31,7 +31,7 @@ from tresym.coq.statement import (
     term,
     variable,
 )
-from tresym.ledger.claim import Chain, Claim, Definition, Reason, Together
+from tresym.ledger.claim import Chain, Claim, Definition, Reason, Root, Together
 from tresym.ledger.meaning import stage, tree
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
@@ -318,7 +318,7 @@ class _Planner:
         if used.label in self.facts:
             return self.facts[used.label]
         self.facts[used.label] = ()
-        if isinstance(used.proof, Definition):
+        if isinstance(used.proof, Definition | Root):
             parts = [
                 meaning
                 for _, meaning in self.whole.definitions
@@ -466,7 +466,10 @@ def _transitive(names: list[str]) -> str:
 
 
 def candidates(lemma: Theorem) -> Iterator[str]:
-    """Proofs of a lemma to try: its definitions are put in first."""
+    """Proofs of a lemma to try: one by hand, and others after its definitions are put in."""
+    path = file_of("coq") / f"{lemma.name}.v"
+    if path.is_file():
+        yield path.read_text(encoding="utf-8").rstrip()
     meanings = {meaning.left: meaning.right for _, meaning in lemma.definitions}
     if meanings:
         put = " ".join(term(name) for name in meanings)
@@ -547,7 +550,7 @@ def _put_in(lemma: Theorem, meanings: Mapping[Expr, Expr]) -> Theorem:
         said = Relation(whole(said.left), said.sign, whole(said.right))
     else:
         said = Relation(exchanged_under(said.left, whole), said.sign, whole(said.right))
-    return Theorem(lemma.name, names, (), given, parts, said)
+    return Theorem(f"{lemma.name}_put", names, (), given, parts, said)
 
 
 def exchanged_under(node: Expr, whole: object) -> Expr:

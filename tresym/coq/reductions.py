@@ -14,6 +14,7 @@ from tresym.coq.linear import expanded
 from tresym.coq.statement import Theorem, term
 from tresym.reals.language.expression import (
     ONE,
+    PI,
     ZERO,
     Expr,
     add,
@@ -21,6 +22,8 @@ from tresym.reals.language.expression import (
     multiply,
     number,
     power,
+    symbol,
+    symbols,
 )
 from tresym.reals.language.formula import Relation
 from tresym.reals.places.conditions import Given
@@ -76,7 +79,7 @@ def reductions(theorem: Theorem) -> Iterator[Reduction]:
     yield from found
     if found:
         return
-    for ways in (by_logarithms, by_exponentials, by_clearing, by_squares):
+    for ways in (by_turns, by_logarithms, by_exponentials, by_clearing, by_squares):
         for way in ways(t):
             if all(map(is_likely, way.steps)):
                 yield way
@@ -103,6 +106,44 @@ def by_absolute_values(t: Theorem) -> Iterator[Reduction]:
             only=(f"{text} >= 0", f"{text} <= 0"),
         )
         return
+
+
+def by_turns(t: Theorem) -> Iterator[Reduction]:
+    """A variable of which an arc sine or an arc cosine is taken as the sine or cosine of it."""
+    found = [e for e in nodes([t.left, t.right]) if e.op in ("asin", "acos")]
+    if len(found) != 1 or found[0].args[0].op != "symbol":
+        return
+    (e,) = found
+    x, turn = e.args[0], symbol("turn")
+    above = sign(x, known(t)) in ("+", ">=0")
+    low = ZERO if above or e.op == "acos" else -PI / 2
+    high = PI if e.op == "acos" and not above else PI / 2
+    value = apply("sin" if e.op == "asin" else "cos", turn)
+    put = {e: turn, x: value}
+    own = {x.args[0]}
+    given = [c for c in t.given if own != symbols(c[0]) | symbols(c[2])]
+    step = Theorem(
+        t.name,
+        tuple(sorted({*t.variables, "turn"} - own)),
+        (),
+        (
+            *((exchanged(p, put), r, exchanged(q, put)) for p, r, q in given),
+            (turn, ">=", low),
+            (turn, "<=", high),
+        ),
+        tuple((exchanged(p, put), r) for p, r in t.defined if symbols(p) != own),
+        Relation(exchanged(t.left, put), t.relation, exchanged(t.right, put)),
+    )
+    law = f"some_{e.op}{'_above' if above else ''}"
+    name = term(turn)
+    yield Reduction(
+        (step,),
+        "lra.",
+        f"destruct ({law} {term(x)} ltac:(lra) ltac:(lra)) as [{name} [B_turn E_turn]]; "
+        f"assert (A_turn : {e.op} {term(x)} = {name}) by "
+        f"(rewrite E_turn; apply {e.op}_{value.op}; lra); "
+        f"rewrite A_turn in *; clear A_turn; subst {term(x)}; pose proof pi_between.",
+    )
 
 
 def _factors(e: Expr) -> tuple[Expr, ...]:

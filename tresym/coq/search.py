@@ -63,9 +63,10 @@ def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
     if shutil.which("coqc") is None:
         found = [next(proofs(theorem), None) for theorem in theorems]
         return Outcome(None, MISSING, file_of(theorems, found))
-    deadline = time.monotonic() + seconds
     found = []
     with Dialogue() as coq:
+        coq.begin()
+        deadline = time.monotonic() + seconds
         for theorem in theorems:
             proof = found_by(theorem, coq, deadline)
             if proof is None:

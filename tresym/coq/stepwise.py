@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from copy import copy
 from fractions import Fraction
-from math import lcm
+from math import isqrt, lcm
 from typing import NamedTuple
 
 from flint import arb, fmpq
@@ -40,6 +40,12 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
 from tresym.reals.places.values import evaluate
 
+SPECIAL = {
+    PI / 3: (3, number(Fraction(3, 4)), number(Fraction(1, 4))),
+    PI / 4: (4, HALF, HALF),
+    PI / 6: (6, number(Fraction(1, 4)), number(Fraction(3, 4))),
+}
+"""Parts of π with the squares of their sine and cosine."""
 POINTS, SPLITS, STEPS, MULTIPLE = 14, 4, 300, 12
 Ask = Callable[[str], bool]
 
@@ -122,7 +128,7 @@ class _Steps:
         self.quotients = Quotients()
         self.bound: dict[str, str] = {}  # of a name that has an equation, its label
         self.turns: dict[Expr, Turned] = {}  # of base angles
-        self.inverse: set[Expr] = set()  # names of inverse functions, all of them base angles
+        self.is_arc_tangent: dict[Expr, bool] = {}  # names of inverse functions, all base angles
         self.exponents: dict[Expr, Expr] = {}  # exponent: name of the exponential
         self.roots: dict[tuple[Expr, int], Expr] = {}
         self.logarithms: dict[Expr, Expr] = {}  # of what: name
@@ -329,9 +335,10 @@ class _Steps:
             self.must(f"destruct (Rle_or_lt 0 {text}) as [{name} | {name}].")
         for want in (1, 0, -1) if three else (1, -1):
             case = copy(self)
-            for key in ("taken", "done", "bound", "turns", "exponents", "roots", "logarithms"):
-                setattr(case, key, copy(getattr(self, key)))
-            case.inverse, case.quotients = set(self.inverse), Quotients()
+            for key, value in vars(self).items():
+                if isinstance(value, dict | set) and key != "finest":
+                    setattr(case, key, copy(value))
+            case.quotients = Quotients()
             case.quotients.powers = dict(self.quotients.powers)
             kept = zip(self.points, values, strict=True)
             case.points = [dict(p) for p, v in kept if (v > 0 if want > 0 else v < 0)]
@@ -422,7 +429,10 @@ class _Steps:
         """The exponential of a base exponent, by name."""
         if b not in self.exponents:
             name = self.exponents[b] = self.named(Expr("exp", (b,)))
-            self.must(f"assert (0 < {term(name)}) by ({self.back(name)}; apply exp_pos).")
+            back, text = self.back(name), term(name)
+            self.must(f"assert (0 < {text}) by ({back}; apply exp_pos).")
+            self.fact(f"1 + {term(b)} <= {text}", f"{back}; apply exp_ineq1_le")
+            self.fact(f"(1 - {term(b, 2)}) * {text} <= 1", f"{back}; apply exp_below")
         name = self.exponents[b]
         return name, f"D_{name.args[0]}"
 
@@ -507,6 +517,8 @@ class _Steps:
         """Sine and cosine of a base angle, by names."""
         if b in self.turns:
             return self.turns[b]
+        if b in SPECIAL:
+            return self.special_angle(b, *SPECIAL[b])
         s, c = self.named(Expr("sin", (b,))), self.named(Expr("cos", (b,)))
         label, square = self.label("T"), self.label("R")
         self.must(
@@ -517,6 +529,24 @@ class _Steps:
         self.quotients.powers[s.args[0]] = (2, 1 - c**2)
         says = f"(sin {term(b, 3)} = {term(s)}) (cos {term(b, 3)} = {term(c)})"
         self.must(f"assert ({label} : both {says}) by (unfold same in *; split; assumption).")
+        self.turns[b] = Turned(s, c, label)
+        for name in (s, c):
+            if self.sign(name) == 1:
+                proof = "pose proof pi_between; first [apply cos_gt_0; lra | apply sin_gt_0; lra]"
+                self.fact(f"0 < {term(name)}", f"{self.back(name)}; {proof}")
+        return self.turns[b]
+
+    def special_angle(self, b: Expr, n: int, s: Expr, c: Expr) -> Turned:
+        """A third, a quarter or a sixth of π, whose sine and cosine have values."""
+        s, c = (self.root_of(self.quotients.canonical(x), 2) for x in (s, c))
+        label, says = (
+            self.label("T"),
+            f"(sin {term(b, 3)} = {term(s)}) (cos {term(b, 3)} = {term(c)})",
+        )
+        self.must(
+            f"assert ({label} : both {says}) by (replace {term(b, 3)} with (PI / {n}) by field; "
+            f"apply turn_special_{n}; [signed | signed | {self.by_field} | {self.by_field}])."
+        )
         self.turns[b] = Turned(s, c, label)
         return self.turns[b]
 
@@ -529,6 +559,8 @@ class _Steps:
             new = Expr("+", (Expr("*", (HALF, PI)), Expr("*", (MINUS_ONE, asin))))
             return self.exchange(e, new, "rewrite acos_asin by (split; signed); field")
         for angle, atoms, quarters, halved in self.like(e):
+            for g, _ in atoms:
+                self.sided(g)
             found = self.turned(angle, atoms, quarters)
             known = f"rewrite ?(proj1 {found.label}), ?(proj2 {found.label})"
             law = "half_angle" if halved else "atan_unique" if e.op == "atan" else "asin_unique"
@@ -538,12 +570,31 @@ class _Steps:
                 proof = f"replace {term(theta, 3)} with ({term(angle)} / 2) by field; {proof}"
             if self.equation(e, theta, proof):
                 return None
+        if e.op == "atan":
+            self.jumps(e, u)
         return self.inverse_name(e, u)
+
+    def sided(self, g: Expr) -> None:
+        """The sign of an arc tangent, if it is constant."""
+        sign, back = self.sign(g), self.back(g)
+        if sign and self.is_arc_tangent[g]:
+            says = f"0 < {term(g)}" if sign > 0 else f"{term(g)} < 0"
+            self.fact(says, f"{back}; apply atan_{'above' if sign > 0 else 'below'}; signed")
+
+    def jumps(self, e: Expr, u: Expr) -> None:
+        """Cases by the sign of a factor, where there is an angle like this one for one sign."""
+        for f, _ in self.quotients.factors(u)[1]:
+            if self.sign(f) is None:
+                above = copy(self)
+                kept = zip(self.points, self.values(f), strict=True)
+                above.points = [point for point, v in kept if v > 0]
+                if next(above.like(e), None) is not None:
+                    raise _CasesError(f, True)
 
     def like(self, e: Expr) -> Iterator[tuple[Expr, list[tuple[Expr, int]], int, bool]]:
         """Angles with the same values, or twice them: multiples of base angles and of π/2."""
         for halved in (False, True) if e.op == "atan" else (False,):
-            for g in [ZERO, *self.inverse]:
+            for g in [ZERO, *self.is_arc_tangent]:
                 for n in (1, -1, 2, -2) if g != ZERO else (0,):
                     for k in (0, 1, -1, 2, -2) if n else (1, -1):
                         angle = g * n + PI * number(Fraction(k, 2)) if k else g * n
@@ -571,7 +622,7 @@ class _Steps:
             f"pose proof ({op}_bound {text}); lra); pose proof pi_between."
         )
         self.turns[name] = Turned(s, c, label)
-        self.inverse.add(name)
+        self.is_arc_tangent[name] = op == "atan"
 
     # Roots.
 
@@ -626,6 +677,8 @@ class _Steps:
         """The value of a root, by names."""
         values = []
         factors = self.signed_factors(u, q % 2 == 0, three=False)
+        if q == 2 and len(factors) == 1 and (simpler := self.denested(*factors[0])) is not None:
+            return simpler
         if q % 2 == 0 and len(factors) > 1:
             self.are_above(u, factors)
         for f, n in factors:
@@ -638,6 +691,27 @@ class _Steps:
             n *= degree // q
             values.append(f ** (n // degree) if n % degree == 0 else self.base_root(f, degree) ** n)
         return self.quotients.canonical(multiply(*values))
+
+    def denested(self, f: Expr, n: int) -> Expr | None:
+        """The root of A + B·√r as √P ± √Q, where A² − B²·r is a square."""
+        parts = dict(self.quotients.parts(f))
+        a = parts.pop(ONE, fmpq(0))
+        if n != 1 or len(parts) != 1 or symbols(f) - set(self.quotients.powers):
+            return None
+        ((root, b),) = parts.items()
+        square = dict(self.quotients.parts(root**2))
+        d = a**2 - b**2 * square.get(ONE, fmpq(0))
+        if (
+            set(square) != {ONE}
+            or d <= 0
+            or not (isqrt(d.p) ** 2 == d.p and isqrt(d.q) ** 2 == d.q)
+        ):
+            return None
+        w = fmpq(isqrt(d.p), isqrt(d.q))
+        low, high = ((a + side * w) / 2 for side in (-1, 1))
+        if low <= 0:
+            return None
+        return self.root_of(number(high), 2) + (1 if b > 0 else -1) * self.root_of(number(low), 2)
 
     def fine(self, f: Expr, q: int) -> int:
         """The degree of the root of a factor: as high as it was ever asked for."""

@@ -105,6 +105,6 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
         if status == "UNDECIDED":
             return replace(row, status=status, why=f"{where}; {advice}", witness=None)
         return replace(row, status=status, why=f"{fallback}; {where}: {advice}", witness=None)
-    if status != "UNDECIDED" and not link.same:
+    if status == "DEFINED" or link.unknown:
         return replace(row, status=status, why=fallback)
     return row

@@ -31,8 +31,8 @@ _PASSING = re.compile(
     re.IGNORECASE,
 )
 _DEFINING = re.compile(
-    r"\b(?:let|where|with|defin\w+|set|setting|denot\w+|put|putting|introduc\w+|writ\w+|and|by|here"
-    r"|parameters?|variables?|notation|abbreviat\w+|substitut\w+)\b[^.$]*\Z|\A\W*\Z",
+    r"\b(?:let|where|with|defin\w+|set|setting|denot\w+|put|putting|introduc\w+|writ\w+|here"
+    r"|notation|abbreviat\w+|substitut\w+)\b[^.$]*\Z",
     re.IGNORECASE,
 )
 MAX_AFTER = 600

@@ -9,7 +9,7 @@ or "for all". Any other equality that does not hold everywhere is an equation to
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple, TypeAlias
 
@@ -18,10 +18,22 @@ from flint import fmpq
 from tresym.manuscript import prose
 from tresym.manuscript.notes import Orders, orders_of
 from tresym.manuscript.rows import STRANGE, WORDS, Said, statements
-from tresym.manuscript.surface import Display, Event, Note, Prose, Section
+from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Section
 from tresym.reals.decisions.reading import chained, functions
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.expression import Expr, number, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    BINDERS,
+    LEAVES,
+    UNWORKED,
+    Expr,
+    bind,
+    instantiate,
+    number,
+    rebuild,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author, Function
@@ -45,6 +57,14 @@ _CALLED = re.compile(
     r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
 )
 """The head of a function's definition."""
+_L = r"([a-zA-Z]|\\[a-zA-Z]+)"
+_D = r"\s*(?:d|\\mathrm\s*\{?d\}?|\\partial)(?:\s*\^\s*\{?\d\}?)?\s*"
+_DERIVATIVES = (
+    (rf"\\d?dot\s*\{{?\s*{_L}", "t"),
+    (r"(?<![a-zA-Z\\])([a-zA-Z])(?:_\w)?'", ""),
+    (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
+)
+"""How derivatives of symbols are written."""
 _UNITS = frozenset(("\\mathrm", "\\text", "\\textrm", "\\rm", "\\unit"))
 _WORKED = frozenset(("antiderivative", "derivative", "limit"))
 """What is written to be worked out: an equality with one of these is no equation to be solved."""
@@ -75,6 +95,7 @@ class Link:
         claims: what is asked, in the order of trying: as it stands, then with definitions put in.
         firm: whether a refutation counts; else the link is then ``otherwise``.
         same: whether the same variables stand on both sides.
+        unknown: whether there is a function in it that is left unknown.
     """
 
     display: Display
@@ -87,6 +108,7 @@ class Link:
     firm: bool = False
     otherwise: tuple[str, str] = ("UNDECIDED", "")
     same: bool = False
+    unknown: bool = False
     shown: str = field(default="", repr=False)
 
 
@@ -122,6 +144,7 @@ class _Reading:
         self.orders = Orders()
         self.shorter = False
         self.ahead: dict[str, Expr] = {}
+        self.dependent = _dependent(text)
         self.called = frozenset(m[1].lstrip("\\") for m in _CALLED.finditer(text))
         self.seen: set[str] = set()
         self.cases: list[tuple[tuple[str, ...], tuple[Compared, ...]]] = []
@@ -145,6 +168,8 @@ class _Reading:
             elif isinstance(event, Section):
                 self.earlier += self.lasting
                 self.noted, self.lasting, before = [], [], ""
+            elif isinstance(event, Missing):
+                continue
             elif isinstance(event, Prose):
                 self.remember(event.text)
                 before = event.text
@@ -172,22 +197,23 @@ class _Reading:
     def remember(self, text: str) -> None:
         """Definitions and lasting conditions in the lines of a text."""
         for found in prose.inline(text):
-            if not (found.lasting or found.defining):
-                continue
             for said in _quietly(found.tex):
-                if found.defining and len(said.ops) == 1 and said.ops[0] in ("=", ":="):
-                    self.defined_in_line(said)
+                if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
+                    self.defined_in_line(said, found.defining)
                 elif found.lasting:
                     given, _, _ = self.condition(said) or ((), (), "")
                     self.lasting += given
 
-    def defined_in_line(self, said: Said) -> None:
+    def defined_in_line(self, said: Said, surely: bool) -> None:
+        """A definition in the line, by the words before it or as one of a function, f(x) = …."""
         head = self.head(said.terms[0])
+        if head is None or not (surely or head.parameters):
+            return
         try:
             value = self.term(said.terms[1]).tree
         except InputError:
             return
-        if head and not head.derived and value.op != "number" and head.name not in symbols(value):
+        if not head.derived and value.op != "number" and head.name not in symbols(value):
             self.define(head, value)
 
     def conditions_around(self, before: str, after: str) -> Under:
@@ -353,6 +379,18 @@ class _Reading:
                 why = f"the words {said.words[0]!a} are not read"
             yield replace(blank, status=UNREAD, why=why, shown=shown)
             return
+        if said.values:
+            listed = said.ops == ("=",) and said.values[-1] == ("\\ldots",)
+            found = self.integers(said) if listed else None
+            shown = " ".join(said.tokens)
+            if found is None:
+                why = "a list of values, or a number with commas, is not read"
+                yield replace(blank, status=UNREAD, why=why, shown=shown)
+            else:
+                self.lasting += found[0]
+                why, text = "a condition", chained(found[0])
+                yield replace(blank, status=ASSUMED, why=why, shown=shown, read_as=text)
+            return
         under, problem = self.under(said, extra, around)
         pieces = [self.piece(term, said) for term in said.terms]
         for n, op in enumerate(said.ops):
@@ -380,7 +418,9 @@ class _Reading:
         spoken = [_names((c,)) for c in (*given, *around.given)]
         lasting = [c for c in self.lasting if _names((c,)) not in spoken]
         everything = (*self.noted, *lasting, *around.given, *given)
-        kind = around.kind or (prose.CLAIM if own and not around.noted else "")
+        bounds = own and not {"=", "\\equiv"} & {*said.ops}
+        claimed = said.universal or (bounds and around.kind != prose.ASSUME)
+        kind = prose.CLAIM if claimed and not around.noted else around.kind
         return replace(
             around, given=everything, put_in=tuple(put_in), path=path, kind=kind
         ), problem
@@ -530,6 +570,14 @@ class _Reading:
     ) -> Link:
         """What is asked of a link, and what it is if the answer is no."""
         left, relation, right = compared
+        try:
+            known = self.known(under)
+            left, right = self.under_binders(left, known), self.under_binders(right, known)
+        except InputError as error:
+            return replace(_read(link, compared), status=UNREAD, why=str(error))
+        if signed and said.either and relation != "==":
+            why = "which sign is meant is not said"
+            return replace(_read(link, compared), status=UNREAD, why=why)
         if signed and said.either:
             left, right = left**2, right**2
         if pieces[0].printed and not pieces[1].printed and relation == "==":
@@ -565,7 +613,7 @@ class _Reading:
                 conditions = tuple(c for c in conditions if ends not in _names((c,)))
             about = chained(_about(symbols(left) | symbols(right), conditions))
             said_so = f"{left} {relation} {right}" + (f" given {about}" if about else "") + as_path
-            for one, other, given, how in self.forms(left, right, conditions, under.sources):
+            for one, other, given, how in self.forms(left, right, conditions, under):
                 if as_path:  # where it holds, the path says
                     given = [c for c in given if as_path.split()[1] not in _names((c,))]
                 shown = chained(_about(symbols(one) | symbols(other), given))
@@ -595,7 +643,7 @@ class _Reading:
         keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
         link = replace(link, claims=tuple(attempts.values()), firm=firm, same=same)
         if fallback[0] == EQUATION and _unknown(left, right):
-            link = replace(link, same=False)
+            link = replace(link, same=False, unknown=True)
         return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
 
     def forms(
@@ -603,7 +651,7 @@ class _Reading:
         left: Expr,
         right: Expr,
         given: Sequence[Compared],
-        sources: Sequence[tuple[str, Expr]],
+        under: Under,
     ) -> Iterator[tuple[Expr, Expr, Sequence[Compared], str]]:
         """Both sides and the conditions as they stand, and with definitions put in.
 
@@ -611,14 +659,10 @@ class _Reading:
         follow from; in the end everything is.
         """
         yield left, right, given, ""
-        equal = {name for name, _ in sources}
+        known, equal = self.known(under), {name for name, _ in under.sources}
         given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
         used: list[str] = []
         found: list[tuple[Expr, Expr, Sequence[Compared], str]] = []
-        known = self.ahead | {name: function.body for name, function in self.functions.items()}
-        for name, body in sources:
-            known.pop(name, None)
-            known[name] = body
         for _ in range(_DEPTH):
             names = symbols(left) | symbols(right)
             name = next((n for n in reversed(known) if n in names), "")
@@ -633,7 +677,44 @@ class _Reading:
             used.append(f"{name} = {value[name]}")
             found.append((left, right, given, f"with {', '.join(used)} put in"))
         named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
-        yield from (*found[:1], *(named[:1] if sources else ()), *found[1:][-1:])
+        yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
+
+    def known(self, under: Under) -> dict[str, Expr]:
+        """What symbols stand for, what was said last at the end."""
+        known = self.ahead | {name: function.body for name, function in self.functions.items()}
+        for name, body in under.sources:
+            known.pop(name, None)
+            known[name] = body
+        return known
+
+    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
+        """With what is a function of the variable of a derivative or an integral put in there.
+
+        In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Raises:
+            InputError: it is not known whether a symbol is a function of the variable.
+        """
+        if e.op in LEAVES or elementary(e):
+            return e
+        if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
+            if e.op in UNWORKED or e.op == "unknown":
+                return e
+            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
+        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
+        body = instantiate(e.args[0], tuple(map(symbol, e.names)))
+        for _ in range(_DEPTH):
+            values = {
+                n: known[n] for n in symbols(body) & known.keys() if _reaches(n, e.names, known)
+            }
+            if not values:
+                break
+            body = substitute(body, values)
+        for name in sorted(symbols(body) - {*e.names}):
+            on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
+            if on & {"", *e.names}:
+                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
+        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
 
     def fallback(
         self, left: Expr, relation: str, right: Expr, head: Head | None
@@ -686,6 +767,8 @@ class _Reading:
         if WORDS in tokens:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:
+            lone = len(said.ops) == 1 and self.head(said.terms[0]) is not None
+            tokens = _without_units(tokens) if lone else tokens
             if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
                 tokens = tokens[1:]
             return self.term(tokens)
@@ -693,7 +776,7 @@ class _Reading:
             return _plain(str(error))
 
     def term(self, tokens: Sequence[str]) -> Piece:
-        tokens = _without_units(_digits_joined(list(tokens)))
+        tokens = _digits_joined(list(tokens))
         while tokens and tokens[-1] in (",", ".", ";", ":"):
             tokens.pop()
         reader = Reader(tokens, self.author)
@@ -847,12 +930,31 @@ def _digits_joined(tokens: list[str]) -> list[str]:
     return result
 
 
+def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:
+    """Whether what ``name`` stands for has one of ``names`` in it, however deep."""
+    reached, left = set(), {name}
+    while left:
+        reached |= left
+        left = {s for n in left if n in known for s in symbols(known[n])} - reached
+    return not reached.isdisjoint(names)
+
+
+def _dependent(text: str) -> dict[str, set[str]]:
+    """The letters of which derivatives are written, and by what; the empty name for any."""
+    found: dict[str, set[str]] = {}
+    for pattern, by in _DERIVATIVES:
+        for match in re.finditer(pattern, text):
+            name, *rest = (part.lstrip("\\") for part in match.groups())
+            found.setdefault(name, set()).add(rest[0] if rest else by)
+    return found
+
+
 def _unknown(*trees: Expr) -> set[str]:
     """The names of the functions in the trees that are left unknown."""
     return {str(f.args[0].args[0]) for e in trees for f in functions(e)}
 
 
-def _without_units(tokens: list[str]) -> list[str]:
+def _without_units(tokens: Sequence[str]) -> Sequence[str]:
     """A number without the unit behind it."""
     start = next((n for n, token in enumerate(tokens) if token in _UNITS), 0)
     numbers = {"\\times", "\\cdot", "^", "{", "}", "-", "+"}

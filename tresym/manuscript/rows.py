@@ -20,6 +20,8 @@ from tresym.reals.language.latex_tokens import (
 )
 from tresym.reals.numbers.exact import InputError
 
+FORALL = "\\forallsaid"
+"""The token before a condition that says "for all"."""
 GAP, AND, OR, OTHERWISE, WORDS = "\\gapquad", "\\wordand", "\\wordor", "\\otherwise", "\\words"
 MAX_RELATIONS = 500
 ARROWS = frozenset(
@@ -62,6 +64,8 @@ _DROPPED = re.compile(
     r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
     r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
 )
+_GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
+_BRACE = re.compile(rf"\\(?:under|over)brace\s*{_GROUP}(?:\s*[_^]\s*{_GROUP})?")
 _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
@@ -71,6 +75,7 @@ _FOR = re.compile(
     r"|whenever|as|given|given that|provided|provided that|with|where|on|in the limit|assuming"
     r"|for real|for all real)"
 )
+_ALL = re.compile(r"for (?:all|any|every|each)\b")
 _WITHOUT = re.compile(
     r"(?:here|then|so|so that|hence|thus|therefore|or equivalently|i\.e\.|which is"
     r"|that is|resp\.?|respectively)"
@@ -87,6 +92,7 @@ class Said:
         values: what follows by commas, as in ``n = 0, 1, 2``.
         conditions: those that are said of it with a word such as "for".
         words: upright text that stands in it.
+        universal: it is said "for all".
     """
 
     terms: tuple[tuple[str, ...], ...]
@@ -95,6 +101,7 @@ class Said:
     values: tuple[tuple[str, ...], ...] = ()
     conditions: tuple[Said, ...] = ()
     words: tuple[str, ...] = field(default=())
+    universal: bool = False
 
     @property
     def tokens(self) -> tuple[str, ...]:
@@ -150,12 +157,16 @@ def _prepared(text: str, words: list[str]) -> str:
     """With marks for gaps and upright text; what only sets the page is dropped."""
     text = _DROPPED.sub(" ", text)
     text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
+    text = _BRACE.sub(r"{\1}", text)
     text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)
     text = re.sub(
         r"\\q?quad(?![a-zA-Z])|\\enspace(?![a-zA-Z])", f" {GAP} ".replace("\\", r"\\"), text
     )
     text = re.sub(r"\\(?:triangleq|coloneq|doteq|eqdef|defeq)(?![a-zA-Z])|:\s*=", ":=", text)
     text = _DEFINED.sub(lambda m: ":=" if re.search("def|triangle|Delta", m[1]) else "=", text)
+    text = re.sub(
+        r"\\forall(?![a-zA-Z])", rf"{AND} {FORALL} {CONDITION} ".replace("\\", r"\\"), text
+    )
     text = re.sub(r"\\colon(?![a-zA-Z])", " ", text)
     text = re.sub(r"\\(?:dots|dotsc|cdots|dotsb)(?![a-zA-Z])", r"\\ldots ", text)
     return _TEXT.sub(lambda m: _spoken(m, words), text)
@@ -184,6 +195,8 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
             result += f" {OR} "
         elif word in ("otherwise", "else"):
             result += f" {CONDITION} {OTHERWISE} "
+        elif _ALL.match(word) and _FOR.fullmatch(word):
+            result += f" {AND} {FORALL} {CONDITION} "
         elif _FOR.fullmatch(word):
             result += f" {CONDITION} "
         elif _WITHOUT.fullmatch(word):
@@ -239,20 +252,27 @@ def _rows(tokens: list[str]) -> list[list[str]]:
         for column, cell in enumerate(split):
             if not cell:
                 continue
-            goes_on = cells and (
-                cell[0] in RELATIONS
-                or cell[0] in STRANGE
-                or (cell[0] in _OPERATORS and (column > 0 or not _relation_in(row)))
-                or cells[-1][-1] in _OPERATORS
-                or cells[-1][-1] in RELATIONS
-                or (column > 0 and not _relation_in(cell) and cell[0] != CONDITION)
-            )
-            if goes_on:
+            after = split[column + 1] if column + 1 < len(split) else []
+            if cells and _goes_on(cells[-1], cell, after, column, row):
                 cells[-1] += cell
             else:
                 cells.append(cell)
                 columns.append(column)
     return [[*cell, *heads.get(column, [])] for cell, column in zip(cells, columns, strict=True)]
+
+
+def _goes_on(
+    before: list[str], cell: list[str], after: list[str], column: int, row: list[str]
+) -> bool:
+    """Whether a cell goes on with the statement before it."""
+    if cell[0] in RELATIONS or cell[0] in STRANGE:
+        return True
+    if before[-1] in _OPERATORS or before[-1] in RELATIONS:
+        return True
+    starts = after[:1] and after[0] in RELATIONS and _relation_in(before)
+    if cell[0] in _OPERATORS:  # in an even column of an align an equation begins
+        return not (starts and column % 2 == 0) and (column > 0 or not _relation_in(row))
+    return column > 0 and not starts and not _relation_in(cell) and cell[0] != CONDITION
 
 
 def _without_brace(tokens: list[str]) -> list[str]:
@@ -376,7 +396,9 @@ def _chains(tokens: list[str]) -> list[Said]:
         elif stop in ARROWS or stop in (OR, ";", "."):
             under = False
         if not chain.ops:
-            if part == [OTHERWISE] and found:
+            if part == [FORALL]:
+                found = [replace(one, universal=True) for one in found]
+            elif part == [OTHERWISE] and found:
                 found[-1] = replace(found[-1], conditions=(*found[-1].conditions, chain))
             elif stop in (GAP, "") and found and part[0] in _OPERATORS:
                 found[-1] = _extended(found[-1], [part])

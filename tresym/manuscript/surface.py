@@ -113,18 +113,24 @@ class Display:
         return hashlib.sha256(" ".join(self.text.split()).encode()).hexdigest()
 
 
-Event: TypeAlias = Note | Section | Prose | Display
+class Missing(NamedTuple):
+    """A file that is included and not there, as of a package of TeX."""
+
+    name: str
+
+
+Event: TypeAlias = Note | Section | Prose | Display | Missing
 
 
 def read_manuscript(path: Path) -> list[Event]:
-    """What a manuscript holds, in order.
+    """What a manuscript holds, in order, and first which files it lacks.
 
     Raises:
         InputError: it cannot be read, is not closed, includes itself or files outside its folder,
             or holds no display; one line says which.
     """
     source = _Source(path)
-    events = list(_Scanner(source).events())
+    events = [*map(Missing, source.missing), *_Scanner(source).events()]
     if not any(isinstance(event, Display) for event in events):
         raise InputError(f"{path}: no display in it; write formulas in equation, align or \\[ \\]")
     return events

@@ -5,6 +5,7 @@ Each is a ``concurrent.futures`` executor, and the sweep knows nothing else of i
 
 from __future__ import annotations
 
+import logging
 import socket
 import threading
 from collections.abc import Callable, Iterator
@@ -18,6 +19,9 @@ from tresym.reals.processes import Processes
 
 PATIENCE = 10
 """Seconds to wait for a scheduler, and for workers to come or to come back."""
+
+LOUD = ("distributed", "tornado", "asyncio")
+"""Libraries that log what Dask meets."""
 
 LARGEST_GREETING = 2**20
 """Bytes that a scheduler's greeting may have."""
@@ -104,6 +108,20 @@ def _within(seconds: float, call: Callable[[], Any]) -> Any:
 
 
 @contextmanager
+def _unheard() -> Iterator[None]:
+    """Inside, Dask prints nothing: it logs in whole tracebacks what is said here in one line."""
+    names = [name for name in logging.root.manager.loggerDict if name.split(".")[0] in LOUD]
+    before = {name: logging.getLogger(name).disabled for name in names}
+    try:
+        for name in names:
+            logging.getLogger(name).disabled = True
+        yield
+    finally:
+        for name, was in before.items():
+            logging.getLogger(name).disabled = was
+
+
+@contextmanager
 def cluster(address: str) -> Iterator[Workers]:
     """The workers of a Dask scheduler; they need the same tresym.
 
@@ -116,9 +134,17 @@ def cluster(address: str) -> Iterator[Workers]:
     except ImportError:
         raise InputError("cluster: needs Dask (pip install -e '.[cluster]')") from None
     _knock(address)
+    with _unheard():
+        yield from _led(address, Client, (KilledWorker, CommClosedError, CancelledError))
+
+
+def _led(
+    address: str, open_client: Any, losses: tuple[type[BaseException], ...]
+) -> Iterator[Workers]:
+    """The workers of the scheduler that answers at ``address``."""
     try:
         client = _within(
-            2 * PATIENCE, lambda: Client(address, timeout=PATIENCE, set_as_default=False)
+            2 * PATIENCE, lambda: open_client(address, timeout=PATIENCE, set_as_default=False)
         )
         threads = _threads(client)
     except Exception as error:
@@ -129,7 +155,7 @@ def cluster(address: str) -> Iterator[Workers]:
             raise InputError(f"cluster: the scheduler at {address} has no workers")
         executor = client.get_executor(pure=False)
         yield Workers(executor, 2 * threads + 2, _Watch(client))
-    except (KilledWorker, CommClosedError, CancelledError) as error:
+    except losses as error:
         reason = type(error).__name__
         raise InputError(f"cluster: the scheduler or its workers are lost ({reason})") from None
     except ImportError as error:

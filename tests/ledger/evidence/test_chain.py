@@ -21,6 +21,7 @@ from sympy import (
     cosh,
     exp,
     log,
+    pi,
     sin,
     sinh,
     sqrt,
@@ -42,6 +43,8 @@ from tresym.ledger.reasons import (
     substituting,
     trigonometry,
 )
+from tresym.reals.language.formula import Conjunction, Relation
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -128,6 +131,8 @@ def _from(before: Basic, after: Basic, reason: Reason, given: tuple[Basic, ...] 
         (Eq(x, y), Eq(exp(x), exp(y)), applying("exp"), (), True),
         (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0, y > 0), True),
         (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0,), False),
+        (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0, y < 0), False),
+        (Eq(x, y), Eq(x**2, y**2), applying("square"), (x >= 0, y <= 0), False),
         (Eq(x, y), Eq(log(x), log(y)), applying("log"), (x > 0, y > 0), True),
         (Eq(x, y), Eq(log(x), log(y)), applying("log"), (x >= 0, y >= 0), False),
         (Eq(x, y), Eq(sin(x), sin(y)), applying("sin"), (), False),
@@ -168,6 +173,10 @@ def test_a_monotone_function_keeps_or_turns_an_inequality_on_its_interval() -> N
     assert not proved(Gt(y, x), (step(cos(y) - cos(x), applying("cos")),), inside)
     outside = Gt(Integer(1), Integer(7), evaluate=False)  # cos 7 > cos 1, beyond pi
     assert not proved(outside, (step(cos(7) - cos(1), applying("cos")),))
+    stated = cos(y) > cos(x)
+    turned = (step(cos(y) - cos(x), applying("cos")),)
+    assert proved(Gt(x, y), turned, (stated, x >= 0, x <= pi, y >= 0, y <= pi))
+    assert not proved(Gt(x, y), turned, (stated,))
     for name in ("square", "tan", "abs"):
         assert not proved(Gt(y, x), (step(y - x, applying(name)),), inside)
 
@@ -184,6 +193,11 @@ def test_matrices_entry_by_entry() -> None:
 def test_a_step_keeps_the_kind_of_statement() -> None:
     assert not proved(equal(x, x), (step(Eq(x, y), algebra),))
     assert not proved(Equivalent(Eq(x, y), Gt(x, y)), (step(Gt(x, y), algebra),))
+    three = Matrix([x, y, z])
+    assert not proved(Eq(three, three, evaluate=False), (step(Eq(x, y), algebra),))
+    both = Conjunction((Relation(parse("x"), "<", parse("x")),))
+    found = check_chain(both, by(algebra), ())
+    assert not all(step.verdict is Verdict.PROVED for step in found)
 
 
 def test_what_is_put_in_brings_its_conditions() -> None:

@@ -35,8 +35,10 @@ from tresym.ledger.claim import (
     equal,
     step,
 )
+from tresym.ledger.evidence.integrals import under_binder
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
+from tresym.ledger.meaning import tree
 from tresym.ledger.reasons import (
     changing_variable,
     citing,
@@ -460,6 +462,20 @@ def test_no_root_is_looked_for_where_a_symbol_is_defined() -> None:
     ends = [(step((t**3 - t).subs(t, end)),) for end in (Rational(-1, 2), Rational(1, 2))]
     says = ExactlyOne(t, Rational(-1, 2), Rational(1, 2), equal(t**3, t))
     assert not judge(Claim("root", says, UniqueRoot(slope, *ends)), held).verdict.holds
+
+
+def test_sums_of_another_length_are_not_alike() -> None:
+    one, other = (tree(e) for e in (area(exp(t**2)) + x, area(exp(t**2)) + x + y))
+    assert under_binder(one, one, ())
+    assert not under_binder(one, other, ())
+
+
+def test_what_stands_on_both_sides_is_left_alone() -> None:
+    kept = Integral(exp(t**2), (t, 0, x))
+    says = equal(area(t) + kept, kept + Rational(1, 2))
+    assert judge(Claim("both", says, by(integrating(t**2 / 2))), {}).verdict is Verdict.PROVED
+    back = equal(kept + Rational(1, 2), kept + area(t))
+    assert judge(Claim("back", back, by(integrating(t**2 / 2))), {}).verdict is Verdict.PROVED
 
 
 def test_rules_are_not_applied_where_another_node_binds_a_symbol() -> None:

@@ -347,3 +347,18 @@ def test_unknown_names_are_refused_with_the_nearest_known() -> None:
         named_body("etylene")
     with pytest.raises(InputError, match="rung: 'magic' is not known"):
         flip_defect("1", "0.5", rung="magic")
+
+
+@pytest.mark.parametrize("digits", [10, 16, 28, 30, 50, 52, 100, 400])
+def test_the_first_pass_has_the_digits(digits: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    passes: list[int] = []
+    enclose = solver.enclose_phase
+
+    def counted(k: arb, r: arb, precision: int) -> arb:
+        passes.append(precision)
+        return enclose(k, r, precision)
+
+    monkeypatch.setattr(solver, "enclose_phase", counted)
+    for s in SHAPES:
+        solver.solve(*s, digits)
+    assert len(passes) == len(SHAPES)

@@ -239,3 +239,17 @@ def test_the_sign_near_zero_holds_on_its_range(text: str, sign: int) -> None:
 @pytest.mark.quick
 def test_no_sign_is_given_to_a_wave() -> None:
     assert sign_near(parse("t*sin(1/t)"), "t") is None
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "exp(sqrt(log(x))) == o(x**(1/1000)) as x -> oo",
+        "log(x)**1000 == o(exp(sqrt(log(x)))) as x -> oo",
+        "log(x)**1000/exp(sqrt(log(x))) -> 0 as x -> oo",
+        "sin(x)/log(log(x)) -> 0 as x -> oo",
+    ],
+)
+def test_what_is_slow_is_not_stopped_by_the_advocate(claim: str) -> None:
+    assert tresym.check(claim)

@@ -183,3 +183,9 @@ def test_the_value_is_kept(e: Expr) -> None:
             value, expected = field.ball(found, point), evaluate(e, point)
             if value.is_finite() and expected.is_finite():
                 assert value.overlaps(expected)
+
+
+def test_an_arc_tangent_beside_a_quarter_turn_is_none() -> None:
+    field = Field(Given())
+    (huge,) = field.normal(parse("atan(10^60)"))
+    assert not (huge - field.pi(fmpq(1, 2))).num.is_zero()

@@ -7,7 +7,7 @@ from falsehoods import is_false_at, proves, read
 
 from tresym.reals.normal.field import Field
 from tresym.reals.places.conditions import Given
-from tresym.reals.signs.cones import open_factors, sign_on_cones
+from tresym.reals.signs.cones import _excludes, open_factors, sign_on_cones
 
 TRUE = [
     # contact where coordinates have rational ratios
@@ -133,3 +133,13 @@ def test_open_factors(e: str, strict: bool, sign: int, rest: str) -> None:
     assert scale != 0
     assert left - expected.num * scale == 0
     assert found * (1 if scale > 0 else -1) == sign
+
+
+def test_where_a_closed_condition_fails_is_left_out_of_half_spaces_alone() -> None:
+    field = Field(Given())
+    line, curve = (v.num for v in field.normal(read("x - y > 0")[0], read("x*y - 1 > 0")[0]))
+    assert _excludes(line, ">", True)
+    assert _excludes(curve, ">", True)
+    assert _excludes(line, ">=", False)
+    assert not _excludes(line, ">=", True)
+    assert not _excludes(curve, ">=", False)

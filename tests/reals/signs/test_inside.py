@@ -21,6 +21,7 @@ from tresym.reals.signs.inside import PROVING, by_signs_of_parts, jumps, sign_in
         ("sqrt(x**2 + y**2) - x", "x > y", ">=0"),
         ("sign(x)**2 - 1", "", None),
         ("x - 1", "x**2*(x - 1) >= 0", ">=0"),
+        ("x", "x != 0", None),
     ],
 )
 def test_the_normal_form_tells_of_almost_all_points(

@@ -14,6 +14,7 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.signs.parts import Parts
 
 PINNED = "b > 0, y > -b, x >= y, x <= y"
+STABLE = "0 < a, a < b, b < c, (b - a)/(a*b)*(u**2 - x**2) + (c - a)/(a*c)*(v**2 - y**2) >= 0"
 SIGNS = [
     # conditions taken out of a sum, and multiples of them
     ("x + b", PINNED, "+"),
@@ -24,6 +25,7 @@ SIGNS = [
     ("1 - a*b", "a > 0, b > 0, b*(a + 2) <= 1", "+"),
     ("b/(a + b) - x**2", "a > 0, b > 0, b/(a + b) > y**2, y**2 >= x**2", "+"),
     ("y**2 - x**2", "(x - y)*(-y - x) >= 0", ">=0"),
+    ("(c - a)*b/(c*(b - a))*(u**2 + v**2) - x**2 - y**2", STABLE, ">=0"),
     # half turns
     ("sin(x)", "e > 0, e < pi/2, x >= e, x <= pi - e", "+"),
     ("sin(x)", "0 <= x, x <= pi", ">=0"),
@@ -69,6 +71,9 @@ def test_signs(text: str, conditions: str, found: str) -> None:
 
 
 FALSE = {
+    f"u**2 + v**2 - x**2 - y**2 >= 0 given {STABLE}": (
+        "a = 1, b = 2, c = 3, u = 0, v = 1, x = 11/10, y = 0"
+    ),
     "x - b > 0 given b > 0, y > -b, x >= y, x <= y": "b = 1, x = 0, y = 0",
     "x + b > 0 given b > 0, y >= -b, x >= y, x <= y": "b = 1, x = -1, y = -1",
     "x + b > 0 given b > 0, y > -b, x <= y": "b = 1, x = -2, y = 0",
@@ -151,3 +156,34 @@ def test_what_is_zero_is_not_nonzero() -> None:
     assert not parts.nonzero(parse("(x + 1)**2 - x**2 - 2*x - 1"))
     assert parts.nonzero(parse("x*y"))
     assert not parts.nonzero(parse("x*(y - 1)"))
+
+
+@pytest.mark.parametrize("text", ["exp(x)**2 - 2*exp(y)", "sin(x)**2 - 2*sin(y)"])
+def test_what_rises_is_compared_with_its_like_alone(text: str) -> None:
+    near = Given.parse("x > y, -pi/2 < y < pi/2, -pi/2 < x < pi/2")
+    assert Parts(near).sign(parse(text)) is None
+
+
+def test_what_is_taken_out_is_not_negative_and_known() -> None:
+    parts = Parts(Given.parse("x >= y, z > 0"))
+    one, gap, z, x = (parts.atoms.of(parse(e)).num for e in ("1", "x - y", "z", "x"))
+    (of_gap,) = (n for n, (fact, *_) in enumerate(parts.facts) if fact == gap)
+    assert parts._less(gap * z, ((one, z, of_gap),)) == ">=0"
+    assert parts._less(gap + z, ((one, one, of_gap),)) == "+"
+    assert parts._less(gap * x, ((one, x, of_gap),)) is None
+    assert parts._less(-gap, ((one, -one, of_gap),)) is None
+    assert parts._less(-one, ((-one, 0 * one, of_gap),)) is None
+    assert parts._less(-z, ((0 * one, 0 * one, of_gap),)) is None
+    assert parts._less(gap - z, ((one, one, of_gap),)) is None
+    strict = Parts(Given.parse("x > y"))
+    one, gap, x = (strict.atoms.of(parse(e)).num for e in ("1", "x - y", "x"))
+    assert strict._less(gap, ((one, one, 0),)) == "+"
+    assert strict._less(gap * x**2, ((one, x**2, 0),)) == ">=0"
+    assert strict._less(0 * one, ((one, 0 * one, 0),)) == ">=0"
+
+
+def test_what_is_linear_in_a_square_has_the_sign_of_its_ends() -> None:
+    parts = Parts(Given.parse("a > 0"))
+    p = parts.atoms.of(parse("a*cos(t)**2")).num
+    assert (parts._at_ends(p), parts._at_ends(-p)) == (">=0", "<=0")
+    assert parts._at_ends(p + parts.atoms.of(parse("a")).num) == "+"

@@ -18,18 +18,21 @@ from tresym.report.pages.derivation import fragment, prose
 
 
 @pytest.fixture(scope="module")
-def report() -> Report:
-    return verify()
+def report(whole: Report) -> Report:
+    return whole
 
 
-def test_every_claim_is_in_the_article(report: Report) -> None:
-    text = article(report)
+@pytest.fixture(scope="module")
+def text(report: Report) -> str:
+    return article(report)
+
+
+def test_every_claim_is_in_the_article(report: Report, text: str) -> None:
     for row in report.rows:
         assert rf"\label{{claim:{row.claim.label}}}" in text
 
 
-def test_quoted_theorems_have_their_section(report: Report) -> None:
-    text = article(report)
+def test_quoted_theorems_have_their_section(report: Report, text: str) -> None:
     entries = text[text.index(r"\label{quoted}") : text.index(r"\begin{thebibliography}")]
     listed = entries.split(r"\paragraph")[1:]
     assert len(listed) == len(report.axioms) > 0
@@ -43,8 +46,7 @@ def test_quoted_theorems_have_their_section(report: Report) -> None:
     )
 
 
-def test_what_the_article_tells_is_there(report: Report) -> None:
-    text = article(report)
+def test_what_the_article_tells_is_there(report: Report, text: str) -> None:
     assert not re.search(r"^@|\{\{ \w+ \}\}", text, re.MULTILINE)
     known = {row.claim.label for row in report.rows}
     assert set(re.findall(r"\\(?:claim|judged)\{(\w+)\}", text)) <= known
@@ -95,18 +97,18 @@ def test_what_is_refuted_is_printed_marked(capsys: pytest.CaptureFixture[str]) -
     assert "Refuted" not in capsys.readouterr().out
 
 
-def test_the_article_marks_what_is_refuted(report: Report) -> None:
-    entries = article(report).split(r"\paragraph{\texttt{")[1:]
+def test_the_article_marks_what_is_refuted(report: Report, text: str) -> None:
+    entries = text.split(r"\paragraph{\texttt{")[1:]
     marked = [r"\verdict{refuted}{This is refuted:}" in entry for entry in entries]
     assert sum(marked) == report.counts[Verdict.REFUTED.value]
 
 
 @pytest.mark.slow
-def test_the_article_compiles(report: Report, tmp_path: Path) -> None:
+def test_the_article_compiles(text: str, tmp_path: Path) -> None:
     if shutil.which("pdflatex") is None:
         assert not os.environ.get("CI"), "TeX Live must be there in CI"
         pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
-    log = compiled(article(report), tmp_path, times=2)
+    log = compiled(text, tmp_path, times=2)
     assert "undefined" not in log
     assert "tresym: a display is shrunk" not in log
 

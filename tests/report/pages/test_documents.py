@@ -94,8 +94,7 @@ def test_a_sharper_reading_is_kept_apart_from_what_the_paper_says() -> None:
         assert word in apart
 
 
-def test_the_ledger_lists_every_claim() -> None:
-    whole = verify()
+def test_the_ledger_lists_every_claim(whole: Report) -> None:
     page = ledger(whole)
     assert page.startswith("# The ledger")
     assert all(f"| `{row.claim.label}` |" in page for row in whole.rows)

@@ -24,8 +24,11 @@ from tresym.reals.numbers.arithmetic import Balls, ball_precision, balls, bits
 LARGEST_ARGUMENT = 10**17
 """Beyond T = √(ab) P of this size ε₀ < 10^(−4·10^16) is not told from 0."""
 
-FLOAT_BITS = 46
+FLOAT_BITS = 48
 """Bits of the float64 start that are taken to be right; nothing rests on it but speed."""
+
+SPARE = 8
+"""Bits of the working precision that the last step may leave: with them a whole step is saved."""
 
 
 class Separatrix(NamedTuple):
@@ -74,13 +77,13 @@ def interval_newton(phase: arb, k: arb, r: arb) -> arb:
 
 
 def enclose_phase(k: arb, r: arb, precision: int) -> arb:
-    """The phase as a ball some 2^−precision wide; ``precision`` is the working precision.
+    """The phase as a ball some 2^(``SPARE`` − precision) wide, at that working precision.
 
     Newton's method doubles the correct bits of the float64 start, so that the last doubling, the
-    interval Newton step, ends at ``precision``.
+    interval Newton step, ends there.
     """
     guess, slope = map(arb, float_phase(float(k), float(k * r)))
-    for rising in _roundings(precision):
+    for rising in _roundings(precision - SPARE):
         if rising > 2 * FLOAT_BITS:
             with ball_precision(rising // 2 + 16):
                 slope = stable.phase_slope(guess, k, r, balls)

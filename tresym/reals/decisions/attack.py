@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from flint import arb
 
@@ -15,9 +16,11 @@ from tresym.reals.language.expression import symbols
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
+from tresym.reals.verdict import Verdict
 
 BITS, NEAR_BITS = 512, 12_000
 SMALL, LESS = arb((1, -4)), arb("0.9")
+NEARER = (100, 4000, 10**300)
 HALVINGS = (0, 1, 2, 3, 5, 8, 13, 21, 34, 55)
 """How often the range of an order is halved on the way to its end."""
 
@@ -33,7 +36,8 @@ def attack(
     functions, derivatives = comparison.differentiated, comparison.derivatives
     if statement.path is not None:
         against = _attack_order(comparison, statement.path, answer)
-        return _attack_limit(comparison, statement, statement.path) if against is None else against
+        ranged = answer.verdict is Verdict.ENCLOSED
+        return against or _attack_limit(comparison, statement, statement.path, ranged)
     claim = (comparison.left, comparison.relation, comparison.right)
     said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
     if statement.equations or any(next(unknown(e), None) is not None for e in said):
@@ -60,10 +64,12 @@ def _attack_order(claim: Comparison, path: Path | None, answer: Answer) -> str |
     return None
 
 
-def _attack_limit(claim: Comparison, statement: Statement, path: Path) -> str | None:
+def _attack_limit(claim: Comparison, statement: Statement, path: Path, ranged: bool) -> str | None:
     """Where what must vanish at the end of the path is large, and grows on the way there.
 
-    A limit says nothing of any one point; from one point to a far nearer one it should get smaller.
+    A limit says nothing of any one point; on the way to far nearer ones it should get smaller. What
+    grows there may yet be overtaken where no number can be written: with a range that was
+    enclosed (``ranged``) only what stays speaks against it.
     """
     left, right = claim.left, claim.right
     infinite = {INFINITY: 1, -INFINITY: -1}.get(right) if claim.relation == LIMIT else None
@@ -77,26 +83,32 @@ def _attack_limit(claim: Comparison, statement: Statement, path: Path) -> str | 
         return None
     names = sorted(symbols(vanishing) - {path.name})
     with ball_precision(NEAR_BITS):
-        value = program((vanishing, left), [*names, path.name])
+        parts = (vanishing, left, *claim.differentiated)
+        value = program(parts, [*names, path.name])
         holds = conditions(names, statement.given.comparisons)
         for at in ([arb(k + n) for n in range(len(names))] for k in (1, -2, 3)):
             if not holds(at):
                 continue
             for side in path.sides:
                 found = [value([*at, x]) for x in _nearer(path, side)]
+                known = [values for values in found if values is not None]
                 if found[0] is None or found[1] is None:
                     continue
-                (first, last), f = (values[0] for values in found if values), found[1][1]
+                sizes, f = [abs(values[0]) for values in known], known[-1][1]
                 wrong = infinite is not None and bool(f * infinite < 0)
-                if wrong or (abs(last) > SMALL and bool(abs(last) > abs(first) * LESS)):
-                    return f"near the end of the path, {said(last)} does not vanish"
+                steps = pairwise(sizes)
+                stays = (
+                    y > SMALL and y > x * LESS and not (ranged and y * LESS > x) for x, y in steps
+                )
+                if wrong or all(stays):
+                    return f"near the end of the path, {said(known[-1][0])} does not vanish"
     return None
 
 
 def _nearer(path: Path, side: int) -> Iterator[arb]:
-    """Two points on one side of the path, one near its end and one far nearer."""
+    """Points on one side of the path, each far nearer to its end: what is slow takes its time."""
     end = None if path.point is None else program([path.point], [])([])
-    for halvings in (100, 4000):
+    for halvings in NEARER:
         t = arb((side, -halvings))
         if path.point is None:
             yield 1 / t

@@ -14,10 +14,10 @@ from dataclasses import replace
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.ends import sign_beside
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.derivatives import where_real
+from tresym.reals.decisions.growth import sign_towards
 from tresym.reals.decisions.identity import decide, exact_text
 from tresym.reals.decisions.orders import decide_order
 from tresym.reals.decisions.reading import LIMIT, Comparison, Derivative, Path, Statement
@@ -51,8 +51,8 @@ FAR = (1, 10, 1000)
 """From where on an inequality is asked."""
 PERIODIC = 12
 PATH_BITS = 256
-_EXACT = "the limit is exact, by Taylor's theorem and the rules of limits"
-_OPEN = "no rule of limits settles it with the parameters that occur"
+_EXACT = "the limit is exact, by leading terms and exact coefficients"
+_OPEN = "the leading term does not settle it with the parameters that occur"
 
 
 def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -223,7 +223,7 @@ def _allows(relation: str, value: Expr, right: Expr, given: Given) -> bool:
 def _eventually(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
     """An inequality on a whole neighbourhood of the end of the path."""
     difference, reach = claim.left - claim.right, fmpq(1)
-    signs = [sign_beside(difference, path.name, path.point, side) for side in path.sides]
+    signs = [sign_towards(difference, path.name, path.point, side) for side in path.sides]
     for side, found in zip(path.sides, signs, strict=True):
         if found is not None and not stands(arb(found[0]), claim.relation):
             return _fails_beside(claim, path, side, *found)

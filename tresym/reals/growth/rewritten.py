@@ -29,6 +29,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.places.conditions import Given
 
 MAX_ROUNDS = 8
 CUBE_ROOT = number(fmpq(1, 3))
@@ -38,10 +39,10 @@ HALF = fmpq(1, 2)
 class Rewritten:
     """Functions of the variable ``name`` → 0+ in one scale."""
 
-    def __init__(self, name: str) -> None:
-        """An empty scale."""
+    def __init__(self, name: str, given: Given = Given()) -> None:  # noqa: B008 - frozen
+        """An empty scale; ``given`` speaks of parameters."""
         self.name = name
-        self.scale = Scale()
+        self.scale = Scale(given)
         self.expansions = Expansions(self.scale)
         self.signed: set[Expr] = set()
         """What must keep its sign where the rewritten function stands for the function itself."""
@@ -104,25 +105,44 @@ class Rewritten:
     def _over(self, above: Expr, below: Expr) -> Expr:
         return times(above, self._power(below, fmpq(-1)))
 
+    def _is_bounded(self, u: Expr) -> bool:
+        """Whether u does not tend to ±∞; its leading coefficient may be a parameter."""
+        try:
+            return self.expansions.growth(u) <= 0
+        except UnresolvedError:
+            if isinstance(self.expansions.limit(u), int):
+                raise
+            return True
+
     # -- what tends to infinity -------------------------------------------------------------
 
     def _exp(self, u: Expr) -> Expr:
         found = ONE
         for _ in range(MAX_ROUNDS):
-            steep = self.expansions.leading(u)
-            if steep is None:
-                return found
-            if self.scale.growth(steep.powers) <= 0:
-                return multiply(found, apply("exp", u))
-            if self.scale.phases(steep.coefficient):
+            fixed, rest = self._with_sign(u)
+            if rest is None:
+                return found if self.scale.is_zero(u) else multiply(found, apply("exp", u))
+            steep = self.expansions.leading(rest)
+            if steep is None or self.scale.phases(steep.coefficient):
                 raise UnresolvedError("an exponential of a wave that grows")
-            w = self.scale.like(steep)
-            if w is None:
-                w = self._new(u, steep)
-            ratio = quotient(steep.coefficient, self.scale.steepness[w].coefficient)
+            w = self.scale.like(steep) or self._new(rest, steep)
+            own = quotient(steep.coefficient, self.scale.steepness[w].coefficient)
+            ratio = times(fixed, own)
             u = plus(u, multiply(-ratio, self.scale.heights[w]))
             found = multiply(found, power(symbol(w), -ratio))
         raise UnresolvedError("an exponent that does not come to an end")
+
+    def _with_sign(self, u: Expr) -> tuple[Expr, Expr | None]:
+        """A constant of any sign and what tends to ±∞, whose product is ``u``; None if bounded."""
+        try:
+            return ONE, None if self._is_bounded(u) else u
+        except UnresolvedError:
+            parts = u.args if u.op == "*" else ()
+            fixed = [part for part in parts if not self.scale.elements(part)]
+            rest = multiply(*(part for part in parts if part not in fixed))
+            if not fixed or self.expansions.growth(rest) <= 0:
+                raise
+            return multiply(*fixed), rest
 
     def _new(self, u: Expr, steep: Leading) -> str:
         """A new element for the part of ``u`` that is unbounded."""
@@ -151,7 +171,7 @@ class Rewritten:
 
     def _wave(self, u: Expr) -> Expr:
         """``u``, or what is equal to it modulo 2π as long as its phase is not known."""
-        if self.expansions.growth(u) <= 0:
+        if self._is_bounded(u):
             return u
         for k, other in enumerate(self.scale.waves):
             first, steep = self.expansions.leading(other), self.expansions.leading(u)
@@ -211,7 +231,7 @@ class Rewritten:
         return self._log(self._over(1 + u, 1 - u)) / 2
 
     def _atan(self, u: Expr) -> Expr:
-        if self.expansions.growth(u) <= 0:
+        if self._is_bounded(u):
             return apply("atan", u)
         return self._way(u) * PI / 2 - apply("atan", 1 / u)
 

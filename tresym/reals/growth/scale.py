@@ -25,6 +25,7 @@ from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
+from tresym.reals.signs.sign import sign
 
 Powers: TypeAlias = dict[str, Expr]
 """The exponents of a product of elements, none of them 0."""
@@ -55,8 +56,9 @@ class Leading(NamedTuple):
 class Scale:
     """The elements met so far, the fastest first, and what was shown of them."""
 
-    def __init__(self) -> None:
-        """t and its logarithms alone."""
+    def __init__(self, given: Given = Given()) -> None:  # noqa: B008 - frozen
+        """t and its logarithms alone; ``given`` speaks of parameters, which are fixed."""
+        self.given = given
         self.order = list(CHAIN)
         self.heights = {w: 1 / symbol(v) for w, v in pairwise(CHAIN)}
         self.steepness = {w: Leading(ONE, {v: number(-1)}) for w, v in pairwise(CHAIN)}
@@ -96,7 +98,16 @@ class Scale:
             return (x > y) - (x < y)
         return self.sign(c - d)
 
+    def parameters(self, c: Expr) -> bool:
+        """Whether there is more in a constant than numbers and phases."""
+        return bool(symbols(c).difference(self.phases(c)))
+
     def _sign(self, c: Expr) -> int:
+        if self.parameters(c):
+            found = {"+": 1, "-": -1, "0": 0}.get(sign(c, self.given, "!=") or "")
+            if self.phases(c) or found is None:
+                raise UnresolvedError(f"the sign of {c} is not shown")
+            return found
         for bits in (WORKING, 8 * WORKING):
             with ball_precision(bits):
                 value = self.ball(c)
@@ -128,7 +139,7 @@ class Scale:
             return value.is_finite() and equal_constants(e, ZERO, ALL_THEORIES)
         positive = Given(tuple((symbol(w), ">", ZERO) for w in self.elements(e)))
         try:
-            return bool(Field(positive).normal(e)[0].num.is_zero())
+            return bool(Field(self.given & positive).normal(e)[0].num.is_zero())
         except (TooLargeError, UndefinedError):
             return False
 

@@ -176,6 +176,8 @@ class Expansions:
         if self.scale.is_zero(e):
             return None
         if not inside:
+            if self.scale.parameters(e) and not self.scale.sign(e):
+                return None
             return Leading(e, {})
         w = inside[0]
         if e.op == "symbol":
@@ -190,6 +192,29 @@ class Expansions:
             if found.end is None:
                 return None
         raise UnresolvedError("the leading term is not found")
+
+    def limit(self, e: Expr) -> Expr | int:
+        """The limit as t → 0; ±1 for ±∞.
+
+        Raises:
+            UnresolvedError: it is not found, or waves have none.
+        """
+        inside = self.scale.elements(e)
+        if not inside:
+            if self.scale.phases(e) and not self.scale.is_zero(e):
+                raise UnresolvedError("a wave")
+            return e
+        for n in ORDERS:
+            found = self.tried(e, inside[0], n)
+            while found.terms and self.scale.is_zero(found.terms[0][1]):
+                found.terms.pop(0)
+            low = self.scale.sign(found.terms[0][0]) if found.terms else 1
+            if low < 0:
+                first = self.leading(e)
+                return self.scale.sign(first.coefficient) if first else ZERO
+            if found.end is None or self.scale.sign(found.end) > 0:
+                return self.limit(found.terms[0][1]) if low == 0 else ZERO
+        raise UnresolvedError("the limit is not found")
 
     def growth(self, e: Expr) -> int:
         """1 where ``e`` is unbounded, 0 where it is of the order of 1, −1 where it tends to 0."""

@@ -30,16 +30,6 @@ from tresym.reals.numbers.exact import InputError, as_rational, fraction_text
 
 Number: TypeAlias = int | Fraction | fmpq
 
-FUNCTIONS = frozenset(
-    (
-        *("abs", "sign", "cbrt", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc"),
-        *("asin", "acos", "atan", "sinh", "cosh", "tanh", "coth", "sech", "csch"),
-        *("asinh", "acosh", "atanh"),
-    )
-)
-"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
-there is ``atan2`` alone, see :func:`angle`."""
-
 LEAVES = frozenset(("number", "symbol", "pi", "bound", "function"))
 BINDERS = frozenset(
     ("integral", "antiderivative", "derivative", "at", "limit", "root", "sum", "product")
@@ -434,7 +424,7 @@ def _derivative(node: Expr, walk: Any) -> Expr | None:
         y, x = node.args
         dy, dx = (ZERO if part is None else part for part in parts)
         return (x * dy - y * dx) / (x**2 + y**2)
-    return multiply(_slope(node.op, node.args[0], node), parts[0])
+    return multiply(_SLOPES[node.op](node.args[0], node), parts[0])
 
 
 def _unknown_derivative(node: Expr, parts: list[Expr | None]) -> Expr:
@@ -516,57 +506,36 @@ def _power_derivative(base: Expr, exponent: Expr, db: Expr | None, de: Expr | No
     return add(*terms)
 
 
-def _slope(name: str, x: Expr, value: Expr) -> Expr:
-    """The derivative of the function ``name`` at ``x``, where its value is ``value``."""
+_SLOPES: dict[str, Callable[[Expr, Expr], Expr]] = {
+    "exp": lambda x, value: value,
+    "log": lambda x, value: 1 / x,
+    "sin": lambda x, value: apply("cos", x),
+    "cos": lambda x, value: -apply("sin", x),
+    "tan": lambda x, value: 1 + value**2,
+    "cot": lambda x, value: -1 - value**2,
+    "sec": lambda x, value: value * apply("tan", x),
+    "csc": lambda x, value: -value * apply("cot", x),
+    "asin": lambda x, value: 1 / sqrt(1 - x**2),
+    "acos": lambda x, value: -1 / sqrt(1 - x**2),
+    "atan": lambda x, value: 1 / (1 + x**2),
+    "sinh": lambda x, value: apply("cosh", x),
+    "cosh": lambda x, value: apply("sinh", x),
+    "tanh": lambda x, value: 1 - value**2,
+    "coth": lambda x, value: 1 - value**2,
+    "sech": lambda x, value: -value * apply("tanh", x),
+    "csch": lambda x, value: -value * apply("coth", x),
+    "asinh": lambda x, value: 1 / sqrt(x**2 + 1),
+    "acosh": lambda x, value: 1 / (sqrt(x - 1) * sqrt(x + 1)),
+    "atanh": lambda x, value: 1 / (1 - x**2),
+    "abs": lambda x, value: x / value,
+    "cbrt": lambda x, value: number(Fraction(1, 3)) / value**2,
+    "sign": lambda x, value: multiply(ZERO, 1 / x),  # constant where it is defined
+}
+"""The derivative of each function at x, where it has this value."""
 
-    def f(other: str) -> Expr:
-        return apply(other, x)
-
-    match name:
-        case "exp":
-            return value
-        case "log":
-            return 1 / x
-        case "sin":
-            return f("cos")
-        case "cos":
-            return -f("sin")
-        case "tan":
-            return 1 + value**2
-        case "cot":
-            return -1 - value**2
-        case "sec":
-            return value * f("tan")
-        case "csc":
-            return -value * f("cot")
-        case "asin":
-            return 1 / sqrt(1 - x**2)
-        case "acos":
-            return -1 / sqrt(1 - x**2)
-        case "atan":
-            return 1 / (1 + x**2)
-        case "sinh":
-            return f("cosh")
-        case "cosh":
-            return f("sinh")
-        case "tanh" | "coth":
-            return 1 - value**2
-        case "sech":
-            return -value * f("tanh")
-        case "csch":
-            return -value * f("coth")
-        case "asinh":
-            return 1 / sqrt(x**2 + 1)
-        case "acosh":
-            return 1 / (sqrt(x - 1) * sqrt(x + 1))
-        case "atanh":
-            return 1 / (1 - x**2)
-        case "abs":
-            return x / value
-        case "cbrt":
-            return number(Fraction(1, 3)) / value**2
-        case _:  # sign, constant where it is defined
-            return multiply(ZERO, 1 / x)
+FUNCTIONS = frozenset(_SLOPES)
+"""The functions of one argument a tree may apply. ``sqrt x`` is ``x**(1/2)``. Of two arguments
+there is ``atan2`` alone, see :func:`angle`."""
 
 
 def _text(e: Expr, level: int) -> str:

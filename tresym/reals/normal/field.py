@@ -45,16 +45,6 @@ _THEORY: dict[str, frozenset[str]] = (
 MAX_PASSES = 40
 
 
-_CIRCULAR = {
-    "sinh": "sin",
-    "cosh": "cos",
-    "tanh": "tan",
-    "coth": "cot",
-    "sech": "sec",
-    "csch": "csc",
-}
-
-
 class Field(AngleRing):
     """Normal forms under ``given`` with the functions of ``theories`` known."""
 
@@ -149,7 +139,7 @@ class Field(AngleRing):
             return self._quotient(name, *self._turn(x))
         y = self.exp(x)
         z = 1 / y
-        return self._quotient(_CIRCULAR[name], (y + z) / 2, (y - z) / 2)
+        return self._quotient(name.removesuffix("h"), (y + z) / 2, (y - z) / 2)
 
     def _quotient(self, name: str, c: Fraction, s: Fraction) -> Fraction:
         """sin, cos, tan, … from cosine and sine (circular or hyperbolic)."""

@@ -10,11 +10,11 @@ from contextlib import contextmanager
 
 from flint import arb, fmpq, fmpz
 
+from tresym.reals.normal.box import coefficient_sign, quadratic_sign
 from tresym.reals.normal.generators import SIGN_BITS, ValuedRing
-from tresym.reals.normal.moebius import on_orthant
 from tresym.reals.normal.ring import Fraction, Generator, Poly, small_factor
-from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import rational_ends
+from tresym.reals.numbers.arithmetic import ball_precision, decided, side
+from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range
 
@@ -246,49 +246,40 @@ class ProvingRing(ValuedRing):
         name = self.at(used[0]).data[0]
         constant = p - self.variables[used[0]] * slope
         end = -fmpq(fmpz(0) if constant.is_zero() else constant.leading_coefficient(), slope)
-        was = self.box.get(name, Range())
-        if slope > 0 and (was.low is None or end > was.low):
-            self.box[name] = was._replace(low=end)
-        if slope < 0 and (was.high is None or end < was.high):
-            self.box[name] = was._replace(high=end)
+        half = Interval(end, None, True) if slope > 0 else Interval(None, end, False, True)
+        self.box[name] = self.box.get(name, Range()) & half
 
     # Ways to prove a sign
 
     def _constant_sign(self, p: Poly) -> int:
-        for bits in (64, SIGN_BITS, 4 * SIGN_BITS):
-            with ball_precision(bits):
-                value = self.ball(p)
-            if value > 0:
-                return 1
-            if value < 0:
-                return -1
-        return 0
+        return decided(lambda: side(self.ball(p)), (64, SIGN_BITS, 4 * SIGN_BITS)) or 0
 
     def orthant_sign(self, p: Poly) -> int:
-        """The sign of all coefficients once every generator's range is mapped to (0, ∞)."""
-        free: list[int] = []
+        """The sign that the ranges of the generators, each by itself, give."""
+        spans = [Interval()] * self.size
         in_pi = self.known("pi", None) and p.degrees()[self.generator("pi", None).position] > 0
         for position in self.used(p):
             low, high = self.ends(position)
             if in_pi and self.at(position).kind == "atan":
                 p = self._in_quarter_turns(p, position)
                 low, high = (end and fmpq(1 if end > 0 else -1) for end in (low, high))
-            if low == 0 and high is None:
-                continue
-            if low is None and high is None:
-                free.append(position)
-                continue
-            p = on_orthant(p, position, low, high)
-            if not 0 < len(p) <= 4 * MAX_SIGN_TERMS:  # none: the range is a point where it is 0
-                return 0
-        signs = {value > 0 for value in p.coeffs()}
-        if len(signs) != 1:
-            return 0
-        if free and any(int(m[i]) % 2 for m in p.monoms() for i in free):
-            return 0
-        if self._everywhere and all(any(m[i] for i in free) for m in p.monoms()):
-            return 0  # zero where all that is free is
-        return 1 if signs == {True} else -1
+            spans[position] = Interval(low, high, True, True)
+        return self._as_number(coefficient_sign(p, spans))
+
+    def _as_number(self, found: str | None) -> int:
+        """±1 for a sign, which holds off the zeros but where all points are asked for; else 0."""
+        strict = {"+": 1, "-": -1}
+        return (strict if self._everywhere else {**strict, ">=0": 1, "<=0": -1}).get(found or "", 0)
+
+    def _by_discriminant(self, p: Poly, depth: int) -> int:
+        """A quadratic without two real roots, in a generator or its square, has one sign."""
+
+        def ask(q: Poly) -> str | None:
+            rest = self.reduce(q)
+            return "0" if rest.is_zero() else (None, "+", "-")[self.product_sign(rest, depth + 1)]
+
+        found = (self._as_number(quadratic_sign(p, i, ask)) for i in self.used(p))
+        return next(filter(None, found), 0)
 
     def _in_quarter_turns(self, p: Poly, position: int) -> Poly:
         """``p`` times a positive number, an arc tangent written as τ·π/2 and its place as τ."""
@@ -312,29 +303,6 @@ class ProvingRing(ValuedRing):
                     rest = p * (sign * abs(value)) - fact * abs(other)
                     if rest.is_zero() or self.orthant_sign(rest) > 0:
                         return sign
-        return 0
-
-    def _by_discriminant(self, p: Poly, depth: int) -> int:
-        """A quadratic without two real roots, in a generator or its square, has one sign."""
-        for position in self.used(p):
-            low, high = self.ends(position)
-            if low is not None and high is not None and self.at(position).kind != "symbol":
-                continue
-            degree = int(p.degrees()[position])
-            if degree not in (2, 4):
-                continue
-            parts = self.split(p, position)
-            step = degree // 2
-            if not set(parts) <= {0, step, degree}:
-                continue
-            a, c = parts[degree], parts.get(0, self.zero_poly)
-            b = parts.get(step, self.zero_poly)
-            lead = self.sign(a, depth + 1)
-            if not lead:
-                continue
-            rest = self.reduce(4 * a * c - b * b)
-            if self.product_sign(rest, depth + 1) > 0 or (rest.is_zero() and not self._everywhere):
-                return lead
         return 0
 
     def product_sign(self, p: Poly, depth: int = 0) -> int:

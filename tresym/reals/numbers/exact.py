@@ -62,6 +62,15 @@ def _scaled(coefficient: int, exponent: int) -> fmpq:
     return fmpq(coefficient, ten ** (-exponent))
 
 
+def _decimal(text: str, what: str) -> fmpq:
+    """The decimal ``text`` exactly; a short one without a sign, as most are, at once."""
+    whole, _, part = text.partition(".")
+    digits = whole + part
+    if digits.isdecimal() and digits.isascii() and len(digits) < len(_TENS):
+        return fmpq(int(digits), _TENS[len(part)])
+    return _scaled(*_split(text, what))
+
+
 def parse_number(text: str, what: str = "number") -> fmpq:
     """The exact rational that a decimal (``1e-400``) or a fraction (``16380/1210``) names.
 
@@ -72,17 +81,13 @@ def parse_number(text: str, what: str = "number") -> fmpq:
     Raises:
         InputError: anything else, zero denominators, NaN and infinities included.
     """
-    whole, _, part = text.partition(".")
-    digits = whole + part
-    if digits.isdecimal() and digits.isascii() and len(digits) < len(_TENS):
-        return fmpq(int(digits), _TENS[len(part)])  # most are so, and read in a tenth of the time
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
-    numerator, slash, denominator = text.strip(" \t").partition("/")
-    top = _scaled(*_split(numerator.strip(" \t"), what))
-    if not slash:
-        return top
-    bottom = _scaled(*_split(denominator.strip(" \t"), what))
+    if "/" not in text:
+        return _decimal(text.strip(" \t"), what)
+    numerator, _, denominator = text.partition("/")
+    top = _decimal(numerator.strip(" \t"), what)
+    bottom = _decimal(denominator.strip(" \t"), what)
     if bottom == 0:
         raise InputError(f"{what}: {quoted(text)} divides by zero")
     return top / bottom
@@ -126,6 +131,15 @@ class Interval(NamedTuple):
     def width(self) -> fmpq:
         """The distance of two finite ends."""
         return self.high - self.low
+
+    def __and__(self, other: Interval) -> Interval:
+        """The values in both."""
+        both = (self, other)
+        lows = ((i.low, i.low_open) for i in both if i.low is not None)
+        highs = ((i.high, not i.high_open) for i in both if i.high is not None)
+        low, low_open = max(lows, default=(None, False))
+        high, closed = min(highs, default=(None, True))
+        return Interval(low, high, low_open, not closed)
 
     def ball(self) -> arb:
         """The smallest ball at the working precision that contains a bounded interval."""

@@ -225,13 +225,10 @@ def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -
     low, high = _enclosure(bound)
     if low is None or high is None:
         return
-    name, was = side.args[0], box.get(side.args[0], Interval())
     is_open = relation in ("<", ">") or low != high
-    if relation in (">", ">="):
-        if was.low is None or low > was.low or (low == was.low and is_open):
-            box[name] = was._replace(low=low, low_open=is_open)
-    elif was.high is None or high < was.high or (high == was.high and is_open):
-        box[name] = was._replace(high=high, high_open=is_open)
+    above = relation in (">", ">=")
+    half = Interval(low, None, is_open) if above else Interval(None, high, False, is_open)
+    box[side.args[0]] = box.get(side.args[0], Interval()) & half
 
 
 def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool = False) -> None:

@@ -19,9 +19,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import MIRRORED
 from tresym.reals.places.conditions import Given
-
-_MIRRORED = {">": "<", ">=": "<="}
 
 
 def with_domain(given: Given, *expressions: Expr) -> Given:
@@ -112,6 +111,6 @@ def bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:
         start = substitute(e, {name: ZERO})
         if slope.op == "number" and start.op == "number" and slope != ZERO:
             a, b = slope.args[0], start.args[0]
-            relation = relation if a > 0 else _MIRRORED.get(relation, relation)
+            relation = relation if a > 0 else MIRRORED[relation]
             return symbol(name), relation, number(-b / a)
     return e, relation, ZERO

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from tresym.reals.language.expression import Expr, differentiate, substitute, symbol, symbols
+from tresym.reals.language.formula import MIRRORED
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import singularities
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.inside import Ask
 from tresym.reals.signs.inside import sign_inside as sign
-
-_MIRRORED = {">": "<", ">=": "<=", "<": ">", "<=": ">="}
-_BITS = 128
 
 
 def sign_by_concavity(
@@ -31,7 +29,7 @@ def sign_by_concavity(
         return None
     for end, is_open in (ends[0], ends[1]):
         value = substitute(difference, {name: end})
-        with ball_precision(_BITS):
+        with ball_precision():
             if not evaluate(value, {}).is_finite():
                 return None
         found = sign(value, Given())
@@ -53,8 +51,8 @@ def _end(region: Given, name: str, relations: tuple[str, str]) -> tuple[Expr, bo
     Any bound will do: what is shown between two of them holds on the region within.
     """
     for left, relation, right in region.comparisons:
-        if right == symbol(name) and relation in _MIRRORED:
-            left, relation, right = right, _MIRRORED[relation], left
+        if right == symbol(name):
+            left, relation, right = right, MIRRORED[relation], left
         if left == symbol(name) and relation in relations and not symbols(right):
             return right, relation in ("<", ">")
     return None

@@ -25,6 +25,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import MIRRORED
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.normal.written import written
@@ -37,7 +38,6 @@ from tresym.reals.signs.inside import PROVING, Ask, is_zero
 from tresym.reals.signs.inside import sign_inside as sign
 
 MAX_EXPONENT = 100
-_FLIP = {">": "<", ">=": "<=", "<": ">", "<=": ">=", "!=": "!="}
 
 
 class Link(NamedTuple):
@@ -225,7 +225,7 @@ def _in_powers(difference: Expr, name: str, region: Given) -> tuple[Expr, Given,
             conditions.append((left, relation, right))
             continue
         if left.op == "number":
-            left, relation, right = right, _FLIP[relation], left
+            left, relation, right = right, MIRRORED[relation], left
         if not (bounded and left == symbol(name) and right.op == "number" and right.args[0] >= 0):
             return None
         conditions.append((left, relation, right**g))

@@ -8,21 +8,28 @@ factors, or into multiples of conditions and a rest.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from contextlib import suppress
 
 from flint import fmpq
 
 from tresym.reals.language.expression import ONE, PI, Expr, apply, number, symbols
-from tresym.reals.normal.ring import Fraction, Poly, UndefinedError, project, small_factor
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.normal.box import REALS, sign_on_box
+from tresym.reals.normal.ring import (
+    MAX_DEGREE,
+    Fraction,
+    Poly,
+    UndefinedError,
+    project,
+    small_factor,
+)
+from tresym.reals.numbers.arithmetic import ball_precision, decided
 from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.atoms import Atoms
-from tresym.reals.signs.box import REALS, coefficient_sign, sign_on_box
 
 MAX_ATOMS = 8
 MAX_TERMS = 200
@@ -31,11 +38,10 @@ MAX_SPLIT = 24
 """Terms of a sum from which conditions are taken out."""
 MAX_TRIALS = 100
 """Multiples of conditions that are tried for one question."""
-MAX_LOOKS = 60
+MAX_LOOKS = 160
 """Polynomials that are looked at for one question, all parts of it together."""
 DEPTH = 2
 """At most this many conditions are taken out of a sum."""
-_BITS = 128
 
 WEAK = ("+", ">=0", "0")
 FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
@@ -58,6 +64,10 @@ _RANGES = {
 }
 
 
+Taken = tuple[tuple[Poly, Poly, int], ...]
+"""Conditions that are taken out of a polynomial one by one: c, m, and which."""
+
+
 class Parts:
     """Signs under one set of conditions, remembered."""
 
@@ -69,7 +79,7 @@ class Parts:
         self._asked: set[Expr] = set()
         self._cut = False
         self._known: list[tuple[Fraction, bool]] | None = None
-        self._facts: list[tuple[Poly, bool]] | None = None
+        self._facts: list[tuple[Poly, bool, Poly]] | None = None
         self._trials, self._looks, self._depth = 0, 0, DEPTH
 
     def sign(self, e: Expr) -> str | None:
@@ -226,7 +236,7 @@ class Parts:
             return _absolute(self.span(e.args[0]), self.nonzero(e.args[0]))
         if e.op in ("+", "*"):
             return REALS
-        return _within(_RANGES.get(e.op, REALS), self._span_by_sign(e))
+        return _RANGES.get(e.op, REALS) & self._span_by_sign(e)
 
     def _span_by_sign(self, e: Expr) -> Interval:
         """Above or below 0; and 1, for an exponential or a root."""
@@ -235,7 +245,7 @@ class Parts:
             above_one = self.sign(e.args[0])
         elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0] > 0:
             above_one = self.sign(e.args[0] - ONE)
-        return _within(_beside(fmpq(0), found), _beside(fmpq(1), above_one))
+        return _beside(fmpq(0), found) & _beside(fmpq(1), above_one)
 
     # -- polynomials in atoms -------------------------------------------------------------------
 
@@ -246,47 +256,82 @@ class Parts:
             self._trials = self._looks = 0
         self._depth = max(0, depth - 1)  # of what is asked on the way, of ranges of atoms
         try:
-            value = self.atoms.of(e)
-            found = self._fraction(value, depth)
-            if depth == DEPTH and found in (None, ">=0", "<=0"):
-                self._trials = 0
-                found = self._by_multiples(value) or found
+            return self._fraction(self.atoms.of(e), depth)
         except (TooLargeError, UndefinedError):
             return None
         finally:
             self._depth = depth
-        return found
 
     def _fraction(self, value: Fraction, depth: int) -> str | None:
-        """The sign of numerator times denominator, which is not zero; or less conditions."""
+        """The sign of a fraction, whose denominator is not zero; or with conditions taken out."""
         below, above = (self._polynomial(p) for p in (value.den, value.num))
-        found = None
-        if above and below and below != "0":
-            found = _times(above, {">=0": "+", "<=0": "-"}.get(below, below))
-        if depth and found not in ("+", "-", "0"):
-            return self._less_a_condition(value, depth) or found
-        return found
-
-    def _less_a_condition(self, value: Fraction, depth: int) -> str | None:
-        """The sign of a condition and a rest that has the same."""
-        best = None
-        used = {*self.atoms.used(value)}
-        for fact, strict in self.known:
-            if used.isdisjoint(self.atoms.used(fact.num)):
-                continue
-            for up, side in (("+", value), ("-", -value)):
-                left = side - fact
-                if left.den.is_one() and len(left.num) >= len(side.num) + len(fact.num):
-                    continue  # no term is gone
-                if self._trials >= MAX_TRIALS:
-                    return best
-                self._trials += 1
-                rest = self._fraction(left, depth - 1)
-                if rest == "+" or (rest in WEAK and strict):
-                    return up
-                if rest in WEAK:
-                    best = ">=0" if up == "+" else "<=0"
+        if below is None or below == "0":
+            return None
+        turned = below not in WEAK
+        best = FLIP[above] if turned else above
+        num, den = (-p if turned else p for p in (value.num, value.den))
+        if best not in ("+", "-", "0") and depth:
+            for up, p in (("+", num), ("-", -num)):
+                for taken in self._ways(p, den, depth):
+                    found = self._less(p, taken)
+                    if found == "+":
+                        return up
+                    best = best or (found and (">=0" if up == "+" else "<=0"))
         return best
+
+    def _less(self, p: Poly, taken: Taken) -> str | None:
+        """The sign of ``p``, or that it is not negative, from that of what is left of it.
+
+        Again and again ``c·p`` is ``m·f`` and a rest, with c > 0 and m ≥ 0 for a known f.
+        """
+        strict = False
+        for scale, multiple, n in taken:
+            fact, is_strict, _ = self.facts[n]
+            room = self._polynomial(multiple)
+            if room not in WEAK or self._polynomial(scale) != "+":
+                return None
+            p = p * scale - multiple * fact
+            strict = strict or (is_strict and room == "+")
+        found = self._polynomial(p)
+        return None if found not in WEAK else "+" if strict or found == "+" else ">=0"
+
+    def _ways(self, p: Poly, den: Poly, depth: int) -> Iterator[Taken]:
+        """Conditions that may be taken out of ``p/den``, by which a term goes."""
+        if self._trials >= MAX_TRIALS or max(p.total_degree(), den.total_degree()) > MAX_DEGREE:
+            return
+        steps: list[tuple[Poly, Poly, int]] = []
+        used = {*self.atoms.used(p)}
+        for n, (fact, _, below) in enumerate(self.facts):
+            size = len(p) * len(below) + len(den) * len(fact)
+            if (
+                size <= MAX_TERMS
+                and fact.total_degree() <= MAX_DEGREE
+                and not used.isdisjoint(self.atoms.used(fact))
+            ):
+                few = len(p) <= MAX_SPLIT
+                multiples = self._multiples(p, fact) if few else ()
+                found = {(str(c), str(m)): (c, m, n) for c, m in multiples}
+                if len(p * below - den * fact) < len(p * below) + len(fact):
+                    found[str(below), str(den)] = below, den, n
+                steps += found.values()
+        for step in steps[: max(0, MAX_TRIALS - self._trials)]:
+            self._trials += 1
+            yield (step,)
+        for scale, multiple, n in steps if depth > 1 else ():
+            for more in self._ways(p * scale - multiple * self.facts[n][0], self.atoms.one_poly, 1):
+                yield ((scale, multiple, n), *more)
+
+    def _multiples(self, p: Poly, fact: Poly) -> Iterator[tuple[Poly, Poly]]:
+        """c and m, by which ``c·p − m·fact`` has lost a term of ``p`` that may be negative."""
+        for monomial, value in list(p.terms()):
+            if value > 0 and self._on_box(p.context().from_dict({monomial: 1})) in WEAK:
+                continue
+            for other, known in fact.terms():
+                quotient = tuple(i - j for i, j in zip(monomial, other, strict=True))
+                if (known > 0) == (value > 0) and min(quotient) >= 0:
+                    m = p.context().from_dict({quotient: abs(value)})
+                    if self._on_box(m) in WEAK:
+                        yield p.context().constant(abs(known)), m
 
     def _polynomial(self, p: Poly) -> str | None:
         """The sign of a polynomial in atoms, by their ranges and its factors."""
@@ -297,7 +342,8 @@ class Parts:
             return None
         best = None
         for q in self.atoms.rewritten(p, self._is_positive):
-            found = self._on_box(q) or self._by_factors(q)
+            found = self._on_box(q)
+            found = found if found in ("+", "-", "0") else self._by_factors(q) or found
             if found in ("+", "-", "0"):
                 return found
             best = best or found
@@ -335,16 +381,14 @@ class Parts:
     def _is_positive(self, p: Poly) -> bool:
         return p.is_one() or self._on_box(p) == "+"
 
-    def _on_box(
-        self, p: Poly, method: Callable[[Poly, list[Interval]], str | None] = sign_on_box
-    ) -> str | None:
+    def _on_box(self, p: Poly) -> str | None:
         used = self.atoms.used(p)
         if p.is_zero():
             return "0"
         if len(used) > MAX_ATOMS or len(p) > MAX_TERMS:
             return None
         spans = [self.span(self.atoms.expression(i)) for i in used]
-        return method(project(p, used), spans)
+        return sign_on_box(project(p, used), spans)
 
     def _by_factors(self, p: Poly) -> str | None:
         unit, parts = small_factor(self.atoms, p)
@@ -362,7 +406,7 @@ class Parts:
 
     def _known_part(self, p: Poly) -> str | None:
         """The sign of a condition, of two values that rise, or of what is below a quarter turn."""
-        for fact, strict in self.facts:
+        for fact, strict, _ in self.facts:
             if fact in (p, -p):
                 room = "+" if strict else ">=0"
                 return room if fact == p else FLIP[room]
@@ -407,89 +451,31 @@ class Parts:
         return self._known
 
     @property
-    def facts(self) -> list[tuple[Poly, bool]]:
-        """The same, of polynomials."""
+    def facts(self) -> list[tuple[Poly, bool, Poly]]:
+        """The same, of polynomials; and the denominators, which are positive."""
         if self._facts is None:
             self._facts = []
             found = []
             for value, strict in self.known:
                 below = self._polynomial(value.den)
-                if below in ("+", "-", ">=0", "<=0"):
-                    found.append((value.num if below in WEAK else -value.num, strict))
+                if below is not None and below != "0":
+                    side = 1 if below in WEAK else -1
+                    found.append((side * value.num, strict, side * value.den))
             self._facts = found
         return self._facts
 
-    def _by_multiples(self, value: Fraction) -> str | None:
-        """The sign by multiples of conditions that are taken out of the numerator."""
-        if len(value.num) > MAX_SPLIT:
-            return None
-        below = self._polynomial(value.den)
-        for up, p in (("+", value.num), ("-", -value.num)):
-            found = self._by_facts(p, DEPTH) if below not in (None, "0") else None
-            if found is not None and below is not None:
-                negative = (up == "-") != (below in ("-", "<=0"))
-                return FLIP[found] if negative else found
-        return None
-
-    def _by_facts(self, p: Poly, depth: int) -> str | None:
-        """``c·p = k·m·f + rest`` with c, k > 0, a known f, a monomial m and a rest of known sign.
-
-        Each is chosen so that a term of ``p`` is gone which may be negative.
-        """
-        best = None
-        for monomial, value in list(p.terms()):
-            if value > 0 and self._monomial_sign(monomial) in WEAK:
-                continue
-            for fact, strict in self.facts:
-                for other, known in fact.terms():
-                    quotient = tuple(i - j for i, j in zip(monomial, other, strict=True))
-                    if (known > 0) != (value > 0) or min(quotient) < 0:
-                        continue
-                    scale = self._monomial_sign(quotient)
-                    if scale not in WEAK or self._trials >= MAX_TRIALS:
-                        continue
-                    self._trials += 1
-                    times = p.context().from_dict({quotient: abs(value)})
-                    rest = self._rest(p * abs(known) - fact * times, depth - 1)
-                    if rest == "+" or (rest in WEAK and strict and scale == "+"):
-                        return "+"
-                    best = ">=0" if rest in WEAK else best
-        return best
-
-    def _rest(self, p: Poly, depth: int) -> str | None:
-        for q in self.atoms.rewritten(p, self._is_positive):
-            found = self._on_box(q, coefficient_sign)
-            if found in WEAK:
-                return found
-        return self._by_facts(p, depth) if depth else None
-
-    def _monomial_sign(self, monomial: tuple[int, ...]) -> str | None:
-        total = "+"
-        for i, k in enumerate(monomial):
-            if k:
-                found = _span_sign(self.span(self.atoms.expression(i)))
-                if int(k) % 2 == 0:
-                    found = "+" if found in ("+", "-") else ">=0"
-                if found is None:
-                    return None
-                total = _times(total, found)
-        return total
-
 
 def _constant_sign(e: Expr) -> str | None:
-    for bits in (_BITS, 8 * _BITS):
-        with ball_precision(bits):
-            value = evaluate(e, {})
-        if value > 0:
-            return "+"
-        if value < 0:
-            return "-"
-    return "0" if value.is_zero() else None
+    def attempt() -> str | None:
+        x = evaluate(e, {})
+        return "+" if x > 0 else "-" if x < 0 else "0" if x.is_zero() else None
+
+    return decided(attempt)
 
 
 def _constant_span(e: Expr) -> Interval:
     """Rational ends of the ball of a constant."""
-    with ball_precision(_BITS):
+    with ball_precision():
         value = evaluate(e, {})
         low, high = rational_ends(value)[:2]
     below = None if low is None else fmpq((low * 2**64).floor() - 1, 2**64)
@@ -512,17 +498,6 @@ def _beside(end: fmpq, found: str | None) -> Interval:
     return Interval(None, end, False, found == "-") if found in ("-", "<=0") else REALS
 
 
-def _within(one: Interval, other: Interval) -> Interval:
-    """The values in both."""
-    low, low_open = one.low, one.low_open
-    if low is None or (other.low is not None and other.low >= low):
-        low, low_open = other.low, other.low_open or (other.low == low and low_open)
-    high, high_open = one.high, one.high_open
-    if high is None or (other.high is not None and other.high <= high):
-        high, high_open = other.high, other.high_open or (other.high == high and high_open)
-    return Interval(low, high, low_open, high_open)
-
-
 def _absolute(span: Interval, nonzero: bool) -> Interval:
     """The range of the absolute value of what has a range."""
     if span.low is not None and span.low >= 0:
@@ -532,11 +507,9 @@ def _absolute(span: Interval, nonzero: bool) -> Interval:
         return Interval(-span.high, low, span.high_open, span.low_open)
     if span.low is None or span.high is None:
         return Interval(fmpq(0), None, nonzero)
-    top = max(-span.low, span.high)
-    is_open = all(
-        o for end, o in ((-span.low, span.low_open), (span.high, span.high_open)) if end == top
-    )
-    return Interval(fmpq(0), top, nonzero, is_open)
+    ends = (-span.low, not span.low_open), (span.high, not span.high_open)
+    top, closed = max(ends)
+    return Interval(fmpq(0), top, nonzero, not closed)
 
 
 def _times(x: str, y: str) -> str:

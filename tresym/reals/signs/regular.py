@@ -21,14 +21,15 @@ is under it is not negative is a closed condition like the others.
 from __future__ import annotations
 
 from contextlib import suppress
-from functools import lru_cache
+from functools import lru_cache, reduce
 from itertools import combinations
+from math import prod
 
 from flint import fmpq, fmpq_mat, fmpz_poly
 
 from tresym.reals.language.cancellation import scaled
 from tresym.reals.language.expression import Expr, differentiate, number, symbol, symbols
-from tresym.reals.normal.polynomials import Monomial, degree, polynomial
+from tresym.reals.normal.polynomials import degree, polynomial
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
@@ -146,43 +147,27 @@ def _is_concave_polynomial(e: Expr) -> bool:
 
 
 def _has_simple_zeros(closed: list[Expr], given: Given) -> bool:
-    """Whether these polynomials in one variable have simple zeros, and no two a common one."""
+    """Whether these polynomials in one variable have simple zeros, and no two a common one.
+
+    Zeros of odd order will do, and others where the conditions exclude them.
+    """
     seen: list[fmpz_poly] = []
     for e in dict.fromkeys(closed):
         terms = polynomial(e)
         if terms is None:
             return False
-        p = _simple_part(terms, symbol(*symbols(e)), given)
-        if p is None or any(p.gcd(other).degree() > 0 for other in seen):
-            return False
-        seen.append(p)
+        common = prod((value.q for value in terms.values()), start=fmpq(1))
+        coefficients = {degree(m): (value * common).p for m, value in terms.items()}
+        p = fmpz_poly([coefficients.get(k, 0) for k in range(max(coefficients, default=0) + 1)])
+        for factor, power in p.factor()[1] if terms else ():
+            values = (number(fmpq(c)) for c in reversed(factor.coeffs()))
+            part = reduce(lambda total, c: total * symbol(*symbols(e)) + c, values)
+            if power % 2 and factor in seen:
+                return False
+            if power % 2 == 0 and sign(part, given) not in ("+", "-"):
+                return False
+            seen += [factor] * (power % 2)
     return True
-
-
-def _simple_part(terms: dict[Monomial, fmpq], x: Expr, given: Given) -> fmpz_poly | None:
-    """The factors of odd power; None if one of even power may vanish under the conditions."""
-    if not terms:
-        return fmpz_poly([1])
-    common = fmpq(1)
-    for value in terms.values():
-        common *= value.q
-    coefficients = {degree(m): (value * common).p for m, value in terms.items()}
-    _, factors = fmpz_poly([coefficients.get(k, 0) for k in range(max(coefficients) + 1)]).factor()
-    simple = fmpz_poly([1])
-    for factor, power in factors:
-        if power % 2:
-            simple *= factor
-        else:
-            e = sum(
-                (
-                    number(fmpq(c)) * (x**k if k else number(1))
-                    for k, c in enumerate(factor.coeffs())
-                ),
-                number(0),
-            )
-            if sign(e, given) not in ("+", "-"):
-                return None
-    return simple
 
 
 def _rise_together(

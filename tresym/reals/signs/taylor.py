@@ -24,12 +24,11 @@ from tresym.reals.places.domain import singularities
 from tresym.reals.places.points import Range
 from tresym.reals.signs.inside import Ask
 from tresym.reals.signs.inside import sign_inside as sign
+from tresym.reals.signs.parts import FLIP, WEAK
 
 MAX_ORDER = 5
 MAX_SIZE = 500
 MAX_BASES = 8
-_WEAK = ("+", ">=0", "0")
-_FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
 
 
 def sign_by_taylor(
@@ -87,7 +86,7 @@ def _within(region: Given, name: str, c: Expr, inside: Given) -> bool:
         for part, positive in singularities(c)
     )
     return defined and all(
-        sign(substitute(condition.expression, at), inside) in _WEAK
+        sign(substitute(condition.expression, at), inside) in WEAK
         for condition in region.conditions
         if name in symbols(condition.expression)
     )
@@ -134,8 +133,8 @@ def _expansion(
 
 def _has_sign(terms: list[str | None], side: int, relation: str, apart: bool) -> bool:
     """Whether the terms, on this side of c, add up to ``relation`` zero."""
-    signs = [_FLIP[term] if side < 0 and j % 2 else term for j, term in enumerate(terms)]
-    if not all(term in _WEAK for term in signs):
+    signs = [FLIP[term] if side < 0 and j % 2 else term for j, term in enumerate(terms)]
+    if not all(term in WEAK for term in signs):
         return False
     if relation == ">=" or signs[0] == "+":
         return True

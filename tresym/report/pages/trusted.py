@@ -57,13 +57,16 @@ RECHECKED = {
     "a point to try counts once its conditions are shown there": (
         *("reals.places.points._sample", "reals.places.points.corners"),
         *("reals.places.windows", "reals.places.descent", "ledger.second_look.somewhere"),
+        *("reals.places.conditions.Given._far", "reals.normal.locally_constant._middle"),
     ),
     "what is found is checked: products and sums multiplied out, boxes replayed, links shown": (
         *("reals.normal.denested", "reals.balls.boxes._found"),
         *("reals.signs.equivalents.equivalents", "reals.signs.homogeneous.ways"),
+        *("reals.signs.parts.Parts._ways", "reals.signs.parts.Parts._multiples"),
         *("reals.places.unworked._found", "reals.places.unworked._change"),
         "reals.decisions.antiderivatives",
         *("ledger.evidence.printed._find_inputs", "ledger.evidence.printed._between"),
+        "ledger.evidence.chain._as_meant",
         *(f"reals.normal.powers.PowerRing.{n}" for n in ("_multiples", "_share", "_combination")),
         *("reals.normal.angles.AngleRing._signed_multiples", "reals.normal.constants._groups"),
     ),
@@ -84,7 +87,16 @@ RECHECKED = {
         *("ledger.evidence.asymptotics._along", "reals.decisions.tending._periodic"),
         "reals.decisions.equations._with_value",
     ),
+    "it says where a claim stands, of what kind it is, and what is expected of it": (
+        *(f"ledger.claim.{name}" for name in ("Place", "display", "line", "Fault", "_kind")),
+        *("ledger.claim._expected", "ledger.claim.AllOf.expect", "ledger.claim.asked_by"),
+    ),
+    "it shows an answer that is given": (
+        *("reals.decisions.answer.Answer.rows", "reals.decisions.answer.Answer.__str__"),
+        *("reals.decisions.answer.ball_text", "reals.signs.jumps.Case.__str__"),
+    ),
     "it words refusals": (
+        "ledger.definitions._where",
         *("reals.language.hints", "reals.decisions.identity.no_point"),
         *("reals.decisions.identity._obstacle", "reals.decisions.statement._mistaken"),
     ),

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from flint import Ordering, fmpq, fmpz_mpoly_ctx
 
+from tresym.reals.normal.box import REALS, coefficient_sign, sign_on_box
 from tresym.reals.numbers.exact import Interval
-from tresym.reals.signs.box import REALS, coefficient_sign, sign_on_box
 
 X, Y = fmpz_mpoly_ctx.get(["x", "y"], Ordering.lex).gens()
 UNIT = Interval(fmpq(0), fmpq(1))

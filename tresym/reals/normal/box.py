@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from itertools import product
 
 from tresym.reals.normal.moebius import on_orthant
@@ -22,10 +24,8 @@ def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
         return "0"
     found = coefficient_sign(p, spans)
     if found is None and len(p) <= MAX_QUADRATIC:
-        degrees = p.degrees()
         for i in range(start, len(spans)):
-            if found is None and degrees[i] == 2:
-                found = _quadratic_sign(p, i, spans)
+            found = found or quadratic_sign(p, i, partial(sign_on_box, spans=spans, start=i + 1))
     return found
 
 
@@ -65,23 +65,30 @@ def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:
     return up
 
 
-def _quadratic_sign(p: Poly, i: int, spans: list[Interval]) -> str | None:
-    """``a·u² + b·u + c`` with ``4ac ≥ b²`` has the sign of a and c."""
-    context = p.context()
+def quadratic_sign(p: Poly, i: int, ask: Callable[[Poly], str | None]) -> str | None:
+    """``a·u² + b·u + c`` with ``4ac ≥ b²`` has the sign of a and c; u is a variable, or its square.
+
+    Args:
+        p: a polynomial.
+        i: which variable.
+        ask: the sign of polynomials in the others.
+    """
+    context, degree = p.context(), int(p.degrees()[i])
+    if degree not in (2, 4):
+        return None
     parts: dict[int, dict[tuple[int, ...], int]] = {}
     for monomial, value in p.terms():
         others = (*monomial[:i], 0, *monomial[i + 1 :])
         parts.setdefault(int(monomial[i]), {})[others] = value
-    c, b, a = (context.from_dict(parts.get(k, {})) for k in range(3))
-    lead = sign_on_box(a, spans, i + 1)
+    c, b, a = (context.from_dict(parts.pop(k, {})) for k in (0, degree // 2, degree))
+    lead = None if parts else ask(a)
     if lead is None or lead == "0":
         return None
-    rest = sign_on_box(4 * a * c - b * b, spans, i + 1)
+    rest = ask(4 * a * c - b * b)
     if rest == "+" and lead in ("+", "-"):
         return lead
     up = lead in ("+", ">=0")
-    last = sign_on_box(c, spans, i + 1)
     weak = ("+", ">=0", "0") if up else ("-", "<=0", "0")
-    if rest in ("+", ">=0", "0") and last in weak:
+    if rest in ("+", ">=0", "0") and (lead in ("+", "-") or ask(c) in weak):
         return ">=0" if up else "<=0"
     return None

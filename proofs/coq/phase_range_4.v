@@ -1,0 +1,1 @@
+intros; pose proof (asin_bound (sqrt (b * / (a + b)) * cos epsilon0)); lra.
