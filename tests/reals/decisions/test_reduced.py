@@ -17,6 +17,8 @@ HOLD = [
     ("(x - y)/(log(x) - log(y)) <= (x + y)/2 given 0 < x, x < y", "it is homogeneous"),
     ("tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi/2", "it compares"),
     ("log(x)/x >= log(y)/y given E <= x, x < y", "it compares"),
+    ("sin(x)/x >= sin(y)/y given 0 < x, x < y, y < pi", "it compares"),
+    ("x**3 <= y**3 given x < y, -2*x <= 3, 2*y < 7", "it compares"),
     ("exp(x) + exp(y) >= 2 + x + y", "each variable by itself"),
     ("exp(x) - log(y) >= x + 2 - y given y > 0", "each variable by itself"),
 ]
@@ -25,6 +27,8 @@ FAIL = [
     "sqrt(x*y) < (x - y)/(log(x) - log(y)) - (x - y)**2/10**6/y given 0 < x, x < y",
     "tan(x)/x < tan(y)/y given 0 < x, x < y, y < pi",  # a pole is between
     "1/x > 1/y given x < y",
+    "sin(x)/x >= sin(y)/y given 0 < x, x < y, y < 5",
+    "x**2 <= y**2 given x < y, -2*x <= 3, 2*y < 7",
     "log(x)/x >= log(y)/y given 2.7 <= x, x < y",
     "exp(x) + exp(y) >= 2.0001 + x + y",
     "exp(x) - log(y) > x + 2 - y given y > 0",

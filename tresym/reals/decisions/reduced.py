@@ -160,7 +160,9 @@ def _bounds(name: str, side: int, x: str, given: Given) -> Iterator[Comparison]:
         if symbols(e) == {name} and condition.relation != "!=":
             slope = differentiate(e, name)
             if slope.op == "number" and slope.args[0] * side > 0:
-                yield substitute(e, {name: symbol(x)}), condition.relation, ZERO
+                bound = collected(substitute(e, {name: ZERO}) / -slope)
+                relation = condition.relation if side > 0 else condition.relation.replace(">", "<")
+                yield symbol(x), relation, bound
 
 
 # -- sums ---------------------------------------------------------------------------------------
