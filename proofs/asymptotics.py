@@ -22,32 +22,39 @@ What the steps of a margin are in the paper's symbols is read in `near`.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
 from tresym.proofs.exponent import (
-    arctangent_concave,
     exponent,
     logarithmic_equation,
     residual_increases,
 )
 from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.near import (
-    BY_K,
     BY_KAPPA,
+    KAPPA,
     below,
     bound,
+    everywhere_shown,
     exponent_is_logarithm,
     first_coefficient,
+    four_readings,
     leading_by_defect,
     leading_term,
     misses_from_four,
     misses_from_pi,
+    newton_beyond_four,
+    newton_beyond_pi,
     phase_by_defect,
+    pi_readings,
+    quarter,
     second_coefficient,
     too_small,
     turn_in_general,
+    within,
 )
 from tresym.proofs.power_series import (
     coefficient_sizes,
@@ -61,14 +68,14 @@ from tresym.proofs.separatrix import (
     stable_equation,
     vanishing_share,
 )
-from tresym.proofs.sweeps import sweep_from_pi
+from tresym.proofs.sweeps import newton_4, newton_pi, sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
+from tresym.racket.flip.series import majorant
 from tresym.racket.formulas import printed
 from tresym.racket.near import charts
 from tresym.racket.notation import *
-from tresym.reals.numbers.arithmetic import balls
 from tresym.reals.numbers.exact import as_rational
 
 _flat = exp(-k / x)
@@ -86,7 +93,6 @@ flat_bends = Claim(
 )
 
 RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases, flat_rises, flat_bends)
-QUARTER = "ab >= 1/4, 0 < b <= 1"
 EVERY = "a > 0, 0 < b <= 1"
 
 
@@ -108,45 +114,6 @@ def _printed_error(b: Any, kappa: Any, m: Any) -> Any:
     algebraic, flat = _printed_parts(b, kappa, m)
     return b * b * b * algebraic - flat
 
-
-def boxed(
-    label: str,
-    says: str,
-    parts: tuple[Callable[..., Any], ...],
-    sides: tuple[tuple[Any, Any], ...],
-    names: tuple[str, ...],
-    region: str,
-    constant: str | None = None,
-    expect: Verdict = Verdict.ENCLOSED,
-    slopes: bool = False,
-    meant: Meant | None = None,
-    also: tuple[Claim, ...] = (),
-    **rest: Any,
-) -> Claim:
-    """A claim that is a conjunction of bounds on one box, and rests on what each such claim does.
-
-    ``also`` are the claims that its own margins rest on beside them.
-    """
-    bounds = tuple(Bound(part, box(*sides), slopes) for part in parts)
-    exact = None if constant is None else as_rational(constant)
-    stored = certificate(label)
-    claims = (*RESTS_ON, *also)
-    proof = Boxes(bounds, names, region, exact, claims, stored, budget=30_000, meant=meant)
-    return Claim(label=label, says=says, proof=proof, expect=expect, **rest)
-
-
-def within_numbers(error: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
-    """The two margins of |error| < constant."""
-    limit = as_rational(constant)
-    return (
-        lambda x, y, m: arb(limit) - error(x, y, m),
-        lambda x, y, m: arb(limit) + error(x, y, m),
-    )
-
-
-SIDES = ((0, 1), (0, 2))
-"""The chart (b, κ) of ab ≥ 1/4."""
-NAMES = ("b", "kappa")
 
 _printed = printed.asymptotic_defect(a, b, sympy)
 _BY_LEADING = (exponent_is_logarithm, leading_term)
@@ -273,24 +240,20 @@ _BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIE
 """The bounds whose margins hold what a power series of Q leaves out."""
 
 
-def _third(label: str, constant: str, **rest: Any) -> Claim:
-    return boxed(
-        label,
-        f"|ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴| ≤ {constant} ε*⁶.",
-        within_numbers(EXCESS[2], constant),
-        SIDES,
-        NAMES,
-        QUARTER,
-        constant,
-        **rest,
-        **_BY_SERIES,
-    )
+_third = _second - c2 * epsilon_star**4
 
-
-third_order = _third("third_order", "7.36")
+third_order = below(
+    "third_order",
+    _third,
+    "7.36",
+    epsilon_star**6,
+    EXCESS[2],
+    put=(*_BY_COEFFICIENT, second_coefficient),
+    **_BY_SERIES,
+)
 third_order_too_small = Claim(
     label="third_order_too_small",
-    says=Abs(_second - c2 * epsilon_star**4) <= Rational("7.33") * epsilon_star**6,
+    says=Abs(_third) <= Rational("7.33") * epsilon_star**6,
     given=(*shape, a * b >= Rational(1, 4)),
     proof=Counterexample(
         {"a": fmpq(1, 4), "b": fmpq(1)},
@@ -300,17 +263,46 @@ third_order_too_small = Claim(
 )
 
 
-every_order = boxed(
-    "every_order",
-    "|ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
-    (
-        lambda b, kappa, m: arb(fmpq(1, 4)) - charts.growth(b, kappa, m)[0],
-        lambda b, kappa, m: arb(fmpq(26, 10)) - charts.growth(b, kappa, m)[1],
+def _room_for_majorant(b: Any, kappa: Any, m: Any) -> Any:
+    """1 − R sinh²√ρ."""
+    R = b * kappa * b * kappa
+    return 1 - R * m.sinh(m.sqrt(4 / (4 + 9 * R))) ** 2
+
+
+_rho = 4 / (4 + 9 * b / a)
+_sizes = majorant(_rho, b, b / a, sympy)
+
+_under_root = b / a * sinh(sqrt(_rho)) ** 2
+
+majorant_exists = bound(
+    "majorant_exists",
+    _under_root < 1,
+    On(BY_KAPPA, KAPPA, (Shown(_room_for_majorant),)),
+    put=(),
+    given=quarter,
+)
+
+terms_decrease = bound(
+    "terms_decrease",
+    Tuple(epsilon_star**2 * exp(2 * _sizes) / _rho < Rational(1, 4), exp(_sizes) < Rational(13, 5)),
+    On(
+        BY_KAPPA,
+        KAPPA,
+        (
+            Shown(lambda *at: fmpq(1, 4) - charts.growth(*at)[0]),
+            Shown(lambda *at: fmpq(13, 5) - charts.growth(*at)[1]),
+        ),
     ),
-    SIDES,
-    NAMES,
-    QUARTER,
-    also=(*coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
+    put=(leading_term,),
+    cited=(majorant_exists,),
+    given=quarter,
+    note="τ and e^q: the terms of the series are at most 2.6 τⁿ/(2n + 1).",
+)
+
+every_order = Claim(
+    says="For ab ≥ 1/4: |ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
+    kind="bound",
+    proof=all_of(terms_decrease, *coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
     note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
     "τ ≤ 1/4, and their sum solves the equation of ε₀.",
     quotes=(DOUBLE_SERIES,),
@@ -396,40 +388,53 @@ everywhere_too_small = Claim(
 
 # -- one formula for every body -------------------------------------------------------------------
 
-CHART = ((0, 1), (0, "7/4"))
-"""The chart (b, k); beyond k = 7/4 the tail bounds take over."""
-BY_K_NAMES = ("b", "k")
-BELOW = "ab <= 49/16, 0 < b <= 1"
-_below = (*shape, a * b <= Rational(49, 16))
+
+def _every(
+    near: Callable[..., Any], far: Callable[..., Any], limit: str, begin: Callable[[Any], Any]
+) -> tuple[On, On]:
+    """|ε/ε₀ − 1| ≤ limit for every shape, by the margin of either chart."""
+
+    def margins(error: Callable[..., Any], slopes: bool) -> tuple[Shown, ...]:
+        def started(x: Any, y: Any, m: Any) -> Any:
+            return error(x, y, begin(m), m)
+
+        return within(started, as_rational(limit), Integer(1), slopes)
+
+    return everywhere_shown(margins(near, True), margins(far, False))
 
 
-def _start(text: str) -> arb:
-    return balls.pi if text == "pi" else arb(as_rational(text))
-
-
-def _newton(start: str, constant: str) -> Callable[..., Any]:
-    def margin(b: Any, k: Any, m: Any) -> Any:
-        return arb(as_rational(constant)) - charts.newton_error(b, k, _start(start), m)
-
-    return margin
-
-
-def _from_pi(b: Any, k: Any, m: Any) -> Any:
-    return charts.sweep_error(b, k, m.pi, m)
-
-
-def _from_four(b: Any, k: Any, m: Any) -> Any:
-    return charts.sweep_error(b, k, fmpq(4), m)
+def _improved(
+    label: str,
+    defect: Symbol,
+    begin: Callable[[Any], Any],
+    limit: str,
+    known: tuple[tuple[Reading, ...], tuple[Claim, ...]],
+    note: str,
+) -> Claim:
+    """|ε/ε₀ − 1| ≤ limit for a step of Newton's method."""
+    on = _every(charts.newton_error, charts.far_newton_error, limit, begin)
+    near, far = (replace(x, shown=tuple(replace(s, slopes=False) for s in x.shown)) for x in on)
+    return bound(
+        label,
+        Abs(defect / epsilon0 - 1) <= Rational(limit),
+        *(near, far),
+        put=known[1][-1:],
+        cited=known[1][1:2],
+        readings=known[0],
+        given=shape,
+        constant=limit,
+        note=note,
+    )
 
 
 _sweep_error = epsilon_pi / epsilon0 - 1
 
 one_line = bound(
     "one_line",
-    _sweep_error <= Rational("0.028"),
-    On(BY_K, box(*CHART), (Shown(lambda *at: fmpq(28, 1000) - _from_pi(*at), slopes=True),)),
+    Abs(_sweep_error) <= Rational("0.028"),
+    *_every(charts.sweep_error, charts.far_sweep_error, "0.028", lambda m: m.pi),
     put=misses_from_pi[-1:],
-    given=_below,
+    given=shape,
     constant="0.028",
     note="It errs on the side of too large an ε₀, as the phase exceeds π (`one_line_side`).",
 )
@@ -443,16 +448,13 @@ one_line_too_small = too_small(
     b="1/2",
 )
 
-balanced_line = below(
+balanced_line = bound(
     "balanced_line",
-    epsilon_4 / epsilon0 - 1,
-    "0.0065",
-    Integer(1),
-    _from_four,
-    given=_below,
-    chart=(BY_K, box(*CHART)),
-    slopes=True,
+    Abs(epsilon_4 / epsilon0 - 1) <= Rational("0.0065"),
+    *_every(charts.sweep_error, charts.far_sweep_error, "0.0065", lambda m: fmpq(4)),
     put=misses_from_four[-1:],
+    given=shape,
+    constant="0.0065",
 )
 
 _D = cosh(T) ** 2 + r**2 * sinh(T) ** 2
@@ -512,70 +514,21 @@ def _newton_beyond(label: str, room: Expr, direction: int, ends: tuple[Expr, Exp
 newton_from_below = _newton_beyond("newton_from_below", T - x, 1, (x, T))
 newton_from_above = _newton_beyond("newton_from_above", x - T, -1, (T, x))
 
-newton_line = boxed(
+newton_line = _improved(
     "newton_line",
-    "One Newton step after the sweep from π errs by at most 0.01 % of ε₀ for √(ab) ≤ 7/4.",
-    (_newton("pi", "1e-4"),),
-    CHART,
-    BY_K_NAMES,
-    BELOW,
-    "1e-4",
-    also=(newton_remainder, newton_from_below),
-    note="It errs on the side of too small an ε₀: the phase equation is convex.",
+    newton_pi,
+    lambda m: m.pi,
+    "0.0001",
+    (pi_readings, newton_beyond_pi),
+    "It errs on the side of too small an ε₀ (`newton_side`).",
 )
-
-balanced_newton = boxed(
+balanced_newton = _improved(
     "balanced_newton",
-    "One Newton step after the sweep from 4 errs by at most 0.0004 % of ε₀ for √(ab) ≤ 7/4.",
-    (_newton("4", "4e-6"),),
-    CHART,
-    BY_K_NAMES,
-    BELOW,
-    "4e-6",
-    also=(newton_remainder, newton_from_below, newton_from_above),
-)
-
-
-FAR = ((0, 1), (0, "4/7"))
-"""The chart (b, κ) of √(ab) ≥ 7/4."""
-
-
-def _error_of(difference: Callable[..., Any], start: str) -> Callable[..., Any]:
-    def error(b: Any, kappa: Any, m: Any) -> Any:
-        return charts.far_error(difference(b, kappa, _start(start), m), b, kappa, m)
-
-    return error
-
-
-def _far_margins(difference: Callable[..., Any], constant: str) -> tuple[Callable[..., Any], ...]:
-    """|ε/ε₀ − 1| < constant from the starts π and 4."""
-    return tuple(
-        margin
-        for start in ("pi", "4")
-        for margin in within_numbers(_error_of(difference, start), constant)
-    )
-
-
-uniform_tail = boxed(
-    "uniform_tail",
-    "For √(ab) ≥ 7/4 the sweeps from π and from 4 err by at most 0.004 % of ε₀.",
-    _far_margins(charts.far_difference, "4e-5"),
-    FAR,
-    NAMES,
-    "ab >= 49/16, 0 < b <= 1",
-    "4e-5",
-    also=(arctangent_concave,),
-)
-
-newton_tail = boxed(
-    "newton_tail",
-    "For √(ab) ≥ 7/4 a Newton step after such a sweep errs by at most 0.0004 % of ε₀.",
-    _far_margins(charts.far_newton_difference, "4e-6"),
-    FAR,
-    NAMES,
-    "ab >= 49/16, 0 < b <= 1",
-    "4e-6",
-    also=(arctangent_concave, newton_remainder, newton_from_below, newton_from_above),
+    newton_4,
+    lambda m: fmpq(4),
+    "0.000004",
+    (four_readings, newton_beyond_four),
+    "It errs on the same side.",
 )
 
 uniform_formulas = Claim(
@@ -583,7 +536,7 @@ uniform_formulas = Claim(
         "For every a > 0, 0 < b ≤ 1 the relative error of ε₀ is at most 2.8 % (sweep from π), "
         "0.65 % (sweep from 4), 0.01 % and 0.0004 % (these with one Newton step)."
     ),
-    proof=all_of(one_line, balanced_line, newton_line, balanced_newton, uniform_tail, newton_tail),
+    proof=all_of(one_line, balanced_line, newton_line, balanced_newton),
 )
 
 

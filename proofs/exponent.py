@@ -120,18 +120,18 @@ turn_increases = Claim(
 
 arctangent_above = Claim(says=x - atan(x) <= x**3 / 3, given=(x > 0,), proof=manifest)
 
-_share = Symbol("c", real=True)
-_part = (x > 0, _share > 0, _share <= 1)
+share = Symbol("c", real=True)
+_part = (x > 0, share > 0, share <= 1)
 
 arctangent_concave = Claim(
-    says=atan(_share * x) - _share * atan(x) >= 0,
+    says=atan(share * x) - share * atan(x) >= 0,
     given=_part,
     proof=manifest,
     note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
 )
 
 
-arsinh_concave = Claim(says=asinh(_share * x) - _share * asinh(x) >= 0, given=_part, proof=manifest)
+arsinh_concave = Claim(says=asinh(share * x) - share * asinh(x) >= 0, given=_part, proof=manifest)
 
 leading_below = Claim(
     says="ε₀ > 2 arctan(ε*/2), and therefore ε₀/ε* > 1 − ε*²/12, for a > 0, 0 < b ≤ 1.",

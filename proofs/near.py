@@ -11,11 +11,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from sympy import Pow
+from sympy import Mul, Pow
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import exponent
 from tresym.proofs.separatrix import defect_range, flip_defect
-from tresym.proofs.sweeps import sweep_from_four, sweep_from_pi
+from tresym.proofs.sweeps import newton_from_four, newton_from_pi, sweep_from_four, sweep_from_pi
 
 from tresym.ledger.evidence.charted import Reading
 from tresym.ledger.vocabulary import *
@@ -258,6 +258,17 @@ bend_at_root = Reading(
     (exponent_of_defect, first_coefficient),
     ROOT,
 )
+_q2 = (
+    50 * b**2 + 40 * b * (b / a) + 5 * (b / a) ** 2 - 20 * b - 10 * b / a + 1
+) / 80 - c1**2 * 5 / 2
+twist_at_root = Reading(
+    charts.exponent_twist,
+    AT_ROOT,
+    ((Q / epsilon0**2 - c1) / epsilon0**2 - _q2) / epsilon0**2,
+    shape,
+    (exponent_of_defect, first_coefficient),
+    ROOT,
+)
 leading_in_kappa = Reading(
     charts.leading_square_over,
     BY_KAPPA,
@@ -305,10 +316,48 @@ turn_of_phase = Claim(
     ),
 )
 
+_share_in_k = Mul(b, Pow(sqrt(a * b), -1, evaluate=False), evaluate=False)
+"""r, as it is written in the chart (b, k)."""
+
+turn_in_k = Claim(
+    says=equal(atan(Mul(_share_in_k, tanh(sqrt(a * b) * P), evaluate=False)), P - pi),
+    given=shape,
+    proof=(
+        step(_sweep_turn, roots),
+        step(None, substituting(turn_of_phase)),
+    ),
+)
+
+_rate_in_kappa = Mul(P, Pow(1 / sqrt(a * b), -1, evaluate=False), evaluate=False)
+
+turn_in_kappa = Claim(
+    says=equal(atan(b / sqrt(a * b) * tanh(_rate_in_kappa)), P - pi),
+    given=shape,
+    proof=(
+        step(_sweep_turn, roots),
+        step(None, substituting(turn_of_phase)),
+    ),
+)
+
 difference_of_turns = Claim(
     says=equal(atan((x - x0) / (1 + x * x0)), atan(x) - atan(x0)),
     given=(x > 0, x0 > 0),
     proof=by(inverses),
+)
+
+angle_and_cotangent = Claim(
+    says=equal(atan(1 / x), pi / 2 - atan(x)), given=(x > 0,), proof=by(inverses)
+)
+_complement = Instance(angle_and_cotangent, ((x, _w),), (phase_range,))
+complement_at_root = Claim(says=_complement.says, given=shape, proof=_complement)
+
+defect_by_cotangent = Claim(
+    says=equal(epsilon0, pi / 2 - atan(_w)),
+    given=shape,
+    proof=(
+        step(atan(1 / _w), substituting(defect_by_phase), citing(phase_range)),
+        step(None, substituting(complement_at_root), citing(phase_range)),
+    ),
 )
 
 cotangent_in_k = Reading(charts.cotangent, (*BY_K, P), _w, shape, cited=(phase_range,))
@@ -325,9 +374,10 @@ def _sweep(
     turns = Instance(difference_of_turns, ((x, _ratio * _tangent), (x0, turn)), (phase_range,))
     one = Claim(f"turns_from_{start}", turns.says, turns, given=shape)
     left = turns.says.args[0]
+    gap = P - pi - atan(turn)
     gained = Claim(
         f"sweep_from_{start}_misses",
-        equal(left, P - pi - atan(turn)),
+        equal(left, gap),
         (
             step(_sweep_turn - atan(turn), substituting(one)),
             step(None, substituting(turn_of_phase)),
@@ -352,6 +402,15 @@ def _sweep(
         Reading(charts.sweep_difference, (*BY_K, P, start), left, **known),
         Reading(charts.tangent_error, (left, P, k_), error, claims=(gained,), **known),
         Reading(charts.angle_difference, (error, _w), apart, **known),
+        Reading(charts.far_difference, (*BY_KAPPA, P, start), k_ * left, **known),
+        Reading(charts.far_error, (k_ * left, P, 1 / k_), error, claims=(gained,), **known),
+        Reading(
+            charts.far_angle_error,
+            (error, 1 / _w),
+            apart / epsilon0,
+            claims=(defect_by_phase,),
+            **known,
+        ),
     )
     return readings, (one, gained, two, beyond)
 
@@ -359,10 +418,15 @@ def _sweep(
 _from_pi, misses_from_pi = _sweep(pi, sweep_from_pi, epsilon_pi)
 _from_four, misses_from_four = _sweep(Integer(4), sweep_from_four, epsilon_4)
 
+tangent_in_kappa = Reading(
+    charts.tangent_by_kappa, (*BY_KAPPA, P), 1 / _w, shape, cited=(phase_range,)
+)
+
 READINGS = (
     bend_at,
     cotangent_in_k,
     angle_in_k,
+    tangent_in_kappa,
     *_from_pi,
     *_from_four,
     phase_in_k,
@@ -371,6 +435,7 @@ READINGS = (
     defect_in_kappa,
     rate_at_root,
     bend_at_root,
+    twist_at_root,
     leading_in_kappa,
 )
 
@@ -396,11 +461,13 @@ def bound(
     *on: On,
     put: tuple[Claim, ...] = (leading_by_defect,),
     also: tuple[Claim, ...] = (),
+    cited: tuple[Claim, ...] = (),
+    readings: tuple[Reading, ...] = READINGS,
     constant: str | None = None,
     **rest: Any,
 ) -> Claim:
     """A bound that the charts ``on`` show, with what ``put`` says put in."""
-    proof = Charted(on, READINGS, put, (*ROOT, phase_range), certificate(label), also=also)
+    proof = Charted(on, readings, put, (*ROOT, phase_range, *cited), certificate(label), also=also)
     if constant is not None:
         proof = replace(proof, constant=as_rational(constant))
     return Claim(label=label, says=says, proof=proof, **rest)
@@ -468,5 +535,102 @@ def too_small(
         amended_by=(amended,),
     )
 
+
+NEAR_CHART, FAR_CHART = box((0, 1), (0, "7/4")), box((0, 1), (0, "4/7"))
+"""The charts (b, k) and (b, κ), which meet at k = 7/4, and hold every shape."""
+NEARER, FARTHER = (a * b <= Rational(49, 16),), (a * b >= Rational(49, 16),)
+
+
+def everywhere_shown(near: tuple[Shown, ...], far: tuple[Shown, ...]) -> tuple[On, On]:
+    """Charts that hold every shape together."""
+    return On(BY_K, NEAR_CHART, near, NEARER), On(BY_KAPPA, FAR_CHART, far, FARTHER)
+
+
+def _newton(
+    label: str,
+    start: Expr,
+    begin: Callable[[Any], Any],
+    from_sweep: tuple[tuple[Reading, ...], Claim],
+    improved: tuple[Claim, Claim],
+) -> tuple[tuple[Reading, ...], tuple[Claim, ...]]:
+    """As ``_sweep``, of a step of Newton's method from there; its phase stays above 3."""
+    (difference, *_, far_difference, _, _), gained = from_sweep
+    k_, (later, last) = sqrt(a * b), (parts_of(claim.says)[0].args[0] for claim in improved)
+    known: dict[str, Any] = {"given": shape, "cited": (phase_range,)}
+    excess = Reading(
+        charts.newton_excess,
+        (*BY_K, P, start),
+        later - P,
+        claims=(gained, improved[0], turn_in_k),
+        inner=(difference,),
+        **known,
+    )
+    far_excess = Reading(
+        charts.far_newton_excess,
+        (*BY_KAPPA, P, start),
+        k_ * (later - P),
+        claims=(gained, improved[0], turn_in_kappa),
+        inner=(far_difference,),
+        **known,
+    )
+
+    def near_phase(b: Any, k: Any, m: Any) -> Any:
+        phase = charts.phase_over(b, k)
+        return phase + charts.newton_excess(b, k, phase, begin(m), m) - 3
+
+    def far_phase(b: Any, kappa: Any, m: Any) -> Any:
+        phase = charts.phase_by_kappa(b, kappa)
+        return phase + kappa * charts.far_newton_excess(b, kappa, phase, begin(m), m) - 3
+
+    goes_on = bound(
+        f"{label}_goes_on",
+        later > 3,
+        *everywhere_shown((Shown(near_phase),), (Shown(far_phase),)),
+        put=(),
+        readings=(*READINGS, excess, far_excess),
+        given=shape,
+    )
+    w = sqrt(1 + b / a) * sinh(k_ * later)
+    angles = Instance(difference_of_turns, ((x, _w), (x0, w)), (phase_range, goes_on))
+    two = Claim(f"{label}_angles", angles.says, angles, given=shape)
+    apart = angles.says.args[0]
+    beyond = Claim(
+        f"{label}_exceeds",
+        equal(apart, last - epsilon0),
+        (
+            step(atan(_w) - atan(w), substituting(two), citing(phase_range, goes_on)),
+            step(None, substituting(improved[1], defect_by_cotangent)),
+        ),
+        given=shape,
+    )
+    known["cited"] = (phase_range, goes_on)
+    error = sinh(k_ * P) / sinh(k_ * later) - 1
+    readings = (
+        excess,
+        far_excess,
+        Reading(charts.tangent_error, (P - later, P, k_), error, **known),
+        Reading(charts.angle_difference, (error, _w), apart, **known),
+        Reading(charts.far_error, (k_ * (P - later), P, 1 / k_), error, **known),
+        Reading(
+            charts.far_angle_error,
+            (error, 1 / _w),
+            apart / epsilon0,
+            claims=(defect_by_phase,),
+            **known,
+        ),
+    )
+    return (*READINGS, *readings), (two, goes_on, beyond)
+
+
+pi_readings, newton_beyond_pi = _newton(
+    "newton_pi", pi, lambda m: m.pi, (_from_pi, misses_from_pi[1]), newton_from_pi
+)
+four_readings, newton_beyond_four = _newton(
+    "newton_four",
+    Integer(4),
+    lambda m: fmpq(4),
+    (_from_four, misses_from_four[1]),
+    newton_from_four,
+)
 
 label_claims(globals())

@@ -9,7 +9,8 @@
 With u = 1/(a + 1) planar bodies have μ = u and √(ab) = c/(1 + u), c = √(1 − u²). For the candidate
 e = 2 arctan e^{−π} (tan e = 1/sinh π, cos e = tanh π) the claim ε₀ > e is
 arsinh(c sinh π) > c/(1+u) (π + arcsin(u tanh π)); arsinh is concave, so the left side is at least
-cπ (`arsinh_concave`), and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0, `floor_split`.
+cπ (`arsinh_concave`), and what is left is c u/(1+u) (π − arcsin(u tanh π)/u) > 0:
+`floor_candidate`.
 """
 
 from __future__ import annotations
@@ -17,15 +18,13 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.proofs.conditions import ordered_moments, shape
-from tresym.proofs.exponent import arsinh_concave, exponent_gap, residual_increases
+from tresym.proofs.exponent import arsinh_concave, exponent_gap, residual_increases, share
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.near.charts import arcsine_over
 from tresym.racket.notation import *
-from tresym.reals.balls.gradient import coordinates, gradients
-from tresym.reals.numbers.arithmetic import balls
 
 realizable = Claim(
     says=equal(1 - (1 - I2 / I3) * ((I2 / I1 - 1) + 2), I2 * (I1 + I2 - I3) / (I1 * I3)),
@@ -76,34 +75,40 @@ floor_angle = Claim(
 
 _turned = asin(_u * tanh(pi))
 
-floor_split = Claim(
-    says=equal(
-        asinh(_c * sinh(pi)) - _c / (1 + _u) * (pi + _turned),
-        asinh(_c * sinh(pi)) - _c * asinh(sinh(pi)) + _c * _u / (1 + _u) * (pi - _turned / _u),
-    ),
-    given=_some,
-    proof=by(algebra),
-    note="Q(e) − log(e/ε*) at the candidate: not negative, and what the bound is about.",
-)
+_concave = asinh(_c * sinh(pi)) - _c * asinh(sinh(pi))
+_share_of_c = Instance(arsinh_concave, ((share, _c), (x, sinh(pi))))
+concave_at_the_floor = Claim(says=_share_of_c.says, given=_some, proof=_share_of_c)
 
 
 def _floor_margin(u: Any, m: Any) -> Any:
     """π − tanh π · arcsin(u tanh π)/(u tanh π)."""
-    tangent = balls.pi.tanh()
-    return balls.pi - tangent * arcsine_over(u * tangent)
+    tangent = m.tanh(m.pi)
+    return m.pi - tangent * arcsine_over(u * tangent)
 
 
-_planar = (one_flip_defect, realizable, residual_increases, exponent_gap, planar_shape, floor_angle)
+floor_candidate = Claim(
+    says=asinh(_c * sinh(pi)) - _c / (1 + _u) * (pi + _turned) > 0,
+    given=_some,
+    proof=Charted(
+        (
+            On(
+                (_u,),
+                box((0, 1)),
+                (Shown(_floor_margin, _c * _u / (1 + _u), _concave),),
+            ),
+        ),
+        cited=(concave_at_the_floor,),
+        stored=certificate("floor_candidate"),
+    ),
+    note="Q(e) − log(e/ε*) at the candidate.",
+)
+
+_planar = (one_flip_defect, realizable, residual_increases, exponent_gap, planar_shape)
 
 rigid_body_floor = Claim(
     says="ε₀ > 2 arctan e^{−π} = 0.08637… for every planar body, b = 1/(a + 2), a > 0.",
-    proof=Boxes(
-        (Bound(_floor_margin, box((0, 1)), sufficient=True),),
-        ("u",),
-        "b = 1/(a+2), a > 0, u = 1/(a+1)",
-        claims=(*_planar, floor_split, arsinh_concave),
-        stored=certificate("rigid_body_floor"),
-    ),
+    kind="bound",
+    proof=all_of(floor_candidate, *_planar, floor_angle),
     note="At fixed a the defect decreases in b, so that planar bodies have the least.",
 )
 
@@ -119,28 +124,16 @@ excess_at_infinity = Claim(
 )
 
 
-def _excess_at(u: Any, m: Any) -> Any:
-    """The same for numbers."""
-    e = 2 * m.atan(m.exp(-m.pi)) + u
-    c = m.sqrt(1 - u * u)
-    return c / (1 + u) * (m.pi + m.asin(u * m.cos(e))) - m.asinh(c / m.tan(e))
-
-
-def _excess_slope(u: Any, m: Any) -> Any:
-    """The derivative of the excess: by the mean value theorem the excess has its sign."""
-    (at,) = coordinates((u,))
-    return _excess_at(at, gradients).slopes[0]
-
+excess_grows = Claim(
+    says=Derivative(_excess, _u) > 0,
+    given=(_u >= 0, _u <= Rational(1, 8)),
+    proof=Evaluated(stored=certificate("excess_grows")),
+)
 
 floor_is_approached = Claim(
     says="ε₀ < 2 arctan e^{−π} + 1/(a + 1) for every planar body with a ≥ 7.",
-    proof=Boxes(
-        (Bound(_excess_slope, box((0, "1/8")), sufficient=True),),
-        ("u",),
-        "b = 1/(a+2), a >= 7, u = 1/(a+1)",
-        claims=(*_planar, excess_at_infinity),
-        stored=certificate("floor_is_approached"),
-    ),
+    kind="bound",
+    proof=all_of(excess_grows, excess_at_infinity, *_planar),
     note="log(e/ε*) − Q(e) at e = 2 arctan e^{−π} + u is 0 in the limit u = 0 and grows with u, so "
     "that ε₀ < e. Hence the floor is the infimum, approached by planar bodies as a → ∞.",
 )

@@ -2,7 +2,9 @@
 
 - `chart`: κ, by which large ab is looked at;
 - `sweep_from_pi`, `sweep_from_four`: the defect after one sweep, which puts a start into
-  P = π + arctan(√(b/a) tanh(√(ab) P)), as the code computes it.
+  P = π + arctan(√(b/a) tanh(√(ab) P)), as the code computes it;
+- `phase_from_pi`, `defect_from_pi`, `phase_from_four`, `defect_from_four`: the same after a step of
+  Newton's method.
 """
 
 from tresym.proofs.conditions import shape
@@ -26,5 +28,27 @@ def _swept(defect: Symbol, start: Expr) -> Claim:
 
 sweep_from_pi = _swept(epsilon_pi, pi)
 sweep_from_four = _swept(epsilon_4, Integer(4))
+
+newton_phase_pi, newton_pi, newton_phase_4, newton_4 = (
+    Symbol(name, real=True) for name in ("P_pi", "epsilon_pi2", "P_4", "epsilon_42")
+)
+"""The phase, and the defect, after one step of Newton's method from such a sweep."""
+
+
+def _improved(phase: Symbol, defect: Symbol, start: Expr) -> tuple[Claim, Claim]:
+    """The phase after a Newton step, and the defect that belongs to it."""
+    swept = stable.phase_map(start, _k, _r, sympy)
+    sine = sinh(_k * swept)
+    gap = atan(_r * tanh(_k * start)) - atan(_r * tanh(_k * swept))
+    steepness = (cosh(_k * swept) ** 2 + b / a * sine**2) / (1 - b + (1 + b / a) * sine**2)
+    stepped = Claim(says=equal(phase, swept - gap * steepness), given=shape, proof=Definition())
+    angle = pi / 2 - atan(sqrt(1 + b / a) * sinh(_k * phase))
+    return stepped, Claim(says=equal(defect, angle), given=shape, proof=Definition())
+
+
+newton_from_pi = _improved(newton_phase_pi, newton_pi, pi)
+newton_from_four = _improved(newton_phase_4, newton_4, Integer(4))
+phase_from_pi, defect_from_pi = newton_from_pi
+phase_from_four, defect_from_four = newton_from_four
 
 label_claims(globals())

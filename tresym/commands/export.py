@@ -7,6 +7,7 @@ import shutil
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -70,16 +71,16 @@ def _search(folder: Path, labels: Sequence[str]) -> dict[str, Any]:
         store["claims"][label] = row
         save(store)
 
-    memory = Memory(folder / "search.json", stored())
-    wanted = [c for c in open_claims() if not labels or c.label in labels]
-    search(wanted, memory, keep, lambda text: print(text, file=sys.stderr, flush=True))
-    store = stored()
-    if not labels:
-        claims = all_claims()
-        rows = {c.label: store["claims"].get(c.label) for c in claims}
-        store["claims"] = {label: row for label, row in rows.items() if row}
-        store |= {"coq": version(), "possible": witnesses(claims, memory)}
-        save(store)
+    with closing(Memory(folder / "search.json", stored())) as memory:
+        wanted = [c for c in open_claims() if not labels or c.label in labels]
+        search(wanted, memory, keep, lambda text: print(text, file=sys.stderr, flush=True))
+        store = stored()
+        if not labels:
+            claims = all_claims()
+            rows = {c.label: store["claims"].get(c.label) for c in claims}
+            store["claims"] = {label: row for label, row in rows.items() if row}
+            store |= {"coq": version(), "possible": witnesses(claims, memory)}
+            save(store)
     return store
 
 

@@ -1574,3 +1574,6 @@ Ltac inverse_sines := repeat match goal with
   end.
 (* The premises as the arithmetic of intervals takes them. *)
 Ltac weakly := repeat match goal with H : _ < _ |- _ => apply Rlt_le in H end.
+(* That an integral exists, by the continuity of what is under it. *)
+Ltac integrable := apply (RInt_correct (V := R_CompleteNormedModule)), integral_exists;
+  intros ? ?; continues; cbv beta; give.

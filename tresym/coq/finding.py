@@ -39,7 +39,8 @@ class Memory:
     def __init__(self, path: Path | None, store: Mapping[str, Any] | None = None) -> None:
         self.path = path
         self.known: dict[str, bool | str] = {}
-        self.coq, self.count = Dialogue(), 0
+        self.coq: Dialogue | None = None
+        self.count = 0
         self.most, self.patience = EFFORTS[-1]
         if path is not None and path.is_file():
             self.known = json.loads(path.read_text(encoding="utf-8"))
@@ -53,12 +54,19 @@ class Memory:
         lost = f"{key} {patience} {_hash(prelude())}"
         if key not in self.known and lost not in self.known:
             self.count += 1
+            self.coq = self.coq or Dialogue()
             if self.count % TEXTS == 0:
                 self.coq.end()  # what it has defined takes room
             self.coq.patience = patience
             ok = self.coq.accepts(text.replace("@", str(self.count)), 4.0 * patience)
             self.known[key if ok else lost] = ok
         return key in self.known
+
+    def close(self) -> None:
+        """End the dialogue."""
+        if self.coq is not None:
+            self.coq.end()
+            self.coq.folder.cleanup()
 
     def keep(self) -> None:
         """Write it down."""

@@ -74,9 +74,9 @@ def plans(claim: Claim, whole: Theorem | Joint) -> Iterator[Plan]:
     if whole.exists:
         yield from (Plan((), script) for script in point_proofs(claim, whole))
     else:
-        for steps in (False, True):
+        for steps, every in ((False, False), (True, False), (True, True)):
             try:
-                yield _Planner(claim, whole, steps).plan()
+                yield _Planner(claim, whole, steps, every).plan()
             except (NotExportedError, InputError, OverflowError, RecursionError, _NoPlanError):
                 continue
 
@@ -107,6 +107,8 @@ class _Planner:
     claim: Claim
     whole: Theorem
     steps: bool
+    every: bool = False
+    """Whether a step has all definitions and not only those that it names."""
     lemmas: list[Theorem] = field(default_factory=list)
     uses: dict[str, None] = field(default_factory=dict)
     facts: dict[str, tuple[Relation, ...]] = field(default_factory=dict)
@@ -155,13 +157,16 @@ class _Planner:
         for part in parts:
             if not isinstance(part, Relation) or part.left.op != "symbol":
                 raise _NoPlanError
+            if part.right.op == "integral":
+                values[part.left.args[0]] = part.right
+                continue
             if not elementary(part.right):
                 raise _NoPlanError
             values[part.left.args[0]] = exchanged(
                 part.right, {symbol(n): v for n, v in values.items()}
             )
         texts = ", ".join(f"({term(values[name])})" for name in names)
-        return f"exists {texts}; repeat split; reflexivity."
+        return f"exists {texts}; repeat split; first [reflexivity | integrable]."
 
     def relation(self, says: Relation, chain: Chain, entry: int) -> str:
         """One relation: its integrals and derivatives have values, and these are so related."""
@@ -311,6 +316,9 @@ class _Planner:
                         rules.append(part)
                     else:
                         facts.append(part)
+        if self.every:
+            meanings = (m for _, m in self.whole.definitions if elementary(m.left, m.right))
+            rules += [m for m in meanings if m.left.op == "symbol" and m.sign == "=="]
         return rules, facts
 
     def fact(self, used: Claim) -> tuple[Relation, ...]:

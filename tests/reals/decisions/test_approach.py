@@ -31,6 +31,9 @@ LIMITS = [
     ("log(sin(x))", "0", "", "-oo"),
     ("asin(1 - x)", "0", "", "pi/2"),
     ("1/(cos(x) - 1)", "0", "", "-oo"),
+    ("log(x)/2 - log(x**2 + 1)/4", "oo", "", "0"),
+    ("log(x) - log(x**2)", "0", "", "oo"),
+    ("a*log(x) - a*log(2*x + 1)", "oo", "", "-a*log(2)"),
     ("sign(x - x)", "0", "", "0"),
     ("(a**x + b**x)**(1/x)", "oo", "a > 1, b > a", "b"),
     ("(1 + a/x + b/x**2)**x", "oo", "", "exp(a)"),
@@ -72,6 +75,8 @@ NONE = [
     ("log(a + x)", "0", "a >= 0"),  # -oo at a = 0 alone
     ("1/(a + x)", "0", "a >= 0"),
     ("log(-x)*x", "0", ""),
+    ("log(x) - log(x - 2*x)", "0", ""),  # the second is not real
+    ("log(-x) - log(-2*x)", "0", ""),  # real nowhere near
     ("(x**2 - 1)/(x - a)", "1", ""),
     ("x*exp(1/x)*log(1 + x - 1)/log(2 - x/x - 1)", "0", ""),
 ]

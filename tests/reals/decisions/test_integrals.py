@@ -23,12 +23,15 @@ PROVED = [
     "integral(1/(1 + x**2), x, -oo, oo) == pi",
     "integral(log(x), x, 0, 1) == -1",
     "integral(1/sqrt(x), x, 0, 1) == 2",
+    "integral(1/(x**2 - 1), x, 2, oo) == log(3)/2",
+    "integral(abs(x**2 - x), x, -1, 2) == 11/6",
     "integral(abs(x), x, -1, 1) == 1",
     "integral(abs(sin(x)), x, 0, 2*pi) == 4",
     "integral(1/sqrt(abs(x)), x, -1, 1) == 4",
     "integral(1/x, x, 1, oo) == oo",
     "integral(sin(n*x), x, 0, pi) == (1 - cos(n*pi))/n given n > 0",
     "1 + integral(2*x, x, 0, a) >= 1",
+    "integral(exp(a*x), x, 0, 1) == (exp(a) - 1)/a",  # a is not 0 where there is a right side
 ]
 REFUTED = [
     "integral(x, x, 0, 1) == 1/3",
@@ -102,3 +105,18 @@ def test_a_wrong_suggestion_proves_nothing(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(antiderivatives, "suggested", lambda *_: [parse("x"), parse("-1/x")])
     for claim in ("integral(x + 1, x, 0, 1) == 3/2", "integral(1/x**2, x, -1, 1) == -2"):
         assert tresym.check(claim).verdict is not Verdict.PROVED
+
+
+def test_an_antiderivative_may_be_written_in_the_claim(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(antiderivatives, "suggested", lambda *_: [])
+    for function, verdict in (("x**2/2", Verdict.PROVED), ("x**3/2", Verdict.UNDECIDED)):
+        value = f"at({function}, x, 1) - at({function}, x, 0)"
+        assert tresym.check(f"integral(x, x, 0, 1) == {value}").verdict is verdict
+    assert tresym.check("integral(x, x, 0, 1) == at(x, x, 1)").verdict is Verdict.REFUTED
+
+
+def test_either_order_of_the_ends_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(integrals, "_by_quadrature", lambda *_: None)
+    claim = "integral(abs(x - a), x, a, b) == (b - a)**2/2"  # for b < a it is less than 0
+    assert tresym.check(claim).verdict is not Verdict.PROVED
+    assert tresym.check(f"{claim} given a < b").verdict is Verdict.PROVED

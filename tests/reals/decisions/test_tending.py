@@ -56,6 +56,7 @@ OPEN = [
     "sqrt(x) -> 0 as x -> 0",  # from below it is not real
     "log(-1 - x**2) -> 0 as x -> 0",
     "a*x -> 0 given a > 1, a < 0 as x -> 0",  # no such parameter
+    "a*x == O(x) given a > 1, a < 0 as x -> 0",
     "sqrt(-1 - a**2)*x -> 0 as x -> 0",
     "diff(log(-x), x) > 0 as x -> oo",  # not real on the way
     "log(-x) < 0 as x -> 0+",

@@ -62,9 +62,9 @@ FINE = 512
 class Reading:
     """What a named step of a margin is, at these arguments, in the claim's symbols.
 
-    A part is worked out, with the claims put in, and equals the value by the exact procedure. A
-    root satisfies its equation by a claim, which says that the value equals its image, and lies
-    between the ends.
+    A part, or what a named function means, is worked out, with the claims put in, and equals the
+    value by the exact procedure. A root satisfies its equation by a claim, which says that the
+    value equals its image, and lies between the ends.
 
     Attributes:
         step: the part, or the root.
@@ -377,6 +377,11 @@ def _unread(reading: Reading) -> str | None:
         )
         return _different(put_in(found, rules), put_in(value, rules), meant)
     step = reading.step
+    if step.meaning is not None:
+        rules, meant = instantiated(reading.claims, given)
+        return _different(
+            put_in(_meaning(step, at, None, (), given), rules), put_in(value, rules), meant
+        )
     if step.image is None or step.between is None:
         return "that is no root"
     low, high = step.between

@@ -18,7 +18,7 @@ from flint import arb
 
 from tresym.racket.flip.series import exponent_values, majorant
 from tresym.reals.balls.gradient import Divided, Gradient, gradients
-from tresym.reals.balls.traced import Named, Part
+from tresym.reals.balls.traced import Named, Part, traced
 from tresym.reals.language.expression import PI, Expr, number, trees
 from tresym.reals.numbers.arithmetic import balls
 
@@ -226,31 +226,53 @@ TERMS = 8
 """Coefficients of Q that ``exponent_twist`` uses."""
 
 
-def exponent_twist(square: Any, b: Any, R: Any, m: Any) -> tuple[Any, Any]:
-    """q₂ and (Q(e)/e² − c₁ − q₂e²)/e⁴ for e² = ``square``, a ball, on ab ≥ 1/4.
+def _exponent_twist(defect: arb, b: arb, r: arb) -> arb:
+    """As ``exponent_twist``: |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4), term by term.
 
-    |q_n| ≤ q/ρⁿ with ``majorant`` q at ρ = 1/(1 + 9R/4), term by term; what is left out after
-    ``TERMS`` is a geometric series.
+    What is left out after ``TERMS`` is a geometric series.
     """
+    R, square = r * r, defect * defect
     rho = 4 / (4 + 9 * R)
-    values, ratio = exponent_values(TERMS, b, R, m), square / rho
-    total = majorant(rho, b, R, m) / rho**3 * ratio ** (TERMS - 2) / (1 - ratio) * arb(0, 1)
+    values, ratio = exponent_values(TERMS, b, R, balls), square / rho
+    if not ratio < 1:
+        return arb.nan()
+    total = majorant(rho, b, R, balls) / rho**3 * ratio ** (TERMS - 2) / (1 - ratio) * arb(0, 1)
     powers = arb(1)
     for q in values[3:]:
         total, powers = total + q * powers, powers * square
-    return values[2], total
+    return total
+
+
+def _steady(b: Any, R: Any) -> Any:
+    """q₂ = c₂ − 5c₁²/2."""
+    first = (6 * b + 3 * R - 1) / 12
+    second = (50 * b * b + 40 * b * R + 5 * R * R - 20 * b - 10 * R + 1) / 80
+    return second - first * first * 5 / 2
+
+
+def _twist_meant(defect: Expr, b: Expr, r: Expr) -> Expr:
+    def special(op: Any, args: tuple[Expr, ...], body: Any = None) -> Expr:
+        found: Expr = op.meaning(*args)
+        return found
+
+    bend = traced(exponent_bend.formula, 3).meaning((defect, b, r), special)
+    return (bend - _steady(b, r * r)) / defect**2
+
+
+exponent_twist = Named(_exponent_twist, _twist_meant, asks=lambda defect, b, r: (defect, b, r))
+"""((Q(e)/e² − c₁)/e² − q₂)/e², regular at e = ``defect`` = 0."""
 
 
 def third_excess(root: Root, m: Any) -> Any:
-    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶ on ab ≥ 1/4, expanded as ``second_excess``."""
+    """(ε₀/ε* − 1 − c₁ε*² − c₂ε*⁴)/ε*⁶, expanded as ``second_excess``."""
     R, square = root.r * root.r, root.defect * root.defect
-    first = (6 * root.b + 3 * R - 1) / 12
-    steady, twist = exponent_twist(square, root.b, R, m)
+    first, steady = (6 * root.b + 3 * R - 1) / 12, _steady(root.b, R)
+    twist = exponent_twist(root.defect, root.b, root.r)
     bend = steady + square * twist
     rate = first + square * bend
     exponent = square * rate
     rest = twist + bend * (rate + first) / 2 + rate * rate * rate * expm1_further(exponent)
-    rest += 2 * first * (bend - 2 * rate * rate * expm1_rest(-2 * exponent))
+    rest = rest + 2 * first * (bend - 2 * rate * rate * expm1_rest(-2 * exponent))
     second = steady + first * first * 5 / 2
     return m.exp(6 * exponent) * (rest + 4 * second * rate * expm1_over(-4 * exponent))
 
@@ -402,61 +424,123 @@ def sweep_error(b: Any, k: Any, start: Any, m: Any) -> Any:
     return angle_error(error, cotangent(b, k, phase, m), m)
 
 
-def newton_error(b: Any, k: Any, start: arb, m: Any) -> Any:
-    """1 − ε/ε₀ of one Newton step after one sweep from ``start``.
+def _phase_bend(b: arb, k: arb, phase: arb, other: arb) -> arb:
+    """By Taylor's theorem half of minus the second derivative, at a place between the two."""
+    at = phase.union(other)
+    rise = balls.cosh(k * at) * at * hyperbolic_sine_over(k * at) * (k * k + b * b)
+    return b * rise / _spread(b, k, at, balls) ** 2
 
-    For g(P) = P − π − arctan(r tanh kP) Taylor's theorem gives P₂ − P = g″(ξ)(P − P₁)²/(2 g′(P₁))
-    with ξ between P and P₁, g′ = 1 − b/D, D = cosh²kP + r² sinh²kP and g″ = bD′/D² > 0: the step
-    lands above P, and ε is too small. The curvature is over the hull of P and P₁ (balls only).
-    """
-    phase = phase_over(b, k)
+
+def _bend_meant(share: Expr, rate: Callable[[Expr], Expr], phase: Expr, other: Expr) -> Expr:
+    """What that is about, where A(x) is arctan(``share`` tanh ``rate``(x))."""
+
+    def turn(x: Expr) -> Expr:
+        return trees.atan(share * trees.tanh(rate(x)))
+
+    spread = trees.cosh(rate(other)) ** 2 + share**2 * trees.sinh(rate(other)) ** 2
+    slope = rate(share) / spread
+    rest = turn(phase) - turn(other) - slope * (phase - other)
+    return -rest / (phase - other) ** 2
+
+
+phase_bend = Named(
+    _phase_bend,
+    lambda b, k, *ends: _bend_meant(b / k, lambda x: k * x, *ends),
+    asks=lambda b, k, *_: (b, k),
+)
+"""How far the tangent at ``other`` to A(P) = arctan(r tanh kP) is above A at ``phase``, over the
+square of their distance, in the chart (b, k)."""
+
+
+@Part
+def newton_excess(b: Any, k: Any, phase: Any, start: Any, m: Any) -> Any:
+    """P₂ − P of one Newton step after one sweep from ``start``, P₁; A′ = b/D."""
     difference = sweep_difference(b, k, phase, start, m)
     swept = m.pi + m.atan(b * start * hyperbolic_tangent_over(k * start))
-    at = phase.union(swept)
-    bend = 2 * m.cosh(k * at) * at * hyperbolic_sine_over(k * at) * (k * k + b * b)
-    curvature = b * bend / _spread(b, k, at, m) ** 2
-    excess = curvature * difference * difference / (2 * (1 - b / _spread(b, k, swept, m)))
-    error = tangent_error(-excess, phase, k, m)
-    return -angle_error(error, cotangent(b, k, phase, m), m)
+    bend = phase_bend(b, k, phase, swept)
+    return bend * difference * difference / (1 - b / _spread(b, k, swept, m))
 
 
-def far_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
+def newton_error(b: Any, k: Any, start: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 of one Newton step after one sweep from ``start``."""
+    phase = phase_over(b, k)
+    error = tangent_error(-newton_excess(b, k, phase, start, m), phase, k, m)
+    return angle_error(error, cotangent(b, k, phase, m), m)
+
+
+@Part
+def far_difference(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any:
     """T − T₁ of one sweep from ``start`` in the chart (b, κ), from f = e^{−2T}, g = e^{−2·start/κ}.
 
     tanh T − tanh(start/κ) = 2(g − f)/((1 + f)(1 + g)), and r/κ = b.
     """
-    r, f = b * kappa, flat(kappa, 2 * phase_by_kappa(b, kappa))
-    g = flat(kappa, 2 * start)
+    r, f, g = b * kappa, flat(kappa, 2 * phase), flat(kappa, 2 * start)
     gap = 2 * (g - f) / ((1 + f) * (1 + g))
     gap = gap / (1 + r * r * (1 - f) / (1 + f) * (1 - g) / (1 + g))
     return b * gap * arctangent_over(r * gap)
 
 
-def far_error(difference: Any, b: Any, kappa: Any, m: Any) -> Any:
-    """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ).
-
-    It is tan ε/tan ε₀ − 1, and as the arctangent is concave (`arctangent_concave`) ε/ε₀ − 1 is
-    between it and 0.
-    """
-    f, growth = flat(kappa, 2 * phase_by_kappa(b, kappa)), m.exp(difference)
+@Part
+def far_error(difference: Any, phase: Any, kappa: Any, m: Any) -> Any:
+    """sinh T/sinh(T − ``difference``) − 1 in the chart (b, κ), which is tan ε/tan ε₀ − 1."""
+    f, growth = flat(kappa, 2 * phase), m.exp(difference)
     return m.expm1(difference) * (1 + f * growth) / (1 - f * growth * growth)
 
 
-def far_newton_difference(b: Any, kappa: Any, start: arb, m: Any) -> Any:
-    """T − T₂ of one Newton step after one sweep from ``start`` in the chart (b, κ).
+@Part
+def tangent_by_kappa(b: Any, kappa: Any, phase: Any, m: Any) -> Any:
+    """tan ε₀ in the chart (b, κ)."""
+    r, small = b * kappa, flat(kappa, phase)
+    return 2 / m.sqrt(1 + r * r) * small / (1 - small * small)
 
-    As ``newton_error``, with D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P/κ} at P₁ or between.
+
+@Part
+def far_angle_error(tangent_error_: Any, tangent: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 from tan ε/tan ε₀ − 1 and tan ε₀."""
+    share = tangent_error_ / (1 + tangent * tangent * (1 + tangent_error_))
+    return share * arctangent_over(tangent * share) / arctangent_over(tangent)
+
+
+def far_sweep_error(b: Any, kappa: Any, start: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 of one sweep from ``start`` in the chart (b, κ)."""
+    phase = phase_by_kappa(b, kappa)
+    error = far_error(far_difference(b, kappa, phase, start, m), phase, kappa, m)
+    return far_angle_error(error, tangent_by_kappa(b, kappa, phase, m), m)
+
+
+def _far_bend(b: arb, kappa: arb, phase: arb, other: arb) -> arb:
+    r, between = b * kappa, flat(kappa, 2 * phase.union(other))
+    spread = (1 + between) ** 2 + r * r * (1 - between) ** 2
+    return 4 * b * (1 + r * r) * between * (1 - between * between) / spread**2
+
+
+far_bend = Named(
+    _far_bend,
+    lambda b, kappa, *ends: kappa * _bend_meant(b * kappa, lambda x: x / kappa, *ends),
+    asks=lambda b, kappa, phase, other: (b, kappa, phase, other),
+)
+"""κ ``phase_bend`` in the chart (b, κ)."""
+
+
+@Part
+def far_newton_excess(b: Any, kappa: Any, phase: Any, start: Any, m: Any) -> Any:
+    """T₂ − T of one Newton step after one sweep from ``start`` in the chart (b, κ).
+
+    As ``newton_excess``; D = [(1 + φ)² + r²(1 − φ)²]/(4φ), φ = e^{−2P₁/κ}.
     """
-    r, phase = b * kappa, phase_by_kappa(b, kappa)
-    difference = far_difference(b, kappa, start, m)
+    difference = far_difference(b, kappa, phase, start, m)
     swept = phase - kappa * difference
+    r, at = b * kappa, flat(kappa, 2 * swept)
+    spread = (1 + at) ** 2 + r * r * (1 - at) ** 2
+    bend = far_bend(b, kappa, phase, swept)
+    return bend * difference * difference / (1 - 4 * b * at / spread)
 
-    def spread(small: Any) -> Any:
-        return (1 + small) ** 2 + r * r * (1 - small) ** 2
 
-    between, at = flat(kappa, 2 * phase.union(swept)), flat(kappa, 2 * swept)
-    bend = 4 * b * (1 + r * r) * between * (1 - between * between) / spread(between) ** 2
-    return -bend * difference * difference / (1 - 4 * b * at / spread(at))
+def far_newton_error(b: Any, kappa: Any, start: Any, m: Any) -> Any:
+    """ε/ε₀ − 1 of that step."""
+    phase = phase_by_kappa(b, kappa)
+    error = far_error(-far_newton_excess(b, kappa, phase, start, m), phase, kappa, m)
+    return far_angle_error(error, tangent_by_kappa(b, kappa, phase, m), m)
 
 
 arctangent_rest = Divided(lambda s: s.atan(), 3)

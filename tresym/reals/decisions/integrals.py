@@ -4,7 +4,8 @@
 there by the normal form, and F has these limits at its ends: so the integral converges, improper or
 not, and where one of the limits is infinite it diverges. An interval is cut where a part of f or F
 may be singular, and each piece is looked at by itself. Where the order of the ends is open, either
-order is. How F is found plays no part.
+order is. How F is found plays no part: it may be given in the claim, by values of it that are
+written ``at(F, x, b) - at(F, x, a)``; else SymPy suggests one.
 
 An integral of which no antiderivative is known is enclosed by certified quadrature
 (:mod:`tresym.reals.places.unworked`), which refutes an equation, and bounds.
@@ -14,7 +15,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from itertools import pairwise
+from itertools import chain, pairwise
+from typing import NamedTuple
 
 from flint import arb, fmpq
 
@@ -31,10 +33,13 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     differentiate,
+    instantiate,
     multiply,
     number,
     opened,
     rebuild,
+    replaced,
+    sqrt,
     substitute,
     symbol,
     symbols,
@@ -45,7 +50,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places import unworked
 from tresym.reals.places.conditions import Given
-from tresym.reals.places.domain import singularities
+from tresym.reals.places.domain import bound, needs, singularities
 from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.defined import continuous_on
 from tresym.reals.signs.sign import sign
@@ -55,12 +60,19 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 MINUS_INFINITY = -INFINITY
 BITS = (64, 128)
-CUTS = 12
+CUTS, DENOMINATOR = 12, 5040
 """Pieces into which an interval is cut at most."""
 TURNS = 40
 """Multiples of π at which a sine or a cosine in the integrand is looked at."""
 PARAMETERS = 3
 _OPEN = "no antiderivative was found that is shown to be one on the whole interval"
+
+
+class _Work(NamedTuple):
+    """Sentences on what was shown, and antiderivatives that may have been written."""
+
+    notes: list[str]
+    primitives: tuple[Expr, ...]
 
 
 class _OpenError(Exception):
@@ -80,22 +92,33 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     found = _by_quadrature(claim, statement)
     if found is not None:
         return found
-    notes: list[str] = []
+    work = _Work([], claim.primitives)
+    given = _where_defined(claim, statement.given)
     try:
-        sides = [_without(side, statement.given, notes) for side in (claim.left, claim.right)]
+        sides = [_without(side, given, work) for side in (claim.left, claim.right)]
     except _OpenError as error:
         return Answer(Verdict.UNDECIDED, str(error))
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
-    said = "; ".join(dict.fromkeys(notes))
+    said = "; ".join(dict.fromkeys(work.notes))
     if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
         names = sorted(symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]})
         at = simple_points(names, statement.given, 1, statement.integers)
         return _infinite(claim.relation, sides, said, at[0] if at else None)
     if any(INFINITY.args[0] in symbols(side) for side in sides):
         return Answer(Verdict.UNDECIDED, f"an infinite value stands in a sum or product; {said}")
-    answer = decided(replace(claim, left=sides[0], right=sides[1]), statement)
+    plain = replace(statement, given=given)
+    answer = decided(replace(claim, left=sides[0], right=sides[1]), plain)
     return replace(answer, why=f"{said}; {answer.why}")
+
+
+def _where_defined(claim: Comparison, given: Given) -> Given:
+    """The conditions, and that what stands beside the integrals is defined."""
+    marks = {node: symbol(f"[{node}]") for node in outermost(claim.left, claim.right)}
+    names = {str(mark.args[0]) for mark in marks.values()}
+    parts = needs(replaced(side, marks) for side in (claim.left, claim.right))
+    free = (part for part in parts if symbols(part[0]) and not symbols(part[0]) & names)
+    return given & Given(tuple(bound(*part) for part in free))
 
 
 def _infinite(relation: str, sides: list[Expr], said: str, at: dict[str, fmpq] | None) -> Answer:
@@ -110,7 +133,7 @@ def _infinite(relation: str, sides: list[Expr], said: str, at: dict[str, fmpq] |
 # By an antiderivative
 
 
-def _without(e: Expr, given: Given, notes: list[str]) -> Expr:
+def _without(e: Expr, given: Given, work: _Work) -> Expr:
     """``e`` with the values of its integrals put in.
 
     Raises:
@@ -119,27 +142,27 @@ def _without(e: Expr, given: Given, notes: list[str]) -> Expr:
     if e.op in LEAVES:
         return e
     if e.op != "integral":
-        return rebuild(e, tuple(_without(arg, given, notes) for arg in e.args))
+        return rebuild(e, tuple(_without(arg, given, work) for arg in e.args))
     (name,), body = opened(e, given.names)
-    low, high = (end if _ends(end) else _without(end, given, notes) for end in e.args[1:])
-    return _integral(name, body, low, high, given, notes)
+    low, high = (end if _ends(end) else _without(end, given, work) for end in e.args[1:])
+    return _integral(name, body, low, high, given, work)
 
 
 def _ends(e: Expr) -> bool:
     return e in (INFINITY, MINUS_INFINITY)
 
 
-def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     if low == high and not _ends(low):
         high, low = low + 1, low  # shown to be defined around the point
-        return multiply(ZERO, _integral(name, f, low, high, given, notes))
+        return multiply(ZERO, _integral(name, f, low, high, given, work))
     order = _order(low, high, given)
     if order < 0:
-        return -_integral(name, f, high, low, given, notes)
+        return -_integral(name, f, high, low, given, work)
     if order > 0:
-        return _between(name, f, low, high, given, notes)
-    forward = _between(name, f, low, high, given & Given(((low, "<", high),)), notes)
-    backward = _between(name, f, high, low, given & Given(((high, "<", low),)), [])
+        return _between(name, f, low, high, given, work)
+    forward = _between(name, f, low, high, given & Given(((low, "<", high),)), work)
+    backward = _between(name, f, high, low, given & Given(((high, "<", low),)), work)
     if decide(forward + backward, ZERO, given).verdict is not Verdict.PROVED:
         raise _OpenError(f"which of {low} and {high} is the greater one is not known")
     return forward
@@ -154,11 +177,11 @@ def _order(low: Expr, high: Expr, given: Given) -> int:
     return {"+": 1, "-": -1}.get(sign(high - low, given, "!=") or "", 0)
 
 
-def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """∫ f from ``low`` to ``high``, which is greater under ``given``."""
-    f = _without(f, given & _inside(name, low, high), notes)
+    f = _without(f, given & _inside(name, low, high), work)
     pieces = list(_pieces(name, (f,), low, high))
-    values = [_piece(name, f, start, end, given, notes) for start, end in pieces]
+    values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
     if len(infinite) > 1:
         raise _OpenError(f"the integral of {f} has parts that are oo and -oo, and no value")
@@ -189,9 +212,39 @@ def _middle(e: Expr) -> fmpq:
 
 def _cuts(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[Expr]:
     for part, _ in (found for f in parts for found in singularities(f)):
-        for c in (*solutions(part, name), *_turns(part, name)):
+        for c in (*solutions(part, name), *_roots(part, name), *_turns(part, name)):
             if not symbols(c) and _is_between(low, c, high):
                 yield c
+
+
+def _roots(part: Expr, name: str) -> Iterator[Expr]:
+    """Zeros of what is linear or quadratic in the variable."""
+    at = {name: ZERO}
+    slope = differentiate(part, name)
+    bend = differentiate(slope, name)
+    if name in symbols(differentiate(bend, name)) or name in symbols(substitute(bend, at) - bend):
+        return
+    try:
+        a, b, c = (decided_number(substitute(e, at)) for e in (bend / 2, slope, part))
+    except InputError:
+        return
+    if a is None or b is None or c is None:
+        return
+    if a != 0 and b * b >= 4 * a * c:
+        for side in (1, -1):
+            yield (-number(b) + side * sqrt(number(b * b - 4 * a * c))) / number(2 * a)
+    elif b != 0:
+        yield number(-c / b)
+
+
+def decided_number(e: Expr) -> fmpq | None:
+    """The rational number that ``e`` is by its exact value in balls; None if it is no such."""
+    if symbols(e):
+        return None
+    with ball_precision():
+        ball = evaluate(e, {})
+        found = (ball * DENOMINATOR).unique_fmpz() if ball.is_finite() else None
+    return None if found is None else fmpq(int(found), DENOMINATOR)
 
 
 def _turns(part: Expr, name: str) -> Iterator[Expr]:
@@ -217,14 +270,19 @@ def _is_between(low: Expr, c: Expr, high: Expr) -> bool:
         return at.is_finite() and over and (high == INFINITY or bool(at < evaluate(high, {})))
 
 
-def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[str]) -> Expr:
+def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """∫ f over one piece, by the first antiderivative that passes, of the first cut that does."""
     from tresym.reals.decisions.antiderivatives import suggested
 
     inside = given & _inside(name, low, high)
     plain = _without_corners(f, inside)
     positive = {s for s in symbols(plain) if sign(symbol(s), inside) == "+"}
-    for candidate in suggested(plain, name, frozenset(positive)):
+
+    def later() -> Iterator[Expr]:  # SymPy is loaded where it is needed
+        yield from suggested(plain, name, frozenset(positive))
+
+    written = (instantiate(body, (symbol(name),)) for body in work.primitives)
+    for candidate in chain(written, later()):
         values = []
         for start, end in _pieces(name, (candidate,), low, high):
             here = given & _inside(name, start, end)
@@ -236,9 +294,8 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, notes: list[
             shown = [value for value in values if value is not None]
             infinite = {value for value in shown if _ends(value)}
             if len(infinite) < 2:
-                notes.append(
-                    f"{candidate} is an antiderivative of {f} for {inside or 'all'} {name}"
-                )
+                where = f" for {inside}" if inside.comparisons else ""
+                work.notes.append(f"{candidate} is an antiderivative of {f}{where}")
                 return infinite.pop() if infinite else add(*shown)
     raise _OpenError(f"integral of {f}: {_OPEN}")
 

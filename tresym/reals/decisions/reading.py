@@ -90,12 +90,15 @@ class Comparison:
     Attributes:
         derivatives: those that were written: a derivative is one where its function is real, there
             and beside it.
+        primitives: functions whose values at a point were written, as bodies of one variable: of an
+            integral they may be antiderivatives.
     """
 
     left: Expr
     relation: str
     right: Expr
     derivatives: tuple[Derivative, ...] = ()
+    primitives: tuple[Expr, ...] = ()
 
     @property
     def differentiated(self) -> tuple[Expr, ...]:
@@ -214,9 +217,10 @@ def _stated(shown: str, text: str) -> Statement:
     said = parse_given(under)
     given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
+    closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
     equations += tuple(
         (symbol(name), number(where.low))
-        for name, where in given.box.items()
+        for name, where in (given.box.items() if closed else ())
         if where.low is not None and where.low == where.high
         if not (where.low_open or where.high_open)
     )
@@ -245,7 +249,7 @@ def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> 
 
 def functions(e: Expr) -> Iterator[Expr]:
     """The functions left unknown in ``e``, at their arguments."""
-    if e.op not in LEAVES:
+    if e.hidden:
         for arg in e.args:
             yield from functions(arg)
         if e.op == "unknown":
@@ -315,7 +319,9 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
         return replace(_comparison(left, relation, ZERO), right=right)
     work = cache(worked_out)
     written = tuple(dict.fromkeys(d for side in (left, right) for d in _derivatives(side, work)))
-    return Comparison(work(left), relation, work(right), written)
+    values = (node for node in outermost(left, right) if node.op == "at" and len(node.names) == 1)
+    primitives = tuple(dict.fromkeys(node.args[0] for node in values))
+    return Comparison(work(left), relation, work(right), written, primitives)
 
 
 def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:

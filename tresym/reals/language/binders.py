@@ -95,13 +95,13 @@ def outermost(*trees: Expr) -> Iterator[Expr]:
     for e in trees:
         if e.op in UNWORKED:
             yield e
-        elif e.op not in LEAVES:
+        elif e.hidden:
             yield from outermost(*e.args)
 
 
 def elementary(*trees: Expr) -> bool:
     """Whether there is no such node."""
-    return next(outermost(*trees), None) is None
+    return not any(e.hidden for e in trees)
 
 
 def worked_out(e: Expr) -> Expr:

@@ -59,16 +59,17 @@ class Expr:
             part in equality.
         loose: how many variables must be bound around this node; 0 for all but parts of a body.
         size, depth: nodes counted as a tree, and its height; both are bounded.
+        hidden: whether one of :data:`UNWORKED` is in it.
     """
 
-    __slots__ = ("_hash", "_symbols", "args", "depth", "loose", "names", "op", "size")
+    __slots__ = ("_hash", "_symbols", "args", "depth", "hidden", "loose", "names", "op", "size")
 
     op: str
     args: tuple[Any, ...]
 
     def __init__(self, op: str, args: tuple[Any, ...], names: tuple[str, ...] = ()) -> None:
         """Internal: the functions of this module fold and check, this does only the bounds."""
-        size, depth, loose = 1, 1, 0
+        size, depth, loose, hidden = 1, 1, 0, op in UNWORKED
         if op == "bound":
             loose = args[0] + 1
         elif op not in ("number", "symbol", "function"):
@@ -76,6 +77,7 @@ class Expr:
             for arg in args:
                 size += arg.size
                 depth = max(depth, arg.depth + 1)
+                hidden = hidden or arg.hidden
                 if arg.loose:
                     loose = max(loose, arg.loose - around)
                 around = 0  # only the first operand is under the variables
@@ -87,6 +89,7 @@ class Expr:
         self.args = args
         self.names = names
         self.loose = loose
+        self.hidden = hidden
         self.size = size
         self.depth = depth
         self._hash = hash((op, args) if op != "number" else (int(args[0].p), int(args[0].q)))

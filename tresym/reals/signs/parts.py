@@ -287,12 +287,12 @@ class Parts:
         strict = False
         for scale, multiple, n in taken:
             fact, is_strict, _ = self.facts[n]
-            room = self._polynomial(multiple)
-            if room not in WEAK or self._polynomial(scale) != "+":
+            room = self._polynomial(multiple, roots=False)
+            if room not in WEAK or self._polynomial(scale, roots=False) != "+":
                 return None
             p = p * scale - multiple * fact
             strict = strict or (is_strict and room == "+")
-        found = self._polynomial(p)
+        found = self._polynomial(p, roots=False)  # conjugates take conditions out by themselves
         return None if found not in WEAK else "+" if strict or found == "+" else ">=0"
 
     def _ways(self, p: Poly, den: Poly, depth: int) -> Iterator[Taken]:
@@ -333,8 +333,8 @@ class Parts:
                     if self._on_box(m) in WEAK:
                         yield p.context().constant(abs(known)), m
 
-    def _polynomial(self, p: Poly) -> str | None:
-        """The sign of a polynomial in atoms, by their ranges and its factors."""
+    def _polynomial(self, p: Poly, roots: bool = True) -> str | None:
+        """The sign of a polynomial in atoms, by their ranges and its factors; or by conjugates."""
         if p.is_constant():
             return "0" if p.is_zero() else "+" if p.leading_coefficient() > 0 else "-"
         self._looks += 1
@@ -347,7 +347,7 @@ class Parts:
             if found in ("+", "-", "0"):
                 return found
             best = best or found
-        return best or self._at_ends(p) or self._by_conjugate(p)
+        return best or self._at_ends(p) or (self._by_conjugate(p) if roots else None)
 
     def _by_conjugate(self, p: Poly) -> str | None:
         """The sign of ``u + v·g`` with a square root g ≥ 0, from that of ``u² − v²·g²``."""

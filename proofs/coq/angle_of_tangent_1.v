@@ -1,0 +1,1 @@
+intros; apply atan_tan; lra.

@@ -1,0 +1,1 @@
+intros; f_equal; try subst v_P; ring.

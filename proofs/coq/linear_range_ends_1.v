@@ -1,0 +1,1 @@
+intros; field; lra.

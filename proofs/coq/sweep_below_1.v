@@ -1,0 +1,1 @@
+intros; pose proof (increasing_tanh v_T (v_T + x) ltac:(lra)); lra.
