@@ -46,8 +46,8 @@ def article(report: Report) -> str:
     """The whole article, with the statements, the figures and the ledger of a report."""
     rows = {row.claim.label: row for row in report.rows}
     parts: dict[str, Callable[[str], Iterator[str]]] = {
-        "claim": lambda label: _claimed(rows[label], rows.keys(), with_chain=True),
-        "says": lambda label: _claimed(rows[label], rows.keys(), with_chain=False),
+        "claim": lambda label: _claimed(rows, label, with_chain=True),
+        "says": lambda label: _claimed(rows, label, with_chain=False),
         "figure": _figure,
         "symbols": lambda _: _symbols(rows.keys()),
         "bodies": lambda _: iter([written(table("objects"), "latex")]),
@@ -73,8 +73,14 @@ def _words() -> str:
     return files("tresym.report.pages").joinpath("article.tex").read_text(encoding="utf-8")
 
 
-def _claimed(row: Row, known: Collection[str], with_chain: bool) -> Iterator[str]:
-    """A statement with place and verdict, its equation numbered, and its chain if that is short."""
+def _claimed(rows: dict[str, Row], label: str, with_chain: bool) -> Iterator[str]:
+    """A statement with place and verdict, its equation numbered, and its chain if that is short.
+
+    Nothing where the report does not have it.
+    """
+    if label not in rows:
+        return
+    row = rows[label]
     claim, found = row.claim, said(row.claim)
     verdict = row.finding.verdict.value
     mark = rf"\verdict{{{verdict.lower()}}}{{{verdict}}}"
@@ -83,15 +89,15 @@ def _claimed(row: Row, known: Collection[str], with_chain: bool) -> Iterator[str
     yield from (rf"{{\raggedright {words}\par}}" for words in in_words(claim))
     formulas = [alone(f) for f in ([found.formula] if found.formula else found.means)]
     chains = [body for body in set_displays(claim) if r"\footnotesize" in body]
-    rows = sum(body.count(r"\\") + 1 for body in chains)
-    if rows == len(formulas) == 1:
+    length = sum(body.count(r"\\") + 1 for body in chains)
+    if length == len(formulas) == 1:
         formulas, chains = chains, []
     for n, formula in enumerate(formulas, 1):
-        label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
-        yield rf"\begin{{equation}}\label{{{label}}}\fits{{{formula}}}\end{{equation}}"
-    if with_chain and rows <= LONGEST_CHAIN:
+        named = f"tresym:{label}" + (f"-{n}" if n > 1 else "")
+        yield rf"\begin{{equation}}\label{{{named}}}\fits{{{formula}}}\end{{equation}}"
+    if with_chain and length <= LONGEST_CHAIN:
         yield from (rf"\fitted{{{body}}}" for body in chains)
-    yield from outcome(row, known)
+    yield from outcome(row, rows.keys())
 
 
 def _figure(words: str) -> Iterator[str]:

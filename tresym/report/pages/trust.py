@@ -145,7 +145,7 @@ def _programs() -> Iterator[str]:
         if isinstance(function, Divided):
             rows.append((f"`{name}`", f"`{function.meaning(symbol('x'))}`"))
         elif isinstance(function, Named):
-            names = [symbol(x) for x in "xyz"[: len(signature(function.program).parameters)]]
+            names = [symbol(x) for x in "xyzw"[: len(signature(function.program).parameters)]]
             if function.meaning is not None:
                 rows.append((f"`{name}`", f"`{function.meaning(*names)}`"))
             elif function.image is not None:
