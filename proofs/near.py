@@ -356,7 +356,7 @@ defect_by_cotangent = Claim(
     given=shape,
     proof=(
         step(atan(1 / _w), substituting(defect_by_phase), citing(phase_range)),
-        step(None, substituting(complement_at_root), citing(phase_range)),
+        step(None, substituting(complement_at_root)),
     ),
 )
 
@@ -598,7 +598,7 @@ def _newton(
         f"{label}_exceeds",
         equal(apart, last - epsilon0),
         (
-            step(atan(_w) - atan(w), substituting(two), citing(phase_range, goes_on)),
+            step(atan(_w) - atan(w), substituting(two)),
             step(None, substituting(improved[1], defect_by_cotangent)),
         ),
         given=shape,

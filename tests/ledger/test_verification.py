@@ -127,7 +127,9 @@ def test_refuted_claims_are_amended_by_claims_that_hold(ledger: Report) -> None:
     for claim in CLAIMS:
         if claim.expect is Verdict.REFUTED:
             assert claim.amended_by, claim.label
-            assert ledger[claim.label].finding.witness, claim.label
+            found = ledger[claim.label].finding
+            without = found.why == "violated at the constants themselves"  # no variable is free
+            assert found.witness or without, claim.label
             for amendment in claim.amended_by:
                 assert ledger[amendment.label].finding.verdict.holds
 

@@ -652,7 +652,7 @@ def test_a_killed_worker_loses_nothing(
 def test_ctrl_c_is_one_line_and_leaves_nobody_behind(tmp_path: Path, delay: float) -> None:
     token = f"tresym-int-{os.getpid()}-{delay}"
     process = subprocess.Popen(
-        command("-o", str(tmp_path / "t"), *BIG[:-1], "600", "--workers", "2"),
+        command("-o", str(tmp_path / "t"), *BIG[:-1], "2000", "--workers", "2"),
         env=environment(TOKEN=token),
         stderr=subprocess.PIPE,
         stdout=subprocess.DEVNULL,

@@ -92,5 +92,5 @@ def test_the_page_of_a_claim_links_its_symbols() -> None:
 
 def test_the_article_begins_with_the_symbols() -> None:
     text = article(verify(["eq_gamma"]))
-    assert text.index(r"\section*{Symbols}") < text.index(r"\label{claim:eq_gamma}")
+    assert text.index(r"\section{Notation}") < text.index(r"\label{claim:eq_gamma}")
     assert r"$\gamma$ & level of the motion" in text

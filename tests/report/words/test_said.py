@@ -134,6 +134,7 @@ READ_BY = {
     "tresym/report/words/chains.py": "the chain, below the statement",
     "tresym/report/words/said.py": "the one room",
     "tresym/report/pages/symbols.py": "an assumption, whose conditions have a column",
+    "tresym/report/pages/article.py": "the article, with the conditions; what is true instead",
     "tresym/report/pages/derivation.py": "what a quoted theorem says, which is no claim",
     "tresym/report/pages/site_data.py": "the same",
     "tresym/commands/check.py": "what `check` answers, which is no claim of the ledger",

@@ -87,7 +87,7 @@ def _claimed(rows: dict[str, Row], label: str, with_chain: bool) -> Iterator[str
     place = prose(place_text(claim)) if claim.where else "ours"
     yield rf"\judged{{{claim.label}}}{{{place}}}{{{mark}}}"
     yield from (rf"{{\raggedright {words}\par}}" for words in in_words(claim))
-    formulas = [alone(f) for f in ([found.formula] if found.formula else found.means)]
+    formulas = [alone(found.formula)] if found.formula else []
     chains = [body for body in set_displays(claim) if r"\footnotesize" in body]
     length = sum(body.count(r"\\") + 1 for body in chains)
     if length == len(formulas) == 1:
@@ -126,7 +126,8 @@ def _corrected(rows: dict[str, Row]) -> Iterator[str]:
     yield "What the paper prints and does not hold, each finding once, the weightiest first.\n"
     yield r"\begin{enumerate}"
     for correction in corrections():
-        yield from _correction(correction, rows)
+        if correction.labels[0] in rows:
+            yield from _correction(correction, rows)
     yield r"\end{enumerate}"
 
 

@@ -19,6 +19,8 @@ from tresym.report.words.wording import readable
 
 WIDEST = 62
 """Letters of a formula with its reason that fit a line of the article."""
+TOO_WIDE = 72
+"""Letters of a line that is not set, since nothing in it can be broken."""
 LINE = 66
 """Letters of a formula alone that fit a line."""
 
@@ -134,9 +136,7 @@ def entry(row: Row, known: Collection[str]) -> str:
     if claim.paper_says:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
     lines += [rf"{{\raggedright {words}\par}}" for words in in_words(claim, code)]
-    lines += [
-        rf"\textsf{{\small Decided as}} \fitted{{{alone(body)}}}" for body in said(claim).means
-    ]
+    lines += [_decided(claim, formula) for formula in said(claim).means]
     lines += [rf"\fitted{{{body}}}" for body in set_displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
@@ -145,6 +145,16 @@ def entry(row: Row, known: Collection[str]) -> str:
         lines.append(rf"\textsf{{\small Quoted:}} {cited}.\par")
     lines += outcome(row, known)
     return "\n".join(lines) + "\n"
+
+
+def _decided(claim: Claim, formula: str) -> str:
+    """The formula that stands for a sentence, where it can be set."""
+    if max(map(width, broken(formula, LINE))) > TOO_WIDE:
+        shown = rf"\texttt{{tresym verify {_lettered(claim.label)} -{{}}-json}}"
+        return (
+            rf"\textsf{{\small Decided as a formula too long for a page: {shown} prints it.}}\par"
+        )
+    return rf"\textsf{{\small Decided as}} \fitted{{{alone(formula)}}}"
 
 
 def outcome(row: Row, known: Collection[str]) -> Iterator[str]:

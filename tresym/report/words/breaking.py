@@ -23,9 +23,9 @@ _RELATIONS = frozenset(["=", "<", ">", r"\ge", r"\le", r"\ne", r"\iff"])
 _SUMS = frozenset("+-")
 _PAIRS = {"{": "}", "(": ")", "[": "]"}
 _FUNCTIONS = re.compile(r"\\(arc)?(sin|cos|tan)h?|\\ln|\\log|\\exp|\\operatorname")
-_BEFORE = re.compile(r"\\int|\\sum|\\frac\{(d|\\partial)\}|\\,|\\text|\\Big|/|-|\+|=")
+_BEFORE = re.compile(r"\\int|\\sum|\\frac\{(d|\\partial)\}|\\,|\\text|\\Big|/|-|\+|=|\\in\b|d$")
 """What begins with these belongs to the factor after it."""
-_AFTER = re.compile(r"\\,|\\Big|/|\\quad|d|[^\w\\(]")
+_AFTER = re.compile(r"\\in\b|\\,|\\Big|/|\\quad|d|[^\w\\(]")
 """What begins with these belongs to the factor before it."""
 
 
