@@ -27,7 +27,7 @@ FLOORS = (
 INSIDE = {
     "reals": (
         ("numbers", "notebook", "verdict"),
-        ("language", "processes"),
+        ("language", "limit", "processes"),
         ("places", "corpus", "advocate"),
         ("normal",),
         ("signs", "balls"),

@@ -23,7 +23,6 @@ from tresym.bench import (
     turn,
     workloads,
 )
-from tresym.bench.limit import TimeUp, time_limit
 from tresym.bench.names import WORKLOADS
 from tresym.bench.run import (
     Contender,
@@ -42,6 +41,7 @@ from tresym.racket.body import Shape
 from tresym.racket.flip import asymptotic
 from tresym.racket.flip.ladder import RUNGS, climb
 from tresym.racket.floats.shapes import defects
+from tresym.reals.limit import TimeUp
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -147,18 +147,6 @@ def test_after_what_is_too_slow_nothing_larger_is_tried() -> None:
     with pytest.raises(TooSlowError, match="too slow at 2 already"):
         rising.work(work, 3)()
     assert rising.work(work, 1)() == 1
-
-
-def test_the_limit_is_lifted_after_the_block() -> None:
-    def forever() -> None:
-        with time_limit(0.02):
-            while True:
-                pass
-
-    with pytest.raises(TimeUp):
-        forever()
-    with time_limit(30):
-        sum(range(1000))
 
 
 # True digits

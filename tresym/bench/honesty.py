@@ -19,7 +19,6 @@ from flint import arb, fmpq
 
 from tresym.bench import flipmap as starts
 from tresym.bench import peers
-from tresym.bench.limit import TimeUp, time_limit
 from tresym.bench.run import Keep, Measurement, forget
 from tresym.bench.separatrix import SHAPES
 from tresym.bench.truth import true_digits
@@ -29,6 +28,7 @@ from tresym.racket.flip.ladder import climb
 from tresym.racket.floats import flipmap
 from tresym.racket.motion import quadrature
 from tresym.racket.motion.carlson import amplitude, by_flint, turn
+from tresym.reals.limit import TimeUp, time_limit
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision, to_mp
 from tresym.reals.numbers.exact import parse_number
 

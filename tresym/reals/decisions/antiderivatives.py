@@ -5,14 +5,12 @@ SymPy is loaded when the first is asked for.
 
 from __future__ import annotations
 
-import signal
-import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from typing import Any
 
 from tresym.reals.language.expression import LEAVES, Expr, apply, rebuild, symbols
 from tresym.reals.language.sympy import from_sympy
+from tresym.reals.limit import time_limit
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.values import Walker
 
@@ -45,7 +43,7 @@ def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
     )
     for procedure in procedures:
         try:
-            with _stopped_after(SECONDS):
+            with time_limit(SECONDS, _StoppedError):
                 result = procedure()
         except Exception:  # SymPy's own faults are not ours to name
             continue
@@ -71,7 +69,7 @@ def summed(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> list[Expr]:
     procedure = sympy.summation if kind == "sum" else sympy.product
     try:
         body, *ends = (_InSympy(sympy, values).value(e) for e in (f, low, high))
-        with _stopped_after(SECONDS):
+        with time_limit(SECONDS, _StoppedError):
             result = procedure(body, (k, *ends))
         return [from_sympy(form) for form in _branches(sympy, sympy.factor(result))]
     except Exception:  # SymPy's own faults are not ours to name
@@ -113,23 +111,3 @@ def _real_logarithms(e: Expr) -> Expr:
 
 class _StoppedError(Exception):
     """The time is over."""
-
-
-@contextmanager
-def _stopped_after(seconds: float) -> Iterator[None]:
-    """Stop the block after so long, in the main thread of a system with timers; else never."""
-    here = threading.current_thread() is threading.main_thread() and hasattr(signal, "setitimer")
-    if not here or signal.getitimer(signal.ITIMER_PROF)[0]:
-        yield
-        return
-
-    def stop(*_: object) -> None:
-        raise _StoppedError
-
-    before = signal.signal(signal.SIGPROF, stop)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
-        signal.signal(signal.SIGPROF, before)

@@ -14,18 +14,19 @@ class TimeUp(BaseException):
 
 
 @contextmanager
-def time_limit(seconds: float) -> Iterator[None]:
-    """Raise :class:`TimeUp` in the block once it has used ``seconds`` of processor time.
+def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[None]:
+    """Raise ``error`` in the block once it has used ``seconds`` of processor time.
 
     Work inside one call of a C library goes on to the end of that call. Where the system has no
-    such signal, and outside the main thread, there is no limit.
+    such signal, outside the main thread, and where a limit runs already, there is no limit.
     """
-    if not hasattr(signal, "SIGPROF") or threading.current_thread() is not threading.main_thread():
+    main = threading.current_thread() is threading.main_thread()
+    if not main or not hasattr(signal, "setitimer") or signal.getitimer(signal.ITIMER_PROF)[0]:
         yield
         return
 
     def over(*_: object) -> NoReturn:
-        raise TimeUp
+        raise error
 
     before = signal.signal(signal.SIGPROF, over)
     signal.setitimer(signal.ITIMER_PROF, seconds)
