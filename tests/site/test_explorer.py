@@ -336,6 +336,13 @@ def test_moments_make_the_shape(open_page: Open) -> None:
     texts = tuple(map(fraction_text, body))
     assert_close(number(page, "defect0"), *texts, "0")
     assert page.inner_text("#command") == "tresym flip --inertia 886 16336 18270.5 --gamma=0"
+    sides = page.evaluate("sidesOf(level())")
+    assert sides[2] == 0  # I₃ > I₁ + I₂: a phantom
+    page.fill("#I3", "17000")
+    x, y, z = (side**2 for side in page.evaluate("sidesOf(level())"))
+    assert (x + z) / (y + z) == pytest.approx(16336 / 886)
+    assert (x + y) / (x + z) == pytest.approx(17000 / 16336)
+    page.fill("#I3", "18270.5")
     for name, text, says in (("I2", "3", "I₂ must be more"), ("I1", "0", "must be positive")):
         good = page.input_value(f"#{name}")
         page.fill(f"#{name}", text)
@@ -371,7 +378,7 @@ def test_bad_input_gets_one_clear_line(open_page: Open) -> None:
 def test_the_keyboard_is_enough(open_page: Open) -> None:
     page = open_page()
     reached = []
-    for _ in range(60):
+    for _ in range(75):
         page.keyboard.press("Tab")
         reached.append(page.evaluate("document.activeElement.id"))
     order = ["space", "sphere", "portrait", "map", "play", "moment"]
@@ -492,6 +499,12 @@ def test_the_story_sets_the_stage(open_page: Open, width: int) -> None:
     page.wait_for_function("byId('stage').dataset.scene === 'portrait-scene'")
     page.click("[data-level=rolls]")
     assert page.text_content("[data-live=kind]").startswith("rotating")
+    page.click("#steps a[href='#body-scene']")
+    page.wait_for_function("byId('stage').dataset.scene === 'body-scene'")
+    for name, says in (("racket-1", "no rigid body has it"), ("str", "a rigid body can have it")):
+        page.click(f"[data-body={name}]")
+        assert page.text_content("[data-live=verdict]").endswith(says)
+    assert page.get_attribute("#steps a[href='#body-scene']", "aria-current") == "step"
 
 
 @needs_browser
