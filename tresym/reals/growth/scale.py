@@ -161,7 +161,7 @@ class Scale:
     def times(self, p: Powers, q: Powers, sign: int = 1) -> Powers:
         """The product, or for ``sign`` −1 the quotient."""
         if not q or (not p and sign == 1):
-            return p if not q else q
+            return q or p
         found = dict(p)
         for w, x in q.items():
             total = found.get(w, ZERO) + sign * x
