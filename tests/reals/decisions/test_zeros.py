@@ -88,7 +88,7 @@ def test_lowest_points_of_polynomials(
     point = {
         name: fmpq(round(value * 10**9), 10**9) for name, value in zip("xy", near, strict=True)
     }
-    answer = equal_at_lowest(parse(left), parse("0"), Given.parse(given), point)
+    answer = equal_at_lowest(parse(left), parse("0"), Given.parse(given), {"x": x, "y": y})
     assert (answer is not None) is found
 
 
