@@ -85,9 +85,7 @@ def test_where_signs_can_change(claim: str, verdict: Verdict) -> None:
 def test_lowest_points_of_polynomials(
     left: str, given: str, near: tuple[float, float], found: bool
 ) -> None:
-    point = {
-        name: fmpq(round(value * 10**9), 10**9) for name, value in zip("xy", near, strict=True)
-    }
+    x, y = (fmpq(round(value * 10**9), 10**9) for value in near)
     answer = equal_at_lowest(parse(left), parse("0"), Given.parse(given), {"x": x, "y": y})
     assert (answer is not None) is found
 
