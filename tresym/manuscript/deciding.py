@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tresym.manuscript.reading import EQUATION, UNREAD, Link
+from tresym.manuscript.claims import EQUATION, UNREAD, Link
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.limits import Task, check_all
 from tresym.reals.numbers.exact import InputError

@@ -41,37 +41,9 @@ _NAMES = {"const": r"\mathrm{const}", "hot": r"\mathrm{hot}"}
 """Words that stand in formulas."""
 _PRODUCTS = frozenset(["ab", "kr", "kP", "aD", "gt"])
 """Latin letters side by side that are a product."""
-_AFTER_A = frozenset(
-    [
-        "and",
-        "or",
-        "is",
-        "are",
-        "at",
-        "in",
-        "with",
-        "given",
-        "alone",
-        "for",
-        "to",
-        "by",
-        "as",
-        "has",
-        "tends",
-        "goes",
-        "falls",
-        "rises",
-        "grows",
-        "increases",
-        "decreases",
-        "exactly",
-        "when",
-        "where",
-        "which",
-        "but",
-        "than",
-        "through",
-    ]
+_AFTER_A = re.compile(
+    "and|or|is|are|at|in|with|alone|for|to|by|as|has|tends|goes|falls|rises|grows|increases|"
+    "decreases|exactly|when|where|which|but|than|through"
 )
 """Words before which a lone ``a`` is the letter and no article."""
 
@@ -326,7 +298,7 @@ class _Reader:
         if after.kind != "space":
             return False
         then = self._at(2)
-        return not (then.text in _AFTER_A or any(then.text in known for known in signs))
+        return not (_AFTER_A.fullmatch(then.text) or any(then.text in known for known in signs))
 
     def _bracket(self) -> str | None:
         start, opening = self.place, self._at().text
