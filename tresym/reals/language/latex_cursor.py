@@ -161,7 +161,7 @@ class Cursor:
         token = self.peek()
         if not token or token in RELATIONS or token in STOPS:
             return False
-        if token == "|" and not self.bars and self.peek(1) != "_":
+        if token == "|" and not self.bars and self.peek(1) not in ("_", "^"):
             return True
         return token not in CLOSING and not token.startswith(("\\end", "\\right"))
 
