@@ -30,7 +30,7 @@ def picture(label: str, claims: dict[str, Record]) -> str:
     rows = max(len(kept) + bool(n) for kept, n in zip(shown, more, strict=True))
     wide, high = ACROSS * (len(shown) - 1) + BOX, DOWN * (rows - 1) + HIGH
     places = {
-        name: (ACROSS * x, (high - DOWN * (len(kept) - 1 + bool(n)) - HIGH) / 2 + DOWN * y)
+        name: (float(ACROSS * x), (high - DOWN * (len(kept) - 1 + bool(n)) - HIGH) / 2 + DOWN * y)
         for x, (kept, n) in enumerate(zip(shown, more, strict=True))
         for y, name in enumerate(kept)
     }
