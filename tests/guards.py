@@ -31,9 +31,13 @@ from mutations import ROOT, Mutant, apply, mutants
 CHECKERS = (
     *("ledger/judge.py", "ledger/definitions.py", "ledger/meaning.py", "ledger/evidence/*.py"),
     *("reals/normal/*.py", "reals/signs/*.py", "reals/advocate.py", "reals/places/unworked.py"),
-    *(f"reals/balls/{name}.py" for name in ("boxes", "order", "contact")),
+    *("reals/balls/boxes.py", "reals/balls/contact.py", "reals/growth/*.py"),
     *(f"reals/decisions/{name}.py" for name in ("identity", "inequalities", "equalities")),
-    *(f"reals/decisions/{name}.py" for name in ("region", "orders", "statement")),
+    *(f"reals/decisions/{name}.py" for name in ("region", "orders", "statement", "growth")),
+    *(f"reals/decisions/{name}.py" for name in ("branches", "reduced", "zeros", "tending")),
+    *(f"reals/decisions/{name}.py" for name in ("approach", "integrals", "totals", "whole")),
+    *(f"reals/decisions/{name}.py" for name in ("equations", "unknowns", "simple")),
+    "reals/places/integrands.py",
 )
 RECORD, REACHED = ROOT / "build" / "guards.jsonl", ROOT / "build" / "guards-reached.json"
 EQUIVALENT = ROOT / "tests" / "data" / "equivalent.json"

@@ -98,3 +98,26 @@ function toFloat(x) {
 function bitLength(n) {
   return 4 * n.toString(16).length;
 }
+
+/**
+ * x/y − 1.
+ *
+ * @param {Fraction} x
+ * @param {Fraction} y positive
+ * @returns {Fraction}
+ */
+function excess(x, y) {
+  return { top: x.top * y.bottom - y.top * x.bottom, bottom: y.top * x.bottom };
+}
+
+/**
+ * A fraction as one types it, in lowest terms.
+ *
+ * @param {Fraction} x
+ * @returns {string}
+ */
+function fractionText({ top, bottom }) {
+  let [p, q] = [top < 0n ? -top : top, bottom];
+  while (q) [p, q] = [q, p % q];
+  return bottom === p ? `${top / p}` : `${top / p}/${bottom / p}`;
+}

@@ -1,174 +1,21 @@
 /**
- * The body turning in space: an orthographic view of a flat thing that lies in the plane of e₁
- * (the handle) and e₂, drawn as SVG. Z, up, is along the angular momentum.
+ * The body turning in space, with what its motion leaves behind: the trail of its tip, the turn of its
+ * handle about M on a dial, and the two angles on two instruments.
  *
- * R = R_z(φ) R_y(θ) R_z(ψ) takes the body axes (e₂, e₃, e₁) to the space axes (X, Y, Z).
+ * R = R_z(φ) R_y(θ) R_z(ψ) takes the body axes (e₂, e₃, e₁) to the space axes (X, Y, Z), with Z along
+ * the angular momentum M.
  */
 "use strict";
 
-/** @typedef {[number, number, number]} Vector along X, Y, Z */
-
-/** @typedef {[number, number]} Spot along e₁ and e₂ */
-
-/**
- * A flat thing. Its outlines are filled with the colour of the face that is seen; thin lines are on
- * both faces, bars are thick, and the dot is on the face of +e₃ alone.
- *
- * @typedef {object} Thing
- * @property {Spot[][]} outlines
- * @property {Spot[][]} lines
- * @property {Spot[][]} bars
- * @property {Spot} dot
- * @property {number} tip how far the head reaches along e₁
- */
-
-const SCALE = 100;
-const AZIMUTH = (-50 * Math.PI) / 180;
-const ELEVATION = (22 * Math.PI) / 180;
-
-/** @type {{ right: Vector, up: Vector, towards: Vector }} the viewer's axes */
-const EYE = {
-  right: [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0],
-  up: [
-    -Math.sin(ELEVATION) * Math.cos(AZIMUTH),
-    -Math.sin(ELEVATION) * Math.sin(AZIMUTH),
-    Math.cos(ELEVATION),
-  ],
-  towards: [
-    Math.cos(ELEVATION) * Math.cos(AZIMUTH),
-    Math.cos(ELEVATION) * Math.sin(AZIMUTH),
-    Math.sin(ELEVATION),
-  ],
-};
-
-/** @type {Record<string, Thing>} */
-const THINGS = { racket: racket(), book: book(), molecule: molecule() };
-
-/** @returns {Thing} */
-function racket() {
-  const [centre, long, wide] = [0.62, 0.42, 0.32];
-  const lines = [-0.66, -0.33, 0, 0.33, 0.66].flatMap((t) => {
-    const half = Math.sqrt(1 - t * t);
-    return /** @type {Spot[][]} */ ([
-      [
-        [centre - long * half, wide * t],
-        [centre + long * half, wide * t],
-      ],
-      [
-        [centre + long * t, -wide * half],
-        [centre + long * t, wide * half],
-      ],
-    ]);
-  });
-  return {
-    outlines: [ellipse(centre, 0, long, wide)],
-    lines,
-    bars: [
-      [
-        [-0.95, 0],
-        [centre - long, 0],
-      ],
-    ],
-    dot: [centre, 0],
-    tip: centre + long,
-  };
-}
-
-/** @returns {Thing} */
-function book() {
-  const [long, wide] = [0.95, 0.62];
-  return {
-    outlines: [
-      [
-        [-long, -wide],
-        [long, -wide],
-        [long, wide],
-        [-long, wide],
-      ],
-    ],
-    lines: [
-      [
-        [-long, 0.84 * wide],
-        [long, 0.84 * wide],
-      ],
-      [
-        [0.4, -0.3],
-        [0.4, 0.3],
-      ],
-      [
-        [0.55, -0.2],
-        [0.55, 0.2],
-      ],
-    ],
-    bars: [
-      [
-        [-long, wide],
-        [long, wide],
-      ],
-    ],
-    dot: [-0.35, 0],
-    tip: long,
-  };
-}
-
-/** @returns {Thing} */
-function molecule() {
-  const hydrogens = /** @type {Spot[]} */ ([
-    [0.76, 0.5],
-    [0.76, -0.5],
-    [-0.76, 0.5],
-    [-0.76, -0.5],
-  ]);
-  return {
-    outlines: [
-      ellipse(0.36, 0, 0.2, 0.2),
-      ellipse(-0.36, 0, 0.2, 0.2),
-      ...hydrogens.map(([x, y]) => ellipse(x, y, 0.13, 0.13)),
-    ],
-    lines: [],
-    bars: [
-      [
-        [-0.36, 0.06],
-        [0.36, 0.06],
-      ],
-      [
-        [-0.36, -0.06],
-        [0.36, -0.06],
-      ],
-      ...hydrogens.map((end) => /** @type {Spot[]} */ ([[Math.sign(end[0]) * 0.36, 0], end])),
-    ],
-    dot: [0.36, 0],
-    tip: 0.56,
-  };
-}
-
-/**
- * @param {number} x centre along e₁
- * @param {number} y centre along e₂
- * @param {number} long half axis along e₁
- * @param {number} wide half axis along e₂
- * @returns {Spot[]}
- */
-function ellipse(x, y, long, wide) {
-  return Array.from({ length: 48 }, (_, i) => {
-    const angle = (2 * Math.PI * i) / 48;
-    return [x + long * Math.cos(angle), y + wide * Math.sin(angle)];
-  });
-}
-
-/**
- * @param {Spot[]} outline
- * @returns {Spot[]} the outline with its first spot again at the end
- */
-function toItsStart(outline) {
-  return [...outline, outline[0]];
-}
+const FLOOR = -1.28;
+const DIAL = 1.2;
+const TRAIL = { steps: 56, turns: 0.5 };
 
 /**
  * The body axes in space.
  *
  * @param {Attitude} attitude
- * @returns {{ first: Vector, second: Vector, third: Vector }}
+ * @returns {Axes}
  */
 function axesOf({ psi, theta, phi }) {
   const [cp, sp] = [Math.cos(phi), Math.sin(phi)];
@@ -182,106 +29,264 @@ function axesOf({ psi, theta, phi }) {
 }
 
 /**
- * @param {Vector} x
- * @param {Vector} y
- * @returns {number}
- */
-function dot(x, y) {
-  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
-/**
- * SVG coordinates of a point in space.
- *
- * @param {Vector} point
- * @returns {string}
- */
-function onPaper(point) {
-  return `${(SCALE * dot(point, EYE.right)).toFixed(1)} ${(-SCALE * dot(point, EYE.up)).toFixed(1)}`;
-}
-
-/**
- * The drawing commands of a line through points in space.
- *
- * @param {Vector[]} points
- * @returns {string}
- */
-function lineThrough(points) {
-  return "M" + points.map(onPaper).join("L");
-}
-
-/**
- * The parts of the scene that stay while a motion plays: the circle a level handle's head runs on,
- * M, and the path of the head.
- *
- * @param {SVGElement} scene
+ * @param {Pen} pen
+ * @param {Motion} motion
+ * @param {number} share how much of the turn has passed
  * @param {Thing} thing
- * @param {Vector[]} path the handle's direction along the motion
+ * @param {Camera} camera
+ * @param {{ ghosts: boolean, whole: boolean }} show the first and last attitude; the path of one turn
  */
-function drawStage(scene, thing, path) {
-  const ring = Array.from({ length: 73 }, (_, i) => {
-    const angle = (Math.PI * i) / 36;
-    return /** @type {Vector} */ ([thing.tip * Math.cos(angle), thing.tip * Math.sin(angle), 0]);
+function drawSpace(pen, motion, share, thing, camera, show) {
+  const scale = Math.min(pen.width / 2.9, pen.height / 2.66);
+  const eye = eyeOf(camera, scale, [pen.width / 2, 0.475 * pen.height]);
+  const pose = poseAt(motion, share);
+  const from = poseAt(motion, 0);
+  const axes = axesOf(pose);
+  drawShadow(pen, eye, thing, axes);
+  // The body is flat: what lies on the eye's side of its plane is before it, the rest behind.
+  const side = Math.sign(dot(axes.third, eye.towards)) || 1;
+  /** @param {Vector} point */
+  const before = (point) => side * dot(point, axes.third) > 0;
+  const layers = [
+    ...dialOf(from.phi, pose.phi),
+    ...momentumArrow(),
+    ...(show.whole ? [pathOf(motion, thing)] : []),
+    ...trailOf(motion, share, thing),
+  ];
+  for (const layer of layers) drawPart(pen, eye, layer, (point) => !before(point));
+  if (show.ghosts) for (const at of [0, 1]) drawGhost(pen, eye, thing, axesOf(poseAt(motion, at)));
+  thing.draw(pen, eye, axes);
+  for (const layer of layers) drawPart(pen, eye, layer, before);
+  const tip = seen(eye, [0, 0, 1.42]);
+  pen.words([tip[0] + 7, tip[1] + 3], "M", { fill: COLOURS.ink, size: 17, italic: true });
+  drawInstruments(pen, motion, from, pose);
+}
+
+/** @typedef {{ points: Vector[], style: Stroke, closed?: boolean }} Layer a line in space */
+
+/**
+ * The pieces of a line that lie on one side.
+ *
+ * @param {Pen} pen
+ * @param {Eye} eye
+ * @param {Layer} layer
+ * @param {(point: Vector) => boolean} here
+ */
+function drawPart(pen, eye, { points, style }, here) {
+  /** @type {Spot[]} */
+  const spots = [];
+  let some = false;
+  for (let i = 1; i < points.length; i++) {
+    const middle = sum([0.5, points[i - 1]], [0.5, points[i]]);
+    if (here(middle)) {
+      if (!spots.length || spots[spots.length - 1][0] !== spots[spots.length - 1][0])
+        spots.push(seen(eye, points[i - 1]));
+      spots.push(seen(eye, points[i]));
+      some = true;
+    } else {
+      spots.push([NaN, NaN]);
+    }
+  }
+  if (some) pen.line(spots, style);
+}
+
+/**
+ * @param {number} from
+ * @param {number} to
+ * @param {number} radius
+ * @returns {Vector[]} an arc about M
+ */
+function arcAbout(from, to, radius) {
+  const steps = Math.max(2, Math.ceil(Math.abs(to - from) / 0.09));
+  return Array.from({ length: steps + 1 }, (_, i) => {
+    const angle = from + ((to - from) * i) / steps;
+    return /** @type {Vector} */ ([radius * Math.cos(angle), radius * Math.sin(angle), 0]);
   });
-  const head = path.map((way) => /** @type {Vector} */ (way.map((x) => thing.tip * x)));
-  const top = -SCALE * dot([0, 0, 1.28], EYE.up);
-  scene.querySelectorAll("path, text, circle").forEach((part) => part.remove());
-  add(scene, "path", { class: "ring", d: lineThrough(ring) });
-  add(scene, "path", { class: "trail", d: lineThrough(head) });
-  add(scene, "path", { class: "momentum", d: `M0 0V${top + 8}` });
-  add(scene, "path", { class: "momentum-head", d: `M0 ${top}l-4.5 11h9z` });
-  add(scene, "text", { x: 9, y: top + 12, class: "vector" }).textContent = "M";
-  add(scene, "path", { class: "bars" });
-  add(scene, "path", { class: "outlines" });
-  add(scene, "path", { class: "lines" });
-  add(scene, "circle", { class: "dot", r: 4.5 });
 }
 
 /**
- * The body at one moment.
+ * The dial about M, and on it how far the handle has turned.
  *
- * @param {SVGElement} scene with the parts of drawStage
+ * @param {number} from φ at the start
+ * @param {number} to φ now
+ * @returns {Layer[]}
+ */
+function dialOf(from, to) {
+  const turned = Math.min(to - from, 2 * Math.PI);
+  const layers = [{ points: arcAbout(0, 2 * Math.PI, DIAL), style: { stroke: COLOURS.edge } }];
+  for (let i = 0; i < 12; i++) {
+    const angle = from + (Math.PI * i) / 6;
+    const way = /** @type {Vector} */ ([Math.cos(angle), Math.sin(angle), 0]);
+    const points = [DIAL - (i ? 0.035 : 0.09), DIAL + (i ? 0.035 : 0.09)].map((r) => sum([r, way]));
+    layers.push({ points, style: { stroke: COLOURS.quiet, width: i ? 1 : 2 } });
+  }
+  if (turned > 0) {
+    const style = { stroke: COLOURS.accent, width: 4, alpha: 0.85 };
+    layers.push({ points: arcAbout(to - turned, to, DIAL), style });
+  }
+  return layers;
+}
+
+/** @returns {Layer[]} */
+function momentumArrow() {
+  const style = { stroke: COLOURS.ink, width: 2.6 };
+  /** @type {Vector[]} */
+  const shaft = Array.from({ length: 15 }, (_, i) => [0, 0, 0.1 * i]);
+  /** @type {Vector[][]} */
+  const barbs = [0, 1, 2, 3].map((i) => {
+    const angle = (Math.PI * i) / 2;
+    return [
+      [0, 0, 1.4],
+      [0.045 * Math.cos(angle), 0.045 * Math.sin(angle), 1.28],
+    ];
+  });
+  return [shaft, ...barbs].map((points) => ({ points, style }));
+}
+
+/**
+ * The way of the tip in one turn.
+ *
+ * @param {Motion} motion
  * @param {Thing} thing
- * @param {Attitude} attitude
+ * @returns {Layer}
  */
-function drawThing(scene, thing, attitude) {
-  const { first, second, third } = axesOf(attitude);
-  /** @param {Spot} spot */
-  const inSpace = ([x, y]) => /** @type {Vector} */ (first.map((e, i) => x * e + y * second[i]));
-  /** @param {Spot[][]} strokes */
-  const drawn = (strokes) => strokes.map((stroke) => lineThrough(stroke.map(inSpace))).join("");
-  const front = dot(third, EYE.towards) > 0;
-  part(scene, "bars").setAttribute("d", drawn(thing.bars));
-  part(scene, "lines").setAttribute("d", drawn(thing.lines));
-  const outlines = part(scene, "outlines");
-  outlines.setAttribute("d", drawn(thing.outlines.map(toItsStart)));
-  outlines.setAttribute("class", front ? "outlines front" : "outlines back");
-  const mark = part(scene, "dot");
-  const [x, y] = onPaper(inSpace(thing.dot)).split(" ");
-  mark.setAttribute("cx", x);
-  mark.setAttribute("cy", y);
-  mark.setAttribute("visibility", front ? "visible" : "hidden");
+function pathOf(motion, thing) {
+  const points = Array.from({ length: 121 }, (_, i) =>
+    sum([thing.tip, axesOf(poseAt(motion, i / 120)).first]),
+  );
+  return { points, style: { stroke: COLOURS.quiet, width: 1.2, dash: [1.5, 4] } };
 }
 
 /**
- * @param {SVGElement} scene
- * @param {string} name a class
- * @returns {Element}
- */
-function part(scene, name) {
-  return /** @type {Element} */ (scene.querySelector(`.${name}`));
-}
-
-/**
- * A new element at the end of an SVG element.
+ * The last half turn of the tip, fading.
  *
- * @param {Element} parent
- * @param {string} name
- * @param {Record<string, string | number>} [attributes]
- * @returns {Element}
+ * @param {Motion} motion
+ * @param {number} share
+ * @param {Thing} thing
+ * @returns {Layer[]}
  */
-function add(parent, name, attributes = {}) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return parent.appendChild(element);
+function trailOf(motion, share, thing) {
+  const { steps, turns } = TRAIL;
+  const length = Math.min(turns, Math.max(share, 0));
+  if (length === 0) return [];
+  const points = Array.from({ length: steps + 1 }, (_, i) =>
+    sum([thing.tip, axesOf(poseAt(motion, share - length * (1 - i / steps))).first]),
+  );
+  return points.slice(1).map((point, i) => ({
+    points: [points[i], point],
+    style: {
+      stroke: COLOURS.oscillating,
+      width: 1 + (3.2 * i) / steps,
+      alpha: 0.08 + 0.85 * (i / steps) ** 1.5,
+    },
+  }));
+}
+
+/**
+ * @param {Pen} pen
+ * @param {Eye} eye
+ * @param {Thing} thing
+ * @param {Axes} axes
+ */
+function drawShadow(pen, eye, thing, axes) {
+  if (dot(eye.sky, eye.towards) < 0.02) return;
+  for (const [size, alpha] of [
+    [1.05, 0.05],
+    [1, 0.06],
+    [0.94, 0.05],
+  ]) {
+    const spots = thing.outline.map((point) => {
+      const at = placedBy(axes, /** @type {Vector} */ (point.map((x) => size * x)));
+      return seen(eye, sum([1, at], [FLOOR - dot(at, eye.sky), eye.sky]));
+    });
+    pen.area(spots, { fill: "#000000", alpha });
+  }
+}
+
+/**
+ * @param {Pen} pen
+ * @param {Eye} eye
+ * @param {Thing} thing
+ * @param {Axes} axes
+ */
+function drawGhost(pen, eye, thing, axes) {
+  const spots = thing.outline.map((point) => seen(eye, placedBy(axes, point)));
+  const face = dot(axes.third, eye.towards) > 0 ? COLOURS.front : COLOURS.back;
+  pen.area(spots, { fill: face, alpha: 0.14 });
+  pen.area(spots, { stroke: face, width: 1.4, dash: [5, 4], alpha: 0.9 });
+}
+
+/**
+ * Two round instruments: the turn of the handle, and the flip with what is missing to half a turn.
+ *
+ * @param {Pen} pen
+ * @param {Motion} motion
+ * @param {Attitude} from
+ * @param {Attitude} pose
+ */
+function drawInstruments(pen, motion, from, pose) {
+  const radius = clamp(0.085 * Math.min(pen.width, 1.3 * pen.height), 17, 40);
+  const [aside, y] = [Math.max(radius + 12, 44), pen.height - radius - 24];
+  const turn = pose.phi - from.phi;
+  const flip = pose.psi - from.psi;
+  drawInstrument(pen, [aside, y], radius, Math.PI, -turn, COLOURS.accent, []);
+  pen.words([aside, y + radius + 16], `handle ${degrees(turn)}`, label());
+  const missing = motion.begin === -motion.end ? Math.PI - (poseAt(motion, 1).psi - from.psi) : 0;
+  /** @type {[number, number][]} */
+  const wedges =
+    Math.abs(missing) > 1e-3 && Math.abs(missing) < Math.PI
+      ? [
+          [Math.PI, Math.PI - missing / 2],
+          [0, missing / 2],
+        ]
+      : [];
+  const at = /** @type {Spot} */ ([pen.width - aside, y]);
+  const start = Math.PI - (motion.begin === -motion.end ? missing / 2 : 0);
+  drawInstrument(pen, at, radius, start, -flip, COLOURS.oscillating, wedges);
+  pen.words([at[0], y + radius + 16], `flip ${degrees(flip)}`, label());
+}
+
+/** @returns {Lettering} */
+function label() {
+  return { fill: COLOURS.ink, size: 12.5, align: "center", halo: COLOURS.card };
+}
+
+/**
+ * @param {number} angle
+ * @returns {string}
+ */
+function degrees(angle) {
+  return withMinus(`${Math.round(angle / DEGREE)}°`);
+}
+
+/**
+ * @param {Pen} pen
+ * @param {Spot} at
+ * @param {number} radius
+ * @param {number} start where its pointer begins, counted from the right against the clock
+ * @param {number} turned
+ * @param {string} colour
+ * @param {[number, number][]} wedges what is missing
+ */
+function drawInstrument(pen, at, radius, start, turned, colour, wedges) {
+  /** @param {number} from @param {number} to @param {number} size @returns {Spot[]} */
+  const arc = (from, to, size) =>
+    Array.from({ length: 33 }, (_, i) => {
+      const angle = from + ((to - from) * i) / 32;
+      return [at[0] + size * Math.cos(angle), at[1] - size * Math.sin(angle)];
+    });
+  pen.disc(at, radius, { fill: COLOURS.card, stroke: COLOURS.edge, width: 1.2, alpha: 0.92 });
+  for (const [from, to] of wedges) {
+    pen.area([at, ...arc(from, to, radius - 1)], { fill: COLOURS.warning, alpha: 0.55 });
+  }
+  const swept = Math.sign(turned) * Math.min(Math.abs(turned), 2 * Math.PI);
+  pen.area([at, ...arc(start + turned - swept, start + turned, 0.78 * radius)], {
+    fill: colour,
+    alpha: 0.3,
+  });
+  pen.line([at, ...arc(start + turned, start + turned, 0.9 * radius).slice(0, 1)], {
+    stroke: colour,
+    width: 2.6,
+  });
+  pen.disc(at, 2.4, { fill: COLOURS.ink });
 }

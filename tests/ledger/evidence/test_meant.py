@@ -39,7 +39,6 @@ from tresym.ledger.statements import Rounds
 from tresym.ledger.verification import verify
 from tresym.racket.notation import a, b, epsilon0
 from tresym.reals.balls.boxes import Bound, BoxProof, box
-from tresym.reals.balls.germ import Germs
 from tresym.reals.balls.gradient import Gradient
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.rows import report_json
@@ -159,10 +158,6 @@ def test_a_slip_of_a_formula_is_noticed(label: str) -> None:
 
 
 # Margins, orders and printed formulas that are not one function
-
-
-def by_type(x: Any, m: Any) -> Any:
-    return x if isinstance(m, Germs) else 0 * x + arb(3)
 
 
 def by_type_of_slopes(x: Any, m: Any) -> Any:

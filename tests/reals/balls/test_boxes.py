@@ -15,7 +15,6 @@ from tresym.reals.balls.boxes import (
     inconsistent,
     leaf_boxes,
     recheck,
-    supremum,
     value_at,
 )
 from tresym.reals.balls.gradient import Divided, coordinates, gradients, taylor_coefficients
@@ -150,28 +149,6 @@ def test_precision_is_restored():
     before = ctx.prec, ctx.cap
     decide_bound(Bound(cosine_margin, UNIT, precision=200))
     assert (ctx.prec, ctx.cap) == before
-
-
-@pytest.mark.parametrize("slopes", [False, True])
-def test_supremum_encloses_a_known_maximum(slopes):
-    def bump(x, y, m):
-        return 2 - (x - arb(fmpq(1, 3))) ** 2 - (y - arb(fmpq(1, 7))) ** 2
-
-    found = supremum(bump, UNIT, tolerance="1e-4", slopes=slopes)
-    assert found is not None
-    assert found.low <= 2
-    assert found.high >= 2
-    assert found.high / found.low < 1.0002
-    assert value_at(bump, found.point).overlaps(found.low)
-
-
-def test_supremum_at_a_corner_and_out_of_budget():
-    found = supremum(lambda x, y, m: m.exp(x) * (1 + y), UNIT, slopes=True)
-    assert found is not None
-    with ball_precision(100):
-        assert found.ball.contains(2 * arb(1).exp())
-        assert found.ball.rad() < 1e-8
-    assert supremum(lambda x, y, m: m.exp(x * y), UNIT, "1e-9", budget=20) is None
 
 
 def formula(x, y, m):
@@ -348,9 +325,33 @@ def test_the_search_ends_open_at_boxes_that_no_precision_can_tell():
     assert outcome.worst[0].low <= fmpq(1, 3) <= outcome.worst[0].high
 
 
-def test_a_supremum_that_is_nowhere_seen_to_be_positive_is_none():
-    assert supremum(lambda x, m: 0 * x, box((0, 1))) is None
-    assert supremum(lambda x, m: (x - 5).sqrt(), box((0, 1))) is None
-    found = supremum(lambda x, m: 1 - (x - 1) * (x - 1), box((0, 1)), slopes=True)
-    assert found is not None
-    assert found.ball.contains(1)
+COSINE = Divided(lambda s: s.cos(), 2)
+SINE = Divided(lambda s: s.sin(), 3)
+
+
+def kepler_margin(constant, side):
+    """e⁻³ times the residual of Kepler's equation at M + e sin M + (e²/2) sin 2M ± C e³."""
+
+    def margin(e, mean, m):
+        s, c = m.sin(mean), m.cos(mean)
+        delta = s + e * s * c + e * e * (constant * side)
+        z = e * delta
+        # (z − sin z)/z³ and (1 − cos z)/z², regular at 0; sin(M + z) expanded by addition.
+        cubic, square = -SINE(z), -COSINE(z)
+        residual = (
+            s * delta**2 * square + c * e * delta**3 * cubic - c * (s * c + e * constant * side)
+        )
+        return side * residual + constant
+
+    return margin
+
+
+@pytest.mark.parametrize(("constant", "expected"), [("2/3", "ENCLOSED"), ("3/10", "REFUTED")])
+def test_kepler_equation_uniformly_in_the_mean_anomaly(constant, expected):
+    """|E − M − e sin M − (e²/2) sin 2M| ≤ C e³ for 0 < e ≤ 1/5 and every M."""
+    number = fmpq(*map(int, constant.split("/")))
+    region = box((0, "1/5"), (0, "6284/1000"))
+    margins = (kepler_margin(arb(number), side) for side in (1, -1))
+    found = {decide_bound(Bound(m, region, slopes=True)).verdict.name for m in margins}
+    assert (found == {"ENCLOSED"}) is (expected == "ENCLOSED")
+    assert ("REFUTED" in found) is (expected == "REFUTED")

@@ -8,6 +8,7 @@ from flint import arb, fmpq
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.orders import decide_order
 from tresym.reals.decisions.reading import Statement, read
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.places.values import evaluate
@@ -69,9 +70,9 @@ def test_near_falsehoods_do_not_hold(_: str, false: str) -> None:
 @pytest.mark.parametrize(
     ("claim", "order"),
     [
-        ("sin(x) - x == O(x**4) as x -> 0", "x^(3)"),
-        ("cos(x) - 1 == o(x**2) as x -> 0", "x^(2)"),
-        ("sqrt(x) == O(x) as x -> 0+", "x^(1/2)"),
+        ("sin(x) - x == O(x**4) as x -> 0", "x**3"),
+        ("cos(x) - 1 == o(x**2) as x -> 0", "x**2"),
+        ("sqrt(x) == O(x) as x -> 0+", "sqrt(x)"),
     ],
 )
 def test_the_true_order_is_named(claim: str, order: str) -> None:
@@ -157,3 +158,63 @@ def test_a_witness_is_on_the_path(path: str) -> None:
     assert abs(x - int(point)) <= 1 or "oo" in path
     ratio = parse_number(found.values[0].mid) / parse_number(found.values[1].mid)
     assert ratio == x**2 + 3
+
+
+SMOOTH = [
+    ("sin(x) - x == O(x**3) as x -> 0", True),
+    ("sin(x) - x == O(x**4) as x -> 0", False),
+    ("sin(x) - x == o(x**2) as x -> 0", True),
+    ("sin(x) - x == o(x**3) as x -> 0", False),
+    ("sin(x) - x ~ -x**3/6 as x -> 0", True),
+    ("sin(x) - x ~ x**3/6 as x -> 0", False),
+    ("sin(x) - x ~ -x**3/6*(1 + 10**(-30)) as x -> 0", False),
+    ("x**2 - 2 ~ 2*sqrt(2)*(x - sqrt(2)) as x -> sqrt(2)", True),
+    ("x**2 - 2 ~ 3*(x - sqrt(2)) as x -> sqrt(2)", False),
+    ("log(x/3) ~ x/3 - 1 as x -> 3", True),
+    ("tan(x) - 2 == O(x - atan(2)) as x -> atan(2)", True),
+    ("tan(x) - 2 == O((x - atan(2))**2) as x -> atan(2)", False),
+    ("cos(x) == O(1) as x -> pi/2", True),
+    ("sin(x) == O(x*(1/8 - x)) as x -> 0", True),
+    ("cos(x) == o(1) as x -> pi/2", True),
+    ("x**2 ~ 2*x as x -> 0", False),
+    ("sin(x) ~ x**3/6 + x**2/2 as x -> 0", False),
+    ("x**2 == O(2*x) as x -> 0", True),
+    ("x == O(x**2/2) as x -> 0", False),
+    ("x + abs(x)**3 ~ x as x -> 0", True),
+    ("(1/x + 1/2)*log(1 + x) - 1 ~ x**2/12 as x -> 0", True),  # a step of Stirling's series
+    ("(1/x + 1/2)*log(1 + x) - 1 == O(x**3) as x -> 0", False),
+]
+
+
+@pytest.mark.parametrize(("claim", "truth"), SMOOTH)
+def test_smooth_functions_compare_by_their_first_derivatives(claim: str, truth: bool) -> None:
+    assert decided(claim).verdict is (Verdict.ENCLOSED if truth else Verdict.REFUTED)
+
+
+SUPREMA = [
+    ("exp(-x) == O(1) as x -> 0+", "1"),
+    ("x**2*exp(-3*x) == O(x) as x -> 0+", "exp(-1)/3"),
+    ("x + 3*x**3 == O(x) as x -> 0+", "4"),
+    ("x*(1 - x)*(1 - x) == O(1) as x -> 0+", "4/27"),
+    ("0*x == O(x) as x -> 0+", "0"),
+    ("sin(x) - x == O(x**3) as x -> 0", "1/6"),
+]
+"""The supremum of the ratio on (0, 1]: in the limit, inside, at the end."""
+
+
+@pytest.mark.parametrize(("claim", "expected"), SUPREMA)
+def test_the_supremum_lies_in_the_constant(claim: str, expected: str) -> None:
+    found = decided(claim)
+    assert found.constant is not None
+    assert (found.region or "").endswith("<= 1") or expected == "0"
+    mid, rad = map(parse_number, found.constant)
+    with ball_precision():
+        assert arb(mid, rad).overlaps(evaluate(parse(expected), {}))
+    assert rad <= mid / 100
+
+
+def test_a_range_ends_where_a_side_does() -> None:
+    for claim in ("log(1 - 4*x) == O(x) as x -> 0+", "x == O(sqrt(1 - 4*x)) as x -> 0+"):
+        found = decided(claim)
+        assert found.verdict is Verdict.ENCLOSED
+        assert parse_number((found.region or "").split()[-1]) < fmpq(1, 4)

@@ -20,7 +20,7 @@ from tresym.ledger.claim import Claim, Root
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import conditions, defined, definitions, tree
 from tresym.ledger.statements import As, ExactlyOne
-from tresym.reals.balls.ends import sign_beside
+from tresym.reals.decisions.growth import sign_towards
 from tresym.reals.decisions.orders import decide_order
 from tresym.reals.decisions.reading import Comparison, Path
 from tresym.reals.language.binders import worked_out
@@ -233,7 +233,7 @@ def _sign(e: Tree) -> int | None:
     """
     if symbols(e) - {t.name}:
         raise NotAlongError("the path leaves a symbol open")
-    found = sign_beside(e, t.name, ZERO, 1)
+    found = sign_towards(e, t.name, ZERO, 1)
     return None if found is None else found[0]
 
 

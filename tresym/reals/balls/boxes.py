@@ -13,8 +13,7 @@ never closed: divide it out first.
 
 from __future__ import annotations
 
-import heapq
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import product
 from typing import Any, ClassVar
@@ -247,82 +246,6 @@ def leaf_boxes(region: Box, proof: BoxProof) -> Iterator[tuple[Box, str]]:
             raise CertificateError(f"unknown mark {mark!r} in the tree")
     if stack:
         raise CertificateError("the tree ends before its last box")
-
-
-@dataclass(frozen=True)
-class Supremum:
-    """The supremum of a function on a box: in ``[low, high]``, ``low`` certified at ``point``."""
-
-    low: arb
-    high: arb
-    point: BoxPoint
-
-    @property
-    def ball(self) -> arb:
-        """A ball that contains the supremum."""
-        return self.low.union(self.high)
-
-
-def supremum(
-    function: Margin,
-    region: Box,
-    tolerance: str = "1/100",
-    budget: int = 5_000,
-    slopes: bool = False,
-    precision: int = 64,
-) -> Supremum | None:
-    """Enclose the supremum of ``function`` (positive somewhere on ``region``) by best-first search.
-
-    Args:
-        function: of n balls and the arithmetic.
-        region: the box.
-        tolerance: relative width at which the search stops.
-        budget: boxes looked at.
-        slopes: use mean-value forms as well.
-        precision: working precision in bits.
-
-    Returns:
-        The enclosure, or None when the budget did not suffice.
-    """
-    with ball_precision(precision):
-        best = _best([(value_at(function, p), p) for p in _inner_corners(region)])
-        queue: list[tuple[float, int, Box]] = [(float("-inf"), 0, region)]
-        wanted = 1 + arb(as_rational(tolerance))
-        closed = arb.neg_inf()
-        for count in range(1, budget):
-            if not queue:
-                break
-            here = heapq.heappop(queue)[2]
-            middle = tuple(side.middle for side in here)
-            best = _best([best, (value_at(function, middle), middle)])
-            upper, axis = _upper(function, here, region, slopes)
-            if upper <= best[0].lower() * wanted:
-                closed = closed.max(upper.upper())
-                continue
-            for k, half in enumerate(halves(here, axis)):
-                key = -float(upper.upper()) if upper.is_finite() else float("-inf")
-                heapq.heappush(queue, (key, 2 * count + k, half))
-        if queue or not best[0] > 0:
-            return None
-        low = best[0].lower()
-        return Supremum(low, closed.max(low), best[1])
-
-
-def _best(values: Sequence[tuple[arb, BoxPoint]]) -> tuple[arb, BoxPoint]:
-    finite = [pair for pair in values if pair[0].is_finite()]
-    return max(finite or values, key=lambda pair: float(pair[0].lower()))
-
-
-def _upper(function: Margin, here: Box, whole: Box, slopes: bool) -> tuple[arb, int]:
-    """An upper bound of the function over the box, and the axis to halve."""
-    axis = _longest(here, whole)
-    plain = function(*_sides(here), balls).upper()
-    if not slopes:
-        return plain, axis
-    found = _slopes(function, here)
-    refined = _extreme(function, here, found, lowest=False).upper()
-    best = plain if not refined.is_finite() or refined > plain else refined
-    return best, _steepest(here, whole, found, axis)
 
 
 def value_at(function: Margin, point: BoxPoint) -> arb:

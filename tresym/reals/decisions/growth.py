@@ -1,7 +1,8 @@
-"""Order claims by growth: the leading terms of both sides on one scale of functions.
+"""Order claims, and signs beside a point, by growth: leading terms on one scale of functions.
 
 All of it speaks of t → 0+. f = O(g), f = o(g) and f ~ g are read off the leading terms of f and g;
-the range, and the constant of O, come from the same expansions with bounds. Where waves stand in a
+the range, and the constant of O, come from the same expansions with bounds: near the end, for the
+constant, and beyond it from balls over short intervals. Where waves stand in a
 leading coefficient, f and g are those of a sequence t → 0 on which a phase is 0, π/2, π, −π/2 or 1
 modulo 2π, which a phase u → ±∞ is again and again: what fails there fails.
 """
@@ -11,15 +12,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import product
+from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.ends import sign_beside
-from tresym.reals.balls.order import MOST_HALVINGS, Judgement, Order, judge_order
-from tresym.reals.balls.run import formula
+from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.growth.rewritten import Rewritten
-from tresym.reals.growth.scale import T, UnresolvedError
-from tresym.reals.growth.series import Expansions
+from tresym.reals.growth.scale import Leading, T, UnresolvedError
+from tresym.reals.growth.series import Expansions, quotient
 from tresym.reals.language.expression import (
     ONE,
     PI,
@@ -32,65 +32,101 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 HALVINGS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 2048, 8192)
 PHASES = (ZERO, PI / 2, PI, -PI / 2, ONE)
 
-_OPEN = Judgement(Verdict.UNDECIDED)
+OCTAVES, PIECES = 8, 8
+"""How far towards the end balls bound a ratio, and over how many intervals from 2t to t."""
+
 _FAILS = (UnresolvedError, InputError, ZeroDivisionError, OverflowError)
 
 
-def judged_by_expansion(
+class Judgement(NamedTuple):
+    """What an order statement about f and g came to.
+
+    Attributes:
+        verdict: ENCLOSED, REFUTED or UNDECIDED.
+        ratio: leading term of f/g, where it is known and no wave is in it.
+        true_order: likewise, of f.
+        constant: for O, a ball around the supremum of |f/g| on the range.
+        upto: the range 0 < t ≤ upto on which it holds.
+        real: whether f and g are shown to be real on the range, by no point of it.
+    """
+
+    verdict: Verdict
+    ratio: Expr | None = None
+    true_order: Expr | None = None
+    constant: arb | None = None
+    upto: fmpq | None = None
+    real: bool = False
+
+
+_OPEN = Judgement(Verdict.UNDECIDED)
+
+
+def judge_order(
     kind: str,
     left: Expr,
     right: Expr,
-    name: str,
     upto: fmpq = fmpq(1),  # noqa: B008
-    halvings: int = MOST_HALVINGS,
+    shown: tuple[Expr, Expr] = (symbol(T), 1 / symbol(T)),
 ) -> Judgement:
-    """The order statement by expansions in powers of t or of 1/log(1/t) alone."""
-    f, g = formula(left, name), formula(right, name)
-    try:
-        return judge_order(Order(kind, f, g, upto=upto), halvings=halvings)
-    except (ZeroDivisionError, OverflowError, InputError):
-        return _OPEN
+    """The order statement for t → 0+ (the variable ``T``), on a range of at most ``upto``.
 
-
-def judged_by_growth(
-    kind: str,
-    left: Expr,
-    right: Expr,
-    name: str,
-    upto: fmpq = fmpq(1),  # noqa: B008
-) -> Judgement:
-    """The order statement for ``name`` → 0+, on a range of at most ``upto``."""
-    found = Rewritten(name)
+    Args:
+        shown: what t and 1/t are in the leading terms.
+    """
+    found = Rewritten(T)
     try:
         with ball_precision():
             f, g = found.of(left), found.of(right)
             truth = _truth(kind, f, g, found)
             if truth is None:
                 truth = False if _fails_at_a_phase(kind, f, g, found) else None
+            leading = _leading_terms(f, g, found, shown)
             if truth:
-                return _on_a_range(kind, f, g, found, upto)
+                return _on_a_range(kind, f, g, found, upto, left / right, leading)
     except _FAILS:
         return _OPEN
-    return _OPEN if truth is None else Judgement(Verdict.REFUTED, points={"t": upto / 16})
+    return _OPEN if truth is None else Judgement(Verdict.REFUTED, *leading)
+
+
+def _leading_terms(
+    f: Expr, g: Expr, found: Rewritten, shown: tuple[Expr, Expr]
+) -> tuple[Expr | None, Expr | None]:
+    """Those of f/g and of f."""
+    scale = found.scale
+    first, second = map(found.expansions.leading, (f, g))
+    if first is None or second is None or scale.waves:
+        return None, None
+    with suppress(*_FAILS):
+        powers = scale.times(first.powers, second.powers, -1)
+        ratio = Leading(quotient(first.coefficient, second.coefficient), powers)
+        return scale.written(ratio, *shown), scale.written(first, *shown)
+    return None, None
 
 
 def sign_towards(e: Expr, name: str, point: Expr | None, side: int) -> tuple[int, fmpq] | None:
-    """As :func:`tresym.reals.balls.ends.sign_beside`, and by growth where that settles nothing."""
-    beside = sign_beside(e, name, point, side)
-    if beside is not None:
-        return beside
+    """The sign of ``e`` on a whole one-sided neighbourhood.
+
+    Args:
+        point: where; None for infinity.
+        side: +1 from above or to +∞, −1 from below or to −∞.
+
+    Returns:
+        The sign (0 where ``e`` vanishes identically) and r: it holds for 0 < |x − point| ≤ r, or
+        for |x| ≥ 1/r; None where growth does not settle it.
+    """
     t = symbol(T)
-    return sign_near(substitute(e, {name: side / t if point is None else point + side * t}), T)
+    return sign_near(substitute(e, {name: side / t if point is None else point + side * t}))
 
 
-def sign_near(e: Expr, name: str) -> tuple[int, fmpq] | None:
+def sign_near(e: Expr) -> tuple[int, fmpq] | None:
     """The sign of ``e`` for 0 < t ≤ r, and r."""
-    found = Rewritten(name)
+    found = Rewritten(T)
     with ball_precision():
         try:
             f = found.of(e)
@@ -158,32 +194,84 @@ def _over(e: Expr) -> tuple[Expr, Expr]:
     return multiply(*(x for x in parts if x not in negative)), multiply(*denominators)
 
 
-def _on_a_range(kind: str, f: Expr, g: Expr, found: Rewritten, upto: fmpq) -> Judgement:
+def _on_a_range(
+    kind: str,
+    f: Expr,
+    g: Expr,
+    found: Rewritten,
+    upto: fmpq,
+    ratio: Expr,
+    leading: tuple[Expr | None, Expr | None],
+) -> Judgement:
     """What holds as t → 0, with a range, and for O a constant."""
     vanishes = found.expansions.leading(f) is None
     for expansions, reach in _ranges(found, upto):
         try:
-            below = expansions.enclosure(g)
             if vanishes:
                 expansions.size(f)
-                constant = arb(0)
-            else:
-                above = expansions.enclosure(f)
-                ratio = found.scale.times(above.powers, below.powers, -1)
-                high = above.high / below.low
-                low = above.k / below.k if not ratio else arb(0)
-                high = high * expansions.largest(ratio) if kind == "O" else high
-                constant = arb(low.abs_lower()).union(arb(high.upper()))
+            sides = [expansions.enclosure(e) for e in ([g] if vanishes else [f, g])]
+            if not (sides[-1].low > 0 and sides[0].high.is_finite()):
+                continue
+            constant = None
+            if kind == "O":
+                constant = arb(0) if vanishes else _largest(f, g, found, expansions)
         except _FAILS:
             continue
-        if below.low > 0 and constant.is_finite():
-            return Judgement(
-                Verdict.ENCLOSED,
-                constant=constant if kind == "O" else None,
-                upto=reach,
-                real=found.real,
-            )
+        if constant is not None and not vanishes:
+            with suppress(ZeroDivisionError, OverflowError):
+                constant, reach = _supremum(ratio, f, g, found, constant, reach, upto)
+        return Judgement(Verdict.ENCLOSED, *leading, constant, reach, found.real)
     return _OPEN
+
+
+def _largest(f: Expr, g: Expr, found: Rewritten, expansions: Expansions) -> arb:
+    """A ball around the supremum of |f/g| on the range, where f = O(g)."""
+    above, below = expansions.enclosure(f), expansions.enclosure(g)
+    powers = found.scale.times(above.powers, below.powers, -1)
+    low = above.k / below.k if not powers else arb(0)
+    high = above.high / below.low * expansions.largest(powers)
+    return arb(low.abs_lower()).union(arb(high.upper()))
+
+
+def _supremum(
+    ratio: Expr, f: Expr, g: Expr, found: Rewritten, whole: arb, reach: fmpq, upto: fmpq
+) -> tuple[arb, fmpq]:
+    """A narrower ball around the supremum of |f/g|, and a longer range, by balls off the end."""
+    low, high, beyond = whole.lower(), whole.upper(), arb(0)
+    for _ in range(OCTAVES):
+        further = _octave(ratio, reach) if 2 * reach <= upto else None
+        if further is None:
+            break
+        low, beyond, reach = low.max(further[0]), beyond.max(further[1]), 2 * reach
+    high = high.max(beyond)
+    near = reach
+    for _ in range(OCTAVES):
+        near = near / 2
+        octave = _octave(ratio, near)
+        if octave is None or high < low * arb("1.01"):
+            break
+        low, beyond = low.max(octave[0]), beyond.max(octave[1])
+        with suppress(*_FAILS):
+            beside = _largest(f, g, found, Expansions(found.scale, near)).upper()
+            high = high.min(beyond.max(beside))
+            if beside <= beyond:  # and so is it nearer to the end
+                break
+    return low.union(high), reach
+
+
+def _octave(ratio: Expr, start: fmpq) -> tuple[arb, arb] | None:
+    """Bounds of the supremum of |ratio| from ``start`` to twice that; None where there is none."""
+    low, high = arb(0), arb(0)
+    for n in range(PIECES):
+        first, last = (arb(start + start * fmpq(k, PIECES)) for k in (n, n + 1))
+        x = first.union(last)
+        values = evaluate(ratio, {T: x}), taylor_value(ratio, T, x)
+        bounds = [abs(value).upper() for value in values if value.is_finite()]
+        if not bounds:
+            return None
+        low = low.max(abs(evaluate(ratio, {T: last})).lower())
+        high = high.max(min(bounds))
+    return low, high
 
 
 def _ranges(found: Rewritten, upto: fmpq) -> Iterator[tuple[Expansions, fmpq]]:

@@ -6,12 +6,11 @@ from dataclasses import replace
 
 from flint import arb, fmpq
 
-from tresym.reals.balls.contact import decide_smooth
-from tresym.reals.balls.order import Judgement
 from tresym.reals.decisions.answer import Answer, constant_ball, refuted
 from tresym.reals.decisions.derivatives import where_real
-from tresym.reals.decisions.growth import judged_by_expansion, judged_by_growth, sign_towards
+from tresym.reals.decisions.growth import Judgement, judge_order, sign_towards
 from tresym.reals.decisions.reading import Comparison, Path
+from tresym.reals.growth.scale import T
 from tresym.reals.language.expression import Expr, number, substitute, symbol
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
@@ -20,14 +19,9 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 LONGEST = fmpq(1)
-FIRST_HALVINGS = 3
-"""How far a range is halved before growth is looked at by itself."""
 LARGEST = arb((1, 10**8))
 SHOWN_AT = tuple(fmpq(1, 2**n) for n in (4, 2, 6, 3, 1, 0))
 """Where on the path both sides are shown, if they are not real where a refutation would."""
-_PARAMETER = "_t"
-"""The small parameter; the only symbol left once the path is put in."""
-
 
 _SUCCESSES = {"o": "the ratio tends to 0", "~": "the ratio tends to 1"}
 _FAILURES = {
@@ -92,12 +86,12 @@ def _shown_at(
 ) -> tuple[fmpq, tuple[arb, arb]] | None:
     """Where on the path a refutation is shown, and both sides there: real, and best no tower.
 
-    Where the order was found by another form of the ratio, the largest ratio is shown.
+    The largest ratio is shown, or for ~ the one nearest to the end.
     """
     if judgement.verdict is not Verdict.REFUTED:
         return None
     found, towers = [], []
-    for t in (min(t, upto) for t in (judgement.points["t"], *SHOWN_AT)):
+    for t in (min(t, upto) for t in SHOWN_AT):
         values = _values(claim, path, side, t)
         if values is None:
             continue
@@ -105,7 +99,7 @@ def _shown_at(
             towers.append((t, values))
             continue
         found.append((t, values))
-        if judgement.true_order is not None or claim.relation == "~":
+        if claim.relation == "~":
             break
     with ball_precision():
         return max(found or towers[:1], key=lambda item: _ratio(*item[1]), default=None)
@@ -119,7 +113,7 @@ def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb
     """Both sides at a point of the path; None where they are not shown to be real."""
     mapping = {path.name: _along(path, side)}
     with ball_precision():
-        at = {_PARAMETER: arb(t)}
+        at = {T: arb(t)}
         left, right = (evaluate(substitute(e, mapping), at) for e in (claim.left, claim.right))
         return (left, right) if left.is_finite() and right.is_finite() else None
 
@@ -127,19 +121,12 @@ def _values(claim: Comparison, path: Path, side: int, t: fmpq) -> tuple[arb, arb
 def _one_side(claim: Comparison, path: Path, side: int, upto: fmpq = fmpq(1)) -> Judgement:  # noqa: B008
     mapping = {path.name: _along(path, side)}
     sides = substitute(claim.left, mapping), substitute(claim.right, mapping)
-    found = judged_by_expansion(claim.relation, *sides, _PARAMETER, upto, FIRST_HALVINGS)
-    if found.verdict is Verdict.UNDECIDED:
-        found = judged_by_growth(claim.relation, *sides, _PARAMETER, upto)
-    if found.verdict is Verdict.UNDECIDED and path.point is not None and upto == 1:
-        found = decide_smooth(claim.relation, claim.left, claim.right, path.name, path.point, side)
-    if found.verdict is Verdict.UNDECIDED:
-        found = judged_by_expansion(claim.relation, *sides, _PARAMETER, upto)
-    return found
+    return judge_order(claim.relation, *sides, upto, _shown(path, side))
 
 
 def _along(path: Path, side: int) -> Expr:
     """The variable in the small parameter t."""
-    t = symbol(_PARAMETER)
+    t = symbol(T)
     return side / t if path.point is None else path.point + side * t
 
 
@@ -165,8 +152,8 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
                 constant = constant.max(judgement.constant)
             bound = constant.upper().str(6, radius=False)
         sentence = f"|left| <= C |right| with C at most about {bound}"
-    if leading.true_order is not None and not leading.true_order.coefficient.contains(0):
-        sentence += f"; the left side is about {_leading(path, path.sides[0], leading)}"
+    if leading.true_order is not None:
+        sentence += f"; the left side is about {leading.true_order}"
     return Answer(
         Verdict.ENCLOSED,
         sentence,
@@ -185,17 +172,21 @@ def _refutation(
 ) -> Answer:
     why = _FAILURES[claim.relation]
     if judgement.true_order is not None:
-        why = f"the left side is about {_leading(path, side, judgement)}"
+        why = f"the left side is about {judgement.true_order}"
     if judgement.ratio is not None:
-        ratio = judgement.ratio.text(_small(path, side))
-        why += f", and left/right about {ratio}, which for {claim.relation} it must not be"
+        why += f", and left/right about {judgement.ratio}"
+        why += f", which for {claim.relation} it must not be"
     name, value = _witness(path, side, t)
     return refuted(why, {name: value}, *values)
 
 
-def _leading(path: Path, side: int, judgement: Judgement) -> str:
-    size = judgement.true_order
-    return "0" if size is None else size.text(_small(path, side))
+def _shown(path: Path, side: int) -> tuple[Expr, Expr]:
+    """The small parameter in the variable, and its reciprocal."""
+    x = symbol(path.name)
+    if path.point is None:
+        return 1 / (side * x), side * x
+    small = side * (x - path.point)
+    return small, 1 / small
 
 
 def _small(path: Path, side: int) -> str:

@@ -2,7 +2,8 @@
 
 A box is closed because the difference is positive on it, in balls or by the mean value theorem;
 because a condition, or the domain, excludes all of it; or, with one variable, because it lies in a
-neighbourhood of an end or of a point of contact on which the germ of the difference has a sign.
+neighbourhood of an end or of a point of contact on which the difference has the sign of its leading
+term.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, decide_bound
-from tresym.reals.balls.contact import candidates, enclosure, sign_at_contact
+from tresym.reals.balls.contact import candidates, enclosure
 from tresym.reals.balls.taylor import taylor_value
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.growth import sign_towards
@@ -123,9 +124,10 @@ class _Search:
     # -- one variable -----------------------------------------------------------------------
 
     def on_line(self, where: Range) -> Answer:
-        """The whole range of the one variable: infinite ends by germs, then boxes.
+        """The whole range of the one variable: infinite ends by growth, then boxes.
 
-        Where no germ settles an infinite end, a part of the range is searched for a refutation.
+        Where growth does not settle an infinite end, a part of the range is searched for a
+        refutation.
         """
         ends = []
         failure = None
@@ -198,19 +200,13 @@ class _Search:
                 continue
             beside = self._excluded_beside(point, side)
             if beside is None:
-                beside = self._beside(point, side)
+                beside = sign_towards(self.difference, self.names[0], point, side)
                 if beside is not None and beside[0] < 0:
                     return self._failure_towards(point, side, beside)
             if beside is None or (self.strict and beside[0] == 0):
                 return None
             ends[k] = (low if side > 0 else high) + side * beside[1]
         return (ends[0], ends[1]) if ends[0] <= ends[1] else None
-
-    def _beside(self, point: Expr, side: int) -> tuple[int, fmpq] | None:
-        """The sign of the difference on a neighbourhood on that side."""
-        name = self.names[0]
-        found = sign_at_contact(self.difference, name, point, side)
-        return sign_towards(self.difference, name, point, side) if found is None else found
 
     def _excluded_beside(self, point: Expr, side: int) -> tuple[int, fmpq] | None:
         """A neighbourhood on that side which a condition excludes."""
@@ -258,7 +254,7 @@ class _Search:
     def _failure_towards(
         self, point: Expr | None, side: int, beside: tuple[int, fmpq] | None
     ) -> Answer:
-        """A refutation beside a point where the germ is negative, if a rational shows it."""
+        """A refutation beside a point with a negative leading term, if a rational shows it."""
         where = "infinity" if point is None else f"{self.names[0]} = {point}"
         if beside is not None and (point is None or point.op == "number"):
             for k in range(1, 12):

@@ -129,7 +129,7 @@ class Rewritten:
             own = quotient(steep.coefficient, self.scale.steepness[w].coefficient)
             ratio = times(fixed, own)
             u = plus(u, multiply(-ratio, self.scale.heights[w]))
-            found = multiply(found, power(symbol(w), -ratio))
+            found = multiply(found, Expr("^", (symbol(w), -ratio)))
         raise UnresolvedError("an exponent that does not come to an end")
 
     def _with_sign(self, u: Expr) -> tuple[Expr, Expr | None]:

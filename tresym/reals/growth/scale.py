@@ -17,7 +17,20 @@ from typing import Any, NamedTuple, TypeAlias
 
 from flint import arb
 
-from tresym.reals.language.expression import ONE, ZERO, Expr, number, symbol, symbols
+from tresym.reals.language.cancellation import collected
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    apply,
+    multiply,
+    number,
+    power,
+    rebuild,
+    symbol,
+    symbols,
+)
 from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.locally_constant import equal_constants
 from tresym.reals.normal.ring import UndefinedError
@@ -147,6 +160,8 @@ class Scale:
 
     def times(self, p: Powers, q: Powers, sign: int = 1) -> Powers:
         """The product, or for ``sign`` −1 the quotient."""
+        if not q or (not p and sign == 1):
+            return q or p
         found = dict(p)
         for w, x in q.items():
             total = found.get(w, ZERO) + sign * x
@@ -163,6 +178,26 @@ class Scale:
     def compare(self, p: Powers, q: Powers) -> int:
         """1 where p is of a larger order than q, −1 where of a smaller, 0 where of the same."""
         return self.growth(self.times(p, q, -1))
+
+    def written(self, first: Leading, small: Expr, large: Expr) -> Expr:
+        """A leading term as a function of t, which is ``small``, and 1/t, which is ``large``."""
+        at = {T: (small, large)}
+        for w in LOGARITHMS:
+            large = apply("log", large)
+            at[w] = 1 / large, large
+
+        def walk(e: Expr) -> Expr:
+            base, r = e.args if e.op == "^" else (e, ONE)
+            if base.op != "symbol":
+                return e if e.op in LEAVES else rebuild(e, tuple(map(walk, e.args)))
+            (w,) = base.args
+            if w in at:
+                falls = r.op == "number" and r.args[0] < 0 and at[w][1].op != "^"
+                return power(at[w][1], -r) if falls else power(at[w][0], r)
+            return apply("exp", collected(-r * walk(self.heights[w])))
+
+        powers = (power(symbol(w), x) for w, x in first.powers.items())
+        return multiply(walk(first.coefficient), *map(walk, powers))
 
     # -- new elements -----------------------------------------------------------------------
 

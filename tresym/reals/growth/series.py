@@ -139,8 +139,10 @@ def raised(c: Expr, r: fmpq) -> Expr:
 
 def _power(base: Expr, r: fmpq) -> Expr:
     """A power, of a number with an exponent between 0 and 1 beside a number."""
-    if base.op != "number" or r.q == 1:
-        return power(base, number(r))
+    if base.op == "symbol" and r != 1:  # an element, of which no power is multiplied out
+        return Expr("^", (base, number(r)))
+    if base.op != "number" or base == ONE or r.q == 1:
+        return base if base == ONE else power(base, number(r))
     whole = int(r.p // r.q)
     return power(base, number(whole)) * power(base, number(r - whole))
 
@@ -420,37 +422,28 @@ class Expansions:
         front = [] if c == ONE else [(ZERO, apply("log", c))]
         return self.sum([Series(front), body], w, n)
 
-    def _waved(self, f: Series, w: str, n: int) -> tuple[Series, Series]:
-        """Cosine and sine."""
+    def _wave(self, f: Series, w: str, n: int, odd: int) -> Series:
+        """The sine, or cosine for ``odd`` 0: (1, v, −v²/2, …) turned by the constant term."""
         c, v = self._split(f)
-        at = [number(fmpq((-1) ** (k // 2), factorial(k))) for k in range(n)]
-        turned = [
-            self._compose(
-                [a if k % 2 == odd else ZERO for k, a in enumerate(at)],
-                lambda _, m: arb(1) / factorial(m),
-                v,
-                w,
-                n,
-            )
-            for odd in (0, 1)
-        ]
+
+        def about_zero(odd: int) -> Series:
+            at = [number(fmpq((-1) ** (k // 2), factorial(k))) for k in range(n)]
+            kept = [a if k % 2 == odd else ZERO for k, a in enumerate(at)]
+            return self._compose(kept, lambda _, m: arb(1) / factorial(m), v, w, n)
+
         if c == ZERO:
-            return turned[0], turned[1]
-        x, y = (Series([(ZERO, apply(name, c))]) for name in ("cos", "sin"))
-        minus = Series([(ZERO, number(-1))])
-        cosine, sine = turned
-        parts = [self.product(a, b, w, n) for a, b in ((x, cosine), (y, sine), (y, cosine))]
-        parts[1] = self.product(parts[1], minus, w, n)
-        return (
-            self.sum(parts[:2], w, n),
-            self.sum([parts[2], self.product(x, sine, w, n)], w, n),
-        )
+            return about_zero(odd)
+        sine, cosine = (Series([(ZERO, apply(name, c))]) for name in ("sin", "cos"))
+        if not odd:
+            sine, cosine = cosine, self.product(sine, Series([(ZERO, number(-1))]), w, n)
+        parts = (sine, about_zero(0)), (cosine, about_zero(1))
+        return self.sum([self.product(x, y, w, n) for x, y in parts], w, n)
 
     def _cos(self, f: Series, w: str, n: int) -> Series:
-        return self._waved(f, w, n)[0]
+        return self._wave(f, w, n, 0)
 
     def _sin(self, f: Series, w: str, n: int) -> Series:
-        return self._waved(f, w, n)[1]
+        return self._wave(f, w, n, 1)
 
     def _atan(self, f: Series, w: str, n: int) -> Series:
         c, v = self._split(f)

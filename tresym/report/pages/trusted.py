@@ -72,7 +72,7 @@ RECHECKED = {
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
-        "reals.normal.written.numerator",
+        *("reals.normal.written.numerator", "reals.signs.polynomials._least"),
     ),
     "it spares a search that would find nothing, or says how much room one needs": (
         *("reals.normal.ranges.ProvingRing._changes_sign", "reals.signs.cones._fails_at_vertex"),
@@ -82,6 +82,7 @@ RECHECKED = {
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
         *("reals.signs.jumps.Case.point", "reals.decisions.statement._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
+        *("reals.decisions.inequalities._in_cells", "reals.decisions.zeros"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
         *("ledger.evidence.denial", "ledger.second_look.rootless"),
         *("ledger.evidence.asymptotics._along", "reals.decisions.tending._periodic"),

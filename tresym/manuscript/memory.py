@@ -1,0 +1,336 @@
+"""What a manuscript has said so far: definitions, conditions, and displays by their labels."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from tresym.manuscript import prose
+from tresym.manuscript.notes import Orders
+from tresym.manuscript.rows import STRANGE, Said, statements
+from tresym.manuscript.terms import Head, head_of, is_plain, read_term
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import (
+    BINDERS,
+    LEAVES,
+    UNWORKED,
+    Expr,
+    bind,
+    instantiate,
+    number,
+    rebuild,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import NEGATED
+from tresym.reals.language.latex import read_latex
+from tresym.reals.language.latex_cursor import Author, Function
+from tresym.reals.language.latex_tokens import tokenize
+from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
+from tresym.reals.numbers.exact import InputError
+
+_LETTER_E = re.compile(
+    r"(?<![a-zA-Z\\{_^])e\s*\\(?:sin|cos)|1\s*[-+]\s*e(?![a-zA-Z^])"
+    r"|1\s*-\s*e\s*\^\s*(?:\{\s*2\s*\}|2(?!\d))|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)"
+    r"|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*2\.7)"
+)
+"""Where e stands as no number does: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
+_CALLED = re.compile(
+    r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+)(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
+    r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
+)
+"""The head of a function's definition."""
+_L = r"([a-zA-Z]|\\[a-zA-Z]+)"
+_D = r"\s*(?:d|\\mathrm\s*\{?d\}?|\\partial)(?:\s*\^\s*\{?\d\}?)?\s*"
+_DERIVATIVES = (
+    (rf"\\d?dot\s*\{{?\s*{_L}", "t"),
+    (r"(?<![a-zA-Z\\])([a-zA-Z])(?:_\w)?'", ""),
+    (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
+)
+"""How derivatives of symbols are written."""
+DEPTH = 10
+Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
+"""What conditions state: comparisons, values that are put in, and a path."""
+
+
+@dataclass(frozen=True)
+class Under:
+    """What a display is said under."""
+
+    given: tuple[Compared, ...] = ()
+    put_in: tuple[tuple[str, Expr], ...] = ()
+    path: str = ""
+    kind: str = ""
+    noted: bool = False
+    sources: tuple[tuple[str, Expr], ...] = ()
+
+
+class Memory:
+    """What was said, and what it makes of what is read.
+
+    Attributes:
+        functions: what symbols and functions stand for, the latest last.
+        noted, lasting: conditions of the author's notes and of the prose, to the section's end.
+        earlier: those of sections before.
+        labels: what displays say, by their labels and numbers.
+        ahead: what is defined further on in the display.
+        seen: names that stood in a display before.
+        told: values that the lines before the display tell, without defining by them.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.letter_e = bool(_LETTER_E.search(text))
+        self.functions: dict[str, Function] = {}
+        self.noted: list[Compared] = []
+        self.lasting: list[Compared] = []
+        self.earlier: list[Compared] = []
+        self.labels: dict[str, list[Compared]] = {}
+        self.shorter = False
+        self.ahead: dict[str, Expr] = {}
+        self.dependent = _dependent(text)
+        self.called = frozenset(
+            head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
+        )
+        self.seen: set[str] = set()
+        self.told: dict[str, Expr] = {}
+
+    @property
+    def author(self) -> Author:
+        """Whose formulas are read, for the reader of LaTeX."""
+        return Author(
+            self.functions,
+            strict=True,
+            shorter=self.shorter,
+            letter_e=self.letter_e,
+            called=self.called,
+        )
+
+    def head(self, tokens: Sequence[str]) -> Head | None:
+        """The symbol, or the function of symbols, or the derivative, that a term consists of."""
+        return head_of(list(tokens), Author(strict=True, letter_e=self.letter_e))
+
+    def define(self, head: Head, value: Expr) -> None:
+        """Remember what a symbol stands for."""
+        self.functions.pop(head.name, None)  # the latest are put in first
+        self.functions[head.name] = Function(() if head.derived else head.parameters, value)
+
+    def known(self, under: Under) -> dict[str, Expr]:
+        """What symbols stand for, what was said last at the end."""
+        known = self.ahead | {name: function.body for name, function in self.functions.items()}
+        for name, body in under.sources:
+            known.pop(name, None)
+            known[name] = body
+        return known
+
+    def under_binders(self, e: Expr, known: Mapping[str, Expr]) -> Expr:
+        """With what is a function of the variable of a derivative or an integral put in there.
+
+        In print ``y`` under ``d/dx`` is what it stands for, where that has x in it.
+
+        Raises:
+            InputError: it is not known whether a symbol is a function of the variable.
+        """
+        if e.op in LEAVES or elementary(e):
+            return e
+        if e.op not in BINDERS or not symbols(e.args[0]).isdisjoint(e.names):
+            if e.op in UNWORKED or e.op == "unknown":
+                return e
+            return rebuild(e, tuple(self.under_binders(arg, known) for arg in e.args))
+        args = tuple(self.under_binders(arg, known) for arg in e.args[1:])
+        body = instantiate(e.args[0], tuple(map(symbol, e.names)))
+        for _ in range(DEPTH):
+            values = {
+                n: known[n]
+                for n in (symbols(body) & known.keys()).difference(e.names)
+                if _reaches(n, e.names, known)
+            }
+            if not values:
+                break
+            body = substitute(body, values)
+        for name in sorted(symbols(body) - {*e.names}):
+            on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
+            if on & {"", *e.names}:
+                raise InputError(f"whether {name} is a function of {e.names[0]} is not said")
+        return Expr(e.op, (bind(self.under_binders(body, known), e.names), *args), e.names)
+
+    def remember(self, text: str) -> None:
+        """Definitions and lasting conditions in the lines of a text."""
+        for found in prose.inline(text):
+            for said in quietly(found.tex):
+                head = self.head(said.terms[0]) if found.whole else None
+                if head and not head.parameters and all(map(is_plain, said.terms)):
+                    self.lasting += whole(symbol(head.name), found.whole)
+                if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
+                    self.defined_in_line(said, found.defining, found.told)
+                elif found.lasting:
+                    given, _, _ = self.condition(said) or ((), (), "")
+                    self.lasting += given
+
+    def defined_in_line(self, said: Said, surely: bool, told: bool) -> None:
+        """A definition in the line, by the words before it or as one of a function, f(x) = ….
+
+        What is only told, as in "then $m = 2k + 1$", may help to prove the next display.
+        """
+        head = self.head(said.terms[0])
+        if head is None or head.derived:
+            return
+        try:
+            value = read_term(said.terms[1], self.author).tree
+        except InputError:
+            return
+        if value.op == "number" or head.name in symbols(value):
+            return
+        if surely or head.parameters:
+            self.define(head, value)
+        elif told and symbols(value):
+            self.told[head.name] = value
+
+    def conditions_around(self, before: str, after: str) -> Under:
+        """What the sentence around a display says of its conditions."""
+        given: list[Compared] = []
+        put_in: list[tuple[str, Expr]] = []
+        path = ""
+        for text in (prose.last_sentence(before), prose.first_sentence(after)):
+            for found in prose.inline(text):
+                if not found.passing:
+                    continue
+                for said in quietly(found.tex):
+                    more = self.condition(said)
+                    if more and not more[1]:
+                        given += more[0]
+                        path = more[2] or path
+        return Under(tuple(given), tuple(put_in), path, prose.kind_of(before))
+
+    def following(self, around: Under, orders: Orders) -> Under:
+        """With the displays from which this one follows: equations, and what symbols stand for."""
+        given = list(around.given)
+        values: list[tuple[str, Expr]] = []
+        for left, op, right in self.noted:
+            if op == "==" and left.op == "symbol":
+                values.append((str(left), right))
+        if not orders.sources:
+            return replace(around, sources=tuple(values))
+        for label in orders.sources:
+            if label not in self.labels:
+                raise InputError(f"the note 'from {label[:60]}': no display before has that label")
+            for left, op, right in self.labels[label]:
+                name = str(left)
+                if op == "==" and left.op == "symbol" and name not in symbols(right):
+                    values.append((name, right))
+                elif elementary(left, right):
+                    given.append((left, op, right))
+        kind = around.kind if around.noted else prose.CLAIM
+        return replace(around, given=tuple(given), sources=tuple(values), kind=kind, noted=True)
+
+    def condition(self, said: Said) -> Conditions | None:
+        """The comparisons, the values put in and the path that a condition states, if it is one."""
+        if not said.ops or any(op in STRANGE for op in said.ops):
+            return None
+        if said.values and said.ops == ("=",):
+            return self.integers(said)
+        if said.ops == ("\\in",) and said.terms[1][:1] == ("\\mathbb",):
+            return self.member(said)
+        try:
+            (chain,) = read_latex(" ".join(said.tokens), self.author)
+        except (InputError, ValueError):
+            return None
+        if chain.ops[0].startswith("->"):
+            point = {INFINITY: "oo", -INFINITY: "-oo"}.get(chain.terms[1], chain.terms[1])
+            return (), (), f"{chain.terms[0]} -> {point}{chain.ops[0][2:]}"
+        links = [
+            link
+            for link in chain.links
+            if not {link[0], link[2]} & {INFINITY, -INFINITY} or link[1] not in ("<", "<=")
+        ]
+        if any(op == "==" for _, op, _ in links):
+            left, _, right = links[0]
+            if len(links) > 1 or said.values or not elementary(left, right):
+                return None
+            if left.op != "symbol":
+                return tuple(links), (), ""
+            return (), ((left.args[0], right),), ""
+        if any(op not in NEGATED for _, op, _ in links) or not elementary(
+            *(side for left, _, right in links for side in (left, right))
+        ):
+            return None
+        return tuple(links), (), ""
+
+    def integers(self, said: Said) -> Conditions | None:
+        """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if any is."""
+        listed = [said.terms[1], *said.values]
+        head, first = self.head(said.terms[0]), said.terms[1]
+        if head is None or not all(len(v) == 1 and v[0].isdigit() for v in listed[:-1]):
+            return None
+        found = [int(v[0]) for v in listed[:-1]]
+        if found != list(range(found[0], found[0] + len(found))):
+            return None
+        name = symbol(head.name)
+        given: list[Compared] = [(name, "in", INTEGERS), (name, ">=", number(int(first[0])))]
+        last = listed[-1]
+        if last != ("\\ldots",):
+            if last != (str(found[-1] + 1),):
+                return None
+            given.append((name, "<=", number(found[-1] + 1)))
+        return tuple(given), (), ""
+
+    def member(self, said: Said) -> Conditions | None:
+        """``n \\in \\mathbb{Z}``, and the like."""
+        head = self.head(said.terms[0])
+        which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
+        if head is None or which not in ("R", "Z", "N", "Z+", "N0"):
+            return None
+        return () if which == "R" else whole(symbol(head.name), which), (), ""
+
+
+def whole(name: Expr, which: str) -> tuple[Compared, ...]:
+    """That a symbol is an integer, of N one from 1 on, of N0 from 0 on."""
+    least = {"N": 1, "Z+": 1, "N0": 0}.get(which)
+    return (name, "in", INTEGERS), *(() if least is None else [(name, ">=", number(least))])
+
+
+def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:
+    """Whether what ``name`` stands for has one of ``names`` in it, however deep."""
+    reached, left = set(), {name}
+    while left:
+        reached |= left
+        left = {s for n in left if n in known for s in symbols(known[n])} - reached
+    return not reached.isdisjoint(names)
+
+
+def _dependent(text: str) -> dict[str, set[str]]:
+    """The letters of which derivatives are written, and by what; the empty name for any."""
+    found: dict[str, set[str]] = {}
+    for pattern, by in _DERIVATIVES:
+        for match in re.finditer(pattern, text):
+            name, *rest = (part.lstrip("\\") for part in match.groups())
+            found.setdefault(name, set()).add(rest[0] if rest else by)
+    return found
+
+
+def quietly(tex: str) -> list[Said]:
+    """The chains of a formula in the line, none where it is not taken apart."""
+    try:
+        return statements(tex) if len(tex) < 400 else []
+    except InputError:
+        return []
+
+
+def names_in(comparisons: Iterable[Compared]) -> frozenset[str]:
+    """The names that stand in comparisons."""
+    return frozenset().union(*(symbols(a) | symbols(b) for a, _, b in comparisons))
+
+
+def about(names: frozenset[str], given: Sequence[Compared]) -> list[Compared]:
+    """The conditions that speak of these variables, and of those that they tie to them."""
+    reached, size = set(names), 0
+    while len(reached) != size:
+        size = len(reached)
+        for left, _, right in given:
+            own = symbols(left) | symbols(right)
+            if own & reached:
+                reached |= own
+    kept = [c for c in given if (symbols(c[0]) | symbols(c[2])) & reached]
+    return list(dict.fromkeys(kept))

@@ -1,0 +1,126 @@
+"""A term of a chain: how it is read, and whether it can be what a definition defines."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from tresym.reals.decisions.reading import functions
+from tresym.reals.language.expression import Expr
+from tresym.reals.language.latex_cursor import Author
+from tresym.reals.language.latex_grammar import Reader
+from tresym.reals.language.latex_reach import Piece
+from tresym.reals.numbers.exact import InputError
+
+_DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|(\w+?)_prime\d?")
+_UNITS = frozenset(("\\mathrm", "\\text", "\\textrm", "\\rm", "\\unit"))
+
+
+@dataclass(frozen=True)
+class Head:
+    """The left side of a definition."""
+
+    name: str
+    parameters: tuple[str, ...] = ()
+    derived: bool = False
+
+    @property
+    def base(self) -> str:
+        """Of a derivative what it is one of, else the name itself."""
+        return base_of(self.name) if self.derived else self.name
+
+
+def head_of(tokens: list[str], author: Author) -> Head | None:
+    """The symbol, function of symbols or derivative of one that ``tokens`` are, else nothing."""
+    try:
+        reader = Reader(tokens, author)
+        if reader.kind(0) == "letter" and reader.peek() != "\\pi":
+            letter = reader.peek()
+            name = reader.symbol()
+            if not reader.peek():
+                return None if letter == "e" and not author.letter_e else Head(name)
+            if reader.peek() == "(":
+                values = reader.arguments()
+                if not reader.peek() and all(value.op == "symbol" for value in values):
+                    return Head(name, tuple(str(value) for value in values))
+        reader = Reader(tokens, author)
+        tree = reader.sum().tree
+    except (InputError, RecursionError):
+        return None
+    if (
+        reader.peek()
+        or tree.op != "symbol"
+        or not _DERIVED.fullmatch(tree.args[0].split("_of_")[0])
+    ):
+        return None
+    return Head(tree.args[0], derived=True)
+
+
+def base_of(name: str) -> str:
+    """Of a derivative's symbol what it is one of."""
+    found = _DERIVED.fullmatch(name.split("_of_")[0])
+    return (found[1] or found[2]) if found else name
+
+
+def is_plain(term: Sequence[str]) -> bool:
+    """A symbol or a number, perhaps with a sign, or infinity."""
+    bare = [t for t in term if t not in ("+", "-", "|", "\\left|", "\\right|")]
+    if not bare:
+        return False
+    if len(bare) == 1:
+        return bare[0][0].isdigit() or bare[0][0] == "." or bare[0][-1].isalpha()
+    return head_of(bare, Author(strict=True)) is not None
+
+
+def unknown_in(*trees: Expr) -> set[str]:
+    """The names of the functions in the trees that are left unknown."""
+    return {str(f.args[0].args[0]) for e in trees for f in functions(e)}
+
+
+def read_term(tokens: Sequence[str], author: Author) -> Piece:
+    """A term as it is read.
+
+    Raises:
+        InputError: one that is not.
+    """
+    tokens = _digits_joined(list(tokens))
+    while tokens and tokens[-1] in (",", ".", ";", ":"):
+        tokens.pop()
+    reader = Reader(tokens, author)
+    try:
+        piece = reader.sum()
+    except RecursionError:
+        raise InputError("LaTeX: nested too deeply") from None
+    if reader.peek():
+        reader.refuse("an operation or the end is expected")
+    return piece
+
+
+def _digits_joined(tokens: list[str]) -> list[str]:
+    """``2.71828 18284 59045 \\ldots`` as one decimal."""
+    result: list[str] = []
+    for n, token in enumerate(tokens):
+        grouped = result and "." in result[-1] and result[-1][0].isdigit() and token.isdigit()
+        places = len(result[-1].partition(".")[2]) if grouped else 1
+        if grouped and (places % 5 == 0 or places % 3 == 0) and tokens[n - 1][-1:].isdigit():
+            result[-1] += token
+        elif token == "\\ldots" and result and "." in result[-1] and n == len(tokens) - 1:
+            continue
+        else:
+            result.append(token)
+    return result
+
+
+def without_units(tokens: Sequence[str]) -> Sequence[str]:
+    """A number without the unit behind it."""
+    start = next((n for n, token in enumerate(tokens) if token in _UNITS), 0)
+    numbers = {"\\times", "\\cdot", "^", "{", "}", "-", "+"}
+    if start and all(t in numbers or t[0].isdigit() or t[0] == "." for t in tokens[:start]):
+        return tokens[:start]
+    return tokens
+
+
+def plain(why: str) -> str:
+    """What is said of LaTeX, on one line."""
+    return " ".join(why.removeprefix("LaTeX: ").split())
