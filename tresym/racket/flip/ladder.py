@@ -56,7 +56,7 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     Raises:
         InputError: digits or γ out of range, an unknown rung, or one that cannot deliver.
     """
-    if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:
+    if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:  # as most are: two calls less
         digits = checked_digits(digits)
     level = gamma if isinstance(gamma, fmpq) else fmpq(gamma)
     if level != 0:
