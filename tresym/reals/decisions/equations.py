@@ -9,13 +9,14 @@ cases that are shown to have no point are left out, and where all are, nothing i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 from flint import fmpq
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.identity import exact_text
 from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.decisions.simple import constants_hold, exact_witness, tidied
@@ -46,10 +47,6 @@ from tresym.reals.signs.inside import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
-
-_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 _EMPTY = "no point satisfies the conditions, and nothing is proved vacuously"
 
 
@@ -281,7 +278,7 @@ def _by_cases(
         answers.append(replace(found, why=f"with {shown}: {found.why}", region=None))
     if not answers:
         return Answer(Verdict.UNDECIDED, _EMPTY)
-    return min(answers, key=lambda found: _WORST.index(found.verdict))
+    return worst(answers)
 
 
 def chained_zero(case: Case) -> str:
@@ -299,20 +296,12 @@ def _put_in(
     real = tuple(
         (e, relation.replace(">=", ">"), ZERO) for e, relation in needs(claim.differentiated)
     )
-    links = (*rest.given.comparisons, *real)
-    moved = tuple(
-        (substitute(left, known), relation, substitute(right, known))
-        for left, relation, right in links
-    )
-    equations = (
-        *((substitute(x, known), substitute(y, known)) for x, y in rest.equations),
-        *case.equations,
-    )
-    sides = Comparison(
-        substitute(claim.left, known), claim.relation, substitute(claim.right, known)
-    )
-    links = tuple(dict.fromkeys((*moved, *case.conditions, *value)))
+    put_in = partial(substitute, mapping=known)
+    sides = Comparison(put_in(claim.left), claim.relation, put_in(claim.right))
+    rest = replace(rest, given=rest.given & Given(real)).mapped(put_in)
+    links = tuple(dict.fromkeys((*rest.given.comparisons, *case.conditions, *value)))
     given = constants_hold(links)
+    equations = (*rest.equations, *case.equations)
     return sides, replace(rest, given=Given(links) if given is None else given, equations=equations)
 
 

@@ -13,14 +13,14 @@ An integral of which no antiderivative is known is enclosed by certified quadrat
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain, pairwise
 from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement, functions
@@ -55,8 +55,6 @@ from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.defined import continuous_on
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
-
-Decide = Callable[[Comparison, Statement], Answer]
 
 MINUS_INFINITY = -INFINITY
 BITS = (64, 128)

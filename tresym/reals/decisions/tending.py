@@ -9,18 +9,19 @@ the parameters.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.growth import sign_towards
 from tresym.reals.decisions.identity import decide, exact_text
 from tresym.reals.decisions.orders import decide_order
-from tresym.reals.decisions.reading import LIMIT, Comparison, Derivative, Path, Statement
+from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.simple import simple_points
 from tresym.reals.language.expression import (
     ONE,
@@ -41,9 +42,6 @@ from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
-
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
 
 PARAMETERS = 6
 """Values of the parameters at which a refutation is looked for."""
@@ -148,9 +146,10 @@ def _with_parameters(
     if given.satisfying_point(names) is None:
         return Answer(Verdict.UNDECIDED, "no exact point satisfies the conditions")
     for at in simple_points(names, given, PARAMETERS):
-        known = {name: number(value) for name, value in at.items()}
+        put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
         try:
-            found = decide_tending(_at(claim, known), _path_at(statement, known), decided)
+            fixed = replace(statement.mapped(put_in), given=Given())
+            found = decide_tending(claim.mapped(put_in), fixed, decided)
         except InputError:  # a number on the way is too long
             continue
         if found.verdict is Verdict.REFUTED:
@@ -165,22 +164,6 @@ def _with_parameters(
     return _by_exact_limit(claim, path, given) or _from_somewhere_on(
         claim, path, statement, decided
     )
-
-
-def _at(claim: Comparison, known: dict[str, Expr]) -> Comparison:
-    derivatives = tuple(
-        Derivative(substitute(d.function, known), d.by, d.order, substitute(d.value, known))
-        for d in claim.derivatives
-    )
-    left, right = substitute(claim.left, known), substitute(claim.right, known)
-    return Comparison(left, claim.relation, right, derivatives)
-
-
-def _path_at(statement: Statement, known: dict[str, Expr]) -> Statement:
-    path = statement.path
-    if path is not None and path.point is not None:
-        path = replace(path, point=substitute(path.point, known))
-    return replace(statement, path=path, given=Given())
 
 
 def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | None:
