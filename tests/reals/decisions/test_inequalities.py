@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from flint import arb
 
+import tresym
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.inequalities import _one_period, decide_inequality
 from tresym.reals.language.parsing import parse, parse_claim

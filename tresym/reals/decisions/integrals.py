@@ -196,7 +196,8 @@ def _inside(name: str, low: Expr, high: Expr) -> Given:
 def _pieces(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[tuple[Expr, Expr]]:
     """The interval, cut at points at which a part may be singular."""
     cuts: list[Expr] = []
-    for c in sorted(_cuts(name, parts, low, high), key=_middle):
+    within = (c for c in _cuts(name, parts) if not symbols(c) and _is_between(low, c, high))
+    for c in sorted(within, key=_middle):
         if not cuts or _is_between(cuts[-1], c, INFINITY):
             cuts.append(c)
     ends = [low, *cuts[:CUTS], high]
@@ -208,11 +209,10 @@ def _middle(e: Expr) -> fmpq:
         return evaluate(e, {}).mid().fmpq()
 
 
-def _cuts(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[Expr]:
+def _cuts(name: str, parts: Iterable[Expr]) -> Iterator[Expr]:
+    """Points, some of them within the interval, at which a part may be singular."""
     for part, _ in (found for f in parts for found in singularities(f)):
-        for c in (*solutions(part, name), *_roots(part, name), *_turns(part, name)):
-            if not symbols(c) and _is_between(low, c, high):
-                yield c
+        yield from (*solutions(part, name), *_roots(part, name), *_turns(part, name))
 
 
 def _roots(part: Expr, name: str) -> Iterator[Expr]:
