@@ -8,7 +8,7 @@
   improved by one per cent on ab ≥ 1/4 (in `constants` on a ≥ a₀, down to a₀ = 1/100);
   `every_order`: what is left out after N terms, for every N;
   `everywhere`: one bound for all shapes, with its best constant 10/3, where the corner that boxes
-  cannot close is closed by `exponent_below` and `corner_margin`;
+  cannot close is closed by `corner_margin`;
 - `one_line`, `balanced_line`, `newton_line`, `balanced_newton`: explicit formulas,
   together `uniform_formulas`, for every shape;
 - `one_line_side`, `newton_side`: on which side each errs;
@@ -27,13 +27,9 @@ from typing import Any
 
 from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
-from tresym.proofs.exponent import (
-    exponent,
-    logarithmic_equation,
-    residual_increases,
-)
 from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.near import (
+    BY_K,
     BY_KAPPA,
     KAPPA,
     below,
@@ -53,7 +49,6 @@ from tresym.proofs.near import (
     quarter,
     second_coefficient,
     too_small,
-    turn_in_general,
     within,
 )
 from tresym.proofs.power_series import (
@@ -91,10 +86,6 @@ flat_bends = Claim(
     proof=together(by(differentiation), by(evaluating)),
     note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
 )
-
-RESTS_ON = (one_flip_defect, logarithmic_equation, residual_increases, flat_rises, flat_bends)
-EVERY = "a > 0, 0 < b <= 1"
-
 
 # -- the theorem as printed -----------------------------------------------------------------------
 
@@ -308,78 +299,118 @@ every_order = Claim(
     quotes=(DOUBLE_SERIES,),
 )
 
-_tail = (*shape, b <= a, epsilon > 0, epsilon <= Rational(1, 4))
+_decay = exp(-sqrt(a * b) * (pi + asin(sqrt(b / (a + b)))))
+"""q, where ε* is 2 cos θ q."""
+_square, _cube = (exp(-n * sqrt(a * b) * (pi + asin(sqrt(b / (a + b))))) for n in (2, 3))
+_squared, _cubed = exp(-3 * pi * sqrt(a * b)), exp(-Rational(9, 2) * pi * sqrt(a * b))
 
-exponent_below = bound(
-    "exponent_below",
-    exponent < c1 * epsilon**2,
-    On(
-        (b, sqrt(b / a), epsilon),
-        box((0, 1), (0, 1), (0, "1/4")),
-        (Shown(lambda b, r, e, m: -charts.exponent_bend(e, b, r, m), epsilon**4),),
-    ),
-    put=(first_coefficient, turn_in_general),
-    given=_tail,
-    note="So ε₀/ε* < exp(c₁ε₀²), which is what the corner b = 1, κ = 0 of `everywhere` needs.",
+decay_at_least = Claim(
+    says=Tuple(_square >= _squared, _cube >= _cubed), given=shape, proof=manifest
 )
 
 corner_margin = Claim(
-    says=(6 * (1 - b) + 9 * (b * x) ** 2 / 2) / 12 >= 3 * x**2 / 8,
+    says=Rational(5, 12) * (1 + (b * x) ** 2) * sqrt(1 + (b * x) ** 2)
+    - (6 * b - 1 + 3 * (b * x) ** 2) / 12
+    >= 3 * x**2 / 8,
     given=(b > 0, b <= 1, x > 0, x <= Rational(1, 2)),
     proof=manifest,
     note="With x for κ: towards b = 1, κ = 0 the margin of `everywhere` falls like 3κ²/8, and what "
     "is against it is flat in κ.",
 )
 
+_at_kappa = Instance(corner_margin, ((x, 1 / sqrt(a * b)),))
+
+corner = Claim(says=_at_kappa.says, given=(*shape, a * b >= 4), proof=_at_kappa)
+
 TEN_THIRDS = fmpq(10, 3)
 
 
 def _gap(side: int) -> Callable[..., Any]:
+    """(10/3) q³ ∓ (ε₀ − ε*) in the chart (b, k)."""
+
     def margin(b: Any, k: Any, m: Any) -> Any:
         gap, cube = charts.cubic_gap(b, k, m)
-        return arb(TEN_THIRDS) * cube - side * gap
+        return TEN_THIRDS * cube - side * gap
 
     return margin
 
 
-def _cubic(side: Callable[..., Any], chart: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda x, y, m: side(chart(x, y, m), arb(TEN_THIRDS), m)
+def _cubic(side: int) -> Callable[..., Any]:
+    """The same over (1 + R) ε*³, in the chart (b, κ)."""
+
+    def margin(b: Any, kappa: Any, m: Any) -> Any:
+        root = charts.root_by_kappa(b, kappa, m)
+        stretched = 1 + root.r * root.r
+        return m.sqrt(stretched) * 5 / 12 - side * charts.first_excess(root, m) / stretched
+
+    return margin
 
 
-def _trivially(b: Any, k: Any, m: Any) -> Any:
-    """M q³ exceeds π/2 ≥ ε₀ and 2q ≥ ε*, for q ≥ exp(−3πk/2)."""
-    decay = m.exp(-3 * m.pi * k / 2)
-    cube = arb(TEN_THIRDS) * decay**3
-    return (cube - m.pi / 2).min(cube - 2 * decay)
+def _corner(b: Any, kappa: Any, m: Any) -> Any:
+    """3/8 less what the next term of the series takes, over κ²."""
+    root = charts.root_by_kappa(b, kappa, m)
+    return fmpq(3, 8) - charts.leading_square_over(b, kappa, m) * charts.second_excess(root, m)
 
 
-_low, _middle, _far = ((0, 1), ("53/1000", "1/4")), ((0, 1), ("1/4", 2)), ((0, 1), (0, "1/2"))
+_stretch = epsilon_star**3 * (1 + b / a)
+_times = Rational(10, 3)
+_least, _small = Rational(1, 400), Rational(1, 16)
 
-everywhere = Claim(
-    says="|ε₀ − ε*| ≤ (10/3) e^{−3√(ab)(π + arcsin √(b/(a+b)))}.",
-    proof=Boxes(
+everywhere = bound(
+    "everywhere",
+    Abs(epsilon0 - epsilon_star) <= _times * _cube,
+    On(
+        BY_K,
+        box((0, 1), (0, "1/20")),
         (
-            Bound(_trivially, box((0, 1), (0, "53/1000")), sufficient=True),
-            Bound(_gap(1), box(*_low), slopes=True),
-            Bound(_gap(-1), box(*_low), slopes=True),
-            Bound(_cubic(charts.cubic_above, charts.by_root), box(*_middle)),
-            Bound(_cubic(charts.cubic_below, charts.by_root), box(*_middle), sufficient=True),
-            Bound(charts.cubic_above_far, box(*_far), sufficient=True),
-            Bound(_cubic(charts.cubic_below, charts.by_kappa), box(*_far), sufficient=True),
+            Shown(
+                lambda b, k, m: TEN_THIRDS * m.exp(-9 * m.pi * k / 2) - m.pi / 2,
+                spare=_times * (_cube - _cubed) + (pi / 2 - epsilon0) + epsilon_star,
+            ),
+            Shown(
+                lambda b, k, m: TEN_THIRDS * m.exp(-3 * m.pi * k) - 2,
+                _decay,
+                _times * _decay * (_square - _squared) + (2 * _decay - epsilon_star) + epsilon0,
+            ),
         ),
-        ("x", "y"),
-        EVERY,
-        TEN_THIRDS,
-        (*RESTS_ON, exponent_below, corner_margin),
-        certificate("everywhere"),
+        (a * b <= _least,),
+        (decay_at_least,),
     ),
+    On(
+        BY_K,
+        box((0, 1), ("1/20", "1/4")),
+        (Shown(_gap(1), slopes=True), Shown(_gap(-1), slopes=True)),
+        (a * b >= _least, a * b <= _small),
+    ),
+    On(
+        BY_KAPPA,
+        box((0, 1), ("1/2", 4)),
+        (Shown(_cubic(1), _stretch), Shown(_cubic(-1), _stretch)),
+        (a * b >= _small, a * b <= 4),
+    ),
+    On(
+        BY_KAPPA,
+        box((0, 1), (0, "1/2")),
+        (
+            Shown(
+                _corner,
+                epsilon_star**3 / (a * b),
+                spare=epsilon_star**3 * (_at_kappa.says.gts - _at_kappa.says.lts),
+            ),
+            Shown(_cubic(-1), _stretch),
+        ),
+        (a * b >= 4,),
+        (corner,),
+    ),
+    put=(*_BY_LEADING, first_coefficient),
+    given=shape,
+    constant="10/3",
     note="The one bound with a single constant; 10/3 is its best, attained as a → ∞, b → 1.",
 )
 
 
 everywhere_too_small = Claim(
-    says=Abs(epsilon0 - epsilon_star)
-    <= Rational("3.33") * exp(-3 * sqrt(a * b) * (pi + asin(sqrt(b / (a + b))))),
+    says=Abs(epsilon0 - epsilon_star) <= Rational("3.33") * _cube,
     given=shape,
     proof=Counterexample({"a": fmpq(1600), "b": fmpq(1)}, (flip_defect, leading_term)),
     amended_by=(everywhere,),

@@ -13,7 +13,6 @@ from typing import Any
 
 from sympy import Mul, Pow
 from tresym.proofs.conditions import shape
-from tresym.proofs.exponent import exponent
 from tresym.proofs.separatrix import defect_range, flip_defect
 from tresym.proofs.sweeps import newton_from_four, newton_from_pi, sweep_from_four, sweep_from_pi
 
@@ -126,12 +125,6 @@ turn_by_cosine = Claim(
     ),
     given=(*shape, x > 0, x < 1),
     proof=by(inverses, roots),
-)
-
-below_one_in_general = Claim(
-    says=cos(epsilon) < 1,
-    given=(epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0),
-    proof=(step(2 * sin(epsilon / 2) ** 2, trigonometry),),
 )
 
 below_one = Claim(
@@ -282,27 +275,6 @@ phase_in_k = Reading(charts.phase_over, BY_K, P, shape, (phase_equation,), (phas
 defect_in_k = Reading(
     charts.defect_by_k, BY_K, epsilon0, shape, (defect_by_phase,), (phase_range,), (phase_in_k,)
 )
-_all = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0)
-_general_root = sqrt(1 + b / a * sin(epsilon) ** 2)
-_general_turn = asin(_ratio * sin(epsilon) ** 2 / (cos(epsilon) + _general_root))
-_general = Instance(turn_by_cosine, ((x, cos(epsilon)),), (below_one_in_general,))
-turn_at = Claim(says=_general.says, given=_all, proof=_general)
-
-turn_in_general = Claim(
-    says=equal(asin(_mu), asin(_mu * cos(epsilon)) + _general_turn),
-    given=_all,
-    proof=by(substituting(turn_at), trigonometry),
-)
-
-bend_at = Reading(
-    charts.exponent_bend,
-    (epsilon, b, sqrt(b / a)),
-    (exponent.xreplace({asin(_mu): asin(_mu * cos(epsilon)) + _general_turn}) / epsilon**2 - c1)
-    / epsilon**2,
-    _all,
-    (first_coefficient,),
-)
-
 _sweep_turn = atan(_ratio * tanh(sqrt(a * b) * P))
 _w = sqrt(1 + b / a) * sinh(sqrt(a * b) * P)
 
@@ -423,7 +395,6 @@ tangent_in_kappa = Reading(
 )
 
 READINGS = (
-    bend_at,
     cotangent_in_k,
     angle_in_k,
     tangent_in_kappa,

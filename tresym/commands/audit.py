@@ -41,9 +41,12 @@ def run(args: argparse.Namespace) -> int:
 
     import tresym.proofs as proofs
     from tresym.ledger.audit import coverage
+    from tresym.ledger.audit.quotes import load_quotes
+    from tresym.ledger.paper import file_of, quotes
 
-    index = coverage.load_index(Path(proofs.__file__).with_name("index.json"))
-    found = coverage.audit(Path(args.paper), proofs.claims(), index)
+    path, claims = file_of("index.json"), proofs.claims()
+    quoted = load_quotes(path, quotes(claims))
+    found = coverage.audit(Path(args.paper), claims, coverage.load_index(path), quoted)
     if args.json or args.path is not None:
         import json
 

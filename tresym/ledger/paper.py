@@ -6,6 +6,7 @@ The judge knows no paper; the proofs import the ledger, never the other way roun
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable
 from functools import lru_cache
 from importlib import import_module
@@ -17,6 +18,7 @@ from sympy import Symbol
 
 from tresym.ledger.claim import Claim
 
+QUOTED = re.compile("“([^”]*)”")
 PAPER = "tresym.proofs"
 """A package with ``claims()`` and ``parts()``, an index of the paper and stored box proofs."""
 
@@ -64,6 +66,12 @@ def corrections() -> tuple[Correction, ...]:
     """What the paper prints and does not hold, the weightiest first."""
     found: tuple[Correction, ...] = import_module(f"{PAPER}.corrections").CORRECTIONS
     return found
+
+
+def quotes(claims: Iterable[Claim]) -> dict[str, str]:
+    """The paper's words, as these claims and the corrections quote them, by the claim's label."""
+    own = {claim.label: " ".join(QUOTED.findall(claim.paper_says)) for claim in claims}
+    return {c.labels[0]: c.quote for c in corrections()} | {k: v for k, v in own.items() if v}
 
 
 def alike() -> tuple[Symbol, Symbol]:

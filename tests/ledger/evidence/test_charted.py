@@ -107,6 +107,19 @@ def test_what_is_spare_may_be_left_over() -> None:
     assert holds(SAYS, replace(EXPONENTIAL, shown=(less,)))
 
 
+def test_a_bound_is_cited_where_its_conditions_are_those_of_the_chart() -> None:
+    later = Claim("later", y >= x, given=(x >= 1,))
+    spare = Shown(exponential, x, spare=y - x)
+    on = On((x,), UNIT, (spare,), (x >= 1,), (later,))
+    says = exp(x) - 1 + y - x > Rational(9, 10) * x
+    given = (*POSITIVE, x >= 1)
+    assert holds(says, on, given=given)
+    assert not holds(says, replace(on, cited=()), given=given)
+    assert not holds(says, replace(on, where=()), given=POSITIVE)
+    earlier = replace(on, where=(x <= 1,))
+    assert not holds(says, on, earlier)
+
+
 def test_charts_cover_together() -> None:
     low, high = (replace(EXPONENTIAL, where=w) for w in ((x <= 1,), (x > Rational(1, 2),)))
     assert holds(SAYS, low, high)

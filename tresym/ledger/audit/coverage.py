@@ -1,5 +1,7 @@
 """The audit: every display, theorem, table and figure of a paper against the claims on it.
 
+What claims quote is compared too, word by word (`tresym.ledger.audit.quotes`).
+
 The index holds, for each of them, where it stands and the hash of the text that the claims were
 written against; the paper's text is not part of it. An alteration is named, not only noticed.
 """
@@ -14,6 +16,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
+from tresym.ledger.audit.quotes import Quote
 from tresym.ledger.audit.source import Piece, Source, read_source, scan
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
 from tresym.ledger.claim import Claim
@@ -43,7 +46,7 @@ class Transcription(Enum):
     """No claim can say it as it stands, for the reason in the index, which transcribes it twice."""
     NOT_READ = "not read"
     NOT_A_FORMULA = ""
-    """A theorem, remark, table or figure; or no claim, or no unaltered text."""
+    """A theorem, remark, table, figure or quote; or no claim, or no unaltered text."""
 
 
 @dataclass(frozen=True)
@@ -158,13 +161,19 @@ def entry_of(piece: Piece) -> dict[str, Any]:
     }
 
 
-def audit(paper: Path, claims: Iterable[Claim], index: Iterable[Entry]) -> Audit:
-    """Compare the paper with the index and with the claims.
+def audit(
+    paper: Path,
+    claims: Iterable[Claim],
+    index: Iterable[Entry],
+    quotes: Iterable[Quote] = (),
+) -> Audit:
+    """Compare the paper with the index and with the claims, and with what is quoted of it.
 
     Raises:
         InputError: the file cannot be read, or is no balanced LaTeX document.
     """
-    source = scan(read_source(paper), str(paper))
+    text = read_source(paper)
+    source = scan(text, str(paper))
     entries = tuple(index)
     answered = _answers(tuple(claims), entries)
     pairs = [*_aligned(entries, source, True), *_aligned(entries, source, False)]
@@ -172,6 +181,7 @@ def audit(paper: Path, claims: Iterable[Claim], index: Iterable[Entry]) -> Audit
         p.text for e, p in pairs if p is not None and p.number and _text(e, p) is Text.SAME
     )
     rows = [_row(e, p, answered, functions) for e, p in pairs]
+    rows += [_quoted(quote, text) for quote in quotes]
     return Audit(str(paper), tuple(rows))
 
 
@@ -242,6 +252,21 @@ def _row(
         tuple(claim.label for claim in claims),
         transcription,
         note,
+    )
+
+
+def _quoted(quote: Quote, paper: str) -> PieceRow:
+    line, lost = quote.line_in(paper), quote.lost(paper)
+    note = f"“{lost}” of the quote is not there" if lost and line else ""
+    return PieceRow(
+        "quote",
+        quote.label,
+        None,
+        line,
+        Text.SAME if line else Text.ALTERED,
+        (quote.label,),
+        Transcription.DIFFERS if note else Transcription.NOT_A_FORMULA,
+        note if line else "the lines that it was taken from are altered",
     )
 
 

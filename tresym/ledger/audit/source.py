@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn
@@ -76,7 +77,21 @@ class Piece:
     @property
     def sha256(self) -> str:
         """Of the text in UTF-8."""
-        return hashlib.sha256(self.text.encode()).hexdigest()
+        return _sha256(self.text)
+
+
+def hash_of(lines: Sequence[str]) -> str:
+    """The hash of these lines, as that of a piece."""
+    return _sha256(_body("\n".join(lines)))
+
+
+def _sha256(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _body(text: str) -> str:
+    """Without comments, white space made single spaces."""
+    return " ".join(_COMMENT.sub(r"\1", text).split())
 
 
 @dataclass(frozen=True)

@@ -115,12 +115,14 @@ class On:
         box: a closed box.
         shown: margins, one for each side of what is said.
         where: the part of the region that the chart is for; with none, all of it.
+        cited: claims whose bounds show, there, the signs of factors and of what is left over.
     """
 
     coordinates: tuple[Expression, ...]
     box: Box
     shown: tuple[Shown, ...]
     where: tuple[Basic, ...] = ()
+    cited: tuple[Claim, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -152,7 +154,8 @@ class Charted:
     @property
     def claims(self) -> tuple[Claim, ...]:
         """What the passage rests on."""
-        return (*self.put, *self.cited, *_claims(self.readings), *self.also)
+        there = (claim for on in self.on for claim in on.cited)
+        return (*self.put, *self.cited, *there, *_claims(self.readings), *self.also)
 
     @property
     def bounds(self) -> tuple[Bound, ...]:
@@ -209,7 +212,8 @@ def _gap(claim: Claim, proof: Charted) -> str | None:
         return "the charts do not cover the region"
     for on in proof.on:
         where = conditions(on.where)
-        place = _Place(on, proof.readings, rules, (*given, *where), (*meant, *where))
+        here = with_bounds((*meant, *where), (citing(*on.cited),))
+        place = _Place(on, proof.readings, rules, (*given, *where), here)
         why = place.outside() or next(filter(None, map(place.gap, sides)), None)
         if why is not None:
             return why
@@ -269,8 +273,11 @@ class _Place:
     ) -> None:
         """``given`` are the conditions of the region, and what they come to by the rules."""
         self.on, self.readings, self.rules = on, readings, rules
-        self.region, self.given = region, given
+        self.given = given
         self.coordinates = tuple(map(tree, on.coordinates))
+        where = conditions(on.where)
+        general = tuple(c for c in region if c not in where)
+        self.places = (region, *((*general, c) for c in where))
 
     def outside(self) -> str | None:
         """Which coordinate is not shown to lie in the box, or None."""
@@ -278,7 +285,9 @@ class _Place:
             return "the box has another number of sides than there are coordinates"
         for x, side in zip(self.coordinates, self.on.box, strict=True):
             for end, sign in ((side.low, ">="), (side.high, "<=")):
-                if not is_manifest(Relation(x, sign, number(end)), self.region):
+                inside = Relation(x, sign, number(end))
+                # One condition of the chart may be enough, and the others in the way.
+                if not any(is_manifest(inside, place) for place in self.places):
                     return f"{x} {sign} {end} is not shown"
         return None
 
