@@ -105,7 +105,7 @@ class Parts:
         if e.op == "*":
             return all(self.nonzero(arg) for arg in e.args)
         if e.op == "^" and e.args[1].op == "number":
-            return self.nonzero(e.args[0])
+            return e.args[1].args[0] < 0 or self.nonzero(e.args[0])
         return self._by_conditions(e)
 
     def _by_conditions(self, e: Expr) -> bool:
