@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from flint import fmpq
 
@@ -48,6 +48,21 @@ from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 _EMPTY = "no point satisfies the conditions, and nothing is proved vacuously"
+
+
+_HALF_TURN = PI / 2
+_INVERSES: dict[str, Any] = {
+    "exp": ("log", (">", ZERO)),
+    "log": ("exp",),
+    "sinh": ("asinh",),
+    "asinh": ("sinh",),
+    "tanh": ("atanh", ("<", ONE), (">", -ONE)),
+    "atanh": ("tanh",),
+    "atan": ("tan", ("<", _HALF_TURN), (">", -_HALF_TURN)),
+    "asin": ("sin", ("<=", _HALF_TURN), (">=", -_HALF_TURN)),
+    "acos": ("cos", ("<=", PI), (">=", ZERO)),
+}
+"""What undoes a function, and the ends between which its values lie."""
 
 
 class Case(NamedTuple):
@@ -208,35 +223,16 @@ def replaced_case(case: Case, conditions: tuple[Compared, ...]) -> Case:
 
 def _inverses(e: Expr, arg: Expr, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
     """The values of ``arg`` with ``e = v``, each with the conditions on v; none if too many."""
-    nonnegative: tuple[Compared, ...] = ((v, ">=", ZERO),)
-    positive: tuple[Compared, ...] = ((v, ">", ZERO),)
-    half = PI / 2
-    match e.op:
-        case "^" if e.args[1].op == "number" and arg is e.args[0]:
-            yield from _roots(e.args[1].args[0], v)
-        case "abs":
-            yield v, nonnegative
-            yield -v, positive
-        case "cbrt":
-            yield v**3, ()
-        case "exp":
-            yield apply("log", v), positive
-        case "log":
-            yield apply("exp", v), ()
-        case "sinh":
-            yield apply("asinh", v), ()
-        case "asinh":
-            yield apply("sinh", v), ()
-        case "tanh":
-            yield apply("atanh", v), ((v, "<", ONE), (v, ">", -ONE))
-        case "atanh":
-            yield apply("tanh", v), ()
-        case "atan":
-            yield apply("tan", v), ((v, "<", half), (v, ">", -half))
-        case "asin":
-            yield apply("sin", v), ((v, "<=", half), (v, ">=", -half))
-        case "acos":
-            yield apply("cos", v), ((v, "<=", PI), (v, ">=", ZERO))
+    if e.op == "^" and e.args[1].op == "number" and arg is e.args[0]:
+        yield from _roots(e.args[1].args[0], v)
+    elif e.op == "abs":
+        yield v, ((v, ">=", ZERO),)
+        yield -v, ((v, ">", ZERO),)
+    elif e.op == "cbrt":
+        yield v**3, ()
+    elif e.op in _INVERSES:
+        inverse, *bounds = _INVERSES[e.op]
+        yield apply(inverse, v), tuple((v, relation, end) for relation, end in bounds)
 
 
 def _roots(r: fmpq, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:

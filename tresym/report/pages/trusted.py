@@ -94,7 +94,7 @@ RECHECKED = {
         *("reals.decisions.inequalities._in_cells", "reals.decisions.zeros"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
         *("ledger.evidence.denial", "ledger.second_look.rootless"),
-        *("ledger.evidence.asymptotics._along", "reals.decisions.tending._periodic"),
+        "ledger.evidence.asymptotics._along",
         *("reals.decisions.equations._with_value", "reals.decisions.zeros"),
         *("reals.decisions.tending._fails_beside", "reals.decisions.tending._periodic_failure"),
         *("reals.decisions.unknowns._realised", "reals.decisions.simple.exact_witness"),
