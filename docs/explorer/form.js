@@ -66,7 +66,7 @@ function show({ level, motion, realizable, shape }) {
   Object.assign(shown, {
     motion,
     realizable,
-    thing: THINGS[body?.drawn ?? "racket"],
+    thing: body ? THINGS[body.drawn] : solidBox(sidesOf(level), false),
     defect,
     turning: turningLevel(level),
     perfect: perfectLevel(level),
@@ -334,6 +334,7 @@ function setGamma(gamma, digits = 6) {
  */
 function setStart(psi, rate) {
   given.point = true;
+  shown.share = 0;
   field("psi0").value = String(Number(psi.toFixed(4)));
   field("rate").value = rounded(rate, 4);
   update();

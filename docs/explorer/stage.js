@@ -83,8 +83,9 @@ function drawStill(name, pen, motion) {
  * @param {Motion} motion
  */
 function drawMoving(name, pen, motion) {
-  const { share, thing, eyes, ghosts, once } = shown;
-  if (name === "space") drawSpace(pen, motion, share, thing, eyes.space, { ghosts, whole: once });
+  const { share, thing, eyes, ghosts, once: whole } = shown;
+  const show = { ghosts, whole, phantom: !shown.realizable };
+  if (name === "space") drawSpace(pen, motion, share, thing, eyes.space, show);
   else if (name === "portrait") drawPhasePoint(pen, motion, share);
   else if (name === "sphere") drawMomentum(pen, motion, share, eyes.sphere);
 }
@@ -197,7 +198,8 @@ let before = 0;
  * @param {number} now in milliseconds
  */
 function passTime(now) {
-  const step = before ? Math.min((now - before) / 1000, 0.1) : 0;
+  // A hand on the start holds the clock.
+  const step = before && !held.reach ? Math.min((now - before) / 1000, 0.1) : 0;
   before = now;
   if (!shown.once || shown.share < 1) {
     shown.share += step * shown.tempo;

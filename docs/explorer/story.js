@@ -18,7 +18,7 @@ const SCENES = {
   throw: { body: "str", level: "perfect", once: false, ghosts: false, tempo: 0.3, yaw: -34 },
   "portrait-scene": { body: "str", level: "rocks", once: false, ghosts: false, tempo: 0.4, yaw: -34 },
   "defect-scene": { body: "str", level: "separatrix", once: true, ghosts: true, tempo: 0.25, yaw: -50 },
-  "body-scene": { body: "racket-3", level: "separatrix", once: true, ghosts: true, tempo: 0.25, yaw: -50 },
+  "body-scene": { body: "racket-3", level: "separatrix", once: true, ghosts: false, tempo: 0.25, yaw: -34 },
   bench: { body: "str", level: "separatrix", once: true, ghosts: false, tempo: 0.3, yaw: -34 },
 };
 
@@ -108,6 +108,8 @@ function showChecks() {
   field("once").checked = shown.once;
   field("ghosts").checked = shown.ghosts;
   field("upright").checked = !shown.eyes.space.thrown;
+  for (const link of byId("steps").querySelectorAll("a"))
+    link.setAttribute("aria-current", link.hash === `#${scene.name}` ? "step" : "false");
   const picture = byId("stage").dataset.picture;
   for (const button of byId("pictures").querySelectorAll("button"))
     button.setAttribute("aria-pressed", String(button.dataset.picture === picture));
@@ -148,10 +150,14 @@ function listenToStory() {
   byId("story").addEventListener("click", (event) => {
     const button = event.target instanceof Element ? event.target.closest("button") : null;
     if (!button) return;
-    const { level: name, body, throw: thrown } = button.dataset;
-    if (name || body || thrown) scene.touched = true;
+    const { level: name, body, throw: thrown, atOnce } = button.dataset;
+    if (name || body || thrown || atOnce) scene.touched = true;
     if (name) setLevel(name);
     if (body) chooseBody(body);
+    if (atOnce) {
+      chooseBody(atOnce);
+      setLevel("separatrix");
+    }
     if (thrown) {
       chooseBody(thrown);
       setLevel("perfect");

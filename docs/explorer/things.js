@@ -1,6 +1,7 @@
 /**
- * What turns: a racket, a book, a molecule. Each is flat or nearly so, lies in the plane of e₁ (the
- * handle) and e₂, and has a face of one colour towards e₃ and of another towards −e₃.
+ * What turns: a racket, a book, a molecule, or a box with the moments that were typed. Each is flat or
+ * nearly so, lies in the plane of e₁ (the handle) and e₂, and has a face of one colour towards e₃ and of
+ * another towards −e₃.
  */
 "use strict";
 
@@ -19,7 +20,7 @@ const ROUND = 44;
 /** @type {Record<string, Thing>} */
 const THINGS = {
   racket: { tip: 1.04, outline: racketOutline(), draw: drawRacket },
-  book: { tip: 0.92, outline: corners(0.92, 0.6, 0), draw: drawBook },
+  book: solidBox([0.92, 0.6, 0.09], true),
   molecule: { tip: 1, outline: corners(0.95, 0.66, 0), draw: drawMolecule },
 };
 
@@ -242,23 +243,55 @@ function drawGrip(pen, eye, axes) {
 }
 
 /**
+ * The half sides of the box with the moments of a shape: as √(I₂ + I₃ − I₁), √(I₁ + I₃ − I₂) and
+ * √(I₁ + I₂ − I₃), the last of which a rigid body has. Beyond, it is without thickness.
+ *
+ * @param {Level} shape
+ * @returns {Vector}
+ */
+function sidesOf({ a, b, clock }) {
+  // In units of I₂, times (1 + a)(1 − b), in which nothing is infinite at b = 1.
+  const squares = [
+    (1 + a) * clock + (1 + a) - clock,
+    clock + (1 + a) - (1 + a) * clock,
+    Math.max(clock - (1 + a) * b, 0),
+  ];
+  const scale = 0.95 / Math.sqrt(squares[0]);
+  return /** @type {Vector} */ (squares.map((x) => scale * Math.sqrt(x)));
+}
+
+/**
+ * @param {Vector} half its half sides
+ * @param {boolean} bound whether it is a book, with pages and a title
+ * @returns {Thing}
+ */
+function solidBox(half, bound) {
+  return {
+    tip: half[0],
+    outline: corners(half[0], half[1], 0),
+    draw: (pen, eye, axes) => drawBox(pen, eye, axes, half, bound),
+  };
+}
+
+/**
  * @param {Pen} pen
  * @param {Eye} eye
  * @param {Axes} axes
+ * @param {Vector} half
+ * @param {boolean} bound
  */
-function drawBook(pen, eye, axes) {
-  const [long, wide, thick] = [0.92, 0.6, 0.09];
-  const page = COLOURS.page;
+function drawBox(pen, eye, axes, half, bound) {
+  const thick = half[2];
+  const page = bound ? COLOURS.page : COLOURS.sphere;
   /** @type {[number, number, string][]} axis, side, colour: the spine is along −e₂ */
   const faces = [
     [0, 1, page],
     [0, -1, page],
     [1, 1, page],
-    [1, -1, COLOURS.front],
+    [1, -1, bound ? COLOURS.front : page],
     [2, 1, COLOURS.front],
     [2, -1, COLOURS.back],
   ];
-  const half = [long, wide, thick];
   for (const [axis, side, colour] of faces) {
     const normal = sum([side, [axes.first, axes.second, axes.third][axis]]);
     const centre = sum([half[axis], normal]);
@@ -272,7 +305,7 @@ function drawBook(pen, eye, axes) {
     }); // prettier-ignore
     const edge = { stroke: COLOURS.frame, width: 0.012 * eye.scale };
     pen.area(rim, { fill: lit(colour, normal, eye), ...edge });
-    if (axis === 2) {
+    if (axis === 2 && bound) {
       /** @param {Vector[]} points */
       const spots = (points) => points.map((point) => seen(eye, placedBy(axes, point)));
       const title = side > 0 ? [0.55, 0.42, 0.29] : [-0.55];
@@ -295,9 +328,9 @@ function drawBook(pen, eye, axes) {
 function drawMolecule(pen, eye, axes) {
   const front = dot(axes.third, eye.towards) > 0;
   const normal = sum([front ? 1 : -1, axes.third]);
-  const plate = corners(0.95, 0.68, 0).map((point) => seen(eye, placedBy(axes, point)));
+  const plate = corners(1, 0.74, 0).map((point) => seen(eye, placedBy(axes, point)));
   const face = lit(front ? COLOURS.front : COLOURS.back, normal, eye);
-  pen.area(plate, { fill: face, stroke: face, width: 0.12 * eye.scale, alpha: 0.45 });
+  pen.area(plate, { fill: face, alpha: 0.5 });
   /** @type {[Vector, number, string][]} */
   const atoms = [
     [[0.36, 0, 0], 0.2, "#5c6670"],
