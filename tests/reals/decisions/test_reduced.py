@@ -92,7 +92,8 @@ def test_a_condition_or_a_domain_that_does_not_scale_is_kept() -> None:
             return Answer(Verdict.UNDECIDED, "")
 
         by_one_variable(left, relation, right, Given.parse(given), ask)
-        assert all(question[2] != parse("1") for question in asked)
+        scaled = (parse("x"), ">=", parse("1"))
+        assert all(question[:3] != scaled for question in asked)
 
 
 @pytest.mark.parametrize(
