@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from flint import fmpq, fmpz_mpoly
 
+from tresym.reals.numbers.factoring import TooLargeError
+
+MAX_DEGREE = 1_000
+
 
 def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fmpz_mpoly:
     """``p`` times something positive, its ``i``-th variable x written as x = M(u), u ≥ 0.
@@ -11,7 +15,12 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
     Where both ends are finite, M(u) = (low + high·u)/(1 + u), and ``p`` is multiplied by a power of
     1 + u; else M(u) = low + u or high − u. One end at least is finite; u = 0 is ``low``, but
     ``high`` where it stands alone.
+
+    Raises:
+        TooLargeError: a power of M of more than ``MAX_DEGREE`` would be multiplied out.
     """
+    if (low != 0 or high is not None) and int(p.degrees()[i]) > MAX_DEGREE:
+        raise TooLargeError("a range is mapped, and a power of it is too large")
     context = p.context()
     u, one = context.gen(i), context.constant(1)
     if low is not None and high is not None:
