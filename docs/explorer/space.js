@@ -34,7 +34,8 @@ function axesOf({ psi, theta, phi }) {
  * @param {number} share how much of the turn has passed
  * @param {Thing} thing
  * @param {Camera} camera
- * @param {{ ghosts: boolean, whole: boolean }} show the first and last attitude; the path of one turn
+ * @param {{ ghosts: boolean, whole: boolean, phantom: boolean }} show the first and last attitude; the
+ *   path of one turn; that no rigid body is so
  */
 function drawSpace(pen, motion, share, thing, camera, show) {
   const scale = Math.min(pen.width / 2.9, pen.height / 2.66);
@@ -54,8 +55,11 @@ function drawSpace(pen, motion, share, thing, camera, show) {
     ...trailOf(motion, share, thing),
   ];
   for (const layer of layers) drawPart(pen, eye, layer, (point) => !before(point));
-  if (show.ghosts) for (const at of [0, 1]) drawGhost(pen, eye, thing, axesOf(poseAt(motion, at)));
-  thing.draw(pen, eye, axes);
+  if (show.ghosts) {
+    for (const at of [0, 1]) drawGhost(pen, eye, thing, axesOf(poseAt(motion, at)), 0.14);
+  }
+  if (show.phantom) drawGhost(pen, eye, thing, axes, 0.5, COLOURS.warning);
+  else thing.draw(pen, eye, axes);
   for (const layer of layers) drawPart(pen, eye, layer, before);
   const tip = seen(eye, [0, 0, 1.42]);
   pen.words([tip[0] + 7, tip[1] + 3], "M", { fill: COLOURS.ink, size: 17, italic: true });
@@ -113,6 +117,7 @@ function arcAbout(from, to, radius) {
  */
 function dialOf(from, to) {
   const turned = Math.min(to - from, 2 * Math.PI);
+  /** @type {Layer[]} */
   const layers = [{ points: arcAbout(0, 2 * Math.PI, DIAL), style: { stroke: COLOURS.edge } }];
   for (let i = 0; i < 12; i++) {
     const angle = from + (Math.PI * i) / 6;
@@ -208,12 +213,14 @@ function drawShadow(pen, eye, thing, axes) {
  * @param {Eye} eye
  * @param {Thing} thing
  * @param {Axes} axes
+ * @param {number} alpha
+ * @param {string} [rim] a colour
  */
-function drawGhost(pen, eye, thing, axes) {
+function drawGhost(pen, eye, thing, axes, alpha, rim) {
   const spots = thing.outline.map((point) => seen(eye, placedBy(axes, point)));
   const face = dot(axes.third, eye.towards) > 0 ? COLOURS.front : COLOURS.back;
-  pen.area(spots, { fill: face, alpha: 0.14 });
-  pen.area(spots, { stroke: face, width: 1.4, dash: [5, 4], alpha: 0.9 });
+  pen.area(spots, { fill: face, alpha });
+  pen.area(spots, { stroke: rim ?? face, width: rim ? 2.4 : 1.4, dash: [5, 4], alpha: 0.9 });
 }
 
 /**
