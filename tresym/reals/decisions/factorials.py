@@ -8,12 +8,12 @@ the factorials are numbers.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import islice, product
 from math import factorial
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement, functions
 from tresym.reals.decisions.simple import constants_hold
@@ -35,9 +35,6 @@ from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
-
 MOST, FAR, LOOKED_AT = 600, 50, 6
 """Points that are looked at, how far apart factorials may be, and integers at which they are."""
 
@@ -54,11 +51,11 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     nodes = dict.fromkeys(outermost(*sides))
     if not nodes:
         return decided(claim, statement)
-    said = [side for link in statement.given.comparisons for side in link[::2]]
-    said += [side for pair in statement.equations for side in pair]
     if (
         any(node.op != "unknown" or node.args[0].args != (FACTORIAL, (0,)) for node in nodes)
-        or any(next(functions(e), None) for e in (*said, *(node.args[1] for node in nodes)))
+        or any(
+            next(functions(e), None) for e in (*statement.said, *(node.args[1] for node in nodes))
+        )
         or statement.path is not None
         or claim.derivatives
     ):

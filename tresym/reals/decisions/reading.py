@@ -110,6 +110,14 @@ class Comparison:
         """The variables by which."""
         return frozenset(found.by for found in self.derivatives)
 
+    def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
+        """The comparison of changed sides, their derivatives with them."""
+        derivatives = (
+            d._replace(function=change(d.function), value=change(d.value)) for d in self.derivatives
+        )
+        left, right = change(self.left), change(self.right)
+        return replace(self, left=left, right=right, derivatives=tuple(derivatives))
+
 
 @dataclass(frozen=True)
 class Path:
@@ -155,6 +163,20 @@ class Statement:
 
     def __str__(self) -> str:
         return self.text
+
+    @property
+    def said(self) -> list[Expr]:
+        """The sides of all conditions."""
+        pairs = (*((left, right) for left, _, right in self.given.comparisons), *self.equations)
+        return [side for pair in pairs for side in pair]
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Statement:
+        """The statement under changed conditions, and where it tends to."""
+        path = self.path
+        if path is not None and path.point is not None:
+            path = replace(path, point=change(path.point))
+        equations = tuple((change(x), change(y)) for x, y in self.equations)
+        return replace(self, given=self.given.mapped(change), equations=equations, path=path)
 
     @property
     def under(self) -> str:
@@ -327,18 +349,20 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
 
 def _spread(e: Expr) -> Expr:
     """``c (f + O(g))`` as ``c f + O(c g)``."""
-    sums = e.args if e.op == "*" and not elementary(e) else ()
-    factors = [part for part in sums if part.op == "+" and not elementary(part)]
-    if len(factors) != 1:
+    if e.op == "+":
+        return add(*map(_spread, e.args))
+    parts = e.args if e.op == "*" and not elementary(e) else ()
+    factors = [part for part in parts if not elementary(part)]
+    terms = _terms(factors[0]) if len(factors) == 1 else ()
+    rest = multiply(*(part for part in parts if part is not factors[0]))
+    if not any(term.op in ("O", "o") for term in terms):
         return e
-    rest = multiply(*(part for part in e.args if part is not factors[0]))
-    if not elementary(rest) or any(term.op in ("Theta", "omega") for term in factors[0].args):
-        return e
-    terms = (
-        Expr(term.op, (rest * term.args[0],)) if term.op in ("O", "o") else rest * term
-        for term in factors[0].args
+    return add(
+        *(
+            Expr(term.op, (rest * term.args[0],)) if term.op in ("O", "o") else rest * term
+            for term in terms
+        )
     )
-    return add(*terms)
 
 
 def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:

@@ -11,10 +11,11 @@ series, a sum to ∞, is the limit of such a closed form, and nothing where it h
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement
@@ -42,9 +43,6 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
-
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
 
 TERMS = 200
 FIRST = 8
@@ -225,12 +223,7 @@ def _from(n: str, given: Given, ends: dict[Expr, tuple[str, int, int] | None]) -
 
 
 def _at(claim: Comparison, n: str, value: Expr) -> Comparison:
-    at = {n: value}
-    return replace(
-        claim,
-        left=written_out(substitute(claim.left, at)),
-        right=written_out(substitute(claim.right, at)),
-    )
+    return claim.mapped(lambda e: written_out(substitute(e, {n: value})))
 
 
 def _looked_at(
@@ -239,15 +232,8 @@ def _looked_at(
     """A refutation at small n, or that the claim holds at none; None where it may be true."""
     seen = empty = False
     for value in range(least, least + FIRST):
-        at = {n: number(value)}
-        given = tuple(
-            (substitute(x, at), relation, substitute(y, at))
-            for x, relation, y in statement.given.comparisons
-        )
         fixed = replace(
-            statement,
-            given=Given(given),
-            equations=tuple((substitute(x, at), substitute(y, at)) for x, y in statement.equations),
+            statement.mapped(partial(substitute, mapping={n: number(value)})),
             integers=tuple(name for name in statement.integers if name != n),
         )
         try:
