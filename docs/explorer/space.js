@@ -117,6 +117,7 @@ function arcAbout(from, to, radius) {
  */
 function dialOf(from, to) {
   const turned = Math.min(to - from, 2 * Math.PI);
+  /** @type {Layer[]} */
   const layers = [{ points: arcAbout(0, 2 * Math.PI, DIAL), style: { stroke: COLOURS.edge } }];
   for (let i = 0; i < 12; i++) {
     const angle = from + (Math.PI * i) / 6;

@@ -77,6 +77,7 @@ THROWS = (
 """Shape and start (ψ₀, dψ/dφ): within the eyes of the separatrix and outside, either way round."""
 
 SCENES = {
+    "opening": {"space"},
     "throw": {"space"},
     "portrait-scene": {"space", "portrait"},
     "defect-scene": {"space", "levels"},
