@@ -24,8 +24,8 @@ function begin() {
   });
   byId("save-png").addEventListener("click", () => save(field("picture").value, "png"));
   byId("save-svg").addEventListener("click", () => save(field("picture").value, "svg"));
-  // In the site, a way back; beside its source there is none.
-  byId("home").hidden = location.pathname.endsWith("/docs/explorer/index.html");
+  // In the site, a way back; beside its source, and on a page of the site, there is none.
+  byId("home").hidden = location.pathname.endsWith("/docs/explorer/index.html") || self !== top;
   openAddress();
   // The page's own changes of the address are not heard here.
   addEventListener("hashchange", () => recall() && location.reload());
