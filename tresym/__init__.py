@@ -8,13 +8,14 @@ loaded when first used.
 from __future__ import annotations
 
 import os
+import sys
 
 TYPE_CHECKING = False  # typing itself is not loaded: before the command listens, Ctrl-C is Python's
 if TYPE_CHECKING:  # what editors and type checkers see, and refuse what is not here
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
-    from tresym.racket.flip import flip_angle, flip_defect
+    from tresym.racket.flip import flip_angle, flip_defect, flip_defects
     from tresym.racket.floats.flipmap import flip_map
     from tresym.reals.decisions import check
     from tresym.reals.numbers.exact import InputError
@@ -30,6 +31,7 @@ _HOMES = {
     "check": "tresym.reals.decisions",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
+    "flip_defects": "tresym.racket.flip",
     "flip_map": "tresym.racket.floats.flipmap",
     "verify": "tresym.ledger.verification",
 }
@@ -43,15 +45,32 @@ __all__ = [
     "check",
     "flip_angle",
     "flip_defect",
+    "flip_defects",
     "flip_map",
     "verify",
 ]
 
 # In a wheel the proofs lie inside the package; in a checkout they lie beside it.
+_PROOFS = f"{__name__}.proofs"
 _package = os.path.dirname(os.path.realpath(__file__))
-_checkout = os.path.dirname(_package)
-if not os.path.isdir(f"{_package}/proofs") and os.path.isdir(f"{_checkout}/proofs"):
-    __path__.append(_checkout)
+_beside = os.path.join(os.path.dirname(_package), "proofs")
+
+
+class _Beside:
+    """Finds the proofs beside the package, and nothing else that lies there."""
+
+    @staticmethod
+    def find_spec(name: str, path: object = None, target: object = None) -> object:
+        if name != _PROOFS:
+            return None
+        from importlib.util import spec_from_file_location
+
+        init = os.path.join(_beside, "__init__.py")
+        return spec_from_file_location(name, init, submodule_search_locations=[_beside])
+
+
+if not os.path.isdir(os.path.join(_package, "proofs")) and os.path.isdir(_beside):
+    sys.meta_path.append(_Beside)  # type: ignore[arg-type]
 
 
 if not TYPE_CHECKING:

@@ -83,7 +83,10 @@ function drawMap(pen, bodies) {
  */
 function drawBands(pen, frame, edges) {
   const far = frame.across[1] + 5;
-  const end = /** @type {Point[]} */ ([[far, frame.along[1]], [far, frame.along[0]]]); // prettier-ignore
+  const end = /** @type {Point[]} */ ([
+    [far, frame.along[1]],
+    [far, frame.along[0]],
+  ]);
   for (const [i, edge] of edges.entries()) {
     const fill = mixed(COLOURS.card, COLOURS.rotating, 0.08 + (0.62 * i) / BANDS.length);
     pen.area(placedAll(frame, [...edge, ...end]), { fill });
@@ -99,7 +102,12 @@ function drawBands(pen, frame, edges) {
  * @param {Point[][]} edges
  */
 function nameBands(pen, frame, edges) {
-  const words = /** @type {Lettering} */ ({ fill: COLOURS.rotating, size: 11.5, halo: COLOURS.card, align: "center" }); // prettier-ignore
+  const words = /** @type {Lettering} */ ({
+    fill: COLOURS.rotating,
+    size: 11.5,
+    halo: COLOURS.card,
+    align: "center",
+  });
   for (const [i, edge] of edges.entries()) {
     const [x, y] = placed(frame, edge[BANDS[i] > 5 ? 9 : 45]);
     if (x > frame.left + 14 && x < frame.right - 14) pen.words([x, y + 4], `${BANDS[i]}°`, words);

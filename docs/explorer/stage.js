@@ -50,7 +50,9 @@ const VIEWS = Object.fromEntries(
 
 /** The bodies as the map shows them. */
 const ON_MAP = BODIES.filter(({ label: text }) => text).map((body) => {
-  const [a, b] = [body.a, body.b].map((text) => toFloat(/** @type {Fraction} */ (readNumber(text))));
+  const [a, b] = [body.a, body.b].map((text) =>
+    toFloat(/** @type {Fraction} */ (readNumber(text))),
+  );
   const rigid = b * (a + 2) <= 1;
   return { a, b, label: body.label ?? "", rigid, below: rigid };
 });
@@ -99,7 +101,15 @@ function drawMoving(name, pen, motion) {
 function drawWhole(name, pen) {
   if (!shown.motion) return;
   const { width, height } = pen;
-  pen.area([[0, 0], [width, 0], [width, height], [0, height]], { fill: COLOURS.card }); // prettier-ignore
+  pen.area(
+    [
+      [0, 0],
+      [width, 0],
+      [width, height],
+      [0, height],
+    ],
+    { fill: COLOURS.card },
+  );
   drawStill(name, pen, shown.motion);
   drawMoving(name, pen, shown.motion);
 }

@@ -1,5 +1,5 @@
 /**
- * The story: four scenes that set the stage as they are scrolled to, and the bench after them.
+ * The story: an opening and four scenes that set the stage as they are scrolled to, and the bench after them.
  */
 "use strict";
 
@@ -15,15 +15,37 @@
 
 /** @type {Record<string, Scene>} */
 const SCENES = {
-  throw: { body: "str", level: "perfect", once: false, ghosts: false, tempo: 0.3, yaw: -34 },
-  "portrait-scene": { body: "str", level: "rocks", once: false, ghosts: false, tempo: 0.4, yaw: -34 },
-  "defect-scene": { body: "str", level: "separatrix", once: true, ghosts: true, tempo: 0.25, yaw: -50 },
-  "body-scene": { body: "racket-3", level: "separatrix", once: true, ghosts: false, tempo: 0.25, yaw: -34 },
+  opening: { body: "str", level: "perfect", once: false, ghosts: false, tempo: 0.3, yaw: -34 },
+  throw: { body: "str", level: "perfect", once: true, ghosts: false, tempo: 0.25, yaw: -22 },
+  "portrait-scene": {
+    body: "str",
+    level: "rocks",
+    once: false,
+    ghosts: false,
+    tempo: 0.4,
+    yaw: -34,
+  },
+  "defect-scene": {
+    body: "str",
+    level: "separatrix",
+    once: true,
+    ghosts: true,
+    tempo: 0.25,
+    yaw: -50,
+  },
+  "body-scene": {
+    body: "racket-3",
+    level: "separatrix",
+    once: true,
+    ghosts: false,
+    tempo: 0.25,
+    yaw: -34,
+  },
   bench: { body: "str", level: "separatrix", once: true, ghosts: false, tempo: 0.3, yaw: -34 },
 };
 
 /** The scene on the stage, and whether a hand has changed anything. */
-const scene = { name: "throw", touched: false };
+const scene = { name: "opening", touched: false };
 
 /** What the bench was left with. */
 let left = /** @type {string | null} */ (null);
@@ -110,7 +132,10 @@ function showChecks() {
   field("upright").checked = !shown.eyes.space.thrown;
   for (const link of byId("steps").querySelectorAll("a"))
     link.setAttribute("aria-current", link.hash === `#${scene.name}` ? "step" : "false");
-  const picture = byId("stage").dataset.picture;
+  const chosen = byId("stage").dataset.picture;
+  // Where there is room for four pictures the choice is between two.
+  const roomy = matchMedia("(min-width: 56.01rem)").matches;
+  const picture = roomy && chosen !== "levels" ? "map" : chosen;
   for (const button of byId("pictures").querySelectorAll("button"))
     button.setAttribute("aria-pressed", String(button.dataset.picture === picture));
 }

@@ -39,11 +39,7 @@ function placedBy({ first, second, third }, [x, y, z]) {
  * @returns {Vector} on the rim of the head
  */
 function onRim(angle, size = 1) {
-  return [
-    HEAD.centre + size * HEAD.long * Math.cos(angle),
-    size * HEAD.wide * Math.sin(angle),
-    0,
-  ];
+  return [HEAD.centre + size * HEAD.long * Math.cos(angle), size * HEAD.wide * Math.sin(angle), 0];
 }
 
 /** @returns {Vector[]} */
@@ -144,7 +140,14 @@ function drawHead(pen, eye, axes) {
   );
   drawStrings(pen, spot, mixed(colour, COLOURS.string, 0.5), 0.01 * eye.scale);
   if (front) drawStencil(pen, spot, 0.055 * eye.scale);
-  drawBar(pen, eye, axes, turn.map((angle) => onRim(angle)), 0.034, COLOURS.frame);
+  drawBar(
+    pen,
+    eye,
+    axes,
+    turn.map((angle) => onRim(angle)),
+    0.034,
+    COLOURS.frame,
+  );
   for (const side of [1, -1]) {
     const strut = [0, 0.25, 0.5, 0.75, 1].map((t) => throatAt(t, side));
     drawBar(pen, eye, axes, strut, 0.03, COLOURS.frame);
@@ -219,9 +222,39 @@ function drawStencil(pen, spot, width) {
  * @param {Axes} axes
  */
 function drawGrip(pen, eye, axes) {
-  drawBar(pen, eye, axes, [[-0.2, 0, 0], [-0.48, 0, 0]], 0.042, COLOURS.frame); // prettier-ignore
-  drawBar(pen, eye, axes, [[-0.46, 0, 0], [-0.95, 0, 0]], 0.056, COLOURS.grip); // prettier-ignore
-  drawBar(pen, eye, axes, [[-0.94, 0, 0], [-0.97, 0, 0]], 0.064, COLOURS.grip); // prettier-ignore
+  drawBar(
+    pen,
+    eye,
+    axes,
+    [
+      [-0.2, 0, 0],
+      [-0.48, 0, 0],
+    ],
+    0.042,
+    COLOURS.frame,
+  );
+  drawBar(
+    pen,
+    eye,
+    axes,
+    [
+      [-0.46, 0, 0],
+      [-0.95, 0, 0],
+    ],
+    0.056,
+    COLOURS.grip,
+  );
+  drawBar(
+    pen,
+    eye,
+    axes,
+    [
+      [-0.94, 0, 0],
+      [-0.97, 0, 0],
+    ],
+    0.064,
+    COLOURS.grip,
+  );
   const across = sum([1, eye.towards], [-dot(eye.towards, axes.first), axes.first]);
   const size = Math.sqrt(dot(across, across)) || 1;
   // The wrap runs over the side that is seen.
@@ -297,12 +330,17 @@ function drawBox(pen, eye, axes, half, bound) {
     const centre = sum([half[axis], normal]);
     if (dot(normal, sum([DISTANCE, eye.towards], [-1, centre])) <= 0) continue;
     const [u, v] = [0, 1, 2].filter((i) => i !== axis);
-    const rim = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([s, t]) => {
+    const rim = [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ].map(([s, t]) => {
       const point = /** @type {Vector} */ ([0, 0, 0]);
       point[axis] = side * half[axis];
       [point[u], point[v]] = [s * half[u], t * half[v]];
       return seen(eye, placedBy(axes, point));
-    }); // prettier-ignore
+    });
     const edge = { stroke: COLOURS.frame, width: 0.012 * eye.scale };
     pen.area(rim, { fill: lit(colour, normal, eye), ...edge });
     if (axis === 2 && bound) {
@@ -311,7 +349,10 @@ function drawBox(pen, eye, axes, half, bound) {
       const title = side > 0 ? [0.55, 0.42, 0.29] : [-0.55];
       for (const [i, x] of title.entries()) {
         const reach = 0.36 - 0.09 * i;
-        const line = spots([[x, -reach, side * thick], [x, reach, side * thick]]); // prettier-ignore
+        const line = spots([
+          [x, -reach, side * thick],
+          [x, reach, side * thick],
+        ]);
         pen.line(line, { stroke: COLOURS.frame, width: (i ? 0.02 : 0.045) * eye.scale });
       }
     }
@@ -353,10 +394,18 @@ function drawMolecule(pen, eye, axes) {
   });
   /** @type {[Vector, Vector][]} */
   const bonds = [
-    [[-0.36, 0.06, 0], [0.36, 0.06, 0]],
-    [[-0.36, -0.06, 0], [0.36, -0.06, 0]],
-    ...atoms.slice(2).map(([at]) => /** @type {[Vector, Vector]} */ ([[Math.sign(at[0]) * 0.36, 0, 0], at])),
-  ]; // prettier-ignore
+    [
+      [-0.36, 0.06, 0],
+      [0.36, 0.06, 0],
+    ],
+    [
+      [-0.36, -0.06, 0],
+      [0.36, -0.06, 0],
+    ],
+    ...atoms
+      .slice(2)
+      .map(([at]) => /** @type {[Vector, Vector]} */ ([[Math.sign(at[0]) * 0.36, 0, 0], at])),
+  ];
   for (const bond of bonds) {
     const middle = placedBy(axes, sum([0.5, bond[0]], [0.5, bond[1]]));
     const draw = () => drawBar(pen, eye, axes, bond, 0.032, "#8c969f");

@@ -77,6 +77,7 @@ THROWS = (
 """Shape and start (ψ₀, dψ/dφ): within the eyes of the separatrix and outside, either way round."""
 
 SCENES = {
+    "opening": {"space"},
     "throw": {"space"},
     "portrait-scene": {"space", "portrait"},
     "defect-scene": {"space", "levels"},
@@ -548,6 +549,8 @@ def test_the_animation_advances_and_can_be_held(open_page: Open) -> None:
     page.wait_for_function("shown.share > 0.05")
     page.click("#play")
     assert page.inner_text("#play") == "Play"
+    frames = "requestAnimationFrame(() => requestAnimationFrame(next))"
+    page.evaluate(f"new Promise((next) => {frames})")
     held = page.evaluate("VIEWS.space.canvas.toDataURL()")
     page.evaluate("new Promise((next) => setTimeout(next, 100))")
     assert page.evaluate("VIEWS.space.canvas.toDataURL()") == held

@@ -3,6 +3,7 @@
 import json
 import re
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -12,7 +13,7 @@ from tresym.report.pages.site_data import record
 from tresym.report.words.markdown import finding, sentence
 from tresym.report.words.said import display
 from tresym.report.words.wording import readable
-from tresym.site import claims, commands, links
+from tresym.site import claims, commands, graph, links
 from tresym.site.docstrings import restructured
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -263,3 +264,18 @@ def test_no_result_is_typed_into_the_prose(report: Report) -> None:
         found = set(re.findall(r"(?<![\w.])\d[\d.]*\d\d(?!\w)|(?<![\w.])\d+\.\d+(?!\w)", text))
         assert found <= allowed, (path.name, found - allowed)
     assert numbers(report)["claims"] == str(len(report.rows))
+
+
+def test_the_picture_of_a_claim_has_its_neighbours(ledger: claims.Record) -> None:
+    found = ledger["claims"]
+    for label, claim in found.items():
+        shown = graph.picture(label, found)
+        assert bool(shown) == bool(claim["uses"] or claim["used_by"])
+        if not shown:
+            continue
+        boxes = re.findall(r'<a href="(\w+)\.html">', shown)
+        assert boxes.count(label) == 1
+        assert len(set(boxes)) == len(boxes)
+        cut = sum(map(int, re.findall(r"and (\d+) more", shown)))
+        assert set(claim["uses"]) <= set(boxes) or cut
+        ElementTree.fromstring(shown)

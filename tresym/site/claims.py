@@ -11,6 +11,7 @@ from typing import Any
 import tresym
 from tresym.report.words.markdown import escaped, finding, sentence
 from tresym.report.words.said import conditions, display, in_dollars, of_record, stated
+from tresym.site import graph
 from tresym.site.markdown import badge, chain, inline, link, statement, titled
 
 Record = dict[str, Any]
@@ -186,6 +187,7 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_proof(claim),
         *_numbers(claim),
         *_truth(claim, claims),
+        *_graph(label, claims),
         *_relations(claim, claims),
         *_symbols(claim),
         *_cost(claim, seconds),
@@ -291,6 +293,12 @@ def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 
 def _named(label: str, claims: dict[str, Record]) -> str:
     return f"{titled(label, claims[label])}\n\n{statement(claims[label])}"
+
+
+def _graph(label: str, claims: dict[str, Record]) -> Iterator[str]:
+    shown = graph.picture(label, claims)
+    if shown:
+        yield f"## How it hangs together\n\n```{{raw}} html\n{shown}\n```"
 
 
 def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:

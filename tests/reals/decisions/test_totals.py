@@ -28,6 +28,10 @@ HOLD = [
     "product(k, k, 1, 0) == 1",
     "sum(sum(j, j, 1, 3)*k, k, 1, 4) == 60",
     "sum(k*k_1, k, 1, 3) == 6*k_1",
+    "sum(x**k, k, 0, oo) == 1/(1 - x) given abs(x) < 1",
+    "sum(k*x**k, k, 1, oo) == x/(1 - x)**2 given abs(x) < 1",
+    "sum((-1)**k/2**k, k, 0, oo) == 2/3",
+    "sum(1/(k*(k + 1)), k, 1, oo) == 1",
 ]
 FAIL = [
     "sum(k, k, 1, n) == n*(n + 1)/3",
@@ -35,6 +39,8 @@ FAIL = [
     "sum(k, k, 1, n) == n*(n + 1)/2 + (n - 1)*(n - 2)*(n - 3)*(n - 4) given n >= 1",
     "product(k + 1, k, 1, n) == n*(n + 1)",
     "sum(k, k, 1, 10) == 56",
+    "sum(x**k, k, 1, oo) == 1/(1 - x) given abs(x) < 1",
+    "sum(1/(k*(k + 1)), k, 1, oo) == 2",
     "sum(k, k, 1, n) < 100 given n >= 1",
     "sum(k, k, 1, n) == n*(n + 1)/2 + 1 given n >= 3",
 ]
@@ -84,3 +90,17 @@ def test_induction_needs_its_base_and_its_step(claim: str, least: int) -> None:
 def test_terms_that_know_the_end_are_not_added_to_what_was() -> None:
     (comparison,) = read("sum(n, k, 1, n) == n*(n - 1)/2").comparisons
     assert _end(comparison.left) is None
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "sum(1/k, k, 1, n) -> 5 as n -> oo",
+        "sum(k, k, 1, n) == O(n) as n -> oo",
+        "sum(k, k, 1, n + 1/2) == (n + 1)*(n + 2)/2",  # to n + 1, if halves were dropped
+        "sum(k, k, 1, 5/2) == 15",
+        "sum(integral(x*k, x, 0, n), k, 1, n) == n**2/2",
+    ],
+)
+def test_what_is_no_sum_from_an_integer_to_an_integer_does_not_pass(claim: str) -> None:
+    assert not tresym.check(claim)

@@ -110,6 +110,14 @@ class Comparison:
         """The variables by which."""
         return frozenset(found.by for found in self.derivatives)
 
+    def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
+        """The comparison of changed sides, their derivatives with them."""
+        derivatives = (
+            d._replace(function=change(d.function), value=change(d.value)) for d in self.derivatives
+        )
+        left, right = change(self.left), change(self.right)
+        return replace(self, left=left, right=right, derivatives=tuple(derivatives))
+
 
 @dataclass(frozen=True)
 class Path:
@@ -155,6 +163,20 @@ class Statement:
 
     def __str__(self) -> str:
         return self.text
+
+    @property
+    def said(self) -> list[Expr]:
+        """The sides of all conditions."""
+        pairs = (*((left, right) for left, _, right in self.given.comparisons), *self.equations)
+        return [side for pair in pairs for side in pair]
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Statement:
+        """The statement under changed conditions, and where it tends to."""
+        path = self.path
+        if path is not None and path.point is not None:
+            path = replace(path, point=change(path.point))
+        equations = tuple((change(x), change(y)) for x, y in self.equations)
+        return replace(self, given=self.given.mapped(change), equations=equations, path=path)
 
     @property
     def under(self) -> str:
@@ -305,6 +327,7 @@ def _split(text: str) -> tuple[str, str, str]:
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
+    right = _spread(right)
     terms = right.args if right.op == "+" else (right,)
     orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
@@ -324,6 +347,24 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     return Comparison(work(left), relation, work(right), written, primitives)
 
 
+def _spread(e: Expr) -> Expr:
+    """``c (f + O(g))`` as ``c f + O(c g)``."""
+    if e.op == "+":
+        return add(*map(_spread, e.args))
+    parts = e.args if e.op == "*" and not elementary(e) else ()
+    factors = [part for part in parts if not elementary(part)]
+    terms = _terms(factors[0]) if len(factors) == 1 else ()
+    rest = multiply(*(part for part in parts if part is not factors[0]))
+    if not any(term.op in ("O", "o") for term in terms):
+        return e
+    return add(
+        *(
+            Expr(term.op, (rest * term.args[0],)) if term.op in ("O", "o") else rest * term
+            for term in terms
+        )
+    )
+
+
 def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:
     """``limit(f, x, p) == L`` as ``f -> L`` on its path."""
     if path is not None:
@@ -339,7 +380,7 @@ def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[C
 def _without_ends(left: Expr, right: Expr) -> Comparison:
     """An equation of integrals without ends as one of derivatives."""
     names, known, rest = set(), [], []
-    for term in (left - right).args if (left - right).op == "+" else (left - right,):
+    for term in (*_terms(left), *(-term for term in _terms(right))):
         nodes = [node for node in outermost(term) if node.op == "antiderivative"]
         if not nodes:
             rest.append(-term)
@@ -359,6 +400,10 @@ def _without_ends(left: Expr, right: Expr) -> Comparison:
         tuple(_derivatives(side, worked_out))
     value = differentiate(function, by)
     return Comparison(value, "==", f, (Derivative(function, by, 1, value),))
+
+
+def _terms(e: Expr) -> tuple[Expr, ...]:
+    return e.args if e.op == "+" else (e,)
 
 
 def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
@@ -393,7 +438,7 @@ def _is_infinite(e: Expr) -> bool:
     """Whether oo stands in it elsewhere than at the end of an integral."""
     if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
         return e == INFINITY
-    ends = (INFINITY, -INFINITY) if e.op == "integral" else ()
+    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum") else ()
     return any(_is_infinite(arg) for arg in e.args if arg not in ends)
 
 

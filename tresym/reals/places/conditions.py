@@ -7,7 +7,7 @@ point handed out, so a point is a witness and not a guess.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
@@ -35,9 +35,9 @@ class Condition:
     expression: Expr
     relation: str
 
-    def holds(self, point: Mapping[str, arb | fmpq]) -> bool:
-        """Whether balls show the condition, strictly, at ``point``."""
-        value = evaluate(self.expression, point)
+    def holds(self, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | None = None) -> bool:
+        """Whether balls show the condition, strictly, at ``point``; of which values are known."""
+        value = evaluate(self.expression, point, known)
         if self.relation == "!=":
             return bool(value > 0 or value < 0)
         return bool(value > 0)
@@ -85,6 +85,10 @@ class Given:
             elif name != "BooleanTrue":
                 raise InputError(f"{shortened(str(item))} is not a condition such as a > 0")
         return Given(tuple(result))
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Given:
+        """The conditions with changed sides."""
+        return Given(tuple((change(x), relation, change(y)) for x, relation, y in self.comparisons))
 
     def __and__(self, other: Given) -> Given:
         return Given(self.comparisons + other.comparisons)
@@ -214,8 +218,9 @@ class Given:
         yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
 
     def _holds(self, point: dict[str, fmpq]) -> bool:
+        known: dict[Expr, arb] = {}
         with ball_precision():
-            return all(condition.holds(point) for condition in self.conditions)
+            return all(condition.holds(point, known) for condition in self.conditions)
 
 
 def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -> None:
