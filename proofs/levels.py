@@ -149,7 +149,7 @@ unturned_claims = _falling("unturned", unturned, unturned_rate)
 # -- what this says of ε(γ) -----------------------------------------------------------------------
 
 decrease_in_gamma = Claim(
-    says="For a > 0 and 0 < b ≤ 1 ε(γ) decreases strictly up to γ = a, from the level with "
+    says="For a > 0 and 0 < b ≤ 1, ε(γ) decreases strictly up to γ = a, from the level with "
     "Φ(π, γ) = π where it is π/2, or from −b if there is none.",
     proof=all_of(
         rotating_claims[-1],

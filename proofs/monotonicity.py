@@ -50,7 +50,7 @@ decrease_in_a = Claim(
     ),
     given=(*shape, *later),
     proof=by(exponentials),
-    note="The left side is −2aD d(log tan ε₀)/da with dT/da = (T − b·share)/(2aD).",
+    note="The left side is −2aD d(log tan ε₀)/da with dT/da = (T − bw)/(2aD), w the share of b.",
 )
 
 tangent_below = Claim(says=sinh(T) <= T * cosh(T), given=(T > 0,), proof=manifest)

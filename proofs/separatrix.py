@@ -169,7 +169,7 @@ unique_root = Claim(
         at_low=(step(-pi * k, exponentials, inverses),),
         at_high=(step(k * atan(1 / (r * tanh(_end))), inverses),),
     ),
-    note="b = k r with k = √(ab) and r = √(b/a).",
+    note="b = kr with k = √(ab) and r = √(b/a).",
 )
 
 no_root_beyond = Claim(

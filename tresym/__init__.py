@@ -14,7 +14,7 @@ if TYPE_CHECKING:  # what editors and type checkers see, and refuse what is not 
     from tresym.ledger.verification import verify
     from tresym.racket.body import NAMED_BODIES as bodies  # noqa: N811 - the name it is known by
     from tresym.racket.body import Body
-    from tresym.racket.flip import flip_angle, flip_defect
+    from tresym.racket.flip import flip_angle, flip_defect, flip_defects
     from tresym.racket.floats.flipmap import flip_map
     from tresym.reals.decisions import check
     from tresym.reals.numbers.exact import InputError
@@ -30,6 +30,7 @@ _HOMES = {
     "check": "tresym.reals.decisions",
     "flip_angle": "tresym.racket.flip",
     "flip_defect": "tresym.racket.flip",
+    "flip_defects": "tresym.racket.flip",
     "flip_map": "tresym.racket.floats.flipmap",
     "verify": "tresym.ledger.verification",
 }
@@ -43,6 +44,7 @@ __all__ = [
     "check",
     "flip_angle",
     "flip_defect",
+    "flip_defects",
     "flip_map",
     "verify",
 ]

@@ -88,9 +88,15 @@ function drawChart(pen, frame, [xTicks, yTicks], names, draw) {
   const every = Math.ceil(yTicks.length / room);
   const shownTicks = yTicks.filter((_, i) => i % every === 0);
   for (const { at } of xTicks) grid(pen, placed(frame, [at, frame.along[0]]), [0, top - bottom]);
-  for (const { at } of shownTicks) grid(pen, placed(frame, [frame.across[0], at]), [right - left, 0]);
+  for (const { at } of shownTicks)
+    grid(pen, placed(frame, [frame.across[0], at]), [right - left, 0]);
   pen.inside(boxOf(frame), draw);
-  const rim = /** @type {Spot[]} */ ([[left, top], [right, top], [right, bottom], [left, bottom]]); // prettier-ignore
+  const rim = /** @type {Spot[]} */ ([
+    [left, top],
+    [right, top],
+    [right, bottom],
+    [left, bottom],
+  ]);
   pen.area(rim, { stroke: COLOURS.quiet, width: 1 });
   for (const { at, text } of xTicks) {
     const [x] = placed(frame, [at, frame.along[0]]);
@@ -111,7 +117,13 @@ function drawChart(pen, frame, [xTicks, yTicks], names, draw) {
  * @param {[number, number]} way
  */
 function grid(pen, [x, y], [dx, dy]) {
-  pen.line([[x, y], [x + dx, y + dy]], { stroke: COLOURS.grid }); // prettier-ignore
+  pen.line(
+    [
+      [x, y],
+      [x + dx, y + dy],
+    ],
+    { stroke: COLOURS.grid },
+  );
 }
 
 /**

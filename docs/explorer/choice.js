@@ -146,7 +146,10 @@ function readStart(shape) {
   }
   const motion = turnFrom(shape, psi, rate);
   if (motion) return motion;
-  throw new Complaint("rate", "there it spins steadily about one axis and never flips; give it a push");
+  throw new Complaint(
+    "rate",
+    "there it spins steadily about one axis and never flips; give it a push",
+  );
 }
 
 /**

@@ -24,19 +24,19 @@ function begin() {
   });
   byId("save-png").addEventListener("click", () => save(field("picture").value, "png"));
   byId("save-svg").addEventListener("click", () => save(field("picture").value, "svg"));
-  // In the site, a way back; beside its source there is none.
-  byId("home").hidden = location.pathname.endsWith("/docs/explorer/index.html");
-  open();
+  // In the site, a way back; beside its source, and on a page of the site, there is none.
+  byId("home").hidden = location.pathname.endsWith("/docs/explorer/index.html") || self !== top;
+  openAddress();
   // The page's own changes of the address are not heard here.
   addEventListener("hashchange", () => recall() && location.reload());
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) setPlaying(true);
 }
 
 /** Begin with the first scene, or with what the address says. */
-function open() {
+function openAddress() {
   const at = recall();
   if (at === null) {
-    enter("throw");
+    enter("opening");
   } else {
     history.scrollRestoration = "manual";
     scene.touched = true;

@@ -44,7 +44,8 @@ function tabulateError(id, formula, exact) {
 
 /** Read the form and show what follows from it, or the one thing that is wrong. */
 function update() {
-  for (const input of document.querySelectorAll("[aria-invalid]")) input.removeAttribute("aria-invalid");
+  for (const input of document.querySelectorAll("[aria-invalid]"))
+    input.removeAttribute("aria-invalid");
   try {
     const choice = readForm();
     write("message", "");
@@ -66,7 +67,7 @@ function show({ level, motion, realizable, shape }) {
   Object.assign(shown, {
     motion,
     realizable,
-    thing: THINGS[body?.drawn ?? "racket"],
+    thing: body ? THINGS[body.drawn] : solidBox(sidesOf(level), false),
     defect,
     turning: turningLevel(level),
     perfect: perfectLevel(level),
@@ -131,7 +132,9 @@ function describe({ a, b, gamma }, flip, defect) {
   const { turning, perfect, realizable } = shown;
   const short = Math.abs(2 * defect) / DEGREE;
   const side = defect > 0 ? "short of" : "beyond";
-  const from = given.point ? `From ψ₀ = ${brief(Number(toFloat(typed("psi0", "ψ₀"))) / DEGREE)}°, in` : "In";
+  const from = given.point
+    ? `From ψ₀ = ${brief(Number(toFloat(typed("psi0", "ψ₀"))) / DEGREE)}°, in`
+    : "In";
   const rest = given.point ? "" : `, ${brief(short)}° ${side} half a turn`;
   write(
     "sentence",
@@ -159,7 +162,9 @@ function describe({ a, b, gamma }, flip, defect) {
     "realizable",
     realizable ? `✓ yes: b ≤ 1/(a + 2) = ${limit}` : `✗ no: b > 1/(a + 2) = ${limit}`,
   );
-  const verdict = realizable ? `≤ 1/(a + 2) = ${limit}: a rigid body can have it` : `> 1/(a + 2) = ${limit}: no rigid body has it`;
+  const verdict = realizable
+    ? `≤ 1/(a + 2) = ${limit}: a rigid body can have it`
+    : `> 1/(a + 2) = ${limit}: no rigid body has it`;
   write("verdict", `a = ${brief(a)}, b = ${brief(b)} ${verdict}`);
   for (const place of document.querySelectorAll('#realizable, [data-live="verdict"]')) {
     place.classList.toggle("yes", realizable);
@@ -211,7 +216,9 @@ function setSliders(level) {
   const { a, b, gamma, clock } = level;
   const psi = toFloat(typed("psi0", "ψ₀"));
   const rate = toFloat(typed("rate", "dψ/dφ"));
-  const moments = MOMENTS.map((id) => toFloat(/** @type {Fraction} */ (readNumber(field(id).value) ?? ONE)));
+  const moments = MOMENTS.map((id) =>
+    toFloat(/** @type {Fraction} */ (readNumber(field(id).value) ?? ONE)),
+  );
   const turn = 2 * Math.PI;
   /** @type {Record<string, [number, number]>} position and what it means */
   const positions = {
@@ -254,8 +261,14 @@ function rateScale(level, psi) {
 
 /** @param {"a" | "b"} id */
 function slideShape(id) {
-  const a = id === "a" ? 10 ** Number(field("a-slider").value) : toFloat(readNumber(field("a").value) ?? ONE); // prettier-ignore
-  const b = id === "b" ? 10 ** Number(field("b-slider").value) : toFloat(readNumber(field("b").value) ?? ONE); // prettier-ignore
+  const a =
+    id === "a"
+      ? 10 ** Number(field("a-slider").value)
+      : toFloat(readNumber(field("a").value) ?? ONE);
+  const b =
+    id === "b"
+      ? 10 ** Number(field("b-slider").value)
+      : toFloat(readNumber(field("b").value) ?? ONE);
   if (id === "a") setShape(rounded(a), field("b").value);
   else setShape(field("a").value, rounded(b));
 }
@@ -282,7 +295,9 @@ function fitThrow() {
     const psi = toFloat(readNumber(field("psi0").value) ?? ONE);
     const rate = toFloat(readNumber(field("rate").value) ?? ONE);
     const [p, q] = [toFloat(a), toFloat(b)];
-    const most = 0.99 * largestRate({ a: p, b: q, gamma: 0, above: q, below: p, total: p + q, clock: 1 - q }, psi);
+    const most =
+      0.99 *
+      largestRate({ a: p, b: q, gamma: 0, above: q, below: p, total: p + q, clock: 1 - q }, psi);
     if (Math.abs(rate) > most) field("rate").value = rounded(Math.sign(rate) * most, 4);
     return;
   }
@@ -334,6 +349,7 @@ function setGamma(gamma, digits = 6) {
  */
 function setStart(psi, rate) {
   given.point = true;
+  shown.share = 0;
   field("psi0").value = String(Number(psi.toFixed(4)));
   field("rate").value = rounded(rate, 4);
   update();
@@ -344,7 +360,9 @@ function slideStart(id) {
   const level = shown.motion?.orbit.level;
   if (!level) return;
   const moved = id === "psi0-slider";
-  const psi = moved ? Number(field(id).value) * DEGREE : toFloat(readNumber(field("psi0").value) ?? ONE);
+  const psi = moved
+    ? Number(field(id).value) * DEGREE
+    : toFloat(readNumber(field("psi0").value) ?? ONE);
   const share = Number(field("rate-slider").value) / 100;
   const most = 0.99 * largestRate(level, psi);
   const kept = toFloat(readNumber(field("rate").value) ?? ONE);

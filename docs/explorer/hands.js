@@ -54,7 +54,10 @@ const GRIPS = {
     step(across, along) {
       const { a, b } = level();
       const [x, y] = [Math.log10(a) + 0.02 * across, Math.log10(b) + 0.02 * along];
-      setShape(rounded(10 ** clamp(x, ...mapFrame(VIEWS.map).across), 4), rounded(10 ** clamp(y, -3, 0), 4));
+      setShape(
+        rounded(10 ** clamp(x, ...mapFrame(VIEWS.map).across), 4),
+        rounded(10 ** clamp(y, -3, 0), 4),
+      );
     },
   },
 };
@@ -75,7 +78,10 @@ function startAt([psi, rate]) {
   // The crest of its level stays in the frame.
   const crest = 0.97 * reach * clock;
   const highest = Math.min((crest * crest) / total - b, a * 0.9999);
-  const most = Math.min(rateAt(onLevel(level(), highest), psi) || 0, 0.9999 * largestRate(level(), psi));
+  const most = Math.min(
+    rateAt(onLevel(level(), highest), psi) || 0,
+    0.9999 * largestRate(level(), psi),
+  );
   setStart(psi, clamp(rate, -most, most));
 }
 

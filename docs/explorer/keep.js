@@ -24,14 +24,17 @@ function addressOf() {
   /** @type {Record<string, string>} */
   const choice = body ? { body: body.name } : {};
   const typedIn = given.moments ? MOMENTS : ["a", "b"];
-  for (const id of [...typedIn, ...(given.point ? ["psi0", "rate"] : ["gamma"])]) choice[id] = asTyped(id);
+  for (const id of [...typedIn, ...(given.point ? ["psi0", "rate"] : ["gamma"])])
+    choice[id] = asTyped(id);
   const { yaw, pitch, thrown } = shown.eyes.space;
-  if (yaw !== HOME.space.yaw || pitch !== HOME.space.pitch) choice.eye = `${yaw.toFixed(2)},${pitch.toFixed(2)}`;
+  if (yaw !== HOME.space.yaw || pitch !== HOME.space.pitch)
+    choice.eye = `${yaw.toFixed(2)},${pitch.toFixed(2)}`;
   if (!thrown) choice.upright = "1";
   if (shown.once) choice.once = "1";
   if (shown.ghosts) choice.ghosts = "1";
   if (shown.tempo !== 0.3) choice.tempo = rounded(shown.tempo);
-  if (byId("stage").dataset.picture !== "portrait") choice.picture = byId("stage").dataset.picture ?? "";
+  if (byId("stage").dataset.picture !== "portrait")
+    choice.picture = byId("stage").dataset.picture ?? "";
   if (scene.name !== "bench") choice.at = scene.name;
   return new URLSearchParams(choice);
 }
@@ -46,11 +49,14 @@ function recall() {
   /** @param {string} key */
   const has = (key) => choice.has(key);
   if (!["a", "body", "I1", "gamma", "psi0"].some(has)) return null;
-  const body = BODIES.find(({ name }) => name === choice.get("body")) ?? (has("a") || has("I1") ? undefined : BODIES[0]);
+  const body =
+    BODIES.find(({ name }) => name === choice.get("body")) ??
+    (has("a") || has("I1") ? undefined : BODIES[0]);
   field("body").value = body?.name ?? "";
   given.moments = MOMENTS.every(has);
   given.point = has("psi0") && has("rate");
-  for (const id of ["a", "b", ...MOMENTS, "gamma", "psi0", "rate"]) field(id).value = choice.get(id) ?? "";
+  for (const id of ["a", "b", ...MOMENTS, "gamma", "psi0", "rate"])
+    field(id).value = choice.get(id) ?? "";
   if (body && !has("a")) [field("a").value, field("b").value] = [body.a, body.b];
   if (!given.point && !has("gamma")) field("gamma").value = "0";
   const eye = (choice.get("eye") ?? "").split(",").map(Number);
@@ -63,7 +69,8 @@ function recall() {
   const tempo = Number(choice.get("tempo"));
   if (tempo > 0) shown.tempo = clamp(tempo, 0.03, 3.2);
   const picture = choice.get("picture");
-  if (picture && NAMES.includes(picture) && picture !== "space") byId("stage").dataset.picture = picture;
+  if (picture && NAMES.includes(picture) && picture !== "space")
+    byId("stage").dataset.picture = picture;
   const at = choice.get("at");
   return at && at in SCENES ? at : "bench";
 }

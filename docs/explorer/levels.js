@@ -50,10 +50,16 @@ function drawLevels(pen, level, turning) {
   ]);
   const names = /** @type {[string, string]} */ (["γ, distance from the separatrix", "defect ε"]);
   drawChart(pen, frame, ticks, names, () => {
-    const zero = placedAll(frame, [[low, 0], [high, 0]]); // prettier-ignore
+    const zero = placedAll(frame, [
+      [low, 0],
+      [high, 0],
+    ]);
     pen.line(zero, { stroke: COLOURS.quiet, width: 1 });
     if (turning !== null) {
-      const wall = placedAll(frame, [[turning, frame.along[0]], [turning, frame.along[1]]]); // prettier-ignore
+      const wall = placedAll(frame, [
+        [turning, frame.along[0]],
+        [turning, frame.along[1]],
+      ]);
       pen.line(wall, { stroke: COLOURS.rotating, width: 1.5, dash: [2, 5] });
       const words = { fill: COLOURS.rotating, size: 14, italic: true, halo: COLOURS.card };
       pen.words([wall[1][0] + 5, frame.top + 16], "γ*", words);
@@ -70,8 +76,16 @@ function drawLevels(pen, level, turning) {
     });
     pen.line(placedAll(frame, exact), { stroke: COLOURS.ink, width: 3 });
     const words = { size: 13, halo: COLOURS.card };
-    pen.words([frame.right - 8, frame.top + 18], "exact", { ...words, fill: COLOURS.ink, align: "end" });
-    pen.words([frame.right - 8, frame.top + 36], "the paper’s line", { ...words, fill: COLOURS.oscillating, align: "end" }); // prettier-ignore
+    pen.words([frame.right - 8, frame.top + 18], "exact", {
+      ...words,
+      fill: COLOURS.ink,
+      align: "end",
+    });
+    pen.words([frame.right - 8, frame.top + 36], "the paper’s line", {
+      ...words,
+      fill: COLOURS.oscillating,
+      align: "end",
+    });
   });
 }
 

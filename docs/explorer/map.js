@@ -83,7 +83,10 @@ function drawMap(pen, bodies) {
  */
 function drawBands(pen, frame, edges) {
   const far = frame.across[1] + 5;
-  const end = /** @type {Point[]} */ ([[far, frame.along[1]], [far, frame.along[0]]]); // prettier-ignore
+  const end = /** @type {Point[]} */ ([
+    [far, frame.along[1]],
+    [far, frame.along[0]],
+  ]);
   for (const [i, edge] of edges.entries()) {
     const fill = mixed(COLOURS.card, COLOURS.rotating, 0.08 + (0.62 * i) / BANDS.length);
     pen.area(placedAll(frame, [...edge, ...end]), { fill });
@@ -92,19 +95,22 @@ function drawBands(pen, frame, edges) {
 }
 
 /**
- * The names of the bands, below the border where there are bodies, else above it.
+ * The names of the bands: the lower ones near the bottom, the rest near the top, where no body stands.
  *
  * @param {Pen} pen
  * @param {Frame} frame
  * @param {Point[][]} edges
  */
 function nameBands(pen, frame, edges) {
-  const words = /** @type {Lettering} */ ({ fill: COLOURS.rotating, size: 11.5, halo: COLOURS.card, align: "center" }); // prettier-ignore
+  const words = /** @type {Lettering} */ ({
+    fill: COLOURS.rotating,
+    size: 11.5,
+    halo: COLOURS.card,
+    align: "center",
+  });
   for (const [i, edge] of edges.entries()) {
-    const share = BANDS[i] > 5 ? 0.4 : 2.6;
-    const at = edge.find(([x, y]) => 10 ** y * (10 ** x + 2) > share) ?? edge[48];
-    const [x, y] = placed(frame, at);
-    if (x > frame.left + 16 && x < frame.right - 16 && y > frame.top + 14) pen.words([x, y + 4], `${BANDS[i]}°`, words);
+    const [x, y] = placed(frame, edge[BANDS[i] > 5 ? 9 : 45]);
+    if (x > frame.left + 14 && x < frame.right - 14) pen.words([x, y + 4], `${BANDS[i]}°`, words);
   }
 }
 
@@ -139,7 +145,7 @@ function drawForbidden(pen, frame) {
   }
   pen.line(spots, { stroke: COLOURS.ink, width: 2.4 });
   const words = { fill: COLOURS.ink, size: 13, halo: COLOURS.card };
-  const at = placed(frame, [1.02, Math.log10(0.5)]);
+  const at = placed(frame, [1.4, Math.log10(0.36)]);
   pen.words(at, "no rigid body", { ...words, align: "center" });
   pen.words(placed(frame, [-0.93, Math.log10(0.37)]), "flat bodies", words);
 }

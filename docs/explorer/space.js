@@ -7,7 +7,9 @@
  */
 "use strict";
 
-const FLOOR = -1.28;
+/** Where the floor lies and how long M is drawn: level as in a throw, or upright. */
+const LEVEL = { floor: -1.28, arrow: 1.4 };
+const UPRIGHT = { floor: -1, arrow: 1.12 };
 const DIAL = 1.2;
 const TRAIL = { steps: 56, turns: 0.5 };
 
@@ -34,7 +36,8 @@ function axesOf({ psi, theta, phi }) {
  * @param {number} share how much of the turn has passed
  * @param {Thing} thing
  * @param {Camera} camera
- * @param {{ ghosts: boolean, whole: boolean }} show the first and last attitude; the path of one turn
+ * @param {{ ghosts: boolean, whole: boolean, phantom: boolean }} show the first and last attitude; the
+ *   path of one turn; that no rigid body is so
  */
 function drawSpace(pen, motion, share, thing, camera, show) {
   const scale = Math.min(pen.width / 2.9, pen.height / 2.66);
@@ -42,22 +45,26 @@ function drawSpace(pen, motion, share, thing, camera, show) {
   const pose = poseAt(motion, share);
   const from = poseAt(motion, 0);
   const axes = axesOf(pose);
-  drawShadow(pen, eye, thing, axes);
+  const { floor, arrow } = camera.thrown ? LEVEL : UPRIGHT;
+  drawShadow(pen, eye, thing, axes, floor);
   // The body is flat: what lies on the eye's side of its plane is before it, the rest behind.
   const side = Math.sign(dot(axes.third, eye.towards)) || 1;
   /** @param {Vector} point */
   const before = (point) => side * dot(point, axes.third) > 0;
   const layers = [
     ...dialOf(from.phi, pose.phi),
-    ...momentumArrow(),
+    ...momentumArrow(arrow),
     ...(show.whole ? [pathOf(motion, thing)] : []),
     ...trailOf(motion, share, thing),
   ];
   for (const layer of layers) drawPart(pen, eye, layer, (point) => !before(point));
-  if (show.ghosts) for (const at of [0, 1]) drawGhost(pen, eye, thing, axesOf(poseAt(motion, at)));
-  thing.draw(pen, eye, axes);
+  if (show.ghosts) {
+    for (const at of [0, 1]) drawGhost(pen, eye, thing, axesOf(poseAt(motion, at)), 0.14);
+  }
+  if (show.phantom) drawGhost(pen, eye, thing, axes, 0.5, COLOURS.warning);
+  else thing.draw(pen, eye, axes);
   for (const layer of layers) drawPart(pen, eye, layer, before);
-  const tip = seen(eye, [0, 0, 1.42]);
+  const tip = seen(eye, [0, 0, arrow + 0.02]);
   pen.words([tip[0] + 7, tip[1] + 3], "M", { fill: COLOURS.ink, size: 17, italic: true });
   drawInstruments(pen, motion, from, pose);
 }
@@ -113,6 +120,7 @@ function arcAbout(from, to, radius) {
  */
 function dialOf(from, to) {
   const turned = Math.min(to - from, 2 * Math.PI);
+  /** @type {Layer[]} */
   const layers = [{ points: arcAbout(0, 2 * Math.PI, DIAL), style: { stroke: COLOURS.edge } }];
   for (let i = 0; i < 12; i++) {
     const angle = from + (Math.PI * i) / 6;
@@ -127,17 +135,20 @@ function dialOf(from, to) {
   return layers;
 }
 
-/** @returns {Layer[]} */
-function momentumArrow() {
+/**
+ * @param {number} length
+ * @returns {Layer[]}
+ */
+function momentumArrow(length) {
   const style = { stroke: COLOURS.ink, width: 2.6 };
   /** @type {Vector[]} */
-  const shaft = Array.from({ length: 15 }, (_, i) => [0, 0, 0.1 * i]);
+  const shaft = Array.from({ length: 15 }, (_, i) => [0, 0, (length * i) / 14]);
   /** @type {Vector[][]} */
   const barbs = [0, 1, 2, 3].map((i) => {
     const angle = (Math.PI * i) / 2;
     return [
-      [0, 0, 1.4],
-      [0.045 * Math.cos(angle), 0.045 * Math.sin(angle), 1.28],
+      [0, 0, length],
+      [0.045 * Math.cos(angle), 0.045 * Math.sin(angle), length - 0.12],
     ];
   });
   return [shaft, ...barbs].map((points) => ({ points, style }));
@@ -187,8 +198,9 @@ function trailOf(motion, share, thing) {
  * @param {Eye} eye
  * @param {Thing} thing
  * @param {Axes} axes
+ * @param {number} floor
  */
-function drawShadow(pen, eye, thing, axes) {
+function drawShadow(pen, eye, thing, axes, floor) {
   if (dot(eye.sky, eye.towards) < 0.02) return;
   for (const [size, alpha] of [
     [1.05, 0.05],
@@ -197,7 +209,7 @@ function drawShadow(pen, eye, thing, axes) {
   ]) {
     const spots = thing.outline.map((point) => {
       const at = placedBy(axes, /** @type {Vector} */ (point.map((x) => size * x)));
-      return seen(eye, sum([1, at], [FLOOR - dot(at, eye.sky), eye.sky]));
+      return seen(eye, sum([1, at], [floor - dot(at, eye.sky), eye.sky]));
     });
     pen.area(spots, { fill: "#000000", alpha });
   }
@@ -208,12 +220,14 @@ function drawShadow(pen, eye, thing, axes) {
  * @param {Eye} eye
  * @param {Thing} thing
  * @param {Axes} axes
+ * @param {number} alpha
+ * @param {string} [rim] a colour
  */
-function drawGhost(pen, eye, thing, axes) {
+function drawGhost(pen, eye, thing, axes, alpha, rim) {
   const spots = thing.outline.map((point) => seen(eye, placedBy(axes, point)));
   const face = dot(axes.third, eye.towards) > 0 ? COLOURS.front : COLOURS.back;
-  pen.area(spots, { fill: face, alpha: 0.14 });
-  pen.area(spots, { stroke: face, width: 1.4, dash: [5, 4], alpha: 0.9 });
+  pen.area(spots, { fill: face, alpha });
+  pen.area(spots, { stroke: rim ?? face, width: rim ? 2.4 : 1.4, dash: [5, 4], alpha: 0.9 });
 }
 
 /**

@@ -50,7 +50,9 @@ const VIEWS = Object.fromEntries(
 
 /** The bodies as the map shows them. */
 const ON_MAP = BODIES.filter(({ label: text }) => text).map((body) => {
-  const [a, b] = [body.a, body.b].map((text) => toFloat(/** @type {Fraction} */ (readNumber(text))));
+  const [a, b] = [body.a, body.b].map((text) =>
+    toFloat(/** @type {Fraction} */ (readNumber(text))),
+  );
   const rigid = b * (a + 2) <= 1;
   return { a, b, label: body.label ?? "", rigid, below: rigid };
 });
@@ -83,8 +85,9 @@ function drawStill(name, pen, motion) {
  * @param {Motion} motion
  */
 function drawMoving(name, pen, motion) {
-  const { share, thing, eyes, ghosts, once } = shown;
-  if (name === "space") drawSpace(pen, motion, share, thing, eyes.space, { ghosts, whole: once });
+  const { share, thing, eyes, ghosts, once: whole } = shown;
+  const show = { ghosts, whole, phantom: !shown.realizable };
+  if (name === "space") drawSpace(pen, motion, share, thing, eyes.space, show);
   else if (name === "portrait") drawPhasePoint(pen, motion, share);
   else if (name === "sphere") drawMomentum(pen, motion, share, eyes.sphere);
 }
@@ -98,7 +101,15 @@ function drawMoving(name, pen, motion) {
 function drawWhole(name, pen) {
   if (!shown.motion) return;
   const { width, height } = pen;
-  pen.area([[0, 0], [width, 0], [width, height], [0, height]], { fill: COLOURS.card }); // prettier-ignore
+  pen.area(
+    [
+      [0, 0],
+      [width, 0],
+      [width, height],
+      [0, height],
+    ],
+    { fill: COLOURS.card },
+  );
   drawStill(name, pen, shown.motion);
   drawMoving(name, pen, shown.motion);
 }
@@ -197,7 +208,8 @@ let before = 0;
  * @param {number} now in milliseconds
  */
 function passTime(now) {
-  const step = before ? Math.min((now - before) / 1000, 0.1) : 0;
+  // A hand on the start holds the clock.
+  const step = before && !held.reach ? Math.min((now - before) / 1000, 0.1) : 0;
   before = now;
   if (!shown.once || shown.share < 1) {
     shown.share += step * shown.tempo;

@@ -1,5 +1,5 @@
 /**
- * The story: four scenes that set the stage as they are scrolled to, and the bench after them.
+ * The story: an opening and four scenes that set the stage as they are scrolled to, and the bench after them.
  */
 "use strict";
 
@@ -15,15 +15,37 @@
 
 /** @type {Record<string, Scene>} */
 const SCENES = {
-  throw: { body: "str", level: "perfect", once: false, ghosts: false, tempo: 0.3, yaw: -34 },
-  "portrait-scene": { body: "str", level: "rocks", once: false, ghosts: false, tempo: 0.4, yaw: -34 },
-  "defect-scene": { body: "str", level: "separatrix", once: true, ghosts: true, tempo: 0.25, yaw: -50 },
-  "body-scene": { body: "racket-3", level: "separatrix", once: true, ghosts: true, tempo: 0.25, yaw: -50 },
+  opening: { body: "str", level: "perfect", once: false, ghosts: false, tempo: 0.3, yaw: -34 },
+  throw: { body: "str", level: "perfect", once: true, ghosts: false, tempo: 0.25, yaw: -22 },
+  "portrait-scene": {
+    body: "str",
+    level: "rocks",
+    once: false,
+    ghosts: false,
+    tempo: 0.4,
+    yaw: -34,
+  },
+  "defect-scene": {
+    body: "str",
+    level: "separatrix",
+    once: true,
+    ghosts: true,
+    tempo: 0.25,
+    yaw: -50,
+  },
+  "body-scene": {
+    body: "racket-3",
+    level: "separatrix",
+    once: true,
+    ghosts: false,
+    tempo: 0.25,
+    yaw: -34,
+  },
   bench: { body: "str", level: "separatrix", once: true, ghosts: false, tempo: 0.3, yaw: -34 },
 };
 
 /** The scene on the stage, and whether a hand has changed anything. */
-const scene = { name: "throw", touched: false };
+const scene = { name: "opening", touched: false };
 
 /** What the bench was left with. */
 let left = /** @type {string | null} */ (null);
@@ -108,7 +130,12 @@ function showChecks() {
   field("once").checked = shown.once;
   field("ghosts").checked = shown.ghosts;
   field("upright").checked = !shown.eyes.space.thrown;
-  const picture = byId("stage").dataset.picture;
+  for (const link of byId("steps").querySelectorAll("a"))
+    link.setAttribute("aria-current", link.hash === `#${scene.name}` ? "step" : "false");
+  const chosen = byId("stage").dataset.picture;
+  // Where there is room for four pictures the choice is between two.
+  const roomy = matchMedia("(min-width: 56.01rem)").matches;
+  const picture = roomy && chosen !== "levels" ? "map" : chosen;
   for (const button of byId("pictures").querySelectorAll("button"))
     button.setAttribute("aria-pressed", String(button.dataset.picture === picture));
 }
@@ -148,10 +175,14 @@ function listenToStory() {
   byId("story").addEventListener("click", (event) => {
     const button = event.target instanceof Element ? event.target.closest("button") : null;
     if (!button) return;
-    const { level: name, body, throw: thrown } = button.dataset;
-    if (name || body || thrown) scene.touched = true;
+    const { level: name, body, throw: thrown, atOnce } = button.dataset;
+    if (name || body || thrown || atOnce) scene.touched = true;
     if (name) setLevel(name);
     if (body) chooseBody(body);
+    if (atOnce) {
+      chooseBody(atOnce);
+      setLevel("separatrix");
+    }
     if (thrown) {
       chooseBody(thrown);
       setLevel("perfect");

@@ -1,6 +1,7 @@
 /**
- * What turns: a racket, a book, a molecule. Each is flat or nearly so, lies in the plane of e₁ (the
- * handle) and e₂, and has a face of one colour towards e₃ and of another towards −e₃.
+ * What turns: a racket, a book, a molecule, or a box with the moments that were typed. Each is flat or
+ * nearly so, lies in the plane of e₁ (the handle) and e₂, and has a face of one colour towards e₃ and of
+ * another towards −e₃.
  */
 "use strict";
 
@@ -19,7 +20,7 @@ const ROUND = 44;
 /** @type {Record<string, Thing>} */
 const THINGS = {
   racket: { tip: 1.04, outline: racketOutline(), draw: drawRacket },
-  book: { tip: 0.92, outline: corners(0.92, 0.6, 0), draw: drawBook },
+  book: solidBox([0.92, 0.6, 0.09], true),
   molecule: { tip: 1, outline: corners(0.95, 0.66, 0), draw: drawMolecule },
 };
 
@@ -38,11 +39,7 @@ function placedBy({ first, second, third }, [x, y, z]) {
  * @returns {Vector} on the rim of the head
  */
 function onRim(angle, size = 1) {
-  return [
-    HEAD.centre + size * HEAD.long * Math.cos(angle),
-    size * HEAD.wide * Math.sin(angle),
-    0,
-  ];
+  return [HEAD.centre + size * HEAD.long * Math.cos(angle), size * HEAD.wide * Math.sin(angle), 0];
 }
 
 /** @returns {Vector[]} */
@@ -143,7 +140,14 @@ function drawHead(pen, eye, axes) {
   );
   drawStrings(pen, spot, mixed(colour, COLOURS.string, 0.5), 0.01 * eye.scale);
   if (front) drawStencil(pen, spot, 0.055 * eye.scale);
-  drawBar(pen, eye, axes, turn.map((angle) => onRim(angle)), 0.034, COLOURS.frame);
+  drawBar(
+    pen,
+    eye,
+    axes,
+    turn.map((angle) => onRim(angle)),
+    0.034,
+    COLOURS.frame,
+  );
   for (const side of [1, -1]) {
     const strut = [0, 0.25, 0.5, 0.75, 1].map((t) => throatAt(t, side));
     drawBar(pen, eye, axes, strut, 0.03, COLOURS.frame);
@@ -218,9 +222,39 @@ function drawStencil(pen, spot, width) {
  * @param {Axes} axes
  */
 function drawGrip(pen, eye, axes) {
-  drawBar(pen, eye, axes, [[-0.2, 0, 0], [-0.48, 0, 0]], 0.042, COLOURS.frame); // prettier-ignore
-  drawBar(pen, eye, axes, [[-0.46, 0, 0], [-0.95, 0, 0]], 0.056, COLOURS.grip); // prettier-ignore
-  drawBar(pen, eye, axes, [[-0.94, 0, 0], [-0.97, 0, 0]], 0.064, COLOURS.grip); // prettier-ignore
+  drawBar(
+    pen,
+    eye,
+    axes,
+    [
+      [-0.2, 0, 0],
+      [-0.48, 0, 0],
+    ],
+    0.042,
+    COLOURS.frame,
+  );
+  drawBar(
+    pen,
+    eye,
+    axes,
+    [
+      [-0.46, 0, 0],
+      [-0.95, 0, 0],
+    ],
+    0.056,
+    COLOURS.grip,
+  );
+  drawBar(
+    pen,
+    eye,
+    axes,
+    [
+      [-0.94, 0, 0],
+      [-0.97, 0, 0],
+    ],
+    0.064,
+    COLOURS.grip,
+  );
   const across = sum([1, eye.towards], [-dot(eye.towards, axes.first), axes.first]);
   const size = Math.sqrt(dot(across, across)) || 1;
   // The wrap runs over the side that is seen.
@@ -242,43 +276,83 @@ function drawGrip(pen, eye, axes) {
 }
 
 /**
+ * The half sides of the box with the moments of a shape: as √(I₂ + I₃ − I₁), √(I₁ + I₃ − I₂) and
+ * √(I₁ + I₂ − I₃), the last of which a rigid body has. Beyond, it is without thickness.
+ *
+ * @param {Level} shape
+ * @returns {Vector}
+ */
+function sidesOf({ a, b, clock }) {
+  // In units of I₂, times (1 + a)(1 − b), in which nothing is infinite at b = 1.
+  const squares = [
+    (1 + a) * clock + (1 + a) - clock,
+    clock + (1 + a) - (1 + a) * clock,
+    Math.max(clock - (1 + a) * b, 0),
+  ];
+  const scale = 0.95 / Math.sqrt(squares[0]);
+  return /** @type {Vector} */ (squares.map((x) => scale * Math.sqrt(x)));
+}
+
+/**
+ * @param {Vector} half its half sides
+ * @param {boolean} bound whether it is a book, with pages and a title
+ * @returns {Thing}
+ */
+function solidBox(half, bound) {
+  return {
+    tip: half[0],
+    outline: corners(half[0], half[1], 0),
+    draw: (pen, eye, axes) => drawBox(pen, eye, axes, half, bound),
+  };
+}
+
+/**
  * @param {Pen} pen
  * @param {Eye} eye
  * @param {Axes} axes
+ * @param {Vector} half
+ * @param {boolean} bound
  */
-function drawBook(pen, eye, axes) {
-  const [long, wide, thick] = [0.92, 0.6, 0.09];
-  const page = COLOURS.page;
+function drawBox(pen, eye, axes, half, bound) {
+  const thick = half[2];
+  const page = bound ? COLOURS.page : COLOURS.sphere;
   /** @type {[number, number, string][]} axis, side, colour: the spine is along −e₂ */
   const faces = [
     [0, 1, page],
     [0, -1, page],
     [1, 1, page],
-    [1, -1, COLOURS.front],
+    [1, -1, bound ? COLOURS.front : page],
     [2, 1, COLOURS.front],
     [2, -1, COLOURS.back],
   ];
-  const half = [long, wide, thick];
   for (const [axis, side, colour] of faces) {
     const normal = sum([side, [axes.first, axes.second, axes.third][axis]]);
     const centre = sum([half[axis], normal]);
     if (dot(normal, sum([DISTANCE, eye.towards], [-1, centre])) <= 0) continue;
     const [u, v] = [0, 1, 2].filter((i) => i !== axis);
-    const rim = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([s, t]) => {
+    const rim = [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ].map(([s, t]) => {
       const point = /** @type {Vector} */ ([0, 0, 0]);
       point[axis] = side * half[axis];
       [point[u], point[v]] = [s * half[u], t * half[v]];
       return seen(eye, placedBy(axes, point));
-    }); // prettier-ignore
+    });
     const edge = { stroke: COLOURS.frame, width: 0.012 * eye.scale };
     pen.area(rim, { fill: lit(colour, normal, eye), ...edge });
-    if (axis === 2) {
+    if (axis === 2 && bound) {
       /** @param {Vector[]} points */
       const spots = (points) => points.map((point) => seen(eye, placedBy(axes, point)));
       const title = side > 0 ? [0.55, 0.42, 0.29] : [-0.55];
       for (const [i, x] of title.entries()) {
         const reach = 0.36 - 0.09 * i;
-        const line = spots([[x, -reach, side * thick], [x, reach, side * thick]]); // prettier-ignore
+        const line = spots([
+          [x, -reach, side * thick],
+          [x, reach, side * thick],
+        ]);
         pen.line(line, { stroke: COLOURS.frame, width: (i ? 0.02 : 0.045) * eye.scale });
       }
     }
@@ -295,9 +369,9 @@ function drawBook(pen, eye, axes) {
 function drawMolecule(pen, eye, axes) {
   const front = dot(axes.third, eye.towards) > 0;
   const normal = sum([front ? 1 : -1, axes.third]);
-  const plate = corners(0.95, 0.68, 0).map((point) => seen(eye, placedBy(axes, point)));
+  const plate = corners(1, 0.74, 0).map((point) => seen(eye, placedBy(axes, point)));
   const face = lit(front ? COLOURS.front : COLOURS.back, normal, eye);
-  pen.area(plate, { fill: face, stroke: face, width: 0.12 * eye.scale, alpha: 0.45 });
+  pen.area(plate, { fill: face, alpha: 0.5 });
   /** @type {[Vector, number, string][]} */
   const atoms = [
     [[0.36, 0, 0], 0.2, "#5c6670"],
@@ -320,10 +394,18 @@ function drawMolecule(pen, eye, axes) {
   });
   /** @type {[Vector, Vector][]} */
   const bonds = [
-    [[-0.36, 0.06, 0], [0.36, 0.06, 0]],
-    [[-0.36, -0.06, 0], [0.36, -0.06, 0]],
-    ...atoms.slice(2).map(([at]) => /** @type {[Vector, Vector]} */ ([[Math.sign(at[0]) * 0.36, 0, 0], at])),
-  ]; // prettier-ignore
+    [
+      [-0.36, 0.06, 0],
+      [0.36, 0.06, 0],
+    ],
+    [
+      [-0.36, -0.06, 0],
+      [0.36, -0.06, 0],
+    ],
+    ...atoms
+      .slice(2)
+      .map(([at]) => /** @type {[Vector, Vector]} */ ([[Math.sign(at[0]) * 0.36, 0, 0], at])),
+  ];
   for (const bond of bonds) {
     const middle = placedBy(axes, sum([0.5, bond[0]], [0.5, bond[1]]));
     const draw = () => drawBar(pen, eye, axes, bond, 0.032, "#8c969f");

@@ -108,6 +108,25 @@ CLAIMS = {
     r"\[ c = 2s \label{a} \]" "\n% tresym: from a\n" r"\[ c^2 = 2s^2 \]": "DEFINED REFUTED",
     r"\newcommand\half[1]{\frac{#1}{2}} \[ \half{x} + \half x = x \]": "PROVED",
     r"\begin{align} a + b &= b \\ &\quad + a \end{align}": "PROVED",
+    r"Let $u = \cos x$. \[ \int\sin x\cos^2 x\,dx = -\int u^2\,du = -\frac{u^3}{3} + C \]": (
+        "PROVED PROVED"
+    ),
+    r"Let $u = \cos x$. \[ \int\sin x\cos^2 x\,dx = \int u^2\,du = \frac{u^3}{2} + C \]": (
+        "REFUTED REFUTED"
+    ),
+    r"Let $u = \sin x$. Letting $u = \sin 2x$, we have \[ 1 - u^2 = \cos^2 2x \]": "PROVED",
+    r"\[ x = at^2 \] Using the identity of sines, we find \[ x = bt^2 \]": "DEFINED DEFINED",
+    r"If $m$ is odd, then $m = 2k+1$. \[ (x^2)^k x = x^{2k+1} = x^m \]": "PROVED PROVED",
+    r"If $m$ is odd, then $m = 2k+1$. \[ x^{2k} = x^m \]": "EQUATION",
+    r"for every integer $n$ \[ \sin(n\pi) = 0 \]": "PROVED",
+    r"Throughout $m$ and $n$ are integers. \[ \sin(m\pi + n\pi) = 0 \]": "PROVED",
+    r"\[ \sin n\pi = 0, \quad \cos 2n\pi = 1, \qquad n \in \mathbb{Z} \]": "PROVED PROVED",
+    r"\[ x^n x = x^6, \quad x > 0,\ n = 5 \]": "PROVED",
+    r"\[ x^n x = x^7, \quad x > 0,\ n = 5 \]": "EQUATION",
+    r"\[ \sin 2x = 2\sin x \quad \text{(small angles)} \]": "EQUATION",
+    r"\begin{align} \int 2x\,dx &= \int x + x\,dx \\ \intertext{and so, with $a = 3$,}"
+    r" &= x^2 + C \end{align}": "PROVED PROVED",
+    r"\[ \underbrace{x^{\frac{4}{2}}}_{u^{\text{as}}} = x\cdot x \]": "PROVED",
     r"\[ \left\{\begin{aligned} |x| &= \sqrt{x^2} \\ 2x &= x + x\end{aligned}\right. \]": (
         "PROVED PROVED"
     ),

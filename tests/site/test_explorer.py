@@ -77,6 +77,7 @@ THROWS = (
 """Shape and start (ψ₀, dψ/dφ): within the eyes of the separatrix and outside, either way round."""
 
 SCENES = {
+    "opening": {"space"},
     "throw": {"space"},
     "portrait-scene": {"space", "portrait"},
     "defect-scene": {"space", "levels"},
@@ -336,6 +337,13 @@ def test_moments_make_the_shape(open_page: Open) -> None:
     texts = tuple(map(fraction_text, body))
     assert_close(number(page, "defect0"), *texts, "0")
     assert page.inner_text("#command") == "tresym flip --inertia 886 16336 18270.5 --gamma=0"
+    sides = page.evaluate("sidesOf(level())")
+    assert sides[2] == 0  # I₃ > I₁ + I₂: a phantom
+    page.fill("#I3", "17000")
+    x, y, z = (side**2 for side in page.evaluate("sidesOf(level())"))
+    assert (x + z) / (y + z) == pytest.approx(16336 / 886)
+    assert (x + y) / (x + z) == pytest.approx(17000 / 16336)
+    page.fill("#I3", "18270.5")
     for name, text, says in (("I2", "3", "I₂ must be more"), ("I1", "0", "must be positive")):
         good = page.input_value(f"#{name}")
         page.fill(f"#{name}", text)
@@ -371,7 +379,7 @@ def test_bad_input_gets_one_clear_line(open_page: Open) -> None:
 def test_the_keyboard_is_enough(open_page: Open) -> None:
     page = open_page()
     reached = []
-    for _ in range(60):
+    for _ in range(75):
         page.keyboard.press("Tab")
         reached.append(page.evaluate("document.activeElement.id"))
     order = ["space", "sphere", "portrait", "map", "play", "moment"]
@@ -404,7 +412,7 @@ def test_the_keyboard_is_enough(open_page: Open) -> None:
     assert page.input_value("#gamma") == "0"
     page.focus("#moment")
     page.keyboard.press("End")
-    assert page.get_attribute("#moment", "aria-valuetext") == "handle turned by 360°"
+    page.wait_for_function("byId('moment').ariaValueText === 'handle turned by 360°'")
     page.focus("#space")
     page.keyboard.press("Home")
     yaw = page.evaluate("shown.eyes.space.yaw")
@@ -450,10 +458,15 @@ def test_pictures_can_be_dragged(open_page: Open) -> None:
     drag(page, "levels", [0.0, 10.0], [0.002, 5.0])
     assert float(page.input_value("#gamma")) == pytest.approx(0.002, abs=0.0005)
     assert page.inner_text("#command").endswith(f"--gamma={page.input_value('#gamma')}")
-    # Beyond every rim, what is shown stays possible.
+    # Beyond every rim, what is shown stays possible, and in sight.
     for name, far in (("portrait", [9.0, 90.0]), ("levels", [-9.0, 0.0]), ("levels", [9.0, 0.0])):
         drag(page, name, [0.0, 0.0], far)
         assert page.inner_text("#message") == ""
+        if name == "portrait":
+            crest, reach = page.evaluate(
+                "[rateAt(level(), Math.PI / 2), portraitFrame(VIEWS.portrait, level()).along[1]]"
+            )
+            assert crest < reach < 1.8 * crest
     eye = page.evaluate("({ ...shown.eyes.sphere })")
     page.mouse.move(1100, 120)
     page.mouse.down()
@@ -492,6 +505,18 @@ def test_the_story_sets_the_stage(open_page: Open, width: int) -> None:
     page.wait_for_function("byId('stage').dataset.scene === 'portrait-scene'")
     page.click("[data-level=rolls]")
     assert page.text_content("[data-live=kind]").startswith("rotating")
+    # Whoever works the form stays at the bench, wherever the page stands.
+    page.fill("#a", "3")
+    page.evaluate("scrollTo(0, byId('bench').offsetTop - 0.9 * innerHeight)")
+    page.evaluate("new Promise((next) => requestAnimationFrame(() => setTimeout(next, 30)))")
+    assert (page.evaluate("scene.name"), page.input_value("#a")) == ("bench", "3")
+    page.evaluate("document.activeElement.blur()")
+    page.locator("#steps a[href='#body-scene']").dispatch_event("click")
+    page.wait_for_function("byId('stage').dataset.scene === 'body-scene'")
+    for name, says in (("racket-1", "no rigid body has it"), ("str", "a rigid body can have it")):
+        page.click(f"[data-body={name}]")
+        assert page.text_content("[data-live=verdict]").endswith(says)
+    assert page.get_attribute("#steps a[href='#body-scene']", "aria-current") == "step"
 
 
 @needs_browser
@@ -524,6 +549,8 @@ def test_the_animation_advances_and_can_be_held(open_page: Open) -> None:
     page.wait_for_function("shown.share > 0.05")
     page.click("#play")
     assert page.inner_text("#play") == "Play"
+    frames = "requestAnimationFrame(() => requestAnimationFrame(next))"
+    page.evaluate(f"new Promise((next) => {frames})")
     held = page.evaluate("VIEWS.space.canvas.toDataURL()")
     page.evaluate("new Promise((next) => setTimeout(next, 100))")
     assert page.evaluate("VIEWS.space.canvas.toDataURL()") == held

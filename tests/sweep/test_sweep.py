@@ -32,6 +32,7 @@ from hangs import HANGS
 from tresym import flip_defect
 from tresym.commands import main
 from tresym.racket.formulas import printed
+from tresym.reals.decisions.limits import BATCH
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision
 from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.sweep import CsvFile, Grid, cluster, processes, sweep
@@ -446,15 +447,27 @@ def test_an_export_replaces_only_an_export(tmp_path: Path) -> None:
     assert (tmp_path / "out.csv").read_text().startswith("line,")
 
 
-@pytest.mark.parametrize("damage", ["DELETE FROM rows WHERE line = 9", "DELETE FROM rows"])
-def test_rows_that_are_missing_are_computed_again(tmp_path: Path, damage: str) -> None:
+@pytest.mark.parametrize(
+    "damage",
+    [
+        "DELETE FROM rows WHERE line = 9",
+        "DELETE FROM rows",
+        "UPDATE rows SET defect = replace(defect, '1', '2') WHERE line = 9",
+        "UPDATE rows SET line = -line WHERE line IN (8, 9)",
+        "UPDATE rows SET defect = NULL, problem = 'none' WHERE line = 9",
+        "UPDATE rows SET realizable = 1 - realizable WHERE line = 9",
+        "UPDATE batches SET checksum = 0",
+        "INSERT INTO batches SELECT 10000, rows, checksum FROM batches WHERE number = 1",
+    ],
+)
+def test_rows_that_are_not_what_was_landed_are_computed_again(tmp_path: Path, damage: str) -> None:
     path = str(tmp_path / "t")
     sweep(GRID, path, 5, serial)
     whole = [row[: len(row) - 1] for row in rows_of(path)]
     with closing(sqlite3.connect(path)) as connection:
         connection.execute(damage)
         connection.commit()
-    assert sweep(GRID, path, 5, serial).computed > 0
+    assert sweep(GRID, path, 5, serial).computed > 0 or "INSERT" in damage
     assert [row[: len(row) - 1] for row in rows_of(path)] == whole
 
 
@@ -768,6 +781,49 @@ def test_a_cluster_gives_the_same_rows(
     found = sweep(GRID, path, 20, lambda: cluster(scheduler.address))
     assert found.computed == 81
     assert rows_of(path) == expected
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_decides_claims(
+    scheduler: Cluster, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "claims.txt"
+    wrong = "x == x + 1"
+    lines = [f"(x + {k})**2 == x**2 + {2 * k}*x + {k * k}" for k in range(BATCH)] + [wrong]
+    file.write_text("\n".join(lines))
+    assert main(["check", "-f", str(file), "--json", "--scheduler", scheduler.address]) == 1
+    rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [row["line"] for row in rows] == list(range(1, BATCH + 2))
+    assert {row["verdict"] for row in rows[:-1]} == {"PROVED"}
+    assert rows[-1]["verdict"] == "REFUTED"
+
+
+def test_answers_come_in_order_and_few_are_under_way() -> None:
+    asked: list[int] = []
+
+    def arguments() -> Iterator[bytes]:
+        for k in range(10):
+            asked.append(k)
+            yield bytes([k])
+
+    found = Workers(Here(), 3).in_order(lambda each: each + each, arguments())
+    assert next(found) == b"\0\0"
+    assert len(asked) == 4
+    assert list(found) == [bytes([k, k]) for k in range(1, 10)]
+
+
+def test_answers_that_nobody_works_at_are_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Idle(Here):
+        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+            return Future()
+
+    def nobody() -> None:
+        raise InputError("nobody is left")
+
+    monkeypatch.setattr("tresym.sweep.workers.PATIENCE", 0.01)
+    with pytest.raises(InputError, match="nobody is left"):
+        next(Workers(Idle(), 3, nobody).in_order(bytes, iter([b""])))
 
 
 @pytest.mark.slow

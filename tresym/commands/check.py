@@ -51,6 +51,11 @@ def add(commands: Commands) -> None:
         "--coq", metavar="PROOF.v", help="write statement and proof for Coq; coqc is run if there"
     )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="with -f: the workers of a Dask scheduler, as tcp://HOST:PORT (without it: all cores)",
+    )
     add_output(parser)
     parser.set_defaults(run=run)
 
@@ -59,11 +64,13 @@ def run(args: argparse.Namespace) -> int:
     """Run it; returns the exit status."""
     if (args.claim is None) == (args.file is None):
         raise InputError("check: give either one claim or -f FILE")
+    if args.file is None and args.scheduler is not None:
+        raise InputError("check: --scheduler is for many claims; give them with -f FILE")
     if args.file is None:
         return one(args.claim, args.given, args.tends, args.limit, args.json, args.path, args.coq)
     if args.coq is not None:
         raise InputError("check: --coq writes one claim; give it without -f")
-    return many(args.file, args.given, args.tends, args.limit, args.json, args.path)
+    return many(args.file, args.given, args.tends, args.limit, args.json, args.path, args.scheduler)
 
 
 LONGEST_LINE = 100_000
@@ -125,18 +132,22 @@ def _in_coq(
 
 
 def many(
-    file: str, given: str, path: str | None, limit: str, as_json: bool, target: str | None
+    file: str,
+    given: str,
+    path: str | None,
+    limit: str,
+    as_json: bool,
+    target: str | None,
+    scheduler: str | None = None,
 ) -> int:
     """Decide every claim of a file, show each answer as it comes; returns the exit status."""
-    from tresym.reals.decisions.limits import check_all
-
     tasks = read_tasks(file, given, path)
     seconds = parse_seconds(limit)
     counts = dict.fromkeys([*(verdict.value for verdict in Verdict), "not read"], 0)
     status = 0
     colour = colour_wanted() and target is None
     with _shown_by(target) as show:
-        for task, found in check_all(tasks, seconds):
+        for task, found in _answers(tasks, seconds, scheduler):
             if isinstance(found, InputError):
                 print(f"tresym: {file}, line {task.line}: {found}", file=sys.stderr)
                 status = _worse(status, BAD)
@@ -151,6 +162,21 @@ def many(
     summary = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
     print(f"{sum(counts.values())} claims: {summary}", file=sys.stderr)
     return status
+
+
+def _answers(
+    tasks: Iterator[Task], limit: float, scheduler: str | None
+) -> Iterator[tuple[Task, Answer | InputError]]:
+    """Every task with its answer: by the cores of this machine, or by a scheduler's workers."""
+    from tresym.reals.decisions.limits import check_all, check_by
+
+    if scheduler is None:
+        yield from check_all(tasks, limit)
+        return
+    from tresym.sweep.workers import cluster
+
+    with cluster(scheduler) as workers:
+        yield from check_by(workers.in_order, tasks, limit)
 
 
 def _worse(*statuses: int) -> int:

@@ -96,8 +96,9 @@ def _check(folder: Path, store: dict[str, Any]) -> int:
     beyond = {name: text for name, text in found.items() if "it rests on the classical" not in text}
     changed = 0
     for label, row in store["claims"].items():
-        text = found.get(name_of(label), "")
-        changed += row.get("assumptions", text) != text
+        name = name_of(label)
+        text = found.get(name) or found.get(name.replace("claim_", "from_", 1), "")
+        changed += (row.get("assumptions") or text) != text
         row["assumptions"] = text
     save(store)
     for name, text in beyond.items():

@@ -18,7 +18,7 @@ from tresym.reals.numbers.exact import InputError
 if TYPE_CHECKING:
     from tresym.racket.body import Shape
 
-KINDS = ("svg", "pdf", "png", "gif")
+KINDS = ("svg", "pdf", "png", "gif", "mp4")
 WIDTHS, DOTS = (40, 600), (20, 1200)
 """The least and the most of --width, in millimetres, and of --dpi."""
 
@@ -30,7 +30,8 @@ def add(commands: Commands) -> None:
         help="a figure of the paper, recomputed, or of a body of one's own",
         description="Draw one figure; without a name, list them. flip-portrait, flip-map, "
         "flip-curves and racket-flip are drawn of any body.",
-        epilog="Needs matplotlib: pip install -e '.[docs]'.",
+        epilog="Needs matplotlib: pip install -e '.[docs]'; for an MP4 imageio-ffmpeg: "
+        "pip install -e '.[docs,video]'.",
         allow_abbrev=False,
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")
@@ -39,7 +40,9 @@ def add(commands: Commands) -> None:
     parser.add_argument("--width", metavar="MM", help="width of the picture in millimetres")
     parser.add_argument("--dpi", metavar="N", default="200", help="dots an inch of a PNG")
     parser.add_argument("--format", choices=KINDS, help="default: what PATH ends in, or svg")
-    parser.add_argument("-o", dest="path", metavar="PATH", help=f"{PICTURE_PATH}; racket-flip .gif")
+    parser.add_argument(
+        "-o", dest="path", metavar="PATH", help=f"{PICTURE_PATH}; racket-flip .gif or .mp4"
+    )
     parser.set_defaults(run=run)
 
 

@@ -36,7 +36,9 @@ def add(commands: Commands) -> None:
     digits.add_argument("--float64", action="store_true", help="fast, not certified")
     where = parser.add_mutually_exclusive_group()
     where.add_argument("--workers", metavar="N", help="processes here (default: one a core)")
-    where.add_argument("--dask", metavar="ADDRESS", help="the workers of a Dask scheduler")
+    where.add_argument(
+        "--scheduler", "--dask", metavar="ADDRESS", help="the workers of a Dask scheduler"
+    )
     parser.add_argument("--export", metavar="PATH", help="also write a .csv or .parquet file")
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.set_defaults(run=run)
@@ -59,8 +61,8 @@ def run(args: argparse.Namespace) -> int:
         raise InputError("sweep: give either --csv, or --a and --b, and --gamma if wanted")
     digits = None if args.float64 else parse_digits(args.digits)
     workers = None
-    if args.dask is not None:
-        workers = functools.partial(sweep.cluster, args.dask)
+    if args.scheduler is not None:
+        workers = functools.partial(sweep.cluster, args.scheduler)
     elif args.workers is not None:
         workers = functools.partial(sweep.processes, parse_workers(args.workers))
     found = sweep.sweep(source, args.path, digits, workers, export=args.export, notice=to_stderr)

@@ -410,8 +410,9 @@ Qed.
 
 (* Positivity by structure. *)
 Ltac positive :=
-  lazymatch goal with
-  | |- 0 < _ * _ => first [assumption | apply Rmult_lt_0_compat; positive | lra]
+  first [assumption | lazymatch goal with
+  | |- _ > 0 => apply Rlt_gt; positive
+  | |- 0 < _ * _ => first [apply Rmult_lt_0_compat; positive | lra]
   | |- 0 < / _ => apply Rinv_0_lt_compat; positive
   | |- 0 < _ / _ => apply Rdiv_lt_0_compat; positive
   | |- 0 < exp _ => apply exp_pos
@@ -420,18 +421,18 @@ Ltac positive :=
   | |- 0 < root _ _ => apply root_lt; positive
   | |- 0 < PI => exact PI_RGT_0
   | |- 0 < _ ^ _ =>
-      first [assumption | apply even_above; [reflexivity | assumption] | apply pow_lt; positive]
-  | |- 0 < _ => solve [assumption | lra | sum]
-  | |- 0 <= _ * _ => first [assumption | lra | apply Rmult_le_pos; positive]
+      first [apply even_above; [reflexivity | assumption] | apply pow_lt; positive]
+  | |- 0 < _ => solve [lra | sum]
+  | |- 0 <= _ * _ => first [lra | apply Rmult_le_pos; positive]
   | |- 0 <= / _ => left; positive
   | |- 0 <= sqrt _ => apply sqrt_pos
   | |- 0 <= Rabs _ => apply Rabs_pos
   | |- 0 <= _ ^ _ => first [apply even_power; reflexivity | apply pow_le; positive]
   | |- 0 <= exp _ => left; apply exp_pos
   | |- 0 <= _ + _ =>
-      first [assumption | lra | apply Rplus_le_le_0_compat; positive | left; positive]
-  | |- 0 <= _ => solve [assumption | lra | left; positive]
-  end
+      first [lra | apply Rplus_le_le_0_compat; positive | left; positive]
+  | |- 0 <= _ => solve [lra | left; positive]
+  end ]
 with sum :=
   first [ apply Rplus_lt_0_compat; positive
         | apply Rplus_lt_le_0_compat; positive
@@ -519,7 +520,7 @@ Qed.
 
 (* From the value at one point and the sign of the derivative: to its right, and to its left. *)
 
-Lemma mean_value f df a b : a <= b -> (forall t, a <= t <= b -> is_derive f t (df t)) ->
+Lemma mean_value (f df : R -> R) a b : a <= b -> (forall t, a <= t <= b -> is_derive f t (df t)) ->
   exists c, a <= c <= b /\ f b - f a = df c * (b - a).
 Proof.
   intros H D; destruct (MVT_gen f a b df) as [c [C E]].
@@ -1052,6 +1053,34 @@ Proof.
   - intros x X; specialize (P x X); lra.
 Qed.
 
+Lemma integral_below f p q z : p < q -> (forall x, p <= x <= q -> continuous f x) ->
+  (forall x, p < x < q -> f x <= 0) -> p < z < q -> f z < 0 -> RInt f p q < 0.
+Proof.
+  intros H C N Z Y.
+  destruct (C z ltac:(lra) (fun y => y < 0)) as [d D].
+  { exists (mkposreal (- f z) ltac:(lra)); intros y K; change (Rabs (y - f z) < - f z) in K.
+    apply Rabs_def2 in K; lra. }
+  set (e := Rmin (d / 2) (Rmin ((z - p) / 2) ((q - z) / 2))).
+  assert (E : 0 < e) by (unfold e; pose proof (cond_pos d); repeat apply Rmin_pos; lra).
+  assert (E1 : e <= d / 2) by apply Rmin_l.
+  assert (E2 : e <= (z - p) / 2) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
+  assert (E3 : e <= (q - z) / 2) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]).
+  pose proof (cond_pos d) as P.
+  assert (K : forall u v, p <= u -> u <= v -> v <= q -> continuous_on f u v).
+  { intros u v U V W x X; rewrite Rmin_left, Rmax_right in X by lra; apply C; lra. }
+  assert (G : forall u v, p <= u -> u <= v -> v <= q -> RInt f u v <= 0).
+  { intros u v U V W; replace 0 with (RInt (fun _ : R => 0) u v) by (rewrite integral_const; over_reals; ring).
+    apply integral_le; [lra | apply K; lra | intros x _; apply continuous_const |].
+    intros x X; apply N; lra. }
+  assert (M : RInt f (z - e) (z + e) < 0).
+  { replace 0 with (RInt (fun _ : R => 0) (z - e) (z + e)) by (rewrite integral_const; over_reals; ring).
+    apply integral_lt; [lra | apply K; lra | intros x _; apply continuous_const |].
+    intros x X; apply D; change (Rabs (x - z) < d); apply Rabs_def1; lra. }
+  pose proof (G p (z - e) ltac:(lra) ltac:(lra) ltac:(lra)).
+  pose proof (G (z + e) q ltac:(lra) ltac:(lra) ltac:(lra)).
+  rewrite (integral_cut f p (z - e) q), (integral_cut f (z - e) (z + e) q) by (apply K; lra); lra.
+Qed.
+
 (* Symmetry about the middle, and about 0. *)
 Lemma integral_mirror f a b : continuous_on f a b ->
   RInt f a b = RInt (fun x => f (a + b - x)) a b.
@@ -1533,42 +1562,9 @@ Ltac worked_out W :=
   cbv beta;
   first [exact W | lra | etransitivity; [| etransitivity; [exact W |]]; first [ring | field; side]].
 
-(* The defect of a shape between two numbers, by the signs of what is left of its equation. *)
+(* An arc sine for the arithmetic of intervals. *)
 Lemma asin_by_atan x : -1 < x < 1 -> asin x = atan (x / sqrt (1 - x * x)).
 Proof. intros H; rewrite asin_atan by exact H; reflexivity. Qed.
-Lemma share_below a b e : 0 < a -> 0 < b -> -1 < sqrt (b * / (a + b)) * cos e < 1.
-Proof.
-  intros A B; assert (Q : 0 <= b * / (a + b) < 1).
-  { split; [apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra] |].
-    apply (Rmult_lt_reg_r (a + b)); [lra |]; rewrite Rmult_assoc, Rinv_l by lra; lra. }
-  pose proof (sqrt_lt_1 _ 1 (proj1 Q) ltac:(lra) (proj2 Q)) as M; rewrite sqrt_1 in M.
-  pose proof (sqrt_pos (b * / (a + b))); pose proof (COS_bound e); split; nra.
-Qed.
-Definition turn_short (a b e : R) : R :=
-  1 - 2 / (exp (2 * (sqrt (a * b) * (PI + atan (sqrt (b * / (a + b)) * cos e
-    / sqrt (1 - sqrt (b * / (a + b)) * cos e * (sqrt (b * / (a + b)) * cos e)))))) + 1)
-  - / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
-Lemma defect_exists a b lo hi : 0 < a -> 0 < b -> lo <= hi ->
-  turn_short a b lo <= 0 -> 0 <= turn_short a b hi ->
-  exists e, lo <= e <= hi /\ tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
-    = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
-Proof.
-  intros A B L S T.
-  assert (I : forall e, 0 < b * / a * sin e ^ 2 + 1).
-  { intros e; pose proof (pow2_ge_0 (sin e)); assert (0 < b * / a).
-    { apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]. } nra. }
-  assert (W : forall e, turn_short a b e = tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
-    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e).
-  { intros e; unfold turn_short; rewrite (asin_by_atan _ (share_below a b e A B)); f_equal.
-    set (x := sqrt (a * b) * _); replace (2 * x) with (x + x) by ring; rewrite exp_plus, tanh_law.
-    pose proof (exp_pos x); field; split; nra. }
-  destruct (root_exists (fun e => tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
-    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e) lo hi L) as [e [E Z]].
-  - intros e _; pose proof (share_below a b e A B); continues; cbv beta; try lra.
-    apply Rgt_not_eq, sqrt_lt_R0, I.
-  - cbv beta; rewrite <- !W; nra.
-  - exists e; split; [exact E |]; cbv beta in Z; lra.
-Qed.
 Ltac inverse_sines := repeat match goal with
   | |- context [asin ?u] => rewrite (asin_by_atan u) by (split; interval with (i_prec 90))
   end.
@@ -1577,3 +1573,10 @@ Ltac weakly := repeat match goal with H : _ < _ |- _ => apply Rlt_le in H end.
 (* That an integral exists, by the continuity of what is under it. *)
 Ltac integrable := apply (RInt_correct (V := R_CompleteNormedModule)), integral_exists;
   intros ? ?; continues; cbv beta; give.
+
+Lemma asin_rises x y : -1 <= x -> x < y -> y <= 1 -> asin x < asin y.
+Proof.
+  intros X L Y; destruct (Rlt_or_le (asin x) (asin y)) as [H|H]; [exact H | exfalso].
+  pose proof (asin_bound x); pose proof (asin_bound y).
+  pose proof (sin_incr_1 (asin y) (asin x)) as M; rewrite !sin_asin in M by lra; lra.
+Qed.

@@ -33,21 +33,22 @@ def prelude() -> str:
 
 
 @cache
-def library() -> tempfile.TemporaryDirectory[str]:
-    """A folder that holds Tresym.v, compiled."""
+def library(lemmas: str = "") -> tempfile.TemporaryDirectory[str]:
+    """A folder that holds Tresym.v, compiled, and these lemmas as Racket.v."""
     folder = tempfile.TemporaryDirectory()
-    (Path(folder.name) / "Tresym.v").write_text(prelude(), encoding="utf-8")
-    subprocess.run(
-        ["coqc", "-q", "Tresym.v"], cwd=folder.name, capture_output=True, check=True, timeout=600
-    )
+    for name, text in (("Tresym.v", prelude()), ("Racket.v", lemmas)):
+        (Path(folder.name) / name).write_text(text, encoding="utf-8")
+        command = ["coqc", "-q", "-Q", ".", "", name]
+        subprocess.run(command, cwd=folder.name, capture_output=True, check=True, timeout=600)
     return folder
 
 
 class Dialogue:
-    """One coqtop that has read Tresym.v; it is begun anew where it does not answer."""
+    """One coqtop that has read Tresym.v, and lemmas; it is begun anew where it does not answer."""
 
-    def __init__(self, patience: int = SENTENCE_SECONDS) -> None:
+    def __init__(self, patience: int = SENTENCE_SECONDS, lemmas: str = "") -> None:
         self.patience = patience
+        self.lemmas = lemmas
         self.process: subprocess.Popen[bytes] | None = None
         self.folder = tempfile.TemporaryDirectory()  # for the caches of its arithmetic
 
@@ -69,13 +70,13 @@ class Dialogue:
         """Begin the process, where there is none."""
         if self.process is None:
             self.process = subprocess.Popen(
-                ["coqtop", "-q", "-Q", library().name, ""],
+                ["coqtop", "-q", "-Q", library(self.lemmas).name, ""],
                 cwd=self.folder.name,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
             )
-            self.said(HEAD, 120)
+            self.said(HEAD + "Require Import Racket.\n", 120)
 
     def holds(self, sentence: str) -> bool:
         """Whether Coq takes the sentence; where it does not, all is as it was before."""

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tresym.coq.dialogue import HEAD, prelude
-from tresym.coq.ledger import Joint, name_of, stamp, stem, theorem_of
+from tresym.coq.ledger import Joint, lemmas, name_of, stamp, stem, theorem_of
 from tresym.coq.numbers import numbers
 from tresym.coq.search import assumptions
 from tresym.coq.statement import NotExportedError, Theorem
@@ -154,6 +154,7 @@ def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict
     chosen = {label: e for label, e in found.items() if label in wanted}
     files = {
         "Tresym.v": prelude(),
+        "Racket.v": lemmas(),
         "Statements.v": statements(chosen),
         "Numbers.v": numbers(),
         "Possible.v": possible(store),
@@ -163,9 +164,8 @@ def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict
         name = part.title().replace("_", "") + ".v"
         texts = [_text(c.label, chosen[c.label], store) for c in stated if c.label in chosen]
         if any(texts):
-            files[name] = f"(* {title} *)\n\n{HEAD}Require Import Statements.\n\n" + "\n".join(
-                texts
-            )
+            files[name] = f"(* {title} *)\n\n{HEAD}Require Import Racket Statements.\n\n"
+            files[name] += "\n".join(texts)
         names |= {claim.label: name for claim in stated if claim.label in chosen}
     parts = [name.removesuffix(".v") for name in files if name != "Tresym.v"]
     files["Ledger.v"] = closed(chosen, parts, store)
@@ -215,8 +215,8 @@ def _text(label: str, entry: Entry, store: Mapping[str, Any]) -> str:
     taken = f"intros {' '.join(map(name_of, uses))}.\n" if uses else ""
     unfold = "" if isinstance(entry.theorem, Joint) else f"unfold says_{stem(label)}.\n"
     name = f"from_{stem(label)}" if uses else name_of(label)
-    lemmas = f"{entry.lemmas}\n" if entry.lemmas else ""
-    return f"{lemmas}Theorem {name} :\n  {says}.\nProof.\n{taken}{unfold}{entry.script}\nQed.\n"
+    before = f"{entry.lemmas}\n" if entry.lemmas else ""
+    return f"{before}Theorem {name} :\n  {says}.\nProof.\n{taken}{unfold}{entry.script}\nQed.\n"
 
 
 def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str, Any]) -> str:

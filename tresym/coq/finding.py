@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from tresym.coq.dialogue import Dialogue, prelude
-from tresym.coq.ledger import Joint, conditions_of, name_of, stamp, theorem_of
+from tresym.coq.ledger import Joint, conditions_of, lemmas, name_of, stamp, theorem_of
 from tresym.coq.proving import Plan, candidates, plans
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
 from tresym.ledger.claim import Claim
@@ -51,10 +51,10 @@ class Memory:
     def accepts(self, text: str, patience: int | None = None) -> bool:
         """Whether Coq accepts the text, in these seconds for a sentence and four times as many."""
         key, patience = _hash(text), patience or self.patience
-        lost = f"{key} {patience} {_hash(prelude())}"
+        lost = f"{key} {patience} {_hash(prelude() + lemmas())}"
         if key not in self.known and lost not in self.known:
             self.count += 1
-            self.coq = self.coq or Dialogue()
+            self.coq = self.coq or Dialogue(lemmas=lemmas())
             if self.count % TEXTS == 0:
                 self.coq.end()  # what it has defined takes room
             self.coq.patience = patience
@@ -108,19 +108,19 @@ def found(
     """What is stored of a claim, by the first plan that holds; or what is missing."""
     missing = "no plan"
     for plan in plans(claim, whole):
-        lemmas = []
+        shown = []
         for lemma in plan.lemmas:
             proof = lemma_proof(lemma, memory)
             if proof is None:
                 missing = f"lemma {lemma.name}"
                 break
-            lemmas.append(f"{lemma.text}\nProof.\n{proof}\nQed.")
+            shown.append(f"{lemma.text}\nProof.\n{proof}\nQed.")
         else:
             text = _trial(claim, whole, plan)
             if text and memory.accepts(text, CLAIM_SECONDS):
                 return {
                     "statement": stamp(whole),
-                    "lemmas": "\n".join(lemmas),
+                    "lemmas": "\n".join(shown),
                     "script": plan.script,
                     "uses": list(plan.uses),
                 }, ""

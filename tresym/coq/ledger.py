@@ -37,6 +37,7 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.evidence.denial import denied_at
 from tresym.ledger.meaning import conditions
+from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as door
 from tresym.reals.language.expression import ZERO, Expr, number, symbols
@@ -71,6 +72,11 @@ def stem(label: str) -> str:
 def name_of(label: str) -> str:
     """The theorem of a claim."""
     return "claim_" + stem(label)
+
+
+def lemmas() -> str:
+    """Racket.v: what proofs of several claims share, written by hand beside the claims."""
+    return file_of("coq").joinpath("Racket.v").read_text(encoding="utf-8")
 
 
 def theorem_of(claim: Claim) -> Theorem | Joint:

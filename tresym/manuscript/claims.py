@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -15,24 +15,35 @@ from tresym.manuscript.rows import Said
 from tresym.manuscript.surface import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in
 from tresym.reals.decisions.reading import chained
-from tresym.reals.language.binders import outermost
-from tresym.reals.language.expression import Expr, number, substitute, symbols
+from tresym.reals.language.binders import antiderivative, outermost
+from tresym.reals.language.expression import (
+    Expr,
+    differentiate,
+    instantiate,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.parsing import Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
+TOLD = "as the text before it says, with"
 _WORKED = frozenset(("antiderivative", "derivative", "limit"))
 """What is written to be worked out: an equality with one of these is no equation to be solved."""
 
 
 class Attempt(NamedTuple):
-    """What is asked, what was put in for it, and what is thereby said."""
+    """What is asked, what was put in for it, what is thereby said, and whether a no counts."""
 
     text: str
     how: str
     read_as: str
+    may_fail: bool = True
 
 
 @dataclass(frozen=True)
@@ -110,24 +121,10 @@ def claim(
         and (not pieces[1].printed.strip("-").isdigit())
     ):
         return _printed(link, compared, pieces[1])
-    attempts: dict[str, Attempt] = {}
-    same, free = False, {"oo"}
-    if any(node.op == "antiderivative" for node in outermost(left, right)):
-        free |= {name for name in symbols(left) | symbols(right) if CONSTANTS.fullmatch(name)}
-    for conditions in (under.given, (*under.given, *memory.earlier)):
-        if as_path:
-            ends = as_path.split()[1]
-            conditions = tuple(c for c in conditions if ends not in names_in((c,)))
-        spoken = chained(about(symbols(left) | symbols(right), conditions))
-        said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
-        for one, other, given, how in _forms(memory, left, right, conditions, under):
-            if as_path:  # where it holds, the path says
-                given = [c for c in given if as_path.split()[1] not in names_in((c,))]
-            shown = chained(about(symbols(one) | symbols(other), given))
-            text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "")
-            attempts.setdefault(text + as_path, Attempt(text + as_path, how, said_so))
-            same = same or not (symbols(one) ^ symbols(other)) - free
+    left, right = _by_one_variable(left, right, known)
+    attempts, same = _attempts(memory, (left, relation, right), under, as_path)
     sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
+    sure = sure and (under.noted or said.universal or head is None)
     goes_on = n > 0 and same and under.kind != prose.SOLVE
     constants = not symbols(left) | symbols(right)
     worked = not unknown_in(left, right) and any(
@@ -135,10 +132,8 @@ def claim(
     )
     firm = not said.before and not as_path and (sure or goes_on or constants)
     firm = firm or (worked and same and relation == "==" and under.kind != prose.SOLVE)
-    if under.noted and under.kind in (prose.SOLVE,) and n == 0:
-        firm = False
-    read_as = next(iter(attempts.values())).read_as
-    link = replace(link, sides=(left, relation, right), read_as=read_as)
+    firm = firm and not said.remarks and not (under.noted and under.kind == prose.SOLVE and n == 0)
+    link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
     fallback = _fallback(memory, left, relation, right, head)
     if under.noted and under.kind == prose.CLAIM:
         fallback = "UNDECIDED", ""
@@ -148,10 +143,57 @@ def claim(
         memory.define(head, right)
     undecided = "UNDECIDED", ""
     keep = firm or (same and relation == "==" and n > 0) or as_path or relation != "=="
-    link = replace(link, claims=tuple(attempts.values()), firm=firm, same=same)
+    link = replace(link, claims=attempts, firm=firm, same=same)
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
+
+
+def _attempts(
+    memory: Memory, compared: Compared, under: Under, as_path: str
+) -> tuple[tuple[Attempt, ...], bool]:
+    """What is asked, in order, and whether the same variables stand on both sides in one of it."""
+    left, relation, right = compared
+    attempts: dict[str, Attempt] = {}
+    same, free, end = False, {"oo"}, as_path.split()[1] if as_path else ""
+    if any(node.op == "antiderivative" for node in outermost(left, right)):
+        free |= {name for name in symbols(left) | symbols(right) if CONSTANTS.fullmatch(name)}
+    for conditions in (under.given, (*under.given, *memory.earlier)):
+        conditions = tuple(c for c in conditions if end not in names_in((c,)))
+        spoken = chained(about(symbols(left) | symbols(right), conditions))
+        said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
+        for one, other, given, how in _forms(memory, left, right, conditions, under):
+            given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
+            shown = chained(about(symbols(one) | symbols(other), given))
+            text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
+            may_fail = not how.startswith(TOLD)
+            attempts.setdefault(text, Attempt(text, how, said_so, may_fail))
+            same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
+    return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
+
+
+def _by_one_variable(left: Expr, right: Expr, known: Mapping[str, Expr]) -> tuple[Expr, Expr]:
+    """Integrals without ends by u as ones by x where u stands for φ(x): of f(φ(x)) dφ/dx.
+
+    They are so where x is a variable of another such integral, or else stands in the link, and is
+    all that φ knows.
+    """
+    nodes = [n for n in outermost(left, right) if n.op == "antiderivative"]
+    by = {str(node.args[1]) for node in nodes}
+    spoken = symbols(left) | symbols(right)
+    for name in sorted(by & known.keys()):
+        value = known[name]
+        inner = symbols(value) & (by - {name})
+        if not inner and len(symbols(value)) == 1:
+            inner = symbols(value) & spoken
+        if len(inner) != 1:
+            continue
+        (x,) = inner
+        for node in (n for n in nodes if str(n.args[1]) == name):
+            body = substitute(instantiate(node.args[0], (symbol(name),)), {name: value})
+            put = {node: antiderivative(body * differentiate(value, x), x)}
+            left, right = replaced(left, put), replaced(right, put)
+    return left, right
 
 
 def _forms(
@@ -186,6 +228,10 @@ def _forms(
         found.append((left, right, given, f"with {', '.join(used)} put in"))
     named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
     yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
+    put = {n: e for n, e in memory.told.items() if n in symbols(left) | symbols(right)}
+    if put and not under.noted:
+        shown = ", ".join(f"{name} = {value}" for name, value in put.items())
+        yield substitute(left, put), substitute(right, put), given, f"{TOLD} {shown} put in"
 
 
 def _fallback(

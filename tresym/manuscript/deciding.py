@@ -82,9 +82,9 @@ def _row(link: Link, answers: list[Answer | InputError]) -> Row:
     read = [answer for answer in answers if isinstance(answer, Answer)]
     if not read:
         return Row(link, UNREAD, str(answers[0]))
-    last = read[-1]
+    counted = [n for n, answer in enumerate(read) if answer or link.claims[n].may_fail] or [0]
+    last, asked = read[counted[-1]], link.claims[counted[-1]]
     seconds = sum(answer.seconds for answer in read)
-    asked = link.claims[len(read) - 1]
     how = asked.how
     if last:
         link = replace(link, read_as=asked.read_as)

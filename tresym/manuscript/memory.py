@@ -10,7 +10,7 @@ from typing import TypeAlias
 from tresym.manuscript import prose
 from tresym.manuscript.notes import Orders
 from tresym.manuscript.rows import STRANGE, Said, statements
-from tresym.manuscript.terms import Head, head_of, read_term
+from tresym.manuscript.terms import Head, head_of, is_plain, read_term
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     BINDERS,
@@ -28,6 +28,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author, Function
+from tresym.reals.language.latex_tokens import tokenize
 from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
 from tresym.reals.numbers.exact import InputError
 
@@ -38,7 +39,7 @@ _LETTER_E = re.compile(
 )
 """Where e stands as no number does: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
 _CALLED = re.compile(
-    r"(?<![a-zA-Z\\_^{])([a-zA-Z]|\\[a-zA-Z]+)\s*\(\s*(?:[a-z]|\\[a-z]+)"
+    r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+)(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
     r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
 )
 """The head of a function's definition."""
@@ -77,6 +78,7 @@ class Memory:
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
         seen: names that stood in a display before.
+        told: values that the lines before the display tell, without defining by them.
     """
 
     def __init__(self, text: str) -> None:
@@ -89,8 +91,11 @@ class Memory:
         self.shorter = False
         self.ahead: dict[str, Expr] = {}
         self.dependent = _dependent(text)
-        self.called = frozenset(m[1].lstrip("\\") for m in _CALLED.finditer(text))
+        self.called = frozenset(
+            head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
+        )
         self.seen: set[str] = set()
+        self.told: dict[str, Expr] = {}
 
     @property
     def author(self) -> Author:
@@ -138,7 +143,9 @@ class Memory:
         body = instantiate(e.args[0], tuple(map(symbol, e.names)))
         for _ in range(DEPTH):
             values = {
-                n: known[n] for n in symbols(body) & known.keys() if _reaches(n, e.names, known)
+                n: known[n]
+                for n in (symbols(body) & known.keys()).difference(e.names)
+                if _reaches(n, e.names, known)
             }
             if not values:
                 break
@@ -153,23 +160,33 @@ class Memory:
         """Definitions and lasting conditions in the lines of a text."""
         for found in prose.inline(text):
             for said in quietly(found.tex):
+                head = self.head(said.terms[0]) if found.whole else None
+                if head and not head.parameters and all(map(is_plain, said.terms)):
+                    self.lasting += whole(symbol(head.name), found.whole)
                 if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
-                    self.defined_in_line(said, found.defining)
+                    self.defined_in_line(said, found.defining, found.told)
                 elif found.lasting:
                     given, _, _ = self.condition(said) or ((), (), "")
                     self.lasting += given
 
-    def defined_in_line(self, said: Said, surely: bool) -> None:
-        """A definition in the line, by the words before it or as one of a function, f(x) = …."""
+    def defined_in_line(self, said: Said, surely: bool, told: bool) -> None:
+        """A definition in the line, by the words before it or as one of a function, f(x) = ….
+
+        What is only told, as in "then $m = 2k + 1$", may help to prove the next display.
+        """
         head = self.head(said.terms[0])
-        if head is None or not (surely or head.parameters):
+        if head is None or head.derived:
             return
         try:
             value = read_term(said.terms[1], self.author).tree
         except InputError:
             return
-        if not head.derived and value.op != "number" and head.name not in symbols(value):
+        if value.op == "number" or head.name in symbols(value):
+            return
+        if surely or head.parameters:
             self.define(head, value)
+        elif told and symbols(value):
+            self.told[head.name] = value
 
     def conditions_around(self, before: str, after: str) -> Under:
         """What the sentence around a display says of its conditions."""
@@ -265,11 +282,13 @@ class Memory:
         which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
         if head is None or which not in ("R", "Z", "N", "Z+", "N0"):
             return None
-        name = symbol(head.name)
-        given: list[Compared] = [] if which == "R" else [(name, "in", INTEGERS)]
-        if which in ("N", "Z+", "N0"):
-            given.append((name, ">=", number(0 if which == "N0" else 1)))
-        return tuple(given), (), ""
+        return () if which == "R" else whole(symbol(head.name), which), (), ""
+
+
+def whole(name: Expr, which: str) -> tuple[Compared, ...]:
+    """That a symbol is an integer, of N one from 1 on, of N0 from 0 on."""
+    least = {"N": 1, "Z+": 1, "N0": 0}.get(which)
+    return (name, "in", INTEGERS), *(() if least is None else [(name, ">=", number(least))])
 
 
 def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:

@@ -19,6 +19,11 @@ _KINDS = (
     (CLAIM, r"identit\w+|for (?:all|every|any|each)"),
 )
 _KIND = tuple((kind, re.compile(rf"\b(?:{words})\b")) for kind, words in _KINDS)
+_BY = re.compile(r"\b(?:us(?:e|ing)|by|from|with|via|apply(?:ing)?)\b[^,.;:]*?\bidentit\w+")
+_TOLD = re.compile(
+    r"\b(?:then|since|because|hence|so|thus|therefore|find|have|obtain|get)\W*(?:that\W*)?\Z",
+    re.IGNORECASE,
+)
 _INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
 _SENTENCE = re.compile(r"(?<=[a-z)}$])[.!?](?=\s+[A-Z\\$])|\n\s*\n|\\par(?![a-zA-Z])")
 _LASTING = re.compile(
@@ -31,9 +36,15 @@ _PASSING = re.compile(
     re.IGNORECASE,
 )
 _DEFINING = re.compile(
-    r"\b(?:let|where|with|defin\w+|set|setting|denot\w+|put|putting|introduc\w+|writ\w+|here"
+    r"\b(?:let|letting|where|with|defin\w+|set|setting|denot\w+|put|putting|introduc\w+|writ\w+|here"
     r"|notation|abbreviat\w+|substitut\w+)\b[^.$]*\Z",
     re.IGNORECASE,
+)
+_WHOLE = r"(positive |non-?negative |natural |nonzero )?(?:integers?|natural numbers?)"
+_INTEGER_BEFORE = re.compile(rf"\b{_WHOLE}[\s~]*\Z", re.IGNORECASE)
+_INTEGER_AFTER = re.compile(
+    rf"(?:[\s~,]*(?:and)?[\s~,]*\$[^$]*\$)*[\s~,]*(?:is|are|be|being|denotes?)?\s*"
+    rf"(?:an?|any|some|both|all|fixed|given|arbitrary)?\s*{_WHOLE}"
 )
 MAX_AFTER = 600
 
@@ -46,17 +57,21 @@ class Inline(NamedTuple):
         lasting: a condition from here to the end of the section ("Let $a > 0$").
         passing: a condition of the display of this sentence ("for $x > 0$").
         defining: it may define a symbol ("where $r = \\sqrt{b/a}$").
+        told: it is said to hold ("then $m = 2k + 1$").
+        whole: its symbols are integers, from the number that is said on ("a positive integer $n$").
     """
 
     tex: str
     lasting: bool
     passing: bool
     defining: bool
+    told: bool
+    whole: str = ""
 
 
 def kind_of(before: str) -> str:
     """What the sentence before a display calls it: the word that stands last decides."""
-    words = _INLINE.sub(" ", last_sentence(before)).lower()
+    words = _BY.sub(" ", _INLINE.sub(" ", last_sentence(before)).lower())
     found = [(m.end(), kind) for kind, pattern in _KIND for m in pattern.finditer(words)]
     return max(found)[1] if found else ""
 
@@ -81,7 +96,7 @@ def first_sentence(text: str) -> str:
 def inline(text: str) -> Iterator[Inline]:
     """The formulas in the lines of a text, sentence by sentence."""
     for sentence in _SENTENCE.split(text):
-        start, carried = 0, (False, False, False)
+        start, carried = 0, (False, False, False, False)
         for found in _INLINE.finditer(sentence):
             words = sentence[start : found.start()]
             if start and re.fullmatch(r"[\s,~]*(?:and|or)?[\s,~]*", words):
@@ -91,6 +106,16 @@ def inline(text: str) -> Iterator[Inline]:
                     bool(_LASTING.search(words)),
                     bool(_PASSING.search(words)),
                     bool(_DEFINING.search(words)),
+                    bool(_TOLD.search(words)),
                 )
-            yield Inline(found[1] or found[2], *marks)
+            yield Inline(found[1] or found[2], *marks, _whole(words, sentence[found.end() :]))
             start, carried = found.end(), marks
+
+
+def _whole(before: str, after: str) -> str:
+    """Whether the words around a formula say that its symbols are integers, and which."""
+    found = _INTEGER_BEFORE.search(before) or _INTEGER_AFTER.match(after)
+    if found is None:
+        return ""
+    kind = (found[1] or "").strip().replace("-", "").lower()
+    return {"positive": "N", "natural": "N", "nonnegative": "N0"}.get(kind, "Z")

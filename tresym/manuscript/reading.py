@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
 from tresym.manuscript import prose
 from tresym.manuscript.claims import (
@@ -24,7 +25,7 @@ from tresym.manuscript.claims import (
 )
 from tresym.manuscript.memory import Conditions, Memory, Under, names_in
 from tresym.manuscript.notes import Orders, orders_of
-from tresym.manuscript.rows import STRANGE, WORDS, Said, statements
+from tresym.manuscript.rows import STRANGE, WORDS, Said, between, statements
 from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Section
 from tresym.manuscript.terms import (
     Head,
@@ -43,6 +44,9 @@ from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
 from tresym.reals.language.parsing import INFINITY, Compared, parse_given
 from tresym.reals.numbers.exact import InputError
+
+Group: TypeAlias = tuple[Said, list[Said]]
+"""A chain, and the conditions that follow it."""
 
 
 def read_links(events: Sequence[Event]) -> list[Link]:
@@ -82,7 +86,7 @@ class _Reading:
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]
                 yield from found
-                self.orders, before = Orders(), ""
+                self.orders, before, self.memory.told = Orders(), "", {}
 
     def note(self, note: Note) -> None:
         """Heed a note of the author's."""
@@ -110,7 +114,10 @@ class _Reading:
             yield replace(blank, status=UNREAD, why=display.problem)
             return
         try:
-            found = statements(display.text)
+            text, prose_between = between(display.text)
+            for words in prose_between:
+                self.memory.remember(words)
+            found = statements(text)
         except InputError as error:
             yield replace(blank, status=UNREAD, why=plain(str(error)))
             return
@@ -119,7 +126,7 @@ class _Reading:
             return
         self.memory.remember(after[: prose.MAX_AFTER] if prose.first_sentence(after) else "")
         count, self.cases = 0, []
-        groups = list(_grouped(found, self))
+        groups = _with_conditions_behind(_grouped(found))
         self.memory.ahead = dict(self.defined_in(said for said, _ in groups))
         for said, under in groups:
             open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
@@ -334,12 +341,12 @@ class _Reading:
             return plain(str(error))
 
 
-def _grouped(found: list[Said], reading: _Reading) -> Iterator[tuple[Said, list[Said]]]:
+def _grouped(found: list[Said]) -> Iterator[Group]:
     """Each chain with the conditions that follow it: ``a = b, x > 0``, or ``otherwise``."""
     waiting: Said | None = None
     under: list[Said] = []
     for said in found:
-        if waiting is not None and _is_condition(said, waiting, reading):
+        if waiting is not None and _is_condition(said, waiting, under):
             under.append(said)
             continue
         if waiting is not None:
@@ -349,7 +356,17 @@ def _grouped(found: list[Said], reading: _Reading) -> Iterator[tuple[Said, list[
         yield waiting, under
 
 
-def _is_condition(said: Said, before: Said, reading: _Reading) -> bool:
+def _with_conditions_behind(groups: Iterable[Group]) -> list[Group]:
+    """The groups: what has no condition of its own has those of the next chain that has some."""
+    result: list[Group] = []
+    later: list[Said] = []
+    for said, under in reversed(list(groups)):
+        later = [*said.conditions, *under] or later
+        result.append((said, under if said.conditions or under else later))
+    return result[::-1]
+
+
+def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
     """Whether a chain behind an equality is a condition of it, by its form."""
     claims = "=" in before.ops or not all(map(is_plain, before.terms))
     if said.before or said.conditions or not said.ops or not claims:
@@ -358,7 +375,8 @@ def _is_condition(said: Said, before: Said, reading: _Reading) -> bool:
     if relations == {"->"} and len(said.terms[0]) < 3:
         return True
     if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
-        return bool(said.values) and relations == {"=="}
+        value = bool(others or before.conditions) and all(map(is_plain, said.terms))
+        return (bool(said.values) or value) and relations == {"=="}
     return any(len(term) <= 4 or "|" in term[0] for term in said.terms) or (
         all(map(is_plain, said.terms[::2]))
     )

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
+from tresym.manuscript.macros import group
 from tresym.reals.language.latex_tokens import (
     CONDITION,
     FUNCTIONS,
@@ -59,13 +60,18 @@ _DEFINED = re.compile(
     r"\\(?:stackrel|overset|underset)\s*\{((?:[^{}]|\{[^{}]*\})*)\}\s*(?:\{\s*=\s*\}|=)"
 )
 _DROPPED = re.compile(
-    r"\\(?:nonumber|notag|displaystyle|textstyle|allowbreak|nobreak|noindent|hfill|hfil|qedhere"
+    r"\\(?:nonumber|notag|displaystyle|ds|textstyle|allowbreak|nobreak|noindent|hfill|hfil|qedhere"
+    r"|pause|null|small|footnotesize|scriptsize|normalsize"
     r"|mathstrut|strut|Biggl|Biggr|middle)(?![a-zA-Z])"
     r"|\\(?:hspace|vspace|vphantom|hphantom|phantom|tag|label|cite|footnote|eqref|ref|color|raisebox"
     r"|smash)\*?\s*(?:\[[^\[\]]*\]\s*)?\{[^{}]*\}|\\hskip\s*-?[\d.]+\s*[a-z]{2}|\\hline"
 )
-_GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
-_BRACE = re.compile(rf"\\(?:under|over)brace\s*{_GROUP}(?:\s*[_^]\s*{_GROUP})?")
+_BRACE = re.compile(r"\\(?:under|over)brace(?![a-zA-Z])")
+_BETWEEN = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
+_INTEGER = re.compile(
+    r"\\text\s*\{\s*(?:for |with )?(?:all |any |every |each |some |an? )?"
+    r"(positive |non-?negative )?integers?\s*\}[\s~]*(?:\\[,;: ])*\s*\$?([a-zA-Z])(?![a-zA-Z])\$?"
+)
 _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
@@ -92,6 +98,7 @@ class Said:
         values: what follows by commas, as in ``n = 0, 1, 2``.
         conditions: those that are said of it with a word such as "for".
         words: upright text that stands in it.
+        remarks: how much of it stands behind it, so that its conditions are not all known.
         universal: it is said "for all".
     """
 
@@ -101,6 +108,7 @@ class Said:
     values: tuple[tuple[str, ...], ...] = ()
     conditions: tuple[Said, ...] = ()
     words: tuple[str, ...] = field(default=())
+    remarks: int = 0
     universal: bool = False
 
     @property
@@ -147,6 +155,7 @@ def _with_words(found: list[Said], words: list[str]) -> Iterator[Said]:
 
     def named(chain: Said) -> Said:
         count = chain.tokens.count(WORDS) + sum(v.count(WORDS) for v in chain.values)
+        count += chain.remarks
         own = tuple(next(left, "") for _ in range(count))
         return replace(chain, words=own, conditions=tuple(map(named, chain.conditions)))
 
@@ -157,7 +166,8 @@ def _prepared(text: str, words: list[str]) -> str:
     """With marks for gaps and upright text; what only sets the page is dropped."""
     text = _DROPPED.sub(" ", text)
     text = re.sub(r"\\boxed(?![a-zA-Z])", " ", text)
-    text = _BRACE.sub(r"{\1}", text)
+    text = _without_braces_under(text)
+    text = _INTEGER.sub(lambda m: rf"\text{{for }} {m[2]} \in \mathbb{{{_SETS[m[1]]}}}", text)
     text = re.sub(r"\\\\\s*\*?\s*(?:\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?", r"\\\\ ", text)
     text = re.sub(
         r"\\q?quad(?![a-zA-Z])|\\enspace(?![a-zA-Z])", f" {GAP} ".replace("\\", r"\\"), text
@@ -170,6 +180,24 @@ def _prepared(text: str, words: list[str]) -> str:
     text = re.sub(r"\\colon(?![a-zA-Z])", " ", text)
     text = re.sub(r"\\(?:dots|dotsc|cdots|dotsb)(?![a-zA-Z])", r"\\ldots ", text)
     return _TEXT.sub(lambda m: _spoken(m, words), text)
+
+
+_SETS = {None: "Z", "positive ": "N", "nonnegative ": "N0", "non-negative ": "N0"}
+
+
+def between(text: str) -> tuple[str, list[str]]:
+    """A display without the prose between its lines, and that prose."""
+    return _BETWEEN.sub(" ", text), _BETWEEN.findall(text)
+
+
+def _without_braces_under(text: str) -> str:
+    """What stands over or under a brace alone, without what the brace is labelled with."""
+    while (mark := _BRACE.search(text)) is not None:
+        inside, end = group(text, mark.end())
+        label = re.compile(r"\s*[_^]").match(text, end)
+        end = group(text, label.end())[1] if label else end
+        text = f"{text[: mark.start()]} {inside} {text[end:]}"
+    return text
 
 
 def _spoken(found: re.Match[str], words: list[str]) -> str:
@@ -207,9 +235,11 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
             result += found[0]
         elif not re.search(r"[^\W\d_]{2}", word):
             result += found[0] if len(pieces) == 1 else f" {piece} "
+        elif re.fullmatch(r"(?:is |are |an? )*integers?", word):
+            result += r" \in \mathbb{Z} "
         else:
             words.append(" ".join(piece.split()))
-            result += f" {WORDS} "
+            result += f" {GAP if piece.lstrip().startswith('(') else ''} {WORDS} "
     return result
 
 
@@ -389,6 +419,11 @@ def _chains(tokens: list[str]) -> list[Said]:
     ahead: list[Said] = []
     under = False
     for stop, part in _parts(tokens):
+        while part[:1] == [WORDS] and stop == GAP and found and found[-1].ops and not pending:
+            found[-1] = replace(found[-1], remarks=found[-1].remarks + 1)
+            del part[0]
+        if not part:
+            continue
         inner = _bracketed(part)
         chain = _chain(inner or part)
         if stop == CONDITION:

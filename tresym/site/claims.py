@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
@@ -10,9 +9,10 @@ from html import escape
 from typing import Any
 
 import tresym
-from tresym.report.words.markdown import finding, sentence
+from tresym.report.words.markdown import escaped, finding, sentence
 from tresym.report.words.said import conditions, display, in_dollars, of_record, stated
-from tresym.site.markdown import badge, chain, inline, link, statement
+from tresym.site import graph
+from tresym.site.markdown import badge, chain, inline, link, statement, titled
 
 Record = dict[str, Any]
 
@@ -103,7 +103,7 @@ def _annotation(label: str, claim: Record) -> str:
     quote = f" “{sentence(claim['quote'])}”\\\n" if claim["quote"] else "\\\n"
     true = ", ".join(map(link, claim["amended_by"]))
     instead = f"\\\nTrue instead: {true}." if true else ""
-    head = f"[{place}]{{.place}} {badge(claim['verdict'])} {link(label)}"
+    head = f"[{place}]{{.place}} {titled(label, claim)}"
     return f"{head}{quote}{inline(claim)}{instead}"
 
 
@@ -145,7 +145,7 @@ def _item(label: str, claim: Record) -> str:
     place = f" [{claim['place']}]{{.place}}" if claim["place"] else ""
     coq = " [Coq]{.mark .coq}" if claim["coq"] and not claim["coq"]["premises"] else ""
     axioms = " [quoted theorem]{.mark .axioms}" if claim["axioms"] else ""
-    return f"{link(label)} {badge(claim['verdict'])}{place}{coq}{axioms}\\\n{inline(claim)}"
+    return f"{titled(label, claim)}{place}{coq}{axioms}\\\n{inline(claim)}"
 
 
 def _beside(label: str, order: list[str]) -> str:
@@ -177,7 +177,7 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
     claims = ledger["claims"]
     claim = claims[label]
     sections = [
-        f"---\norphan: true\n---\n\n# {named(label)}",
+        f"---\norphan: true\n---\n\n# {escaped(claim['title'])}",
         f"`{label}`",
         _heading(claim, title),
         *_printed(claim),
@@ -187,6 +187,7 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         *_proof(claim),
         *_numbers(claim),
         *_truth(claim, claims),
+        *_graph(label, claims),
         *_relations(claim, claims),
         *_symbols(claim),
         *_cost(claim, seconds),
@@ -194,13 +195,6 @@ def page(label: str, ledger: Record, title: str | None, seconds: float | None) -
         f"```sh\ntresym verify {label}\ntresym derive {_if_refuted(claim)}{label}\n```",
     ]
     return "\n\n".join(sections) + "\n"
-
-
-def named(label: str) -> str:
-    """The label in words, as it is searched for; a display without one by its number."""
-    words = label.removeprefix("eq_").replace("_", " ")
-    display = re.fullmatch(r"d(\d\d)", label)
-    return f"Display {int(display[1])}" if display else words[:1].upper() + words[1:]
 
 
 def _heading(claim: Record, title: str | None) -> str:
@@ -256,12 +250,18 @@ def _proof(claim: Record) -> Iterator[str]:
     for lines in claim["chains"]:
         yield chain(lines)
     if not claim["chains"]:
-        yield f"Found: {finding(claim['why'])}."
+        yield f"Found: {_found(claim['why'])}."
     if claim["verdict"] == "REFUTED" and claim["witness"]:
         point = ", ".join(f"{name} = {value}" for name, value in claim["witness"].items())
         yield f"**Witness.** {finding(point)}."
     if claim["note"]:
         yield sentence(claim["note"])
+
+
+def _found(why: str) -> str:
+    """What judging found; where that is the claims that it follows from, links to them."""
+    _, follows, labels = why.partition("follows from ")
+    return follows + ", ".join(map(link, labels.split(", "))) if follows else finding(why)
 
 
 def _numbers(claim: Record) -> Iterator[str]:
@@ -292,16 +292,20 @@ def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
 
 
 def _named(label: str, claims: dict[str, Record]) -> str:
-    return f"{link(label)} {badge(claims[label]['verdict'])}\n\n{statement(claims[label])}"
+    return f"{titled(label, claims[label])}\n\n{statement(claims[label])}"
+
+
+def _graph(label: str, claims: dict[str, Record]) -> Iterator[str]:
+    shown = graph.picture(label, claims)
+    if shown:
+        yield f"## How it hangs together\n\n```{{raw}} html\n{shown}\n```"
 
 
 def _relations(claim: Record, claims: dict[str, Record]) -> Iterator[str]:
     for title, key in (("What it uses", "uses"), ("What uses it", "used_by")):
         if claim[key]:
             yield f"## {title}"
-            items = (
-                f"- {link(n)} {badge(claims[n]['verdict'])} {inline(claims[n])}" for n in claim[key]
-            )
+            items = (f"- {titled(n, claims[n])}\\\n{inline(claims[n])}" for n in claim[key])
             yield "\n".join(items)
 
 

@@ -17,8 +17,9 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
 from tresym.report.charts import CHARTS
+from tresym.report.words.formulas import Piece, pieces
 from tresym.site import claims, commands, docstrings, mathematics
-from tresym.site.markdown import badge, inline, link, statement
+from tresym.site.markdown import badge, inline, link, statement, titled
 
 BUILT = "_built"
 """Folder of the source tree that the build writes style sheets to; like claims/, not kept."""
@@ -71,11 +72,38 @@ def write_pages(app: Sphinx) -> None:
             path.unlink()
 
 
-def link_corrections(app: Sphinx, name: str, source: list[str]) -> None:
-    """On the page of corrections, every label leads to the page of its claim."""
-    if name == "generated/corrections":
-        known = ledger_of(Path(app.srcdir))["claims"]
-        source[0] = re.sub(r"`(\w+)`", lambda m: link(m[1]) if m[1] in known else m[0], source[0])
+def link_labels(app: Sphinx, name: str, source: list[str]) -> None:
+    """On the pages that are made, every label leads to the page of its claim."""
+    if name == "generated/corrections" or name.startswith("claims/"):
+        known = ledger_of(Path(app.srcdir))["claims"].keys() - {name.removeprefix("claims/")}
+        source[0] = _LABEL.sub(lambda m: link(m[1]) if m[1] in known else m[0], source[0])
+
+
+_LABEL = re.compile(r"(?<!\[)`(\w+)`")
+_AS_WRITTEN = (
+    nodes.literal,
+    nodes.math,
+    nodes.math_block,
+    nodes.raw,
+    nodes.title,
+    nodes.FixedTextElement,
+)
+
+
+def set_formulas(app: Sphinx, doctree: nodes.document) -> None:
+    """Set the formulas of every sentence, but for titles, code and what is read off docstrings."""
+    if app.env.docname.startswith(("reference/", "pages/api")):
+        return
+    for text in list(doctree.findall(nodes.Text)):
+        if text.parent is None or isinstance(text.parent, _AS_WRITTEN):
+            continue
+        found = list(pieces(str(text)))
+        if any(piece.latex for piece in found):
+            text.parent.replace(text, [_node(piece) for piece in found])
+
+
+def _node(piece: Piece) -> nodes.Node:
+    return nodes.math("", piece.latex) if piece.latex else nodes.Text(piece.text)
 
 
 def copy_explorer(app: Sphinx, error: Exception | None) -> None:
@@ -95,7 +123,7 @@ class ClaimDirective(SphinxDirective):
         (label,) = self.arguments
         claim = _named(self, label)
         box = nodes.container(classes=["claim"])
-        text = f"{link(label)} {badge(claim['verdict'])}\n\n{statement(claim)}"
+        text = f"{titled(label, claim)}\n\n{statement(claim)}"
         box += self.parse_text_to_nodes(text)
         return [box]
 
@@ -189,7 +217,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("findings", FindingsDirective)
     app.add_directive("charts", ChartsDirective)
     app.connect("build-finished", copy_explorer)
-    app.connect("source-read", link_corrections)
+    app.connect("source-read", link_labels)
+    app.connect("doctree-read", set_formulas)
     app.add_directive("run", RunDirective)
     app.add_css_file("mathematics.css")
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.report.words.chains import EQUIVALENT
+from tresym.report.words.markdown import sentence
 from tresym.report.words.said import display, in_line, of_record, on_lines
 
 
@@ -16,6 +17,11 @@ def badge(verdict: str) -> str:
 def link(label: str, folder: str = "/claims/") -> str:
     """A link to the page of a claim."""
     return f"[`{label}`]({folder}{label}.md)"
+
+
+def titled(label: str, claim: dict[str, Any]) -> str:
+    """Its title, its label as a link to its page, and its verdict."""
+    return f"**{sentence(claim['title'])}** {link(label)} {badge(claim['verdict'])}"
 
 
 def statement(claim: dict[str, Any]) -> str:

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import csv
 import json
+import marshal
 import os
 import sqlite3
+import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from typing import Any
@@ -22,7 +24,7 @@ from tresym.sweep.rows import SweepRow
 APPLICATION = 0x74726573
 """What SQLite's ``application_id`` says in a table of ours."""
 
-FORMAT = 2
+FORMAT = 3
 
 EXPORT_ROWS = 20_000
 """Rows in memory at once while exporting."""
@@ -42,7 +44,8 @@ def _schema(in_floats: bool) -> tuple[str, ...]:
     return (
         f"PRAGMA application_id = {APPLICATION}",
         "CREATE TABLE sweep (request TEXT NOT NULL)",
-        "CREATE TABLE batches (number INTEGER PRIMARY KEY, rows INTEGER NOT NULL)",
+        "CREATE TABLE batches (number INTEGER PRIMARY KEY, rows INTEGER NOT NULL, "
+        "checksum INTEGER NOT NULL)",
         _rows_schema(in_floats),
     )
 
@@ -52,7 +55,7 @@ def _rows_schema(in_floats: bool) -> str:
 
 
 def packed(rows: Sequence[SweepRow], in_floats: bool) -> bytes:
-    """A batch as the bytes of a database with nothing in it but the rows, to be landed as it is."""
+    """A batch as the bytes of a database of the rows and their checksum, to be landed as it is."""
     marks = ", ".join("?" * len(columns(in_floats)))
     values: Sequence[tuple[Any, ...]] = rows
     if in_floats:
@@ -61,8 +64,16 @@ def packed(rows: Sequence[SweepRow], in_floats: bool) -> bytes:
         connection.execute("BEGIN")
         connection.execute(_rows_schema(in_floats))
         connection.executemany(f"INSERT INTO rows VALUES ({marks})", values)
+        connection.execute("CREATE TABLE checksum (value INTEGER)")
+        stored = connection.execute("SELECT * FROM rows ORDER BY line").fetchall()
+        connection.execute("INSERT INTO checksum VALUES (?)", (_checksum(stored),))
         connection.execute("COMMIT")
         return connection.serialize()
+
+
+def _checksum(rows: list[tuple[Any, ...]]) -> int:
+    """Of rows as SQLite gives them; in the second format of ``marshal`` equal rows are equal."""
+    return zlib.crc32(marshal.dumps(rows, 2))
 
 
 class Table:
@@ -87,7 +98,8 @@ class Table:
             run("BEGIN")
             # Both tables have one schema: SQLite copies the records as they are.
             rows = run("INSERT INTO main.rows SELECT * FROM batch.rows").rowcount
-            run("INSERT INTO batches VALUES (?, ?)", (number, rows))
+            landed = "INSERT INTO batches SELECT ?, ?, value FROM batch.checksum"
+            run(landed, (number, rows))
             run("COMMIT")
             run("DETACH batch")
         return rows
@@ -163,21 +175,21 @@ def _begin(connection: sqlite3.Connection, path: str, request: dict[str, Any]) -
 
 
 def _forget_damage(connection: sqlite3.Connection, request: dict[str, Any]) -> None:
-    """Forget the batches some of whose rows are missing, or more than were landed: they come again.
+    """Forget the batches whose rows are not those that were landed: they come again.
 
     Lines count from 1 in a grid, and from 2 under the header of a file.
     """
     run, size, first = connection.execute, request["batch"], 2 if "csv" in request else 1
-    (landed,) = run("SELECT coalesce(sum(rows), 0) FROM batches").fetchone()
-    if run("SELECT count(*) FROM rows").fetchone() == (landed,):
-        return
-    of_batch = "line >= ? AND line < ?"
     run("BEGIN")
-    for number, rows in run("SELECT number, rows FROM batches").fetchall():
+    for number, checksum in run("SELECT number, checksum FROM batches").fetchall():
         lines = (first + number * size, first + (number + 1) * size)
-        if run(f"SELECT count(*) FROM rows WHERE {of_batch}", lines).fetchone() != (rows,):
-            run(f"DELETE FROM rows WHERE {of_batch}", lines)
+        found = run("SELECT * FROM rows WHERE line >= ? AND line < ? ORDER BY line", lines)
+        if _checksum(found.fetchall()) != checksum:
             run("DELETE FROM batches WHERE number = ?", (number,))
+    run(
+        "DELETE FROM rows WHERE line < ? OR (line - ?) / ? NOT IN (SELECT number FROM batches)",
+        (first, first, size),
+    )
     run("COMMIT")
 
 

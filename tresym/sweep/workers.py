@@ -1,6 +1,6 @@
 """Who computes the batches: this process, processes of this machine, or a Dask cluster.
 
-Each is a ``concurrent.futures`` executor, and the sweep knows nothing else of it.
+Each is a ``concurrent.futures`` executor; the sweep, and ``tresym check -f``, know nothing else.
 """
 
 from __future__ import annotations
@@ -8,9 +8,11 @@ from __future__ import annotations
 import logging
 import socket
 import threading
+from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import CancelledError, Executor, Future
+from concurrent.futures import CancelledError, Executor, Future, wait
 from contextlib import contextmanager, suppress
+from itertools import islice
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
@@ -41,6 +43,21 @@ class Workers(NamedTuple):
     executor: Executor
     window: int
     check: Callable[[], None] = _nothing_amiss
+
+    def in_order(self, fn: Callable[[bytes], bytes], arguments: Iterator[bytes]) -> Iterator[bytes]:
+        """What ``fn`` returns for each argument, in order; no more is under way than the window.
+
+        Raises:
+            InputError: nobody is left to work.
+        """
+        under_way = deque(self.executor.submit(fn, each) for each in islice(arguments, self.window))
+        while under_way:
+            first = under_way[0]
+            while not wait((first,), PATIENCE).done:
+                self.check()
+            found = under_way.popleft().result()
+            under_way.extend(self.executor.submit(fn, each) for each in islice(arguments, 1))
+            yield found
 
 
 class Here(Executor):
@@ -189,7 +206,4 @@ class _Watch:
             alone = True
         self.empty = self.empty + 1 if alone else 0
         if self.empty >= self.LOOKS:
-            raise InputError(
-                "cluster: the scheduler or its workers are lost; "
-                "the same command goes on from what has landed"
-            )
+            raise InputError("cluster: the scheduler or its workers are lost")

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tresym.racket.angle import FULL_TURN, Angle, parse_angle
 from tresym.racket.body import Shape, named_body, shape
-from tresym.racket.flip import asymptotic, defect, ladder
+from tresym.racket.flip import asymptotic, defect, flip_defect, flip_defects, ladder
 from tresym.racket.flip.ladder import RUNGS, checked_digits, climb, follow, parse_digits
 from tresym.racket.motion.trajectory import Start
 from tresym.racket.result import proves
@@ -180,3 +180,28 @@ def test_the_estimate_only_spares_attempts() -> None:
     assert ladder._worth_trying(FAR, fmpq(0), 300) == RUNGS[1:]
     assert ladder._worth_trying(STR, fmpq(1, 10**400), 30) == RUNGS[2:]
     assert ladder._worth_trying(shape("1e4000", "1e-4000"), fmpq(0), 1) == RUNGS[1:]
+
+
+def test_many_shapes_are_answered_as_one_by_one() -> None:
+    many = [("12.5372", "0.0629"), shape(3, "1/2"), named_body("str"), ("1", "1/3")]
+    found = flip_defects(many, "1/10", 20)
+    alone = [flip_defect(*(x if type(x) is tuple else (x,)), gamma="1/10", digits=20) for x in many]
+    assert [str(f.defect) for f in found] == [str(f.defect) for f in alone]
+    assert flip_defects([]) == []
+
+
+@pytest.mark.parametrize(
+    ("shapes", "says"),
+    [
+        ([("1", "1/2"), ("1", "2")], "shape 2: shape parameter b"),
+        ([("1", "1/2"), ("1",)], "shape 2: give a pair"),
+        ([(1.0, "1/2")], "shape 1: shape parameter a: float"),
+        (["12"], "shape 1: give a pair"),
+        ([None], "shape 1: give a pair"),
+        ("12", "shapes: "),
+        (7, "shapes: "),
+    ],
+)
+def test_a_shape_that_is_none_is_named_by_its_place(shapes: Any, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        flip_defects(shapes)

@@ -13,7 +13,7 @@ import pytest
 
 from tresym.reals.decisions import check, limits
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.limits import Task, check_all, check_within
+from tresym.reals.decisions.limits import Task, check_all, check_by, check_within
 from tresym.reals.decisions.reading import read
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -104,3 +104,21 @@ def test_a_procedure_that_fails_ends_no_other(monkeypatch: pytest.MonkeyPatch) -
 def test_a_limit_is_a_number_of_seconds(limit: Any) -> None:
     with pytest.raises(InputError, match="seconds"):
         check("x == x", limit=limit)
+
+
+@pytest.mark.usefixtures("losing")
+def test_workers_elsewhere_give_the_same_answers(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(limits, "BATCH", 2)
+    tasks = [Task(f"x + {k} {sign} x", line=k) for k, sign in enumerate(("==", "!=", "<", "= ="))]
+    sent: list[bytes] = []
+
+    def in_order(fn: Callable[[bytes], bytes], arguments: Iterator[bytes]) -> Iterator[bytes]:
+        for each in arguments:
+            sent.append(each)
+            yield fn(each)
+
+    found = list(check_by(in_order, iter(tasks), 1))
+    assert len(sent) == 2
+    assert [(task, str(answer)) for task, answer in found] == [
+        (task, str(answer)) for task, answer in check_all(tasks, 1)
+    ]

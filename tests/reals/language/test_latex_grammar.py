@@ -40,6 +40,10 @@ AT = {"x": arb(fmpq(3, 5)), "y": arb(fmpq(-7, 4)), "a1": arb(2)}
         (r"\pi x", "pi*x"),
         (r"\frac{x}{\frac{y}{2}}", "2*x/y"),
         (r"2\cdot 10^{-3}", "1/500"),
+        (r"3 t^2\Big|_1^{x}", "3*x**2 - 3"),
+        (r"\cosh t\bigg|^{x}_{0}", "cosh(x) - 1"),
+        (r"-\left. t + t^2\right|_{t=1}^{t=x}", "2 - x - x**2"),
+        (r"y\left[ t^3 \right]_0^2", "8*y"),
     ],
 )
 def test_productions(source: str, text: str) -> None:
@@ -55,6 +59,10 @@ def test_productions(source: str, text: str) -> None:
     "source",
     [
         r"x/2y",
+        r"x + x^2\Big|_0^1",
+        r"xy\Big|_0^1",
+        r"\int_{y=0}^{y=1} x\,dx",
+        r"\int 1 + x",
         r"\sin^{-1}x",
         r"\sin(x+1)y",
         r"\sin 2\ln x",

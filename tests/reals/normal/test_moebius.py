@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 from flint import Ordering, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
 
-from tresym.reals.normal.moebius import on_orthant
+from tresym.reals.normal.moebius import MAX_DEGREE, on_orthant
+from tresym.reals.numbers.factoring import TooLargeError
 
 CONTEXT = fmpz_mpoly_ctx.get(["x", "y"], Ordering.lex)
 X, Y = CONTEXT.gens()
@@ -38,3 +39,12 @@ def test_values_keep_their_signs(p: fmpz_mpoly, low: fmpq | None, high: fmpq | N
             before, after = _at(p, x, y), _at(q, u, y)
             assert (before > 0) == (after > 0)
             assert (before < 0) == (after < 0)
+
+
+def test_no_power_is_multiplied_out_beyond_the_limit() -> None:
+    p = X ** (MAX_DEGREE + 1) - Y
+    assert on_orthant(p, 0, fmpq(0), None) == p
+    assert on_orthant(X**MAX_DEGREE, 0, fmpq(1), None).degrees()[0] == MAX_DEGREE
+    for ends in ((fmpq(1), None), (fmpq(0), fmpq(1)), (None, fmpq(0))):
+        with pytest.raises(TooLargeError):
+            on_orthant(p, 0, *ends)

@@ -156,6 +156,8 @@ def test_what_is_zero_is_not_nonzero() -> None:
     assert not parts.nonzero(parse("(x + 1)**2 - x**2 - 2*x - 1"))
     assert parts.nonzero(parse("x*y"))
     assert not parts.nonzero(parse("x*(y - 1)"))
+    assert parts.nonzero(parse("1/(y - 1)"))
+    assert not parts.nonzero(parse("(y - 1)**2"))
 
 
 @pytest.mark.parametrize("text", ["exp(x)**2 - 2*exp(y)", "sin(x)**2 - 2*sin(y)"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from importlib.util import find_spec
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -484,8 +485,13 @@ def test_a_figure_for_an_article_or_a_slide(ending, begins, tmp_path):
 @pytest.mark.parametrize(
     ("name", "path", "message"),
     [
-        ("flip-map", "x.jpg", "a picture is saved as .svg, .pdf or .png; what moves, .gif too"),
+        (
+            "flip-map",
+            "x.jpg",
+            "a picture is saved as .svg, .pdf or .png; what moves, .gif or .mp4 too",
+        ),
         ("flip-map", "x.gif", "flip-map does not move, so it is no GIF"),
+        ("flip-map", "x.mp4", "flip-map does not move, so it is no MP4"),
     ],
 )
 def test_a_picture_of_no_such_kind_is_bad_input(name, path, message, capsys, tmp_path):
@@ -527,6 +533,18 @@ def test_the_animation_as_a_picture_that_moves_and_as_a_strip(tmp_path):
         assert moving.size == (racket_flip.WIDTH, racket_flip.HEIGHT)
     with image.open(paths[1]) as strip:
         assert strip.size[0] > 4 * strip.size[1]
+
+
+def test_a_film_is_written_or_what_it_needs_is_said(tmp_path, capsys):
+    path = tmp_path / "flip.mp4"
+    status = main(["figure", "racket-flip", "-o", str(path)])
+    if find_spec("imageio_ffmpeg") is None:
+        assert status == 2
+        assert capsys.readouterr().err.count("\n") == 1
+        assert not path.exists()
+    else:
+        assert status == 0
+        assert path.read_bytes()[4:8] == b"ftyp"
 
 
 def test_a_picture_has_the_width_that_is_asked_for(tmp_path):

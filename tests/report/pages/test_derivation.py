@@ -98,7 +98,7 @@ def test_what_is_refuted_is_printed_marked(capsys: pytest.CaptureFixture[str]) -
 
 
 def test_the_article_marks_what_is_refuted(report: Report, text: str) -> None:
-    entries = text.split(r"\paragraph{\texttt{")[1:]
+    entries = re.split(r"\\label\{claim:", text)[1:]
     marked = [r"\verdict{refuted}{This is refuted:}" in entry for entry in entries]
     assert sum(marked) == report.counts[Verdict.REFUTED.value]
 

@@ -90,7 +90,7 @@ def test_a_sharper_reading_is_kept_apart_from_what_the_paper_says() -> None:
     assert all(f" (`{label}`)\n" in apart and label not in page for label in HEDGED)
     assert apart.count("**Printed:** ") == apart.count("**More sharply, and ours:**")
     assert apart.count("Read as:") == len(HEDGED)
-    for word in ("approximately", "very likely", "≃", "hyperbolic shape", "very slow"):
+    for word in ("approximately", "very likely", r"\simeq", "hyperbolic shape", "very slow"):
         assert word in apart
 
 

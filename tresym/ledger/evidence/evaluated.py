@@ -119,7 +119,11 @@ def _rooms(claim: Claim) -> list[Term]:
             raise InputError(f"{part} is no bound")
         up = part.upward
         terms.append(term_of(boxed, up.left - up.right, box))
-    return terms
+    # One claim, one set of rules: what they have in common is worked out once.
+    return [
+        replace(t, constants=terms[0].constants) if t.others == terms[0].others else t
+        for t in terms
+    ]
 
 
 def _box(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], tuple[Basic, ...]]:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from itertools import product
 
 from flint import arb, ctx, fmpq
@@ -38,7 +39,7 @@ from tresym.reals.language.expression import Expr, symbol, symbols
 from tresym.reals.language.formula import Relation, names
 from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import InputError, Interval, decimal_ball, printed
-from tresym.reals.places.unworked import At, value
+from tresym.reals.places.unworked import At, Enclosing, bracketed, shown, value
 from tresym.reals.places.values import UndefinedError, stands
 from tresym.reals.verdict import Verdict
 
@@ -86,7 +87,9 @@ class Term:
         others = {name: arb(x) for name, x in self.others.items()}
         fixed = {name: rule for name, rule in self.rules.items() if name not in inputs}
         constant = self.constants.setdefault(ctx.prec, Place(others, fixed, self.roots))
-        place = Place({**inputs, **others}, self.rules, self.roots, constant)
+        place = (
+            Place({**inputs, **others}, self.rules, self.roots, constant) if inputs else constant
+        )
         return place.value(self.term) if place.meets(self.given) else arb.nan()
 
 
@@ -122,6 +125,7 @@ class Place(dict[str, arb]):
         """The inputs, what is said of other symbols and of roots, and what is so without inputs."""
         super().__init__(inputs)
         self.rules, self.roots, self.constant = rules, roots, constant
+        self._walker = Enclosing(self, partial(bracketed, self._is_one))
 
     def __missing__(self, name: str) -> arb:
         if self.constant is not None and name in self.rules and self.constant[name].is_finite():
@@ -136,7 +140,7 @@ class Place(dict[str, arb]):
 
     def value(self, e: Expr) -> arb:
         """``e`` here; NaN where it is not shown to have a value."""
-        return value(e, self, self._is_one)
+        return shown(e, self._walker)
 
     def meets(self, given: Conditions) -> bool:
         """Whether balls show the conditions."""

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from tresym.racket.angle import Angle, as_angle
 from tresym.racket.body import Body, Exact, NamedBody, Shape, as_shape
-from tresym.racket.flip.ladder import climb, follow
+from tresym.racket.flip.ladder import checked_digits, climb, follow
 from tresym.racket.motion.trajectory import Start
 from tresym.racket.result import Flip, Journey
 from tresym.reals.numbers.exact import InputError, as_rational
 
-__all__ = ["Flip", "Journey", "flip_angle", "flip_defect"]
+__all__ = ["Flip", "Journey", "flip_angle", "flip_defect", "flip_defects"]
 
 
 def flip_defect(
@@ -34,6 +36,44 @@ def flip_defect(
         InputError: anything outside these ranges.
     """
     return climb(as_shape(a, b), as_rational(gamma, "gamma"), digits, rung)
+
+
+def flip_defects(
+    shapes: Iterable[Shape | Body | NamedBody | tuple[Exact, Exact]],
+    gamma: Exact = 0,
+    digits: int = 50,
+    *,
+    rung: str | None = None,
+) -> list[Flip]:
+    """The flip defects of many shapes at one γ, as :func:`flip_defect` gives them, in their order.
+
+    γ and the digits are read once. (``tresym sweep`` is for more than fit into memory.)
+
+    Args:
+        shapes: bodies, or pairs of a and b.
+        gamma: distance from the separatrix, in the range of every shape.
+        digits: 1 to 10 000.
+        rung: force one model of the ladder.
+
+    Raises:
+        InputError: anything outside these ranges, with the place of the shape, from 1.
+    """
+    level, digits, found = as_rational(gamma, "gamma"), checked_digits(digits), []
+    if isinstance(shapes, str | bytes) or not isinstance(shapes, Iterable):
+        raise InputError("shapes: give pairs of a and b, or bodies")
+    for place, given in enumerate(shapes, 1):
+        try:
+            one = as_shape(given) if isinstance(given, Shape | Body | NamedBody) else _pair(given)
+            found.append(climb(one, level, digits, rung))
+        except InputError as error:
+            raise InputError(f"shape {place}: {error}") from None
+    return found
+
+
+def _pair(given: object) -> Shape:
+    if not (isinstance(given, tuple | list) and len(given) == 2):
+        raise InputError("give a pair of a and b, or a body")
+    return as_shape(*given)
 
 
 def flip_angle(

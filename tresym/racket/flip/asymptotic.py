@@ -17,6 +17,7 @@ bounds narrows them.
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Any
 
 from flint import arb, fmpq
@@ -65,9 +66,10 @@ def reach(a: float, b: float) -> float:
     return (4 * (exponent - math.log(2) + math.log1p(R) / 2) - math.log(second)) / math.log(10)
 
 
-def least_product(digits: int) -> float:
+@lru_cache(maxsize=64)
+def least_product(digits: int) -> fmpq:
     """A value of ab below which :func:`reach` is below ``digits``, as it is < 8.2 √(ab) + 3."""
-    return max(digits - 3, 0) ** 2 / 67.24
+    return fmpq(max(digits - 3, 0) ** 2, 68)
 
 
 def _quartic(b: Any, R: Any) -> Any:

@@ -56,17 +56,19 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     Raises:
         InputError: digits or γ out of range, an unknown rung, or one that cannot deliver.
     """
-    digits = checked_digits(digits)
-    _checked_rung(rung)
+    if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:  # as most are: two calls less
+        digits = checked_digits(digits)
     level = gamma if isinstance(gamma, fmpq) else fmpq(gamma)
     if level != 0:
         defect.checked_gamma(shape.a, shape.b, level)
+    if rung is not None:
+        _checked_rung(rung)
     start = time.perf_counter()
     for used in (rung,) if rung is not None else _worth_trying(shape, level, digits):
         answer, shortfall = _on_rung(used, shape, level, digits)
         if answer is not None:
             seconds = time.perf_counter() - start
-            return Flip(shape, level, digits, answer.defect, answer.turn, used, answer.why, seconds)
+            return Flip(shape, level, digits, *answer[:2], used, answer.why, seconds)
     raise InputError(f"rung: {shortfall}")
 
 
@@ -98,15 +100,17 @@ def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
     """The rungs from the first that may have the digits; a float64 estimate spares the attempts."""
     if gamma != 0:
         return RUNGS[2:]
-    a, b = float(arb(shape.a)), float(arb(shape.b))
-    if a * b < asymptotic.least_product(digits):
+    if shape.a * shape.b < asymptotic.least_product(digits):
         return WITHOUT_FORMULA
+    a, b = float(arb(shape.a)), float(arb(shape.b))
     in_reach = 0 < a < math.inf and b > 0 and asymptotic.reach(a, b) > digits
     return RUNGS if in_reach else WITHOUT_FORMULA
 
 
 def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[RungAnswer | None, str]:
     """The answer of one rung, or None and why it cannot give one."""
+    if rung == "separatrix" and gamma == 0:
+        return _separatrix(shape, digits), ""
     if rung == "planar":
         return _planar(shape, gamma, digits), ""
     if rung == "carlson":
@@ -116,8 +120,6 @@ def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[RungAns
         )
     if gamma != 0:
         return None, f"{rung} knows the separatrix, gamma = 0, only; try carlson"
-    if rung == "separatrix":
-        return _separatrix(shape, digits), ""
     answer = _asymptotic(shape, digits)
     if answer is not None and proves(answer.defect, digits) and proves(answer.turn, digits):
         return answer, ""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from flint import arb, fmpq
 
 from tresym.reals.decisions.identity import exact_text
+from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.language.expression import Expr
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -16,6 +17,7 @@ from tresym.reals.numbers.exact import Decimal, InputError, decimal_ball, parse_
 from tresym.reals.verdict import Verdict
 
 DIGITS = (12, 40, 220, 1250)
+_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,15 @@ class Answer:
     def _repr_latex_(self) -> str:
         """The verdict, with the claim as it was read."""
         return f"$\\textbf{{{self.verdict.value}}}:\\ \\texttt{{{_in_latex(self.read_as)}}}$"
+
+
+Decide = Callable[[Comparison, Statement], Answer]
+"""The answer to a simpler claim."""
+
+
+def worst(answers: Iterable[Answer]) -> Answer:
+    """What several claims come to together."""
+    return min(answers, key=lambda found: _WORST.index(found.verdict))
 
 
 def _in_latex(text: str) -> str:

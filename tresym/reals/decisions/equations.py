@@ -9,13 +9,14 @@ cases that are shown to have no point are left out, and where all are, nothing i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from typing import NamedTuple
+from functools import partial
+from typing import Any, NamedTuple
 
 from flint import fmpq
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.identity import exact_text
 from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.decisions.simple import constants_hold, exact_witness, tidied
@@ -46,11 +47,22 @@ from tresym.reals.signs.inside import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
-
-_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 _EMPTY = "no point satisfies the conditions, and nothing is proved vacuously"
+
+
+_HALF_TURN = PI / 2
+_INVERSES: dict[str, Any] = {
+    "exp": ("log", (">", ZERO)),
+    "log": ("exp",),
+    "sinh": ("asinh",),
+    "asinh": ("sinh",),
+    "tanh": ("atanh", ("<", ONE), (">", -ONE)),
+    "atanh": ("tanh",),
+    "atan": ("tan", ("<", _HALF_TURN), (">", -_HALF_TURN)),
+    "asin": ("sin", ("<=", _HALF_TURN), (">=", -_HALF_TURN)),
+    "acos": ("cos", ("<=", PI), (">=", ZERO)),
+}
+"""What undoes a function, and the ends between which its values lie."""
 
 
 class Case(NamedTuple):
@@ -211,35 +223,16 @@ def replaced_case(case: Case, conditions: tuple[Compared, ...]) -> Case:
 
 def _inverses(e: Expr, arg: Expr, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
     """The values of ``arg`` with ``e = v``, each with the conditions on v; none if too many."""
-    nonnegative: tuple[Compared, ...] = ((v, ">=", ZERO),)
-    positive: tuple[Compared, ...] = ((v, ">", ZERO),)
-    half = PI / 2
-    match e.op:
-        case "^" if e.args[1].op == "number" and arg is e.args[0]:
-            yield from _roots(e.args[1].args[0], v)
-        case "abs":
-            yield v, nonnegative
-            yield -v, positive
-        case "cbrt":
-            yield v**3, ()
-        case "exp":
-            yield apply("log", v), positive
-        case "log":
-            yield apply("exp", v), ()
-        case "sinh":
-            yield apply("asinh", v), ()
-        case "asinh":
-            yield apply("sinh", v), ()
-        case "tanh":
-            yield apply("atanh", v), ((v, "<", ONE), (v, ">", -ONE))
-        case "atanh":
-            yield apply("tanh", v), ()
-        case "atan":
-            yield apply("tan", v), ((v, "<", half), (v, ">", -half))
-        case "asin":
-            yield apply("sin", v), ((v, "<=", half), (v, ">=", -half))
-        case "acos":
-            yield apply("cos", v), ((v, "<=", PI), (v, ">=", ZERO))
+    if e.op == "^" and e.args[1].op == "number" and arg is e.args[0]:
+        yield from _roots(e.args[1].args[0], v)
+    elif e.op == "abs":
+        yield v, ((v, ">=", ZERO),)
+        yield -v, ((v, ">", ZERO),)
+    elif e.op == "cbrt":
+        yield v**3, ()
+    elif e.op in _INVERSES:
+        inverse, *bounds = _INVERSES[e.op]
+        yield apply(inverse, v), tuple((v, relation, end) for relation, end in bounds)
 
 
 def _roots(r: fmpq, v: Expr) -> Iterator[tuple[Expr, tuple[Compared, ...]]]:
@@ -281,7 +274,7 @@ def _by_cases(
         answers.append(replace(found, why=f"with {shown}: {found.why}", region=None))
     if not answers:
         return Answer(Verdict.UNDECIDED, _EMPTY)
-    return min(answers, key=lambda found: _WORST.index(found.verdict))
+    return worst(answers)
 
 
 def chained_zero(case: Case) -> str:
@@ -299,20 +292,12 @@ def _put_in(
     real = tuple(
         (e, relation.replace(">=", ">"), ZERO) for e, relation in needs(claim.differentiated)
     )
-    links = (*rest.given.comparisons, *real)
-    moved = tuple(
-        (substitute(left, known), relation, substitute(right, known))
-        for left, relation, right in links
-    )
-    equations = (
-        *((substitute(x, known), substitute(y, known)) for x, y in rest.equations),
-        *case.equations,
-    )
-    sides = Comparison(
-        substitute(claim.left, known), claim.relation, substitute(claim.right, known)
-    )
-    links = tuple(dict.fromkeys((*moved, *case.conditions, *value)))
+    put_in = partial(substitute, mapping=known)
+    sides = Comparison(put_in(claim.left), claim.relation, put_in(claim.right))
+    rest = replace(rest, given=rest.given & Given(real)).mapped(put_in)
+    links = tuple(dict.fromkeys((*rest.given.comparisons, *case.conditions, *value)))
     given = constants_hold(links)
+    equations = (*rest.equations, *case.equations)
     return sides, replace(rest, given=Given(links) if given is None else given, equations=equations)
 
 

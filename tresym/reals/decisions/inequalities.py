@@ -7,6 +7,7 @@ an identity, and nothing is proved where no such point is found.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from itertools import chain, islice, pairwise, product
 from operator import itemgetter
@@ -18,18 +19,20 @@ from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.identity import decide, no_point, sampled_values, shown
 from tresym.reals.decisions.reduced import by_one_variable
 from tresym.reals.decisions.region import is_isolated, search
-from tresym.reals.decisions.zeros import equal_at_algebraic, equal_at_simple
+from tresym.reals.decisions.zeros import equal_at_algebraic, equal_at_lowest, equal_at_simple
 from tresym.reals.language.expression import PI, Expr, number, substitute, symbol, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
+from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.descent import low_points
 from tresym.reals.places.domain import with_domain
 from tresym.reals.places.points import corners
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.polynomials import cells
 from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
@@ -39,6 +42,7 @@ HALVINGS = 40
 MAX_PAIRS = 8
 GRID, GRID_STEPS = range(-80, 81), 5
 MAX_STARTS = 24
+ZEROS = (equal_at_simple, equal_at_lowest)
 PERIODS = (2 * PI, number(2))
 
 
@@ -90,10 +94,11 @@ def decide_inequality(
         split = None if differentiated or answer.verdict is not Verdict.UNDECIDED else _sides(given)
         return answer if split is None else _on_both_sides(left, right, *split, answer)
     starts = inside.points(names, MAX_STARTS)
-    for point in low_points(left - right, inside, starts):
+    for point in chain(_in_cells(left - right, region), low_points(left - right, inside, starts)):
         refutation = _refuted_at(point, left, relation, right, inside)
-        if refutation is None and relation == ">" and len(names) > 1:
-            refutation = equal_at_simple(left, right, inside, point)
+        for zero_near in ZEROS if relation == ">" and len(names) > 1 else ():
+            if refutation is None:
+                refutation = zero_near(left, right, inside, point)
         if refutation is not None:
             return refutation
     if not differentiated:
@@ -142,6 +147,14 @@ def _sampled(
             if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
                 return defined, refuted(f"both sides are equal at {shown(point)}", point, x, y)
     return defined, _at_corners(left, relation, right, given, names) if defined else None
+
+
+def _in_cells(difference: Expr, region: Given) -> Iterator[dict[str, fmpq]]:
+    """A point of an open cell in which a polynomial is negative, where there is one."""
+    with suppress(TooLargeError):
+        found = cells(difference, region)
+        if found is not None and found.against is not None:
+            yield dict(found.against)
 
 
 def _at_corners(

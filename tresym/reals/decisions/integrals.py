@@ -13,14 +13,14 @@ An integral of which no antiderivative is known is enclosed by certified quadrat
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain, pairwise
 from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement, functions
@@ -55,8 +55,6 @@ from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.defined import continuous_on
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
-
-Decide = Callable[[Comparison, Statement], Answer]
 
 MINUS_INFINITY = -INFINITY
 BITS = (64, 128)
@@ -198,7 +196,8 @@ def _inside(name: str, low: Expr, high: Expr) -> Given:
 def _pieces(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[tuple[Expr, Expr]]:
     """The interval, cut at points at which a part may be singular."""
     cuts: list[Expr] = []
-    for c in sorted(_cuts(name, parts, low, high), key=_middle):
+    within = (c for c in _cuts(name, parts) if not symbols(c) and _is_between(low, c, high))
+    for c in sorted(within, key=_middle):
         if not cuts or _is_between(cuts[-1], c, INFINITY):
             cuts.append(c)
     ends = [low, *cuts[:CUTS], high]
@@ -210,11 +209,10 @@ def _middle(e: Expr) -> fmpq:
         return evaluate(e, {}).mid().fmpq()
 
 
-def _cuts(name: str, parts: Iterable[Expr], low: Expr, high: Expr) -> Iterator[Expr]:
+def _cuts(name: str, parts: Iterable[Expr]) -> Iterator[Expr]:
+    """Points, some of them within the interval, at which a part may be singular."""
     for part, _ in (found for f in parts for found in singularities(f)):
-        for c in (*solutions(part, name), *_roots(part, name), *_turns(part, name)):
-            if not symbols(c) and _is_between(low, c, high):
-                yield c
+        yield from (*solutions(part, name), *_roots(part, name), *_turns(part, name))
 
 
 def _roots(part: Expr, name: str) -> Iterator[Expr]:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import pickle
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor, Future
 from dataclasses import replace
-from itertools import tee
+from itertools import islice, tee
 from typing import Any, NamedTuple
 
 from tresym.reals.decisions.answer import Answer
@@ -41,14 +42,60 @@ def check_within(task: Task, limit: float = DEFAULT_LIMIT) -> Answer:
 
 
 def check_all(
-    tasks: Iterable[Task], limit: float = DEFAULT_LIMIT, processes: int | None = None
+    tasks: Iterable[Task],
+    limit: float = DEFAULT_LIMIT,
+    processes: int | None = None,
+    *,
+    forked: bool = True,
 ) -> Iterator[tuple[Task, Answer | InputError]]:
-    """Every task with its answer, or with what is wrong with it, in the order of the tasks."""
+    """Every task with its answer, or with what is wrong with it, in the order of the tasks.
+
+    Args:
+        tasks: read a few ahead.
+        limit: seconds for each.
+        processes: how many at once; all cores unless given.
+        forked: whether they are copies of this process, which must have no other threads then.
+    """
     tasks, asked = tee(tasks)
-    with Processes(processes or cores(), limit, deaths=1, forked=True) as pool:
+    with Processes(processes or cores(), limit, deaths=1, forked=forked) as pool:
         futures = pool.in_order(_judged, (task[:3] for task in asked))
         for task, future in zip(tasks, futures, strict=True):
             yield task, _found(task, future, limit)
+
+
+BATCH = 200
+"""Claims that go to a worker elsewhere at once."""
+
+
+def check_by(
+    in_order: Callable[[Callable[[bytes], bytes], Iterator[bytes]], Iterator[bytes]],
+    tasks: Iterable[Task],
+    limit: float = DEFAULT_LIMIT,
+) -> Iterator[tuple[Task, Answer | InputError]]:
+    """As :func:`check_all`, by workers elsewhere.
+
+    Args:
+        in_order: calls a function on each of many arguments, and gives what it returns in order.
+    """
+    asked = (pickle.dumps((batch, limit)) for batch in _batches(tasks))
+    for found in in_order(check_batch, asked):
+        yield from pickle.loads(found)
+
+
+def check_batch(asked: bytes) -> bytes:
+    """What one call to a worker does, from bytes to bytes: no scheduler looks into either.
+
+    The claims are decided in a process of their own, one after the other: a worker may have
+    several threads, and precision is one for all of a process.
+    """
+    tasks, limit = pickle.loads(asked)
+    return pickle.dumps(list(check_all(tasks, limit, 1, forked=False)))
+
+
+def _batches(tasks: Iterable[Task]) -> Iterator[tuple[Task, ...]]:
+    tasks = iter(tasks)
+    while batch := tuple(islice(tasks, BATCH)):
+        yield batch
 
 
 def _found(task: Task, future: Future[Any], limit: float) -> Answer | InputError:

@@ -158,7 +158,7 @@ def _holds(claim: Comparison, path: Path, found: list[Judgement]) -> Answer:
         Verdict.ENCLOSED,
         sentence,
         constant=None if constant is None else constant_ball(constant),
-        region=_region(path, reach),
+        region=region(path, reach),
     )
 
 
@@ -214,7 +214,8 @@ def _bare(path: Path, side: int) -> str:
     return _small(path, side).removeprefix("(").removesuffix(")")
 
 
-def _region(path: Path, reach: fmpq) -> str:
+def region(path: Path, reach: fmpq) -> str:
+    """Where the small parameter is at most ``reach``, in words of the variable."""
     shown = fraction_text(reach)
     name = path.name
     if path.point is None:

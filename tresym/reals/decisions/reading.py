@@ -110,6 +110,14 @@ class Comparison:
         """The variables by which."""
         return frozenset(found.by for found in self.derivatives)
 
+    def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
+        """The comparison of changed sides, their derivatives with them."""
+        derivatives = (
+            d._replace(function=change(d.function), value=change(d.value)) for d in self.derivatives
+        )
+        left, right = change(self.left), change(self.right)
+        return replace(self, left=left, right=right, derivatives=tuple(derivatives))
+
 
 @dataclass(frozen=True)
 class Path:
@@ -155,6 +163,20 @@ class Statement:
 
     def __str__(self) -> str:
         return self.text
+
+    @property
+    def said(self) -> list[Expr]:
+        """The sides of all conditions."""
+        pairs = (*((left, right) for left, _, right in self.given.comparisons), *self.equations)
+        return [side for pair in pairs for side in pair]
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Statement:
+        """The statement under changed conditions, and where it tends to."""
+        path = self.path
+        if path is not None and path.point is not None:
+            path = replace(path, point=change(path.point))
+        equations = tuple((change(x), change(y)) for x, y in self.equations)
+        return replace(self, given=self.given.mapped(change), equations=equations, path=path)
 
     @property
     def under(self) -> str:

@@ -26,8 +26,6 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     differentiate,
-    number,
-    symbol,
     symbols,
 )
 from tresym.reals.language.inverted import solutions
@@ -38,7 +36,6 @@ from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.places.conditions import Condition, Given
 from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 PRECISION = 128
@@ -46,7 +43,7 @@ BUDGETS = {1: 3_000, 2: 12_000}
 LARGEST_BUDGET = 20_000
 MAX_CONTACTS = 8
 MAX_VARIABLES = 4
-FAR = (2, 16, 1024)
+FAR = 16
 _ONE, _NAN = arb(1), arb.nan()
 
 
@@ -136,13 +133,11 @@ class _Search:
                 ends.append(end)
                 continue
             beside = sign_towards(self.difference, self.names[0], None, side)
-            if beside is None:
-                beside = self._beyond(side)
             if beside is None or beside[0] < 0 or (self.strict and beside[0] == 0):
                 failure = self._failure_towards(None, side, beside)
                 if failure.verdict is Verdict.REFUTED:
                     return failure
-                ends.append((other or fmpq(0)) + side * FAR[1])
+                ends.append((other or fmpq(0)) + side * FAR)
                 continue
             ends.append(side / beside[1])
         low, high = ends
@@ -161,16 +156,6 @@ class _Search:
             if failure is not None:
                 return failure
         return _open(self.names, (whole,))
-
-    def _beyond(self, side: int) -> tuple[int, fmpq] | None:
-        """A neighbourhood of infinity on which the sign follows from the signs of parts."""
-        name = symbol(self.names[0])
-        for far in FAR:
-            outside = Given(((name, ">", number(far)) if side > 0 else (name, "<", number(-far)),))
-            found = sign(self.difference, outside)
-            if found in ("+", "-"):
-                return (1 if found == "+" else -1), fmpq(1, far)
-        return None
 
     def _contact(self, worst: Interval, whole: Interval) -> Answer | None:
         """Close a neighbourhood of the point of contact in ``worst``; an answer if that fails."""

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from tresym.reals.advocate import STOPPED
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, Decide, refuted, worst
 from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.identity import JUMP, exact_text
@@ -28,7 +28,6 @@ _LOOK_ALIKE = {
     "i": "and real as all are",
     "j": "and real as all are",
 }
-_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
 def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer:
@@ -42,7 +41,7 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
     start = time.perf_counter()
     statement = claim if isinstance(claim, Statement) else read(claim, given, path)
     answers = [_bounded(comparison, statement) for comparison in statement.comparisons]
-    answer = _worst(answers)
+    answer = worst(answers)
     if len(answers) > 1:
         broken = statement.comparisons[answers.index(answer)]
         which = f"{broken.left} {broken.relation} {broken.right}: "
@@ -56,10 +55,6 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
-
-
-def _worst(answers: list[Answer]) -> Answer:
-    return min(answers, key=lambda found: _WORST.index(found.verdict))
 
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
@@ -89,7 +84,7 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     return _decide_inequality(left, relation, right, statement.given, *real)
 
 
-Door = Callable[[Comparison, Statement, Callable[[Comparison, Statement], Answer]], Answer]
+Door = Callable[[Comparison, Statement, Decide], Answer]
 """Decides a claim by simpler ones, which it hands to its last argument."""
 
 
@@ -97,9 +92,7 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
     """What decides claims that hold more than elementary expressions and inequalities."""
     sides = comparison.left, comparison.right
     nodes = {node.op for node in outermost(*sides)}
-    said = [side for link in statement.given.comparisons for side in link[::2]]
-    said += [side for pair in statement.equations for side in pair]
-    if any(next(functions(e), None) is not None for e in (*sides, *said)):
+    if any(next(functions(e), None) is not None for e in (*sides, *statement.said)):
         from tresym.reals.decisions.unknowns import decide_unknown
 
         return decide_unknown
@@ -161,7 +154,7 @@ def _decide_inequality(
         shown = at and {name: exact_text(value) for name, value in at.items()}
         why = f"{case}: {found.why}"
         answers.append(replace(found, why=why, witness=shown, region=str(given) or None))
-    return _worst(answers)
+    return worst(answers)
 
 
 def _exact(witness: Mapping[str, str] | None) -> dict[str, Expr] | None:

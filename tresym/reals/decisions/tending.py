@@ -9,18 +9,18 @@ the parameters.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.growth import sign_towards
 from tresym.reals.decisions.identity import decide, exact_text
-from tresym.reals.decisions.orders import decide_order
-from tresym.reals.decisions.reading import LIMIT, Comparison, Derivative, Path, Statement
+from tresym.reals.decisions.orders import decide_order, region
+from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.simple import simple_points
 from tresym.reals.language.expression import (
     ONE,
@@ -33,6 +33,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
@@ -41,9 +42,6 @@ from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
-
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
 
 PARAMETERS = 6
 """Values of the parameters at which a refutation is looked for."""
@@ -119,8 +117,7 @@ def _limit(claim: Comparison, path: Path) -> Answer:
             why=f"the left side does not tend to {end}; of the {said}: {answer.why}",
             values=None,
         )
-    again = None if claim.derivatives else _periodic(f, end, path)
-    return answer if again is None else again
+    return answer
 
 
 def _are_equal(value: Expr, end: Expr, given: Given) -> bool:
@@ -148,9 +145,10 @@ def _with_parameters(
     if given.satisfying_point(names) is None:
         return Answer(Verdict.UNDECIDED, "no exact point satisfies the conditions")
     for at in simple_points(names, given, PARAMETERS):
-        known = {name: number(value) for name, value in at.items()}
+        put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
         try:
-            found = decide_tending(_at(claim, known), _path_at(statement, known), decided)
+            fixed = replace(statement.mapped(put_in), given=Given())
+            found = decide_tending(claim.mapped(put_in), fixed, decided)
         except InputError:  # a number on the way is too long
             continue
         if found.verdict is Verdict.REFUTED:
@@ -165,22 +163,6 @@ def _with_parameters(
     return _by_exact_limit(claim, path, given) or _from_somewhere_on(
         claim, path, statement, decided
     )
-
-
-def _at(claim: Comparison, known: dict[str, Expr]) -> Comparison:
-    derivatives = tuple(
-        Derivative(substitute(d.function, known), d.by, d.order, substitute(d.value, known))
-        for d in claim.derivatives
-    )
-    left, right = substitute(claim.left, known), substitute(claim.right, known)
-    return Comparison(left, claim.relation, right, derivatives)
-
-
-def _path_at(statement: Statement, known: dict[str, Expr]) -> Statement:
-    path = statement.path
-    if path is not None and path.point is not None:
-        path = replace(path, point=substitute(path.point, known))
-    return replace(statement, path=path, given=Given())
 
 
 def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | None:
@@ -232,7 +214,7 @@ def _eventually(claim: Comparison, path: Path, statement: Statement, decided: De
         return Answer(
             Verdict.ENCLOSED,
             "the sign of the difference is that of its leading term",
-            region=_region(path, reach),
+            region=region(path, reach),
         )
     exact = _by_exact_limit(claim, path, Given())
     return exact or _from_somewhere_on(claim, path, statement, decided)
@@ -241,7 +223,7 @@ def _eventually(claim: Comparison, path: Path, statement: Statement, decided: De
 def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: fmpq) -> Answer:
     """A refutation: the difference has the wrong sign for all 0 < t <= reach."""
     sign_of = "0" if not found else "positive" if found > 0 else "negative"
-    why = f"left - right is {sign_of} on all of {_region(replace(path, sides=(side,)), reach)}"
+    why = f"left - right is {sign_of} on all of {region(replace(path, sides=(side,)), reach)}"
     if path.point is None:
         return Answer(Verdict.REFUTED, why, witness={path.name: fraction_text(side / reach)})
     if path.point.op == "number":
@@ -249,16 +231,6 @@ def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: f
         return Answer(Verdict.REFUTED, why, witness={path.name: fraction_text(at)})
     at_text = exact_text(path.point + number(side * reach))
     return Answer(Verdict.REFUTED, why, witness={path.name: at_text})
-
-
-def _region(path: Path, reach: fmpq) -> str:
-    if path.point is None:
-        far = fraction_text(1 / reach)
-        return f"{path.name} >= {far}" if path.sides == (1,) else f"{path.name} <= -{far}"
-    x = symbol(path.name)
-    if len(path.sides) == 2:
-        return f"0 < {apply('abs', x - path.point)} <= {fraction_text(reach)}"
-    return f"0 < {(x - path.point) * path.sides[0]} <= {fraction_text(reach)}"
 
 
 def _from_somewhere_on(
@@ -270,16 +242,15 @@ def _from_somewhere_on(
     for far in FAR:
         near = [_neighbourhood(path, side, number(far)) for side in path.sides]
         answers = []
-        for region in near:
-            inside = replace(statement, path=None, given=statement.given & region)
+        for where in near:
+            inside = replace(statement, path=None, given=statement.given & where)
             answers.append(decided(claim, inside))
             if not answers[-1]:
                 break
         else:
             best = min(answers, key=lambda found: found.verdict is Verdict.PROVED)
             return replace(best, region=str(near[0]) if len(near) == 1 else None)
-    difference = Comparison(claim.left - claim.right, claim.relation, ZERO)
-    found = _periodic_failure(difference, path)
+    found = _periodic_failure(claim.left - claim.right, claim.relation, path)
     if found is not None:
         return found
     why = f"it is not shown from {FAR[-1]} on, nor to fail again and again"
@@ -298,32 +269,22 @@ def _neighbourhood(path: Path, side: int, far: Expr) -> Given:
 # What comes again and again
 
 
-def _periodic(f: Expr, end: Expr, path: Path) -> Answer | None:
-    """A limit refuted by a function of period 2π, in u or in 1/u, that has another value."""
-    if end in (INFINITY, -INFINITY):
-        return _periodic_failure(Comparison(f, "unbounded", ZERO), path)
-    return _periodic_failure(Comparison(f, "==", end), path)
-
-
-def _periodic_failure(claim: Comparison, path: Path) -> Answer | None:
-    """A refutation where both sides have the period 2π and the relation fails at a point."""
+def _periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | None:
+    """A refutation where a difference has the period 2π, in u or in 1/u, and fails at a point."""
     u = symbol("_u")
     if path.point is not None and symbols(path.point):
         return None
     for side in path.sides:
         along = side * u if path.point is None else path.point + side / u
-        sides = [substitute(e, {path.name: along}) for e in (claim.left, claim.right)]
-        if not symbols(sides[0]) | symbols(sides[1]) <= {"_u"}:
+        e = substitute(difference, {path.name: along})
+        if not symbols(e) <= {"_u"}:
             return None
-        beyond = [substitute(e, {"_u": u + 2 * PI}) for e in sides]
-        same = (decide(e, again).verdict for e, again in zip(sides, beyond, strict=True))
-        if not all(verdict is Verdict.PROVED for verdict in same):
+        if decide(e, substitute(e, {"_u": u + 2 * PI})).verdict is not Verdict.PROVED:
             continue
-        for at in _in_a_period():
+        for at in (fmpq(2 * n + 1, 4) for n in range(PERIODIC)):
             with ball_precision(PATH_BITS):
-                left, right = (evaluate(e, {"_u": at}) for e in sides)
-                both = left.is_finite() and right.is_finite()
-                if both and _fails(left - right, claim.relation):
+                value = evaluate(e, {"_u": at})
+                if value.is_finite() and stands(value, NEGATED[relation]):
                     where = substitute(along, {"_u": number(at)})
                     why = (
                         f"it has a period, and fails at {path.name} = {where} and "
@@ -331,17 +292,3 @@ def _periodic_failure(claim: Comparison, path: Path) -> Answer | None:
                     )
                     return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(where)})
     return None
-
-
-def _in_a_period() -> Iterator[fmpq]:
-    for n in range(PERIODIC):
-        yield fmpq(2 * n + 1, 4)
-
-
-def _fails(difference: arb, relation: str) -> bool:
-    if relation == "unbounded":
-        return True
-    if relation == "==":
-        return bool(difference > 0 or difference < 0)
-    opposite = {">": "<=", ">=": "<", "<": ">=", "<=": ">", "!=": "=="}[relation]
-    return stands(difference, opposite)

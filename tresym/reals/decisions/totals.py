@@ -10,10 +10,10 @@ not settle it, a closed form that SymPy suggests is shown first, in the same way
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import (
@@ -37,9 +37,6 @@ from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
-
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
 
 TERMS = 200
 FIRST = 8
@@ -152,12 +149,7 @@ def _from(n: str, given: Given, ends: dict[Expr, tuple[str, int, int] | None]) -
 
 
 def _at(claim: Comparison, n: str, value: Expr) -> Comparison:
-    at = {n: value}
-    return replace(
-        claim,
-        left=written_out(substitute(claim.left, at)),
-        right=written_out(substitute(claim.right, at)),
-    )
+    return claim.mapped(lambda e: written_out(substitute(e, {n: value})))
 
 
 def _looked_at(
@@ -166,15 +158,8 @@ def _looked_at(
     """A refutation at small n, or that the claim holds at none; None where it may be true."""
     seen = empty = False
     for value in range(least, least + FIRST):
-        at = {n: number(value)}
-        given = tuple(
-            (substitute(x, at), relation, substitute(y, at))
-            for x, relation, y in statement.given.comparisons
-        )
         fixed = replace(
-            statement,
-            given=Given(given),
-            equations=tuple((substitute(x, at), substitute(y, at)) for x, y in statement.equations),
+            statement.mapped(partial(substitute, mapping={n: number(value)})),
             integers=tuple(name for name in statement.integers if name != n),
         )
         try:

@@ -8,12 +8,12 @@ where that is not shown nothing is refuted.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 from flint import fmpq
 
-from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement, functions
 from tresym.reals.decisions.simple import exact_witness
@@ -33,9 +33,6 @@ from tresym.reals.places.domain import needs
 from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
-
 Atoms = dict[Expr, Expr]
 """What stands for the value of an unknown function at arguments that hold no other."""
 
@@ -46,9 +43,8 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
     Args:
         decided: decides what holds no function left unknown.
     """
-    trees = [claim.left, claim.right, *(side for pair in statement.equations for side in pair)]
-    trees += [side for link in statement.given.comparisons for side in link[::2]]
-    if statement.path is not None or any(n.op != "unknown" for n in outermost(*trees)):
+    trees = outermost(claim.left, claim.right, *statement.said)
+    if statement.path is not None or any(node.op != "unknown" for node in trees):
         why = "of a function left unknown, integrals, sums, limits and orders are not decided"
         return Answer(Verdict.UNDECIDED, why)
     atoms: Atoms = {}
@@ -63,16 +59,11 @@ def decide_unknown(claim: Comparison, statement: Statement, decided: Decide) -> 
             e = replaced(e, {node: atoms[node] for node in found})
         return e
 
-    def compared(left: Expr, relation: str, right: Expr) -> tuple[Expr, str, Expr]:
-        return variable(left), relation, variable(right)
-
     left, right = variable(claim.left), variable(claim.right)
-    given = Given(tuple(compared(*link) for link in statement.given.comparisons))
+    plain = statement.mapped(variable)
     real = needs(variable(f) for f in claim.differentiated)
-    given = given & Given(tuple((e, relation.replace(">=", ">"), ZERO) for e, relation in real))
-    equations = tuple((variable(x), variable(y)) for x, y in statement.equations)
-    plain = replace(statement, given=given, equations=equations)
-    answer = decided(Comparison(left, claim.relation, right), plain)
+    given = plain.given & Given(tuple((e, r.replace(">=", ">"), ZERO) for e, r in real))
+    answer = decided(Comparison(left, claim.relation, right), replace(plain, given=given))
     if answer.verdict is Verdict.REFUTED:
         answer = _realised(atoms, answer)
     names = sorted({node.args[0].args[0] for node in atoms})

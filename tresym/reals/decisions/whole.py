@@ -11,15 +11,16 @@ A refutation is one at integers.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from itertools import islice, product
 from math import lcm
 
 from flint import fmpq
 
-from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.reading import Comparison, Derivative, Statement
+from tresym.reals.decisions.answer import Answer, Decide, worst
+from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.decisions.simple import constants_hold
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import (
@@ -45,16 +46,12 @@ from tresym.reals.signs.inside import is_zero
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
-Decide = Callable[[Comparison, Statement], Answer]
-"""The answer to a simpler claim."""
-
 PERIODIC = frozenset(("sin", "cos", "tan", "cot", "sec", "csc"))
 MOST_RESIDUES = 48
 SMALL = 3
 """Up to where, on both sides of 0, integers are looked at one by one."""
 LOOKED_AT = (1, 2, 0, 3, -1, 4, -2, 5, 7, -3, 10, 20, 100)
 MOST_POINTS, SHOWN = 120, 14
-_WORST = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.ENCLOSED, Verdict.PROVED)
 
 
 def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -63,8 +60,8 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
     Args:
         decided: decides what holds for real values.
     """
-    spoken_of = symbols(claim.left) | symbols(claim.right) | statement.given.names
-    spoken_of |= frozenset().union(*(symbols(x - y) for x, y in statement.equations))
+    sides = claim.left, claim.right, *statement.said
+    spoken_of = frozenset().union(*map(symbols, sides))
     names = [name for name in statement.integers if name in spoken_of]
     plain = replace(statement, integers=())
     if not names:
@@ -74,12 +71,12 @@ def decide_whole(claim: Comparison, statement: Statement, decided: Decide) -> An
         given = _given_at(plain.given, at)
         if given is None:
             continue
+        put_in = partial(substitute, mapping=at)
         try:
-            moved = _moved(claim, at)
+            moved, fixed = claim.mapped(put_in), plain.mapped(put_in)
         except InputError:  # a number on the way is too long
             continue
-        equations = tuple((substitute(x, at), substitute(y, at)) for x, y in plain.equations)
-        found = decided(moved, replace(plain, given=given, equations=equations))
+        found = decided(moved, replace(fixed, given=given))
         if found.verdict is Verdict.REFUTED:
             where = {name: str(value) for name, value in at.items()}
             shown = ", ".join(f"{name} = {value}" for name, value in where.items())
@@ -113,23 +110,7 @@ def _small(names: list[str], given: Given) -> Iterator[dict[str, Expr]]:
 
 def _given_at(given: Given, at: dict[str, Expr]) -> Given | None:
     """The conditions at these values; None where one of them fails, or may."""
-    moved = (
-        (substitute(x, at), relation, substitute(y, at)) for x, relation, y in given.comparisons
-    )
-    return constants_hold(moved)
-
-
-def _moved(claim: Comparison, at: dict[str, Expr]) -> Comparison:
-    derivatives = tuple(
-        Derivative(substitute(d.function, at), d.by, d.order, substitute(d.value, at))
-        for d in claim.derivatives
-    )
-    return replace(
-        claim,
-        left=substitute(claim.left, at),
-        right=substitute(claim.right, at),
-        derivatives=derivatives,
-    )
+    return constants_hold(given.mapped(partial(substitute, mapping=at)).comparisons)
 
 
 # By residues
@@ -139,10 +120,8 @@ def _by_residues(
     claim: Comparison, statement: Statement, names: list[str], decided: Decide
 ) -> Answer:
     """The claim for every residue of every integer, for real values of what remains."""
-    sides = (claim.left, claim.right, *(f for f in claim.differentiated))
-    said = [side for link in statement.given.comparisons for side in link[::2]]
-    said += [side for pair in statement.equations for side in pair]
-    periods = [_period((*sides, *said), name, statement.given) for name in names]
+    trees = (claim.left, claim.right, *claim.differentiated, *statement.said)
+    periods = [_period(trees, name, statement.given) for name in names]
     if None in periods:
         return Answer(Verdict.UNDECIDED, "an angle or an exponent has no period in the integers")
     whole = [period for period in periods if period is not None]
@@ -156,53 +135,17 @@ def _by_residues(
             name: number(period) * symbol(name) + number(r) if period > 1 else symbol(name)
             for name, period, r in zip(names, whole, rest, strict=True)
         }
-        moved = _moved(claim, at)
-        given = Given(
-            tuple(
-                (substitute(x, at), relation, substitute(y, at))
-                for x, relation, y in statement.given.comparisons
-            )
-        )
-        equations = tuple(
-            (
-                reduced_in(substitute(x, at), names, given),
-                reduced_in(substitute(y, at), names, given),
-            )
-            for x, y in statement.equations
-        )
-        inside = replace(
-            statement,
-            given=_reduced_given(given, names),
-            equations=equations,
-            integers=tuple(names) if holds_integrals else (),
-        )
-        reduced = replace(
-            moved,
-            left=reduced_in(moved.left, names, given),
-            right=reduced_in(moved.right, names, given),
-            derivatives=tuple(
-                Derivative(
-                    reduced_in(d.function, names, given),
-                    d.by,
-                    d.order,
-                    reduced_in(d.value, names, given),
-                )
-                for d in moved.derivatives
-            ),
-        )
-        answers.append(decided(reduced, inside))
+        given = statement.given.mapped(partial(substitute, mapping=at))
+        change = partial(_residue, at=at, names=names, given=given)
+        inside = replace(statement.mapped(change), integers=tuple(names) if holds_integrals else ())
+        answers.append(decided(claim.mapped(change), inside))
         if not answers[-1]:
             break
-    return min(answers, key=lambda found: _WORST.index(found.verdict))
+    return worst(answers)
 
 
-def _reduced_given(given: Given, names: Iterable[str]) -> Given:
-    return Given(
-        tuple(
-            (reduced_in(x, names, given), relation, reduced_in(y, names, given))
-            for x, relation, y in given.comparisons
-        )
-    )
+def _residue(e: Expr, at: dict[str, Expr], names: list[str], given: Given) -> Expr:
+    return reduced_in(substitute(e, at), names, given)
 
 
 def _period(trees: Iterable[Expr], name: str, given: Given) -> int | None:
@@ -244,8 +187,7 @@ def alternates(claim: Comparison, statement: Statement) -> bool:
     """
     integrals = [n for n in outermost(claim.left, claim.right) if n.op == "integral"]
     trees = integrals or [claim.left, claim.right, *claim.differentiated]
-    trees += [side for link in statement.given.comparisons for side in link[::2]]
-    trees += [side for pair in statement.equations for side in pair]
+    trees += statement.said
     return any(
         _is_alternating(node, name, Given())
         for node in _nodes(trees)
@@ -314,7 +256,9 @@ def _beyond(claim: Comparison, statement: Statement, name: str, decided: Decide)
         at = {name: number(value)}
         given = _given_at(plain.given, at)
         if given is not None:
-            answers.append(decided(_moved(claim, at), replace(plain, given=given)))
+            answers.append(
+                decided(claim.mapped(partial(substitute, mapping=at)), replace(plain, given=given))
+            )
         elif _may_hold(plain.given, at):
             return None
     for side in (((n, ">=", number(SMALL + 1)),), ((n, "<=", number(-SMALL - 1)),)):
@@ -325,7 +269,7 @@ def _beyond(claim: Comparison, statement: Statement, name: str, decided: Decide)
         answers.append(_by_residues(claim, inside, [name], decided))
     if not answers or not all(answers):
         return None
-    return min(answers, key=lambda found: _WORST.index(found.verdict))
+    return worst(answers)
 
 
 def _may_hold(given: Given, at: dict[str, Expr]) -> bool:

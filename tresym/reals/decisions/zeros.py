@@ -2,6 +2,8 @@
 
 - A zero of a polynomial in one variable: an irreducible factor of the difference changes its sign
   between two rational numbers, and divides it.
+- A zero of a polynomial in several variables where its gradient vanishes: at polynomials h(t) in a
+  root t of m, which divides the polynomial with the h put in.
 - A point of simple constants, such as multiples of π, next to the lowest point found.
 """
 
@@ -10,16 +12,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import islice, product
 
-from flint import arb, fmpq, fmpz_poly
+from flint import arb, arb_mat, arb_poly, fmpq, fmpq_poly, fmpz_mat, fmpz_poly
 
 from tresym.reals.balls.contact import candidates
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.identity import shown
 from tresym.reals.decisions.region import is_isolated
-from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.expression import Expr, differentiate, symbols
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.field import Field
-from tresym.reals.normal.polynomials import terms_in_symbols
+from tresym.reals.normal.polynomials import Monomial, polynomial, terms_in_symbols
 from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import Interval, fraction_text, rational_ends
@@ -31,6 +33,11 @@ from tresym.reals.verdict import Verdict
 WIDTH = fmpq(1, 2**30)
 NEAR = fmpq(1, 2**24)
 SMALL = arb(2) ** -30
+DIGITS, STEPS = 400, 10
+"""Bits of a point at which a gradient vanishes, and steps of Newton towards it."""
+SCALE, TINY = arb(2) ** 300, arb(2) ** -350
+MAX_DEGREE, MAX_COEFFICIENT = 8, 2**24
+"""Of the polynomial whose root it is."""
 MAX_EACH = 3
 """Simple constants tried for each variable."""
 
@@ -97,8 +104,135 @@ def _brackets(p: fmpz_poly) -> Iterator[tuple[fmpq, fmpq]]:
                     yield low, high
 
 
-def _text(p: fmpz_poly, name: str) -> str:
+def _text(p: fmpz_poly | fmpq_poly, name: str) -> str:
     return str(p).replace("^", "**").replace("x", name)
+
+
+def equal_at_lowest(
+    left: Expr, right: Expr, given: Given, near: Mapping[str, fmpq]
+) -> Answer | None:
+    """A refutation of a strict inequality of polynomials at algebraic numbers ``near`` a point."""
+    names = sorted(near)
+    terms = polynomial(left - right)
+    if terms is None or given.names - {*names} or len(names) < 2:
+        return None
+    with ball_precision(DIGITS):
+        if not abs(evaluate(left - right, near)) < SMALL:
+            return None
+        point = _stationary(left - right, names, near)
+        if point is None:
+            return None
+        for weights in _weights(len(names)):
+            found = _in_root(point, weights)
+            if found is None:
+                continue
+            m, root, values = found
+            at = dict(zip(names, values, strict=True))
+            if _vanishes(terms, at, m):
+                return _shown_zero((left, right), given, at, m, root)
+    return None
+
+
+def _stationary(difference: Expr, names: list[str], near: Mapping[str, fmpq]) -> list[arb] | None:
+    """Where the gradient vanishes, by Newton's steps; None where they do not get there."""
+    slopes = [differentiate(difference, name) for name in names]
+    bends = [[differentiate(slope, name) for name in names] for slope in slopes]
+    point = [arb(near[name]) for name in names]
+    for _ in range(STEPS):
+        at = dict(zip(names, point, strict=True))
+        gradient = arb_mat([[evaluate(slope, at)] for slope in slopes])
+        try:
+            step = arb_mat([[evaluate(e, at) for e in row] for row in bends]).solve(gradient)
+        except ZeroDivisionError:
+            return None
+        point = [(x - step[i, 0]).mid() for i, x in enumerate(point)]
+    size = max(abs(step[i, 0]) for i in range(len(names)))
+    return point if size < TINY else None
+
+
+def _weights(count: int) -> Iterator[tuple[int, ...]]:
+    """Sums of the coordinates that may generate a field which holds all of them."""
+    for i in range(count):
+        yield tuple(int(j == i) for j in range(count))
+    yield tuple(range(1, count + 1))
+
+
+def _in_root(
+    point: list[arb], weights: tuple[int, ...]
+) -> tuple[fmpz_poly, arb, list[fmpq_poly]] | None:
+    """A polynomial m, its root near the sum, and each coordinate as a polynomial in the root."""
+    root = sum((w * x for w, x in zip(weights, point, strict=True)), arb(0))
+    powers = [root**k for k in range(MAX_DEGREE + 1)]
+    for degree in range(1, MAX_DEGREE + 1):
+        relation = _relation(powers[: degree + 1])
+        if relation is None or not relation[degree]:
+            continue
+        values = []
+        for x in point:
+            found = _relation([*powers[:degree], x])
+            if found is None or not found[degree]:
+                return None
+            values.append(fmpq_poly([fmpq(-c, found[degree]) for c in found[:degree]]))
+        return fmpz_poly(relation), root, values
+    return None
+
+
+def _relation(numbers: list[arb]) -> list[int] | None:
+    """Small integers with which the sum of the numbers is all but 0, by a short lattice vector."""
+    size = len(numbers)
+    rows = [
+        [*(int(i == j) for j in range(size)), int((x * SCALE).mid().floor().unique_fmpz() or 0)]
+        for i, x in enumerate(numbers)
+    ]
+    first = fmpz_mat(rows).lll().tolist()[0]
+    short = max(abs(int(c)) for c in first)
+    return [int(c) for c in first[:size]] if short < MAX_COEFFICIENT else None
+
+
+def _vanishes(
+    terms: Mapping[Monomial, fmpq], values: Mapping[str, fmpq_poly], m: fmpz_poly
+) -> bool:
+    """Whether ``m`` divides the polynomial with the values put in for its variables."""
+    total, modulus = fmpq_poly([]), fmpq_poly(m)
+    for monomial, c in terms.items():
+        term = fmpq_poly([c])
+        for name, power in monomial:
+            for _ in range(power):
+                term = term * values[name] % modulus
+        total += term
+    return bool(m.degree() > 0 and total % modulus == 0)
+
+
+def _shown_zero(
+    sides: tuple[Expr, Expr],
+    given: Given,
+    values: Mapping[str, fmpq_poly],
+    m: fmpz_poly,
+    root: arb,
+) -> Answer | None:
+    """The refutation, where the root of m is real and the point satisfies the conditions."""
+    for low, high in _brackets(m):
+        if not (arb(low) <= root <= arb(high)):
+            continue
+        t = arb(low).union(arb(high))
+        at = {name: arb_poly(value)(t) for name, value in values.items()}
+        inside = all(condition.holds(at) for condition in given.conditions)
+        if not (inside and all(evaluate(side, at).is_finite() for side in sides)):
+            return None
+        where = f"[{fraction_text(low)}, {fraction_text(high)}]"
+        point = ", ".join(f"{name} = {_text(value, 't')}" for name, value in values.items())
+        return Answer(
+            Verdict.REFUTED,
+            f"both sides are equal at {point}, where {_text(m, 't')}, which changes its sign in "
+            f"{where}, is 0",
+            witness={name: _interval(x) for name, x in at.items()},
+        )
+    return None
+
+
+def _interval(x: arb) -> str:
+    low, high = rational_ends(x)[:2]
+    return fraction_text(low) if low == high else f"[{fraction_text(low)}, {fraction_text(high)}]"
 
 
 def equal_at_simple(

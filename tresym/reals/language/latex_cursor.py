@@ -107,6 +107,7 @@ class Cursor:
             in two ways is refused.
         at: the next token.
         open_end: where the last operand without brackets ended.
+        bar: where the limits of the last evaluation bar ended, and its variable.
     """
 
     def __init__(self, tokens: list[str], author: Author | None = None) -> None:
@@ -118,6 +119,7 @@ class Cursor:
         self.differentials: list[str] = []
         self.integrals = 0
         self.open_end = -1
+        self.bar = -1, ""
 
     def peek(self, ahead: int = 0) -> str:
         """The next token, or one further on; empty at the end."""
@@ -159,9 +161,18 @@ class Cursor:
         token = self.peek()
         if not token or token in RELATIONS or token in STOPS:
             return False
-        if token == "|" and not self.bars and self.peek(1) != "_":
+        if token == "|" and not self.bars and self.peek(1) not in ("_", "^"):
             return True
         return token not in CLOSING and not token.startswith(("\\end", "\\right"))
+
+    def at_bar(self) -> bool:
+        """Before an evaluation bar with two limits, ``|_0^1``, which takes the whole term."""
+        if self.peek() != "|" or self.peek(1) not in ("_", "^"):
+            return False
+        first = self.at + 2
+        after = self.partner(first) + 1 if self.peek(2) == "{" else first + 1
+        other = {"_": "^", "^": "_"}[self.peek(1)]
+        return self.tokens[after : after + 1] == [other]
 
     def sides(self) -> list[str]:
         """The tokens here that say from which side a path comes, ``^+``, ``^{-}`` or ``+``."""

@@ -93,6 +93,8 @@ class Reader(Cursor):
         terms = [first.tree]
         while self.peek() in ("+", "-") and not self.sides():
             terms.append(-self.product().tree if self.take() == "-" else self.product().tree)
+            if self.bar[0] == self.at and self.bar[1] in symbols(add(*terms[:-1])):
+                self.refuse("of the terms before an evaluation bar which are meant? Write brackets")
         return first if len(terms) == 1 else Piece(add(*terms), 0)
 
     def signed(self) -> Piece:
@@ -109,7 +111,11 @@ class Reader(Cursor):
         factors, operators = [self.factor_or_differential()], [""]
         while not (self.integrals and factors[-1] is None) and self.continues():
             self.extend(factors, operators)
-        return joined(factors, operators)
+        piece = joined(factors, operators)
+        if self.at_bar() and self.bars == 0:
+            self.at += 1
+            piece = self.evaluated(piece.tree)
+        return piece
 
     def extend(self, factors: list[Piece | None], operators: list[str]) -> None:
         """One more factor of a product, which a sign may lead in."""
@@ -216,8 +222,8 @@ class Reader(Cursor):
                 base = Piece(base.tree**exponent.tree, 3, base.symbol, printed)
             elif self.peek() == "!":
                 base = self.factorial(base)
-            elif self.peek() == "|" and self.peek(1) == "_":
-                self.at += 2
+            elif self.peek() == "|" and self.peek(1) == "_" and not self.at_bar():
+                self.at += 1
                 base = self.evaluated(base.tree)
             elif self.peek() == "(" and is_derivative(base) and self.is_list():
                 values = {f"p{n}": value for n, value in enumerate(self.arguments(), 1)}
@@ -239,13 +245,39 @@ class Reader(Cursor):
         return self.argument_group()
 
     def evaluated(self, e: Expr) -> Piece:
-        """``e`` at the place of an evaluation bar, ``_{x = value}``."""
-        self.take("{")
-        name = self.symbol()
-        self.take("=")
-        value = self.sum().tree
-        self.take("}")
-        return Piece(at(e, {name: value}))
+        """``e`` at the place of a bar, ``_{x = 1}``, or its difference between two, ``_0^1``."""
+        ends: dict[str, Expr] = {}
+        names: frozenset[str] = frozenset()
+        while self.peek() in ("_", "^") and self.peek() not in ends:
+            mark = self.take()
+            ends[mark], name = self.end()
+            names |= frozenset((name,) if name else ())
+        if not names:
+            names = symbols(e).difference(*map(symbols, ends.values()))
+            own = self.author.variable if self.author else ""
+            names = frozenset((own,)) if own else names
+        if len(names) != 1 or "_" not in ends:
+            self.refuse("a bar or bracket with limits needs its variable: write the values out,")
+        (name,) = names
+        low = at(e, {name: ends["_"]})
+        if "^" not in ends:
+            return Piece(low)
+        self.bar = self.at, name
+        return Piece(at(e, {name: ends["^"]}) - low, 0)
+
+    def end(self) -> tuple[Expr, str]:
+        """An end of an interval, and its variable where that is named, as in ``_{x=0}``."""
+        start = self.at
+        if self.peek() == "{" and is_letter(self.peek(1)):
+            self.at += 1
+            name = self.symbol()
+            if self.peek() == "=":
+                self.at += 1
+                value = self.sum().tree
+                self.take("}")
+                return value, name
+            self.at = start
+        return self.script().tree, ""
 
     def base(self) -> Piece:
         """A bracket, a command with its arguments, a number or a name."""
@@ -301,15 +333,7 @@ class Reader(Cursor):
         opening, piece = self.peek(), self.enclosed()
         if opening != "[" or self.peek() != "_":
             return Piece(piece.tree)
-        self.at += 1
-        low = self.script().tree
-        self.take("^")
-        high = self.script().tree
-        names = sorted(piece.names - symbols(low) - symbols(high))
-        names = [self.author.variable] if self.author and self.author.variable else names
-        if len(names) != 1:
-            self.refuse("a bracket with limits needs its variable: write the two values out,")
-        return Piece(at(piece.tree, {names[0]: high}) - at(piece.tree, {names[0]: low}), 0)
+        return self.evaluated(piece.tree)
 
     def absolute(self) -> Piece:
         """An absolute value."""
@@ -323,11 +347,10 @@ class Reader(Cursor):
         return Piece(abs(piece.tree))
 
     def barred(self) -> Piece:
-        """``\\left. … \\right|_{x = value}``."""
+        """``\\left. … \\right|_{x = value}``, and between two values."""
         self.take("\\left.")
         piece = self.sum()
         self.take("\\right|")
-        self.take("_")
         return self.evaluated(piece.tree)
 
     def root(self) -> Piece:
@@ -560,19 +583,21 @@ class Reader(Cursor):
         """``∫_{low}^{high} … dx``, or without ends: all terms that carry the differential."""
         self.take("\\int")
         ends: list[Expr] = []
+        named = {""}
         if self.peek() in ("_", "^"):
             first = self.take()
-            ends = [self.script().tree]
+            one, name = self.end()
             self.take("^" if first == "_" else "_")
-            ends.append(self.script().tree)
-            ends = ends if first == "_" else ends[::-1]
+            other, second = self.end()
+            named |= {name, second}
+            ends = [one, other] if first == "_" else [other, one]
         outer, self.differentials = self.differentials, []
         self.integrals += 1
         body = self.integrand()
         variables = set(self.differentials)
         self.integrals -= 1
         self.differentials = outer
-        if len(variables) != 1:
+        if len(variables) != 1 or not named <= variables | {""}:
             self.refuse("an integral needs one variable and its differential")
         name = variables.pop()
         return Piece(integral(body, name, *ends) if ends else antiderivative(body, name))
@@ -611,6 +636,8 @@ class Reader(Cursor):
     def integrand(self) -> Expr:
         """The terms that carry the differential of the integral."""
         terms = [self.signed().tree]
+        while not self.differentials and self.peek() in ("+", "-"):  # up to the differential
+            terms.append(self.signed().tree)
         if not self.differentials:
             self.refuse("the differential of the integral is missing")
         while self.peek() in ("+", "-"):

@@ -9,6 +9,7 @@ from itertools import product
 from tresym.reals.normal.moebius import on_orthant
 from tresym.reals.normal.ring import Poly
 from tresym.reals.numbers.exact import Interval
+from tresym.reals.numbers.factoring import TooLargeError
 
 MAX_QUADRATIC = 40
 MAX_MAPPED = 400
@@ -41,8 +42,10 @@ def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:
         low, high, low_open, high_open = spans[i]
         if low is None and high is None:
             continue
-        if low != 0 or high is not None:
+        try:
             p = on_orthant(p, i, low, high)
+        except TooLargeError:
+            return None
         first_open = high_open if low is None else low_open
         ends = [] if first_open else [0]
         if low is not None and high is not None and not high_open:

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from flint import fmpq, fmpz_mpoly
 
+from tresym.reals.numbers.factoring import TooLargeError
+
+MAX_DEGREE = 1_000
+
 
 def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fmpz_mpoly:
     """``p`` times something positive, its ``i``-th variable x written as x = M(u), u ≥ 0.
@@ -11,23 +15,27 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
     Where both ends are finite, M(u) = (low + high·u)/(1 + u), and ``p`` is multiplied by a power of
     1 + u; else M(u) = low + u or high − u. One end at least is finite; u = 0 is ``low``, but
     ``high`` where it stands alone.
+
+    Raises:
+        TooLargeError: a power of M of more than ``MAX_DEGREE`` would be multiplied out.
     """
+    if (low != 0 or high is not None) and int(p.degrees()[i]) > MAX_DEGREE:
+        raise TooLargeError("a range is mapped, and a power of it is too large")
     context = p.context()
-    u, one = context.gen(i), context.constant(1)
+    u = context.gen(i)
     if low is not None and high is not None:
         scale = low.q * high.q
-        top, bottom = one * (low * scale).p + u * (high * scale).p, (one + u) * scale
+        top, bottom = u * (high * scale).p + (low * scale).p, (u + 1) * scale
     elif low is not None:
-        top, bottom = one * low.p + u * low.q, one * low.q
+        top, bottom = u * low.q + low.p, context.constant(low.q)
     else:
         assert high is not None
-        top, bottom = one * high.p - u * high.q, one * high.q
-    parts: dict[int, dict[tuple[int, ...], int]] = {}
-    for monomial, value in p.terms():
-        k = int(monomial[i])
-        parts.setdefault(k, {})[(*monomial[:i], 0, *monomial[i + 1 :])] = value
-    degree = max(parts, default=0)
-    result = context.constant(0)
-    for k, part in parts.items():
-        result = result + context.from_dict(part) * top**k * bottom ** (degree - k)
+        top, bottom = high.p - u * high.q, context.constant(high.q)
+    coefficients = []
+    while not p.is_zero():
+        coefficients.append(p.subs({i: 0}))
+        p = (p - coefficients[-1]) / u
+    result, below = context.constant(0), context.constant(1)
+    for part in reversed(coefficients):
+        result, below = result * top + part * below, below * bottom
     return result

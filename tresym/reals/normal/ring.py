@@ -24,6 +24,7 @@ MAX_DEGREE = 400
 LARGEST_DEGREE = 10**6
 """Of sums: FLINT's time and memory grow with it, and beyond 64 bits its divisors are wrong."""
 CONJUGATE_TERMS = 600
+REMEMBERED = 1 << 14
 _INVERSE = frozenset(("log", "atan", "opaque", "cos", "sin"))
 
 
@@ -328,9 +329,20 @@ def small_factor(ring: Ring, p: Poly) -> tuple[fmpz, list[tuple[Poly, int]]]:
     FLINT's time grows with the number of variables of the ring, used or not.
     """
     used = ring.used(p)
-    unit, factors = factors_of(project(p, used))
+    small = project(p, used)
+    key = len(used), str(small)
+    found = _factors.get(key)
+    if found is None:
+        if len(_factors) >= REMEMBERED:
+            _factors.clear()
+        found = _factors[key] = factors_of(small)
+    unit, factors = found
     back = dict(enumerate(used))
     return unit, [(f.project_to_context(ring.context, back), k) for f, k in factors]
+
+
+_factors: dict[tuple[int, str], tuple[fmpz, list[tuple[Poly, int]]]] = {}
+"""Factorisations by the number of variables and the text: few polynomials, asked for often."""
 
 
 def project(p: Poly, used: list[int]) -> Poly:

@@ -68,7 +68,7 @@ def _decimal(text: str, what: str) -> fmpq:
     digits = whole + part
     if digits.isdecimal() and digits.isascii() and len(digits) < len(_TENS):
         return fmpq(int(digits), _TENS[len(part)])
-    return _scaled(*_split(text, what))
+    return _scaled(*_split(text.strip(" \t"), what))
 
 
 def parse_number(text: str, what: str = "number") -> fmpq:
@@ -84,10 +84,9 @@ def parse_number(text: str, what: str = "number") -> fmpq:
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
     if "/" not in text:
-        return _decimal(text.strip(" \t"), what)
+        return _decimal(text, what)
     numerator, _, denominator = text.partition("/")
-    top = _decimal(numerator.strip(" \t"), what)
-    bottom = _decimal(denominator.strip(" \t"), what)
+    top, bottom = _decimal(numerator, what), _decimal(denominator, what)
     if bottom == 0:
         raise InputError(f"{what}: {quoted(text)} divides by zero")
     return top / bottom

@@ -7,7 +7,7 @@ point handed out, so a point is a witness and not a guess.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice
@@ -85,6 +85,10 @@ class Given:
             elif name != "BooleanTrue":
                 raise InputError(f"{shortened(str(item))} is not a condition such as a > 0")
         return Given(tuple(result))
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Given:
+        """The conditions with changed sides."""
+        return Given(tuple((change(x), relation, change(y)) for x, relation, y in self.comparisons))
 
     def __and__(self, other: Given) -> Given:
         return Given(self.comparisons + other.comparisons)

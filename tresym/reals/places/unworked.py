@@ -97,8 +97,13 @@ class Enclosing(InBalls):
 
 def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:
     """A ball that contains ``e`` at ``at``, NaN where none is shown; roots as ``root`` says."""
+    return shown(e, Enclosing(at, root))
+
+
+def shown(e: Expr, walker: Enclosing) -> arb:
+    """As :func:`enclosed`, with what the walker knows from before, at the same precision."""
     try:
-        return Enclosing(at, root).value(e)
+        return walker.value(e)
     except UndefinedError:
         return arb.nan()
 

@@ -57,14 +57,15 @@ def sign_on_cones(
         if strict and any(generator.kind != "symbol" for generator in field.generators):
             return None  # the normal form tells nothing of single points
         sign, rest = open_factors(field, (value.num, value.den), strict)
+        conditions = [
+            (other.num, condition.relation)
+            for condition, other in zip(region.beyond_box, others, strict=True)
+            if other.den.is_one()
+            or (other.den.is_constant() and other.den.leading_coefficient() > 0)
+        ]
+        found, count = _sign(field, rest, conditions, strict)
     except (TooLargeError, UndefinedError):
         return None
-    conditions = [
-        (other.num, condition.relation)
-        for condition, other in zip(region.beyond_box, others, strict=True)
-        if other.den.is_one() or (other.den.is_constant() and other.den.leading_coefficient() > 0)
-    ]
-    found, count = _sign(field, rest, conditions, strict)
     if found == 0 or (sign * found < 0 and relation != "!="):
         return None
     return f"the difference has coefficients of one sign on {count} cones that cover the region"

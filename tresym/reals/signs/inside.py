@@ -160,7 +160,8 @@ def by_signs_of_parts(
     """
     found = sign_inside(difference, given)
     if found not in PROVING[relation]:
-        return None
+        apart = relation == "!=" and Parts(given).nonzero(difference)
+        return "the difference vanishes nowhere by the signs of its parts" if apart else None
     return (
         f"the difference {_WORDS.get(found or '', 'is nowhere negative')} by the signs of its parts"
     )

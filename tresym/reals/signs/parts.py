@@ -77,6 +77,7 @@ class Parts:
         self.atoms = Atoms()
         self._signs: dict[Expr, str | None] = {}
         self._asked: set[Expr] = set()
+        self._boxes: dict[str, list[tuple[list[Interval], str | None]]] = {}
         self._cut = False
         self._known: list[tuple[Fraction, bool]] | None = None
         self._facts: list[tuple[Poly, bool, Poly]] | None = None
@@ -105,7 +106,7 @@ class Parts:
         if e.op == "*":
             return all(self.nonzero(arg) for arg in e.args)
         if e.op == "^" and e.args[1].op == "number":
-            return self.nonzero(e.args[0])
+            return e.args[1].args[0] < 0 or self.nonzero(e.args[0])
         return self._by_conditions(e)
 
     def _by_conditions(self, e: Expr) -> bool:
@@ -388,7 +389,13 @@ class Parts:
         if len(used) > MAX_ATOMS or len(p) > MAX_TERMS:
             return None
         spans = [self.span(self.atoms.expression(i)) for i in used]
-        return sign_on_box(project(p, used), spans)
+        known = self._boxes.setdefault(str(p), [])
+        for others, found in known:  # what is known of ranges grows meanwhile
+            if others == spans:
+                return found
+        found = sign_on_box(project(p, used), spans)
+        known.append((spans, found))
+        return found
 
     def _by_factors(self, p: Poly) -> str | None:
         unit, parts = small_factor(self.atoms, p)

@@ -27,6 +27,7 @@ from tresym.reals.signs.inside import (
     strict_by_conditions,
 )
 from tresym.reals.signs.parts import FLIP, Parts
+from tresym.reals.signs.polynomials import sign_of_polynomial
 from tresym.reals.signs.regular import has_inside, is_regular
 from tresym.reals.signs.taylor import sign_by_taylor
 
@@ -34,13 +35,14 @@ METHODS: tuple[Callable[..., str | None], ...] = (
     by_signs_of_parts,
     sign_on_cones,
     sign_by_homogeneity,
+    sign_of_polynomial,
     sign_by_concavity,
     sign_by_taylor,
     by_cases,
     by_equivalents,
 )
 """Every method, cheapest first. Each says what it does, an example, and where it ends."""
-DIRECT = METHODS[:5]
+DIRECT = METHODS[:6]
 """Those that look at a difference as it stands."""
 
 

@@ -27,9 +27,9 @@ FIGURES = {
 }
 """The figures ``tresym figure`` knows, by name; the file of ``a-b`` is ``a_b.py``."""
 
-
-KINDS = ("svg", "pdf", "png", "gif")
-"""The kinds of file a picture is saved as; only what moves is a GIF."""
+KINDS = ("svg", "pdf", "png", "gif", "mp4")
+MOVING = ("gif", "mp4")
+"""The kinds of file a picture is saved as, and those of what moves."""
 MM_PER_INCH = 25.4
 OF_A_BODY = ("flip-portrait", "flip-map", "flip-curves", "racket-flip")
 """The figures that are drawn of any body."""
@@ -71,14 +71,16 @@ def picture(
         raise InputError(f"figure: of a body of one's own there are {', '.join(OF_A_BODY)}")
     if gamma is not None and name != "flip-curves":
         raise InputError("figure: --gamma belongs to flip-curves")
-    if kind == "gif" and name != "racket-flip":
-        raise InputError(f"figure: {name} does not move, so it is no GIF")
+    if kind in MOVING and name != "racket-flip":
+        raise InputError(f"figure: {name} does not move, so it is no {kind.upper()}")
     module = import_module(f"{__name__}.{name.replace('-', '_')}")
     given = {key: x for key, x in (("body", body), ("gamma", gamma)) if x is not None}
-    if name == "racket-flip" and kind in ("svg", "gif"):
+    if name == "racket-flip" and kind in ("svg", *MOVING):
         if width is not None:
             raise InputError("figure: what moves has one size; a PDF or PNG of it is a strip")
         found = module.data(**given)
+        if kind == "mp4":
+            return bytes(module.film(found))
         return module.moving(found) if kind == "gif" else str(module.draw(found)).encode()
     from tresym.report.figures import style
 
@@ -102,5 +104,7 @@ def kind_of(path: str | None) -> str:
     """
     ending = "" if path is None else PurePath(path).suffix[1:].lower()
     if ending and ending not in KINDS:
-        raise InputError(f"{path}: a picture is saved as .svg, .pdf or .png; what moves, .gif too")
+        raise InputError(
+            f"{path}: a picture is saved as .svg, .pdf or .png; what moves, .gif or .mp4 too"
+        )
     return ending or "svg"

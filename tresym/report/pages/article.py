@@ -30,6 +30,7 @@ from tresym.report.pages.symbols import rows as table_of_symbols
 from tresym.report.pages.tables import table, written
 from tresym.report.words.place import place_text
 from tresym.report.words.said import said
+from tresym.report.words.titles import title
 from tresym.report.words.width import width
 
 _DIRECTIVE = re.compile(r"^@(\w+)(?: ((?:.+\n?)+?))?(?=\n@|\n\n|\n\Z|^@)", re.MULTILINE)
@@ -85,7 +86,7 @@ def _claimed(rows: dict[str, Row], label: str, with_chain: bool) -> Iterator[str
     verdict = row.finding.verdict.value
     mark = rf"\verdict{{{verdict.lower()}}}{{{verdict}}}"
     place = prose(place_text(claim)) if claim.where else "ours"
-    yield rf"\judged{{{claim.label}}}{{{place}}}{{{mark}}}"
+    yield rf"\judged{{{claim.label}}}{{{prose(title(claim.label))}}}{{{place}}}{{{mark}}}"
     yield from (rf"{{\raggedright {words}\par}}" for words in in_words(claim))
     formulas = [alone(found.formula)] if found.formula else []
     chains = [body for body in set_displays(claim) if r"\footnotesize" in body]
@@ -171,8 +172,8 @@ def _quoted(report: Report) -> Iterator[str]:
 
 def _ledger(rows: dict[str, Row]) -> Iterator[str]:
     """Every claim in the order of the proofs, with its chain."""
-    for title, claims in sections():
+    for part, claims in sections():
         entries = [entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
         if entries:
-            yield rf"\subsection{{{prose(title[:1].upper() + title[1:])}}}" + "\n"
+            yield rf"\subsection{{{prose(part[:1].upper() + part[1:])}}}" + "\n"
             yield from entries

@@ -11,9 +11,11 @@ from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
 from tresym.report.words.breaking import broken
 from tresym.report.words.chains import EQUIVALENT, Because, Display, Line, displays
+from tresym.report.words.formulas import pieces
 from tresym.report.words.markdown import scripted
 from tresym.report.words.place import place_text
 from tresym.report.words.said import conditions, said
+from tresym.report.words.titles import title
 from tresym.report.words.width import width
 from tresym.report.words.wording import readable
 
@@ -21,44 +23,39 @@ WIDEST = 62
 """Letters of a formula with its reason that fit a line of the article."""
 TOO_WIDE = 72
 """Letters of a line that is not set, since nothing in it can be broken."""
+LONGEST = 400
+"""Characters that are shown of what judging found."""
 LINE = 66
 """Letters of a formula alone that fit a line."""
 
 _LETTERS = {
-    "₀": r"\textsubscript{0}", "₁": r"\textsubscript{1}", "₂": r"\textsubscript{2}",
-    "₃": r"\textsubscript{3}", "ᵢ": r"\textsubscript{i}", "₊": r"\textsubscript{+}",
-    "₋": r"\textsubscript{$-$}", "⁰": r"\textsuperscript{0}", "²": r"\textsuperscript{2}",
-    "³": r"\textsuperscript{3}", "⁴": r"\textsuperscript{4}", "⁵": r"\textsuperscript{5}",
-    "“": "``", "”": "''",
-    "⁶": r"\textsuperscript{6}", "⁻": r"\textsuperscript{$-$}", "ᵀ": r"\textsuperscript{T}",
-    "ⁿ": r"\textsuperscript{n}",
-    "α": r"$\alpha$", "β": r"$\beta$", "γ": r"$\gamma$", "δ": r"$\delta$", "Δ": r"$\Delta$",
-    "ε": r"$\epsilon$", "θ": r"$\theta$", "κ": r"$\kappa$", "λ": r"$\lambda$", "μ": r"$\mu$",
-    "π": r"$\pi$", "ρ": r"$\rho$", "σ": r"$\sigma$", "τ": r"$\tau$", "φ": r"$\phi$",
-    "Φ": r"$\Phi$", "χ": r"$\chi$",
-    "ψ": r"$\psi$", "Ω": r"$\Omega$", "Ψ": r"$\Psi$", "∂": r"$\partial$", "∞": r"$\infty$",
-    "√": r"$\surd$", "≤": r"$\le$", "≥": r"$\ge$", "≠": r"$\ne$", "≈": r"$\approx$",
-    "≃": r"$\simeq$", "≪": r"$\ll$", "≫": r"$\gg$", "→": r"$\to$", "⇒": r"$\Rightarrow$",
-    "⟺": r"$\Leftrightarrow$", "±": r"$\pm$", "·": r"$\cdot$", "×": r"$\times$", "−": "$-$",
-    "∈": r"$\in$", "∉": r"$\notin$", "∥": r"$\parallel$", "∫": r"$\int$", "′": "$'$",
-    "<": "$<$", ">": "$>$", "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}",
-    "{": r"\{", "}": r"\}", "…": r"\dots{}", "Ṙ": r"$\dot R$", "″": "$''$",
-    "Σ": r"$\Sigma$", "~": r"\textasciitilde{}", "∝": r"$\propto$", "∓": r"$\mp$",
-    "\\": r"\textbackslash{}", "°": r"$^\circ$",
+    "²": r"\textsuperscript{2}", "⁻": r"\textsuperscript{$-$}", "¹": r"\textsuperscript{1}",
+    "“": "``", "”": "''", "_": r"\_", "&": r"\&", "%": r"\%", "#": r"\#", "^": r"\^{}",
+    "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}", "\\": r"\textbackslash{}",
+    "…": r"\dots{}", "<": "$<$", ">": "$>$", "−": "$-$", "√": r"$\surd$", "=": "$=$",
+    "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "|": r"$\vert$",
 }  # fmt: skip
+"""What stands among words and is a sign of TeX, or is missing in text fonts."""
 
 
 def prose(text: str) -> str:
-    """A sentence of ours for LaTeX: the letters that text fonts lack become mathematics.
+    """A sentence of ours for LaTeX, its formulas set, names in backticks as labels.
 
-    Anything else outside Latin-1 falls back to a visible placeholder rather than a broken run.
+    A sign that no text font has becomes a visible placeholder rather than a broken run.
     """
 
     def script(mark: str, inside: str) -> str:
         command = r"\textsuperscript" if mark == "^" else r"\textsubscript"
         return f"{command}{{{_lettered(inside)}}}"
 
-    return scripted(text, _lettered, script)
+    return "".join(
+        code(p.text)
+        if p.code
+        else f"${p.latex.strip()}$"
+        if p.latex
+        else scripted(p.text, _lettered, script)
+        for p in pieces(text)
+    )
 
 
 def _lettered(text: str) -> str:
@@ -79,7 +76,7 @@ def fragment(row: Row) -> str:
     if row.finding.verdict is not Verdict.REFUTED:
         return "\n".join([*in_words(claim), *_numbered(claim)]) + "\n"
     lines = [rf"\textbf{{Refuted}} (\texttt{{{_lettered(claim.label)}}}):", *_stated(claim)]
-    lines += [prose(f"Evidence: {readable(row.finding.why[:300])}.")]
+    lines += [prose(f"Evidence: {readable(row.finding.why[:LONGEST])}.")]
     for true in claim.amended_by:
         lines += [rf"\textbf{{True instead}} (\texttt{{{_lettered(true.label)}}}):", *_stated(true)]
     return "\n".join(lines) + "\n"
@@ -125,10 +122,11 @@ def entry(row: Row, known: Collection[str]) -> str:
     """A claim in the ledger: place, verdict, words, chain, and what was found."""
     claim, finding = row.claim, row.finding
     verdict = finding.verdict.value
+    place = prose(place_text(claim)) if claim.where else "lemma"
     head = (
-        rf"\paragraph{{\texttt{{{_lettered(claim.label)}}}}}\label{{claim:{claim.label}}}"
-        rf"\hfill\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small "
-        rf"{prose(place_text(claim) if claim.where else 'lemma')}}}\par"
+        rf"\paragraph{{{prose(title(claim.label))}}}\label{{claim:{claim.label}}}"
+        rf"\texttt{{\small {_lettered(claim.label)}}}\atend{{"
+        rf"\verdict{{{verdict.lower()}}}{{{verdict}}}\ \textsf{{\small {place}}}}}"
     )
     lines = [r"\needspace{4\baselineskip}", head]
     if finding.verdict is Verdict.REFUTED:
@@ -165,11 +163,11 @@ def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
     if finding.verdict is Verdict.ENCLOSED and " = " not in finding.why:
         yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding.why)}.\par}}"
     if finding.verdict is Verdict.REFUTED:
-        why = readable(finding.why[:300])
+        why = readable(finding.why[:LONGEST])
         yield rf"\textsf{{\small Evidence:}} {{\sloppy {prose(why)}}}.\par"
         if finding.witness and " = " not in why:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
-            yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(readable(point[:400]))}}}.\par"
+            yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(readable(point[:LONGEST]))}}}.\par"
     if row.claim.amended_by:
         names = ", ".join(reference(c, known) for c in row.claim.amended_by)
         yield rf"{{\raggedright\textsf{{\small True instead:}} {names}.\par}}"
@@ -180,7 +178,7 @@ def _enclosed(why: str) -> str:
     start, follows, labels = why.partition("follows from ")
     if follows and not start:
         return follows + ", ".join(map(code, labels.split(", ")))
-    return prose(readable(why[:200]))
+    return prose(readable(why[:LONGEST]))
 
 
 def reference(claim: Claim, known: Collection[str]) -> str:

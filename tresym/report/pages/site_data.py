@@ -20,6 +20,7 @@ from tresym.report.pages.symbols import as_used
 from tresym.report.words.chains import displays
 from tresym.report.words.place import place_text
 from tresym.report.words.said import said
+from tresym.report.words.titles import title
 
 RECORD_VERSION = 1
 
@@ -97,6 +98,7 @@ def _claim(row: Row, lines: dict[int | None, int], quotes: dict[str, str]) -> di
     claim = row.claim
     return {
         **common(row),
+        "title": title(claim.label),
         "place": place_text(claim) if claim.where else None,
         "line": line_of(row, lines),
         **said(claim).as_record(),

@@ -1,8 +1,9 @@
 """What must be right for a pass: the code that the deciding functions reach, counted.
 
 A piece is a function, method, class or constant. It is reached when a piece that is reached names
-it, a method when its class is reached and anything reached has an attribute of its name; what only
-finds, and is rechecked, is left out by name and with the reason.
+it, a method when its class is reached and anything reached has an attribute of its name, or a
+method of the class picks others by a name that it makes; what only finds, and is rechecked, is left
+out by name and with the reason.
 ``python -m tresym.report.pages.trusted`` shows the count.
 """
 
@@ -31,12 +32,18 @@ ENCLOSING = (
     "reals.decisions.region",
     "reals.decisions.orders",
     "reals.decisions.growth",
-    "reals.growth",
+    *("reals.growth.series.Enclosure", "reals.growth.series.Size"),
+    "reals.growth.scale.Scale.written",
+    *(f"reals.growth.series.Expansions.{name}" for name in ("enclosure", "_enclosed", "largest")),
+    *(f"reals.growth.series.Expansions._{name}" for name in ("height", "along_chain", "element")),
+    *(f"reals.growth.series.Expansions.{name}" for name in ("size", "_size", "_raised")),
+    *(f"reals.growth.series.Expansions._{name}" for name in ("times", "total", "term", "whole")),
+    "reals.growth.series.Expansions._bounded",
     *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
     "reals.decisions.inequalities._shown_under",
-    "reals.decisions.integrals._by_quadrature",
+    *("reals.decisions.integrals._by_quadrature", "reals.decisions.tending._theta"),
     "ledger.evidence.asymptotics",
-    *("ledger.evidence.balls", "ledger.evidence.charted"),
+    *("ledger.evidence.balls", "ledger.evidence.charted", "ledger.evidence.evaluated"),
     "ledger.evidence.printed",
     *(f"reals.places.unworked.{name}" for name in ("bracketed", "value")),
     "ledger.evidence.meant._other_meaning",
@@ -72,7 +79,9 @@ RECHECKED = {
     ),
     "a place to try: that it lies where it must, and what holds there, is shown": (
         *("reals.signs.taylor._bases", "reals.language.inverted", "reals.balls.contact.candidates"),
-        "reals.normal.written.numerator",
+        *("reals.normal.written.numerator", "reals.decisions.reduced._lowest"),
+        *("reals.decisions.integrals._cuts", "reals.decisions.integrals._roots"),
+        *("reals.decisions.integrals._turns", "reals.signs.polynomials._least"),
     ),
     "it spares a search that would find nothing, or says how much room one needs": (
         *("reals.normal.ranges.ProvingRing._changes_sign", "reals.signs.cones._fails_at_vertex"),
@@ -82,10 +91,13 @@ RECHECKED = {
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
         *("reals.signs.jumps.Case.point", "reals.decisions.statement._exact"),
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
+        *("reals.decisions.inequalities._in_cells", "reals.decisions.zeros"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
         *("ledger.evidence.denial", "ledger.second_look.rootless"),
-        *("ledger.evidence.asymptotics._along", "reals.decisions.tending._periodic"),
-        "reals.decisions.equations._with_value",
+        "ledger.evidence.asymptotics._along",
+        *("reals.decisions.equations._with_value", "reals.decisions.zeros"),
+        *("reals.decisions.tending._fails_beside", "reals.decisions.tending._periodic_failure"),
+        *("reals.decisions.unknowns._realised", "reals.decisions.simple.exact_witness"),
     ),
     "it says where a claim stands, of what kind it is, and what is expected of it": (
         *(f"ledger.claim.{name}" for name in ("Place", "display", "line", "Fault", "_kind")),
@@ -143,7 +155,9 @@ def reached(without: Collection[str]) -> set[Piece]:
                 waiting += _named_in(*piece)
                 nodes = _nodes(_file(piece[0]).pieces[piece[1]])
                 attributes |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
-        waiting = [m for m in {*_methods(found)} - seen if _is_meant(m[1], attributes)]
+        picking = {(file, name.rpartition(".")[0]) for file, name in found if _picks(file, name)}
+        named = {m for m in _methods(found) if _is_meant(m[1], attributes)}
+        waiting = [*({*_methods(picking), *named} - seen)]
     return found
 
 
@@ -151,6 +165,18 @@ def _methods(found: Collection[Piece]) -> Iterator[Piece]:
     """The methods of the classes among the pieces."""
     for file, owner in found:
         yield from ((file, name) for name in _file(file).pieces if name.startswith(f"{owner}."))
+
+
+def _picks(file: str, name: str) -> bool:
+    """Whether a piece takes an attribute of ``self`` by a name that it makes."""
+    calls = (n for n in _nodes(_file(file).pieces[name]) if isinstance(n, ast.Call))
+    return any(
+        isinstance(call.func, ast.Name)
+        and call.func.id == "getattr"
+        and isinstance(call.args[0], ast.Name)
+        and call.args[0].id == "self"
+        for call in calls
+    )
 
 
 def _is_meant(method: str, attributes: Collection[str]) -> bool:

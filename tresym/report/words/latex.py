@@ -160,7 +160,10 @@ class PaperPrinter(LatexPrinter):
         return f"{sign}{top}/{bottom if plain else bracketed(bottom)}"
 
     def _print_Abs(self, e: Basic, exp: str | None = None) -> str:
-        return rf"|{self._print(e.args[0])}|" + (f"^{_script(exp)}" if exp else "")
+        body = self._print(e.args[0])
+        tall = any(mark in body for mark in _TALL)
+        shown = rf"\left|{body}\right|" if tall else f"|{body}|"
+        return shown + (f"^{_script(exp)}" if exp else "")
 
     def _print_Symbol(self, e: Symbol, style: str = "plain") -> str:
         rate = _RATE.fullmatch(e.name)

@@ -1,10 +1,11 @@
-"""Sentences of ours as Markdown: what has a meaning there is escaped, exponents are raised."""
+"""Sentences of ours as Markdown: what has a meaning there is escaped, formulas are set."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
 
+from tresym.report.words.formulas import pieces
 from tresym.report.words.wording import readable
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|$~])")
@@ -28,13 +29,19 @@ def scripted(text: str, letters: Callable[[str], str], script: Callable[[str, st
 
 
 def sentence(text: str) -> str:
-    """A sentence with its exponents and indices raised and lowered, for any reader of Markdown."""
+    """A sentence with its formulas between dollars, and names in backticks as code."""
 
     def script(mark: str, inside: str) -> str:
         tag = "sup" if mark == "^" else "sub"
         return f"<{tag}>{escaped(inside)}</{tag}>"
 
-    return scripted(text, escaped, script)
+    def words(part: str) -> str:
+        return scripted(part, escaped, script)
+
+    return "".join(
+        f"`{p.text}`" if p.code else f"${p.latex.strip()}$" if p.latex else words(p.text)
+        for p in pieces(text)
+    )
 
 
 def finding(text: str) -> str:

@@ -1,0 +1,490 @@
+(* What the proofs of several claims share. *)
+
+Require Import Reals Lra Lia Psatz.
+From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
+Require Import Tresym.
+Open Scope R_scope.
+
+(* The defect of a shape between two numbers, by the signs of what is left of its equation. *)
+Lemma share_below a b e : 0 < a -> 0 < b -> -1 < sqrt (b * / (a + b)) * cos e < 1.
+Proof.
+  intros A B; assert (Q : 0 <= b * / (a + b) < 1).
+  { split; [apply Rmult_le_pos; [lra | left; apply Rinv_0_lt_compat; lra] |].
+    apply (Rmult_lt_reg_r (a + b)); [lra |]; rewrite Rmult_assoc, Rinv_l by lra; lra. }
+  pose proof (sqrt_lt_1 _ 1 (proj1 Q) ltac:(lra) (proj2 Q)) as M; rewrite sqrt_1 in M.
+  pose proof (sqrt_pos (b * / (a + b))); pose proof (COS_bound e); split; nra.
+Qed.
+Definition turn_short (a b e : R) : R :=
+  1 - 2 / (exp (2 * (sqrt (a * b) * (PI + atan (sqrt (b * / (a + b)) * cos e
+    / sqrt (1 - sqrt (b * / (a + b)) * cos e * (sqrt (b * / (a + b)) * cos e)))))) + 1)
+  - / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Lemma defect_exists a b lo hi : 0 < a -> 0 < b -> lo <= hi ->
+  turn_short a b lo <= 0 -> 0 <= turn_short a b hi ->
+  exists e, lo <= e <= hi /\ tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    = / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Proof.
+  intros A B L S T.
+  assert (I : forall e, 0 < b * / a * sin e ^ 2 + 1).
+  { intros e; pose proof (pow2_ge_0 (sin e)); assert (0 < b * / a).
+    { apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]. } nra. }
+  assert (W : forall e, turn_short a b e = tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e).
+  { intros e; unfold turn_short; rewrite (asin_by_atan _ (share_below a b e A B)); f_equal.
+    set (x := sqrt (a * b) * _); replace (2 * x) with (x + x) by ring; rewrite exp_plus, tanh_law.
+    pose proof (exp_pos x); field; split; nra. }
+  destruct (root_exists (fun e => tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e) lo hi L) as [e [E Z]].
+  - intros e _; pose proof (share_below a b e A B); continues; cbv beta; try lra.
+    apply Rgt_not_eq, sqrt_lt_R0, I.
+  - cbv beta; rewrite <- !W; nra.
+  - exists e; split; [exact E |]; cbv beta in Z; lra.
+Qed.
+
+(* The turn of a defect as an arc tangent, and the phase that it belongs to. *)
+Lemma turn_of_share a b e : 0 < a -> 0 < b -> asin (sqrt (b * / (a + b)) * cos e)
+  = atan (sqrt (b * / a) * (/ sqrt (b * / a * sin e ^ 2 + 1) * cos e)).
+Proof.
+  intros A B; pose proof (share_below a b e A B) as S.
+  rewrite (asin_by_atan _ S); f_equal.
+  set (c := cos e) in *; pose proof (sin_square e) as Q; fold c in Q.
+  set (m := sqrt (b * / (a + b))) in *; set (r := sqrt (b * / a)).
+  assert (0 < / a) by positive; assert (0 < / (a + b)) by positive.
+  assert (M : m ^ 2 = b * / (a + b)) by (apply pow2_sqrt; apply Rmult_le_pos; lra).
+  assert (R2 : r ^ 2 = b * / a) by (apply pow2_sqrt; apply Rmult_le_pos; lra).
+  assert (0 <= m) by apply sqrt_pos; assert (0 <= r) by apply sqrt_pos.
+  assert (P : 0 < 1 - m * c * (m * c)) by nra.
+  assert (P1 : 0 < b * / a * sin e ^ 2 + 1).
+  { pose proof (pow2_ge_0 (sin e)); assert (0 < b * / a) by positive; nra. }
+  set (v := sqrt (1 - m * c * (m * c))); set (w := sqrt (_ + 1)).
+  assert (0 < v) by (apply sqrt_lt_R0; exact P); assert (0 < w) by (apply sqrt_lt_R0; exact P1).
+  assert (V : v ^ 2 = 1 - m * c * (m * c)) by (apply pow2_sqrt; lra).
+  assert (W : w ^ 2 = b * / a * sin e ^ 2 + 1) by (apply pow2_sqrt; lra).
+  assert (E : r * v = m * w).
+  { apply same_square; [apply Rmult_le_pos; lra | apply Rmult_le_pos; lra |].
+    rewrite !Rpow_mult_distr, V, W, R2, Q.
+    replace (m * c * (m * c)) with (m ^ 2 * c ^ 2) by ring; rewrite M; field; lra. }
+  apply (Rmult_eq_reg_r (v * w)); [| apply Rgt_not_eq, Rmult_lt_0_compat; lra].
+  replace (r * (/ w * c) * (v * w)) with (r * v * c) by (field; lra).
+  rewrite E; field; lra.
+Qed.
+Lemma cosh_square x : cosh x ^ 2 = 1 + sinh x ^ 2.
+Proof. rewrite sinh_law, cosh_law; pose proof (exp_pos x); field; lra. Qed.
+Lemma one_phase k r x y : 0 < k -> 0 < r -> k * r <= 1 -> 0 < x -> 0 < y ->
+  x = k * (PI + atan (r * tanh x)) -> y = k * (PI + atan (r * tanh y)) -> x = y.
+Proof.
+  intros K P L; assert (M : forall x y, 0 < x -> x < y ->
+    x - k * (PI + atan (r * tanh x)) < y - k * (PI + atan (r * tanh y))).
+  { intros u v U V; apply (rising (fun t : R => t - k * (PI + atan (r * tanh t)))
+      (fun t => 1 - k * r / (cosh t ^ 2 + r ^ 2 * sinh t ^ 2)) u v); try lra.
+    - intros t _; continues.
+    - intros t T; pose proof (cosh_pos t); eapply d_eq; [derive |]; cbv beta; unfold tanh.
+      field; split; [| lra]; apply Rgt_not_eq; nra.
+    - intros t T; pose proof (sinh_lt 0 t ltac:(lra)) as S; rewrite sinh_0 in S.
+      pose proof (cosh_square t); assert (D : 1 < cosh t ^ 2 + r ^ 2 * sinh t ^ 2) by nra.
+      replace (1 - _) with
+        ((cosh t ^ 2 + r ^ 2 * sinh t ^ 2 - k * r) / (cosh t ^ 2 + r ^ 2 * sinh t ^ 2)) by (field; lra).
+      apply Rdiv_lt_0_compat; lra. }
+  intros X Y E F; destruct (Rtotal_order x y) as [H|[H|H]]; [| exact H |].
+  - specialize (M x y X H); lra.
+  - specialize (M y x Y H); lra.
+Qed.
+
+(* The angle 2 atan (exp (-pi)) of the floor. *)
+Lemma floor_angles : sinh PI * sin (2 * atan (exp ((-1) * PI))) = cos (2 * atan (exp ((-1) * PI)))
+  /\ cos (2 * atan (exp ((-1) * PI))) = tanh PI /\ 0 < sin (2 * atan (exp ((-1) * PI))).
+Proof.
+  pose proof (exp_pos ((-1) * PI)) as P; set (x := exp ((-1) * PI)) in *.
+  assert (X : exp PI = / x) by (unfold x; rewrite <- exp_Ropp; f_equal; ring).
+  assert (X' : exp (- PI) = x) by (unfold x; f_equal; ring).
+  assert (Q : 0 < 1 + x ^ 2) by nra.
+  assert (W : 0 < sqrt (1 + x ^ 2)) by (apply sqrt_lt_R0; exact Q).
+  assert (W2 : sqrt (1 + x ^ 2) ^ 2 = 1 + x ^ 2) by (apply pow2_sqrt; lra).
+  destruct (turn_atan x (sqrt (1 + x ^ 2)) W W2) as [S C].
+  assert (SS : sin (2 * atan x) = 2 * x / (1 + x ^ 2)).
+  { rewrite sin_2a, S, C; field_simplify; [rewrite W2; field | |]; nra. }
+  assert (CC : cos (2 * atan x) = (1 - x ^ 2) / (1 + x ^ 2)).
+  { rewrite cos_2a, S, C; field_simplify; [rewrite W2; field | |]; nra. }
+  rewrite SS, CC; unfold tanh, sinh, cosh; rewrite X, X'; repeat split;
+    [field | field | apply Rdiv_lt_0_compat]; repeat split; nra.
+Qed.
+
+(* The root of its factors, what its equation says of exp and of sinh. *)
+Lemma product_root a b : 0 < a -> 0 < b -> sqrt (a * b) * sqrt (b * / a) = b.
+Proof.
+  intros A B; rewrite <- sqrt_mult by (left; positive).
+  replace (a * b * (b * / a)) with (b ^ 2) by (field; lra); apply sqrt_pow2; lra.
+Qed.
+Lemma inverse_root a b : 0 < a -> 0 < b -> sqrt (a * / (a + b)) = / sqrt (b * / a + 1).
+Proof.
+  intros A B; assert (0 < b * / a) by positive; rewrite <- sqrt_inv.
+  f_equal; field; lra.
+Qed.
+Section AtRoot.
+Variables a b x e : R.
+Hypotheses (A : 0 < a) (B : 0 < b) (S : 0 < sin e) (C : 0 < cos e).
+Let w := sqrt (b * / a * sin e ^ 2 + 1).
+Let q := sqrt (b * / a + 1).
+Hypothesis E : tanh x = / w * cos e.
+
+Lemma root_facts : 1 <= w /\ 0 < q /\ q ^ 2 * sin e ^ 2 = w ^ 2 - cos e ^ 2.
+Proof.
+  assert (H : 0 < b * / a) by positive; pose proof (pow2_ge_0 (sin e)).
+  split; [apply below_sqrt; nra |]; split; [apply sqrt_lt_R0; lra |].
+  unfold q, w; rewrite !pow2_sqrt by nra; rewrite sin_square; ring.
+Qed.
+Lemma decay : exp (- x) = q * / (w + cos e) * sin e.
+Proof.
+  destruct root_facts as [W [Q F]]; pose proof (exp_pos (- x)) as Y.
+  assert (X : exp x = / exp (- x)) by (rewrite exp_Ropp, Rinv_inv; reflexivity).
+  unfold tanh, sinh, cosh in E; rewrite X in E; set (y := exp (- x)) in *.
+  apply same_square; [lra | left; positive |].
+  assert (G : w * (1 - y ^ 2) = cos e * (1 + y ^ 2)).
+  { assert (0 < 1 + y ^ 2) by nra.
+    replace (1 - y ^ 2) with ((/ y - y) / 2 / ((/ y + y) / 2) * (1 + y ^ 2)) by (field; nra).
+    rewrite E; field; lra. }
+  assert (G2 : y ^ 2 * (w + cos e) ^ 2 = w ^ 2 - cos e ^ 2) by nra.
+  apply (Rmult_eq_reg_r ((w + cos e) ^ 2)); [| apply Rgt_not_eq; positive].
+  rewrite G2, <- F; field; lra.
+Qed.
+Lemma sinh_at_root : sinh x = / q * / sin e * cos e.
+Proof.
+  destruct root_facts as [W [Q F]]; pose proof decay as D.
+  assert (X : exp x = / exp (- x)) by (rewrite exp_Ropp, Rinv_inv; reflexivity).
+  unfold sinh; rewrite X, D.
+  replace (/ (q * / (w + cos e) * sin e)) with ((w + cos e) * / (q * sin e)) by (field; repeat split; lra).
+  replace (q * / (w + cos e) * sin e) with (q ^ 2 * sin e ^ 2 * / (w + cos e) * / (q * sin e)) by (field; repeat split; lra).
+  rewrite F; field; repeat split; lra.
+Qed.
+End AtRoot.
+
+(* A step of Newton's for the phase does not pass the root, from either side. *)
+Lemma convex_step k r x T : k > 0 -> r > 0 -> (-1) * k * r + 1 >= 0 -> T > 0 -> x > 0 ->
+  sinh x ^ 2 * (r ^ 2 + 1) + (-1) * k * r + 1 <> 0 ->
+  x + (-1) * T
+  + / (sinh x ^ 2 * (r ^ 2 + 1) + (-1) * k * r + 1) * (T + (-1) * k * (PI + atan (r * tanh T)))
+    * (cosh x ^ 2 + r ^ 2 * sinh x ^ 2)
+  + (-1) * / (sinh x ^ 2 * (r ^ 2 + 1) + (-1) * k * r + 1) * (x + (-1) * k * (PI + atan (r * tanh x)))
+    * (cosh x ^ 2 + r ^ 2 * sinh x ^ 2) >= 0.
+Proof.
+  intros K P L TP X N; set (D := fun t : R => cosh t ^ 2 + r ^ 2 * sinh t ^ 2).
+  set (f := fun t : R => t - k * (PI + atan (r * tanh t))).
+  assert (D1 : forall t, 0 < t -> 1 < D t).
+  { intros t H; pose proof (sinh_lt 0 t H) as S; rewrite sinh_0 in S; pose proof (cosh_square t); unfold D; nra. }
+  assert (M : forall u v, 0 < u -> u <= v -> D u <= D v).
+  { intros u v U V; assert (sinh u <= sinh v).
+    { destruct V as [V|V]; [left; now apply sinh_lt | subst; lra]. }
+    pose proof (sinh_lt 0 u U) as S; rewrite sinh_0 in S.
+    unfold D; rewrite !cosh_square; assert (sinh u ^ 2 <= sinh v ^ 2) by nra; pose proof (pow2_ge_0 r); nra. }
+  assert (df : forall t, 0 < t -> is_derive f t (1 - k * r * / D t)).
+  { intros t H; specialize (D1 t H); pose proof (cosh_pos t); unfold f; eapply d_eq; [derive |].
+    cbv beta; unfold tanh, D in *; field; split; [| lra]; apply Rgt_not_eq; nra. }
+  assert (KR : 0 < k * r) by positive.
+  assert (den : sinh x ^ 2 * (r ^ 2 + 1) + (-1) * k * r + 1 = D x - k * r).
+  { unfold D; rewrite cosh_square; ring. }
+  rewrite den in *; pose proof (D1 x X); fold (D x).
+  assert (Q : 0 <= (f T - f x) - (1 - k * r * / D x) * (T - x)).
+  { assert (I : forall u v, 0 < u -> u <= v -> 1 - k * r * / D u <= 1 - k * r * / D v).
+    { intros u v U V; pose proof (M u v U V); pose proof (D1 u U).
+      assert (/ D v <= / D u) by (apply Rinv_le_contravar; lra); nra. }
+    destruct (Rle_or_lt x T) as [H1|H1].
+    - destruct (mean_value f (fun t => 1 - k * r * / D t) x T H1) as [c [C E]].
+      { intros t H2; apply df; lra. }
+      rewrite E; pose proof (I x c X ltac:(lra)); nra.
+    - destruct (mean_value f (fun t => 1 - k * r * / D t) T x ltac:(lra)) as [c [C E]].
+      { intros t H2; apply df; lra. }
+      replace (f T - f x) with ((1 - k * r * / D c) * (T - x)) by lra.
+      pose proof (I c x ltac:(lra) ltac:(lra)); nra. }
+  match goal with |- ?v >= 0 => replace v with (D x * / (D x - k * r) * ((f T - f x) - (1 - k * r * / D x) * (T - x)))
+    by (unfold f; field; lra) end.
+  apply Rle_ge, Rmult_le_pos; [left; apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra] | exact Q].
+Qed.
+
+(* The exponent of a defect and its slope. *)
+Definition root_of (a b e : R) : R := sqrt (b * / a * sin e ^ 2 + 1).
+Definition exponent (a b e : R) : R :=
+  sqrt (a * b) * ((-1) * asin (sqrt (b * / (a + b)) * cos e) + asin (sqrt (b * / (a + b))))
+  + ln (e * / sin e) + ln (1 / 2 * root_of a b e + 1 / 2 * cos e).
+Lemma root_above a b e : 0 < a -> 0 < b -> 1 <= root_of a b e.
+Proof.
+  intros A B; apply below_sqrt; assert (0 < b * / a) by positive; pose proof (pow2_ge_0 (sin e)); nra.
+Qed.
+Lemma root_square a b e : 0 < a -> 0 < b -> root_of a b e ^ 2 = b * / a * sin e ^ 2 + 1.
+Proof.
+  intros A B; apply pow2_sqrt; assert (0 < b * / a) by positive; pose proof (pow2_ge_0 (sin e)); nra.
+Qed.
+(* k m = b w, with w the root of the share's complement *)
+Lemma share_root a b e : 0 < a -> 0 < b -> sqrt (a * b) * sqrt (b * / (a + b))
+  * / sqrt ((-1) * (sqrt (b * / (a + b)) * cos e) ^ 2 + 1) = b * / root_of a b e.
+Proof.
+  intros A B; pose proof (share_below a b e A B) as S; pose proof (root_above a b e A B).
+  pose proof (root_square a b e A B) as W; set (w := root_of a b e) in *.
+  assert (0 < / (a + b)) by positive; set (m := sqrt (b * / (a + b))) in *.
+  assert (M : m ^ 2 = b * / (a + b)) by (apply pow2_sqrt; left; positive).
+  assert (0 < m) by (apply sqrt_lt_R0; positive).
+  assert (V0 : 0 < (-1) * (m * cos e) ^ 2 + 1) by nra; set (v := sqrt (_ + 1)).
+  assert (V : v ^ 2 = (-1) * (m * cos e) ^ 2 + 1) by (apply pow2_sqrt; lra).
+  assert (0 < v) by (apply sqrt_lt_R0; exact V0).
+  assert (K : sqrt (a * b) ^ 2 = a * b) by (apply pow2_sqrt; left; positive).
+  assert (0 < sqrt (a * b)) by (apply sqrt_lt_R0; positive); set (k := sqrt (a * b)) in *.
+  apply (Rmult_eq_reg_r (v * w)); [| apply Rgt_not_eq; positive].
+  replace (k * m * / v * (v * w)) with (k * m * w) by (field; lra).
+  replace (b * / w * (v * w)) with (b * v) by (field; lra).
+  apply same_square; [left; positive | left; positive |].
+  rewrite !Rpow_mult_distr, K, M, W, V, Rpow_mult_distr, M, sin_square; field; lra.
+Qed.
+Lemma exponent_derive a b e : 0 < a -> 0 < b -> 0 < e -> 0 < sin e -> 0 < cos e ->
+  is_derive (exponent a b) e (/ e + (-1) * / root_of a b e * / sin e * ((-1) * b * sin e ^ 2 + 1)).
+Proof.
+  intros A B E S C; pose proof (share_below a b e A B) as H; pose proof (root_above a b e A B) as W1.
+  pose proof (root_square a b e A B) as W; pose proof (share_root a b e A B) as K.
+  set (m := sqrt (b * / (a + b))) in *; set (k := sqrt (a * b)) in *.
+  assert (D : is_derive (exponent a b) e (k * m * / sqrt ((-1) * (m * cos e) ^ 2 + 1) * sin e
+    + (/ e - cos e * / sin e)
+    + (b * / a * sin e * cos e * / root_of a b e - sin e) * / (root_of a b e + cos e))).
+  { unfold exponent; fold m k; unfold root_of; eapply d_eq.
+    - derive; fold (root_of a b e); first [lra | positive].
+    - tidy; fold (root_of a b e); set (w := root_of a b e) in *; assert (0 < (-1) * (m * cos e) ^ 2 + 1) by nra.
+      assert (0 < sqrt ((-1) * (m * cos e) ^ 2 + 1)) by (apply sqrt_lt_R0; assumption).
+      field; repeat split; lra. }
+  eapply d_eq; [exact D |]; rewrite K; clear D K H; set (w := root_of a b e) in *.
+  pose proof (sin_square e) as Q; set (s := sin e) in *; set (c := cos e) in *.
+  replace ((b * / a * s * c * / w - s) * / (w + c)) with ((b * / a * s ^ 2 * c - s ^ 2 * w) * (/ s * / w * / (w + c)))
+    by (field; repeat split; lra).
+  replace (b * / a * s ^ 2 * c - s ^ 2 * w) with (c * w * (w + c) - (w + c))
+    by (replace (b * / a * s ^ 2) with (w ^ 2 - 1) by lra; rewrite Q; ring).
+  field; repeat split; lra.
+Qed.
+
+(* The rate dphi/dpsi of precession on a level, and how its integral changes. *)
+Definition rate (s a b g t : R) : R :=
+  s * / sqrt (a + b * sin t ^ 2) * / sqrt (g + b * sin t ^ 2) * ((-1) * b * sin t ^ 2 + 1).
+Definition rate_slope (s a b g t : R) : R :=
+  (-1) / 2 * s * / sqrt (a + b * sin t ^ 2) * / sqrt (g + b * sin t ^ 2) ^ 3
+  * ((-1) * b * sin t ^ 2 + 1).
+
+Section Turn.
+Variables s a b : R.
+Hypotheses (A : a > 0) (B : b > 0).
+
+Lemma reach t : 0 < a + b * sin t ^ 2.
+Proof. pose proof (pow2_ge_0 (sin t)); nra. Qed.
+Lemma forward t : b < 1 -> 0 < (-1) * b * sin t ^ 2 + 1.
+Proof.
+  intros L; pose proof (SIN_bound t); assert (0 <= sin t ^ 2 <= 1) by (split; nra); nra.
+Qed.
+Lemma rate_continuous g t : 0 < g + b * sin t ^ 2 -> continuous (rate s a b g) t.
+Proof.
+  intros H; pose proof (reach t); unfold rate; continues; apply Rgt_not_eq, sqrt_lt_R0; assumption.
+Qed.
+Lemma rate_slope_continuous g t : 0 < g + b * sin t ^ 2 -> continuous (rate_slope s a b g) t.
+Proof.
+  intros H; pose proof (reach t); unfold rate_slope; continues;
+    [| apply pow_nonzero]; apply Rgt_not_eq, sqrt_lt_R0; assumption.
+Qed.
+Lemma rate_slope_near g t : 0 < g + b * sin t ^ 2 ->
+  continuity_2d_pt (rate_slope s a b) g t.
+Proof.
+  intros H; pose proof (reach t); unfold rate_slope; continues_2d;
+    [| apply pow_nonzero]; apply Rgt_not_eq, sqrt_lt_R0; assumption.
+Qed.
+Lemma rate_by_level g t : 0 < g + b * sin t ^ 2 ->
+  is_derive (fun c : R => rate s a b c t) g (rate_slope s a b g t).
+Proof.
+  intros H; pose proof (reach t); unfold rate, rate_slope.
+  assert (0 < sqrt (a + b * sin t ^ 2)) by (apply sqrt_lt_R0; assumption).
+  assert (0 < sqrt (g + b * sin t ^ 2)) by (apply sqrt_lt_R0; assumption).
+  eapply d_eq; [derive; lra |]; tidy; field; lra.
+Qed.
+Lemma between_ends (P : R -> Prop) u v p q : u < p < v -> u < q < v -> (forall t, u < t < v -> P t) ->
+  forall t, Rmin p q <= t <= Rmax p q -> P t.
+Proof. intros X Y H t T; apply H; unfold Rmin, Rmax in T; destruct (Rle_dec p q); lra. Qed.
+
+Lemma turn_by_start g u v e q : u < e < v -> u < q < v ->
+  (forall t, u < t < v -> 0 < g + b * sin t ^ 2) ->
+  is_derive (fun x : R => RInt (rate s a b g) x q) e (- rate s a b g e).
+Proof.
+  intros X Y P; apply (d_lower_end _ _ u v).
+  - unfold Rmin; destruct (Rle_dec e q); lra.
+  - unfold Rmax; destruct (Rle_dec e q); lra.
+  - intros t T; apply rate_continuous, P, T.
+Qed.
+Lemma turn_by_end g u v e q : u < e < v -> u < q < v ->
+  (forall t, u < t < v -> 0 < g + b * sin t ^ 2) ->
+  is_derive (fun x : R => RInt (rate s a b g) e x) q (rate s a b g q).
+Proof.
+  intros X Y P; apply (d_upper_end _ _ u v).
+  - unfold Rmin; destruct (Rle_dec e q); lra.
+  - unfold Rmax; destruct (Rle_dec e q); lra.
+  - intros t T; apply rate_continuous, P, T.
+Qed.
+Lemma turn_by_level g p u v e q : p < g -> u < e < v -> u < q < v ->
+  (forall c t, p < c -> u < t < v -> 0 < c + b * sin t ^ 2) ->
+  is_derive (fun c : R => RInt (rate s a b c) e q) g (RInt (rate_slope s a b g) e q).
+Proof.
+  intros L X Y P.
+  apply (leibniz (rate s a b) (rate_slope s a b) e q g p (g + 1)); [lra | | |].
+  - intros c t C T; apply rate_by_level, P; [lra |].
+    exact (between_ends _ u v e q X Y (fun _ H => H) t T).
+  - intros t T; apply rate_slope_near, P; [lra |].
+    exact (between_ends _ u v e q X Y (fun _ H => H) t T).
+  - intros c C t T; apply rate_continuous, P; [lra |].
+    exact (between_ends _ u v e q X Y (fun _ H => H) t T).
+Qed.
+
+(* Where the square of the sine keeps a level positive, it does so a little beyond. *)
+Lemma rotating g : 0 < g -> forall c t, 0 < c -> 0 < c + b * sin t ^ 2.
+Proof. intros _ c t C; pose proof (pow2_ge_0 (sin t)); nra. Qed.
+Lemma sine_near x y : Rabs (sin x ^ 2 - sin y ^ 2) <= Rabs (x - y).
+Proof.
+  destruct (MVT_gen (fun t : R => sin t ^ 2) y x (fun t => 2 * sin t * cos t)) as [c [_ E]].
+  - intros t _; eapply d_eq; [derive |]; tidy; ring.
+  - intros z _; apply continuity_pt_filterlim; change (continuous (fun t : R => sin t ^ 2) z); continues.
+  - cbv beta in E; rewrite E, Rabs_mult; pose proof (Rabs_pos (x - y)).
+    assert (Rabs (2 * sin c * cos c) <= 1); [| nra].
+    rewrite <- sin_2a; apply Rabs_le, SIN_bound.
+Qed.
+Lemma unturned g e : b <= 1 -> 0 < e -> e < PI / 2 -> 0 < g + b * sin e ^ 2 ->
+  exists p u v, p < g /\ u < e < v /\ u < PI / 2 < v
+  /\ forall c t, p < c -> u < t < v -> 0 < c + b * sin t ^ 2.
+Proof.
+  intros L E F H; set (d := (g + b * sin e ^ 2) / 4); assert (D : 0 < d) by (unfold d; lra).
+  exists (g - d), (e - d), (PI - e); repeat split; try lra.
+  intros c t C [T U]; destruct (Rle_or_lt e t) as [K|K].
+  - assert (sin e <= sin t).
+    { destruct (Rle_or_lt t (PI / 2)) as [M|M]; [apply sin_incr_1; lra |].
+      rewrite <- (sin_PI_x t); apply sin_incr_1; lra. }
+    assert (0 < sin e) by (apply sin_gt_0; lra); assert (sin e ^ 2 <= sin t ^ 2) by nra.
+    unfold d in *; nra.
+  - pose proof (sine_near e t) as S; rewrite (Rabs_pos_eq (e - t)) in S by lra.
+    apply Rabs_le_between in S; unfold d in *; nra.
+Qed.
+End Turn.
+
+(* The same with one sign, and on the separatrix. *)
+Definition plain (a b g t : R) : R :=
+  / sqrt (a + b * sin t ^ 2) * / sqrt (g + b * sin t ^ 2) * ((-1) * b * sin t ^ 2 + 1).
+Definition zero_rate (s a b t : R) : R :=
+  s * / sqrt b * / sqrt (a + b * sin t ^ 2) * / Rabs (sin t) * ((-1) * b * sin t ^ 2 + 1).
+
+Section Plain.
+Variables s a b : R.
+Hypotheses (A : a > 0) (B : b > 0).
+
+Lemma plain_is g t : rate 1 a b g t = plain a b g t.
+Proof. unfold rate, plain; ring. Qed.
+Lemma plain_turn g p q : RInt (rate 1 a b g) p q = RInt (plain a b g) p q.
+Proof. apply RInt_ext; intros; apply plain_is. Qed.
+Lemma plain_continuous g t : 0 < g + b * sin t ^ 2 -> continuous (plain a b g) t.
+Proof.
+  intros H; pose proof (reach a b A B t); unfold plain; continues;
+    apply Rgt_not_eq, sqrt_lt_R0; assumption.
+Qed.
+Lemma plain_by_start g u v e q : u < e < v -> u < q < v ->
+  (forall t, u < t < v -> 0 < g + b * sin t ^ 2) ->
+  is_derive (fun x : R => RInt (plain a b g) x q) e (- plain a b g e).
+Proof.
+  intros X Y P; rewrite <- plain_is; apply (is_derive_ext (fun x => RInt (rate 1 a b g) x q)).
+  - intros x; apply plain_turn.
+  - exact (turn_by_start 1 a b A B g u v e q X Y P).
+Qed.
+Lemma plain_by_level g p u v e q : p < g -> u < e < v -> u < q < v ->
+  (forall c t, p < c -> u < t < v -> 0 < c + b * sin t ^ 2) ->
+  is_derive (fun c : R => RInt (plain a b c) e q) g (RInt (rate_slope 1 a b g) e q).
+Proof.
+  intros L X Y P; apply (is_derive_ext (fun c => RInt (rate 1 a b c) e q)).
+  - intros x; apply plain_turn.
+  - exact (turn_by_level 1 a b A B g p u v e q L X Y P).
+Qed.
+Lemma room e : b <= 1 -> e < PI / 2 -> exists t, e < t < PI / 2 /\ b * sin t ^ 2 < 1.
+Proof.
+  intros L E; pose proof PI_RGT_0; pose proof (Rmax_l e 0); pose proof (Rmax_r e 0).
+  assert (M : Rmax e 0 < PI / 2) by (apply Rmax_lub_lt; lra).
+  exists ((Rmax e 0 + PI / 2) / 2); split; [lra |].
+  set (t := (Rmax e 0 + PI / 2) / 2); assert (0 < t < PI / 2) by (unfold t; lra).
+  assert (0 < sin t) by (apply sin_gt_0; lra).
+  assert (sin t < 1) by (rewrite <- sin_PI2; apply sin_increasing_1; lra); nra.
+Qed.
+(* A higher level turns faster: the integral falls. *)
+Lemma turn_falls g p q : 0 < s -> b <= 1 -> p < q ->
+  (forall t, p <= t <= q -> 0 < g + b * sin t ^ 2) ->
+  (exists t, p < t < q /\ b * sin t ^ 2 < 1) -> RInt (rate_slope s a b g) p q < 0.
+Proof.
+  intros S L H P [z [Z W]].
+  assert (N : forall t, p < t < q -> rate_slope s a b g t <= 0).
+  { intros t T; unfold rate_slope; pose proof (reach a b A B t); specialize (P t ltac:(lra)).
+    assert (0 < sqrt (a + b * sin t ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 < sqrt (g + b * sin t ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 <= (-1) * b * sin t ^ 2 + 1) by (pose proof (SIN_bound t); nra).
+    assert (0 <= 1 / 2 * s * / sqrt (a + b * sin t ^ 2) * / sqrt (g + b * sin t ^ 2) ^ 3
+      * ((-1) * b * sin t ^ 2 + 1)) by (apply Rmult_le_pos; [left; positive | assumption]).
+    lra. }
+  assert (C : forall t, p <= t <= q -> continuous (rate_slope s a b g) t).
+  { intros t T; apply rate_slope_continuous; [assumption | assumption | now apply P]. }
+  assert (Y : rate_slope s a b g z < 0).
+  { unfold rate_slope; pose proof (reach a b A B z); specialize (P z ltac:(lra)).
+    assert (0 < sqrt (a + b * sin z ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 < sqrt (g + b * sin z ^ 2)) by (apply sqrt_lt_R0; assumption).
+    assert (0 < 1 / 2 * s * / sqrt (a + b * sin z ^ 2) * / sqrt (g + b * sin z ^ 2) ^ 3
+      * ((-1) * b * sin z ^ 2 + 1)); [| lra].
+    apply Rmult_lt_0_compat; [positive | lra]. }
+  exact (integral_below _ p q z H C N Z Y).
+Qed.
+
+Lemma zero_rate_is t : 0 < sin t -> zero_rate s a b t = rate s a b 0 t.
+Proof.
+  intros T; unfold zero_rate, rate; pose proof (reach a b A B t).
+  rewrite Rplus_0_l, sqrt_mult, sqrt_pow2, Rabs_pos_eq by (first [lra | apply pow2_ge_0]).
+  assert (0 < sqrt b) by (apply sqrt_lt_R0; exact B).
+  assert (0 < sqrt (a + b * sin t ^ 2)) by (apply sqrt_lt_R0; assumption).
+  field; repeat split; lra.
+Qed.
+Lemma zero_continuous t : 0 < sin t -> continuous (zero_rate s a b) t.
+Proof.
+  intros T; pose proof (reach a b A B t); unfold zero_rate; continues.
+  - apply Rgt_not_eq, sqrt_lt_R0; assumption.
+  - rewrite Rabs_pos_eq; lra.
+Qed.
+Lemma zero_on p q : 0 < p -> p < PI -> 0 < q -> q < PI -> continuous_on (zero_rate s a b) p q.
+Proof.
+  intros P P' Q Q' t T; apply zero_continuous, sin_gt_0; unfold Rmin, Rmax in T;
+    destruct (Rle_dec p q); lra.
+Qed.
+Lemma zero_by_start e q : 0 < e -> e < PI -> 0 < q -> q < PI ->
+  is_derive (fun x : R => RInt (zero_rate s a b) x q) e (- zero_rate s a b e).
+Proof.
+  intros X Y Z W; apply (d_lower_end _ _ 0 PI).
+  - unfold Rmin; destruct (Rle_dec e q); lra.
+  - unfold Rmax; destruct (Rle_dec e q); lra.
+  - intros t T; apply zero_continuous, sin_gt_0; lra.
+Qed.
+(* What exceeds a number, as an integral. *)
+Definition over (w e t : R) : R := (-1) * w * / (1 / 2 * PI + (-1) * e) + zero_rate s a b t.
+Lemma over_integral w e x : e < PI / 2 -> 0 < x -> x < PI / 2 ->
+  RInt (over w e) x (1 / 2 * PI)
+  = (-1) * w * (1 / 2 * PI - x) * / (1 / 2 * PI + (-1) * e) + RInt (zero_rate s a b) x (1 / 2 * PI).
+Proof.
+  intros E X Y; unfold over; rewrite (integral_plus (fun _ => (-1) * w * / (1 / 2 * PI + (-1) * e))).
+  - rewrite integral_const; over_reals; ring.
+  - intros t _; apply continuous_const.
+  - apply zero_on; lra.
+Qed.
+Lemma over_by_value e v : 0 < e -> e < PI / 2 ->
+  is_derive (fun w : R => RInt (over w e) e (1 / 2 * PI)) v (-1).
+Proof.
+  intros E F; apply (is_derive_ext (fun w : R => (-1) * w + RInt (zero_rate s a b) e (1 / 2 * PI))).
+  - intros w; rewrite (over_integral w e e) by lra; over_reals; field; lra.
+  - eapply d_eq; [derive |]; ring.
+Qed.
+Lemma over_by_end e w : 0 < e -> e < PI / 2 ->
+  is_derive (fun x : R => RInt (over w x) x (1 / 2 * PI)) e (- zero_rate s a b e).
+Proof.
+  intros E F; apply (is_derive_ext_loc (fun x : R => (-1) * w + RInt (zero_rate s a b) x (1 / 2 * PI))).
+  - assert (P : 0 < Rmin e (PI / 2 - e)) by (apply Rmin_pos; lra).
+    exists (mkposreal _ P); intros x X; change (Rabs (x - e) < Rmin e (PI / 2 - e)) in X.
+    pose proof (Rmin_l e (PI / 2 - e)); pose proof (Rmin_r e (PI / 2 - e)); apply Rabs_def2 in X.
+    rewrite (over_integral w x x) by lra; over_reals; field; lra.
+  - apply (d_eq _ _ (0 + - zero_rate s a b e)); [| ring].
+    apply (d_plus (fun _ => (-1) * w)); [apply d_const | apply zero_by_start; lra].
+Qed.
+End Plain.

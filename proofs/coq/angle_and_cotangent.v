@@ -1,0 +1,1 @@
+intros x G N; rewrite atan_inv by lra; field.

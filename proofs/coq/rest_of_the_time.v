@@ -1,0 +1,1 @@
+intros; rewrite acos_asin by lra; field.

@@ -1,0 +1,1 @@
+intros; cbv beta; rewrite sqrt_0; ring.

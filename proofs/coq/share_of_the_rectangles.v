@@ -1,0 +1,1 @@
+cbv beta; lra.

@@ -1,0 +1,1 @@
+intros; cbv beta; f_equal; f_equal; field; lra.

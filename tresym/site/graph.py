@@ -1,0 +1,79 @@
+"""The neighbourhood of a claim as a picture: what it rests on, two steps deep, and what uses it.
+
+Columns go from what is used to what uses; a box is a link to the page of its claim, and its edge
+has the colour of the verdict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from html import escape
+from typing import Any
+
+Record = dict[str, Any]
+
+MOST = 7
+"""Boxes of a column; the rest are counted."""
+LETTERS = 27
+"""Letters of a title that fit a box."""
+BOX, HIGH, ACROSS, DOWN = 170, 26, 190, 36
+"""Width and height of a box, and the steps from one to the next."""
+
+
+def picture(label: str, claims: dict[str, Record]) -> str:
+    """An SVG to stand in a page of the claims' folder; empty for a claim without neighbours."""
+    columns = [column for column in _columns(label, claims) if column]
+    if len(columns) < 2:
+        return ""
+    shown = [column[:MOST] for column in columns]
+    more = [len(column) - len(kept) for column, kept in zip(columns, shown, strict=True)]
+    rows = max(len(kept) + bool(n) for kept, n in zip(shown, more, strict=True))
+    wide, high = ACROSS * (len(shown) - 1) + BOX, DOWN * (rows - 1) + HIGH
+    places = {
+        name: (float(ACROSS * x), (high - DOWN * (len(kept) - 1 + bool(n)) - HIGH) / 2 + DOWN * y)
+        for x, (kept, n) in enumerate(zip(shown, more, strict=True))
+        for y, name in enumerate(kept)
+    }
+    parts = [*_edges(places, claims), *(_box(n, at, claims[n], label) for n, at in places.items())]
+    for x, (kept, n) in enumerate(zip(shown, more, strict=True)):
+        if n:
+            below = places[kept[-1]][1] + DOWN + HIGH / 2 + 4
+            parts.append(f'<text x="{ACROSS * x + 8}" y="{below:g}">and {n} more</text>')
+    told = f"What {claims[label]['title']} uses, and what uses it"
+    return (
+        f'<div class="graph"><svg viewBox="-2 -2 {wide + 4} {high + 4:g}" width="{wide + 4}" '
+        f'role="img" aria-label="{escape(told)}">{"".join(parts)}</svg></div>'
+    )
+
+
+def _columns(label: str, claims: dict[str, Record]) -> tuple[list[str], ...]:
+    """What its parts rest on, what it rests on, itself, and what rests on it."""
+    first = claims[label]["uses"]
+    deeper = dict.fromkeys(other for name in first for other in claims[name]["uses"])
+    direct = [name for name in first if name not in deeper]
+    above = [name for name in claims[label]["used_by"] if name not in deeper]
+    return [n for n in deeper if n not in above], direct, [label], above
+
+
+def _edges(places: dict[str, tuple[float, float]], claims: dict[str, Record]) -> Iterator[str]:
+    for name, (x, y) in places.items():
+        for used in claims[name]["uses"]:
+            if used in places and places[used][0] < x:
+                start, end = places[used][0] + BOX, (places[used][1] + HIGH / 2, y + HIGH / 2)
+                bend = (x - start) / 2
+                yield (
+                    f'<path d="M{start:g} {end[0]:g}c{bend:g} 0 {x - start - bend:g} '
+                    f'{end[1] - end[0]:g} {x - start:g} {end[1] - end[0]:g}"/>'
+                )
+
+
+def _box(name: str, at: tuple[float, float], claim: Record, own: str) -> str:
+    title = claim["title"]
+    words = title if len(title) <= LETTERS else f"{title[: LETTERS - 1].rstrip()}…"
+    kind = claim["verdict"].lower() + (" own" if name == own else "")
+    x, y = at
+    return (
+        f'<a href="{name}.html"><title>{escape(title)} ({claim["verdict"]})</title>'
+        f'<rect class="{kind}" x="{x:g}" y="{y:g}" width="{BOX}" height="{HIGH}" rx="4"/>'
+        f'<text x="{x + 8:g}" y="{y + HIGH / 2 + 4:g}">{escape(words)}</text></a>'
+    )
