@@ -96,6 +96,7 @@ HOSTILE = {
     "absolute": r"\input{/etc/passwd} \[ a = b \]",
     "an environment": r"\[ \begin{cases} x = 1 \]",
     "a definition": r"\newcommand{\a}{x" * 100,
+    "words": "Let $n$" + " , $m$" * 3000 + r" and \[ a = {",
     "no display": "Nothing here.",
     "a note": "% tresym: prove it\n\\[ a = a \\]",
     "cut off": r"\begin{document} \[ a = a \]",

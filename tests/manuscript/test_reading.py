@@ -126,6 +126,8 @@ CLAIMS = {
     r"\[ \sin 2x = 2\sin x \quad \text{(small angles)} \]": "EQUATION",
     r"\begin{align} \int 2x\,dx &= \int x + x\,dx \\ \intertext{and so, with $a = 3$,}"
     r" &= x^2 + C \end{align}": "PROVED PROVED",
+    "% tresym: claim\n% tresym: as x -> 0\n" r"\[ \sin x = x + x^2 - O(x^3) \]": "REFUTED",
+    r"\[ \operatorname{sech} x = 2e^{-x}(1 + O(e^{-2x})), \quad x\to\infty \]": "ENCLOSED",
     r"\[ \underbrace{x^{\frac{4}{2}}}_{u^{\text{as}}} = x\cdot x \]": "PROVED",
     r"\[ \left\{\begin{aligned} |x| &= \sqrt{x^2} \\ 2x &= x + x\end{aligned}\right. \]": (
         "PROVED PROVED"

@@ -130,7 +130,7 @@ def claim(
     worked = not unknown_in(left, right) and any(
         node.op in _WORKED for node in outermost(compared[0], compared[2])
     )
-    firm = not said.before and not as_path and (sure or goes_on or constants)
+    firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
     firm = firm or (worked and same and relation == "==" and under.kind != prose.SOLVE)
     firm = firm and not said.remarks and not (under.noted and under.kind == prose.SOLVE and n == 0)
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)

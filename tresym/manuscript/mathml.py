@@ -108,7 +108,7 @@ def _symbol(name: str) -> str:
 
 def _sum(e: Expr) -> str:
     shown = []
-    for n, term in enumerate(e.args):
+    for n, term in enumerate(sorted(e.args, key=_is_negative)):  # 1 − x before −x + 1
         negative = _is_negative(term)
         sign = "<mo>−</mo>" if negative else ("<mo>+</mo>" if n else "")
         shown.append(sign + _shown(-term if negative else term, _PRODUCT))

@@ -35,7 +35,7 @@ from tresym.reals.numbers.exact import InputError
 _LETTER_E = re.compile(
     r"(?<![a-zA-Z\\{_^])e\s*\\(?:sin|cos)|1\s*[-+]\s*e(?![a-zA-Z^])"
     r"|1\s*-\s*e\s*\^\s*(?:\{\s*2\s*\}|2(?!\d))|(?<![a-zA-Z\\^_{])e\s*(?:<|\\ll|\\to)"
-    r"|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*2\.7)"
+    r"|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*(?:2\.7|e\s*\^|\\exp|\\lim|\\sum))"
 )
 """Where e stands as no number does: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
 _CALLED = re.compile(
@@ -329,7 +329,7 @@ def about(names: frozenset[str], given: Sequence[Compared]) -> list[Compared]:
     while len(reached) != size:
         size = len(reached)
         for left, _, right in given:
-            own = symbols(left) | symbols(right)
+            own = (symbols(left) | symbols(right)) - symbols(INTEGERS)
             if own & reached:
                 reached |= own
     kept = [c for c in given if (symbols(c[0]) | symbols(c[2])) & reached]

@@ -43,7 +43,7 @@ _DEFINING = re.compile(
 _WHOLE = r"(positive |non-?negative |natural |nonzero )?(?:integers?|natural numbers?)"
 _INTEGER_BEFORE = re.compile(rf"\b{_WHOLE}[\s~]*\Z", re.IGNORECASE)
 _INTEGER_AFTER = re.compile(
-    rf"(?:[\s~,]*(?:and)?[\s~,]*\$[^$]*\$)*[\s~,]*(?:is|are|be|being|denotes?)?\s*"
+    rf"(?:[\s~,]*(?:and\b[\s~]*)?\$[^$]*\$){{0,8}}[\s~,]*(?:is|are|be|being|denotes?)?\s*"
     rf"(?:an?|any|some|both|all|fixed|given|arbitrary)?\s*{_WHOLE}"
 )
 MAX_AFTER = 600
@@ -114,7 +114,7 @@ def inline(text: str) -> Iterator[Inline]:
 
 def _whole(before: str, after: str) -> str:
     """Whether the words around a formula say that its symbols are integers, and which."""
-    found = _INTEGER_BEFORE.search(before) or _INTEGER_AFTER.match(after)
+    found = _INTEGER_BEFORE.search(before[-60:]) or _INTEGER_AFTER.match(after[:200])
     if found is None:
         return ""
     kind = (found[1] or "").strip().replace("-", "").lower()

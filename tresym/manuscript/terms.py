@@ -11,6 +11,7 @@ from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_cursor import Author
 from tresym.reals.language.latex_grammar import Reader
 from tresym.reals.language.latex_reach import Piece
+from tresym.reals.language.parsing import FACTORIAL
 from tresym.reals.numbers.exact import InputError
 
 _DERIVED = re.compile(r"(?:d|partial)\d?([A-Za-z]\w*?)_(?:d|partial)[A-Za-z]\w*|(\w+?)_prime\d?")
@@ -75,7 +76,7 @@ def is_plain(term: Sequence[str]) -> bool:
 
 def unknown_in(*trees: Expr) -> set[str]:
     """The names of the functions in the trees that are left unknown."""
-    return {str(f.args[0].args[0]) for e in trees for f in functions(e)}
+    return {str(f.args[0].args[0]) for e in trees for f in functions(e)} - {FACTORIAL}
 
 
 def read_term(tokens: Sequence[str], author: Author) -> Piece:

@@ -23,6 +23,7 @@ LIMITS = [
     ("atan(x/a)", "oo", "a > 0", "pi/2"),
     ("atan(x/a)", "oo", "a < 0", "-pi/2"),
     ("x*sin(1/x)", "0", "", "0"),
+    ("exp(-a*x)*(sin(b*x)*c + cos(x**2))", "oo", "a > 0", "0"),
     ("x*(atan(x) - pi/2)", "oo", "", "-1"),
     ("a**x", "oo", "a > 1", "oo"),
     ("a**x", "oo", "a > 0, a < 1", "0"),
@@ -57,6 +58,10 @@ def test_limits(e: str, point: str, given: str, value: str) -> None:
 
 NONE = [
     ("sin(1/x)", "0", ""),
+    ("exp(-a*x)*sin(b*x)", "oo", ""),
+    ("exp(-a*x)*sin(b*exp(2*a*x))/sin(b*x)", "oo", "a > 0"),
+    ("exp(-a*x)*sin(b*x) + sin(c*x)", "oo", "a > 0"),
+    ("exp(-a*x)*sin(b*x)*log(-x)", "oo", "a > 0"),
     ("atan(x/a)", "oo", ""),  # the sign of a is open
     ("x**a", "0", ""),
     ("exp(-a*x)", "oo", ""),

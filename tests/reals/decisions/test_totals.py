@@ -28,6 +28,10 @@ HOLD = [
     "product(k, k, 1, 0) == 1",
     "sum(sum(j, j, 1, 3)*k, k, 1, 4) == 60",
     "sum(k*k_1, k, 1, 3) == 6*k_1",
+    "sum(x**k, k, 0, oo) == 1/(1 - x) given abs(x) < 1",
+    "sum(k*x**k, k, 1, oo) == x/(1 - x)**2 given abs(x) < 1",
+    "sum((-1)**k/2**k, k, 0, oo) == 2/3",
+    "sum(1/(k*(k + 1)), k, 1, oo) == 1",
 ]
 FAIL = [
     "sum(k, k, 1, n) == n*(n + 1)/3",
@@ -35,6 +39,8 @@ FAIL = [
     "sum(k, k, 1, n) == n*(n + 1)/2 + (n - 1)*(n - 2)*(n - 3)*(n - 4) given n >= 1",
     "product(k + 1, k, 1, n) == n*(n + 1)",
     "sum(k, k, 1, 10) == 56",
+    "sum(x**k, k, 1, oo) == 1/(1 - x) given abs(x) < 1",
+    "sum(1/(k*(k + 1)), k, 1, oo) == 2",
     "sum(k, k, 1, n) < 100 given n >= 1",
     "sum(k, k, 1, n) == n*(n + 1)/2 + 1 given n >= 3",
 ]

@@ -29,6 +29,7 @@ AT = {"x": arb(fmpq(3, 5)), "y": arb(fmpq(-7, 4)), "a1": arb(2)}
         (r"\sqrt[3]{8}", "2"),
         (r"\sin^2x", "sin(x)**2"),
         (r"\sin 2xy", "sin(2*x*y)"),
+        (r"\frac{\cos^2(x)}{2}", "cos(x)**2/2"),
         (r"\sin(x)y", "sin(x)*y"),
         (r"\cos x\sin y", "cos(x)*sin(y)"),
         (r"|y|", "7/4"),
@@ -60,6 +61,7 @@ def test_productions(source: str, text: str) -> None:
     [
         r"x/2y",
         r"x + x^2\Big|_0^1",
+        r"\prod_{k=1}^3 k\cdot x",
         r"xy\Big|_0^1",
         r"\int_{y=0}^{y=1} x\,dx",
         r"\int 1 + x",

@@ -40,6 +40,7 @@ def suggested(f: Expr, name: str, positive: frozenset[str]) -> list[Expr]:
     procedures: tuple[Callable[[], Any], ...] = (
         lambda: manualintegrate(integrand, x),
         lambda: sympy.integrate(integrand, x, meijerg=False),
+        lambda: sympy.integrate(integrand.rewrite(sympy.exp), x),
     )
     for procedure in procedures:
         try:

@@ -327,6 +327,7 @@ def _split(text: str) -> tuple[str, str, str]:
 
 def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     """What is decided of a comparison: derivatives carried out, an order as its gauge."""
+    right = _spread(right)
     terms = right.args if right.op == "+" else (right,)
     orders = [term for term in terms if term.op in expression.ORDERS]
     if relation == "==" and len(orders) == 1:
@@ -346,6 +347,24 @@ def _comparison(left: Expr, relation: str, right: Expr) -> Comparison:
     return Comparison(work(left), relation, work(right), written, primitives)
 
 
+def _spread(e: Expr) -> Expr:
+    """``c (f + O(g))`` as ``c f + O(c g)``."""
+    if e.op == "+":
+        return add(*map(_spread, e.args))
+    parts = e.args if e.op == "*" and not elementary(e) else ()
+    factors = [part for part in parts if not elementary(part)]
+    terms = _terms(factors[0]) if len(factors) == 1 else ()
+    rest = multiply(*(part for part in parts if part is not factors[0]))
+    if not any(term.op in ("O", "o") for term in terms):
+        return e
+    return add(
+        *(
+            Expr(term.op, (rest * term.args[0],)) if term.op in ("O", "o") else rest * term
+            for term in terms
+        )
+    )
+
+
 def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[Comparison, Path]:
     """``limit(f, x, p) == L`` as ``f -> L`` on its path."""
     if path is not None:
@@ -361,7 +380,7 @@ def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[C
 def _without_ends(left: Expr, right: Expr) -> Comparison:
     """An equation of integrals without ends as one of derivatives."""
     names, known, rest = set(), [], []
-    for term in (left - right).args if (left - right).op == "+" else (left - right,):
+    for term in (*_terms(left), *(-term for term in _terms(right))):
         nodes = [node for node in outermost(term) if node.op == "antiderivative"]
         if not nodes:
             rest.append(-term)
@@ -381,6 +400,10 @@ def _without_ends(left: Expr, right: Expr) -> Comparison:
         tuple(_derivatives(side, worked_out))
     value = differentiate(function, by)
     return Comparison(value, "==", f, (Derivative(function, by, 1, value),))
+
+
+def _terms(e: Expr) -> tuple[Expr, ...]:
+    return e.args if e.op == "+" else (e,)
 
 
 def _derivatives(e: Expr, work: Callable[[Expr], Expr]) -> Iterator[Derivative]:
@@ -415,7 +438,7 @@ def _is_infinite(e: Expr) -> bool:
     """Whether oo stands in it elsewhere than at the end of an integral."""
     if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
         return e == INFINITY
-    ends = (INFINITY, -INFINITY) if e.op == "integral" else ()
+    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum") else ()
     return any(_is_infinite(arg) for arg in e.args if arg not in ends)
 
 

@@ -4,6 +4,8 @@
   domain are so, too.
 - g(x) ≥ g(y) for x < y: g falls, where its derivative is nowhere positive on an interval of both.
 - Σ gᵢ(xᵢ) ≥ 0: gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
+- Π gᵢ(xᵢ) ≥ 1: gᵢ ≥ cᵢ for numbers with Π cᵢ ≥ 1, where each gᵢ is a product of positive parts; or
+  g(x)/g(y) ≥ 1, which is g(x) ≥ g(y).
 
 What is left is asked of the procedure for one variable, whose answer this is.
 """
@@ -12,6 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from itertools import islice, product
+from math import prod
 
 from flint import arb, fmpq
 
@@ -32,7 +36,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Interval
+from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.descent import low_points
 from tresym.reals.places.domain import needs
@@ -44,7 +48,8 @@ from tresym.reals.verdict import Verdict
 Decide = Callable[[Expr, str, Expr, Given], Answer]
 DEGREES = tuple(fmpq(n, 2) for n in (0, 2, 4, -2, 6, 8, 1, -4, 3))
 Comparison = tuple[Expr, str, Expr]
-NEAR = fmpq(1, 2**24)
+NEAR, TINY = fmpq(1, 2**24), fmpq(1, 2**28)
+MAX_LEAST = 4
 STARTS = 8
 
 
@@ -58,7 +63,7 @@ def by_one_variable(
     """
     if _jumps((left, right, *(c.expression for c in given.conditions))):
         return None
-    for method in (_scaled, _monotone, _separated):
+    for method in (_scaled, _monotone, _separated, _multiplied):
         found = method(left, relation, right, given, decide)
         if found is not None:
             return found
@@ -195,6 +200,111 @@ def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide
         return None
     weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
     return replace(weakest, why=f"each variable by itself: {weakest.why}", region=None)
+
+
+# -- products -----------------------------------------------------------------------------------
+
+
+def _multiplied(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    difference = collected(left - right)
+    names = sorted(symbols(difference))
+    parts = _quotient(difference, given)
+    if parts is None or len(names) < 2 or relation == "!=":
+        return None
+    rest = parts.pop("", ONE)
+    if len(names) == 2:
+        x, y = names
+        if is_zero(rest * parts[y] * substitute(parts[x], {x: symbol(y)}) - 1, given):
+            other = substitute(parts[x], {x: symbol(y)})
+            found = _monotone(parts[x], relation, other, given, ask)
+            if found is not None:
+                return found
+    parts[names[-1]] = rest * parts[names[-1]]
+    own = {name: Given(tuple(dict.fromkeys(_alone(name, given)))) for name in names}
+    for least in product(*(list(_least(parts[name], name, own[name])) for name in names)):
+        total = prod(least, start=ONE)
+        beyond = sign(total - 1, Given()) == "+"
+        if not (beyond or equal_at(total, ONE, {})):
+            continue
+        relations = [">=" if beyond else relation, *(">=" for _ in names[1:])]
+        answers = [
+            ask(parts[name], r, c, own[name])
+            for name, r, c in zip(names, relations, least, strict=True)
+        ]
+        if all(answers):
+            weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
+            return replace(weakest, why=f"each factor by itself: {weakest.why}", region=None)
+    return None
+
+
+def _quotient(difference: Expr, given: Given) -> dict[str, Expr] | None:
+    """Two positive products divided, by variable: the difference is not negative where it is ≥ 1.
+
+    None where the difference is not one of such products.
+    """
+    if difference.op != "+" or len(difference.args) != 2:
+        return None
+    signs = [sign(term, given) for term in difference.args]
+    if sorted(map(str, signs)) != ["+", "-"]:
+        return None
+    above, below = difference.args if signs[0] == "+" else difference.args[::-1]
+    parts: dict[str, Expr] = {}
+    for factor in (*_factors(above, 1), *_factors(-below, -1)):
+        names = symbols(factor)
+        if len(names) > 1:
+            return None
+        name = next(iter(names), "")
+        parts[name] = parts.get(name, ONE) * factor
+    return parts if all(sign(part, given) == "+" for part in parts.values()) else None
+
+
+def _factors(e: Expr, power: int) -> Iterator[Expr]:
+    """The factors of a product to a power, 1 or −1."""
+    if e.op == "*":
+        for factor in e.args:
+            yield from _factors(factor, power)
+    elif e.op == "^" and e.args[0].op == "*" and e.args[1] == -ONE:
+        yield from _factors(e.args[0], -power)
+    else:
+        yield e if power > 0 else 1 / e
+
+
+def _alone(name: str, given: Given) -> Iterator[Comparison]:
+    """What the conditions say of one variable: its own, and ends of others that bound it too."""
+    for comparison, condition in zip(given.comparisons, given.conditions, strict=True):
+        e = condition.expression
+        if symbols(e) == {name}:
+            yield comparison
+        elif len(symbols(e)) == 1:
+            (other,) = symbols(e)
+            for side in (1, -1):
+                for _, relation, end in _bounds(other, side, name, given):
+                    if (
+                        sign(side * (symbol(name) - end), given)
+                        in PROVING[relation.replace("<", ">")]
+                    ):
+                        yield symbol(name), relation, end
+
+
+def _least(part: Expr, name: str, given: Given) -> Iterator[Expr]:
+    """Numbers that may be the greatest below ``part``, whether or not it takes them."""
+    beside = [fmpq(0)]
+    with ball_precision():
+        for end in (side for link in given.comparisons for side in link[::2] if not symbols(side)):
+            low = rational_ends(evaluate(end, {})).low
+            beside += [] if low is None else [low + side * TINY for side in (1, -1)]
+        found = []
+        for x in (*beside, *(p[name] for p in given.points([name], STARTS))):
+            at = {name: arb(x)}
+            value = evaluate(part, at)
+            if value.is_finite() and all(c.holds(at) for c in given.conditions):
+                found.append(rational_ends(value).low)
+    low = min((x for x in found if x is not None), default=None)
+    if low is not None:
+        yield from islice(candidates(Interval(low - NEAR, low + NEAR)), MAX_LEAST)
+
+
+# -- the lowest points of one variable ----------------------------------------------------------
 
 
 def _lowest(part: Expr, name: str, given: Given) -> Iterator[Expr]:

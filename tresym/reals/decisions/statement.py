@@ -15,7 +15,7 @@ from tresym.reals.decisions.identity import JUMP, exact_text
 from tresym.reals.decisions.reading import Comparison, Statement, functions, read
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import ZERO, Expr, symbols
-from tresym.reals.language.parsing import parse
+from tresym.reals.language.parsing import FACTORIAL, parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.jumps import cases_at_jumps, jumps, zeros
@@ -92,7 +92,12 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
     """What decides claims that hold more than elementary expressions and inequalities."""
     sides = comparison.left, comparison.right
     nodes = {node.op for node in outermost(*sides)}
-    if any(next(functions(e), None) is not None for e in (*sides, *statement.said)):
+    unknown = {f.args[0].args[0] for e in (*sides, *statement.said) for f in functions(e)}
+    if FACTORIAL in unknown:
+        from tresym.reals.decisions.factorials import decide_factorials
+
+        return decide_factorials
+    if unknown:
         from tresym.reals.decisions.unknowns import decide_unknown
 
         return decide_unknown

@@ -5,17 +5,22 @@ product 1, and beyond that none is spoken of. A claim about a sum whose upper en
 about the integers n at which it is spoken of. It is refuted at small n, where the sum is written
 out. It is proved by induction: at the least n the sum is written out; from n to n + 1 the sum S is
 any number for which the claim holds at n, and S + f(n + 1 + c) is put in at n + 1. Where that does
-not settle it, a closed form that SymPy suggests is shown first, in the same way, and put in.
+not settle it, a closed form that SymPy suggests is shown first, in the same way, and put in. A
+series, a sum to ∞, is the limit of such a closed form, and nothing where it has none.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
 from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.approach import limit_of
+from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement
-from tresym.reals.language.binders import outermost
+from tresym.reals.decisions.simple import tidied
+from tresym.reals.language.binders import outermost, total
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -36,6 +41,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
+from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 TERMS = 200
@@ -59,6 +65,8 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     nodes = _nodes(claim)
     if not nodes:
         return decided(claim, statement)
+    if any(INFINITY in node.args for node in nodes):
+        return _to_infinity(claim, statement, nodes, decided)
     ends = {node: _end(node) for node in nodes}
     names = {end[0] for end in ends.values() if end is not None}
     if None in ends.values() or len(names) != 1:
@@ -80,6 +88,72 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
         return answer
     found = _by_closed_forms(claim, statement, plain, n, least, ends, decided)
     return answer if found is None else found
+
+
+def _to_infinity(
+    claim: Comparison, statement: Statement, nodes: list[Expr], decided: Decide
+) -> Answer:
+    """With the values of series put in: limits of closed forms of their first terms."""
+    from tresym.reals.decisions.antiderivatives import summed
+
+    known: dict[Expr, Expr] = {}
+    taken = symbols(claim.left) | symbols(claim.right) | statement.given.names
+    n = fresh("n", taken)
+    for node in nodes:
+        (k,), body = opened(node)
+        low = _integer(node.args[1])
+        if node.op != "sum" or node.args[2] != INFINITY or low is None:
+            return Answer(Verdict.UNDECIDED, "a series is a sum from an integer to oo")
+        first = total(node.op, body, k, node.args[1], symbol(n))
+        for form in summed(node.op, body, k, node.args[1], symbol(n)):
+            whole = replace(statement, integers=(*statement.integers, n))
+            value = _tends(form, n, statement.given)
+            if (
+                value is not None
+                and decide_totals(Comparison(first, "==", form), whole, decided).verdict
+                is Verdict.PROVED
+            ):
+                known[node] = value
+                break
+        else:
+            return Answer(Verdict.UNDECIDED, f"{node}: no closed form of its first terms is shown")
+    left, right = (replaced(side, known) for side in (claim.left, claim.right))
+    found = decided(Comparison(left, claim.relation, right), statement)
+    values = ", ".join(f"{node} = {value}" for node, value in known.items())
+    return replace(found, why=f"{values} as the limit of its first terms; {found.why}")
+
+
+def _tends(form: Expr, n: str, given: Given) -> Expr | None:
+    """The limit as n → ∞, finite: a power b^(n + c) with |b| < 1 beats each power of n."""
+    powers = {
+        e for e in _inside(form) if e.op == "^" and n in symbols(e.args[1]) - symbols(e.args[0])
+    }
+    small = symbol(fresh("z", symbols(form)))
+    put: dict[Expr, Expr] = {}
+    for e in powers:
+        base, start = e.args[0], substitute(e.args[1], {n: ZERO})
+        slope = differentiate(e.args[1], n)
+        near = sign(1 - base**slope, given), sign(1 + base**slope, given)
+        if near != ("+", "+") or slope not in (ONE, -ONE) or len(powers) > 1:
+            return None
+        put[e] = small if start == ZERO else base**start * small
+    rest = replaced(form, put)
+    slope = differentiate(rest, str(small))
+    if put and decide(differentiate(slope, str(small)), ZERO, given).verdict is not Verdict.PROVED:
+        return None
+    for _ in range(3):
+        slope = differentiate(slope, n)
+    if put and decide(slope, ZERO, given).verdict is not Verdict.PROVED:
+        return None
+    value = limit_of(tidied(substitute(rest, {str(small): ZERO})), n, None, 1, given)
+    return None if value in (INFINITY, -INFINITY) else value
+
+
+def _inside(e: Expr) -> Iterator[Expr]:
+    yield e
+    if e.op not in LEAVES:
+        for arg in e.args:
+            yield from _inside(arg)
 
 
 def _nodes(claim: Comparison) -> list[Expr]:

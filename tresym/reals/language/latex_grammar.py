@@ -240,7 +240,8 @@ class Reader(Cursor):
         """An exponent or a limit: a group, or one token."""
         inside = self.tokens[self.at + 1 : self.at + 5]
         raised = self.tokens[self.at - 2]
-        if inside[0:1] + inside[2:] == ["(", ")", "}"] and not (raised == "e" or is_number(raised)):
+        braced = self.peek() == "{" and inside[0:1] + inside[2:] == ["(", ")", "}"]
+        if braced and not (raised == "e" or is_number(raised)):
             self.refuse("one thing in brackets above a name counts derivatives: write it without,")
         return self.argument_group()
 
@@ -613,25 +614,34 @@ class Reader(Cursor):
         self.take("}")
         self.take("^")
         high = self.script().tree
-        return Piece(total(kind, self.product().tree, name, low, high), 2)
+        factors, operators = [self.factor_or_differential()], [""]
+        while factors[-1] is not None and self.continues():
+            self.extend(factors, operators)
+        piece, last = joined(factors, operators), factors[-1]
+        if kind == "product" and len(factors) > 1 and last and name not in last.names:
+            one = total(kind, joined(factors[:-1], operators[:-1]).tree, name, low, high)
+            both = joined([Piece(one, 2), last], ["", operators[-1]])
+            self.two_readings(Piece(total(kind, piece.tree, name, low, high)), both)
+        return Piece(total(kind, piece.tree, name, low, high), 2)
 
     def binomial(self) -> Piece:
-        """``\\binom{n}{k}``, written out: k is a number."""
+        """``\\binom{n}{k}``: for a number k the product, else by factorials, 0 ≤ k ≤ n."""
         self.take()
         above, below = self.argument_group().tree, self.argument_group().tree
         k = _whole(below)
         if k is None or k > MAX_FACTORIAL:
-            self.refuse("of \\binom the lower entry is a small number: write it out,")
+            n, m, rest = (call("factorial", [e]) for e in (above, below, above - below))
+            return Piece(n / (m * rest))
         factors = [above - n for n in range(k)]
         return Piece(multiply(*factors) / factorial(k)) if k else Piece(ONE)
 
     def factorial(self, base: Piece) -> Piece:
-        """``3!``, and of nothing else."""
+        """``3!``, ``n!`` and ``(n + 1)!``."""
         n = _whole(base.tree)
-        if n is None or n > MAX_FACTORIAL or base.strength < 4 or self.peek(1) == "!":
-            self.refuse("the factorial is read of small numbers alone,")
+        if base.strength < 4 or self.peek(1) == "!" or (n or 0) > MAX_FACTORIAL:
+            self.refuse("the factorial is read of a name, a small number or a bracket,")
         self.take()
-        return Piece(number(factorial(n)))
+        return Piece(call("factorial", [base.tree]) if n is None else number(factorial(n)))
 
     def integrand(self) -> Expr:
         """The terms that carry the differential of the integral."""

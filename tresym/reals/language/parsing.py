@@ -79,8 +79,9 @@ _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
 KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
 """The names of functions."""
-UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?")
-"""The names of functions that may be left unknown."""
+UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|factorial")
+"""The names of functions that may be left unknown, and that of one of integers."""
+FACTORIAL = "factorial"
 TOTALS = {"sum": "sum", "product": "product", "prod": "product"}
 INFINITY = symbol("oo")
 """No number, and read only where a path or an interval ends, or where a limit is claimed."""
@@ -319,6 +320,8 @@ def call(name: str, values: list[Expr]) -> Expr:
         return apply("log", values[0]) / apply("log", values[1])
     if name in _FOLDED and len(values) > 1:
         return extreme(_FOLDED[name], values)
+    if name == FACTORIAL and len(values) == 1:
+        return unknown(name, tuple(values))
     if name not in KNOWN:
         raise _unknown_function(name)
     if len(values) != 1:

@@ -7,7 +7,7 @@ the polynomials vanishes contains at least one of the points.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 
 from flint import fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
@@ -17,13 +17,25 @@ from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError, factors_of
 
 MAX_POLYNOMIALS = 40
-MAX_DEGREE = 24
+MAX_DEGREE = 40
+
+
+def _everything(point: tuple[fmpq, ...]) -> bool:
+    """No cell is passed over."""
+    return True
 
 
 def sample_points(
-    polynomials: list[fmpz_mpoly], context: fmpz_mpoly_ctx
+    polynomials: list[fmpz_mpoly],
+    context: fmpz_mpoly_ctx,
+    wanted: Callable[[tuple[fmpq, ...]], bool] = _everything,
 ) -> Iterator[tuple[fmpq, ...]]:
     """Points of all open cells of ``polynomials``, over the variables of ``context`` in order.
+
+    Args:
+        polynomials: their signs are constant on every cell.
+        context: theirs.
+        wanted: of the first coordinates of a point, whether there is need to go on from there.
 
     Raises:
         TooLargeError: the projections outgrow their bounds.
@@ -32,7 +44,7 @@ def sample_points(
     for variable in range(context.nvars() - 1, 0, -1):
         levels.append(_projection(levels[-1], variable))
     levels.reverse()
-    yield from _lift(levels, context, ())
+    yield from _lift(levels, (), wanted)
 
 
 def _irreducible(polynomials: list[fmpz_mpoly]) -> list[fmpz_mpoly]:
@@ -67,8 +79,12 @@ def _lead(p: fmpz_mpoly, variable: int) -> fmpz_mpoly:
 
 
 def _lift(
-    levels: list[list[fmpz_mpoly]], context: fmpz_mpoly_ctx, point: tuple[fmpq, ...]
+    levels: list[list[fmpz_mpoly]],
+    point: tuple[fmpq, ...],
+    wanted: Callable[[tuple[fmpq, ...]], bool],
 ) -> Iterator[tuple[fmpq, ...]]:
+    if not wanted(point):
+        return
     k = len(point)
     if k == len(levels):
         yield point
@@ -79,7 +95,7 @@ def _lift(
         if line.degree() > 0:
             product = product * (line // line.gcd(product))
     for value in between(product):
-        yield from _lift(levels, context, (*point, value))
+        yield from _lift(levels, (*point, value), wanted)
 
 
 def _restricted(p: fmpz_mpoly, point: tuple[fmpq, ...]) -> fmpz_poly:

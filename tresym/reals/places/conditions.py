@@ -35,9 +35,9 @@ class Condition:
     expression: Expr
     relation: str
 
-    def holds(self, point: Mapping[str, arb | fmpq]) -> bool:
-        """Whether balls show the condition, strictly, at ``point``."""
-        value = evaluate(self.expression, point)
+    def holds(self, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | None = None) -> bool:
+        """Whether balls show the condition, strictly, at ``point``; of which values are known."""
+        value = evaluate(self.expression, point, known)
         if self.relation == "!=":
             return bool(value > 0 or value < 0)
         return bool(value > 0)
@@ -218,8 +218,9 @@ class Given:
         yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
 
     def _holds(self, point: dict[str, fmpq]) -> bool:
+        known: dict[Expr, arb] = {}
         with ball_precision():
-            return all(condition.holds(point) for condition in self.conditions)
+            return all(condition.holds(point, known) for condition in self.conditions)
 
 
 def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -> None:

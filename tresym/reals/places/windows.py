@@ -13,7 +13,7 @@ from itertools import islice
 from math import prod
 from typing import Any
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_poly
 
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -27,7 +27,7 @@ MAX_DEGREE = 12
 MAX_CELLS = 40
 MAX_EVALUATIONS = 300
 MAX_CLIMBS = 6
-SMALLEST_STEP = fmpq(1, 2**60)
+SMALLEST_STEP, COARSE = fmpq(1, 2**60), fmpq(1, 2**16)
 BESIDE = tuple(fmpq(sign, 2**k) for k in (4, 12, 24, 48, 96) for sign in (1, -1))
 
 
@@ -128,6 +128,8 @@ def climbed(
     """Where no step in any direction leads to a greater score, or where that is ``enough``."""
     here, best, step, left = start, score(start), fmpq(1), MAX_EVALUATIONS
     while best is not None and best != enough and step > smallest and left > 0:
+        if here is start and step < COARSE:
+            break  # it does not rise anywhere near
         better = False
         for direction in directions:
             there = {name: x + step * direction.get(name, 0) for name, x in here.items()}
@@ -142,6 +144,7 @@ def climbed(
 def _score(conditions: Sequence[Expr], point: ExactPoint) -> tuple[int, float]:
     """How many conditions hold, and by how much the others that have a value fail."""
     with ball_precision():
-        values = [evaluate(e, point) for e in conditions]
+        known: dict[Expr, arb] = {}
+        values = [evaluate(e, point, known) for e in conditions]
         failing = [float(v.mid()) for v in values if v.is_finite() and not v > 0]
         return sum(bool(v > 0) for v in values), sum(failing)

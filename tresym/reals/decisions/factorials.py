@@ -1,0 +1,170 @@
+"""Factorials: where two of them differ by an integer, one is the other times a product.
+
+n! is spoken of where n is an integer from 0 on, and nowhere else. Of the factorials in a claim
+whose arguments differ by integers the least is any number F from 1 on, and (n + 2)! is
+F (n + 1)(n + 2): what holds for all F ≥ 1 holds. What is false is refuted at small integers, where
+the factorials are numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import islice, product
+from math import factorial
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.reading import Comparison, Statement, functions
+from tresym.reals.decisions.simple import constants_hold
+from tresym.reals.language.binders import outermost
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    differentiate,
+    fresh,
+    multiply,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import FACTORIAL
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
+
+MOST, FAR, LOOKED_AT = 600, 50, 6
+"""Points that are looked at, how far apart factorials may be, and integers at which they are."""
+
+
+def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with factorials.
+
+    Args:
+        decided: decides what holds none.
+    """
+    folded = {node: _value(node.args[-1]) or node for node in outermost(claim.left, claim.right)}
+    sides = replaced(claim.left, folded), replaced(claim.right, folded)
+    claim = replace(claim, left=sides[0], right=sides[1])
+    nodes = dict.fromkeys(outermost(*sides))
+    if not nodes:
+        return decided(claim, statement)
+    if (
+        any(node.op != "unknown" or node.args[0].args != (FACTORIAL, (0,)) for node in nodes)
+        or any(
+            next(functions(e), None) for e in (*statement.said, *(node.args[1] for node in nodes))
+        )
+        or statement.path is not None
+        or claim.derivatives
+    ):
+        why = "of a factorial, sums, derivatives, limits and conditions are not decided"
+        return Answer(Verdict.UNDECIDED, why)
+    whole = tuple(dict.fromkeys((*statement.integers, *_integers([n.args[1] for n in nodes]))))
+    statement = replace(statement, integers=whole)
+    found = _looked_at(claim, statement, list(nodes), decided)
+    if found is not None:
+        return found
+    known, positive = _by_least(list(nodes), statement.given)
+    left, right = (replaced(side, known) for side in sides)
+    given = statement.given & Given(tuple(positive))
+    found = decided(Comparison(left, claim.relation, right), replace(statement, given=given))
+    if found.verdict is Verdict.REFUTED:
+        return Answer(Verdict.UNDECIDED, f"it is open; of any numbers for factorials, {found.why}")
+    return found
+
+
+def _integers(arguments: list[Expr]) -> list[str]:
+    """The variables that are integers because these arguments are."""
+    found: list[str] = []
+    for _ in arguments:
+        for e in arguments:
+            new = sorted(symbols(e) - {*found})
+            slopes = [differentiate(e, name) for name in sorted(symbols(e))]
+            linear = all(slope in (ONE, -ONE) for slope in slopes)
+            rest = substitute(e, dict.fromkeys(symbols(e), ZERO))
+            if linear and len(new) == 1 and rest.op == "number" and rest.args[0].q == 1:
+                found += new
+    return found
+
+
+def _looked_at(
+    claim: Comparison, statement: Statement, nodes: list[Expr], decided: Decide
+) -> Answer | None:
+    """A refutation at small integers, or that it is shown at none; None where it may be true."""
+    names = sorted({name for node in nodes for name in symbols(node)})
+    seen = False
+    for at in islice(_small(names), MOST):
+        numbers = {node: _value(substitute(node.args[1], at)) for node in nodes}
+        given = constants_hold(
+            (substitute(x, at), relation, substitute(y, at))
+            for x, relation, y in statement.given.comparisons
+        )
+        if given is None or None in numbers.values():
+            continue
+        put = {node: value for node, value in numbers.items() if value is not None}
+        left, right = (substitute(replaced(e, put), at) for e in (claim.left, claim.right))
+        others = tuple(name for name in statement.integers if name not in at)
+        equations = tuple((substitute(x, at), substitute(y, at)) for x, y in statement.equations)
+        plain = replace(statement, given=given, integers=others, equations=equations)
+        found = decided(Comparison(left, claim.relation, right), plain)
+        if found.verdict is Verdict.REFUTED:
+            where = {name: str(value) for name, value in at.items()}
+            shown = ", ".join(f"{name} = {value}" for name, value in where.items())
+            witness = where | dict(found.witness or {})
+            return replace(found, why=f"at {shown}: {found.why}", witness=witness)
+        seen = seen or bool(found)
+    return None if seen else Answer(Verdict.UNDECIDED, "it is shown at no small integers")
+
+
+def _small(names: list[str]) -> Iterator[dict[str, Expr]]:
+    values = sorted(product(range(LOOKED_AT), repeat=len(names)), key=sum)
+    return (dict(zip(names, map(number, point), strict=True)) for point in values)
+
+
+def _value(e: Expr) -> Expr | None:
+    """The factorial of a number, None where it has none."""
+    if e.op != "number" or e.args[0].q != 1 or e.args[0] < 0:
+        return None
+    return number(factorial(int(e.args[0].p)))
+
+
+def _by_least(
+    nodes: Iterable[Expr], given: Given
+) -> tuple[dict[Expr, Expr], list[tuple[Expr, str, Expr]]]:
+    """Each factorial by the least of those that differ from it by integers, and what these are."""
+    classes: list[dict[Expr, int]] = []
+    for node in nodes:
+        for others in classes:
+            apart = _apart(node.args[1], next(iter(others)).args[1])
+            if apart is not None:
+                others[node] = apart
+                break
+        else:
+            classes.append({node: 0})
+    known: dict[Expr, Expr] = {}
+    positive: list[tuple[Expr, str, Expr]] = []
+    taken = {
+        *given.names,
+        *(name for others in classes for node in others for name in symbols(node)),
+    }
+    for others in classes:
+        least = min(others.values())
+        base = next(node.args[1] for node, apart in others.items() if apart == least)
+        name = fresh("F", taken)
+        taken.add(name)
+        positive += [(symbol(name), ">=", ONE), (base, ">=", ZERO)]
+        for node, apart in others.items():
+            factors = (base + number(n) for n in range(1, apart - least + 1))
+            known[node] = multiply(symbol(name), *factors)
+    return known, positive
+
+
+def _apart(one: Expr, other: Expr) -> int | None:
+    """The integer that is the difference of two arguments, if it is one."""
+    gap = one - other
+    at = substitute(gap, dict.fromkeys(symbols(gap), ZERO))
+    if at.op != "number" or at.args[0].q != 1 or abs(at.args[0]) > FAR:
+        return None
+    return int(at.args[0].p) if decide(gap, at).verdict is Verdict.PROVED else None
