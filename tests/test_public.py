@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html.parser
+import importlib
 
 import pytest
 from flint import arb
@@ -94,3 +95,10 @@ def test_a_claim_that_a_report_lacks_is_a_key_error_that_says_so() -> None:
     assert report["eq_gamma"].as_expected
     with pytest.raises(KeyError, match="did you mean eq_gamma"):
         report["eq_gama"]
+
+
+@pytest.mark.parametrize("name", ["tests", "docs", "pyproject"])
+def test_nothing_beside_the_package_but_the_proofs_is_in_it(name: str) -> None:
+    assert importlib.import_module("tresym.proofs").__name__ == "tresym.proofs"
+    with pytest.raises(ModuleNotFoundError):
+        importlib.import_module(f"tresym.{name}")

@@ -8,6 +8,7 @@ loaded when first used.
 from __future__ import annotations
 
 import os
+import sys
 
 TYPE_CHECKING = False  # typing itself is not loaded: before the command listens, Ctrl-C is Python's
 if TYPE_CHECKING:  # what editors and type checkers see, and refuse what is not here
@@ -50,10 +51,26 @@ __all__ = [
 ]
 
 # In a wheel the proofs lie inside the package; in a checkout they lie beside it.
+_PROOFS = f"{__name__}.proofs"
 _package = os.path.dirname(os.path.realpath(__file__))
-_checkout = os.path.dirname(_package)
-if not os.path.isdir(f"{_package}/proofs") and os.path.isdir(f"{_checkout}/proofs"):
-    __path__.append(_checkout)
+_beside = os.path.join(os.path.dirname(_package), "proofs")
+
+
+class _Beside:
+    """Finds the proofs beside the package, and nothing else that lies there."""
+
+    @staticmethod
+    def find_spec(name: str, path: object = None, target: object = None) -> object:
+        if name != _PROOFS:
+            return None
+        from importlib.util import spec_from_file_location
+
+        init = os.path.join(_beside, "__init__.py")
+        return spec_from_file_location(name, init, submodule_search_locations=[_beside])
+
+
+if not os.path.isdir(os.path.join(_package, "proofs")) and os.path.isdir(_beside):
+    sys.meta_path.append(_Beside)  # type: ignore[arg-type]
 
 
 if not TYPE_CHECKING:

@@ -123,3 +123,9 @@ def test_roots_and_cosines_of_one_field_do_not_stand_beside_each_other() -> None
     assert tresym.check(f"tan(pi/6)**2*0 + {claim} == 1").verdict is Verdict.PROVED
     assert tresym.check(f"{claim} == 1").verdict is Verdict.PROVED
     assert tresym.check(f"{claim} == sqrt(3)/2").verdict is Verdict.REFUTED
+
+
+def test_a_range_that_an_inverse_never_reaches_is_not_read_off_its_argument() -> None:
+    """asin x lies below 3π/2, though x is above sin(3π/2)."""
+    given = Given.parse("0 <= x, x <= 1")
+    assert not list(without_inverse(parse("asin(-x)"), parse("2*pi - asin(x)"), given))

@@ -156,6 +156,7 @@ BY_GROWTH = [
 NOT_BY_GROWTH = [
     ("exp(x)*(exp(1/x - exp(-x)) - exp(1/x)) == -1 - 1/10**30 + o(1)", "x -> oo"),
     ("(3**x + 5**x)**(1/x) == 3 + o(1)", "x -> oo"),
+    ("x ~ x**2", "x -> 0+"),  # alike but for their powers
     ("x**x == 1 + x*log(x) + o(x**2*log(x)**2)", "x -> 0+"),
     ("asin(x) == pi/2 - sqrt(2*(1 - x)) + o((1 - x)**(3/2))", "x -> 1-"),
     ("1 == O(sin(x))", "x -> oo"),

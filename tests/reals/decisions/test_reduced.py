@@ -119,3 +119,14 @@ def test_a_refutation_names_a_point_of_both_variables() -> None:
     assert answer.verdict is Verdict.REFUTED
     assert answer.witness is not None
     assert sorted(answer.witness) == ["x", "y"]
+
+
+@pytest.mark.parametrize(
+    "under", ["x < 0, y > 0", "x != 0, y != 0, x < y", "x**3 < y**3, x < y, x*y < 0"]
+)
+def test_a_pole_between_two_places_is_not_passed_over(under: str) -> None:
+    """1/x − x falls on both sides of 0, and not from one to the other."""
+    given = Given.parse(under)
+    left, right = parse("1/x - x"), parse("1/y - y")
+    found = by_one_variable(left, ">=", right, given, decide_inequality)
+    assert found is None or not found

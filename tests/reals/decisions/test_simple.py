@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from flint import fmpq
 
-from tresym.reals.decisions.simple import simple_points
+from tresym.reals.decisions.simple import constants_hold, simple_points
+from tresym.reals.language.parsing import parse
 from tresym.reals.places.conditions import Given
 
 
@@ -14,3 +15,10 @@ def test_small_numbers_come_first_and_satisfy_the_conditions() -> None:
     assert far
     assert all(point["a"] > 1000 for point in far)
     assert simple_points(["a"], Given.parse("a > 1, a < 0"), 2) == []
+
+
+def test_conditions_between_constants_hold_exactly_or_are_not_taken() -> None:
+    x, root = parse("x"), parse("sqrt(2)*sqrt(8)")
+    assert constants_hold([(root, ">=", parse("4")), (x, ">", root)]) is not None
+    for beyond in ("4 + 10**(-90)", "5", "log(-1)"):
+        assert constants_hold([(root, ">=", parse(beyond))]) is None

@@ -712,3 +712,9 @@ def test_a_jump_that_is_not_told_apart_is_undecided(monkeypatch: pytest.MonkeyPa
     assert decide_claim(claim)
     monkeypatch.setattr(statement, "cases_at_jumps", lambda *_: iter([None]))
     assert decide_claim(claim).verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("inner", ["integral(t, t, 0, x)", "sum(x**k, k, 0, 3)", "sum(k, k, 1, n)"])
+@pytest.mark.parametrize("relation", ["==", ">", "!="])
+def test_derivatives_of_what_is_not_worked_out_are_left_open(inner: str, relation: str) -> None:
+    assert tresym.check(f"diff({inner}, x) {relation} x").verdict is UNDECIDED

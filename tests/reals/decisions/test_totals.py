@@ -90,3 +90,17 @@ def test_induction_needs_its_base_and_its_step(claim: str, least: int) -> None:
 def test_terms_that_know_the_end_are_not_added_to_what_was() -> None:
     (comparison,) = read("sum(n, k, 1, n) == n*(n - 1)/2").comparisons
     assert _end(comparison.left) is None
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "sum(1/k, k, 1, n) -> 5 as n -> oo",
+        "sum(k, k, 1, n) == O(n) as n -> oo",
+        "sum(k, k, 1, n + 1/2) == (n + 1)*(n + 2)/2",  # to n + 1, if halves were dropped
+        "sum(k, k, 1, 5/2) == 15",
+        "sum(integral(x*k, x, 0, n), k, 1, n) == n**2/2",
+    ],
+)
+def test_what_is_no_sum_from_an_integer_to_an_integer_does_not_pass(claim: str) -> None:
+    assert not tresym.check(claim)

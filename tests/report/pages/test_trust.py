@@ -38,15 +38,24 @@ MUTANTS = {
 
 
 def test_the_page_says_what_became_of_false_variants() -> None:
-    page = trust(verify(["eq_gamma"]), None, MUTANTS)
+    page = trust(verify(["eq_gamma"]), None, mutants=MUTANTS)
     assert "Of 1 claims 100 false variants were judged" in page
     assert (
         "99 are refuted with a witness, which is 99.0 %, 1 stay undecided, and none passed" in page
     )
     assert "- `chart`, 0: it is not used." in page
     slipped = [{"label": "eq_gamma", "place": "statement", "change": "a"}]
-    assert "and 1 passed" in trust(verify(["eq_gamma"]), None, {**MUTANTS, "survivors": slipped})
+    assert "and 1 passed" in trust(
+        verify(["eq_gamma"]), None, mutants={**MUTANTS, "survivors": slipped}
+    )
 
 
 def test_the_page_does_without_what_was_never_measured() -> None:
     assert "mutants" not in trust(verify(["eq_gamma"]), None)
+
+
+def test_the_page_tells_of_the_long_hunts() -> None:
+    row = {"examples": 3000, "seconds": 1.0, "chunks": 2, "failures": 1}
+    hunts = {"tests": {"a.py::test_x": {**row, "day": "2026-01-02", "commit": "abc"}}}
+    page = trust(verify(["eq_gamma"]), None, hunts)
+    assert "| `x` | 2026-01-02, `abc` | 3,000 | 1 |" in page

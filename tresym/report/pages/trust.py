@@ -26,13 +26,17 @@ CALLED = {
 
 
 def trust(
-    report: Report, guards: Mapping[str, Any] | None, mutants: Mapping[str, Any] | None = None
+    report: Report,
+    guards: Mapping[str, Any] | None,
+    hunts: Mapping[str, Any] | None = None,
+    mutants: Mapping[str, Any] | None = None,
 ) -> str:
     """The tables of the page.
 
     Args:
         guards: what ``python tests/guards.py save`` wrote, None where it was never run.
         mutants: what ``tresym verify --mutants --json`` wrote, likewise.
+        hunts: what ``python tests/deep.py save`` wrote, or None.
     """
     proved, enclosed = trusted()
     parts = [
@@ -44,6 +48,7 @@ def trust(
         _programs(),
         _mutants(mutants) if mutants else (),
         _guards(guards) if guards else (),
+        _hunts(hunts["tests"]) if hunts else (),
     ]
     return "\n".join(line for part in parts for line in (*part, ""))
 
@@ -223,6 +228,27 @@ def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
         yield "Equivalent ones, with the reason:"
         yield ""
         yield from (f"- {why}: {'; '.join(places)}." for why, places in reasons.items())
+
+
+def _hunts(tests: Mapping[str, Any]) -> Iterator[str]:
+    """What the long hunts have come to: of how many examples, when, and at which commit."""
+    yield "## Long hunts"
+    yield ""
+    yield (
+        "Beside what every change must pass, tests run for hours with seeds of their own "
+        "(`python tests/deep.py`). An example is a random input or claim whose truth is known."
+    )
+    yield ""
+    rows = [
+        (
+            f"`{test.rpartition('::')[2].removeprefix('test_')}`",
+            f"{row['day']}, `{row['commit']}`" if row["commit"] else row["day"],
+            f"{row['examples'] or row['chunks']:,}",
+            row["failures"],
+        )
+        for test, row in tests.items()
+    ]
+    yield from _table(("hunt", "last run", "examples", "failures"), rows, 2)
 
 
 def _died(counts: Counter[str]) -> int:
