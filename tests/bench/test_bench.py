@@ -217,7 +217,7 @@ def test_help_lists_every_workload(capsys: pytest.CaptureFixture[str]) -> None:
     assert all(f"\n  {name} " in shown for name in WORKLOADS)
 
 
-OTHERS = {"guards", "hunt", "mutants"}
+OTHERS = {"guards", "hunts", "mutants"}
 """The tests of the tests are saved beside what is measured."""
 MEASURED = {p.stem for p in SAVED.glob("*.json") if "." not in p.stem} - OTHERS
 """What `tresym bench` has saved."""
