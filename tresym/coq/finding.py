@@ -19,6 +19,7 @@ from typing import Any
 
 from tresym.coq.dialogue import Dialogue, prelude
 from tresym.coq.ledger import Joint, conditions_of, lemmas, name_of, stamp, theorem_of
+from tresym.coq.points import WAYS
 from tresym.coq.proving import Plan, candidates, plans
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
 from tresym.ledger.claim import Claim
@@ -161,12 +162,14 @@ def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:
         if not names or key in found:
             continue
         point = known(given).satisfying_point()
-        if point is None:
+        if point is None or not point.keys() >= {*names}:
             continue
-        script = f"exists {', '.join(f'({term(number(point[name]))})' for name in names)}. "
-        script += "repeat split; numeric."
-        if memory.accepts(f"Theorem trial_@ :\n{body}.\nProof.\n{script}\nQed."):
-            found[key] = {"name": f"possible_{len(found) + 1}", "body": body, "script": script}
+        values = ", ".join(f"({term(number(point[name]))})" for name in names)
+        for way in WAYS:
+            script = f"exists {values}. repeat split; {way}numeric."
+            if memory.accepts(f"Theorem trial_@ :\n{body}.\nProof.\n{script}\nQed."):
+                found[key] = {"name": f"possible_{len(found) + 1}", "body": body, "script": script}
+                break
     return found
 
 
