@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -48,6 +49,8 @@ def record(test: str, outcome: str, seconds: float) -> None:
         "outcome": outcome,
         "examples": EXAMPLES.pop(name.partition("[")[0], 0),
         "seconds": round(seconds, 2),
+        "commit": os.environ.get("TRESYM_COMMIT", ""),
+        "day": datetime.now(UTC).date().isoformat(),
     }
     with open(RECORD, "a", encoding="utf-8") as file:
         file.write(json.dumps(line) + "\n")

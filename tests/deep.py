@@ -1,8 +1,10 @@
-"""The long hunt: ``python tests/deep.py laws`` (also cheap, hostile, classes, kills; show).
+"""The long hunts: ``python tests/deep.py laws`` (also cheap, hostile, classes, kills, claims).
 
-Each hunt is a number of chunks; each chunk is a run of pytest with seeds of its own. What has
-passed is in ``build/deep.jsonl`` and is not run again: an interrupted hunt goes on when it is
-started again. A failure stays in the record, its output in ``build/deep-HUNT-CHUNK.txt``.
+Each hunt is a number of chunks, each with seeds of its own: a run of pytest, or of ``hunt.py``.
+What has passed is in ``build/deep.jsonl`` and is not run again: an interrupted hunt goes on when it
+is started again. A failure stays in the record, its output in ``build/deep-HUNT-CHUNK.txt``.
+``--seconds N`` begins no chunk after N seconds; ``show`` prints the totals, and ``save`` puts them
+into docs/measurements/hunts.json, where rows of tests that were not run again stay as they are.
 """
 
 from __future__ import annotations
@@ -11,19 +13,22 @@ import json
 import os
 import subprocess
 import sys
-from collections import defaultdict
+import time
 from pathlib import Path
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "build" / "deep.jsonl"
+SAVED = ROOT / "docs" / "measurements" / "hunts.json"
+PYTEST = ("-m", "pytest", "-n", "0", "-o", "timeout=7200")
 
 
 class Hunt(NamedTuple):
-    """What pytest is asked for, in how many chunks."""
+    """What Python is asked for, in how many chunks."""
 
     words: tuple[str, ...]
     chunks: int
+    start: tuple[str, ...] = PYTEST
 
 
 CHEAPEST = " or ".join(
@@ -44,23 +49,28 @@ HUNTS = {
     "hostile": Hunt(("tests/commands/test_hostile.py", "-k", GENERATED), 10),
     "classes": Hunt(("tests/commands/test_hostile.py", "-k", f"not ({GENERATED})"), 1),
     "kills": Hunt(("tests/sweep/test_sweep.py", "-k", "kill"), 1),
+    "claims": Hunt((), 2000, ("tests/hunt.py",)),
 }
 
 
-def hunt(name: str) -> int:
+def hunt(name: str, until: float) -> int:
     """Go through the chunks of a hunt; returns how many of them have failed."""
     RECORD.parent.mkdir(exist_ok=True)
-    failed = 0
-    for chunk in range(HUNTS[name].chunks):
+    failed, found = 0, HUNTS[name]
+    commit = subprocess.check_output(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, text=True)
+    for chunk in range(found.chunks):
+        if time.monotonic() > until:
+            break
         print(f"{name} {chunk + 1}/{HUNTS[name].chunks}", flush=True)
         done = subprocess.run(
-            [sys.executable, "-m", "pytest", "-n", "0", "-o", "timeout=7200", *HUNTS[name].words],
+            [sys.executable, *found.start, *found.words],
             cwd=ROOT,
             env={
                 **os.environ,
                 "HYPOTHESIS_PROFILE": "deep",
                 "TRESYM_CHUNK": str(chunk),
                 "TRESYM_RECORD": str(RECORD),
+                "TRESYM_COMMIT": commit.strip(),
             },
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -75,28 +85,49 @@ def hunt(name: str) -> int:
 
 
 def totals() -> dict[str, dict[str, Any]]:
-    """Examples, seconds, chunks and failures of every test in the record."""
-    found: dict[str, dict[str, Any]] = defaultdict(
-        lambda: {"examples": 0, "seconds": 0.0, "chunks": 0, "failures": 0}
-    )
+    """Of every test in the record: examples, seconds, chunks and failures; when, at which commit.
+
+    What failed in a chunk and passed in it later was mended, and counts once, as what passed.
+    """
+    last: dict[tuple[str, int], dict[str, Any]] = {}
     for line in map(json.loads, RECORD.read_text(encoding="utf-8").splitlines()):
-        at = found[line["test"].partition("[")[0]]
+        if line["outcome"] != "skipped":
+            last[line["test"], line["chunk"]] = line
+    found: dict[str, dict[str, Any]] = {}
+    for (test, _), line in last.items():
+        zero = {"examples": 0, "seconds": 0.0, "chunks": 0, "failures": 0}
+        at = found.setdefault(test.partition("[")[0], zero)
+        passed = line["outcome"] == "passed"
         at["seconds"] = round(at["seconds"] + line["seconds"], 2)
-        if line["outcome"] == "passed":
-            at["examples"] += line["examples"]
-            at["chunks"] += 1
-        elif line["outcome"] == "failed":
-            at["failures"] += 1
+        at["examples"] += line["examples"] if passed else 0
+        at["chunks" if passed else "failures"] += 1
+        at |= {"day": line.get("day", ""), "commit": line.get("commit", "")}
     return dict(sorted(found.items()))
 
 
+def save() -> None:
+    """Put the totals into the stored summary, a line a test."""
+    before = json.loads(SAVED.read_text(encoding="utf-8"))["tests"] if SAVED.exists() else {}
+    rows = sorted({**before, **totals()}.items())
+    lines = (f"  {json.dumps(test)}: {json.dumps(row)}" for test, row in rows)
+    text = '{\n "workload": "hunts",\n "tests": {\n' + ",\n".join(lines) + "\n }\n}\n"
+    SAVED.write_text(text, encoding="utf-8")
+
+
 def main() -> int:
-    """Run the hunts named, or show the totals as JSON."""
-    names = sys.argv[1:] or list(HUNTS)
-    if names == ["show"]:
+    """Run the hunts named, or show or save the totals."""
+    words, until = sys.argv[1:], float("inf")
+    if "--seconds" in words:
+        at = words.index("--seconds")
+        until = time.monotonic() + float(words[at + 1])
+        del words[at : at + 2]
+    if words == ["show"]:
         print(json.dumps(totals(), indent=1))
         return 0
-    return min(1, sum(map(hunt, names)))
+    if words == ["save"]:
+        save()
+        return 0
+    return min(1, sum(hunt(name, until) for name in words or HUNTS))
 
 
 if __name__ == "__main__":

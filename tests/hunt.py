@@ -1,16 +1,19 @@
 """Random claims of limits, integrals, sums and the like: ``python tests/hunt.py [N [SEED]]``
 
 Each claim is built together with its truth; N of them, 3000 unless told, are decided, and every
-verdict that is wrong is printed. The counts of verdicts, by kind and truth, come at the end; those
-of ten seeds are in docs/measurements/hunt.json.
+verdict that is wrong is printed. The counts of verdicts, by kind and truth, come at the end. As a
+hunt of ``deep.py`` the chunk, of 500 claims, gives the seed.
 """
 
 from __future__ import annotations
 
 import random
 import sys
+import time
 from collections import Counter
 from collections.abc import Callable
+
+import chunks
 
 from tresym.reals.decisions.limits import Task, check_all
 from tresym.reals.language.expression import differentiate
@@ -277,9 +280,12 @@ KINDS: tuple[Callable[[random.Random], Claim], ...] = (
 )
 
 
-def main(count: int = 3000, seed: int = 1) -> None:
-    """Decide random claims and print what is wrong."""
-    r = random.Random(seed)
+TEST = "tests/hunt.py::claims"
+
+
+def main(count: int = 3000, seed: int = 1) -> int:
+    """Decide random claims and print what is wrong; returns how many verdicts are."""
+    r, wrong = random.Random(seed), 0
     asked: list[tuple[str, Claim]] = []
     for n in range(count):
         kind = KINDS[n % len(KINDS)]
@@ -296,12 +302,21 @@ def main(count: int = 3000, seed: int = 1) -> None:
         if said == "not read":
             print("NOT READ", text, found)
         elif (holds and truth is not True) or (said == Verdict.REFUTED.value and truth is True):
+            wrong += 1
             print("WRONG", kind, truth, said, text, "|", found.why[:200], flush=True)
         elif "please report" in found.why:
             print("AT FAULT", text, "|", found.why[:300], flush=True)
     for (kind, truth, said), number in sorted(counts.items(), key=str):
         print(f"{kind:18}{truth!s:7}{said:12}{number:6}")
+    chunks.EXAMPLES["claims"] = counts.total()
+    return wrong
 
 
 if __name__ == "__main__":
-    main(*map(int, sys.argv[1:3]))
+    if TEST in chunks.done():
+        sys.exit(0)
+    began = time.perf_counter()
+    asked = sys.argv[1:3] or ((500, 1 + chunks.CHUNK) if chunks.IN_CHUNKS else ())
+    failed = main(*map(int, asked))
+    chunks.record(TEST, "failed" if failed else "passed", time.perf_counter() - began)
+    sys.exit(min(failed, 1))

@@ -48,7 +48,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "methods.md", methods()
     yield "checked_twice.md", checked_twice.page()
     yield "walks.md", walks()
-    yield "trust.md", trust(report, saved.load("guards"))
+    yield "trust.md", trust(report, saved.load("guards"), saved.load("hunts"))
     yield from drawn()
 
 

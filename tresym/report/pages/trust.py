@@ -23,11 +23,14 @@ CALLED = {
 """Evidence that holds functions in place of formulas."""
 
 
-def trust(report: Report, guards: Mapping[str, Any] | None) -> str:
+def trust(
+    report: Report, guards: Mapping[str, Any] | None, hunts: Mapping[str, Any] | None = None
+) -> str:
     """The tables of the page.
 
     Args:
         guards: what ``python tests/guards.py save`` wrote, None where it was never run.
+        hunts: what ``python tests/deep.py save`` wrote, or None.
     """
     proved, enclosed = trusted()
     parts = [
@@ -38,6 +41,7 @@ def trust(report: Report, guards: Mapping[str, Any] | None) -> str:
         _called(report),
         _programs(),
         _guards(guards) if guards else (),
+        _hunts(hunts["tests"]) if hunts else (),
     ]
     return "\n".join(line for part in parts for line in (*part, ""))
 
@@ -195,6 +199,27 @@ def _guards(guards: Mapping[str, Any]) -> Iterator[str]:
         yield "Equivalent ones, with the reason:"
         yield ""
         yield from (f"- {why}: {'; '.join(places)}." for why, places in reasons.items())
+
+
+def _hunts(tests: Mapping[str, Any]) -> Iterator[str]:
+    """What the long hunts have come to: of how many examples, when, and at which commit."""
+    yield "## Long hunts"
+    yield ""
+    yield (
+        "Beside what every change must pass, tests run for hours with seeds of their own "
+        "(`python tests/deep.py`). An example is a random input or claim whose truth is known."
+    )
+    yield ""
+    rows = [
+        (
+            f"`{test.rpartition('::')[2].removeprefix('test_')}`",
+            f"{row['day']}, `{row['commit']}`" if row["commit"] else row["day"],
+            f"{row['examples'] or row['chunks']:,}",
+            row["failures"],
+        )
+        for test, row in tests.items()
+    ]
+    yield from _table(("hunt", "last run", "examples", "failures"), rows, 2)
 
 
 def _died(counts: Counter[str]) -> int:
