@@ -2,22 +2,28 @@
 
 ``python tests/unseen.py [LIST ...]`` prints, for each list of ``data/claims``, how many true claims
 are PROVED or ENCLOSED, how many false ones REFUTED, and the median and 99th percentile of the
-milliseconds that an answer takes; what is open, and what is wrong, is named.
+milliseconds of processor time that an answer takes; what is open, and what is wrong, is named.
+``python tests/unseen.py save`` keeps the counts for the page on deciding.
 """
 
 from __future__ import annotations
 
+import json
 import sys
-from collections.abc import Iterator
+import time
 from pathlib import Path
 from statistics import median, quantiles
+from typing import Any
 
+from tresym.reals.decisions import inequalities, orders  # noqa: F401 - loaded before the clock runs
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.limits import Task, check_all
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.decisions.statement import decide_claim
+from tresym.reals.processes import Processes
 
-LISTS = Path(__file__).parent / "data" / "claims"
-LIMIT = 5.0
+HOME = Path(__file__).parent
+LISTS = HOME / "data" / "claims"
+SAVED = HOME.parent / "docs" / "measurements" / "kinds.json"
+LIMIT = 60.0
 
 
 def claims(name: str) -> list[tuple[bool, str]]:
@@ -34,28 +40,54 @@ def is_right(truth: bool, answer: Answer) -> bool | None:
     return (answer.verdict.name != "REFUTED") is truth
 
 
-def measured(name: str) -> Iterator[str]:
-    """The lines that are printed of a list."""
+def timed(claim: str) -> tuple[Answer, float]:
+    """The answer, and the milliseconds of processor time it took."""
+    start = time.process_time()
+    return decide_claim(claim), 1000 * (time.process_time() - start)
+
+
+def measured(name: str) -> dict[str, Any]:
+    """The counts of a list; what is open or wrong is printed."""
     listed = claims(name)
-    times, right = [], {True: 0, False: 0}
-    answers = check_all((Task(claim) for _, claim in listed), LIMIT, 1)
-    for (truth, claim), (_, answer) in zip(listed, answers, strict=True):
-        if isinstance(answer, InputError):
-            yield f"  not read: {claim}: {answer}"
-            continue
-        times.append(1000 * answer.seconds)
-        found = is_right(truth, answer)
-        right[truth] += found is True
-        if found is not True:
-            yield f"  {'open' if found is None else 'WRONG'}, {truth}: {claim}: {answer.why}"
-    count = sum(truth for truth, _ in listed)
-    yield (
-        f"{name}: {right[True]} of {count} held, {right[False]} of {len(listed) - count} refuted; "
-        f"median {median(times):.1f} ms, 99th percentile {quantiles(times, n=100)[98]:.0f} ms"
-    )
+    times, right, wrong = [], {True: 0, False: 0}, 0
+    with Processes(1, LIMIT, deaths=1, forked=True) as pool:
+        answers = pool.in_order(timed, ((claim,) for _, claim in listed))
+        for (truth, claim), future in zip(listed, answers, strict=True):
+            try:
+                answer, spent = future.result()
+                found, why = is_right(truth, answer), answer.why
+            except TimeoutError as error:
+                found, spent, why = None, 1000 * LIMIT, str(error)
+            times.append(spent)
+            right[truth] += found is True
+            wrong += found is False
+            if found is not True:
+                print(f"  {'open' if found is None else 'WRONG'}, {truth}: {claim}: {why}")
+    true = sum(truth for truth, _ in listed)
+    return {
+        "true": true,
+        "held": right[True],
+        "false": len(listed) - true,
+        "refuted": right[False],
+        "wrong": wrong,
+        "median": round(median(times), 1),
+        "p99": round(quantiles(times, n=100)[98]),
+    }
+
+
+def said(name: str, counts: dict[str, Any]) -> str:
+    """The counts in a line."""
+    return (
+        "{name}: {held} of {true} held, {refuted} of {false} refuted, {wrong} wrong; "
+        "median {median} ms, 99th percentile {p99} ms"
+    ).format(name=name, **counts)
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or sorted(path.stem for path in LISTS.glob("*.txt")):
-        for line in measured(name):
-            print(line, flush=True)
+    asked = [word for word in sys.argv[1:] if word != "save"]
+    found = {}
+    for each in asked or sorted(path.stem for path in LISTS.glob("*.txt")):
+        found[each] = measured(each)
+        print(said(each, found[each]), flush=True)
+    if "save" in sys.argv:
+        SAVED.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")

@@ -98,7 +98,15 @@ function addCopyButtons(source) {
   }
 }
 
+// The search knows letters by their names, as formulas have them: ε₀ is asked for as epsilon.
+function searchByName() {
+  const asked = new URLSearchParams(location.search).get("q") ?? "";
+  const named = folded(asked).replace(/(?<=[a-z])\d+/g, "").trim();
+  if (/[^\x00-\x7f]/.test(asked) && named) location.replace(`?q=${encodeURIComponent(named)}`);
+}
+
 document.addEventListener("DOMContentLoaded", () => {
+  if (document.getElementById("search-results")) searchByName();
   const parts = [...document.querySelectorAll(".ledger")];
   if (parts.length) filterLedger(parts);
   document.querySelectorAll(".copied-from").forEach(addCopyButtons);

@@ -22,7 +22,7 @@ from sympy import Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tup
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
-from tresym.ledger.statements import ExactlyOne, Statement, together_under
+from tresym.ledger.statements import As, ExactlyOne, Statement, together_under
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.verdict import Verdict
 
@@ -456,6 +456,8 @@ def label_claims(names: Mapping[str, Any]) -> None:
 
 def saying(claim: Claim, changed: Basic) -> Claim:
     """The claim with another statement."""
+    if isinstance(changed, As) and isinstance(claim.says, Basic):
+        return replace(claim, says=changed.args[0], means=changed)
     meant = isinstance(claim.says, str) or claim.means is not None
     return replace(claim, means=changed) if meant else replace(claim, says=changed)
 

@@ -200,7 +200,8 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         case ImplicitFunction():
             return _judge_implicit_function(claim, claim.proof)
         case Instance():
-            return _judge_instance(claim, claim.proof)
+            finding = _judge_instance(claim, claim.proof)
+            return finding if finding.verdict is PROVED else _refuted(claim) or finding
         case Together() | tuple() if claim.statement is not None:
             return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Charted():
@@ -281,10 +282,40 @@ def _met_somewhere(given: Conditions) -> bool:
 def refute(says: Basic, claim: Claim) -> Finding | None:
     """REFUTED with a point at which balls violate ``says`` and all that is used holds, or None."""
     try:
-        found = violation(says, claim.given, _known(claim))
+        for known in dict.fromkeys((_known(claim), _behind(claim))):
+            found = violation(says, claim.given, known)
+            if found is not None:
+                return Finding(REFUTED, found.why, witness=found.point)
     except (CircularError, InputError):
         return None
-    return Finding(REFUTED, found.why, witness=found.point) if found else None
+    return None
+
+
+def seen_false(claim: Claim) -> Finding:
+    """The finding on a claim without its evidence: REFUTED where a point shows it, else open."""
+    found = denied_somewhere(claim) if isinstance(claim.proof, Charted) else _refuted(claim)
+    return found or Finding(UNDECIDED, "nothing shows it, and nothing shows it to be false")
+
+
+def _refuted(claim: Claim) -> Finding | None:
+    """The first part of the statement that is refuted, or None."""
+    found = (refute(says, claim) for says in claim.parts)
+    return next((finding for finding in found if finding is not None), None)
+
+
+def _behind(claim: Claim) -> tuple[Basic, ...]:
+    """The definitions behind all that is used: where they hold, so does what follows from them.
+
+    What is used, where that is definitions, or where two of them define one symbol.
+    """
+    if all(isinstance(c.proof, Definition | Root) for c in claim.uses):
+        return _known(claim)
+    used = {c.label: c for c in claim.rests_on if isinstance(c.proof, Definition | Root)}
+    if any(used.get(c.label, c) is not c for c in claim.rests_on):
+        return _known(claim)
+    known = dict.fromkeys(c for d in (*used.values(), *claim.uses) for c in d.given)
+    known.update((p, None) for d in used.values() for p in parts_of(d.says))
+    return tuple(known)
 
 
 def _known(claim: Claim) -> tuple[Basic, ...]:

@@ -95,6 +95,28 @@ class Report:
         """The counts."""
         return f"$\\text{{{self._said}}}$"
 
+    def to_frame(self) -> Any:
+        """The rows as a pandas DataFrame, a line a claim.
+
+        Raises:
+            InputError: pandas is not installed.
+        """
+        try:
+            import pandas
+        except ImportError:
+            raise InputError("to_frame: pandas is not installed") from None
+        return pandas.DataFrame(
+            {
+                "label": row.claim.label,
+                "kind": row.claim.kind,
+                "verdict": row.finding.verdict.value,
+                "as_expected": row.as_expected,
+                "requested": row.requested,
+                "why": row.finding.why,
+            }
+            for row in self.rows
+        )
+
     @property
     def counts(self) -> dict[str, int]:
         """How many claims got each verdict; all are always present."""

@@ -192,6 +192,47 @@ class RunDirective(SphinxDirective):
         return [nodes.literal_block(text, text, language="console")]
 
 
+class DrawDirective(SphinxDirective):
+    """``{draw} tresym figure …``: the picture that the command draws while the page is built."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """The command, and its SVG within the page."""
+        command = self.arguments[0]
+        try:
+            text = commands.transcript(command)
+        except ValueError as error:
+            raise self.error(str(error)) from None
+        shown = f'<div class="drawn">{text[text.index("<svg") :]}</div>'
+        asked = f"$ {command}"
+        block = nodes.literal_block(asked, asked, language="console")
+        return [block, nodes.raw("", shown, format="html")]
+
+
+class NotebookDirective(SphinxDirective):
+    """``{notebook} PATH``: the cells of a notebook with the outputs that it holds."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """Text as it is, code as code, and beneath it what it shows, as HTML where it can."""
+        path = Path(self.env.srcdir) / self.arguments[0]
+        self.env.note_dependency(str(path))
+        found: list[nodes.Node] = []
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+            source = "".join(cell["source"])
+            if cell["cell_type"] == "markdown":
+                found += self.parse_text_to_nodes(source)
+                continue
+            found.append(nodes.literal_block(source, source, language="python"))
+            for data in (output["data"] for output in cell["outputs"]):
+                text = data.get("text/html") or f"<pre>{html.escape(data['text/plain'])}</pre>"
+                found.append(nodes.raw("", f'<div class="shown">{text}</div>', format="html"))
+        return found
+
+
 def visit_inline(translator: HTML5Translator, node: nodes.math) -> None:
     """A formula in a line."""
     translator.body.append(mathematics.mathml(node.astext(), block=False))
@@ -220,5 +261,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("source-read", link_labels)
     app.connect("doctree-read", set_formulas)
     app.add_directive("run", RunDirective)
+    app.add_directive("draw", DrawDirective)
+    app.add_directive("notebook", NotebookDirective)
     app.add_css_file("mathematics.css")
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -191,9 +191,9 @@ def test_that_something_is_somewhere_is_changed_to_what_is() -> None:
 
 
 def test_claims_with_few_mutants_are_listed_with_the_reason() -> None:
-    report = verify_mutants(["separatrix_horizontal", "eq_gamma"], 5)
-    assert [(row.label, row.changes) for row in report.few] == [("separatrix_horizontal", 3)]
-    assert report.as_json()["few"][0]["why"] == "balls show no other change of it violated"
+    report = verify_mutants(["chart", "eq_gamma"], 5)
+    assert [(row.label, row.changes) for row in report.few] == [("chart", 0)]
+    assert report.as_json()["few"][0]["why"].startswith("nothing is proved")
     assert why_few(Claim("new", equal(x, a), Definition())).startswith("nothing is proved")
 
 
@@ -206,6 +206,32 @@ def test_orders_are_changed_only_to_false_ones(kind: str, power: int) -> None:
     found = list(mutants(claim, 20))
     assert len(found) >= 5
     assert not any(judge(m.claim, {}).verdict.holds for m in found)
+
+
+@pytest.mark.parametrize("label", ["flip_defect", "leading_term", "first_coefficient"])
+def test_definitions_are_changed_where_charts_and_roots_rest_on_them(label: str) -> None:
+    score = verify_mutants([label], 5)
+    assert score.survivors == score.few == ()
+    check(score)
+
+
+@pytest.mark.parametrize("label", ["eps0_smooth", "no_single_constant", "turns_from_pi"])
+def test_refuted_orders_and_instances_are_changed(label: str) -> None:
+    """A smaller order than one that is refuted is refuted too; an instance says one thing."""
+    score = verify_mutants([label], 5)
+    assert score.survivors == score.few == ()
+    check(score, 1)
+
+
+def test_evidence_that_takes_too_long_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def slow(claim: Claim, found: object, evidence: object = None) -> Finding:
+        while True:
+            pass
+
+    monkeypatch.setattr("tresym.ledger.mutants.report.SECONDS", 0.02)
+    monkeypatch.setattr("tresym.ledger.mutants.report.judge", slow)
+    (row,) = verify_mutants(["energy_by_gamma"], 1).rows
+    assert row.total == row.counts["REFUTED"] > 0
 
 
 def test_moved_digits_count_only_where_no_inputs_give_them() -> None:

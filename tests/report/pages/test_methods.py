@@ -5,8 +5,10 @@ from typing import Any
 
 import pytest
 from falsehoods import read
+from unseen import LISTS
 
 from tresym.reals.signs.sign import DIRECT, METHODS, directly, proof
+from tresym.report.pages.check_tables import KINDS, by_kind
 from tresym.report.pages.methods import example, methods
 
 EXAMPLES = [(method, example(method)) for method in METHODS]
@@ -23,3 +25,10 @@ def test_every_method_is_on_the_page() -> None:
     page = methods().splitlines()
     assert len(page) == len(METHODS)
     assert all(line.startswith("- **") and "Decides `" in line and "Ends " in line for line in page)
+
+
+def test_every_list_is_a_kind_of_the_table() -> None:
+    assert {*KINDS} == {path.stem for path in LISTS.glob("*.txt")}
+    counts = {"true": 4, "held": 3, "false": 2, "refuted": 2, "wrong": 0, "median": 1.5, "p99": 7}
+    row = by_kind(dict.fromkeys(KINDS, counts)).splitlines()[2]
+    assert row.endswith("| MetiTarski | 4 | 3 (75.0 %) | 2 | 2 | 0 | 1.5 ms | 7 ms |")

@@ -10,7 +10,7 @@ from tresym.ledger.definitions import table
 from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import verify
-from tresym.racket.notation import WORDS
+from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
 from tresym.report.pages.article import article
 from tresym.report.pages.symbols import anchor, as_used, rows, symbols, used
 from tresym.site.claims import page
@@ -41,6 +41,11 @@ def test_every_symbol_with_words_has_a_line_and_is_not_defined_in_other_words() 
         assert f'<span id="{anchor(name)}"></span>' in page or any(
             row.name == name and row.entry for row in rows()
         )
+
+
+def test_no_symbol_that_is_defined_lacks_words() -> None:
+    assert [row.name for row in rows() if row.entry and not (row.words or row.own)] == []
+    assert not {*WORDS} & {*WORDS_OF_PROOFS}
 
 
 @pytest.mark.parametrize("name", ["kappa", "S", "epsilon0", "epsilon_pi", "epsilon_4", "lambda"])

@@ -28,6 +28,28 @@ def test_the_page_says_what_was_counted() -> None:
     assert "`multiply`" not in page
 
 
+MUTANTS = {
+    "counts": dict.fromkeys(("PROVED", "ENCLOSED"), 0) | {"REFUTED": 99, "UNDECIDED": 1},
+    "survivors": [],
+    "stopped": [],
+    "claims": [{"label": "eq_gamma", "changes": 5}, {"label": "chart", "changes": 0}],
+    "few": [{"label": "chart", "changes": 0, "why": "it is not used"}],
+}
+
+
+def test_the_page_says_what_became_of_false_variants() -> None:
+    page = trust(verify(["eq_gamma"]), None, mutants=MUTANTS)
+    assert "Of 1 claims 100 false variants were judged" in page
+    assert (
+        "99 are refuted with a witness, which is 99.0 %, 1 stay undecided, and none passed" in page
+    )
+    assert "- `chart`, 0: it is not used." in page
+    slipped = [{"label": "eq_gamma", "place": "statement", "change": "a"}]
+    assert "and 1 passed" in trust(
+        verify(["eq_gamma"]), None, mutants={**MUTANTS, "survivors": slipped}
+    )
+
+
 def test_the_page_does_without_what_was_never_measured() -> None:
     assert "mutants" not in trust(verify(["eq_gamma"]), None)
 

@@ -11,13 +11,14 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Ge, Gt, Le, Lt, Rational, Symbol
+from sympy import Basic, Eq, Ge, Gt, Le, Lt, Rational, Symbol
 
 from tresym.ledger.claim import Claim
 from tresym.ledger.evidence.balls import decisions_of
 from tresym.ledger.evidence.printed import Term, term_of
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import CircularError, conjuncts, formula
+from tresym.reals.advocate import said
 from tresym.reals.balls.boxes import BY_BALL, Bound, BoxProof, Open, inner_points
 from tresym.reals.balls.boxes import Counterexample as Point
 from tresym.reals.language.formula import Relation
@@ -51,13 +52,13 @@ def judge_evaluated(claim: Claim, proof: Evaluated) -> Finding:
         InputError: the statement is no bound, or the conditions are no box.
     """
     terms = tuple(_rooms(claim))
-    witness = _failing(terms, proof.precision)
-    if witness is not None:
-        return _refuted(witness)
+    failing = _failing(terms, proof.precision)
+    if failing is not None:
+        return _refuted(claim, *failing)
     decisions = _decided(terms, proof)
     for term, found in zip(terms, decisions, strict=True):
         if isinstance(found, Point):
-            return _refuted(dict(zip(term.inputs, found.point, strict=True)))
+            return _refuted(claim, term, found.point, found.value)
     proofs = [found for found in decisions if isinstance(found, BoxProof)]
     if not decisions or len(proofs) < len(decisions):
         return Finding(Verdict.UNDECIDED, "the search left boxes open")
@@ -86,19 +87,25 @@ def fails_at_once(claim: Claim) -> bool:
         return False
 
 
-def _failing(terms: tuple[Term, ...], precision: int) -> dict[str, fmpq] | None:
-    """A point of the first to be tried at which a relation fails, or None."""
+def _failing(terms: tuple[Term, ...], precision: int) -> tuple[Term, tuple[fmpq, ...], arb] | None:
+    """A point of the first to be tried at which a relation fails, with its room, or None."""
     with ball_precision(precision):
         for term in terms:
             for point in inner_points(tuple(term.inputs.values())):
-                if term.value(tuple(map(arb, point))) < 0:
-                    return dict(zip(term.inputs, point, strict=True))
+                room = term.value(tuple(map(arb, point)))
+                if room < 0:
+                    return term, point, room
     return None
 
 
-def _refuted(point: dict[str, fmpq]) -> Finding:
+def _refuted(claim: Claim, term: Term, at: tuple[fmpq, ...], room: arb) -> Finding:
+    """REFUTED at a point, with what is given a value there, by as much as the sides differ."""
+    values = (c.args for c in claim.given if isinstance(c, Eq))
+    known = {x.name: as_rational(str(e)) for x, e in values if isinstance(e, Rational)}
+    point = {**known, **dict(zip(term.inputs, at, strict=True))}
     where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
-    why = f"violated at {where or 'the constants themselves'}"
+    seen = f"violated at {where or 'the constants themselves'}"
+    why = f"{seen}, where the side that is to be larger is less by {said(-room)}"
     return Finding(Verdict.REFUTED, why, witness=point)
 
 

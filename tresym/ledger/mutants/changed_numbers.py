@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from itertools import product
+from itertools import islice, product
 from typing import Any, cast
 
 from flint import arb
@@ -18,7 +18,7 @@ from sympy import Basic, Symbol, Tuple, exp, oo
 from sympy.core.function import AppliedUndef
 
 from tresym.ledger.claim import Claim, Printed, equal, saying
-from tresym.ledger.evidence.asymptotics import ordered
+from tresym.ledger.evidence.asymptotics import Asymptotics, ordered, t
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.printed import number_of
 from tresym.ledger.second_look import value
@@ -26,6 +26,7 @@ from tresym.ledger.statements import As, Rounds
 from tresym.reals.balls.boxes import Bound, Box, BoxPoint, value_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, Interval, fraction_text, printed
+from tresym.reals.verdict import Verdict
 
 Changes = tuple[str, Iterable[Any], Callable[[Any], Claim]]
 """A place, the changes that can be made there, and the claim that each makes."""
@@ -194,20 +195,36 @@ def _lowered(bound: Bound) -> Iterator[Named]:
 
 
 def order_changes(claim: Claim) -> Iterator[Changes]:
-    """The order of what is left out, and what is not left out, in other powers."""
+    """The order of what is left out, and what is not left out, in other powers.
+
+    Of an order that is refuted on a path only smaller ones: they are false with it.
+    """
     says = claim.statement
     if isinstance(says, As):
         place = f"order as {says.args[1]} -> {says.args[2]}"
-        yield place, _orders(says), lambda changed: saying(claim, changed)
+        changes = islice(_orders(says, claim), SMALLER if is_refuted(claim) else None)
+        yield place, changes, lambda changed: saying(claim, changed)
 
 
-def _orders(says: As) -> Iterator[As]:
+def is_refuted(claim: Claim) -> bool:
+    """Whether the claim is one that its evidence refutes."""
+    return claim.expect is Verdict.REFUTED
+
+
+SMALLER = 5
+"""As many of the changed orders are smaller than what is said."""
+
+
+def _orders(says: As, claim: Claim) -> Iterator[As]:
     equation, e, point, _ = says.args
     (node,) = (node for node in equation.atoms(AppliedUndef) if str(node.func) in ("O", "o"))
     if isinstance(e, Tuple) or isinstance(point, Tuple):
-        e, point = e.args[0], point.args[0]
+        along = cast(Asymptotics, claim.proof).along
+        pairs = zip(e.args, point.args, strict=True)
+        e, point = next(p for p in pairs if along.get(p[0], t).free_symbols)
     small = 1 / e if point in (oo, -oo) else e - point
-    for factor in (small, small**2, small**3, exp(-1 / small), exp(-2 / small), small / 5):
+    powers, flat = (small**n for n in range(1, 6)), (exp(-n / small) for n in (1, 2, 3, 4, 8, 16))
+    for factor in (*powers, *flat, small / 5):
         yield As(equation.xreplace({node: node.func(node.args[0] * factor)}), *says.args[1:])
     for factor in (1 / small, 1 / small**2, 1 + small, exp(1 / small)):
         changed = equal(equation.lhs * factor, equation.rhs)

@@ -6,7 +6,7 @@ or sine and cosine are swapped, a term or a factor is dropped, an inequality is 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from sympy import (
@@ -32,6 +32,11 @@ from sympy import (
 from sympy.core.relational import Relational
 
 Path = tuple[int, ...]
+Changes = Callable[[Basic], Iterable[Basic]]
+
+
+SLIPS = 12
+"""Slips that are tried before other constants are."""
 
 
 def mutations(e: Basic, alike: tuple[Symbol, Symbol]) -> Iterator[Basic]:
@@ -41,9 +46,10 @@ def mutations(e: Basic, alike: tuple[Symbol, Symbol]) -> Iterator[Basic]:
         alike: the symbols of the paper that are most easily taken for each other.
     """
     a, b = alike
-    edits = [((), e.xreplace({a: b, b: a})), *_edits(e, ())]
+    slips = scattered([((), e.xreplace({a: b, b: a})), *_edits(e, (), _here)])
+    further = [*(((), changed) for changed in _further(e)), *scattered(_edits(e, (), _further))]
     seen = {e}
-    for path, changed in scattered(edits):
+    for path, changed in (*slips[:SLIPS], *further[:SLIPS], *slips[SLIPS:], *further[SLIPS:]):
         whole = _replaced(e, path, changed)
         if _is_alike(e, whole) and whole not in seen and not whole.has(nan, oo, zoo, I):
             seen.add(whole)
@@ -58,12 +64,12 @@ def _is_alike(e: Basic, changed: Basic) -> bool:
     return True
 
 
-def _edits(e: Basic, path: Path) -> Iterator[tuple[Path, Basic]]:
+def _edits(e: Basic, path: Path, here: Changes) -> Iterator[tuple[Path, Basic]]:
     """Every node of ``e`` with what it can be changed to."""
-    for changed in _here(e):
+    for changed in here(e):
         yield path, changed
     for n in _changeable(e):
-        yield from _edits(e.args[n], (*path, n))
+        yield from _edits(e.args[n], (*path, n), here)
 
 
 def _replaced(e: Basic, path: Path, changed: Basic) -> Basic:
@@ -121,6 +127,18 @@ def _here(e: Basic) -> Iterator[Basic]:
         case Relational():
             if e.rel_op in (">", ">=", "<", "<="):
                 yield e.reversedsign.func(*e.args, evaluate=False)
+
+
+def _further(e: Basic) -> Iterator[Basic]:
+    """Changes that are tried where slips of the pen are too few: other constants."""
+    match e:
+        case Rational():
+            yield from (e + 2, e - 2, 3 * e)
+        case Symbol():
+            yield from (3 * e, e / 2, e + 1)
+        case Relational() if not isinstance(e.lhs, MatrixBase):
+            for more in (1, -1, 2, -2, 3, -3):
+                yield e.func(e.lhs, e.rhs + more, evaluate=False)
 
 
 def scattered(variants: Iterable[Any]) -> list[Any]:

@@ -32,9 +32,11 @@ from tresym.ledger.claim import (
     Definition,
     Formally,
     ImplicitFunction,
+    Instance,
     Monotone,
     Printed,
     Reason,
+    Root,
     Step,
     Together,
     UniqueRoot,
@@ -48,7 +50,7 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.balls import Boxes
-from tresym.ledger.evidence.charted import Charted
+from tresym.ledger.evidence.charted import Charted, Reading
 from tresym.ledger.evidence.denial import Denied, denied_somewhere
 from tresym.ledger.evidence.evaluated import Evaluated, fails_at_once
 from tresym.ledger.judge import judge_evidence, refute
@@ -56,6 +58,7 @@ from tresym.ledger.mutants.changed_numbers import (
     Named,
     bound_changes,
     bounds_fail,
+    is_refuted,
     no_inputs_give_it,
     order_changes,
     order_fails,
@@ -150,7 +153,7 @@ def mutants(
 def why_few(claim: Claim, dependents: tuple[Claim, ...] = ()) -> str:
     """Why a claim has fewer mutants than were wanted, for the list of those."""
     asked = [*_proving(dependents), *_sloping(dependents)]
-    if isinstance(claim.proof, Definition | ImplicitFunction) and not asked:
+    if isinstance(claim.proof, Definition | Root | ImplicitFunction) and not asked:
         return "nothing is proved by this definition directly"
     if not isinstance(claim.proof, AllOf | Denied) and not [*_spots(claim, dependents)]:
         return "no change is known for this kind of evidence"
@@ -192,9 +195,14 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
                 yield _Spot(name, variants, _one(changed), bounds_fail)
         case Asymptotics():
             for name, variants, changed in order_changes(claim):
-                yield _Spot(name, variants, _one(changed), order_fails)
-        case Definition() | ImplicitFunction():
-            for dependent in islice(_proving(dependents), DEPENDENTS):
+                fails = is_refuted if is_refuted(claim) else order_fails
+                yield _Spot(name, variants, _one(changed), fails)
+        case Definition() | Root() | ImplicitFunction():
+            symbols = {lhs for lhs, _ in _equations(claim.says)}
+            proving = [*_proving(dependents)]
+            chains = [d for d in proving if not isinstance(d.proof, Charted)]
+            asked = sorted(chains or proving, key=lambda d: not symbols & _spoken_of(d))
+            for dependent in asked[:DEPENDENTS]:
                 yield _definition_spot(claim, dependent)
             for dependent in islice(_sloping(dependents), DEPENDENTS):
                 yield _equation_spot(claim, dependent)
@@ -217,7 +225,7 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
                 _one(partial(saying, claim)),
                 _is_somewhere,
             )
-        case Formally():
+        case Formally() | Instance():
             for n, relation in enumerate(claim.parts, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
             yield _region_spot(claim)
@@ -395,7 +403,17 @@ def _slope_spots(claim: Claim, chain: Chain, root: ExactlyOne | AtMostOne) -> It
 
 
 def _proving(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
-    return (d for d in dependents if isinstance(d.proof, tuple | Together | Formally))
+    """Claims that prove something of a definition they rest on."""
+    kinds = tuple | Together | Formally | Charted | Printed
+    return (d for d in dependents if isinstance(d.proof, kinds))
+
+
+def _equations(says: Basic) -> tuple[tuple[Basic, Basic], ...]:
+    return tuple(part.args for part in parts_of(says) if isinstance(part, Eq))
+
+
+def _spoken_of(claim: Claim) -> set[Basic]:
+    return set().union(*(part.free_symbols for part in claim.parts))
 
 
 def _definition_spot(claim: Claim, dependent: Claim) -> _Spot:
@@ -441,6 +459,8 @@ def _other_meanings(says: Basic) -> Iterator[Basic]:
     """The definition with another right side, or with another integral on its left."""
     parts = parts_of(says)
     for n, part in enumerate(parts):
+        if not isinstance(part, Eq):
+            continue
         left, right = part.args
         others = [equal(left, changed) for changed in _mutations(right)]
         if isinstance(left, Integral):
@@ -452,16 +472,33 @@ def _other_meanings(says: Basic) -> Iterator[Basic]:
 
 def _falls(claim: Claim) -> bool:
     """Whether what the claim proves is violated where all that it uses holds."""
+    if isinstance(claim.proof, Printed):
+        return no_inputs_give_it(claim)
+    if isinstance(claim.proof, Charted):
+        return denied_somewhere(claim) is not None
     return any(refute(relation, claim) is not None for relation in claim.parts)
 
 
 def _resting_on(claim: Claim, other: Claim) -> Claim:
     """The claim with evidence that names ``other`` in place of its namesake."""
 
-    def reason(r: Reason) -> Reason:
-        return replace(r, claims=tuple(other if c.label == other.label else c for c in r.claims))
+    def named(claims: tuple[Claim, ...]) -> tuple[Claim, ...]:
+        return tuple(other if c.label == other.label else c for c in claims)
 
-    if isinstance(claim.proof, Formally):
-        named = (other if c.label == other.label else c for c in claim.proof.claims)
-        return replace(claim, proof=formally(*named))
+    def reason(r: Reason) -> Reason:
+        return replace(r, claims=named(r.claims))
+
+    def read(readings: tuple[Reading, ...]) -> tuple[Reading, ...]:
+        return tuple(
+            replace(r, claims=named(r.claims), cited=named(r.cited), inner=read(r.inner))
+            for r in readings
+        )
+
+    proof = claim.proof
+    if isinstance(proof, Formally | Printed):
+        return replace(claim, proof=replace(proof, claims=named(proof.claims)))
+    if isinstance(proof, Charted):
+        put, cited = named(proof.put), named(proof.cited)
+        changed = replace(proof, put=put, cited=cited, readings=read(proof.readings))
+        return replace(claim, proof=changed)
     return replace(claim, proof=with_reasons(claim.proof, reason))

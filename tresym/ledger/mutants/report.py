@@ -6,22 +6,27 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cache
+from itertools import count
+from time import process_time
 from typing import Any, NamedTuple
 
 from tresym.ledger import paper
 from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
-from tresym.ledger.judge import judge
+from tresym.ledger.judge import judge, judge_evidence, seen_false
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
 from tresym.ledger.mutants.planted import planted
 from tresym.ledger.statements import ForSome
 from tresym.ledger.verification import JSON_VERSION, choose
+from tresym.reals.limit import time_limit
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes
 from tresym.reals.verdict import Verdict
 
+SECONDS = 1.0
+"""Processor time that a mutant's evidence gets, or twice as much as the claim's own, if more."""
 MUTANTS = 5
 """Changes that are tried on each claim, one or more at each place of it."""
 BATCH = 4
@@ -88,6 +93,7 @@ class MutantReport:
         """The report as `tresym verify --mutants --json` prints it."""
         return {
             "version": JSON_VERSION,
+            "workload": "mutants",
             "counts": self.counts,
             "survivors": [slip._asdict() for slip in self.survivors],
             "stopped": [slip._asdict() for slip in self.stopped],
@@ -178,12 +184,26 @@ def _row(
     )
 
 
-@lru_cache(maxsize=1024)
-def _mutants_of(
-    claim: Claim, wanted: int, dependents: tuple[Claim, ...] = ()
-) -> tuple[Mutant, ...]:
+class _Made:
+    """Mutants that are made when they are first asked for, and kept."""
+
+    def __init__(self, source: Iterator[Mutant]) -> None:
+        self._source, self._kept = source, list[Mutant]()
+
+    def __iter__(self) -> Iterator[Mutant]:
+        for n in count():
+            while n >= len(self._kept):
+                found = next(self._source, None)
+                if found is None:
+                    return
+                self._kept.append(found)
+            yield self._kept[n]
+
+
+@cache
+def _mutants_of(claim: Claim, wanted: int, dependents: tuple[Claim, ...] = ()) -> _Made:
     """The mutants of a claim; conjunctions share those of their parts."""
-    return tuple(mutants(claim, wanted, dependents, lambda part: _mutants_of(part, wanted)))
+    return _Made(mutants(claim, wanted, dependents, lambda part: _mutants_of(part, wanted)))
 
 
 def _planted_row(claim: Claim) -> MutantRow:
@@ -216,10 +236,46 @@ def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
     """The finding on a mutant, where the changed claims it rests on are judged first."""
     changed = dict(found)
     for claim in mutant.beneath:
-        changed[claim.label] = judge(claim, changed)
-    finding = judge(mutant.claim, changed)
+        changed[claim.label] = _judged(claim, changed)
+    finding = _judged(mutant.claim, changed)
     stopped = finding.stopped or any(changed[claim.label].stopped for claim in mutant.beneath)
     return replace(finding, stopped=stopped)
+
+
+class _NotBelievedError(BaseException):
+    """The evidence has had its time."""
+
+
+_once: dict[int, tuple[Claim, Finding]] = {}
+"""What became of changed claims, which conjunctions share with their parts."""
+
+
+def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
+    """The finding on a changed claim, once: not believed where its evidence takes too long."""
+    if id(claim) not in _once:
+        finding = _within(SECONDS, claim, found)
+        if finding is None:
+            longer = 2 * _own_seconds(claim.label)
+            finding = _within(longer, claim, found) if longer > SECONDS else None
+        _once[id(claim)] = claim, finding or seen_false(claim)
+    return _once[id(claim)][1]
+
+
+@cache
+def _own_seconds(label: str) -> float:
+    """Processor time of a claim's own evidence."""
+    claims = paper.all_claims()
+    began = process_time()
+    judge_evidence(next(claim for claim in claims if claim.label == label))
+    return process_time() - began
+
+
+def _within(seconds: float, claim: Claim, found: dict[str, Finding]) -> Finding | None:
+    try:
+        with time_limit(seconds, _NotBelievedError):
+            return judge(claim, found)
+    except _NotBelievedError:
+        return None
 
 
 def _dependents(claims: tuple[Claim, ...]) -> dict[Claim, tuple[Claim, ...]]:

@@ -10,6 +10,30 @@ _METHODS = {
     "sympy simplify": "`simplify(diff(F, x) - f) == 0`",
     "sympy equals": "`diff(F, x).equals(f)`",
 }
+KINDS = {
+    "inequalities": (
+        "inequalities with exp, log, sin, atan, roots in one to four variables",
+        "MetiTarski",
+    ),
+    "approximations": (
+        "interval and Taylor-model inequalities, tight polynomial approximations",
+        "coq-interval, PVS, dReal",
+    ),
+    "orders": (
+        "limits and orders, nested exponentials, mixed bases",
+        "Real_Asymp, SymPy's gruntz",
+    ),
+    "angles": (
+        "trigonometric identities of school and olympiad kind, angles kπ/n",
+        "Lean benchmarks",
+    ),
+    "simplifications": (
+        "simplification tests, rewrite rules, a formula archive",
+        "SymPy, Herbie, Fungrim",
+    ),
+    "tables": ("antiderivatives", "Rubi"),
+}
+"""Lists of tests/data/claims: what kind of claims they hold, and whose ground it is."""
 _VERDICTS = ("PROVED", "ENCLOSED", "REFUTED", "UNDECIDED")
 _LISTS = ("true inequalities", "false inequalities", "true orders", "false orders")
 
@@ -46,6 +70,24 @@ def measured(data: Mapping[str, Any]) -> str:
         outcomes = (counts.get(word, 0) for word in ("right", "failed", "wrong", "timed out"))
         ratio = f"{counts['ratio']:.3g} ×"
         lines.append(f"| {_METHODS[method]} | {counts['pairs']} | {_cells(outcomes)} | {ratio} |")
+    return "\n".join(lines) + "\n"
+
+
+def by_kind(data: Mapping[str, Any]) -> str:
+    """The saved lists as a table in Markdown, a kind a row.
+
+    Args:
+        data: what ``python tests/unseen.py save`` wrote.
+    """
+    lines = [
+        "| kind | tools made for it | true | held | false | refuted | wrong | median | 99 % |",
+        "|---|---|--:|--:|--:|--:|--:|--:|--:|",
+    ]
+    for name, (kind, peers) in KINDS.items():
+        n = data[name]
+        share = f"{n['held']} ({100 * n['held'] / n['true']:.1f} %)"
+        counts = _cells((n["true"], share, n["false"], n["refuted"], n["wrong"]))
+        lines.append(f"| {kind} | {peers} | {counts} | {n['median']} ms | {n['p99']} ms |")
     return "\n".join(lines) + "\n"
 
 

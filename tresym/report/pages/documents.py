@@ -23,7 +23,7 @@ from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import checked_twice
 from tresym.report.pages.article import article
-from tresym.report.pages.check_tables import measured
+from tresym.report.pages.check_tables import by_kind, measured
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
@@ -48,7 +48,7 @@ def documents() -> Iterator[tuple[str, str]]:
     yield "methods.md", methods()
     yield "checked_twice.md", checked_twice.page()
     yield "walks.md", walks()
-    yield "trust.md", trust(report, saved.load("guards"), saved.load("hunts"))
+    yield "trust.md", trust(report, *map(saved.load, ("guards", "hunts", "mutants")))
     yield from drawn()
 
 
@@ -63,6 +63,7 @@ def drawn() -> Iterator[tuple[str, str]]:
         yield f"tables/{name}.md", written(found, "markdown")
         yield f"tables/{name}.tex", written(found, "latex")
     yield "tables/deciding.md", measured(saved.load("check"))
+    yield "tables/kinds.md", by_kind(saved.load("kinds"))
 
 
 def ledger(report: Report) -> str:

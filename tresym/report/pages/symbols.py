@@ -12,7 +12,7 @@ from tresym.ledger.definitions import Entry, table
 from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report
-from tresym.racket.notation import WORDS
+from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
 from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import expression_latex, says_latex
 from tresym.report.words.markdown import sentence
@@ -36,6 +36,7 @@ class Row:
         self.name = name
         self.entry = entry
         self.words = WORDS.get(name, "")
+        self.own = WORDS_OF_PROOFS.get(name, "")
         self.symbol = expression_latex(Symbol(name, real=True))
 
     @property
@@ -72,7 +73,7 @@ def rows() -> tuple[Row, ...]:
     entries: dict[str, list[Entry]] = {}
     for entry in table(claims):
         entries.setdefault(str(entry.written.lhs), []).append(entry)
-    names = [*WORDS, *(name for name in entries if name not in WORDS)]
+    names = dict.fromkeys((*WORDS, *WORDS_OF_PROOFS, *entries))
     return tuple(Row(name, entry) for name in names for entry in entries.get(name, [None]))
 
 
@@ -95,8 +96,8 @@ def symbols(report: Report) -> str:
             "",
             "## Symbols of single proofs",
             "",
-            "| symbol | stands for | where | by |",
-            "|---|---|---|---|",
+            "| symbol | what it is | stands for | where | by |",
+            "|---|---|---|---|---|",
             *(_line(row) for row in found if not row.words),
             "",
             "## What is assumed",
@@ -114,7 +115,7 @@ def _line(row: Row) -> str:
     stands = f"{row.note}${row.meaning}$" if row.meaning else "a variable"
     given = f"${row.given}$" if row.given else ""
     by = _by(row.entry.claim) if row.entry else ""
-    return _cells(place, *([sentence(row.words)] if row.words else []), stands, given, by)
+    return _cells(place, sentence(row.words or row.own), stands, given, by)
 
 
 def anchor(name: str) -> str:

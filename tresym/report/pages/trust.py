@@ -10,11 +10,13 @@ from typing import Any
 from tresym.ledger.axioms import RULES
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.meant import is_formal
+from tresym.ledger.mutants.report import MUTANTS
 from tresym.ledger.verification import Report
 from tresym.racket.near import charts
 from tresym.reals.balls.gradient import Divided
 from tresym.reals.balls.traced import Named
 from tresym.reals.language.expression import symbol
+from tresym.reals.verdict import Verdict
 from tresym.report.pages.trusted import RECHECKED, Count, trusted
 
 CALLED = {
@@ -24,12 +26,16 @@ CALLED = {
 
 
 def trust(
-    report: Report, guards: Mapping[str, Any] | None, hunts: Mapping[str, Any] | None = None
+    report: Report,
+    guards: Mapping[str, Any] | None,
+    hunts: Mapping[str, Any] | None = None,
+    mutants: Mapping[str, Any] | None = None,
 ) -> str:
     """The tables of the page.
 
     Args:
         guards: what ``python tests/guards.py save`` wrote, None where it was never run.
+        mutants: what ``tresym verify --mutants --json`` wrote, likewise.
         hunts: what ``python tests/deep.py save`` wrote, or None.
     """
     proved, enclosed = trusted()
@@ -40,6 +46,7 @@ def trust(
         _quoted(report),
         _called(report),
         _programs(),
+        _mutants(mutants) if mutants else (),
         _guards(guards) if guards else (),
         _hunts(hunts["tests"]) if hunts else (),
     ]
@@ -164,6 +171,28 @@ def _programs() -> Iterator[str]:
     )
     yield ""
     yield from _table(("function", "what its ball contains"), rows)
+
+
+def _mutants(mutants: Mapping[str, Any]) -> list[str]:
+    """What became of false variants of the claims."""
+    counts, few = mutants["counts"], [row for row in mutants["few"] if row["changes"] < MUTANTS]
+    total, refuted = sum(counts.values()), counts[Verdict.REFUTED.value]
+    judged = sum(row["changes"] > 0 for row in mutants["claims"])
+    held = len(mutants["survivors"]) + len(mutants["stopped"])
+    lines = [
+        "## False variants of the claims",
+        "",
+        f"Of {judged} claims {total} false variants were judged, and falsehoods planted for the "
+        "guards of the judge: a sign, a constant, a region or an order is changed, balls see that "
+        "what is said then is false, and the claim's own evidence is asked to show it. "
+        f"{refuted} are refuted with a witness, which is {100 * refuted / max(total, 1):.1f} %, "
+        f"{counts[Verdict.UNDECIDED.value]} stay undecided, and {held or 'none'} passed. "
+        "`tresym verify --mutants` judges them again.",
+    ]
+    if few:
+        lines += ["", f"Claims with fewer than {MUTANTS} variants:", ""]
+        lines += [f"- `{row['label']}`, {row['changes']}: {row['why']}." for row in few]
+    return lines
 
 
 def _guards(guards: Mapping[str, Any]) -> Iterator[str]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 import re
-from fractions import Fraction
+
+from tresym.report.words.sizes import size
 
 _GREEK = {
     "alpha": "α", "gamma": "γ", "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ",
@@ -19,18 +19,14 @@ _NAME = re.compile(
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
-_SIZE = re.compile(r"(-?\d+\.\d{2,}(?:e[-+]?\d+)?)((?: \* [^ ,;]+)*)(?=[,;]| \*|$)")
-"""A leading term: its coefficient, and its factors."""
-_DIGITS = re.compile(r"\d+\.\d{2,}(?:e[-+]?\d+)?")
-LARGEST = 12
-"""Denominators up to this are recognised in a coefficient, which is told to six digits."""
+_SIZE = re.compile(r"(?<=about )(?=-?[\w(])[^,;]*")
+"""A leading term, by the words before it."""
 
 
 def readable(text: str) -> str:
     """``violated at psi1 = -1/2`` as ``violated at ψ₁ = −1/2``; powers keep their ``^``."""
     text = re.sub(r"\bEq\((\w+), ([^()]+)\)", r"\1 = \2", text)
-    start, about, rest = text.partition("about ")
-    text = start + about + _SIZE.sub(_size, rest) if about else text
+    text = _SIZE.sub(lambda m: size(m[0]), text)
     text = re.sub(r"(?:\^|\*\*)\((-?[\d/]+)\)|\*\*(\d+)", lambda m: f"^{{{m[1] or m[2]}}}", text)
     text = re.sub(r"\bsqrt\(", "√(", text)
     text = re.sub(r" \* |(?<=[\w)}])\*(?=[\w(√-])", " · ", text)
@@ -53,43 +49,6 @@ _SIDES = {"": "", "+": "⁺", "-": "⁻"}
 
 def _minus(found: re.Match[str]) -> str:
     return " − " if found[0].startswith(" ") else "−"
-
-
-def _size(found: re.Match[str]) -> str:
-    """``-0.333333 * t^(2) * exp(-1.00000) * exp(3.14159/t^1)`` as ``−t^{2} e^{π/t}/(3e)``."""
-    sign = "−" if found[1].startswith("-") else ""
-    above, _, below = _constant(found[1].lstrip("-")).partition("/")
-    over, under = [above] if above != "1" else [], [below] if below else []
-    for factor in found[2].split(" * ")[1:]:
-        exponent = re.fullmatch(r"exp\((.*)\)", factor)
-        power = re.fullmatch(r"(\w+|\([^()]*\))\^\(?(-?[\d/]+)\)?", factor)
-        if exponent:
-            shown = _DIGITS.sub(lambda m: _constant(m[0]), exponent[1]).replace("-", "−")
-            shown = re.sub(r"\^1(?!\d)", "", shown)
-            over, under = (
-                (over, [*under, "e"]) if shown == "−1" else ([*over, f"e^{{{shown}}}"], under)
-            )
-        elif power:
-            base, inverted = re.subn(r"^\(1/(\w+)\)$", r"\1", power[1])
-            down = power[2].startswith("-") != bool(inverted)
-            raised = power[2].lstrip("-")
-            text = base.replace("-", "−") + (f"^{{{raised}}}" if raised != "1" else "")
-            over, under = (over, [*under, text]) if down else ([*over, text], under)
-        else:
-            over = [*over, factor]
-    bottom = "".join(under)
-    bottom = f"({bottom})" if len(under) > 1 else bottom
-    return sign + (" ".join(over) or "1") + (f"/{bottom}" if under else "")
-
-
-def _constant(digits: str) -> str:
-    """A number that is told to six digits, by the fraction or the multiple of π that has them."""
-    for unit, name in ((1.0, ""), (math.pi, "π")):
-        near = Fraction(float(digits) / unit).limit_denominator(LARGEST)
-        if near and f"{float(near) * unit:#.6g}" == f"{float(digits):#.6g}":
-            above = name if name and near.numerator == 1 else f"{near.numerator}{name}"
-            return above if near.denominator == 1 else f"{above}/{near.denominator}"
-    return digits
 
 
 def _named(found: re.Match[str]) -> str:
