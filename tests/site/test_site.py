@@ -280,3 +280,22 @@ def test_the_picture_of_a_claim_has_its_neighbours(ledger: claims.Record) -> Non
         cut = sum(map(int, re.findall(r"and (\d+) more", shown)))
         assert set(claim["uses"]) <= set(boxes) or cut
         ElementTree.fromstring(shown)
+
+
+def test_a_sentence_is_one_text_over_its_lines() -> None:
+    nodes = pytest.importorskip("docutils.nodes")
+    pytest.importorskip("sphinx")
+    from tresym.site.extension import join_lines
+
+    lines = [
+        nodes.Text("that a"),
+        nodes.Text("\n"),
+        nodes.Text("proof has"),
+        nodes.literal("", "x"),
+    ]
+    paragraph = nodes.paragraph("", "", *lines)
+    join_lines(paragraph)
+    first, second = paragraph.children
+    assert str(first) == "that a\nproof has"
+    assert second.astext() == "x"
+    assert first.parent is paragraph
