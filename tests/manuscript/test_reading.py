@@ -47,6 +47,8 @@ NO_CLAIMS = {
     r"\[ f(x) = f(-x) \]": "EQUATION",
     r"\[ \tan x = x, \quad x > 0 \]": "EQUATION",
     r"\[ N = 1,000 \]": "UNREAD",
+    r"\[ \frac{dJ}{d\alpha}(0) = 0 \]": "UNREAD",
+    r"\[ \text{For all } x: \quad \cos 2x = \sin x \]": "EQUATION",
     r"\[ 2x^2 > \pm x^2 \]": "UNREAD",
     r"\[ x = 1, 2 \]": "UNREAD",
     r"\[ n = 0, 1, 2, \ldots \]": "ASSUMED",
@@ -128,6 +130,7 @@ CLAIMS = {
     r" &= x^2 + C \end{align}": "PROVED PROVED",
     "% tresym: claim\n% tresym: as x -> 0\n" r"\[ \sin x = x + x^2 - O(x^3) \]": "REFUTED",
     r"\[ \operatorname{sech} x = 2e^{-x}(1 + O(e^{-2x})), \quad x\to\infty \]": "ENCLOSED",
+    r"\[ \text{for } x > 0:\quad \sqrt{x^2} = x \]": "PROVED",
     r"\[ \underbrace{x^{\frac{4}{2}}}_{u^{\text{as}}} = x\cdot x \]": "PROVED",
     r"\[ \left\{\begin{aligned} |x| &= \sqrt{x^2} \\ 2x &= x + x\end{aligned}\right. \]": (
         "PROVED PROVED"

@@ -154,6 +154,7 @@ def test_sentences_read_the_same_in_markdown(text: str, shown: str) -> None:
 
 def test_what_was_found_in_letters() -> None:
     assert readable("violated at psi1 = -1/2, I3 = 4") == "violated at ψ₁ = −1/2, I₃ = 4"
+    assert readable("12*lambda**(-2)*exp(-2/lambda)") == "12 · λ^{−2} · exp(−2/λ)"
     assert readable("1.00000 * t^(-2) * exp(3.5/t^1)") == "1t^{−2} · exp(3.5/t)"
     about = "about -exp(-1)*t**2*exp(pi*pi*sqrt(t**(-2))/(-pi))/5, it says"
     assert readable(about) == "about −t^{2} e^{−π/t}/(5e), it says"
@@ -279,3 +280,22 @@ def test_the_picture_of_a_claim_has_its_neighbours(ledger: claims.Record) -> Non
         cut = sum(map(int, re.findall(r"and (\d+) more", shown)))
         assert set(claim["uses"]) <= set(boxes) or cut
         ElementTree.fromstring(shown)
+
+
+def test_a_sentence_is_one_text_over_its_lines() -> None:
+    nodes = pytest.importorskip("docutils.nodes")
+    pytest.importorskip("sphinx")
+    from tresym.site.extension import join_lines
+
+    lines = [
+        nodes.Text("that a"),
+        nodes.Text("\n"),
+        nodes.Text("proof has"),
+        nodes.literal("", "x"),
+    ]
+    paragraph = nodes.paragraph("", "", *lines)
+    join_lines(paragraph)
+    first, second = paragraph.children
+    assert str(first) == "that a\nproof has"
+    assert second.astext() == "x"
+    assert first.parent is paragraph

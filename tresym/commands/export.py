@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import shutil
 import sys
 from collections import Counter
@@ -95,7 +96,10 @@ def _check(folder: Path, store: dict[str, Any]) -> int:
     found = assumed(folder, path.read_text(encoding="utf-8"))
     beyond = {name: text for name, text in found.items() if "it rests on the classical" not in text}
     changed = 0
+    index = json.loads((folder / "index.json").read_text(encoding="utf-8"))
     for label, row in store["claims"].items():
+        if label not in index:
+            continue  # it is not in this folder
         name = name_of(label)
         text = found.get(name) or found.get(name.replace("claim_", "from_", 1), "")
         changed += (row.get("assumptions") or text) != text

@@ -46,7 +46,13 @@ class Some(NamedTuple):
     says: Formula
 
 
-Formula: TypeAlias = Relation | Conjunction | Equivalence | Wherever | One | Some
+class Fails(NamedTuple):
+    """It does not hold."""
+
+    says: Formula
+
+
+Formula: TypeAlias = Relation | Conjunction | Equivalence | Wherever | One | Some | Fails
 
 
 class Single:

@@ -19,6 +19,7 @@ from sympy import Basic
 from tresym.coq.formulas import Part, defined
 from tresym.coq.statement import (
     Condition,
+    Fails,
     Formula,
     NotExportedError,
     One,
@@ -178,6 +179,8 @@ def denied(says: Formula) -> Formula:
         return denied(says.parts[0])
     if isinstance(says, Relation):
         return says.negated
+    if isinstance(says, Conjunction) and all(isinstance(part, Relation) for part in says.parts):
+        return Fails(says)
     raise NotExportedError("it is refuted, and its witness is not exported yet")
 
 
@@ -193,6 +196,8 @@ def free(says: Formula) -> frozenset[str]:
             return free(says.says) - {says.name}
         case Some():
             return free(says.says) - {*says.names}
+        case Fails():
+            return free(says.says)
         case Conjunction():
             return frozenset().union(*map(free, says.parts))
     return free(says.first) | free(says.second)
@@ -206,7 +211,7 @@ def asked(says: Formula) -> Iterator[Part]:
         case One() | Some():
             bound = {says.name} if isinstance(says, One) else {*says.names}
             yield from (part for part in asked(says.says) if bound.isdisjoint(symbols(part[0])))
-        case Wherever():
+        case Wherever() | Fails():
             yield from asked(says.says)
         case Conjunction():
             for one in says.parts:
@@ -228,7 +233,7 @@ def theorem(
     put_in = tuple(
         (tuple(c for c in asked if c not in given), meaning) for asked, meaning in meanings
     )
-    if exists:  # there the conditions of the definitions hold, too
+    if exists or isinstance(claim.proof, Printed):  # where the conditions of definitions hold
         conditions_ = (Relation(*c) for asked, _ in put_in for c in asked)
         given = tuple(dict.fromkeys((*given, *conditions_)))
         put_in = tuple(((), meaning) for _, meaning in put_in)

@@ -16,6 +16,7 @@ from flint import fmpq
 
 from tresym.coq.formulas import (
     Condition,
+    Fails,
     Formula,
     One,
     Part,
@@ -140,6 +141,8 @@ def formula(f: Formula) -> str:
         return "".join(f"{comparison(*c)} -> " for c in f.conditions) + formula(f.says)
     if isinstance(f, One):
         return f"exists ! {variable(f.name)} : R, {formula(f.says)}"
+    if isinstance(f, Fails):
+        return f"~ ({formula(f.says)})"
     if isinstance(f, Some):
         return f"exists {' '.join(map(variable, f.names))} : R, {formula(f.says)}"
     bare, names = values_of(f)

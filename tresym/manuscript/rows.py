@@ -274,9 +274,11 @@ def _rows(tokens: list[str]) -> list[list[str]]:
     cells: list[list[str]] = []
     heads: dict[int, list[str]] = {}
     columns: list[int] = []
-    for row in _split(tokens, "\\\\"):
+    rows = _split(tokens, "\\\\")
+    for row in rows:
         split = [_without_gaps(cell) for cell in _split(row, "&")]
-        if any(split) and all(cell[:1] == [CONDITION] for cell in split if cell):
+        said = all(cell[:1] == [CONDITION] for cell in split if cell)
+        if any(split) and said and any(rows[1:]):
             heads = {n: [t for t in cell if t != ":"] for n, cell in enumerate(split) if cell}
             continue
         for column, cell in enumerate(split):
@@ -417,20 +419,24 @@ def _chains(tokens: list[str]) -> list[Said]:
     found: list[Said] = []
     pending: list[list[str]] = []
     ahead: list[Said] = []
-    under = False
+    under = colon = False
     for stop, part in _parts(tokens):
         while part[:1] == [WORDS] and stop == GAP and found and found[-1].ops and not pending:
             found[-1] = replace(found[-1], remarks=found[-1].remarks + 1)
             del part[0]
         if not part:
             continue
-        inner = _bracketed(part)
-        chain = _chain(inner or part)
         if stop == CONDITION:
             under = True
-        elif stop in ARROWS or stop in (OR, ";", "."):
+        elif colon or stop in ARROWS or stop in (OR, ";", "."):
             under = False
+        colon = under and part[-1] == ":" and len(part) > 1
+        part = part[:-1] if colon else part
+        inner = _bracketed(part)
+        chain = _chain(inner or part)
         if not chain.ops:
+            if colon:
+                continue
             if part == [FORALL]:
                 found = [replace(one, universal=True) for one in found]
             elif part == [OTHERWISE] and found:

@@ -91,15 +91,29 @@ _AS_WRITTEN = (
 
 
 def set_formulas(app: Sphinx, doctree: nodes.document) -> None:
-    """Set the formulas of every sentence, but for titles, code and what is read off docstrings."""
-    if app.env.docname.startswith(("reference/", "pages/api")):
+    """Set the formulas of every sentence, but for titles, code and what machines have written."""
+    if app.env.docname.startswith(("reference/", "pages/api", "pages/coq")):
         return
+    for parent in list(doctree.findall(nodes.TextElement)):
+        join_lines(parent)
     for text in list(doctree.findall(nodes.Text)):
         if text.parent is None or isinstance(text.parent, _AS_WRITTEN):
             continue
         found = list(pieces(str(text)))
         if any(piece.latex for piece in found):
             text.parent.replace(text, [_node(piece) for piece in found])
+
+
+def join_lines(parent: nodes.TextElement) -> None:
+    """Make one text of the lines of a sentence, which Markdown keeps apart."""
+    joined: list[nodes.Node] = []
+    for child in parent.children:
+        if joined and isinstance(child, nodes.Text) and isinstance(joined[-1], nodes.Text):
+            joined[-1] = nodes.Text(f"{joined[-1]}{child}")
+        else:
+            joined.append(child)
+    parent.children = []
+    parent.extend(joined)
 
 
 def _node(piece: Piece) -> nodes.Node:

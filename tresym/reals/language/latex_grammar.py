@@ -455,8 +455,11 @@ class Reader(Cursor):
         if not self.author:
             self.refuse(NO_DERIVATIVE)
         known = self.author.derivative(above, below, times)
-        if known is not None and self.peek() == "(":
-            self.refuse("a derivative at a point is not read,")
+        if self.peek() == "(" and not self.guesses:
+            start, product = self.at, self.enclosed().strength == 0
+            self.at = start
+            if known is not None or not product:
+                self.refuse("a derivative at a point is not read,")
         return derived(kind, above, below or "t", times) if known is None else Piece(known)
 
     def dotted(self) -> Piece:
