@@ -15,14 +15,16 @@ from tresym.bench import peers
 from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
 from tresym.bench.truth import by_digits
 from tresym.racket.body import Shape, named_body
-from tresym.racket.flip import defect
-from tresym.reals.numbers.exact import parse_number
+from tresym.racket.flip import defect, flip_defect
+from tresym.reals.numbers.exact import fraction_text, parse_number
 
 DIGITS = 50
 SHAPE = named_body("str").shape
+A, B = map(fraction_text, SHAPE)
 SCENES = ("1e-4", "1e-8", "1e-2", "-1e-3", "-1e-2")
 """The γ that are timed: next to the separatrix, with ε < 0, below the separatrix, turned once."""
 OURS = "tresym, certified"
+PUBLIC = "tresym.flip_defect, from text"
 
 METHODS: dict[str, peers.Method] = {
     "mpmath findroot over quad": peers.findroot_quad,
@@ -41,10 +43,18 @@ def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
 
 def _contenders(gamma: fmpq, text: str) -> Iterator[Contender]:
     truth = defect.solve(*SHAPE, gamma, 2 * DIGITS).defect
-    for name, method in ({OURS: _ours} | METHODS).items():
-        work = partial(method, SHAPE, gamma, DIGITS)
+    works = {
+        name: partial(m, SHAPE, gamma, DIGITS) for name, m in ({OURS: _ours} | METHODS).items()
+    }
+    works[PUBLIC] = partial(_public, text)
+    for name, work in works.items():
         judge = by_digits(truth, DIGITS, DIGITS)
-        yield Contender(f"γ = {text}", name, work, judge, name == OURS, DIGITS)
+        yield Contender(f"γ = {text}", name, work, judge, name in (OURS, PUBLIC), DIGITS)
+
+
+def _public(gamma: str) -> arb:
+    """The same, as a user asks for it."""
+    return flip_defect(A, B, gamma, DIGITS).defect
 
 
 def _ours(shape: Shape, gamma: fmpq, digits: int) -> arb:

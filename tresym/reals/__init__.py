@@ -31,7 +31,8 @@ Where to start reading. The rooms, each of which imports only from those above i
 - ``normal``: the exact normal form: a ring with generators for roots, exponentials, angles and
   signs, in which equal expressions have difference 0.
 - ``signs``: the sign of an expression under conditions, by several exact methods.
-- ``balls``: boxes cut in halves until balls decide, and expansions with certified remainders.
+- ``balls``: boxes cut in halves until balls decide.
+- ``growth``: leading terms on one scale of functions, with certified remainders.
 - ``decisions``: a statement is read (``reading.py``), each comparison goes to the procedure of its
   kind (``statement.py``), and the answer is put into words (``answer.py``). Begin at
   ``identity.py``, which states the promise for equalities.

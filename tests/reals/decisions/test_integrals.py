@@ -120,3 +120,14 @@ def test_either_order_of_the_ends_is_looked_at(monkeypatch: pytest.MonkeyPatch) 
     claim = "integral(abs(x - a), x, a, b) == (b - a)**2/2"  # for b < a it is less than 0
     assert tresym.check(claim).verdict is not Verdict.PROVED
     assert tresym.check(f"{claim} given a < b").verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "integral(1/x, x, 0, 1) != integral(1/x**2, x, 0, 1)",  # both are infinite
+        "integral(abs(x), x, -1, b) == b**2/2 - 1/2 given b > 0",
+    ],
+)
+def test_what_is_infinite_or_ends_at_a_parameter_is_compared_with_care(claim: str) -> None:
+    assert not tresym.check(claim)

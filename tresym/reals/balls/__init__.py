@@ -1,1 +1,1 @@
-"""Bounds and orders in balls: boxes, and expansions with certified remainders."""
+"""Bounds in balls: boxes cut in halves, slopes, and Taylor's theorem on intervals."""

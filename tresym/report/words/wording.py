@@ -29,8 +29,10 @@ def readable(text: str) -> str:
     text = _SIZE.sub(lambda m: size(m[0]), text)
     text = re.sub(r"(?:\^|\*\*)\((-?[\d/]+)\)|\*\*(\d+)", lambda m: f"^{{{m[1] or m[2]}}}", text)
     text = re.sub(r"\bsqrt\(", "√(", text)
-    text = re.sub(r" \* |(?<=[\w)])\*(?=[\w(√-])", " · ", text)
-    text = re.sub(r"(?<=[\d)]) · (?=[A-Za-z(√])|(?<=\b[a-z]) · (?=[a-z]\b|\()", "", text)
+    text = re.sub(r" \* |(?<=[\w)}])\*(?=[\w(√-])", " · ", text)
+    named = rf"(?!(?:{_NAMES})\b)"
+    text = re.sub(rf"(?<=[\d)]) · (?={named}[A-Za-z(√])", "", text)
+    text = re.sub(r"(?<=\b[a-z]) · (?=[a-z]\b|\()", "", text)
     text = re.sub(r"\^(?:\{1\}|1\b(?!/))", "", text)
     text = re.sub(r"(?<=\d)\.0{4,}(?!\d)", "", text)
     text = re.sub(r"(?<![\w)])-(?=[\w.(√])|(?<=[\w)]) - (?=[\w(√])", _minus, text)
