@@ -213,6 +213,7 @@ def _headings() -> Text:
 
 def _row_lines(row: Row, named: bool) -> list[Text]:
     from tresym.report.words.place import place_text
+    from tresym.report.words.said import in_letters
 
     claim, finding = row.claim, row.finding
     verdict = Text(finding.verdict.value, style=STYLES[finding.verdict])
@@ -223,10 +224,10 @@ def _row_lines(row: Row, named: bool) -> list[Text]:
     if not row.as_expected:
         lines.append(Text(f"    expected {claim.expect.value}: {finding.why}", style="bold red"))
     elif finding.verdict is Verdict.REFUTED:
-        lines.append(Text(f"    {finding.why}", style="dim"))
+        lines.append(Text(f"    {in_letters(finding.why)}", style="dim"))
         if finding.witness:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
-            lines.append(Text(f"    witness: {point}", style="dim"))
+            lines.append(Text(f"    witness: {in_letters(point)}", style="dim"))
         if claim.amended_by:
             names = ", ".join(c.label for c in claim.amended_by)
             lines.append(Text(f"    true instead: {names}", style="dim"))

@@ -28,6 +28,7 @@ from tresym.report.words.said import (
     Said,
     conditions,
     in_dollars,
+    in_letters,
     in_line,
     in_plain_text,
     of_record,
@@ -203,3 +204,8 @@ def test_what_the_bounds_of_a_symbol_show_is_not_said_again() -> None:
 
     found = said(_claim("one", x > 0, x < pi, sin(x) > 0, sin(y) > 0))
     assert found.given == (r"0 < x < \pi", r"\sin y > 0")
+
+
+def test_what_was_found_is_set_in_letters_for_a_terminal() -> None:
+    found = "along a = t**(-2) the left side is about -exp(-1)*t**2*exp(pi/t)/3"
+    assert in_letters(found) == "along a = t⁻² the left side is about −t² e^(π/t)/(3e)"

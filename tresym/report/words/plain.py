@@ -23,7 +23,7 @@ _SIGNS = {
     r"\psi": "ψ", r"\omega": "ω", r"\Delta": "Δ", r"\Phi": "Φ", r"\Psi": "Ψ", r"\Omega": "Ω",
     r"\Theta": "Θ", r"\min": "min", r"\max": "max", r"\top": "ᵀ",
 }  # fmt: skip
-_RAISED = str.maketrans("0123456789+-n*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ*")
+_RAISED = str.maketrans("0123456789+-−n*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻ⁿ*")
 _LOWERED = str.maketrans("0123456789+-", "₀₁₂₃₄₅₆₇₈₉₊₋")
 _OVER = {r"\dot": "\u0307", r"\vec": "\u20d7", r"\hat": "\u0302", r"\ddot": "\u0308"}
 _KEPT = frozenset([r"\mathrm", r"\mathsf", r"\mathtt", r"\text", r"\operatorname", r"\mathbf"])

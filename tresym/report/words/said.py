@@ -160,6 +160,11 @@ def in_plain_text(found: Said) -> str:
     return " ".join(filter(None, (text, conditions(found, plain))))
 
 
+def in_letters(text: str) -> str:
+    """What judging found in plain characters, for a terminal."""
+    return scripted(readable(text), str, script)
+
+
 def in_dollars(formula: str) -> str:
     """A formula within a line of Markdown; the parts of a system one after the other."""
     parts = formula.replace("|", r"\vert ").split(r",\quad ")
