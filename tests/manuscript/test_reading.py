@@ -116,6 +116,7 @@ CLAIMS = {
     r"Let $u = \cos x$. \[ \int\sin x\cos^2 x\,dx = \int u^2\,du = \frac{u^3}{2} + C \]": (
         "REFUTED REFUTED"
     ),
+    r"Let $u = \cos x$. \section{B} \[ \int\sin x\cos^2 x\,dx = \int u^2\,du \]": "EQUATION",
     r"Let $u = \sin x$. Letting $u = \sin 2x$, we have \[ 1 - u^2 = \cos^2 2x \]": "PROVED",
     r"\[ x = at^2 \] Using the identity of sines, we find \[ x = bt^2 \]": "DEFINED DEFINED",
     r"If $m$ is odd, then $m = 2k+1$. \[ (x^2)^k x = x^{2k+1} = x^m \]": "PROVED PROVED",

@@ -121,6 +121,8 @@ def claim(
         and (not pieces[1].printed.strip("-").isdigit())
     ):
         return _printed(link, compared, pieces[1])
+    old = {n for n in known if n not in memory.recent} - {name for name, _ in under.sources}
+    changed = (left, right) != _by_one_variable(left, right, {n: known[n] for n in old})
     left, right = _by_one_variable(left, right, known)
     attempts, same = _attempts(memory, (left, relation, right), under, as_path)
     sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
@@ -132,7 +134,12 @@ def claim(
     )
     firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
     firm = firm or (worked and same and relation == "==" and under.kind != prose.SOLVE)
-    firm = firm and not said.remarks and not (under.noted and under.kind == prose.SOLVE and n == 0)
+    firm = (
+        firm
+        and not said.remarks
+        and not changed
+        and not (under.noted and under.kind == prose.SOLVE and n == 0)
+    )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
     fallback = _fallback(memory, left, relation, right, head)
     if under.noted and under.kind == prose.CLAIM:

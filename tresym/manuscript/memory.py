@@ -78,6 +78,7 @@ class Memory:
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
         seen: names that stood in a display before.
+        recent: what was defined in this section; before it a letter may have been another.
         told: values that the lines before the display tell, without defining by them.
     """
 
@@ -96,6 +97,7 @@ class Memory:
         )
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
+        self.recent: set[str] = set()
 
     @property
     def author(self) -> Author:
@@ -115,6 +117,7 @@ class Memory:
     def define(self, head: Head, value: Expr) -> None:
         """Remember what a symbol stands for."""
         self.functions.pop(head.name, None)  # the latest are put in first
+        self.recent.add(head.name)
         self.functions[head.name] = Function(() if head.derived else head.parameters, value)
 
     def known(self, under: Under) -> dict[str, Expr]:

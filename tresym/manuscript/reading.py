@@ -72,6 +72,7 @@ class _Reading:
             elif isinstance(event, Section):
                 self.memory.earlier += self.memory.lasting
                 self.memory.noted, self.memory.lasting, before = [], [], ""
+                self.memory.recent.clear()
             elif isinstance(event, Missing):
                 continue
             elif isinstance(event, Prose):

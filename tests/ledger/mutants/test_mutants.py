@@ -229,6 +229,7 @@ def test_evidence_that_takes_too_long_is_not_believed(monkeypatch: pytest.Monkey
             pass
 
     monkeypatch.setattr("tresym.ledger.mutants.report.SECONDS", 0.02)
+    monkeypatch.setattr("tresym.ledger.mutants.report._once", {})
     monkeypatch.setattr("tresym.ledger.mutants.report.judge", slow)
     (row,) = verify_mutants(["energy_by_gamma"], 1).rows
     assert row.total == row.counts["REFUTED"] > 0
@@ -248,6 +249,7 @@ def test_a_verifier_that_believes_everything_is_caught(monkeypatch: pytest.Monke
 
     for module in ("verification", "mutants.report"):
         monkeypatch.setattr(f"tresym.ledger.{module}.judge", gullible)
+    monkeypatch.setattr("tresym.ledger.mutants.report._once", {})
     assert len(verify_mutants(["eq_gamma"], 1).survivors) > 5
     assert main(["verify", "--mutants", "eq_gamma"]) == 1
 

@@ -4,7 +4,12 @@ import pytest
 from flint import fmpq
 
 import tresym
-from tresym.reals.decisions.zeros import equal_at_algebraic, equal_at_lowest, equal_at_simple
+from tresym.reals.decisions.zeros import (
+    equal_at_algebraic,
+    equal_at_lowest,
+    equal_at_simple,
+    equal_at_turns,
+)
 from tresym.reals.language.parsing import parse
 from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
@@ -100,3 +105,21 @@ def test_the_place_that_is_named_is_a_zero() -> None:
 def test_an_open_cell_shows_what_no_sample_does() -> None:
     answer = tresym.check("(x - 1000)**2*(x - 1001) >= 0", "x >= 1000.5, x <= 1001")
     assert answer.verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("left", "given", "found"),
+    [
+        ("a**2 + b**2 + 2*a*b*cos(x)", "a > 0, b > 0", True),
+        ("a**2 + b**2 + 2*a*b*cos(x) + 1/10**40", "a > 0, b > 0", False),
+        ("a**2 + b**2 + 2*a*b*cos(x)", "a > 0, b > 0, x < 3", False),
+        ("a**2 + b**2 + 2*a*b*cos(x)", "a > 0, b > 0, z > 0", False),
+        ("a*(1 - sin(x))", "a > 0", True),
+        ("a*(1 - sin(x))/cos(x)", "a > 0", False),  # not defined there
+        ("a**2 + b**2 + 2*a*b", "a > 0, b < 0", False),  # no angle
+        ("1 - sin(x)", "", False),  # of one variable
+    ],
+)
+def test_quarter_turns(left: str, given: str, found: bool) -> None:
+    answer = equal_at_turns(parse(left), parse("0"), Given.parse(given))
+    assert (answer is not None) is found

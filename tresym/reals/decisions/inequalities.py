@@ -19,7 +19,12 @@ from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.identity import decide, no_point, sampled_values, shown
 from tresym.reals.decisions.reduced import by_one_variable
 from tresym.reals.decisions.region import is_isolated, search
-from tresym.reals.decisions.zeros import equal_at_algebraic, equal_at_lowest, equal_at_simple
+from tresym.reals.decisions.zeros import (
+    equal_at_algebraic,
+    equal_at_lowest,
+    equal_at_simple,
+    equal_at_turns,
+)
 from tresym.reals.language.expression import PI, Expr, number, substitute, symbol, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.at_point import equal_at, satisfies
@@ -85,8 +90,8 @@ def decide_inequality(
     partly = found is not None and not is_regular(given)
     if found is not None and not partly:
         return Answer(Verdict.PROVED, f"{found}; both sides are defined at {shown(defined)}")
-    if relation != ">=":
-        zero = equal_at_algebraic(left, right, inside)
+    for zero_of in (equal_at_algebraic, equal_at_turns) if relation != ">=" else ():
+        zero = zero_of(left, right, inside)
         if zero is not None:
             return zero
     if relation == "!=":

@@ -4,12 +4,13 @@
   between two rational numbers, and divides it.
 - A zero of a polynomial in several variables where its gradient vanishes: at polynomials h(t) in a
   root t of m, which divides the polynomial with the h put in.
+- A quarter turn of every angle, with 0 and ±1 for the other variables.
 - A point of simple constants, such as multiples of π, next to the lowest point found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice, product
 
 from flint import arb, arb_mat, arb_poly, fmpq, fmpq_poly, fmpz_mat, fmpz_poly
@@ -18,7 +19,14 @@ from tresym.reals.balls.contact import candidates
 from tresym.reals.decisions.answer import Answer, refuted
 from tresym.reals.decisions.identity import shown
 from tresym.reals.decisions.region import is_isolated
-from tresym.reals.language.expression import Expr, differentiate, symbols
+from tresym.reals.language.expression import (
+    LEAVES,
+    PI,
+    Expr,
+    differentiate,
+    number,
+    symbols,
+)
 from tresym.reals.normal.at_point import equal_at, satisfies
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.polynomials import Monomial, polynomial, terms_in_symbols
@@ -38,6 +46,10 @@ DIGITS, STEPS = 400, 10
 SCALE, TINY = arb(2) ** 300, arb(2) ** -350
 MAX_DEGREE, MAX_COEFFICIENT = 8, 2**24
 """Of the polynomial whose root it is."""
+TURNS = tuple(k * PI / 2 for k in (2, 0, 1, -1))
+UNITS = tuple(map(number, (1, -1, 0)))
+MAX_POINTS = 100
+"""Points of quarter turns, and of units for the other variables, that are tried."""
 MAX_EACH = 3
 """Simple constants tried for each variable."""
 
@@ -246,11 +258,36 @@ def equal_at_simple(
     choices = [
         list(islice(candidates(Interval(x - NEAR, x + NEAR)), MAX_EACH)) for x in near.values()
     ]
-    for values in product(*choices):
-        point = dict(zip(near, values, strict=True))
+    points = (dict(zip(near, values, strict=True)) for values in product(*choices))
+    return _equal_at_one(left, right, given, points)
+
+
+def equal_at_turns(left: Expr, right: Expr, given: Given) -> Answer | None:
+    """A refutation of a strict inequality at quarter turns of what is in a sine or cosine."""
+    difference = left - right
+    names = sorted(symbols(difference))
+    angles = frozenset().union(*map(symbols, _angles(difference)))
+    if not angles or len(names) < 2 or given.names - {*names}:
+        return None
+    choices = [TURNS if name in angles else UNITS for name in names]
+    points = (dict(zip(names, values, strict=True)) for values in product(*choices))
+    return _equal_at_one(left, right, given, islice(points, MAX_POINTS))
+
+
+def _angles(e: Expr) -> Iterator[Expr]:
+    """What sines and cosines are of."""
+    for arg in () if e.op in LEAVES else e.args:
+        yield from (arg,) if e.op in ("sin", "cos") else _angles(arg)
+
+
+def _equal_at_one(
+    left: Expr, right: Expr, given: Given, points: Iterable[dict[str, Expr]]
+) -> Answer | None:
+    """A refutation at the first of the points at which both sides are equal."""
+    for point in points:
         with ball_precision(2 * WORKING):
             at = {name: evaluate(value, {}) for name, value in point.items()}
-            if not evaluate(difference, at).contains(0):
+            if not evaluate(left - right, at).contains(0):
                 continue
             if not all(satisfies(condition, point, at) for condition in given.conditions):
                 continue
