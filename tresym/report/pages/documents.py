@@ -23,7 +23,7 @@ from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import checked_twice
 from tresym.report.pages.article import article
-from tresym.report.pages.check_tables import by_kind, measured
+from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
@@ -64,6 +64,7 @@ def drawn() -> Iterator[tuple[str, str]]:
         yield f"tables/{name}.tex", written(found, "latex")
     yield "tables/deciding.md", measured(saved.load("check"))
     yield "tables/kinds.md", by_kind(saved.load("kinds"))
+    yield "tables/papers.md", by_source(saved.load("papers"))
 
 
 def ledger(report: Report) -> str:
