@@ -91,6 +91,16 @@ CLAIMS = {
     r"\[ \sin x < \frac{x}{2} \text{ for } x > 0 \]": "REFUTED",
     r"Let $x < 0$. \[ \sqrt{x^2} = -x \]": "PROVED",
     r"\section{A} Let $x < 0$. \section{B} \[ \sqrt{x^2} = -x \]": "PROVED",
+    r"Let $x > 0$. For all real $x$ \[ e^{|x|} = e^x \]": "REFUTED",
+    r"Let $x > 0$. \section{B} Let $x$ be real. \[ \sqrt{x^2} = x \]": "EQUATION",
+    r"Let $x > 0$. For every real number $x$, \[ \sinh x > 0 \]": "REFUTED",
+    r"For $x>0$ and $n$ a positive integer \[ \cos 2\pi x = 1 \]": "EQUATION",
+    r"If $x$ is an integer, then \[ \cos 2\pi x = 1 \] Later \[ \cos 2\pi x = 1 \]": (
+        "PROVED EQUATION"
+    ),
+    r"Let $x$ and $y$ be integers. \[ \cos 2\pi x = \cos 2\pi y \]": "PROVED",
+    r"For $n$ a positive integer \[ \cos 2\pi n = 1 \]": "PROVED",
+    r"\[ x^2 \geq 0, \qquad \cosh x \leq \tfrac12 \]": "PROVED UNDECIDED",
     r"\[ f(x) = x^2 \] \[ f'(x) = 2x = x + x \]": "DEFINED PROVED PROVED",
     r"\[ f(x) = x^2 \] \[ f(2x) = 4 f(x) \]": "DEFINED PROVED",
     r"\[ r = \sqrt{1-b^2}= \sqrt{1-v^2}, \quad b = v \]": "DEFINED PROVED DEFINED",

@@ -51,6 +51,8 @@ _DERIVATIVES = (
     (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
 )
 """How derivatives of symbols are written."""
+_INDICES = frozenset("ijklmnpqrsIJKLMN")
+"""Letters of integers: in passing, of others it is said of one display."""
 DEPTH = 10
 Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
 """What conditions state: comparisons, values that are put in, and a path."""
@@ -74,7 +76,7 @@ class Memory:
     Attributes:
         functions: what symbols and functions stand for, the latest last.
         noted, lasting: conditions of the author's notes and of the prose, to the section's end.
-        earlier: those of sections before.
+        earlier: those of sections before, of symbols that are not spoken of anew.
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
         seen: names that stood in a display before.
@@ -163,14 +165,22 @@ class Memory:
         """Definitions and lasting conditions in the lines of a text."""
         for found in prose.inline(text):
             for said in quietly(found.tex):
-                head = self.head(said.terms[0]) if found.whole else None
+                head = self.head(said.terms[0]) if found.whole or found.anew else None
                 if head and not head.parameters and all(map(is_plain, said.terms)):
-                    self.lasting += whole(symbol(head.name), found.whole)
+                    if found.anew:
+                        self.forget(head.name)
+                    if found.whole and (head.name[:1] in _INDICES or not found.passing):
+                        self.lasting += whole(symbol(head.name), found.whole)
                 if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
                     self.defined_in_line(said, found.defining, found.told)
                 elif found.lasting:
                     given, _, _ = self.condition(said) or ((), (), "")
                     self.lasting += given
+
+    def forget(self, name: str) -> None:
+        """No condition on a symbol holds any longer: it is spoken of anew."""
+        self.lasting = [c for c in self.lasting if name not in names_in((c,))]
+        self.earlier = [c for c in self.earlier if name not in names_in((c,))]
 
     def defined_in_line(self, said: Said, surely: bool, told: bool) -> None:
         """A definition in the line, by the words before it or as one of a function, f(x) = ….
@@ -201,6 +211,9 @@ class Memory:
                 if not found.passing:
                     continue
                 for said in quietly(found.tex):
+                    head = self.head(said.terms[0]) if found.whole else None
+                    if head and not head.parameters and all(map(is_plain, said.terms)):
+                        given += whole(symbol(head.name), found.whole)
                     more = self.condition(said)
                     if more and not more[1]:
                         given += more[0]

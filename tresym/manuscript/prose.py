@@ -42,10 +42,16 @@ _DEFINING = re.compile(
 )
 _WHOLE = r"(positive |non-?negative |natural |nonzero )?(?:integers?|natural numbers?)"
 _INTEGER_BEFORE = re.compile(rf"\b{_WHOLE}[\s~]*\Z", re.IGNORECASE)
+_LIST = r"((?:[\s~,]*(?:and\b[\s~]*)?\$[^$]*\$){0,8})[\s~,]*(?:is|are|be|being|denotes?)?\s*"
 _INTEGER_AFTER = re.compile(
-    rf"(?:[\s~,]*(?:and\b[\s~]*)?\$[^$]*\$){{0,8}}[\s~,]*(?:is|are|be|being|denotes?)?\s*"
+    rf"{_LIST}"
     rf"(?:an?|any|some|both|all|fixed|given|arbitrary)?\s*{_WHOLE}"
 )
+_ANEW_BEFORE = re.compile(r"\b(?:real|all|any|every|each|arbitrary)\b[^.,;:$]*\Z", re.IGNORECASE)
+_ANEW_AFTER = re.compile(
+    rf"{_LIST}(?:an?|any|some|both|all|not)?\s*(?:real|non-?zero|arbitrary)\b", re.IGNORECASE
+)
+_RELATION = re.compile(r"[<>=]|\\(?:[lg]eq?|neq?|in)(?![a-zA-Z])")
 MAX_AFTER = 600
 
 
@@ -59,6 +65,7 @@ class Inline(NamedTuple):
         defining: it may define a symbol ("where $r = \\sqrt{b/a}$").
         told: it is said to hold ("then $m = 2k + 1$").
         whole: its symbols are integers, from the number that is said on ("a positive integer $n$").
+        anew: its symbols are spoken of anew ("for all real $x$"): what was said of them has ended.
     """
 
     tex: str
@@ -67,6 +74,7 @@ class Inline(NamedTuple):
     defining: bool
     told: bool
     whole: str = ""
+    anew: bool = False
 
 
 def kind_of(before: str) -> str:
@@ -96,26 +104,38 @@ def first_sentence(text: str) -> str:
 def inline(text: str) -> Iterator[Inline]:
     """The formulas in the lines of a text, sentence by sentence."""
     for sentence in _SENTENCE.split(text):
-        start, carried = 0, (False, False, False, False)
+        start, carried, anew = 0, (False, False, False, False), False
         for found in _INLINE.finditer(sentence):
             words = sentence[start : found.start()]
             if start and re.fullmatch(r"[\s,~]*(?:and|or)?[\s,~]*", words):
                 marks = carried
             else:
+                anew = bool(_ANEW_BEFORE.search(words))
                 marks = (
                     bool(_LASTING.search(words)),
                     bool(_PASSING.search(words)),
                     bool(_DEFINING.search(words)),
                     bool(_TOLD.search(words)),
                 )
-            yield Inline(found[1] or found[2], *marks, _whole(words, sentence[found.end() :]))
+            tex, rest = found[1] or found[2], sentence[found.end() :]
+            alone = not _RELATION.search(tex)
+            told = alone and (anew or bool(_ANEW_AFTER.match(rest[:200])))
+            yield Inline(tex, *marks, _whole(words, rest, alone), told)
             start, carried = found.end(), marks
 
 
-def _whole(before: str, after: str) -> str:
-    """Whether the words around a formula say that its symbols are integers, and which."""
-    found = _INTEGER_BEFORE.search(before[-60:]) or _INTEGER_AFTER.match(after[:200])
+def _whole(before: str, after: str, alone: bool) -> str:
+    """Whether the words around a formula say that its symbols are integers, and which.
+
+    What is said behind a list is said of all in it where that is of many, and each stands alone:
+    in "$x > 0$ and $n$ a positive integer" it is of the last.
+    """
+    found, kind = _INTEGER_BEFORE.search(before[-60:]), 1
+    if found is None:
+        found, kind = _INTEGER_AFTER.match(after[:200]), 2
+        if found and found[1].strip() and not (alone and found[0].endswith("s")):
+            found = None
     if found is None:
         return ""
-    kind = (found[1] or "").strip().replace("-", "").lower()
-    return {"positive": "N", "natural": "N", "nonnegative": "N0"}.get(kind, "Z")
+    said = (found[kind] or "").strip().replace("-", "").lower()
+    return {"positive": "N", "natural": "N", "nonnegative": "N0"}.get(said, "Z")

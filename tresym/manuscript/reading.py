@@ -8,6 +8,7 @@ or "for all". Any other equality that does not hold everywhere is an equation to
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TypeAlias
@@ -52,6 +53,10 @@ Group: TypeAlias = tuple[Said, list[Said]]
 def read_links(events: Sequence[Event]) -> list[Link]:
     """Every link of every display, in order."""
     return list(_Reading(events).links())
+
+
+_FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|operatorname|sqrt)")
+"""What a condition behind an inequality does not have in it."""
 
 
 class _Reading:
@@ -378,6 +383,8 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
     if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
         value = bool(others or before.conditions) and all(map(is_plain, said.terms))
         return (bool(said.values) or value) and relations == {"=="}
+    if "=" not in before.ops and any(_FUNCTION.fullmatch(t) for x in said.terms for t in x):
+        return False  # an inequality behind an inequality is one more
     return any(len(term) <= 4 or "|" in term[0] for term in said.terms) or (
         all(map(is_plain, said.terms[::2]))
     )

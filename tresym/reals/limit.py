@@ -29,7 +29,8 @@ def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[
         raise error
 
     before = signal.signal(signal.SIGPROF, over)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
+    # Struck in a callback of the collector, the first one is lost: so it strikes again.
+    signal.setitimer(signal.ITIMER_PROF, seconds, seconds)
     try:
         yield
     finally:

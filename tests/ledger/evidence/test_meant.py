@@ -202,12 +202,12 @@ def test_a_printed_number_stands_in_its_sentence() -> None:
 
 
 def test_prose_is_marked_and_listed() -> None:
-    report = report_json(verify(["d26", "eq_gamma", "d52", "everywhere"]))
+    report = report_json(verify(["d26", "eq_gamma", "d52", "eq_epsilon_gen"]))
     formal = {row["label"]: row["formal"] for row in report["claims"]}
     assert formal["eq_gamma"]
     assert formal["d26"]
     assert formal["d52"]
-    assert not formal["everywhere"]
+    assert not formal["eq_epsilon_gen"]
     assert report["prose"] == [label for label, is_formal in formal.items() if not is_formal]
 
 

@@ -54,6 +54,7 @@ def test_no_mutant_of_a_few_claims_holds() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.filterwarnings("default::pytest.PytestUnraisableExceptionWarning")  # see time_limit
 @pytest.mark.parametrize("part", range(4))
 def test_no_mutant_holds(part: int) -> None:
     """Every sixth claim, in four parts; `tresym verify --mutants` takes them all.

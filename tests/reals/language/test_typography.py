@@ -97,7 +97,6 @@ def test_printed_signs_are_read(claim: str) -> None:
         ("limit(x, x, y) > 1", "stands alone on one side"),
         ("limit(x, x, 0) == 0 as x -> 0", "path in it"),
         ("x + O(x) + o(x) == 1", "right end"),
-        ("x == x - O(x) as x -> 0", "right end"),
         (r"x \le \infty", "oo is no real number"),
         (r"x = \pm 1", "write x == 1 and x == -1"),
         (r"x\to 0", "needs its path"),
