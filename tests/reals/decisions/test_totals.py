@@ -104,3 +104,10 @@ def test_terms_that_know_the_end_are_not_added_to_what_was() -> None:
 )
 def test_what_is_no_sum_from_an_integer_to_an_integer_does_not_pass(claim: str) -> None:
     assert not tresym.check(claim)
+
+
+@pytest.mark.parametrize(("least", "told"), [(-3, True), (0, True), (1, False), (3, False)])
+def test_from_where_a_sum_is_spoken_of_is_told(least: int, told: bool) -> None:
+    answer = tresym.check(f"sum(1, k, 1, n) == n given n integer, n >= {least}")
+    assert answer.verdict is Verdict.PROVED
+    assert ("below which none is spoken of" in answer.why) is told

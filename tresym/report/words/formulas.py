@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 _GREEK = {
@@ -160,61 +160,41 @@ class _Reader:
 
     def formula(self) -> str | None:
         """Sums between relations."""
-        latex = ""
-        if self._at().text in _RELATIONS:
-            latex = self._relation()
-        first = self._sum()
+        return self._chain(self._sum, _RELATIONS)
+
+    def _sum(self) -> str | None:
+        return self._chain(self._term, _SIGNS)
+
+    def _chain(self, part: Callable[[], str | None], signs: Mapping[str, str]) -> str | None:
+        """Parts between signs, of which one may come first."""
+        latex = self._sign(signs)
+        first = part()
         if first is None:
             return None
         latex += first
         while True:
             start = self.place
             self._skip_space()
-            if self._at().text not in _RELATIONS:
+            if self._at().text not in signs:
                 break
-            sign = self._relation()
-            right = self._sum()
-            if right is None:
+            sign = self._sign(signs)
+            following = part()
+            if following is None:
                 break
-            latex += f" {sign}{right}"
+            latex += f" {sign}{following}"
         self.place = start
         return latex
 
-    def _relation(self) -> str:
-        sign = _RELATIONS[self._at().text]
+    def _sign(self, signs: Mapping[str, str]) -> str:
+        if self._at().text not in signs:
+            return ""
+        sign = signs[self._at().text]
         self.place += 1
         self._skip_space()
         return f"{sign} "
 
     def _skip_space(self) -> None:
         self.place += self._at().kind == "space"
-
-    def _sum(self) -> str | None:
-        latex = self._sign()
-        first = self._term()
-        if first is None:
-            return None
-        latex += first
-        while True:
-            start = self.place
-            self._skip_space()
-            if self._at().text not in _SIGNS:
-                break
-            sign = self._sign()
-            term = self._term()
-            if term is None:
-                break
-            latex += f" {sign}{term}"
-        self.place = start
-        return latex
-
-    def _sign(self) -> str:
-        if self._at().text not in _SIGNS:
-            return ""
-        sign = _SIGNS[self._at().text]
-        self.place += 1
-        self._skip_space()
-        return f"{sign} "
 
     def _term(self) -> str | None:
         latex = self._factor()
@@ -228,7 +208,7 @@ class _Reader:
             if times:
                 self.place += 1
                 self._skip_space()
-                sign = self._sign() if times != "/" else ""
+                sign = self._sign(_SIGNS) if times != "/" else ""
                 factor = self._factor()
             elif spaced and not self._joins():
                 break
