@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tresym.proofs.euler_angles import shape_and_depth
-from tresym.proofs.printed import MOMENTS, TABLE_1, inputs, number
+from tresym.proofs.printed import MOMENTS, TABLE_1, inputs, number, typeset
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.notation import *
@@ -18,9 +18,13 @@ def _as_there(*names: str) -> tuple[Basic, ...]:
     return inputs(**{name: KILOGRAM_METRES[name] for name in names})
 
 
+def _letter(name: str) -> str:
+    return name.translate(str.maketrans("123", "₁₂₃"))
+
+
 moments = tuple(
     number(
-        f"{name} = {KILOGRAM_METRES[name]} kg m² is the {{}} kg mm² of Table 1.",
+        f"{_letter(name)} = {typeset(KILOGRAM_METRES[name])} kg m² is the {{}} kg mm² of Table 1.",
         10**6 * Symbol(name, real=True),
         str(text),
         _as_there(name),

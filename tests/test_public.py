@@ -52,6 +52,7 @@ VALUES = {
     "answer": lambda: tresym.check("x**2 + 1 > 0", "x < 5"),
     "refuted": lambda: tresym.check("sin(x) == cos(x)"),
     "report": lambda: tresym.verify("eq_gamma"),
+    "named body": lambda: tresym.bodies["str"],
     "row": lambda: tresym.verify("eq_gamma")["eq_gamma"],
     "claim": lambda: tresym.verify("eq_gamma")["eq_gamma"].claim,
 }

@@ -49,6 +49,12 @@ def test_json_has_the_ball_in_it(capsys: pytest.CaptureFixture[str]) -> None:
         assert rad <= mid * arb("1e-30")
 
 
+@pytest.mark.parametrize("words", [[], ["--psi0", "0.3", "--rate", "0.2"]])
+def test_fifty_digits_fit_a_terminal(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["flip", "--body", "str", *words]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+
+
 def test_the_three_ways_to_name_a_body_agree(capsys: pytest.CaptureFixture[str]) -> None:
     defects = set()
     for words in (

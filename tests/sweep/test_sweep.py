@@ -21,7 +21,9 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from contextlib import closing, contextmanager, suppress
 from fractions import Fraction
+from importlib.util import find_spec
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -35,7 +37,7 @@ from tresym.racket.formulas import printed
 from tresym.reals.decisions.limits import BATCH
 from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision
 from tresym.reals.numbers.exact import InputError, parse_number
-from tresym.sweep import CsvFile, Grid, cluster, processes, sweep
+from tresym.sweep import CsvFile, Grid, cluster, processes, sweep, to_frame
 from tresym.sweep.rows import FORMULAS, SweepRow, compute
 from tresym.sweep.run import Progress, batch_size, duration
 from tresym.sweep.source import LONGEST_LINE, read_values
@@ -421,6 +423,30 @@ def test_the_header_says_that_float64_is_not_certified(tmp_path: Path) -> None:
     header = export.read_text().splitlines()[0].split(",")
     assert "defect_float64" in header
     assert not {"defect", "radius"} & set(header)
+
+
+def test_a_table_is_a_frame_where_pandas_is(
+    tmp_path: Path, expected: list[tuple[Any, ...]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = sweep(GRID, str(tmp_path / "t # 1.db"), 20, serial)
+    stranger = tmp_path / "other.db"
+    with closing(sqlite3.connect(stranger)) as connection:
+        connection.execute("CREATE TABLE rows (line INTEGER)")
+    if find_spec("pandas") is None:
+        with pytest.raises(InputError, match="pandas is not installed"):
+            found.to_frame()
+        monkeypatch.setitem(sys.modules, "pandas", SimpleNamespace(DataFrame=list))
+        rows = found.to_frame()
+    else:
+        rows = found.to_frame().to_dict("records")
+    assert [row["line"] for row in rows] == [line for line, *_ in expected]
+    first = SweepRow(*expected[0])
+    assert list(rows[0]) == list(SweepRow._fields)
+    assert (rows[0]["defect"], rows[0]["radius"]) == (first.defect, first.radius)
+    assert all(isinstance(row["realizable"], bool) for row in rows)
+    for wrong, why in ((stranger, "is not the table"), (tmp_path / "no.db", "unable to open")):
+        with pytest.raises(InputError, match=why):
+            to_frame(str(wrong))
 
 
 def test_parquet_without_pyarrow_is_refused_before_any_work(

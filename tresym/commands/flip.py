@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from flint import arb, fmpq
@@ -162,6 +163,9 @@ def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
 
 LONGEST_FRACTION = 24
 
+LABEL, LINE = 12, 80
+"""Columns of what a line begins with, and of a whole one, which a ball of 50 digits fills."""
+
 
 def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
     """The answer in lines for people; ``title`` says which body it is of."""
@@ -171,10 +175,10 @@ def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
             ("defect   ε", radians(answer.defect, answer.digits)),
             ("flip    Δψ", radians(answer.turn, answer.digits)),
             *_approximations(answer),
-            ("rung", f"{answer.rung}: {answer.why}"),
+            *_rung(answer),
             ("realizable", _realizable(answer)),
         ]
-    lines = [f"  {dim(f'{label:<12}', colour)}{text}" for label, text in rows]
+    lines = [f" {dim(f'{label:<{LABEL}}', colour)}{text}" for label, text in rows]
     return "\n".join([bold(title, colour), "", *lines]) + "\n"
 
 
@@ -186,11 +190,17 @@ def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
             ("flip    Δψ", radians(answer.turn, answer.digits)),
             ("ends at  ψ", radians(answer.psi, answer.digits)),
             ("         θ", radians(answer.theta, answer.digits)),
-            ("rung", f"{answer.rung}: {answer.why}"),
+            *_rung(answer),
             ("realizable", _realizable(answer)),
         ]
-    lines = [f"  {dim(f'{label:<12}', colour)}{text}" for label, text in rows]
+    lines = [f" {dim(f'{label:<{LABEL}}', colour)}{text}" for label, text in rows]
     return "\n".join([bold(title, colour), "", *lines]) + "\n"
+
+
+def _rung(answer: Flip | Journey) -> list[tuple[str, str]]:
+    """Which model gave the answer, and how, in lines of a terminal."""
+    first, *more = wrap(f"{answer.rung}: {answer.why}", LINE - LABEL - 1)
+    return [("rung", first), *(("", line) for line in more)]
 
 
 def _approximations(answer: Flip) -> list[tuple[str, str]]:

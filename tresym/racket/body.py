@@ -175,6 +175,24 @@ class NamedBody(NamedTuple):
     read: Callable[..., Shape]
     data: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        return f"NamedBody({self.title}, {self.source}: {', '.join(self.data)})"
+
+    def _repr_html_(self) -> str:
+        """A small table for notebooks."""
+        a, b = self.shape
+        rows = [
+            (self.source, ", ".join(self.data)),
+            ("a", fraction_text(a)),
+            ("b", fraction_text(b)),
+        ]
+        return html_table(self.title, rows)
+
+    def _repr_latex_(self) -> str:
+        """The shape."""
+        a, b = (fraction_text(x) for x in self.shape)
+        return f"$a = {a},\\ b = {b}$"
+
     @property
     def shape(self) -> Shape:
         """The exact shape of the printed data."""

@@ -9,6 +9,7 @@ interrupted, even by ``kill -9``, goes on where it stopped when it is started ag
 
 from tresym.sweep.run import Summary, sweep
 from tresym.sweep.source import CsvFile, Grid, Source
+from tresym.sweep.table import to_frame
 from tresym.sweep.workers import cluster, processes
 
-__all__ = ["CsvFile", "Grid", "Source", "Summary", "cluster", "processes", "sweep"]
+__all__ = ["CsvFile", "Grid", "Source", "Summary", "cluster", "processes", "sweep", "to_frame"]

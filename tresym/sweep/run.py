@@ -20,7 +20,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import cores
 from tresym.sweep.rows import compute
 from tresym.sweep.source import Part, Source
-from tresym.sweep.table import Table, check_export, open_table, packed
+from tresym.sweep.table import Table, check_export, open_table, packed, to_frame
 from tresym.sweep.workers import PATIENCE, Workers, processes
 
 FLOAT_BATCH = 20_000
@@ -48,6 +48,10 @@ class Summary(NamedTuple):
         """As a JSON object."""
         problems = [{"line": line, "reason": reason} for line, reason in self.problems]
         return {**self._asdict(), "problems": problems}
+
+    def to_frame(self) -> Any:
+        """All rows of the table: :func:`tresym.sweep.table.to_frame` of its path."""
+        return to_frame(self.path)
 
 
 def sweep(

@@ -15,6 +15,7 @@ import sqlite3
 import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
+from pathlib import Path
 from typing import Any
 
 from tresym.output import writing
@@ -130,6 +131,33 @@ class Table:
         write = _write_parquet if path.endswith(".parquet") else _write_csv
         with writing(path) as aside:
             write(aside, self._pieces(), self.in_floats)
+
+
+def to_frame(path: str) -> Any:
+    """The rows of the table at ``path`` as a pandas DataFrame, a line a row.
+
+    As in Parquet a certified ``defect`` and its ``radius`` are text, which has all the digits.
+
+    Raises:
+        InputError: pandas is not installed; there is no table of a sweep, or one is at work on it.
+    """
+    try:
+        import pandas
+    except ImportError:
+        raise InputError("to_frame: pandas is not installed") from None
+    address = f"{Path(os.path.abspath(path)).as_uri()}?mode=ro"
+    with _plainly(path), closing(sqlite3.connect(address, timeout=1, uri=True)) as connection:
+        if connection.execute("PRAGMA application_id").fetchone() != (APPLICATION,):
+            raise InputError(f"{path}: is not the table of a sweep")
+        cursor = connection.execute("SELECT * FROM rows ORDER BY line")
+        names = [name for name, *_ in cursor.description]
+        return pandas.DataFrame(_typed(names, row) for row in cursor)
+
+
+def _typed(names: Sequence[str], values: Sequence[Any]) -> dict[str, Any]:
+    """A row by its columns, with a boolean where SQLite has 0 or 1."""
+    row = dict(zip(names, values, strict=True))
+    return row | {"realizable": None if row["realizable"] is None else bool(row["realizable"])}
 
 
 @contextmanager
@@ -272,7 +300,5 @@ def _write_parquet(path: str, pieces: Iterator[list[tuple[Any, ...]]], in_floats
     schema = pyarrow.schema(list(types.items()))
     with pyarrow.parquet.ParquetWriter(path, schema) as writer:
         for piece in pieces:
-            rows = [dict(zip(names, row, strict=True)) for row in piece]
-            for row in rows:
-                row["realizable"] = None if row["realizable"] is None else bool(row["realizable"])
+            rows = [_typed(names, row) for row in piece]
             writer.write_table(pyarrow.Table.from_pylist(rows, schema=schema))

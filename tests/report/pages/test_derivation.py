@@ -14,7 +14,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 from tresym.report import figures
 from tresym.report.pages.article import article, figures_of
-from tresym.report.pages.derivation import fragment, prose
+from tresym.report.pages.derivation import _valued, fragment, prose
 
 
 @pytest.fixture(scope="module")
@@ -139,3 +139,16 @@ def compiled(text: str, folder: Path, times: int) -> str:
     overfull = [float(x) for x in re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)]
     assert all(x < 5 for x in overfull), overfull
     return log
+
+
+@pytest.mark.parametrize(
+    ("mid", "shown"),
+    [
+        ("1209.999999999999999999999999999999999999999999999999999999", "$1210$"),
+        ("-2.50", "$-2.5$"),
+        ("1200", "$1200$"),
+        ("0.14999999999999999999999999999999999999999999999999", f"$0.14{'9' * 48}$"),
+    ],
+)
+def test_a_value_is_rounded_and_not_cut_off(mid: str, shown: str) -> None:
+    assert _valued(mid) == shown

@@ -21,6 +21,8 @@ from tresym.report.words.plain import plain
         (r"\left.\frac{d}{db}(x)\right|_{b=0}", "d/db(x)|_(b = 0)"),
         (r"\sin^2\theta", "sin²θ"),
         (r"0 < b \le 1", "0 < b ≤ 1"),
+        (r"O(1)\quad(\left( u, \  \mu\right) \to \left( 0, \  0\right))", "O(1) ((u, μ) → (0, 0))"),
+        (r"\Bigl(\varphi(W)^n W'\Bigr )", "(φ(W)ⁿ W')"),
         (r"\begin{pmatrix}a\\b\end{pmatrix}", "(a; b)"),
     ],
 )

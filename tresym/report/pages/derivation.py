@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
+from decimal import Context
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import Claim
@@ -155,11 +156,17 @@ def _decided(claim: Claim, formula: str) -> str:
     return rf"\textsf{{\small Decided as}} \fitted{{{alone(formula)}}}"
 
 
+def _valued(mid: str) -> str:
+    """A value in 50 digits, rounded: 1210 where the middle of its ball is 1209.99…"""
+    text = f"{Context(prec=50).create_decimal(mid):f}"
+    return f"${text.rstrip('0').rstrip('.') if '.' in text else text}$"
+
+
 def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
     """What a report adds to the statement: value, witness, amendment."""
     finding = row.finding
     if finding.value is not None:
-        yield rf"\textsf{{\small Value}} {finding.value.mid[:52]}.\par"
+        yield rf"\textsf{{\small Value}} {_valued(finding.value.mid)}.\par"
     if finding.verdict is Verdict.ENCLOSED and " = " not in finding.why:
         yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding.why)}.\par}}"
     if finding.verdict is Verdict.REFUTED:

@@ -21,7 +21,7 @@ _SIGNS = {
     r"\theta": "θ", r"\kappa": "κ", r"\lambda": "λ", r"\mu": "μ", r"\nu": "ν", r"\xi": "ξ",
     r"\pi": "π", r"\rho": "ρ", r"\sigma": "σ", r"\tau": "τ", r"\phi": "φ", r"\chi": "χ",
     r"\psi": "ψ", r"\omega": "ω", r"\Delta": "Δ", r"\Phi": "Φ", r"\Psi": "Ψ", r"\Omega": "Ω",
-    r"\Theta": "Θ", r"\min": "min", r"\max": "max", r"\top": "ᵀ",
+    r"\Theta": "Θ", r"\min": "min", r"\max": "max", r"\top": "ᵀ", r"\varphi": "φ",
 }  # fmt: skip
 _RAISED = str.maketrans("0123456789+-−n*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻ⁿ*")
 _LOWERED = str.maketrans("0123456789+-", "₀₁₂₃₄₅₆₇₈₉₊₋")
@@ -37,8 +37,9 @@ _ONE = re.compile(r"[d∂]?[^\W\d][₀-₉⁰¹²³⁴-⁹]*")
 
 def plain(formula: str) -> str:
     """LaTeX as our printer writes it, in plain characters."""
-    text = _plain(_TOKEN.findall(re.sub(r"\\(?:left|right)\.?|~", "", formula)))
+    text = _plain(_TOKEN.findall(re.sub(r"\\(?:left|right|[Bb]igg?[lr]?)\b\.?|~", "", formula)))
     text = re.sub(r"\s+", " ", _SPACED.sub(r" \1 ", text)).strip()
+    text = re.sub(r"(?<=[(\[]) | (?=[)\]])", "", text)
     return unicodedata.normalize("NFC", text)
 
 
