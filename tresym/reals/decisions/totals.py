@@ -310,10 +310,10 @@ def _induction(
         why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
         return Answer(Verdict.UNDECIDED, why)
     worst = base if base.verdict is Verdict.ENCLOSED else step
-    first = f"{n} = {least}"
+    begin = f"{n} = {least}"
     if _has_no_term(claim, n, least):
-        first += ", where a sum has no term and below which none is spoken of"
-    why = f"by induction from {first}: {base.why}; from {n} to {n} + 1, {step.why}"
+        begin += ", where a sum has no term and below which none is spoken of"
+    why = f"by induction from {begin}: {base.why}; from {n} to {n} + 1, {step.why}"
     return replace(worst, why=why, region=None, constant=None)
 
 
