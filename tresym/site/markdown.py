@@ -31,7 +31,7 @@ def statement(claim: dict[str, Any]) -> str:
 
 def inline(claim: dict[str, Any]) -> str:
     """What a claim says, with its conditions, within a line."""
-    return in_line(of_record(claim))
+    return in_line(of_record(claim), claim["title"])
 
 
 def chain(lines: list[dict[str, Any]]) -> str:

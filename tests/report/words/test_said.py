@@ -33,6 +33,7 @@ from tresym.report.words.said import (
     in_plain_text,
     of_record,
     on_lines,
+    quoted,
     said,
 )
 from tresym.site import claims as pages
@@ -127,7 +128,7 @@ def test_the_conditions_stand_where_the_claim_is_quoted(
 def test_what_uses_a_claim_quotes_it_with_its_conditions(report: Report) -> None:
     page = _on_the_page(report, "eq_gamma")
     for used in report["eq_gamma"].claim.uses:
-        assert in_line(said(used)) in page
+        assert quoted(used) in page
 
 
 READ_BY = {
@@ -196,7 +197,7 @@ def test_parts_of_parts_are_asked_too() -> None:
 
 def test_without_conditions_nothing_is_said_of_them() -> None:
     assert in_plain_text(Said("So it is.", None, ())) == "So it is."
-    assert in_line(Said(None, "|a|,\\quad b", ())) == r"$\vert a\vert$, $b$."
+    assert in_line(Said(None, "|a|,\\quad b", ()), "") == r"$\vert a\vert$, $b$."
 
 
 def test_what_the_bounds_of_a_symbol_show_is_not_said_again() -> None:

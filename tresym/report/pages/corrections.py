@@ -13,7 +13,7 @@ from tresym.reals.verdict import Verdict
 from tresym.report.words.markdown import finding as found_text
 from tresym.report.words.markdown import sentence
 from tresym.report.words.place import place_text
-from tresym.report.words.said import in_line, said
+from tresym.report.words.said import quoted
 
 LONGEST = 320
 OPENING = 4
@@ -96,7 +96,7 @@ def _opening(found: list[Correction], rows: dict[str, Row]) -> Iterator[str]:
         claim = rows[correction.labels[0]].claim
         yield (
             f"{n}. **{sentence(correction.title)}** ({place_text(claim)}). Printed: "
-            f"“{sentence(correction.quote)}”. True: {in_line(said(claim.amended_by[0]))}"
+            f"“{sentence(correction.quote)}”. True: {quoted(claim.amended_by[0])}"
         )
 
 
@@ -112,7 +112,7 @@ def _entry(correction: Correction, rows: dict[str, Row]) -> str:
         "",
         f"**Printed:** “{sentence(correction.quote)}”.",
         "",
-        f"**Decided:** {in_line(said(claim))}",
+        f"**Decided:** {quoted(claim)}",
         "",
     ]
     own = [r.claim for r in said_in if r is leading or not isinstance(r.claim.proof, AllOf)]
@@ -129,7 +129,7 @@ def _sharper(row: Row) -> str:
         "",
         f"**Printed:** {sentence(claim.paper_says)}",
         "",
-        f"**More sharply, and ours:** {in_line(said(claim))}",
+        f"**More sharply, and ours:** {quoted(claim)}",
         "",
         *_true(claim.amended_by),
     ]
@@ -140,12 +140,12 @@ def _sharper(row: Row) -> str:
 def _true(claims: tuple[Claim, ...]) -> Iterator[str]:
     """What is true instead, nearest first."""
     if len(claims) == 1:
-        yield f"**True instead:** {in_line(said(claims[0]))} (`{claims[0].label}`)"
+        yield f"**True instead:** {quoted(claims[0])} (`{claims[0].label}`)"
         yield ""
     elif claims:
         yield "**True instead:**"
         yield ""
-        yield from (f"- {in_line(said(claim))} (`{claim.label}`)" for claim in claims)
+        yield from (f"- {quoted(claim)} (`{claim.label}`)" for claim in claims)
         yield ""
 
 

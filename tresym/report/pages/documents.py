@@ -33,7 +33,7 @@ from tresym.report.pages.tables import TABLES, table, written
 from tresym.report.pages.trust import trust
 from tresym.report.pages.walks import walks
 from tresym.report.words.place import place_text
-from tresym.report.words.said import in_line, said
+from tresym.report.words.said import quoted
 
 
 def documents() -> Iterator[tuple[str, str]]:
@@ -87,7 +87,7 @@ def ledger(report: Report) -> str:
                 f"`{claim.label}`",
                 place_text(claim),
                 rows[claim.label].finding.verdict.value,
-                in_line(said(claim)),
+                quoted(claim),
             )
             lines.append(f"| {' | '.join(cells)} |")
         lines.append("")

@@ -15,6 +15,7 @@ from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import says_latex
 from tresym.report.words.markdown import scripted, sentence
 from tresym.report.words.plain import plain, script
+from tresym.report.words.titles import title
 from tresym.report.words.wording import readable
 
 LONGEST_IN_A_LINE = 60
@@ -130,14 +131,19 @@ def _listed(given: tuple[str, ...], formula: Callable[[str], str]) -> str:
     return ", ".join(map(formula, given))
 
 
-def in_line(found: Said) -> str:
-    """The claim within a line of Markdown; a formula too long for that is named as such."""
+def quoted(claim: Claim) -> str:
+    """The claim within a line of Markdown."""
+    return in_line(said(claim), title(claim.label))
+
+
+def in_line(found: Said, name: str) -> str:
+    """The claim within a line of Markdown; of a formula too long for that, its title."""
     if found.says:
         text = sentence(found.says)
     elif found.formula and len(found.formula) <= LONGEST_IN_A_LIST:
         text = f"{in_dollars(found.formula)}."
     else:
-        text = "A formula of several lines."
+        text = f"{sentence(name)} (a formula of several lines)."
     return " ".join(filter(None, (text, conditions(found, in_dollars, sentence))))
 
 
