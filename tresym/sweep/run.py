@@ -31,6 +31,8 @@ MOST_DIGITS = 200_000
 FEWEST_BATCHES = 16
 """So many batches at least, so that few rows, too, are shared out."""
 
+MOST_LOST = 3
+"""How often the answer to one batch may be lost on its way."""
 SHOWN_PROBLEMS = 10
 
 
@@ -114,23 +116,30 @@ def _run(
     progress: Progress,
 ) -> None:
     """Keep the window full until nothing is left."""
-    pending: dict[Future[bytes], int] = {}
+    pending: dict[Future[bytes], tuple[int, bytes, int]] = {}
     with opened() as workers:
         while True:
             while len(pending) < workers.window and (batch := next(parts, None)) is not None:
                 asked = pickle.dumps((batch[1], digits))
-                pending[workers.executor.submit(computed, asked)] = batch[0]
+                pending[workers.executor.submit(computed, asked)] = batch[0], asked, 0
             if not pending:
                 return
             done = wait(pending, PATIENCE, FIRST_COMPLETED).done
             if not done:
                 workers.check()
             for future in done:
+                number, asked, lost = pending.pop(future)
                 try:
                     found = future.result()
                 except BrokenExecutor as error:
                     raise InputError(f"sweep: {error or 'the workers have died'}") from None
-                progress.landed(table.add(pending.pop(future), found))
+                except ValueError as error:
+                    # A Dask worker that dies between its answer and the reading of it.
+                    if isinstance(error, InputError) or lost == MOST_LOST:
+                        raise
+                    pending[workers.executor.submit(computed, asked)] = number, asked, lost + 1
+                    continue
+                progress.landed(table.add(number, found))
 
 
 def computed(asked: bytes) -> bytes:
