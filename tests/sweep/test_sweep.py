@@ -288,6 +288,38 @@ def test_what_landed_before_the_workers_died_is_kept(
     assert rows_of(tmp_path / "t") == expected
 
 
+class Losing(Executor):
+    """Loses the first answers on their way, as Dask does when a worker dies after its answer."""
+
+    def __init__(self, answers: int) -> None:
+        self.left = answers
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        self.left -= 1
+        if self.left >= 0:
+            future.set_exception(ValueError("too many values to unpack (expected 3)"))
+        else:
+            future.set_result(fn(*args, **kwargs))
+        return future
+
+
+@pytest.mark.parametrize(("answers", "ends"), [(1, True), (3, True), (4, False)])
+def test_a_lost_answer_is_asked_for_again_but_not_for_ever(
+    answers: int, ends: bool, tmp_path: Path, expected: list[tuple[Any, ...]]
+) -> None:
+    @contextmanager
+    def losing() -> Iterator[Workers]:
+        yield Workers(Losing(answers), 1)
+
+    if ends:
+        assert sweep(GRID, str(tmp_path / "t"), 20, losing).computed == 81
+        assert rows_of(tmp_path / "t") == expected
+    else:
+        with pytest.raises(ValueError, match="too many values"):
+            sweep(GRID, str(tmp_path / "t"), 20, losing)
+
+
 @pytest.mark.parametrize(
     "batch", [b"nonsense" * 1000, packed([SweepRow(1, "x", defect=0.5)], True)]
 )
