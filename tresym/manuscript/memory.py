@@ -165,17 +165,22 @@ class Memory:
         """Definitions and lasting conditions in the lines of a text."""
         for found in prose.inline(text):
             for said in quietly(found.tex):
-                head = self.head(said.terms[0]) if found.whole or found.anew else None
-                if head and not head.parameters and all(map(is_plain, said.terms)):
-                    if found.anew:
-                        self.forget(head.name)
-                    if found.whole and (head.name[:1] in _INDICES or not found.passing):
-                        self.lasting += whole(symbol(head.name), found.whole)
+                name = self.lone(said) if found.whole or found.anew else ""
+                if name and found.anew:
+                    self.forget(name)
+                if name and found.whole and (name[:1] in _INDICES or not found.passing):
+                    self.lasting += whole(symbol(name), found.whole)
                 if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
                     self.defined_in_line(said, found.defining, found.told)
                 elif found.lasting:
                     given, _, _ = self.condition(said) or ((), (), "")
                     self.lasting += given
+
+    def lone(self, said: Said) -> str:
+        """The symbol of which a plain formula speaks, if it is one."""
+        head = self.head(said.terms[0])
+        plain = head is not None and not head.parameters and all(map(is_plain, said.terms))
+        return head.name if head and plain else ""
 
     def forget(self, name: str) -> None:
         """No condition on a symbol holds any longer: it is spoken of anew."""
@@ -211,9 +216,8 @@ class Memory:
                 if not found.passing:
                     continue
                 for said in quietly(found.tex):
-                    head = self.head(said.terms[0]) if found.whole else None
-                    if head and not head.parameters and all(map(is_plain, said.terms)):
-                        given += whole(symbol(head.name), found.whole)
+                    if found.whole and (name := self.lone(said)):
+                        given += whole(symbol(name), found.whole)
                     more = self.condition(said)
                     if more and not more[1]:
                         given += more[0]
