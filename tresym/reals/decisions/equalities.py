@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from flint import arb, ctx, fmpq
 
-from tresym.reals.decisions.derivatives import where_real
+from tresym.reals.decisions.derivatives import real_nowhere, where_real
 from tresym.reals.decisions.identity import Decision, decide, no_point, sampled_values, shown
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import decided
@@ -46,10 +46,15 @@ def decide_equality(
         return found
     parts = (left, right, *differentiated)
     names = sorted(frozenset().union(*map(symbols, parts)))
-    if found.verdict is Verdict.PROVED:
+    if found.at is not None:
+        if _is_real(differentiated, by, found.at):
+            return replace(found, why=f"{found.why}, and {REAL} there")
         for point, _ in sampled_values(left, right, given, names, LOOKS):
             if _is_real(differentiated, by, point):
                 return replace(found, why=f"{found.why}, {REAL} at {shown(point)}")
+    if real_nowhere(given, differentiated if found.at else parts):
+        why = f"{REAL} nowhere, {FORMAL}" if found.at else f"{NOWHERE}, and there is none"
+        return Decision(found.verdict if found.at else Verdict.UNDECIDED, f"{found.why}; {why}")
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1), None)
     if found.verdict is Verdict.PROVED:
