@@ -182,7 +182,8 @@ def sampled_values(
     bits: int = WORKING,
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
     """Points where both sides are defined, at most ``count``, with their values."""
-    found, trees = 0, (left, right)
+    trees: tuple[Expr, ...] = (left, right)
+    found = 0
     for point in given.points(names, SEARCH_POINTS):
         with ball_precision(bits):
             values = values_or_broken(trees, point)
