@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import chain
 
 from flint import arb, ctx, fmpq
 
@@ -47,17 +48,18 @@ def decide_equality(
     parts = (left, right, *differentiated)
     names = sorted(frozenset().union(*map(symbols, parts)))
     if found.at is not None:
-        if _is_real(differentiated, by, found.at):
-            return replace(found, why=f"{found.why}, and {REAL} there")
-        for point, _ in sampled_values(left, right, given, names, LOOKS):
+        more = (point for point, _ in sampled_values(left, right, given, names, LOOKS))
+        for point in chain((found.at,), more):
             if _is_real(differentiated, by, point):
                 return replace(found, why=f"{found.why}, {REAL} at {shown(point)}")
-    if real_nowhere(given, differentiated if found.at else parts):
-        why = f"{REAL} nowhere, {FORMAL}" if found.at else f"{NOWHERE}, and there is none"
-        return Decision(found.verdict if found.at else Verdict.UNDECIDED, f"{found.why}; {why}")
+    proved = found.verdict is Verdict.PROVED
+    if real_nowhere(given, differentiated if proved else parts):
+        why = f"{REAL} nowhere, {FORMAL}" if proved else f"{NOWHERE}, and there is none"
+        verdict = Verdict.PROVED if proved else Verdict.UNDECIDED
+        return Decision(verdict, f"{found.why}; {why}")
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1), None)
-    if found.verdict is Verdict.PROVED:
+    if proved:
         where = f", {REAL} at {shown(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
         return replace(found, why=found.why + where)
     if real is None:
