@@ -41,7 +41,15 @@ from tresym.ledger.meaning import conditions
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as door
-from tresym.reals.language.expression import ZERO, Expr, number, symbols
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    fresh,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
@@ -153,9 +161,35 @@ def read(says: Basic) -> Formula:
         x, low, high = map(door.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
         return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
+    if kind == "AtMostOne":
+        return _at_most_one(door.unworked(says.args[0]), says)
     if isinstance(says, Rounds):
         return _rounded(door.unworked(says.term), says)
     return door.formula(says)
+
+
+def _at_most_one(x: Expr, says: Basic) -> Formula:
+    """That two values between the ends of which it is said are the same."""
+    low, high = map(door.unworked, says.args[1:3])
+    said = read(says.args[3])
+    other = symbol(fresh(f"{x.args[0]}'", free(said)))
+    there = [
+        part
+        for one in (x, other)
+        for part in (
+            Relation(one, ">", low),
+            Relation(one, "<", high),
+            *(
+                Relation(
+                    substitute(p.left, {x.args[0]: one}),
+                    p.sign,
+                    substitute(p.right, {x.args[0]: one}),
+                )
+                for p in relations(said)
+            ),
+        )
+    ]
+    return Wherever(tuple(there), Relation(other, "==", x))
 
 
 def _rounded(e: Expr, says: Rounds) -> Formula:
