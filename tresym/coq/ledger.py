@@ -3,7 +3,8 @@
 The definitions that a claim speaks of are premises, each an equation for a symbol, and so is what
 it assumes. A definition has a theorem of its own: that what it defines exists. What is refuted is
 that there is a point at which the conditions hold and the statement does not. A sentence that says
-several claims together is the conjunction of their theorems.
+several claims together is the conjunction of their theorems; where it is refuted, of those of the
+parts that are.
 """
 
 from __future__ import annotations
@@ -107,8 +108,11 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
         raise NotExportedError("a root that is given a name is a premise of what speaks of it")
     if isinstance(proof, Definition) and proof.assumes:
         raise NotExportedError("what is assumed is a premise of what rests on it")
-    if isinstance(proof, AllOf) and claim.expect is not Verdict.REFUTED:
-        return Joint(name_of(claim.label), tuple(p for p in proof.claims if not _assumed(p)))
+    if isinstance(proof, AllOf):
+        parts = (p for p in proof.claims if not _assumed(p))
+        if claim.expect is Verdict.REFUTED:  # since some of its parts are
+            parts = (p for p in parts if p.expect is Verdict.REFUTED)
+        return Joint(name_of(claim.label), tuple(parts))
     statement = claim.statement
     if statement is None:
         raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
