@@ -130,7 +130,6 @@ arctangent_concave = Claim(
     note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
 )
 
-
 arsinh_concave = Claim(says=asinh(share * x) - share * asinh(x) >= 0, given=_part, proof=manifest)
 
 leading_below = Claim(

@@ -54,7 +54,6 @@ rotation_orthogonal = Claim(
     proof=by(trigonometry),
 )
 
-
 spin_matrix = Claim(
     shown=(
         r"\Omega_1 = (R^{\mathsf T}\dot R)_{21},\quad "

@@ -37,12 +37,7 @@ phase_equation = Claim(
     given=shape,
     proof=(
         step(pi + asin(_mu * _cosine), substituting(phase)),
-        step(
-            pi + atan(_ratio * _cosine / _root),
-            inverses,
-            roots,
-            trigonometry,
-        ),
+        step(pi + atan(_ratio * _cosine / _root), inverses, roots, trigonometry),
         step(None, substituting(phase, flip_defect)),
     ),
 )
@@ -89,12 +84,7 @@ phase_by_defect = Claim(
     says=equal(P, asinh(sqrt(a / (a + b)) * _cosine / _sine) / sqrt(a * b)),
     given=shape,
     proof=(
-        step(
-            asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b),
-            exponentials,
-            inverses,
-            roots,
-        ),
+        step(asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b), exponentials, inverses, roots),
         step(asinh(_sinh) / sqrt(a * b), exponentials, roots),
         step(
             asinh(_share / sqrt(1 - _share**2)) / sqrt(a * b),
@@ -294,10 +284,7 @@ _share_in_k = Mul(b, Pow(sqrt(a * b), -1, evaluate=False), evaluate=False)
 turn_in_k = Claim(
     says=equal(atan(Mul(_share_in_k, tanh(sqrt(a * b) * P), evaluate=False)), P - pi),
     given=shape,
-    proof=(
-        step(_sweep_turn, roots),
-        step(None, substituting(turn_of_phase)),
-    ),
+    proof=(step(_sweep_turn, roots), step(None, substituting(turn_of_phase))),
 )
 
 _rate_in_kappa = Mul(P, Pow(1 / sqrt(a * b), -1, evaluate=False), evaluate=False)
@@ -305,10 +292,7 @@ _rate_in_kappa = Mul(P, Pow(1 / sqrt(a * b), -1, evaluate=False), evaluate=False
 turn_in_kappa = Claim(
     says=equal(atan(b / sqrt(a * b) * tanh(_rate_in_kappa)), P - pi),
     given=shape,
-    proof=(
-        step(_sweep_turn, roots),
-        step(None, substituting(turn_of_phase)),
-    ),
+    proof=(step(_sweep_turn, roots), step(None, substituting(turn_of_phase))),
 )
 
 difference_of_turns = Claim(

@@ -52,7 +52,6 @@ separatrix_is_followed = Claim(
 _on_separatrix = _slow / (sqrt(_fast) * sqrt(b) * sin(psi))
 _cotangent = _slow * cos(psi) / (sqrt(b) * sqrt(a + b) * sin(psi))
 
-
 turn_to_the_middle = Claim(
     says=Integral(_on_separatrix, (psi, epsilon, pi / 2))
     >= (-log(sin(epsilon)) - b * cos(epsilon) ** 2 / 2) / (sqrt(b) * sqrt(a + b)),

@@ -180,8 +180,7 @@ sphere_at_rest = Claim(
     note="With three equal moments M stays where it is in the body.",
 )
 
-any_body = Claim(
-    label="any_rigid_body_is_unstable",
+any_rigid_body_is_unstable = Claim(
     says="In any rigid body the rotation about the second axis is unstable.",
     means=_square2 > 0,
     given=(I1 > 0, I2 - I1 >= 0, I3 - I2 >= 0, M > 0),
@@ -194,7 +193,6 @@ any_body = Claim(
 
 _products = (M2 * M3, M1 * M3, M1 * M2)
 _inverse = (-I2 * I3 / (I3 - I2), I1 * I3 / (I3 - I1), -I1 * I2 / (I2 - I1))
-
 
 permanent_rotations = Claim(
     says=Tuple(

@@ -438,7 +438,7 @@ def _is_infinite(e: Expr) -> bool:
     """Whether oo stands in it elsewhere than at the end of an integral."""
     if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
         return e == INFINITY
-    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum") else ()
+    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum", "product") else ()
     return any(_is_infinite(arg) for arg in e.args if arg not in ends)
 
 
