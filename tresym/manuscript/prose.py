@@ -104,6 +104,11 @@ def first_sentence(text: str) -> str:
     return _SENTENCE.split(start)[0]
 
 
+def is_of_signs(text: str) -> bool:
+    """Whether it tells conditions of the upper and the lower of two signs, which are no one's."""
+    return bool(re.search(r"\bupper\b.*\blower\b|\blower\b.*\bupper\b", text, re.DOTALL))
+
+
 def inline(text: str) -> Iterator[Inline]:
     """The formulas in the lines of a text, sentence by sentence."""
     for sentence in _SENTENCE.split(text):

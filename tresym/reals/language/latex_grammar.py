@@ -200,7 +200,8 @@ class Reader(Cursor):
             last, both = factors[-1], ["", operators[-1]]
             if last is None:
                 continue
-            if reach is Reach.DOUBT and matters(last):
+            longer = bool(self.author and self.author.longer)
+            if reach is Reach.DOUBT and matters(last) and not longer:
                 shorter_one = applied(joined(factors[:-1], operators[:-1]))
                 self.two_readings(
                     applied(joined(factors, operators)), joined([shorter_one, last], both)
@@ -552,7 +553,9 @@ class Reader(Cursor):
             tree = call(name, [argument.tree, *more])
             if exponent is None:
                 return Piece(tree)
-            if exponent == MINUS_ONE:
+            if exponent == MINUS_ONE and self.author and self.author.longer:
+                return Piece(call(_inverse(name), [argument.tree]))
+            if exponent == MINUS_ONE and not (self.author and self.author.shorter):
                 self.two_readings(f"{_inverse(name)}({argument.tree})", f"1/{tree}")
             return Piece(tree**exponent, 3)
 
