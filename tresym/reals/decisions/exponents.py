@@ -36,7 +36,7 @@ from tresym.reals.signs.sign import sign
 
 EXPONENTS = (*map(fmpq, (1, 2, 3, -1)), fmpq(1, 2), *map(fmpq, (-2, 0)), fmpq(1, 3))
 ELSEWHERE = (*map(fmpq, (-1, 0, 2, -2)), fmpq(-1, 2), *map(fmpq, (1, -4)), fmpq(1, 2))
-MOST, STRIDE = 128, 317811
+MOST, STRIDE = 64, 317811
 """Points that are tried; of more there are those that come at this stride, in no pattern."""
 
 
@@ -48,11 +48,12 @@ def beyond_positive_bases(answer: Answer, claim: Comparison, statement: Statemen
     trees = (claim.left, claim.right, *statement.said)
     if statement.path is not None or not elementary(*trees):
         return answer
-    known = statement.given & Given(tuple(bound(*part) for part in _needs(claim)))
+    asked = _needs(claim)
     doubtful = {
         base
         for base, exponent in _powers(trees)
-        if symbols(exponent) - {*statement.integers} and sign(base, known, dear=False) != "+"
+        if symbols(exponent) - {*statement.integers}
+        and sign(base, statement.given & _said_of(base, asked), dear=False) != "+"
     }
     if not doubtful:
         return answer
@@ -88,6 +89,11 @@ def _needs(claim: Comparison) -> list[tuple[Expr, str]]:
     return [*parts, *((e, relation.replace(">=", ">")) for e, relation in real)]
 
 
+def _said_of(base: Expr, asked: Iterable[tuple[Expr, str]]) -> Given:
+    """What is asked of the variables of the base alone."""
+    return Given(tuple(bound(*part) for part in asked if symbols(part[0]) <= symbols(base)))
+
+
 def _against(claim: Comparison, statement: Statement, doubtful: set[Expr]) -> Iterator[Answer]:
     """Refutations at points where a base in doubt is not positive."""
     sides = (claim.left, claim.right, *statement.said)
@@ -109,10 +115,13 @@ def _against(claim: Comparison, statement: Statement, doubtful: set[Expr]) -> It
         at = _AtNumbers(balls, point)
         if all(at.size(base) > 0 for base in doubtful):
             continue
-        if all(_holds(at, *link) for link in links):
+        failing = next((link for link in links if not _holds(at, *link)), None)
+        if failing is None:
             x, y = at.size(claim.left), at.size(claim.right)
             if stands(x - y, NEGATED[claim.relation]):
                 yield refuted("the powers have values there too, and it fails", point, x, y)
+        else:
+            links.sort(key=lambda link: link is not failing)  # it may fail at the next point, too
 
 
 def _holds(at: _AtNumbers, left: Expr, relation: str, right: Expr) -> bool:
