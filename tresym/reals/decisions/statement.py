@@ -14,7 +14,7 @@ from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.exponents import beyond_positive_bases
 from tresym.reals.decisions.identity import JUMP, exact_text
 from tresym.reals.decisions.reading import Comparison, Statement, functions, read
-from tresym.reals.language.binders import outermost
+from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import ZERO, Expr, symbols
 from tresym.reals.language.parsing import FACTORIAL, parse
 from tresym.reals.numbers.exact import InputError
@@ -101,6 +101,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
     sides = comparison.left, comparison.right
     nodes = {node.op for node in outermost(*sides)}
     unknown = {f.args[0].args[0] for e in (*sides, *statement.said) for f in functions(e)}
+    if any(is_infinite(node) for node in outermost(*sides)):
+        from tresym.reals.decisions.infinite import decide_infinite
+
+        return decide_infinite
     if FACTORIAL in unknown:
         from tresym.reals.decisions.factorials import decide_factorials
 
