@@ -78,7 +78,7 @@ flat_bends = Claim(
         equal(at(k / x**2 * _flat, {x: k / 2}), 4 * exp(-2) / k),
     ),
     given=(k > 0, x > 0),
-    proof=together(by(differentiation), by(evaluating)),
+    proof=by(differentiation),
     note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
 )
 

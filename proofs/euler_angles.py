@@ -24,8 +24,7 @@ eq_euler_angle = Claim(
     proof=together(
         (
             step(W2 * sin(psi) + W3 * cos(psi), substituting(angular_velocity), trigonometry),
-            step(M2 / I2 * sin(psi) + M3 / I3 * cos(psi), substituting(velocity_from_momentum)),
-            step(None, substituting(eq_Mi)),
+            step(None, substituting(velocity_from_momentum, eq_Mi)),
         ),
         (
             step(
@@ -33,11 +32,7 @@ eq_euler_angle = Claim(
                 substituting(angular_velocity),
                 trigonometry,
             ),
-            step(
-                (M3 / I3 * sin(psi) - M2 / I2 * cos(psi)) / sin(theta),
-                substituting(velocity_from_momentum),
-            ),
-            step(None, substituting(eq_Mi)),
+            step(None, substituting(velocity_from_momentum, eq_Mi)),
         ),
         (
             step(
@@ -45,11 +40,7 @@ eq_euler_angle = Claim(
                 substituting(angular_velocity),
                 trigonometry,
             ),
-            step(
-                M1 / I1 - (M3 / I3 * sin(psi) - M2 / I2 * cos(psi)) / sin(theta) * cos(theta),
-                substituting(velocity_from_momentum),
-            ),
-            step(None, substituting(eq_Mi)),
+            step(None, substituting(velocity_from_momentum, eq_Mi)),
         ),
     ),
     where=display(7),
@@ -67,10 +58,7 @@ d08 = Claim(
 precession_rate = Claim(
     says=equal(dphi_dt, M * (1 - b * sin(psi) ** 2) / I2),
     given=(*ordered_moments, *tilted),
-    proof=(
-        step(M * (sin(psi) ** 2 / I3 + cos(psi) ** 2 / I2), substituting(eq_euler_angle)),
-        step(None, substituting(d08), trigonometry),
-    ),
+    proof=by(substituting(eq_euler_angle, d08), trigonometry),
 )
 
 precession_forward = Claim(
@@ -89,35 +77,10 @@ elimination_of_time = Claim(
 eq_Euler = Claim(
     says=equations((dtheta_dphi, dpsi_dphi), printed.planar_rates(theta, psi, a, b, sympy)),
     given=(*ordered_moments, *tilted, *shape_of_a_body),
-    proof=together(
-        (
-            step(
-                dtheta_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)
-            ),
-            step(dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
-            step(
-                M
-                * (1 / I3 - 1 / I2)
-                * sin(theta)
-                * sin(psi)
-                * cos(psi)
-                / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(eq_euler_angle),
-            ),
-            step(None, substituting(d08)),
-        ),
-        (
-            step(dpsi_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)),
-            step(dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
-            step(
-                M
-                * (1 / I1 - sin(psi) ** 2 / I3 - cos(psi) ** 2 / I2)
-                * cos(theta)
-                / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(eq_euler_angle),
-            ),
-            step(None, substituting(d08), trigonometry),
-        ),
+    proof=by(
+        substituting(elimination_of_time, eq_euler_angle, d08),
+        citing(precession_forward),
+        trigonometry,
     ),
     where=display(9),
 )

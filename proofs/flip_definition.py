@@ -107,8 +107,7 @@ symmetric_turn = Claim(
     says=equal(Integral(_integrand, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, gamma > 0),
     proof=(
-        step(Integral(_integrand, (psi, psi0, psi_f)), substituting(eq_psi0psif)),
-        step(Delta_phi, substituting(eq_robust_gen)),
+        step(Delta_phi, substituting(eq_psi0psif, eq_robust_gen)),
         step(None, substituting(full_turn)),
     ),
     where=line(213),
@@ -123,10 +122,7 @@ fig_symtraj = Claim(
 
 perfect_is_zero = Claim(
     says=Equivalent(equal(epsilon, 0), equal(pi - 2 * epsilon, pi)),
-    proof=(
-        step(equal(-2 * epsilon, 0), multiplying(Integer(-2))),
-        step(equal(pi - 2 * epsilon, pi), adding(pi)),
-    ),
+    proof=by(multiplying(Integer(-2)), adding(pi)),
     where=line(217),
 )
 
@@ -190,7 +186,7 @@ turn_gap = Claim(
         sin(2 * x + _turned) * sin(_turned) * _steepness(_starts, _ends),
     ),
     given=(*shape, b < 1, gamma > 0),
-    proof=(step((_ends - _starts) * _steepness(_starts, _ends), roots), step(None, trigonometry)),
+    proof=by(roots, trigonometry),
     note="f where a flip by Ψ starts, less f where it ends. At a symmetric start 2x + Ψ is an odd "
     "multiple of π; up to π/2 before it the sine of 2x + Ψ is positive and up to π/2 after it "
     "negative.",

@@ -37,34 +37,14 @@ d12 = Claim(
 eq_dpsidphi = Claim(
     says=equal(dpsi_dphi, printed.psi_rate(psi, a, b, gamma, S, sympy)),
     given=(*tilted, *moving),
-    proof=(
-        step(
-            (a + b * sin(psi) ** 2) * cos(theta) / (1 - b * sin(psi) ** 2), substituting(eq_Euler)
-        ),
-        step(
-            (a + b * sin(psi) ** 2)
-            * S
-            * sqrt((gamma + b * sin(psi) ** 2) / (a + b * sin(psi) ** 2))
-            / (1 - b * sin(psi) ** 2),
-            substituting(d12),
-        ),
-        step(None, roots),
-    ),
+    proof=by(substituting(eq_Euler, d12), roots),
     where=display(13),
 )
 
 d19 = Claim(
     says=equal(1 / dpsi_dphi, printed.integrand(psi, a, b, gamma, S, sympy)),
     given=(*tilted, *moving, Ne(dpsi_dphi, 0)),
-    proof=(
-        step(
-            (1 - b * sin(psi) ** 2)
-            / (S * sqrt(a + b * sin(psi) ** 2) * sqrt(gamma + b * sin(psi) ** 2)),
-            substituting(eq_dpsidphi),
-            roots,
-        ),
-        step(None, substituting(sign_of_tilt), roots),
-    ),
+    proof=by(substituting(eq_dpsidphi, sign_of_tilt), roots),
     where=display(19),
 )
 

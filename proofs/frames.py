@@ -164,11 +164,7 @@ angles_from_momentum = Claim(
         equal(sin(psi), M3 / sqrt(M2**2 + M3**2)),
     ),
     given=(*ordered_moments, *tilted, M2**2 + M3**2 > 0),
-    proof=together(
-        by(substituting(eq_Mi)),
-        by(substituting(eq_Mi), trigonometry, roots),
-        by(substituting(eq_Mi), trigonometry, roots),
-    ),
+    proof=by(substituting(eq_Mi), trigonometry, roots),
     where=line(62),
     note="Away from the poles M determines θ, and ψ up to full turns.",
 )

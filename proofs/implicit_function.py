@@ -193,7 +193,7 @@ slopes_of_the_defect = Claim(
         equal(Derivative(_by_u, mu), -_by_u * (mu / (1 - mu**2) + 1 / (lam * sqrt(1 - mu**2)))),
     ),
     given=(lam > 0, *_small),
-    proof=together(by(differentiation), by(differentiation), by(differentiation, roots)),
+    proof=by(differentiation, roots),
     note="ε₀ times a factor that is at most 6/λ² for λ ≤ 1, 0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1.",
 )
 
@@ -365,10 +365,7 @@ implicit_rule = Claim(
         equal(dG_dlambda + dG_du * du_dlambda, 0), equal(du_dlambda, -dG_dlambda / dG_du)
     ),
     given=(dG_du > 0,),
-    proof=(
-        step(equal(dG_dlambda / dG_du + du_dlambda, 0), multiplying(1 / dG_du)),
-        step(equal(du_dlambda, -dG_dlambda / dG_du), adding(-dG_dlambda / dG_du)),
-    ),
+    proof=by(multiplying(1 / dG_du), adding(-dG_dlambda / dG_du)),
     where=display(44),
     note="On the left G(u(λ), λ, μ(λ)) = 0, differentiated.",
 )

@@ -44,10 +44,7 @@ phase_equation = Claim(
 phase_range = Claim(
     says=Tuple(pi <= P, 3 * pi / 2 >= P),
     given=shape,
-    proof=together(
-        (step(asin(_mu * _cosine), substituting(phase), citing(flip_defect, defect_range)),),
-        (step(pi / 2 - asin(_mu * _cosine), substituting(phase)),),
-    ),
+    proof=by(substituting(phase), citing(flip_defect)),
 )
 
 angle_of_tangent = Claim(
@@ -120,7 +117,7 @@ turn_by_cosine = Claim(
 below_one = Claim(
     says=_cosine < 1,
     given=shape,
-    proof=(step(2 * sin(epsilon0 / 2) ** 2, citing(flip_defect), trigonometry),),
+    proof=by(citing(flip_defect)),
 )
 
 _turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (defect_range, below_one))
@@ -310,10 +307,7 @@ complement_at_root = Claim(says=_complement.says, given=shape, proof=_complement
 defect_by_cotangent = Claim(
     says=equal(epsilon0, pi / 2 - atan(_w)),
     given=shape,
-    proof=(
-        step(atan(1 / _w), substituting(defect_by_phase), citing(phase_range)),
-        step(None, substituting(complement_at_root)),
-    ),
+    proof=by(substituting(defect_by_phase, complement_at_root)),
 )
 
 cotangent_in_k = Reading(charts.cotangent, (*BY_K, P), _w, shape, cited=(phase_range,))

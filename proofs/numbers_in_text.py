@@ -321,8 +321,11 @@ fig_roban = Claim(
     says=Equivalent(equal(_linear, 0), equal(gamma, 4 * b * epsilon0**2)),
     given=(b > 0, epsilon0 > 0),
     proof=(
-        step(equal(gamma - 4 * b * epsilon0**2, 0), multiplying(-4 * b * epsilon0)),
-        step(equal(gamma, 4 * b * epsilon0**2), adding(4 * b * epsilon0**2)),
+        step(
+            equal(gamma, 4 * b * epsilon0**2),
+            multiplying(-4 * b * epsilon0),
+            adding(4 * b * epsilon0**2),
+        ),
     ),
     where=line(267),
     note="The line of exact flips in the linear formula.",

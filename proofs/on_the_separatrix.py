@@ -117,13 +117,9 @@ cotangent_form = Claim(
         equal(cos(epsilon) / sin(epsilon), _cotangent_of_root),
     ),
     given=(*shape, *defect),
-    proof=(
-        step(
-            equal(cos(epsilon) / sin(epsilon), _cotangent_of_root),
-            multiplying(sqrt((a + b) / a) * sinh(_time) * cos(epsilon) / sin(epsilon)),
-            roots,
-            trigonometry,
-        ),
+    proof=by(
+        multiplying(sqrt((a + b) / a) * sinh(_time) * cos(epsilon) / sin(epsilon)),
+        *(roots, trigonometry),
     ),
     note="The stable equation, upside down.",
 )
@@ -191,7 +187,7 @@ separatrix_equilibria = Claim(
         )
     ),
     given=(a > 0,),
-    proof=together(by(evaluating), by(evaluating, trigonometry)),
+    proof=by(evaluating, trigonometry),
     where=line(249),
     note="For b = 0 every point of the separatrix, θ = π/2, is an equilibrium.",
 )

@@ -335,14 +335,7 @@ _off_axes = (*_body, *tilted, sin(psi) ** 2 * cos(psi) ** 2 > 0, (sin(psi) * cos
 d15 = Claim(
     says=equal(sin(psi) * cos(psi), printed.sin_psi_cos_psi(theta, a, b, gamma, S2, sympy)),
     given=_off_axes,
-    proof=(
-        step(
-            S2 / (b * sin(theta) ** 2) * sqrt(b**2 * sin(theta) ** 4 * (sin(psi) * cos(psi)) ** 2),
-            substituting(sign_of_product),
-            roots,
-        ),
-        step(None, substituting(root_argument), roots),
-    ),
+    proof=by(substituting(sign_of_product, root_argument), roots),
     where=display(15),
 )
 
@@ -355,18 +348,7 @@ denominator_of_tilt = Claim(
 eq_dthetadphi = Claim(
     says=equal(dtheta_dphi, printed.theta_rate(theta, a, b, gamma, S2, sympy)),
     given=_off_axes,
-    proof=(
-        step(-b * sin(theta) * sin(psi) * cos(psi) / (1 - b * _sine), substituting(eq_Euler)),
-        step(
-            -b
-            * sin(theta)
-            * printed.sin_psi_cos_psi(theta, a, b, gamma, S2, sympy)
-            / (1 - b * _sine),
-            substituting(sign_of_product, root_argument),
-            roots,
-        ),
-        step(None, substituting(root_argument, denominator_of_tilt)),
-    ),
+    proof=by(substituting(eq_Euler, sign_of_product, root_argument, denominator_of_tilt), roots),
     where=display(16),
 )
 

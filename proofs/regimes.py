@@ -113,10 +113,7 @@ precession_of_the_handle = Claim(
 tilt_by_flip = Claim(
     says=equal(cos(theta) ** 2 * (a + b * _sine), gamma + b * _sine),
     given=ordered_moments,
-    proof=(
-        step(a - sin(theta) ** 2 * (a + b * _sine) + b * _sine, trigonometry),
-        step(None, substituting(eq_gamma)),
-    ),
+    proof=by(substituting(eq_gamma), trigonometry),
 )
 
 _flips = Symbol("psi1", real=True), Symbol("psi2", real=True)
@@ -280,10 +277,7 @@ _real = (*ordered_moments, I1 + I2 - I3 >= 0)
 realizable_shape = Claim(
     says=Tuple(1 / (a + 2) - b >= 0, 1 - 2 * b > 0),
     given=_real,
-    proof=together(
-        (step(I2 * (I1 + I2 - I3) / (I3 * (I1 + I2)), substituting(d08)),),
-        (step(((I1 + I2 - I3) + (I2 - I1)) / I3, substituting(d08)),),
-    ),
+    proof=by(substituting(d08)),
     note="No moment of a rigid body exceeds the sum of the others, which the paper does not use.",
 )
 

@@ -60,7 +60,7 @@ planar_shape = Claim(
         equal(sqrt(_b / (_a + _b)), _u),
     ),
     given=_some,
-    proof=together(by(), by(), by(roots), by(roots)),
+    proof=by(roots),
     note="With a = 1/u − 1: a planar body, the factor of its equation, √(ab) and μ.",
 )
 

@@ -66,11 +66,9 @@ d36 = Claim(
         step(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
             integrating(_primitive),
-            inverses,
-            roots,
+            *(inverses, roots),
         ),
-        step(-sqrt(a / b) / 2 * (-2 * pi * b), substituting(d35)),
-        step(None, roots),
+        step(None, substituting(d35), roots),
     ),
     where=display(36),
 )
@@ -119,10 +117,7 @@ stable_equation = Claim(
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
             applying("sinh"),
-            roots,
-            trigonometry,
-            exponentials,
-            inverses,
+            *(roots, trigonometry, exponentials, inverses),
         ),
         step(
             _stable_equation, multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))), trigonometry
@@ -177,7 +172,7 @@ no_root_below = Claim(
 contraction = Claim(
     says=equal(_map.diff(T, evaluate=False), k * r * sin(_tilt) ** 2),
     given=(*auxiliary, *later),
-    proof=(step(k * r / _spread, differentiation, exponentials), step(None, exponentials)),
+    proof=by(differentiation, exponentials),
     note="The derivative of the map is b sin²ε, between 0 and b.",
 )
 
@@ -260,9 +255,7 @@ leading_defect = Claim(
 defect_range = Claim(
     says=Tuple(sin(epsilon0) > 0, cos(epsilon0) > 0),
     given=shape,
-    proof=together(
-        (step(sin(epsilon0), citing(flip_defect)),), (step(cos(epsilon0), citing(flip_defect)),)
-    ),
+    proof=by(citing(flip_defect)),
 )
 
 label_claims(globals())

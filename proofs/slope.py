@@ -19,17 +19,7 @@ d54 = Claim(
         printed.integrand_slope(psi, a, b, S, sympy),
     ),
     given=(*shape, *between),
-    proof=(
-        step(
-            -S
-            / 2
-            * (1 - b * sin(psi) ** 2)
-            / (sqrt(a + b * sin(psi) ** 2) * sqrt(b * sin(psi) ** 2) ** 3),
-            differentiation,
-            roots,
-        ),
-        step(None, roots),
-    ),
+    proof=by(differentiation, roots),
     where=display(54),
 )
 

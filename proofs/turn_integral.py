@@ -44,7 +44,7 @@ d48 = Claim(
     given=_rotating,
     proof=(
         step(_turn(gamma) + Integral(_f, (psi, pi / 2, pi - epsilon)), cutting(pi / 2)),
-        step(_turn(gamma) + Integral(_mirrored, (x, epsilon, pi / 2)), changing_variable(pi - psi)),
+        step(None, changing_variable(pi - psi)),
     ),
     where=display(48),
     note="The second half is the first, run backwards.",
@@ -65,7 +65,7 @@ one_turn = Claim(
 level_line = Claim(
     says=equal(F, pi),
     given=_rotating,
-    proof=(step(_turn(gamma), substituting(d49)), step(None, substituting(one_turn))),
+    proof=by(substituting(d49, one_turn)),
     where=display(49),
 )
 
@@ -122,8 +122,7 @@ value_reached = Claim(
     given=_one_motion,
     proof=(
         step(_turn(Integer(0)) - Integral(_value / _length, (psi, epsilon, pi / 2)), collecting()),
-        step(_turn(Integer(0)) - _value, integrating(_value * psi / _length)),
-        step(None, substituting(value_at_zero)),
+        step(None, integrating(_value * psi / _length), substituting(value_at_zero)),
     ),
     note="F = F₀ at γ = 0, as an equation for ε.",
 )
@@ -182,20 +181,14 @@ defect_by_excess = Claim(
 defect_by_turn = Claim(
     says=equal(defect_F, -1 / _at_end),
     given=_one_motion,
-    proof=(
-        step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
-        step(None, substituting(excess_by_value, excess_by_end), roots),
-    ),
+    proof=by(substituting(defect_by_excess, excess_by_value, excess_by_end), roots),
     where=display(51),
 )
 
 inverse_of_slope = Claim(
     says=equal(defect_F, 1 / F_epsilon0),
     given=_one_motion,
-    proof=(
-        step(-1 / _at_end, substituting(defect_by_turn)),
-        step(None, substituting(slope_by_end_at_zero), roots),
-    ),
+    proof=by(substituting(defect_by_turn, slope_by_end_at_zero), roots),
 )
 
 # -- the derivative by γ --------------------------------------------------------------------------
@@ -215,10 +208,7 @@ d53 = Claim(
 slope_of_turn = Claim(
     says=equal(_slope, _primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
     given=(*shape, *defect),
-    proof=(
-        step(Integral(_slope_of_f, (psi, epsilon, pi / 2)), substituting(d53)),
-        step(None, integrating(_primitive), trigonometry),
-    ),
+    proof=by(substituting(d53), integrating(_primitive), trigonometry),
     where=display(55),
 )
 
@@ -249,12 +239,7 @@ implicit_defect = Claim(
 eq_depsdgamma_form = Claim(
     says=equal(defect_gamma, -defect_F * F_gamma),
     given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
-    proof=(
-        step(
-            -F_gamma / F_epsilon0, substituting(implicit_defect, turn_symbol, slope_symbol_at_zero)
-        ),
-        step(None, substituting(inverse_of_slope)),
-    ),
+    proof=by(substituting(implicit_defect, turn_symbol, slope_symbol_at_zero, inverse_of_slope)),
     where=display(50),
 )
 
@@ -265,14 +250,7 @@ closed_form = -printed.defect_per_turn(epsilon, a, b, 1, sympy) * printed.turn_s
 closed_slope = Claim(
     says=equal(defect_gamma, closed_form),
     given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
-    proof=(
-        step(-defect_F * F_gamma, substituting(eq_depsdgamma_form)),
-        step(
-            1 / _at_end * (_primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
-            substituting(defect_by_turn, turn_symbol, slope_of_turn),
-        ),
-        step(None, roots),
-    ),
+    proof=by(substituting(eq_depsdgamma_form, defect_by_turn, turn_symbol, slope_of_turn), roots),
     note="∂ε/∂γ at γ = 0, in closed form.",
 )
 

@@ -66,7 +66,7 @@ unfolded_motion = Claim(
         equal(Derivative(_here.flip, x), -_here.rate * _rates[1]),
     ),
     given=(*oscillating, b < 1),
-    proof=together(_solving, _solving),
+    proof=by(differentiation, trigonometry, roots),
     note="The curve solves the planar system, φ falling at the rate N/(Q√R), and passes ψ = π/2 "
     "at χ = 0.",
 )
