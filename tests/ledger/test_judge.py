@@ -407,6 +407,30 @@ def test_a_derivative_of_what_is_shown_to_be_smooth() -> None:
         assert verdict(claim(says, by(evaluating, *EVERYTHING), (x > 0, y > 0))).holds
 
 
+ACROSS = Integral(1 / x, (x, -1, 1))
+NO_INTEGRAL = {
+    "one equal to itself": (equal(ACROSS, Integral(1 / y, (y, -1, 1))), ()),
+    "a square": (Ge(ACROSS**2, 0, evaluate=False), ()),
+    "of what is not real": (Ge(Integral(log(y), (y, -2, -1)) ** 2, 0, evaluate=False), ()),
+    "in a derivative": (
+        equal(
+            Derivative(Integral(1 / t, (t, -1, x)), x) + y,
+            y + Derivative(Integral(1 / a, (a, -1, x)), x),
+        ),
+        (x > 0,),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", NO_INTEGRAL)
+def test_an_integral_that_does_not_exist_equals_nothing(name: str) -> None:
+    says, given = NO_INTEGRAL[name]
+    for proof in (by(), formally(), manifest):
+        assert not verdict(claim(says, proof, given)).holds
+    there = equal(Integral(1 / x, (x, 1, 2)), Integral(1 / y, (y, 1, 2)))
+    assert all(verdict(claim(there, proof)).holds for proof in (by(), formally()))
+
+
 def test_circular_definitions_end() -> None:
     one = Claim("one", equal(x, y + 1), Definition())
     two = Claim("two", equal(y, x - 1), Definition())

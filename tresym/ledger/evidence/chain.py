@@ -10,6 +10,7 @@ from tresym.ledger.claim import Chain, Claim, Reason
 from tresym.ledger.evidence.defined import undefined
 from tresym.ledger.evidence.integrals import (
     NotShownError,
+    need_integrals,
     sign_of_integral,
     with_bounds,
     without_integrals,
@@ -156,6 +157,7 @@ def _arrives(
     bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
     try:
         signs = {sign_of_integral(node, bounds, given, strict) for node in integrals}
+        need_integrals((rest,), given)
     except NotShownError as error:
         return _undecided(str(error))
     if rest != ZERO or not integrals:
