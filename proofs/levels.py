@@ -19,12 +19,9 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.proofs.conditions import shape
-from tresym.proofs.euler_angles import shape_and_depth
-from tresym.proofs.flip_dynamics import precession_integrand
-from tresym.proofs.numbers_in_text import (
-    lower_exact,
-    upper_exact_value,
-)
+from tresym.proofs.euler_angles import d08
+from tresym.proofs.flip_dynamics import d19
+from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.printed import moments, number
 from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.turn_integral import one_rotating_level
@@ -215,18 +212,17 @@ always_decreasing = Claim(
     note="It rises at every level with χ = 3π/2, 7π/2, …: the formula is dε/dγ at the first.",
 )
 
-
 perfect_level = number(
     "The standard racket flips perfectly, ε = 0, at γ = {}.",
     TheRoot(*one_rotating_level.statement.args),
     "3.20e-3",
     (*moments("str"), equal(epsilon, 0)),
-    *(shape_and_depth, one_rotating_level, precession_integrand),
+    *(d08, one_rotating_level, d19),
 )
 
 standard_is_a_body = Claim(
     says=at(1 - b * (a + 2), {a: Rational(1517, 121), b: Rational(55, 874)}) > 0,
-    proof=(step(1 - Rational(55, 874) * (Rational(1517, 121) + 2), evaluating),),
+    proof=by(evaluating),
     note="The standard racket.",
 )
 
@@ -234,7 +230,7 @@ levels_of_the_thresholds = Claim(
     says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, where "
     "the motion turns on the way, 3.20·10⁻³ and 1.04·10⁻².",
     proof=all_of(
-        decrease_of_bodies, standard_is_a_body, lower_exact, perfect_level, upper_exact_value
+        decrease_of_bodies, standard_is_a_body, lower_level, perfect_level, upper_level_exact
     ),
 )
 

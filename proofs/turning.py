@@ -57,7 +57,6 @@ oscillating = (*shape, gamma > -b, gamma < 0)
 half_time = (chi > 0, chi < pi, sin(chi) > 0)
 """Before the motion is back at ψ = π/2; the last condition says it to the sign procedure."""
 
-
 _rates = printed.planar_rates(_here.tilt, _here.flip, a, b, sympy)
 _solving = by(differentiation, trigonometry, roots)
 
@@ -67,13 +66,12 @@ unfolded_motion = Claim(
         equal(Derivative(_here.flip, x), -_here.rate * _rates[1]),
     ),
     given=(*oscillating, b < 1),
-    proof=together(_solving, _solving),
+    proof=by(differentiation, trigonometry, roots),
     note="The curve solves the planar system, φ falling at the rate N/(Q√R), and passes ψ = π/2 "
     "at χ = 0.",
 )
 
 before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
-
 
 phase = Integral(_here.rate, (x, 0, chi))
 """Φ(χ, γ), the precession from χ to ψ = π/2."""
@@ -195,7 +193,6 @@ _total = Derivative(_end.flip, gamma) + Derivative(_end.flip, chi) * chi_rate
 """dε/dγ, as ε = ψ(χ(γ), γ)."""
 turned = (*oscillating, chi >= pi / 2, chi < pi, sin(chi) > 0, cos(chi) <= 0, chi > 0)
 """The motion has turned once, and is not yet back at ψ = π/2."""
-
 
 turned_decrease = Claim(
     says=_total < 0, given=turned, proof=by(differentiation, citing(unfolded_decrease))

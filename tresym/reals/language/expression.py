@@ -188,6 +188,8 @@ ZERO = number(0)
 ONE = number(1)
 MINUS_ONE = number(-1)
 HALF = number(Fraction(1, 2))
+DOTS = symbol("...")
+"""What is not written of a sum: no text writes this name."""
 PI = Expr("pi", ())
 E = Expr("exp", (ONE,))
 
@@ -551,7 +553,10 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "+":
         terms = e.args
         last = terms[-1]
-        if last.op == "number" and last.args[0] > 0 and _text(terms[0], 1).startswith("-"):
+        if DOTS in terms:  # they stand last, and a number before them first
+            numbers = [term for term in terms if term.op == "number"]
+            terms = (*numbers, *(t for t in terms if t.op != "number" and t != DOTS), DOTS)
+        elif last.op == "number" and last.args[0] > 0 and _text(terms[0], 1).startswith("-"):
             terms = (last, *terms[:-1])  # 1 - x for -x + 1, which is the same tree
         body = _text(terms[0], 1)
         for term in terms[1:]:
