@@ -306,9 +306,12 @@ def _refuted(claim: Claim) -> Finding | None:
 def _behind(claim: Claim) -> tuple[Basic, ...]:
     """The definitions behind all that is used: where they hold, so does what follows from them.
 
-    What is used, where that is definitions, or where two of them define one symbol.
+    What is used, where that is definitions, where two of them define one symbol, or where a symbol
+    is the slope of an implicit function, of which no equation is put in.
     """
     if all(isinstance(c.proof, Definition | Root) for c in claim.uses):
+        return _known(claim)
+    if any(isinstance(c.proof, ImplicitFunction) for c in claim.rests_on):
         return _known(claim)
     used = {c.label: c for c in claim.rests_on if isinstance(c.proof, Definition | Root)}
     if any(used.get(c.label, c) is not c for c in claim.rests_on):

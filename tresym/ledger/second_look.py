@@ -34,7 +34,6 @@ from sympy import (
     Tuple,
     exp,
     false,
-    together,
 )
 from sympy.core.relational import Relational
 
@@ -44,6 +43,7 @@ from tresym.reals import advocate
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import generalised
 from tresym.reals.language.expression import FUNCTIONS
+from tresym.reals.limit import held
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval, fraction_text
 from tresym.reals.places.conditions import Given
@@ -55,7 +55,7 @@ Rules = dict[Basic, Basic]
 Values = Mapping[Symbol, Any]
 Place = Mapping[Symbol, Interval]
 """Exact values, or tiny segments."""
-Program = Callable[[Values, bool], Any]
+Program = Callable[["At"], Any]
 
 BITS, ROUGH = 128, 64
 POINTS = 40
@@ -72,7 +72,7 @@ PARAMETERS, CELLS = 2, 256
 """Points tried, and cells cut, to show an interval without a root."""
 EVALUATIONS = 120
 """How far an integral is refined."""
-PROGRAMS = 4096
+NODES = 1 << 15
 """Expressions kept in the form in which balls walk over them."""
 WIDTH = fmpq(1, 2**24)
 """Width of the segment on which an implicit equation holds somewhere."""
@@ -88,12 +88,49 @@ class Violation:
 
 @dataclass(frozen=True)
 class World:
-    """Where a claim is tried: conditions, rules that are put in, equations met by search."""
+    """Where a claim is tried: conditions, symbols that have a meaning, equations met by search."""
 
     conditions: Conditions
-    rules: tuple[tuple[Basic, Basic], ...]
+    rules: tuple[tuple[Symbol, Basic], ...]
     implicit: tuple[Basic, ...]
     """Differences that vanish where the equations used hold."""
+
+    def names(self, *sides: Basic) -> frozenset[Symbol]:
+        """The symbols that these hang on, and that are free to take values.
+
+        Raises:
+            CircularError: a variable is bound where a symbol stands whose meaning hangs on it.
+        """
+        rules = dict(self.rules)
+        _need_unbound(sides, rules)
+        return _reached(_names(*sides), rules).difference(rules)
+
+    def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
+        """Balls for these at a place."""
+        here = At({s: i.ball() for s, i in place.items()}, rules=self.rules)
+        return tuple(value(side, here) for side in sides)
+
+
+def _names(*sides: Basic) -> frozenset[Symbol]:
+    return frozenset().union(*(side.free_symbols for side in sides))
+
+
+def _reached(names: Iterable[Symbol], rules: Mapping[Symbol, Basic]) -> frozenset[Symbol]:
+    """These symbols, and all that their meanings hang on."""
+    found, waiting = set[Symbol](), [*names]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += rules[name].free_symbols if name in rules else ()
+    return frozenset(found)
+
+
+def _need_unbound(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> None:
+    for node in {n for e in sides for n in e.atoms(Integral, Derivative, Subs)}:
+        for name in node.free_symbols.intersection(rules):
+            if not _reached((name,), rules).isdisjoint(node.variables):
+                raise CircularError(f"a definition reaches {name}, where a variable is bound")
 
 
 @lru_cache(maxsize=4096)
@@ -104,15 +141,14 @@ def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> 
         says: a relation, a `Tuple` of them (one must fail), or an `Equivalent` of two equations.
         known: relations of the claims that are used.
     """
-    for relation, held in _relations(says, known):
-        world = _world(given, held)
-        left, right = _put_in_world(relation, world)
-        points = _points(world, _names(left, right))
+    for relation, there in _relations(says, known):
+        world = _world(given, there)
+        points = _points(world, world.names(*relation.args))
         for bits, count in LOOKS:
             for place in points[:count]:
                 with ball_precision(bits):
-                    point = {s: i.ball() for s, i in place.items()}
-                    if excluded(value(left, point) - value(right, point), relation.rel_op):
+                    left, right = world.values(relation.args, place)
+                    if excluded(left - right, relation.rel_op):
                         return _violated_at(place)
     return None
 
@@ -126,16 +162,14 @@ def contradiction(
         spent: seconds that the decision took; with more of them, more points are tried.
     """
     relations = tuple(_relations(says, known))
-    for relation, held in relations:
-        world = _world(given, held)
-        left, right = _put_in_world(relation, world)
+    for relation, there in relations:
+        world = _world(given, there)
         start, shown = process_time(), 0
         dear = bool(world.implicit) or relation.has(Integral)
         with ball_precision(BITS):
-            for tried, place in enumerate(_places(world, _names(left, right)), 1):
+            for tried, place in enumerate(_places(world, world.names(*relation.args)), 1):
                 if place is not None:
-                    point = {s: i.ball() for s, i in place.items()}
-                    sides = value(left, point), value(right, point)
+                    sides = world.values(relation.args, place)
                     shown += sides[0].is_finite() and sides[1].is_finite()
                     if excluded(sides[0] - sides[1], relation.rel_op):
                         seen = " and ".join(map(advocate.said, sides))
@@ -161,29 +195,20 @@ def _relations(
         yield from ((entry, known) for entry in scalars(says))
 
 
-def _names(*sides: Basic) -> frozenset[Symbol]:
-    return frozenset().union(*(side.free_symbols for side in sides))
-
-
-def _put_in_world(relation: Relational, world: World) -> tuple[Basic, Basic]:
-    left, right = (put_in(side, dict(world.rules)) for side in relation.args)
-    return left, right
-
-
 def rootless(
     function: Basic, variable: Symbol, ends: tuple[Basic, Basic], given: Conditions
 ) -> Violation | None:
     """A point under ``given`` at which balls show ``function`` without root between ``ends``."""
-    names = function.free_symbols.union(*(end.free_symbols for end in ends)) - {variable}
-    for place in _points(_world(given, ()), frozenset(names))[:PARAMETERS]:
+    names = _names(function, *ends) - {variable}
+    for place in _points(_world(given, ()), names)[:PARAMETERS]:
         with ball_precision(BITS):
-            point = {s: i.ball() for s, i in place.items()}
-            low, high = (value(end, point) for end in ends)
+            here = At({s: i.ball() for s, i in place.items()})
+            low, high = (value(end, here) for end in ends)
             cells = [
                 (low + (high - low) * n / CELLS).union(low + (high - low) * (n + 1) / CELLS)
                 for n in range(CELLS)
             ]
-            sides = {_side(value(function, {**point, variable: cell})) for cell in cells}
+            sides = {_side(value(function, At({variable: cell}, outer=here))) for cell in cells}
         if sides in ({1}, {-1}):
             return _violated_at(place)
     return None
@@ -199,8 +224,7 @@ def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple
     for left, right in world.rules:
         done = _differentiated(right) if isinstance(right, Derivative) else right
         rules[left] = right if left not in spoken_of or done.has(Integral) else done
-    wanted = _names(*rules.values()).difference(rules)
-    return rules, _points(world, wanted, enough=1)
+    return rules, _points(world, world.names(*rules.values()), enough=1)
 
 
 def excluded(difference: arb, relation: str) -> bool:
@@ -241,18 +265,20 @@ def scalars(equation: Basic) -> list[Basic]:
 @lru_cache(maxsize=512)
 def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
     relations = [entry for relation in known for entry in scalars(relation)]
-    rules: Rules = {}
+    equations = [r for r in relations if isinstance(r, Eq)]
+    rules: dict[Symbol, Basic] = {}
     pending = []
-    for equation in (r for r in relations if isinstance(r, Eq)):
-        left, right = (put_in(side, rules) for side in equation.args)
-        if isinstance(left, Symbol) and left not in right.free_symbols:
+    for left, right in (equation.args for equation in equations):
+        new = isinstance(left, Symbol) and left not in rules
+        if new and left not in _reached(right.free_symbols, rules):
             rules[left] = right
         elif left != right:
-            pending.append(equation)
-    kept = frozenset().union(*(condition.free_symbols for condition in given))
+            pending.append((left, right))
+    _need_unbound(rules.values(), rules)
+    kept = _names(*given)
     implicit = []
-    for equation in pending:
-        left, right = (put_in(side, rules) for side in equation.args)
+    for sides in pending:
+        left, right = (put_in(side, rules) for side in sides)
         if left == right or _identical(left, right):
             continue
         solved = _solved(left - right, kept)
@@ -305,7 +331,7 @@ def _solved(difference: Basic, kept: frozenset[Symbol]) -> tuple[Symbol, Basic] 
     for symbol in sorted(difference.free_symbols, key=lambda s: (s in kept, s.name)):
         slope = difference.diff(symbol)
         if slope != 0 and symbol not in slope.free_symbols:
-            return symbol, together(-difference.subs(symbol, 0) / slope)
+            return symbol, -difference.subs(symbol, 0) / slope
     return None
 
 
@@ -385,11 +411,12 @@ def _on_equation(
     box = Given.from_sympy(*plain).box
     with ball_precision(ROUGH):
         fixed = {s: i.ball() for s, i in exact.items()}
+        here = At(fixed)
         for symbol in sorted(difference.free_symbols, key=lambda s: (s.name not in box, s.name)):
             low, high = _reach(box.get(symbol.name, Range()))
 
             def at(v: arb | fmpq, symbol: Symbol = symbol) -> arb:
-                return value(difference, {**fixed, symbol: arb(v)})
+                return value(difference, At({symbol: arb(v)}, outer=here))
 
             segment = _segment(at, [low + (high - low) * n / GRID for n in grid])
             if segment is None or not at(segment.ball()).is_finite():
@@ -437,65 +464,105 @@ def _holds(condition: Basic, point: Values) -> bool:
 # Balls over SymPy expressions
 
 
-def value(e: Basic, point: Values, analytic: bool = False) -> Any:
+class At:
+    """A point, and the balls that are known there: each part of an expression is met once.
+
+    Attributes:
+        values: symbols to real or complex balls.
+        analytic: for integrands: not finite, too, where a part is not shown to be analytic.
+        outer: where all other symbols have their values.
+        rules: what symbols without a value stand for, where nothing is outside.
+    """
+
+    __slots__ = ("analytic", "known", "outer", "rules", "values")
+
+    def __init__(
+        self,
+        values: Values,
+        analytic: bool = False,
+        outer: At | None = None,
+        rules: Iterable[tuple[Symbol, Basic]] = (),
+    ) -> None:
+        self.values, self.analytic, self.outer, self.rules = values, analytic, outer, dict(rules)
+        self.known: dict[_Node, Any] = {}
+
+    def of(self, name: Symbol) -> Any:
+        """What a symbol comes to."""
+        return self.values[name] if name in self.values else value(self.rules[name], self)
+
+
+class _Node:
+    """An expression as a function of a point, made once: integrands are met thousands of times."""
+
+    __slots__ = ("compute", "names")
+
+    def __init__(self, names: Iterable[Basic], compute: Program) -> None:
+        self.names, self.compute = frozenset(names), compute
+
+    def __call__(self, at: At) -> Any:
+        while at.outer is not None and self.names.isdisjoint(at.values):
+            at = at.outer
+        found = at.known.get(self)
+        if found is None:
+            found = at.known[self] = self.compute(at)
+        return found
+
+
+def value(e: Basic, point: Values | At, analytic: bool = False) -> Any:
     """A ball that contains ``e`` at ``point``; not finite where ``e`` is not shown to be defined.
 
     Args:
-        point: symbols to real or complex balls.
+        point: symbols to real or complex balls, or a place at which some balls are known.
         analytic: for integrands: not finite, too, where ``e`` is not shown to be analytic.
     """
-    return _program(e)(point, analytic)
+    return _node(e)(point if isinstance(point, At) else At(point, analytic))
 
 
-@lru_cache(maxsize=PROGRAMS)
-def _program(e: Basic) -> Program:
-    """``e`` as a function of a point, made once: integrands are evaluated thousands of times."""
+@lru_cache(maxsize=NODES)
+def _node(e: Basic) -> _Node:
     match e:
         case Symbol():
-            return lambda point, analytic: point[e]
+            return _Node((e,), lambda at: at.of(e))
         case Rational():
             exact = fmpq(int(e.p), int(e.q))
-            return lambda point, analytic: arb(exact)
+            return _Node((), lambda at: arb(exact))
         case NumberSymbol():
             constant = {"pi": arb.pi, "E": arb.const_e}[str(e)]
-            return lambda point, analytic: constant()
+            return _Node((), lambda at: constant())
         case Add() | Mul():
             return _fold(operator.add if isinstance(e, Add) else operator.mul, e.args)
         case exp():
-            argument = _program(e.args[0])
-            return lambda point, analytic: argument(point, analytic).exp()
+            argument = _node(e.args[0])
+            return _Node(argument.names, lambda at: argument(at).exp())
         case Pow():
-            return _power(_program(e.base), e.exp)
+            return _power(_node(e.base), e.exp)
         case Derivative():
-            return _program(_differentiated(e))
+            return _node(_differentiated(e))
         case Subs():
             return _substituted(e)
-        case Integral():
-            return lambda point, analytic: _integral(e, point)
+        case Integral() if len(e.limits) == 1 and len(e.limits[0]) == 3:
+            return _integral(e)
         case _ if len(e.args) == 1 and (name := e.func.__name__) in (*FUNCTIONS, "Abs"):
-            x = _program(e.args[0])
-            return lambda point, analytic: _function(name, x(point, analytic), analytic)
+            x = _node(e.args[0])
+            return _Node(x.names, lambda at: _function(name, x(at), at.analytic))
         case _:
-            return lambda point, analytic: arb.nan()
+            return _Node((), lambda at: arb.nan())
 
 
-def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> Program:
-    parts = [_program(argument) for argument in arguments]
-
-    def folded(point: Values, analytic: bool) -> Any:
-        return reduce(combine, (part(point, analytic) for part in parts))
-
-    return folded
+def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> _Node:
+    parts = [_node(argument) for argument in arguments]
+    names = frozenset().union(*(part.names for part in parts))
+    return _Node(names, lambda at: reduce(combine, (part(at) for part in parts)))
 
 
-def _substituted(e: Subs) -> Program:
-    inner = _program(e.expr)
-    values = [(variable, _program(p)) for variable, p in zip(e.variables, e.point, strict=True)]
+def _substituted(e: Subs) -> _Node:
+    inner, points = _node(e.expr), [_node(p) for p in e.point]
 
-    def substituted(point: Values, analytic: bool) -> Any:
-        return inner({**point, **{v: at(point, analytic) for v, at in values}}, analytic)
+    def compute(at: At) -> Any:
+        values = [point(at) for point in points]
+        return inner(At(dict(zip(e.variables, values, strict=True)), at.analytic, at))
 
-    return substituted
+    return _Node((inner.names - {*e.variables}).union(*(p.names for p in points)), compute)
 
 
 def _differentiated(e: Derivative) -> Basic:
@@ -506,14 +573,15 @@ def _differentiated(e: Derivative) -> Basic:
     return found
 
 
-def _power(base: Program, exponent: Basic) -> Program:
+def _power(base: _Node, exponent: Basic) -> _Node:
     if not isinstance(exponent, Rational):
-        power = _program(exponent)
-        return lambda point, analytic: _general_power(
-            base(point, analytic), power(point, analytic), analytic
+        power = _node(exponent)
+        return _Node(
+            base.names | power.names,
+            lambda at: _general_power(base(at), power(at), at.analytic),
         )
     p, q = int(exponent.p), int(exponent.q)
-    return lambda point, analytic: _rational_power(base(point, analytic), p, q, analytic)
+    return _Node(base.names, lambda at: _rational_power(base(at), p, q, at.analytic))
 
 
 def _rational_power(base: Any, p: int, q: int, analytic: bool) -> Any:
@@ -545,22 +613,23 @@ def _function(name: str, x: Any, analytic: bool) -> Any:
     return getattr(x, name)()
 
 
-def _integral(e: Integral, point: Values) -> arb:
+def _integral(e: Integral) -> _Node:
     """A proper integral over one variable, enclosed; widely where it is hard."""
-    if len(e.limits) != 1 or len(e.limits[0]) != 3:
-        return arb.nan()
-    variable, low, high = e.limits[0]
-    start, end = value(low, point), value(high, point)
-    if not (start.is_finite() and end.is_finite()):
-        return arb.nan()
+    variable, *ends = e.limits[0]
+    function, (first, last) = _node(e.function), map(_node, ends)
 
-    function, at = _program(e.function), dict(point)
+    def compute(at: At) -> arb:
+        start, end = first(at), last(at)
+        if not (start.is_finite() and end.is_finite()):
+            return arb.nan()
 
-    def integrand(z: acb, analytic: bool) -> acb:
-        at[variable] = z
-        return acb(function(at, analytic))
+        def integrand(z: acb, analytic: bool) -> acb:
+            return acb(function(At({variable: z}, analytic, at)))
 
-    tolerance = arb(2) ** -min(48, ctx.prec // 2 + 8)
-    fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
-    found = acb.integral(integrand, acb(start), acb(end), **fine)
-    return found.real if found.imag.contains(0) else arb.nan()
+        tolerance = arb(2) ** -min(48, ctx.prec // 2 + 8)
+        fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
+        with held():
+            found = acb.integral(integrand, acb(start), acb(end), **fine)
+        return found.real if found.imag.contains(0) else arb.nan()
+
+    return _Node((function.names - {variable}) | first.names | last.names, compute)

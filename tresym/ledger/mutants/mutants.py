@@ -339,12 +339,18 @@ def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
 def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
     def claims(changed: Variant) -> tuple[Claim, ...]:
         follows = replace(saying(claim, changed), proof=_following(chain, says, changed))
-        if isinstance(changed, Equivalent):
+        if isinstance(changed, Equivalent) or _is_plain(chain):
             return (follows,)
         return follows, replace(follows, proof=formally(*claim.uses))
 
     yield _Spot(prefix + "statement", _mutations(says), claims, _is_violated)
     yield from _step_spots(claim, _start(says), chain, prefix)
+
+
+def _is_plain(chain: Chain) -> bool:
+    """Whether a chain leaves all to the provers, as no chain does."""
+    (link, *more) = chain
+    return not more and link.expression is None and not any(r.theories for r in link.reasons)
 
 
 def _following(chain: Chain, says: Any, changed: Any) -> Chain:

@@ -25,7 +25,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes
 from tresym.reals.verdict import Verdict
 
-SECONDS = 1.0
+SECONDS = 0.5
 """Processor time that a mutant's evidence gets, or twice as much as the claim's own, if more."""
 MUTANTS = 5
 """Changes that are tried on each claim, one or more at each place of it."""
@@ -253,15 +253,19 @@ _once: dict[int, tuple[Claim, Finding]] = {}
 def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
     """The finding on a changed claim, once: not believed where its evidence takes too long."""
     if id(claim) not in _once:
-        finding = _within(SECONDS, claim, found)
-        if finding is None:
-            longer = 2 * _own_seconds(claim.label)
-            finding = _within(longer, claim, found) if longer > SECONDS else None
+        label = claim.label
+        finding = _within(_allowed.get(label, SECONDS), claim, found)
+        if finding is None and label not in _allowed:
+            _allowed[label] = max(SECONDS, 2 * _own_seconds(label))
+            finding = _within(_allowed[label], claim, found) if _allowed[label] > SECONDS else None
         _once[id(claim)] = claim, finding or seen_false(claim)
     return _once[id(claim)][1]
 
 
-@cache
+_allowed: dict[str, float] = {}
+"""Processor time for mutants of claims of which one took too long."""
+
+
 def _own_seconds(label: str) -> float:
     """Processor time of a claim's own evidence."""
     claims = paper.all_claims()
