@@ -74,6 +74,10 @@ EVALUATIONS = 120
 """How far an integral is refined."""
 NODES = 1 << 15
 """Expressions kept in the form in which balls walk over them."""
+COARSE = 32
+"""Bits with which signs on the grid are told."""
+FINEST = 3**20
+"""One over this is as finely as a chord is told to cross a segment."""
 WIDTH = fmpq(1, 2**24)
 """Width of the segment on which an implicit equation holds somewhere."""
 
@@ -107,7 +111,7 @@ class World:
 
     def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
         """Balls for these at a place."""
-        here = At({s: i.ball() for s, i in place.items()}, rules=self.rules)
+        here = At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
         return tuple(value(side, here) for side in sides)
 
 
@@ -434,19 +438,35 @@ def _reach(where: Range) -> tuple[fmpq, fmpq]:
 
 def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval | None:
     """A tiny segment at whose ends ``function`` has opposite signs, between two on ``grid``."""
-    signed = ((v, s) for v in grid if (s := _side(function(v))))
-    for (start, first), (end, second) in pairwise(signed):
-        if first == second:
-            continue
-        while end - start > WIDTH:
-            # Not halved: roots like to lie on halves, where a ball cannot tell the sign.
-            middle = (5 * start + 4 * end) / 9
-            side = _side(function(middle))
-            if not side:
+    with ball_precision(COARSE):
+        signed = [(v, s) for v in grid if (s := _side(function(v)))]
+    changes = [(v, w) for (v, first), (w, second) in pairwise(signed) if first != second]
+    return next(filter(None, (_narrowed(function, *ends) for ends in changes)), None)
+
+
+def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interval | None:
+    """A tiny part of the segment at whose ends the signs are opposite too, by chords."""
+    first, last = function(start), function(end)
+    while end - start > WIDTH:
+        width, share = end - start, first / (first - last)
+        # Not halved: roots like to lie on halves, where a ball cannot tell the sign.
+        parts = round(float(share.mid()) * FINEST) if share.is_finite() else FINEST * 5 // 9
+        middle = start + width * fmpq(min(max(parts, 1), FINEST - 1), FINEST)
+        half = max(WIDTH * 4 / 9, min(width / 32, width * width))
+        for near in (middle - half, middle + half, (5 * start + 4 * end) / 9):
+            v = fmpq((near * FINEST).floor(), FINEST)
+            if not start < v < end:
+                continue
+            found = function(v)
+            if not _side(found):
                 return None
-            start, end = (middle, end) if side == first else (start, middle)
-        return Interval(start, end)
-    return None
+            if _side(found) == _side(first):
+                start, first = v, found
+            else:
+                end, last = v, found
+            if end - start <= 2 * half:
+                break
+    return Interval(start, end)
 
 
 def _side(x: arb) -> int:
@@ -462,6 +482,9 @@ def _holds(condition: Basic, point: Values) -> bool:
 
 
 # Balls over SymPy expressions
+
+
+NO_RULES: dict[Symbol, Basic] = {}
 
 
 class At:
@@ -481,9 +504,9 @@ class At:
         values: Values,
         analytic: bool = False,
         outer: At | None = None,
-        rules: Iterable[tuple[Symbol, Basic]] = (),
+        rules: Mapping[Symbol, Basic] = NO_RULES,
     ) -> None:
-        self.values, self.analytic, self.outer, self.rules = values, analytic, outer, dict(rules)
+        self.values, self.analytic, self.outer, self.rules = values, analytic, outer, rules
         self.known: dict[_Node, Any] = {}
 
     def of(self, name: Symbol) -> Any:

@@ -20,7 +20,7 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
-from sympy import Basic, Derivative, Eq, Equivalent, Integral, Subs, Tuple
+from sympy import Basic, Derivative, Eq, Equivalent, Integral, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger import paper
@@ -40,7 +40,6 @@ from tresym.ledger.claim import (
     Step,
     Together,
     UniqueRoot,
-    by,
     chains_of,
     equal,
     formally,
@@ -65,7 +64,6 @@ from tresym.ledger.mutants.changed_numbers import (
     printed_changes,
 )
 from tresym.ledger.mutants.changes import mutations, scattered
-from tresym.ledger.reasons import substituting
 from tresym.ledger.second_look import rootless
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.verdict import Verdict
@@ -307,7 +305,8 @@ def _counterexample_spot(claim: Claim) -> _Spot:
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         at_point = saying(claim, changed)
-        if sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
+        plain = all(isinstance(part, Relational) for part in parts_of(changed))
+        if not plain or sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
             return (at_point,)
         return at_point, replace(at_point, proof=formally())
 
@@ -438,27 +437,14 @@ def _sloping(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
 def _equation_spot(claim: Claim, dependent: Claim) -> _Spot:
     """The slope of a function that ``claim`` defines, where the equation for it is changed.
 
-    It is claimed by the slope that the function has then, put in so that balls show it to be
-    another, and by the implicit function theorem.
+    It counts where balls show, at a point of the equation, that the function has another slope.
     """
     proof: Any = dependent.proof
-    says: Any = dependent.says
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
-        other = replace(proof, equation=replace(claim, says=changed))
-        slope = replace(claim, says=equal(says.args[0], _slope_of(other)), given=dependent.given)
-        put_in = replace(dependent, proof=by(substituting(slope)))
-        return put_in, replace(dependent, proof=other)
+        return (replace(dependent, proof=replace(proof, equation=replace(claim, says=changed))),)
 
-    return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _is_violated)
-
-
-def _slope_of(proof: ImplicitFunction) -> Basic:
-    """The slope that the implicit function theorem gives."""
-    equation: Any = proof.equation.says
-    left, p = equation.args[0], proof.parameter
-    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
-    return -Subs(Derivative(left, p), p, proof.at) / by_unknown
+    return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _is_refuted)
 
 
 def _other_meanings(says: Basic) -> Iterator[Basic]:

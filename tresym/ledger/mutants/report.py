@@ -251,14 +251,20 @@ _once: dict[int, tuple[Claim, Finding]] = {}
 
 
 def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
-    """The finding on a changed claim, once: not believed where its evidence takes too long."""
+    """The finding on a changed claim, once: not believed where its evidence takes too long.
+
+    What the judge leaves open, as two definitions of one symbol, may still be false at a point.
+    """
     if id(claim) not in _once:
         label = claim.label
         finding = _within(_allowed.get(label, SECONDS), claim, found)
         if finding is None and label not in _allowed:
             _allowed[label] = max(SECONDS, 2 * _own_seconds(label))
             finding = _within(_allowed[label], claim, found) if _allowed[label] > SECONDS else None
-        _once[id(claim)] = claim, finding or seen_false(claim)
+        if finding is None or finding.verdict is Verdict.UNDECIDED:
+            seen = seen_false(claim)
+            finding = finding if finding and seen.verdict is not Verdict.REFUTED else seen
+        _once[id(claim)] = claim, finding
     return _once[id(claim)][1]
 
 
