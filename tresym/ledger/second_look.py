@@ -72,6 +72,8 @@ PARAMETERS, CELLS = 2, 256
 """Points tried, and cells cut, to show an interval without a root."""
 EVALUATIONS = 120
 """How far an integral is refined."""
+LARGE = 400
+"""Parts of the largest expression that symbols are replaced in."""
 NODES = 1 << 15
 """Expressions kept in the form in which balls walk over them."""
 COARSE = 32
@@ -98,6 +100,8 @@ class World:
     rules: tuple[tuple[Symbol, Basic], ...]
     implicit: tuple[Basic, ...]
     """Differences that vanish where the equations used hold."""
+    large: Conditions = ()
+    """Conditions in which the symbols stand as they are: their meanings would be too long."""
 
     def names(self, *sides: Basic) -> frozenset[Symbol]:
         """The symbols that these hang on, and that are free to take values.
@@ -109,9 +113,13 @@ class World:
         _need_unbound(sides, rules)
         return _reached(_names(*sides), rules).difference(rules)
 
+    def at(self, place: Place) -> At:
+        """A place, where balls are taken."""
+        return At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
+
     def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
         """Balls for these at a place."""
-        here = At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
+        here = self.at(place)
         return tuple(value(side, here) for side in sides)
 
 
@@ -281,19 +289,36 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
     _need_unbound(rules.values(), rules)
     kept = _names(*given)
     implicit = []
-    for sides in pending:
-        left, right = (put_in(side, rules) for side in sides)
-        if left == right or _identical(left, right):
-            continue
-        solved = _solved(left - right, kept)
+    for left, right in pending:
+        large = _size((left, right), rules) > LARGE
+        solved = _solved(left - right, kept, rules) if large else None
+        if solved is None:
+            left, right = put_in(left, rules), put_in(right, rules)
+            if left == right or _identical(left, right):
+                continue
+            solved = _solved(left - right, kept, rules)
         if solved is None:
             implicit.append(left - right)
         else:
             rules[solved[0]] = solved[1]
-    bounds = [r for r in relations if not isinstance(r, Eq)]
-    conditions = dict.fromkeys(put_in(c, rules) for c in (*given, *bounds))
-    implicit = [put_in(difference, rules) for difference in implicit]
-    return World(tuple(conditions), tuple(rules.items()), tuple(implicit))
+    asked = dict.fromkeys((*given, *(r for r in relations if not isinstance(r, Eq))))
+    small = [c for c in asked if _size((c,), rules) <= LARGE]
+    others = tuple(c for c in asked if c not in small)
+    _need_unbound((*implicit, *others), rules)
+    conditions = dict.fromkeys(put_in(c, rules) for c in small)
+    return World(tuple(conditions), tuple(rules.items()), tuple(implicit), others)
+
+
+def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
+    """How many parts these would have, with all that symbols stand for put in."""
+    known: dict[Basic, int] = {}
+
+    def size(e: Basic) -> int:
+        if e not in known:
+            known[e] = size(rules[e]) if e in rules else 1 + sum(map(size, e.args))
+        return known[e]
+
+    return sum(map(size, sides))
 
 
 def _identical(left: Basic, right: Basic) -> bool:
@@ -328,13 +353,17 @@ def put_in(expression: Basic, rules: Rules) -> Basic:
     raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
 
 
-def _solved(difference: Basic, kept: frozenset[Symbol]) -> tuple[Symbol, Basic] | None:
+def _solved(
+    difference: Basic, kept: frozenset[Symbol], rules: Mapping[Symbol, Basic]
+) -> tuple[Symbol, Basic] | None:
     """A symbol in which ``difference`` is linear, preferably a free one, and its root."""
+    names = difference.free_symbols
     if difference.has(Integral):
         return None
-    for symbol in sorted(difference.free_symbols, key=lambda s: (s in kept, s.name)):
+    for symbol in sorted(names.difference(rules), key=lambda s: (s in kept, s.name)):
         slope = difference.diff(symbol)
-        if slope != 0 and symbol not in slope.free_symbols:
+        alone = symbol not in _reached(names - {symbol}, rules)
+        if alone and slope != 0 and symbol not in slope.free_symbols:
             return symbol, -difference.subs(symbol, 0) / slope
     return None
 
@@ -352,7 +381,8 @@ def _points(
         for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
             exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
             with ball_precision(BITS):
-                inside = all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard)
+                here = world.at(exact)
+                inside = all(_holds(c, here) for c in hard)
             if inside:
                 yield exact
 
@@ -381,7 +411,8 @@ def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Int
             continue
         ends = (Interval(v, v) for v in map(advocate.exact, values))
         exact = dict(zip((symbols[name] for name in order), ends, strict=True))
-        if not all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard):
+        here = world.at(exact)
+        if not all(_holds(c, here) for c in hard):
             yield None
         elif world.implicit:
             yield next(_on_equation(world, exact, _grids(world)[0]), None)
@@ -394,15 +425,18 @@ def _parts(
 ) -> tuple[dict[str, Symbol], list[Basic], list[Basic]]:
     """All symbols by name, the conditions that are plain, and those that are not."""
     conditions = world.conditions
-    symbols = {s.name: s for s in names.union(*(e.free_symbols for e in world.implicit))}
+    symbols = {s.name: s for s in names | world.names(*world.implicit, *world.large)}
     symbols |= {s.name: s for condition in conditions for s in condition.free_symbols}
     hard = [c for c in conditions if c.has(Integral, Derivative, Subs)]
-    return symbols, [c for c in conditions if c not in hard], hard
+    return symbols, [c for c in conditions if c not in hard], [*hard, *world.large]
 
 
 def _grids(world: World) -> tuple[Sequence[int], ...]:
     """An integral is dear: it is first looked at near both ends only."""
-    coarse = ((1, GRID - 1),) if world.implicit[0].has(Integral) else ()
+    (difference,) = world.implicit
+    rules = dict(world.rules)
+    meanings = (rules[s] for s in _reached(difference.free_symbols, rules) if s in rules)
+    coarse = ((1, GRID - 1),) if any(e.has(Integral) for e in (difference, *meanings)) else ()
     return (*coarse, range(1, GRID))
 
 
@@ -415,18 +449,21 @@ def _on_equation(
     box = Given.from_sympy(*plain).box
     with ball_precision(ROUGH):
         fixed = {s: i.ball() for s, i in exact.items()}
-        here = At(fixed)
-        for symbol in sorted(difference.free_symbols, key=lambda s: (s.name not in box, s.name)):
+        rules, moving = dict(world.rules), world.names(difference)
+        for symbol in sorted(moving, key=lambda s: (s.name not in box, s.name)):
             low, high = _reach(box.get(symbol.name, Range()))
 
-            def at(v: arb | fmpq, symbol: Symbol = symbol) -> arb:
-                return value(difference, At({symbol: arb(v)}, outer=here))
+            def there(v: arb | fmpq, symbol: Symbol = symbol) -> At:
+                return At({**fixed, symbol: arb(v)}, rules=rules)
+
+            def at(v: arb | fmpq, there: Callable[[arb | fmpq], At] = there) -> arb:
+                return value(difference, there(v))
 
             segment = _segment(at, [low + (high - low) * n / GRID for n in grid])
             if segment is None or not at(segment.ball()).is_finite():
                 continue
-            point = {**fixed, symbol: segment.ball()}
-            if all(_holds(condition, point) for condition in world.conditions):
+            here = there(segment.ball())
+            if all(_holds(c, here) for c in (*world.conditions, *world.large)):
                 yield {**exact, symbol: segment}
                 return
 
@@ -473,9 +510,9 @@ def _side(x: arb) -> int:
     return 1 if x > 0 else -1 if x < 0 else 0
 
 
-def _holds(condition: Basic, point: Values) -> bool:
+def _holds(condition: Basic, here: At) -> bool:
     """Whether balls show an inequality, strictly."""
-    difference = value(condition.lhs - condition.rhs, point)
+    difference = value(condition.lhs, here) - value(condition.rhs, here)
     if condition.rel_op == "!=":
         return _side(difference) != 0
     return bool(difference > 0 if condition.rel_op in (">", ">=") else difference < 0)

@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
 from itertools import islice
 from typing import Any
 
@@ -217,12 +216,7 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             for n, condition in enumerate(claim.given, 1):
                 yield _condition_spot(claim, n, condition)
         case Formally() if isinstance(claim.statement, ForSome):
-            yield _Spot(
-                "statement",
-                _mutations(claim.statement),
-                _one(partial(saying, claim)),
-                _is_somewhere,
-            )
+            yield _nowhere_spot(claim, claim.statement)
         case Formally() | Instance():
             for n, relation in enumerate(claim.parts, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
@@ -247,10 +241,14 @@ def _is_refuted(claim: Claim) -> bool:
     return found is not None and found.verdict is Verdict.REFUTED
 
 
-def _is_somewhere(claim: Claim) -> bool:
-    """Whether balls show, at a point, what is said to be so at one."""
-    (some,) = claim.statement.args if isinstance(claim.statement, ForSome) else (None,)
-    return isinstance(some, Relational) and refute(some.negated, claim) is not None
+def _nowhere_spot(claim: Claim, says: ForSome) -> _Spot:
+    """That something is nowhere, which is why the claim is refuted, of what is somewhere."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        return (saying(claim, changed.negated),)
+
+    variants = (e for e in _mutations(says.args[0]) if isinstance(e, Relational))
+    return _Spot("denial", variants, claims, _is_violated)
 
 
 def _region_spot(claim: Claim) -> _Spot:

@@ -18,7 +18,6 @@ from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence, seen_false
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
 from tresym.ledger.mutants.planted import planted
-from tresym.ledger.statements import ForSome
 from tresym.ledger.verification import JSON_VERSION, choose
 from tresym.reals.limit import time_limit
 from tresym.reals.numbers.exact import InputError
@@ -224,11 +223,8 @@ def _believed(claim: Claim, verdict: Ruling) -> bool:
 
 
 def _survives(mutant: Mutant, verdict: Ruling) -> bool:
-    """Whether a false variant is believed: it holds, or what is false still denies something.
-
-    That there is a point is made true where it was false: then it is not to be denied.
-    """
-    denies = isinstance(mutant.claim.proof, Denied) or isinstance(mutant.claim.statement, ForSome)
+    """Whether a false variant is believed: it holds, or what is false still denies something."""
+    denies = isinstance(mutant.claim.proof, Denied)
     return verdict.holds or (denies and verdict is Verdict.REFUTED)
 
 
