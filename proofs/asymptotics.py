@@ -57,12 +57,7 @@ from tresym.proofs.power_series import (
     lagrange_step,
     stays_inside,
 )
-from tresym.proofs.separatrix import (
-    flip_defect,
-    one_flip_defect,
-    stable_equation,
-    vanishing_share,
-)
+from tresym.proofs.separatrix import flip_defect, one_flip_defect, stable_equation, vanishing_share
 from tresym.proofs.sweeps import newton_4, newton_pi, sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
@@ -83,7 +78,7 @@ flat_bends = Claim(
         equal(at(k / x**2 * _flat, {x: k / 2}), 4 * exp(-2) / k),
     ),
     given=(k > 0, x > 0),
-    proof=together(by(differentiation), by(evaluating)),
+    proof=by(differentiation),
     note="The slope of e^{−k/x} rises up to x = k/2, where it is 4e^{−2}/k, and falls after it.",
 )
 
@@ -173,7 +168,6 @@ printed_relative_too_small = too_small(
     b=1,
 )
 
-
 _printed_with_remainder = equal(
     epsilon0,
     exp(-sqrt(a * b) * pi)
@@ -197,9 +191,7 @@ printed_remainder = Claim(
     fault=Fault.THEOREM,
 )
 
-
 # -- the theorem repaired -------------------------------------------------------------------------
-
 
 EXCESS: tuple[Callable[..., Any], ...] = (
     lambda b, kappa, m: charts.first_excess(charts.root_by_kappa(b, kappa, m), m),
@@ -207,7 +199,6 @@ EXCESS: tuple[Callable[..., Any], ...] = (
     lambda b, kappa, m: charts.third_excess(charts.root_by_kappa(b, kappa, m), m),
 )
 """(ε₀/ε* − Σ_{n≤N} c_n ε*^{2n})/ε*^{2N+2} for N = 0, 1, 2, in the chart (b, κ)."""
-
 
 _series = epsilon0 / epsilon_star - 1
 
@@ -230,7 +221,6 @@ second_order_too_small = _too_small(second_order, "2.96", _second, epsilon_star*
 _BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIES,)}
 """The bounds whose margins hold what a power series of Q leaves out."""
 
-
 _third = _second - c2 * epsilon_star**4
 
 third_order = below(
@@ -243,7 +233,6 @@ third_order = below(
     **_BY_SERIES,
 )
 third_order_too_small = Claim(
-    label="third_order_too_small",
     says=Abs(_third) <= Rational("7.33") * epsilon_star**6,
     given=(*shape, a * b >= Rational(1, 4)),
     proof=Counterexample(
@@ -408,14 +397,12 @@ everywhere = bound(
     note="The one bound with a single constant; 10/3 is its best, attained as a → ∞, b → 1.",
 )
 
-
 everywhere_too_small = Claim(
     says=Abs(epsilon0 - epsilon_star) <= Rational("3.33") * _cube,
     given=shape,
     proof=Counterexample({"a": fmpq(1600), "b": fmpq(1)}, (flip_defect, leading_term)),
     amended_by=(everywhere,),
 )
-
 
 # -- one formula for every body -------------------------------------------------------------------
 
@@ -519,8 +506,7 @@ newton_remainder = Claim(
     "between x and T.",
 )
 
-steepness = Claim(
-    label="phase_steepness",
+phase_steepness = Claim(
     says=equal(1 / _steepness, Derivative(_phase, T)),
     given=(*auxiliary, 1 - k * r >= 0, *later),
     proof=by(differentiation, exponentials),
@@ -570,7 +556,6 @@ uniform_formulas = Claim(
     proof=all_of(one_line, balanced_line, newton_line, balanced_newton),
 )
 
-
 sweep_below = Claim(
     says=tanh(T + x) - tanh(T) > 0, given=(T > 0, x > 0, exp(x) - 1 > 0, exp(T) > 0), proof=manifest
 )
@@ -584,14 +569,16 @@ one_line_side = Claim(
 newton_side = Claim(
     says="A Newton step on the phase gives too small an ε₀, from wherever it starts.",
     proof=all_of(
-        slope_in_T_positive, phase_equation_convex, steepness, newton_from_below, newton_from_above
+        slope_in_T_positive,
+        phase_equation_convex,
+        phase_steepness,
+        newton_from_below,
+        newton_from_above,
     ),
     note="A tangent of a convex increasing function meets the axis beyond the root: T₂ ≥ T.",
 )
 
-
 # -- the slope and the bend -----------------------------------------------------------------------
-
 
 _sine, _cosine = sin(epsilon), cos(epsilon)
 _root = sqrt(1 + b / a * _sine**2)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tresym.proofs.euler_angles import shape_and_depth
+from tresym.proofs.euler_angles import d08
 from tresym.proofs.printed import MOMENTS, TABLE_1, inputs, number, typeset
 
 from tresym.ledger.vocabulary import *
@@ -35,21 +35,11 @@ moments = tuple(
 )
 
 wilson_a = number(
-    "These moments lead to a = {}.",
-    a,
-    "12.5372",
-    _as_there("I1", "I2"),
-    shape_and_depth,
-    where=_THERE,
+    "These moments lead to a = {}.", a, "12.5372", _as_there("I1", "I2"), d08, where=_THERE
 )
 
 wilson_b = number(
-    "These moments lead to b = {}.",
-    b,
-    "0.0629",
-    _as_there("I2", "I3"),
-    shape_and_depth,
-    where=_THERE,
+    "These moments lead to b = {}.", b, "0.0629", _as_there("I2", "I3"), d08, where=_THERE
 )
 
 label_claims(globals())

@@ -2,7 +2,7 @@
 
 A box of length L, width W and height H has the principal axes e₁, e₂, e₃ along them.
 
-- display (30), `book_shape`: the a and b of a book;
+- display (30), `d30`: the a and b of a book;
 - `box_a`, `box_b`: the shape of a box; `box_order`: its moments are in the paper's order;
 - `book_length`, `book_height`: the proportions that the printed a and b need, a box that exists;
 - `table_units`: the printed unit is none of a moment of inertia;
@@ -89,8 +89,7 @@ book_b = number(
     "A book with L/W = 1.46 and H/W = 0.16 has b = {}.", _b_of_box, "0.31", _PROPORTIONS
 )
 
-book_shape = Claim(
-    label="d30",
+d30 = Claim(
     says="A box can have a = 1.11 and b = 0.31, in proportions such as books have.",
     kind="number",
     proof=all_of(box_a, box_b, box_of_a_shape, book_length, book_height, book_a, book_b),
@@ -139,8 +138,7 @@ last_column = Claim(
     where=line(293),
 )
 
-objects_on_the_map = Claim(
-    label="fig_compar_racket",
+fig_compar_racket = Claim(
     says="The dots, at the printed a and b, are the five objects of Table 1 with their ε₀.",
     kind="number",
     proof=all_of(

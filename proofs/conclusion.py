@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from tresym.proofs.euler_angles import shape_and_depth
+from tresym.proofs.euler_angles import d08
 from tresym.proofs.printed import inputs, number, share_of_pi
 from tresym.proofs.separatrix import flip_defect, leading_defect, one_flip_defect
 
@@ -37,13 +37,12 @@ rotational_order = Claim(
     says=Tuple(1 / B2 - 1 / B1 > 0, 1 / B3 - 1 / B2 > 0), given=_ordered, proof=manifest
 )
 
-
 ethylene_flip_exact = number(
     "By the exact equation ethylene flips by π(1 − {}).",
     share_of_pi(epsilon0),
     "0.0870",
     _ETHYLENE,
-    *(shape_and_depth, rotational_constants, flip_defect, one_flip_defect),
+    *(d08, rotational_constants, flip_defect, one_flip_defect),
 )
 
 ethylene_flip_formula = number(
@@ -51,7 +50,7 @@ ethylene_flip_formula = number(
     share_of_pi(epsilon_printed),
     "0.0871",
     _ETHYLENE,
-    *(shape_and_depth, rotational_constants, leading_defect),
+    *(d08, rotational_constants, leading_defect),
 )
 
 ethylene_without_prefactor = number(
@@ -59,7 +58,7 @@ ethylene_without_prefactor = number(
     share_of_pi(exp(-pi * sqrt(a * b))),
     "0.0528",
     _ETHYLENE,
-    *(shape_and_depth, rotational_constants),
+    *(d08, rotational_constants),
 )
 
 _AMENDED = (ethylene_flip_exact, ethylene_flip_formula, ethylene_without_prefactor)
@@ -69,7 +68,7 @@ ethylene_flip = number(
     share_of_pi(epsilon0),
     "0.0528",
     _ETHYLENE,
-    *(shape_and_depth, rotational_constants, flip_defect, one_flip_defect),
+    *(d08, rotational_constants, flip_defect, one_flip_defect),
     where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,
@@ -81,7 +80,7 @@ ethylene_flip_by_formula = number(
     share_of_pi(epsilon_printed),
     "0.0528",
     _ETHYLENE,
-    *(shape_and_depth, rotational_constants, leading_defect),
+    *(d08, rotational_constants, leading_defect),
     where=line(320),
     expect=Verdict.REFUTED,
     amended_by=_AMENDED,

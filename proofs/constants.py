@@ -108,7 +108,6 @@ def _table(order: int) -> tuple[Claim, ...]:
 repaired_from = _table(0)
 second_order_from = _table(1)
 
-
 _star = 2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(sqrt(b / (a + b)))))
 """ε*."""
 

@@ -1,11 +1,11 @@
 """Section 4: the equations of the Euler angles, the shape of the body, and the planar system.
 
 - display (7), `eq_euler_angle`: the rates of θ, φ, ψ, solved from Ω = M/I;
-- (8), `shape_and_depth`: a, b and γ;
+- (8), `d08`: a, b and γ;
 - `precession_forward`: φ always grows, so it can replace time;
 - (9), `eq_Euler`: the planar system for θ and ψ over φ;
 - (10), `eq_gamma`: γ as a function of θ and ψ, by substitution; `gamma_conserved`, by dγ/dφ = 0;
-- (11), `ranges`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
+- (11), `d11`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
 """
 
 from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, tilted
@@ -24,8 +24,7 @@ eq_euler_angle = Claim(
     proof=together(
         (
             step(W2 * sin(psi) + W3 * cos(psi), substituting(angular_velocity), trigonometry),
-            step(M2 / I2 * sin(psi) + M3 / I3 * cos(psi), substituting(velocity_from_momentum)),
-            step(None, substituting(eq_Mi)),
+            step(None, substituting(velocity_from_momentum, eq_Mi)),
         ),
         (
             step(
@@ -33,11 +32,7 @@ eq_euler_angle = Claim(
                 substituting(angular_velocity),
                 trigonometry,
             ),
-            step(
-                (M3 / I3 * sin(psi) - M2 / I2 * cos(psi)) / sin(theta),
-                substituting(velocity_from_momentum),
-            ),
-            step(None, substituting(eq_Mi)),
+            step(None, substituting(velocity_from_momentum, eq_Mi)),
         ),
         (
             step(
@@ -45,18 +40,13 @@ eq_euler_angle = Claim(
                 substituting(angular_velocity),
                 trigonometry,
             ),
-            step(
-                M1 / I1 - (M3 / I3 * sin(psi) - M2 / I2 * cos(psi)) / sin(theta) * cos(theta),
-                substituting(velocity_from_momentum),
-            ),
-            step(None, substituting(eq_Mi)),
+            step(None, substituting(velocity_from_momentum, eq_Mi)),
         ),
     ),
     where=display(7),
 )
 
-shape_and_depth = Claim(
-    label="d08",
+d08 = Claim(
     says=equations(
         (a, b, gamma), (*printed.shape(I1, I2, I3), printed.depth_from_energy(E, M, I2))
     ),
@@ -68,10 +58,7 @@ shape_and_depth = Claim(
 precession_rate = Claim(
     says=equal(dphi_dt, M * (1 - b * sin(psi) ** 2) / I2),
     given=(*ordered_moments, *tilted),
-    proof=(
-        step(M * (sin(psi) ** 2 / I3 + cos(psi) ** 2 / I2), substituting(eq_euler_angle)),
-        step(None, substituting(shape_and_depth), trigonometry),
-    ),
+    proof=by(substituting(eq_euler_angle, d08), trigonometry),
 )
 
 precession_forward = Claim(
@@ -90,35 +77,10 @@ elimination_of_time = Claim(
 eq_Euler = Claim(
     says=equations((dtheta_dphi, dpsi_dphi), printed.planar_rates(theta, psi, a, b, sympy)),
     given=(*ordered_moments, *tilted, *shape_of_a_body),
-    proof=together(
-        (
-            step(
-                dtheta_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)
-            ),
-            step(dtheta_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
-            step(
-                M
-                * (1 / I3 - 1 / I2)
-                * sin(theta)
-                * sin(psi)
-                * cos(psi)
-                / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(eq_euler_angle),
-            ),
-            step(None, substituting(shape_and_depth)),
-        ),
-        (
-            step(dpsi_dt / dphi_dt, substituting(elimination_of_time), citing(precession_forward)),
-            step(dpsi_dt / (M * (1 - b * sin(psi) ** 2) / I2), substituting(precession_rate)),
-            step(
-                M
-                * (1 / I1 - sin(psi) ** 2 / I3 - cos(psi) ** 2 / I2)
-                * cos(theta)
-                / (M * (1 - b * sin(psi) ** 2) / I2),
-                substituting(eq_euler_angle),
-            ),
-            step(None, substituting(shape_and_depth), trigonometry),
-        ),
+    proof=by(
+        substituting(elimination_of_time, eq_euler_angle, d08),
+        citing(precession_forward),
+        trigonometry,
     ),
     where=display(9),
 )
@@ -127,10 +89,10 @@ eq_gamma = Claim(
     says=equal(gamma, printed.depth(theta, psi, a, b, sympy)),
     given=ordered_moments,
     proof=(
-        step(2 * I2 * E / M**2 - 1, substituting(shape_and_depth)),
+        step(2 * I2 * E / M**2 - 1, substituting(d08)),
         step(
             ((1 + a) * M1**2 + M2**2 + (1 - b) * M3**2) / M**2 - 1,
-            substituting(energy_of_momentum, shape_and_depth),
+            substituting(energy_of_momentum, d08),
         ),
         step(
             (1 + a) * cos(theta) ** 2 + sin(theta) ** 2 * (1 - b * sin(psi) ** 2) - 1,
@@ -155,9 +117,7 @@ gamma_conserved = Claim(
 )
 
 range_of_shape = Claim(
-    says=Tuple(a >= 0, b >= 0, b <= 1),
-    given=ordered_moments,
-    proof=by(substituting(shape_and_depth)),
+    says=Tuple(a >= 0, b >= 0, b <= 1), given=ordered_moments, proof=by(substituting(d08))
 )
 
 range_of_gamma = Claim(
@@ -166,8 +126,7 @@ range_of_gamma = Claim(
     proof=by(substituting(eq_gamma)),
 )
 
-ranges = Claim(
-    label="d11",
+d11 = Claim(
     says="0 ≤ b ≤ 1, 0 ≤ a < ∞ and −b ≤ γ ≤ a.",
     proof=all_of(range_of_shape, range_of_gamma),
     where=display(11),

@@ -39,28 +39,19 @@ logarithmic_equation = Claim(
     given=(*shape, *defect),
     proof=(
         step(
-            equal(_cosine * cos(epsilon) / sin(epsilon), sinh(_time)),
-            multiplying(cos(epsilon) * sinh(_time) / sin(epsilon)),
-            trigonometry,
-        ),
-        step(
             equal(asinh(_cosine * cos(epsilon) / sin(epsilon)), _time),
+            multiplying(cos(epsilon) * sinh(_time) / sin(epsilon)),
             applying("asinh"),
-            exponentials,
-            inverses,
+            *(exponentials, inverses, trigonometry),
         ),
         step(
             equal(log(_cosine * (cos(epsilon) + _root) / sin(epsilon)), _time),
-            exponentials,
-            inverses,
-            roots,
-            trigonometry,
+            *(exponentials, inverses, roots, trigonometry),
         ),
         step(
             equal(exponent, log(epsilon / _leading)),
             adding(log(epsilon) - log(2 * _cosine) + sqrt(a * b) * _turn),
-            exponentials,
-            roots,
+            *(exponentials, roots),
         ),
     ),
     note="Solved for the logarithm of ε₀/ε*; what is left on the other side is Q(ε₀).",
@@ -129,7 +120,6 @@ arctangent_concave = Claim(
     proof=manifest,
     note="The ratio of two angles below π/2 is between 1 and that of their tangents.",
 )
-
 
 arsinh_concave = Claim(says=asinh(share * x) - share * asinh(x) >= 0, given=_part, proof=manifest)
 

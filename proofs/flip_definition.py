@@ -1,11 +1,11 @@
 """Section 6, up to the theorem: what a flip is, and which motions are studied.
 
-- display (18), `eq_robust_gen`: Δφ is the integral of f, here (33), `integrand_again`; `full_turn`:
+- display (18), `eq_robust_gen`: Δφ is the integral of f, here (33), `d33`; `full_turn`:
   the turn that is studied;
 - `elementary_at_the_top`: the equation of the flip can be integrated for some γ;
 - (20), `eq_psi0psif`: the symmetric motion; (21), `eqdefect`: its flip is π − 2ε;
 - `symmetric_is_extreme`: what is true of the symmetric motion among all with its γ;
-- (25), `without_approximation`: ε₀ by an exponential equation;
+- (25), `d25`: ε₀ by an exponential equation;
 - (28), `eq_TRE`: when a flip counts.
 """
 
@@ -14,9 +14,9 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.proofs.conditions import STANDARD, shape
-from tresym.proofs.flip_dynamics import eq_dpsidphi, precession_integrand
+from tresym.proofs.flip_dynamics import d19, eq_dpsidphi
 from tresym.proofs.regimes import rotating_speed
-from tresym.proofs.separatrix import exact_equation, integrated, one_flip_defect, stable_equation
+from tresym.proofs.separatrix import d36, d37, one_flip_defect, stable_equation
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -45,7 +45,7 @@ flip_angle = Claim(says=equal(Delta_psi, psi_f - psi0), proof=Definition())
 
 integrand_of_the_turn = Claim(
     says="The integrand of the turn is dφ/dψ, with the sign S that the motion has.",
-    proof=all_of(eq_dpsidphi, precession_integrand),
+    proof=all_of(eq_dpsidphi, d19),
     where=line(201),
 )
 
@@ -53,12 +53,7 @@ integrand_of_the_turn = Claim(
 
 _inside = (psi > -pi / 2, psi < pi / 2, cos(psi) > 0)
 
-integrand_again = Claim(
-    label="d33",
-    says="f, as the appendix repeats it, is dφ/dψ.",
-    proof=all_of(precession_integrand),
-    where=display(33),
-)
+d33 = Claim(says="f, as the appendix repeats it, is dφ/dψ.", proof=all_of(d19), where=display(33))
 
 elementary_at_the_top = Claim(
     says=equal(
@@ -81,7 +76,7 @@ integrand_at_the_top = Claim(
 elementary_levels = Claim(
     says="For γ = 0 and for γ = a the equation of the flip angle is integrated by elementary "
     "functions.",
-    proof=all_of(integrated, integrand_at_the_top, elementary_at_the_top),
+    proof=all_of(d36, integrand_at_the_top, elementary_at_the_top),
 )
 
 not_elementary = Claim(
@@ -112,16 +107,14 @@ symmetric_turn = Claim(
     says=equal(Integral(_integrand, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, gamma > 0),
     proof=(
-        step(Integral(_integrand, (psi, psi0, psi_f)), substituting(eq_psi0psif)),
-        step(Delta_phi, substituting(eq_robust_gen)),
+        step(Delta_phi, substituting(eq_psi0psif, eq_robust_gen)),
         step(None, substituting(full_turn)),
     ),
     where=line(213),
     note="What ε is: in one turn of the handle the symmetric motion goes from ε to π − ε.",
 )
 
-symmetric_curves = Claim(
-    label="fig_symtraj",
+fig_symtraj = Claim(
     says="The symmetric curves, from ε to π − ε, are those of one full turn of the handle.",
     proof=all_of(symmetric_turn, eqdefect),
     where=line(227),
@@ -129,18 +122,14 @@ symmetric_curves = Claim(
 
 perfect_is_zero = Claim(
     says=Equivalent(equal(epsilon, 0), equal(pi - 2 * epsilon, pi)),
-    proof=(
-        step(equal(-2 * epsilon, 0), multiplying(Integer(-2))),
-        step(equal(pi - 2 * epsilon, pi), adding(pi)),
-    ),
+    proof=by(multiplying(Integer(-2)), adding(pi)),
     where=line(217),
 )
 
 _start, _turned = Symbol("psi_start", real=True), Symbol("Psi", real=True)
 _shifted = _integrand.subs(psi, x)
 
-every_start_flips = Claim(
-    label="flip_for_large_range",
+flip_for_large_range = Claim(
     says=equal(
         Integral(_integrand, (psi, _start, _start + pi)), Integral(_integrand, (psi, 0, pi))
     ),
@@ -197,7 +186,7 @@ turn_gap = Claim(
         sin(2 * x + _turned) * sin(_turned) * _steepness(_starts, _ends),
     ),
     given=(*shape, b < 1, gamma > 0),
-    proof=(step((_ends - _starts) * _steepness(_starts, _ends), roots), step(None, trigonometry)),
+    proof=by(roots, trigonometry),
     note="f where a flip by Ψ starts, less f where it ends. At a symmetric start 2x + Ψ is an odd "
     "multiple of π; up to π/2 before it the sine of 2x + Ψ is positive and up to π/2 after it "
     "negative.",
@@ -254,11 +243,10 @@ eps0_shape_only = Claim(
     says="ε₀ depends on a and b only.", proof=all_of(one_flip_defect), where=line(222)
 )
 
-without_approximation = Claim(
-    label="d25",
+d25 = Claim(
     says="The flip defect on the separatrix is given, without any approximation, by the "
     "exponential equation of d37: it is equivalent to the condition of one turn.",
-    proof=all_of(exact_equation, stable_equation, one_flip_defect),
+    proof=all_of(d37, stable_equation, one_flip_defect),
     where=display(25),
     note="ε₀ (here ε) is its only root.",
 )

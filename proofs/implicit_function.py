@@ -1,13 +1,13 @@
 """Appendix: the argument for the leading term of ε₀ by an implicit function, step by step.
 
 - display (40), `d40`, `mu_by_lambda`: the parameters λ and μ; (41), `reduced_equation`: ε₀ by them;
-- (42), `defect_by_unknown`, `unknown_flat`: ε₀ by the unknown u; `flat_function`: e^{−1/s} is flat
+- (42), `defect_by_unknown`, `u_flat`: ε₀ by the unknown u; `flat_function`: e^{−1/s} is flat
   from one side only, and so ε₀(u, λ, μ) is smooth for λ ≥ 0;
-- (43), `equation_for_u`: the equation G = 0; `defect_of_a_product`: the arguments of ε₀ as printed;
+- (43), `equ`: the equation G = 0; `defect_of_a_product`: the arguments of ε₀ as printed;
 - `slope_by_u`, `slope_by_lambda`, `slope_by_mu`: the derivatives of G where ε₀ is e + p·(…), with
   the slope p of ε₀ a symbol; at the origin they are 1, 0 and 0;
-- (44), `implicit_rule`, `implicit_slope`: du/dλ by the implicit function theorem;
-- (45), `chain_rule`, `chain_rule_of_G`: `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; dG/dλ = 0
+- (44), `implicit_rule`, `d44`: du/dλ by the implicit function theorem;
+- (45), `d45`, `chain_rule_of_G`: `dmu_dlambda_zero`: ∂μ/∂λ is not 0 as deduced; dG/dλ = 0
   follows from ∂G/∂μ = 0 instead, and with it du/dλ = 0, which (46) shows of u itself.
 """
 
@@ -59,7 +59,6 @@ right_sides = Claim(
     note="Only the right side of the equation before is rewritten.",
 )
 
-
 reduced_equation = Claim(
     label="equation",
     says=equal(epsilon0, printed.implicit_right_reduced(epsilon0, lam, mu, sympy)),
@@ -93,8 +92,7 @@ defect_by_unknown = Claim(
     where=display(42),
 )
 
-unknown_flat = Claim(
-    label="u_flat",
+u_flat = Claim(
     says=equal(
         _by_u, _in_front * at(printed.flat_function(x, sympy), {x: lam / (pi + asin(mu) + u)})
     ),
@@ -108,8 +106,7 @@ unknown_flat = Claim(
 _arc = asin(mu * cos(epsilon))
 _given = (lam > 0, *_small, 1 - mu**2 > 0, 1 - mu**2 * cos(epsilon) ** 2 > 0)
 
-equation_for_u = Claim(
-    label="equ",
+equ = Claim(
     says=Equivalent(
         equal(_by_u, printed.implicit_right_reduced(epsilon, lam, mu, sympy)),
         equal(u + asin(mu) - _arc, 0),
@@ -149,7 +146,7 @@ defect_of_a_product = Claim(
         }
     ),
     where=display(43),
-    amended_by=(equation_for_u,),
+    amended_by=(equ,),
     note="A comma is missing: ε₀ is that of the display before, a function of u, λ and μ.",
     fault=Fault.MISPRINT,
 )
@@ -167,7 +164,6 @@ flat_from_above = Claim(
     proof=Asymptotics(),
 )
 
-
 flat_function = Claim(
     says="e^{−1/s} with the value 0 at 0 is flat there: from below, too, it is O(s) as s → 0.",
     means=order(equal(_flat, O(x)), x, side=-1),
@@ -179,8 +175,7 @@ flat_function = Claim(
     fault=Fault.REASON,
 )
 
-smooth_at_origin = Claim(
-    label="eps0_smooth",
+eps0_smooth = Claim(
     says="ε₀(u, λ, μ) is smooth at the origin: it is O(1) near it.",
     means=order(equal(_by_u, O(Integer(1))), *_ORIGIN),
     proof=Asymptotics({u: Integer(0), lam: -t, mu: Integer(0)}),
@@ -198,12 +193,11 @@ slopes_of_the_defect = Claim(
         equal(Derivative(_by_u, mu), -_by_u * (mu / (1 - mu**2) + 1 / (lam * sqrt(1 - mu**2)))),
     ),
     given=(lam > 0, *_small),
-    proof=together(by(differentiation), by(differentiation), by(differentiation, roots)),
+    proof=by(differentiation, roots),
     note="ε₀ times a factor that is at most 6/λ² for λ ≤ 1, 0 ≤ μ ≤ 1/2 and −1 ≤ u ≤ 1.",
 )
 
 _path = (lam > 0, mu >= 0, mu < 1, u >= -1)
-
 
 defect_below_flat = Claim(says=2 * exp(-2 / lam) >= _by_u, given=_path, proof=manifest)
 
@@ -359,8 +353,7 @@ deduced_from_the_chain_rule = Claim(
     note="So where dG/dλ and ∂G/∂λ vanish the product does, and one of its factors.",
 )
 
-chain_rule = Claim(
-    label="d45",
+d45 = Claim(
     says="dG/dλ = ∂G/∂λ + (∂G/∂μ)(∂μ/∂λ), which is 0 at the origin.",
     proof=all_of(chain_rule_of_G, G_lambda_at_origin, G_mu_at_origin, dmu_dlambda),
     where=display(45),
@@ -372,16 +365,12 @@ implicit_rule = Claim(
         equal(dG_dlambda + dG_du * du_dlambda, 0), equal(du_dlambda, -dG_dlambda / dG_du)
     ),
     given=(dG_du > 0,),
-    proof=(
-        step(equal(dG_dlambda / dG_du + du_dlambda, 0), multiplying(1 / dG_du)),
-        step(equal(du_dlambda, -dG_dlambda / dG_du), adding(-dG_dlambda / dG_du)),
-    ),
+    proof=by(multiplying(1 / dG_du), adding(-dG_dlambda / dG_du)),
     where=display(44),
     note="On the left G(u(λ), λ, μ(λ)) = 0, differentiated.",
 )
 
-implicit_slope = Claim(
-    label="d44",
+d44 = Claim(
     says="du/dλ = −(dG/dλ)/(dG/du) at the origin, where dG/du is not 0.",
     proof=all_of(implicit_rule, G_at_origin, G_u_at_origin, defect_is_flat),
     where=display(44),

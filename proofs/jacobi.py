@@ -141,7 +141,7 @@ def _start(
             equal(component**2, largest**2 * (1 - parameter * sine**2)),
         ),
         given=given,
-        proof=together(_by_integrals, _by_integrals),
+        proof=_by_integrals,
         note="M₂ over its amplitude and the ratio of the other are the sine and the cosine of some "
         "χ, and the third component is dn but for its sign.",
     )
@@ -163,7 +163,7 @@ separatrix_start = Claim(
         equal(M3**2 - _shares[1] * (M**2 - M2**2), -_off_separatrix),
     ),
     given=_separatrix,
-    proof=together(_by_integrals, _by_integrals),
+    proof=_by_integrals,
     note="Where 2I₂E = M² the right sides are 0, and with M₂/M for tanh χ the other two are the "
     "amplitudes over cosh χ, but for their signs.",
 )

@@ -19,12 +19,9 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.proofs.conditions import shape
-from tresym.proofs.euler_angles import shape_and_depth
-from tresym.proofs.flip_dynamics import precession_integrand
-from tresym.proofs.numbers_in_text import (
-    lower_exact,
-    upper_exact_value,
-)
+from tresym.proofs.euler_angles import d08
+from tresym.proofs.flip_dynamics import d19
+from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.printed import moments, number
 from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.turn_integral import one_rotating_level
@@ -49,7 +46,6 @@ from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
-F_epsilon, F_gamma = (Symbol(name, real=True) for name in ("F_epsilon", "F_gamma"))
 rotating_rate, unturned_rate = (
     Symbol(name, real=True) for name in ("epsilonprime_r", "epsilonprime_o")
 )
@@ -86,61 +82,33 @@ def _at(level: Expr, given: tuple[Any, ...]) -> tuple[Any, ...]:
 
 
 def _falling(name: str, given: tuple[Any, ...], rate: Symbol) -> tuple[Claim, ...]:
-    """F(ε, γ) = π where ``given`` holds, both slopes of F, and dε/dγ with its sign."""
+    """F(ε, γ) = π where ``given`` holds, and dε/dγ = −(∂F/∂γ)/(∂F/∂ε) with its sign."""
     turn = Claim(
         label=f"{name}_turn",
         says=equal(_turn(c), pi),
         given=_at(c, given),
         proof=Definition("half a turn of the handle from epsilon to the middle"),
     )
-    slopes = Claim(
-        label=f"{name}_slopes",
-        says=Tuple(equal(F_epsilon, Derivative(_turn(gamma), epsilon)), equal(F_gamma, _by_depth)),
-        given=given,
-        proof=Definition(),
-        note="∂F/∂ε and ∂F/∂γ.",
-    )
-    by_defect = Claim(
-        label=f"{name}_falls_in_defect",
-        says=F_epsilon < 0,
-        given=given,
-        proof=(
-            step(_f(gamma, epsilon), substituting(slopes), differentiating_integral(Integer(0))),
-        ),
-    )
-    by_depth = Claim(
-        label=f"{name}_falls_in_gamma",
-        says=F_gamma < 0,
-        given=given,
-        proof=(
-            step(
-                Integral(_fall, (psi, epsilon, pi / 2)),
-                substituting(slopes),
-                differentiating_integral(-_fall),
-            ),
-        ),
-    )
+    by_end = differentiating_integral(Integer(0))
     slope = Claim(
         label=f"{name}_slope",
         says=equal(rate, -_by_depth / Derivative(_turn(gamma), epsilon)),
         given=given,
-        proof=ImplicitFunction(
-            equation=turn,
-            unknown=epsilon,
-            parameter=c,
-            at=gamma,
-            slope=(step(-_f(gamma, epsilon), differentiating_integral(Integer(0))),),
-        ),
+        proof=ImplicitFunction(turn, epsilon, c, gamma, (step(-_f(gamma, epsilon), by_end),)),
     )
     decrease = Claim(
         label=f"{name}_decrease",
         says=rate < 0,
         given=given,
         proof=(
-            step(F_gamma / F_epsilon, substituting(slope, slopes), citing(by_defect, by_depth)),
+            step(
+                Integral(_fall, (psi, epsilon, pi / 2)) / _f(gamma, epsilon),
+                substituting(slope),
+                *(differentiating_integral(-_fall), by_end, roots),
+            ),
         ),
     )
-    return turn, slopes, by_defect, by_depth, slope, decrease
+    return turn, slope, decrease
 
 
 rotating_claims = _falling("rotating", rotating, rotating_rate)
@@ -215,18 +183,17 @@ always_decreasing = Claim(
     note="It rises at every level with χ = 3π/2, 7π/2, …: the formula is dε/dγ at the first.",
 )
 
-
 perfect_level = number(
     "The standard racket flips perfectly, ε = 0, at γ = {}.",
     TheRoot(*one_rotating_level.statement.args),
     "3.20e-3",
     (*moments("str"), equal(epsilon, 0)),
-    *(shape_and_depth, one_rotating_level, precession_integrand),
+    *(d08, one_rotating_level, d19),
 )
 
 standard_is_a_body = Claim(
     says=at(1 - b * (a + 2), {a: Rational(1517, 121), b: Rational(55, 874)}) > 0,
-    proof=(step(1 - Rational(55, 874) * (Rational(1517, 121) + 2), evaluating),),
+    proof=by(evaluating),
     note="The standard racket.",
 )
 
@@ -234,7 +201,7 @@ levels_of_the_thresholds = Claim(
     says="The standard racket has ε = π/12, 0 and −π/12 at one γ each in (−b, a]: −4.2·10⁻³, where "
     "the motion turns on the way, 3.20·10⁻³ and 1.04·10⁻².",
     proof=all_of(
-        decrease_of_bodies, standard_is_a_body, lower_exact, perfect_level, upper_exact_value
+        decrease_of_bodies, standard_is_a_body, lower_level, perfect_level, upper_level_exact
     ),
 )
 

@@ -15,24 +15,20 @@ from tresym.proofs.implicit_function import (
     G_at_origin,
     G_u_at_origin,
     defect_is_flat,
-    equation_for_u,
+    equ,
     flat_from_above,
     small_together,
 )
 from tresym.proofs.orders import (
     d56,
+    eq_epsilon_gen,
     exponential_decay,
     printed_speed,
-    tangent,
     u_exponentially_small,
 )
 from tresym.proofs.separatrix import one_flip_defect
-from tresym.proofs.slope import inverse_slope
-from tresym.proofs.turn_integral import (
-    derivative_under_the_integral,
-    implicit_derivative,
-    slope_of_turn,
-)
+from tresym.proofs.slope import d51
+from tresym.proofs.turn_integral import d53, eq_depsdgamma_form, slope_of_turn
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.notation import *
@@ -51,8 +47,7 @@ arctangent_below = Claim(
     says=atan(r) <= r, given=(r > 0,), proof=manifest, note="So √(ab) arctan √(b/a) ≤ b ≤ 1."
 )
 
-arcsine_grows = Claim(
-    label="cosine_below_one",
+cosine_below_one = Claim(
     says=sqrt(b / (a + b)) - sqrt(b / (a + b)) * cos(epsilon) >= 0,
     given=(*shape, *defect),
     proof=manifest,
@@ -61,7 +56,7 @@ arcsine_grows = Claim(
 dominant_exponential = Claim(
     says="For large ab the exponential dominates: its exponent is −2π√(ab) and a part that stays "
     "between −2b and 0.",
-    proof=all_of(arcsine_by_arctangent, arctangent_below, arcsine_grows),
+    proof=all_of(arcsine_by_arctangent, arctangent_below, cosine_below_one),
     where=line(342),
     note="The two sides of the equation are equal at the root, so neither is larger there.",
 )
@@ -79,7 +74,7 @@ implicit_solution = Claim(
 
 solution_in_that_form = Claim(
     says="So the reduced equation has a solution of the form that is searched.",
-    proof=all_of(implicit_solution, equation_for_u),
+    proof=all_of(implicit_solution, equ),
     where=line(369),
 )
 
@@ -109,13 +104,13 @@ any_delta = Claim(
 
 slope_is_variation = Claim(
     says="Near the separatrix dε/dγ at γ = 0 describes how ε varies with γ.",
-    proof=all_of(tangent, implicit_derivative),
+    proof=all_of(eq_epsilon_gen, eq_depsdgamma_form),
     where=line(222),
 )
 
 uniform_convergence = Claim(
     says="F may be differentiated by γ under the integral sign at γ = 0.",
-    proof=all_of(derivative_under_the_integral),
+    proof=all_of(d53),
     where=line(407),
     note="The reason named is the convergence of F; what is needed is a smooth ∂f/∂γ on [ε₀, π/2].",
 )
@@ -130,7 +125,7 @@ logarithm_stays = Claim(
 more_difficult = Claim(
     says="∂F/∂γ is the more difficult one: ∂ε/∂F is algebraic in sin ε₀, and ∂F/∂γ is an integral "
     "with a logarithm in it, but for the shapes with a = b(1 + 2a).",
-    proof=all_of(inverse_slope, slope_of_turn, logarithm_stays),
+    proof=all_of(d51, slope_of_turn, logarithm_stays),
     where=line(407),
     note="Difficult is read as: needs an integration, and more than algebraic functions.",
 )
@@ -146,7 +141,7 @@ terms_dominant = Claim(
 remainder_constant = Claim(
     says="With the printed slope the remainder is O(γ²): over γ² it tends to a constant.",
     where=line(426),
-    amended_by=(tangent,),
+    amended_by=(eq_epsilon_gen,),
     note="With dε/dγ itself it does.",
     fault=Fault.THEOREM,
     **printed_speed,

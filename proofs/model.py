@@ -54,7 +54,6 @@ rotation_orthogonal = Claim(
     proof=by(trigonometry),
 )
 
-
 spin_matrix = Claim(
     shown=(
         r"\Omega_1 = (R^{\mathsf T}\dot R)_{21},\quad "
@@ -132,12 +131,7 @@ momentum_transport = Claim(
         ImmutableMatrix([dM1_dt, dM2_dt, dM3_dt]),
         ImmutableMatrix([M2 * W3 - M3 * W2, M3 * W1 - M1 * W3, M1 * W2 - M2 * W1]),
     ),
-    proof=(
-        step(
-            ImmutableMatrix([(-spin * momentum)[n] for n in (2, 0, 1)]), substituting(torque_free)
-        ),
-        step(None, substituting(spin_matrix), trigonometry),
-    ),
+    proof=by(substituting(torque_free, spin_matrix), trigonometry),
 )
 
 label_claims(globals())

@@ -31,7 +31,6 @@ mean_below_the_first = Claim(
 
 mean_is_positive = Claim(says=1 - sqrt(1 - c**2) > 0, given=(c > 0, c < 1), proof=manifest)
 
-
 _root, _mean_root = sqrt(u + 1 - y**2), sqrt(u + 1 - z**2)
 _cosecant = 1 / sqrt(1 - y**2)
 
@@ -44,7 +43,6 @@ def _moment(root: Expr) -> Expr:
 moment_by_powers = Claim(
     says=equal((1 - y**2) ** 2 / _root**5, _moment(_root)), given=_on_the_way, proof=by(roots)
 )
-
 
 _powers: tuple[tuple[int, Expr], ...] = ((1, Integer(1)), (3, -2 * u), (5, u**2))
 _less = sum(factor * (1 / _root**power - 1 / _mean_root**power) for power, factor in _powers)

@@ -22,20 +22,7 @@ def along_euler(quantity: Expr) -> Expr:
 eq_dMi = Claim(
     says=equations((dM1_dt, dM2_dt, dM3_dt), printed.euler_equations(M1, M2, M3, I1, I2, I3)),
     given=ordered_moments,
-    proof=together(
-        (
-            step(M2 * W3 - M3 * W2, substituting(momentum_transport)),
-            step(None, substituting(velocity_from_momentum)),
-        ),
-        (
-            step(M3 * W1 - M1 * W3, substituting(momentum_transport)),
-            step(None, substituting(velocity_from_momentum)),
-        ),
-        (
-            step(M1 * W2 - M2 * W1, substituting(momentum_transport)),
-            step(None, substituting(velocity_from_momentum)),
-        ),
-    ),
+    proof=by(substituting(momentum_transport, velocity_from_momentum)),
     where=display(4),
 )
 
@@ -44,10 +31,7 @@ energy = Claim(says=equal(E, (I1 * W1**2 + I2 * W2**2 + I3 * W3**2) / 2), proof=
 energy_of_momentum = Claim(
     says=equal(E, printed.energy(M1, M2, M3, I1, I2, I3)),
     given=ordered_moments,
-    proof=(
-        step((I1 * W1**2 + I2 * W2**2 + I3 * W3**2) / 2, substituting(energy)),
-        step(None, substituting(eq_omega)),
-    ),
+    proof=by(substituting(energy, eq_omega)),
 )
 
 eq_first_int = Claim(
@@ -56,7 +40,7 @@ eq_first_int = Claim(
         equal(M**2, printed.momentum_squared(M1, M2, M3)),
     ),
     given=ordered_moments,
-    proof=together(by(substituting(energy_of_momentum)), by(substituting(eq_Mi), trigonometry)),
+    proof=by(substituting(energy_of_momentum, eq_Mi), trigonometry),
     where=display(5),
 )
 

@@ -37,22 +37,14 @@ phase_equation = Claim(
     given=shape,
     proof=(
         step(pi + asin(_mu * _cosine), substituting(phase)),
-        step(
-            pi + atan(_ratio * _cosine / _root),
-            inverses,
-            roots,
-            trigonometry,
-        ),
+        step(pi + atan(_ratio * _cosine / _root), inverses, roots, trigonometry),
         step(None, substituting(phase, flip_defect)),
     ),
 )
 phase_range = Claim(
     says=Tuple(pi <= P, 3 * pi / 2 >= P),
     given=shape,
-    proof=together(
-        (step(asin(_mu * _cosine), substituting(phase), citing(flip_defect, defect_range)),),
-        (step(pi / 2 - asin(_mu * _cosine), substituting(phase)),),
-    ),
+    proof=by(substituting(phase), citing(flip_defect)),
 )
 
 angle_of_tangent = Claim(
@@ -89,12 +81,7 @@ phase_by_defect = Claim(
     says=equal(P, asinh(sqrt(a / (a + b)) * _cosine / _sine) / sqrt(a * b)),
     given=shape,
     proof=(
-        step(
-            asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b),
-            exponentials,
-            inverses,
-            roots,
-        ),
+        step(asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b), exponentials, inverses, roots),
         step(asinh(_sinh) / sqrt(a * b), exponentials, roots),
         step(
             asinh(_share / sqrt(1 - _share**2)) / sqrt(a * b),
@@ -130,7 +117,7 @@ turn_by_cosine = Claim(
 below_one = Claim(
     says=_cosine < 1,
     given=shape,
-    proof=(step(2 * sin(epsilon0 / 2) ** 2, citing(flip_defect), trigonometry),),
+    proof=by(citing(flip_defect)),
 )
 
 _turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (defect_range, below_one))
@@ -294,10 +281,7 @@ _share_in_k = Mul(b, Pow(sqrt(a * b), -1, evaluate=False), evaluate=False)
 turn_in_k = Claim(
     says=equal(atan(Mul(_share_in_k, tanh(sqrt(a * b) * P), evaluate=False)), P - pi),
     given=shape,
-    proof=(
-        step(_sweep_turn, roots),
-        step(None, substituting(turn_of_phase)),
-    ),
+    proof=(step(_sweep_turn, roots), step(None, substituting(turn_of_phase))),
 )
 
 _rate_in_kappa = Mul(P, Pow(1 / sqrt(a * b), -1, evaluate=False), evaluate=False)
@@ -305,10 +289,7 @@ _rate_in_kappa = Mul(P, Pow(1 / sqrt(a * b), -1, evaluate=False), evaluate=False
 turn_in_kappa = Claim(
     says=equal(atan(b / sqrt(a * b) * tanh(_rate_in_kappa)), P - pi),
     given=shape,
-    proof=(
-        step(_sweep_turn, roots),
-        step(None, substituting(turn_of_phase)),
-    ),
+    proof=(step(_sweep_turn, roots), step(None, substituting(turn_of_phase))),
 )
 
 difference_of_turns = Claim(
@@ -326,10 +307,7 @@ complement_at_root = Claim(says=_complement.says, given=shape, proof=_complement
 defect_by_cotangent = Claim(
     says=equal(epsilon0, pi / 2 - atan(_w)),
     given=shape,
-    proof=(
-        step(atan(1 / _w), substituting(defect_by_phase), citing(phase_range)),
-        step(None, substituting(complement_at_root)),
-    ),
+    proof=by(substituting(defect_by_phase, complement_at_root)),
 )
 
 cotangent_in_k = Reading(charts.cotangent, (*BY_K, P), _w, shape, cited=(phase_range,))

@@ -14,13 +14,13 @@ equation there is a claim for each reading.
 from __future__ import annotations
 
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
-from tresym.proofs.euler_angles import elimination_of_time, shape_and_depth
+from tresym.proofs.euler_angles import d08, elimination_of_time
 from tresym.proofs.flip_definition import eq_TRE, tre_only_if
-from tresym.proofs.flip_dynamics import precession_integrand, sign_of_tilt
+from tresym.proofs.flip_dynamics import d19, sign_of_tilt
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import exponential_decay
-from tresym.proofs.phase_portraits import flip_is_bounded, sign_constant
+from tresym.proofs.phase_portraits import eq_borne_psi, sign_constant_rotating
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
@@ -34,23 +34,22 @@ from tresym.reals.numbers.exact import as_rational
 
 STR = moments("str")
 """The standard racket's moments as Table 1 prints them."""
-EXACTLY = (shape_and_depth, flip_defect, one_flip_defect)
+EXACTLY = (d08, flip_defect, one_flip_defect)
 """What ε₀ is, by the moments."""
-BY_FORMULA = (shape_and_depth, leading_defect)
+BY_FORMULA = (d08, leading_defect)
 """What ε₀ is by the asymptotic formula, by the moments."""
 
 # -- ε₀ of the standard racket --------------------------------------------------------------------
 
-defect_formula = number(
+eps0_str_formula = number(
     "By the asymptotic formula the standard racket has ε₀ = {}.",
     epsilon_printed,
     "0.1150",
     STR,
     *BY_FORMULA,
     where=line(252),
-    label="eps0_str_formula",
 )
-defect_exact = number(
+eps0_str_exact = number(
     "By the exact equation the standard racket has ε₀ = {}.",
     epsilon0,
     "0.1150",
@@ -58,12 +57,11 @@ defect_exact = number(
     *EXACTLY,
     where=line(252),
     note="The printed moments give 0.11494…; moments that round to them give 0.1150.",
-    label="eps0_str_exact",
 )
 d26 = Claim(
     says="ε₀ = 0.1150 rad, by the formula and by the exact equation.",
     kind="number",
-    proof=all_of(defect_formula, defect_exact),
+    proof=all_of(eps0_str_formula, eps0_str_exact),
     where=display(26),
 )
 flip_str = number(
@@ -102,26 +100,19 @@ accuracy_relative = number(
 
 # -- the slope ------------------------------------------------------------------------------------
 
-
 _slope = closed_form.xreplace({epsilon: epsilon0})
 """dε/dγ at γ = 0."""
 
-slope_of_formula = number(
+slope_str_formula = number(
     "By the asymptotic formulas the standard racket has dε/dγ = {} at γ = 0.",
     printed.defect_slope_asymptotic(epsilon_printed, b),
     "-34.5",
     STR,
     *BY_FORMULA,
     where=line(255),
-    label="slope_str_formula",
 )
-slope_exact_value = number(
-    "The derivative itself is {}.",
-    _slope,
-    "-35.6",
-    STR,
-    *(*EXACTLY, closed_slope),
-    label="slope_str_exact",
+slope_str_exact = number(
+    "The derivative itself is {}.", _slope, "-35.6", STR, *(*EXACTLY, closed_slope)
 )
 d27 = number(
     "For the standard racket dε/dγ = {} at γ = 0.",
@@ -131,13 +122,12 @@ d27 = number(
     *(*EXACTLY, closed_slope),
     where=display(27),
     expect=Verdict.REFUTED,
-    amended_by=(slope_exact_value, slope_of_formula),
+    amended_by=(slope_str_exact, slope_str_formula),
     note="Read of ε(γ) itself; the number is that of −1/(4bε₀).",
     fault=Fault.ROUNDING,
 )
 
 # -- the levels at which the tolerance is reached -------------------------------------------------
-
 
 _UPPER = (*STR, equal(epsilon, -pi / 12))
 _LOWER = (*inputs(I1=1210, I2=16380, I3=17480), equal(epsilon, pi / 12))
@@ -145,53 +135,48 @@ _LOWER = (*inputs(I1=1210, I2=16380, I3=17480), equal(epsilon, pi / 12))
 _level = 4 * b * epsilon_printed * (epsilon_printed - epsilon)
 """γ at which the linear formula gives ε."""
 
-upper_linear = number(
+upper_level_linear = number(
     "By the linear formula the standard racket reaches ε = −π/12 at γ = {}.",
     _level.xreplace({epsilon: -pi / 12}),
     "1.09e-2",
     STR,
     *BY_FORMULA,
     where=line(262),
-    label="upper_level_linear",
 )
-upper_exact_value = number(
+upper_level_exact = number(
     "It does so at γ = {} in fact.",
     TheRoot(*one_rotating_level.statement.args),
     "1.04e-2",
     _UPPER,
-    *(shape_and_depth, one_rotating_level, precession_integrand),
-    label="upper_level_exact",
+    *(d08, one_rotating_level, d19),
 )
-upper_exact = number(
+upper_level = number(
     "For the standard racket ε = −π/12 at γ = {}.",
     TheRoot(*one_rotating_level.statement.args),
     "1.09e-2",
     _UPPER,
-    *(shape_and_depth, one_rotating_level, precession_integrand),
+    *(d08, one_rotating_level, d19),
     expect=Verdict.REFUTED,
-    amended_by=(upper_exact_value, upper_linear),
+    amended_by=(upper_level_exact, upper_level_linear),
     note="The number is that of the linear formula.",
-    label="upper_level",
 )
-lower_linear = number(
+lower_level_linear = number(
     "By the linear formula the standard racket reaches ε = π/12 at γ = {}.",
     _level.xreplace({epsilon: pi / 12}),
     "-4.2e-3",
     STR,
     *BY_FORMULA,
     where=line(262),
-    label="lower_level_linear",
 )
-lower_exact = number(
+lower_level = number(
     "The standard racket has ε = π/12 at γ = {} by a motion that starts backwards at "
     "ψ = π/12, turns, and passes π/2 after half a turn of the handle.",
     TheRoot(*one_turned_level.statement.args),
     "-4.2e-3",
     _LOWER,
-    *(shape_and_depth, one_turned_level, precession_integrand),
+    *(d08, one_turned_level, d19),
     where=line(262),
     note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
-    label="lower_level",
 )
 
 _square, _before = sin(psi) ** 2, Symbol("c", real=True)
@@ -203,7 +188,6 @@ slower_at_lower_level = Claim(
     proof=manifest,
     note="f is largest at the least γ, here called c.",
 )
-
 
 longest_unturned = Claim(
     says=phase.xreplace({chi: pi / 2, gamma: -b * sin(pi / 12) ** 2}) < Rational("3.0373"),
@@ -222,9 +206,15 @@ lower_level_unturned = Claim(
 d29 = Claim(
     says="For the standard racket ε = −π/12 at γ = 1.09·10⁻² and ε = π/12 at γ = −4.2·10⁻³.",
     kind="number",
-    proof=all_of(upper_exact, lower_exact),
+    proof=all_of(upper_level, lower_level),
     where=display(29),
-    amended_by=(upper_exact_value, lower_exact, lower_level_unturned, upper_linear, lower_linear),
+    amended_by=(
+        upper_level_exact,
+        lower_level,
+        lower_level_unturned,
+        upper_level_linear,
+        lower_level_linear,
+    ),
     note="Read of ε(γ) itself, as d27 is; the numbers are those of the linear formula.",
     fault=Fault.ROUNDING,
 )
@@ -233,7 +223,7 @@ lower_level_exists = number(
     -b * sin(pi / 12) ** 2,
     "-4.22e-3",
     moments("str", "I2", "I3"),
-    shape_and_depth,
+    d08,
 )
 threshold_impossible = Claim(
     says="At the γ of the linear formula for ε = π/12, with all its digits, a motion passes "
@@ -245,7 +235,7 @@ threshold_impossible = Claim(
     given=shape,
     proof=Counterexample(STANDARD, (leading_defect,)),
     where=line(262),
-    amended_by=(lower_level_exists, lower_level_unturned, lower_exact),
+    amended_by=(lower_level_exists, lower_level_unturned, lower_level),
     note="For the standard racket it lies below the least γ with which ψ = π/12 can be reached.",
 )
 
@@ -268,7 +258,6 @@ def _shapes(*numbers: str) -> dict[str, fmpq]:
 
 
 larger_ab_smaller_eps0 = Claim(
-    label="larger_ab_smaller_eps0",
     says="The larger the product ab is, the smaller ε₀ is.",
     kind="bound",
     means=Ge(*_of_both(_defect), evaluate=False),
@@ -328,23 +317,24 @@ each_eps0_one_a = Claim(
 
 _linear = printed.linear_defect(epsilon0, b, gamma)
 
-exact_flip_line = Claim(
-    label="fig_roban",
+fig_roban = Claim(
     says=Equivalent(equal(_linear, 0), equal(gamma, 4 * b * epsilon0**2)),
     given=(b > 0, epsilon0 > 0),
     proof=(
-        step(equal(gamma - 4 * b * epsilon0**2, 0), multiplying(-4 * b * epsilon0)),
-        step(equal(gamma, 4 * b * epsilon0**2), adding(4 * b * epsilon0**2)),
+        step(
+            equal(gamma, 4 * b * epsilon0**2),
+            multiplying(-4 * b * epsilon0),
+            adding(4 * b * epsilon0**2),
+        ),
     ),
     where=line(267),
     note="The line of exact flips in the linear formula.",
 )
 
-colours_of_motions = Claim(
-    label="fig_psiphi",
+fig_psiphi = Claim(
     says="The red curves (γ < 0) are oscillating motions, which turn back at ψ_min and ψ_max; the "
     "blue ones (γ > 0) are rotating motions, whose dψ/dφ keeps its sign.",
-    proof=all_of(three_regimes, sign_constant, flip_is_bounded),
+    proof=all_of(three_regimes, sign_constant_rotating, eq_borne_psi),
     where=line(281),
 )
 
@@ -373,7 +363,6 @@ close_to_separatrix = Claim(
 
 # -- Section 7 ------------------------------------------------------------------------------------
 
-
 _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
 
 angular_velocity_of_the_handle = Claim(
@@ -401,8 +390,7 @@ unstable_rotation_characterized = Claim(
     "a multiple of π.",
 )
 
-central_symmetry = Claim(
-    label="fig_rob",
+fig_rob = Claim(
     says=Tuple(
         equal(at(_rate, {psi: -psi, S: -S}), -_rate), equal(at(_rate, {psi: psi + pi}), _rate)
     ),
@@ -430,7 +418,7 @@ rate_at_the_top = number(
     sqrt(b) * sqrt(a + b) / (1 - b),
     "0.950",
     STR,
-    shape_and_depth,
+    d08,
 )
 
 slow_on_separatrix = Claim(
@@ -465,7 +453,6 @@ tre_if_eps0_small = Claim(
     proof=all_of(eq_TRE, tre_only_if),
     where=line(291),
 )
-
 
 product_along_a_level = number(
     "Along a level curve of ε₀ with ab ≥ 1/4, √(ab) varies by less than log(2.01/0.52)/π = {}.",

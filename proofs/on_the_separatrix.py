@@ -52,7 +52,6 @@ separatrix_is_followed = Claim(
 _on_separatrix = _slow / (sqrt(_fast) * sqrt(b) * sin(psi))
 _cotangent = _slow * cos(psi) / (sqrt(b) * sqrt(a + b) * sin(psi))
 
-
 turn_to_the_middle = Claim(
     says=Integral(_on_separatrix, (psi, epsilon, pi / 2))
     >= (-log(sin(epsilon)) - b * cos(epsilon) ** 2 / 2) / (sqrt(b) * sqrt(a + b)),
@@ -118,13 +117,9 @@ cotangent_form = Claim(
         equal(cos(epsilon) / sin(epsilon), _cotangent_of_root),
     ),
     given=(*shape, *defect),
-    proof=(
-        step(
-            equal(cos(epsilon) / sin(epsilon), _cotangent_of_root),
-            multiplying(sqrt((a + b) / a) * sinh(_time) * cos(epsilon) / sin(epsilon)),
-            roots,
-            trigonometry,
-        ),
+    proof=by(
+        multiplying(sqrt((a + b) / a) * sinh(_time) * cos(epsilon) / sin(epsilon)),
+        *(roots, trigonometry),
     ),
     note="The stable equation, upside down.",
 )
@@ -192,7 +187,7 @@ separatrix_equilibria = Claim(
         )
     ),
     given=(a > 0,),
-    proof=together(by(evaluating), by(evaluating, trigonometry)),
+    proof=by(evaluating, trigonometry),
     where=line(249),
     note="For b = 0 every point of the separatrix, θ = π/2, is an equilibrium.",
 )

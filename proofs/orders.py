@@ -45,7 +45,7 @@ from tresym.proofs.near import (
     quarter,
 )
 from tresym.proofs.separatrix import flip_defect, one_flip_defect
-from tresym.proofs.slope import slope_of_integral
+from tresym.proofs.slope import d55
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed, stable
@@ -67,11 +67,9 @@ WIDE = box((0, 4), (0, "1/4"))
 """The chart (R, ε₀) with R = b/a ≤ 4, of which ab ≥ 1/4 is a part."""
 wide = (*shape, 4 * a - b >= 0, epsilon0 <= Rational(1, 4))
 
-
 # -- the theorem's remainder ----------------------------------------------------------------------
 
-theorem_remainder = Claim(
-    label="d24",
+d24 = Claim(
     says=printed_remainder.says,
     means=printed_remainder.means,
     given=shape,
@@ -81,7 +79,6 @@ theorem_remainder = Claim(
     amended_by=(printed_leading_term, printed_error, repaired),
     fault=Fault.THEOREM,
 )
-
 
 # -- what "higher orders" leave out ---------------------------------------------------------------
 
@@ -165,16 +162,13 @@ u_flat_order = below(
     note="So u = O(λ²); true, and far from sharp: u is exponentially small.",
 )
 
-
-slope_of_u = Claim(
-    label="dudlam",
+dudlam = Claim(
     says="du/dλ(0, 0, 0) = 0, from λ ≥ 0: |u/λ| ≤ 0.009 λ uniformly in b, where u(0, 0) = 0.",
     proof=all_of(u_flat_order),
     where=display(46),
     note="The paper has it by the implicit function theorem (`d44`), with a reason that must be "
     "mended (`dmu_dlambda_zero`).",
 )
-
 
 # -- the factors of the slope ---------------------------------------------------------------------
 
@@ -300,7 +294,6 @@ d57_true_order = _true_order(
     "3/4",
 )
 
-
 # -- near the separatrix --------------------------------------------------------------------------
 
 BENT = ((0, 1), (0, 2), (-1, 1))
@@ -318,8 +311,7 @@ def bending(constant: str) -> Bound:
     return Bound(margin, box(*BENT), sufficient=True)
 
 
-tangent = Claim(
-    label="eq_epsilon_gen",
+eq_epsilon_gen = Claim(
     says=equal(epsilon, epsilon0 + gamma * _derivative + O(gamma**2)),
     kind="order",
     proof=Boxes(
@@ -327,7 +319,7 @@ tangent = Claim(
         ("b", "kappa", "v"),
         "ab >= 1/4, 0 < b <= 1, |gamma| <= b epsilon0^2",
         as_rational("2"),
-        (one_flip_defect, logarithmic_equation, slope_of_integral, slope_by_phase, *fourth_moment),
+        (one_flip_defect, logarithmic_equation, d55, slope_by_phase, *fourth_moment),
         certificate("eq_epsilon_gen"),
         meant=Meant(in_bent_chart(), sqrt(a * b) * gamma**2 / (b**2 * epsilon0)),
     ),
@@ -336,12 +328,9 @@ tangent = Claim(
     "long as γ + b sin²ε > 0.",
 )
 
-
 _turn = Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, epsilon, pi / 2))
 
-
-linear = Claim(
-    label="d31",
+d31 = Claim(
     says="ε = ε₀ + γ dε/dγ, with dε/dγ at γ = 0, as it stands.",
     kind="bound",
     means=equal(_turn.xreplace({epsilon: epsilon0 + gamma * DEFECT_SLOPE}), pi),
@@ -349,12 +338,11 @@ linear = Claim(
     proof=Counterexample({**STANDARD, "gamma": fmpq(1, 10000)}, (flip_defect,)),
     where=display(31),
     expect=Verdict.REFUTED,
-    amended_by=(tangent,),
+    amended_by=(eq_epsilon_gen,),
     note="A tangent, not the curve.",
     paper_says="“the idea is to express the angle ε close to γ = 0 as the sum of two terms.” Read "
     "as: up to O(γ²), as it is printed elsewhere.",
 )
-
 
 _at_tangent = stable.turn_slope(epsilon0, a, b, sympy) / printed.integrand(
     epsilon0, a, b, 0, 1, sympy
@@ -376,7 +364,7 @@ def _printed_slope(label: str, number: int) -> Claim:
         says=equal(epsilon, printed.linear_defect(epsilon0, b, gamma) + O(gamma**2)),
         kind="order",
         where=display(number),
-        amended_by=(tangent, slope_leading_term),
+        amended_by=(eq_epsilon_gen, slope_leading_term),
         fault=Fault.THEOREM,
         note="−1/(4bε₀) is only the leading term of dε/dγ as ab → ∞.",
         **printed_speed,
@@ -401,7 +389,6 @@ bend_carries = Claim(
     note="It carries 60 % of the way to −4bε₀², where the formula leaves what is possible.",
 )
 
-
 curve_within = Claim(
     says=2 * k * x**2 / (b**2 * epsilon0) <= 2 * k * epsilon0 * x / b,
     given=(b > 0, epsilon0 > 0, k > 0, x >= 0, x <= b * epsilon0**2),
@@ -411,17 +398,16 @@ curve_within = Claim(
 
 bend_everywhere = Claim(
     says="|ε − (ε₀ − γ/(4bε₀))| ≤ 5.15 √(ab) ε₀ |γ|/b for ab ≥ 1/4 and |γ| ≤ bε₀².",
-    proof=all_of(tangent, slope_leading_term, curve_within),
+    proof=all_of(eq_epsilon_gen, slope_leading_term, curve_within),
     note="3.15 from the slope and 2 from the curve, where γ²/(b²ε₀) ≤ ε₀|γ|/b. It is a quarter of "
     "the way to −4bε₀², where the formula leaves what is possible.",
 )
 
-theorem = Claim(
-    label="prop1",
+prop1 = Claim(
     says="The theorem: both formulas, each with its remainder, for every body.",
-    proof=all_of(pavao, theorem_remainder),
+    proof=all_of(pavao, d24),
     where=line(231),
-    amended_by=(printed_leading_term, printed_error, repaired, tangent, slope_leading_term),
+    amended_by=(printed_leading_term, printed_error, repaired, eq_epsilon_gen, slope_leading_term),
     note="The leading terms of ε₀ and of dε/dγ are right; neither remainder is.",
     fault=Fault.THEOREM,
 )
@@ -446,11 +432,10 @@ exponential_decay = between(
     note="So ε₀ tends to zero exponentially as ab → ∞.",
 )
 
-remark_speed = Claim(
-    label="remark1_speed",
+remark1_speed = Claim(
     says="For fixed a and b, ε tends to ε₀ with γ at the speed −1/(4bε₀).",
     where=line(243),
-    amended_by=(tangent, slope_leading_term),
+    amended_by=(eq_epsilon_gen, slope_leading_term),
     note="It tends to ε₀; its speed is dε/dγ, whose leading term this is.",
     fault=Fault.THEOREM,
     **printed_speed,

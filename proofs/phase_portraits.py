@@ -1,14 +1,14 @@
 """Section 5, continued: the phase portraits of ψ and of θ.
 
 - `sign_constant_rotating`, `turning_points`: where dψ/dφ may change its sign;
-- display (14), `flip_is_bounded`: the flip stays between ψ_min and ψ_max, named by
+- display (14), `eq_borne_psi`: the flip stays between ψ_min and ψ_max, named by
   `flip_bounds`; `flip_between`: no ψ outside them has this γ;
 - `linear_at_e2`, `linear_at_e3`: the planar system at its equilibria;
 - `width_of_flip`, `width_of_pendulum`: how far they swing;
-- (15), `product_of_flip`, and (16), `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of
+- (15), `d15`, and (16), `eq_dthetadphi`: the equation of the tilt, with S₂ the sign of
   sin ψ cos ψ;
-- (17), `tilt_is_bounded`: the tilt stays between θ_min and θ_max, which `rotating_bounds` and
-  `oscillating_bounds` name.
+- (17), `eq_borne_theta`: the tilt stays between θ_min and θ_max, which `tilt_bounds_rotating` and
+  `tilt_bounds_oscillating` name.
 """
 
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
@@ -18,11 +18,11 @@ from tresym.proofs.regimes import (
     depth_at_e3,
     handle_crosses,
     handle_side,
-    mirror_images,
     oscillating,
-    oscillating_flip,
+    psi_half_oscillating,
     rotating,
-    rotating_tilt,
+    symmetry_half,
+    theta_half,
     three_regimes,
     tilt_by_flip,
 )
@@ -35,8 +35,7 @@ from tresym.racket.notation import *
 _sine = sin(psi) ** 2
 _body = (*ordered_moments, *shape_of_a_body)
 
-sign_constant = Claim(
-    label="sign_constant_rotating",
+sign_constant_rotating = Claim(
     says=dpsi_dphi * cos(theta) > 0,
     given=(*_body, *tilted, cos(theta) ** 2 > 0),
     proof=by(substituting(eq_Euler)),
@@ -44,8 +43,7 @@ sign_constant = Claim(
     note="dψ/dφ has the sign of cos θ, which for γ > 0 never vanishes.",
 )
 
-second_equation_is_enough = Claim(
-    label="second_equation_enough",
+second_equation_enough = Claim(
     says="The flip angle alone obeys an equation: cos θ is eliminated by the constant γ.",
     proof=all_of(gamma_conserved, eq_dpsidphi),
     where=line(143),
@@ -68,10 +66,9 @@ turning_points = Claim(
     r"\frac{b(a+b\sin^2\psi)\sin\psi\cos\psi}{(1-b\sin^2\psi)^2}",
 )
 
-sign_changes = Claim(
-    label="sign_changes_oscillating",
+sign_changes_oscillating = Claim(
     says="For γ < 0 the sign of dψ/dφ changes where ψ is extremal.",
-    proof=all_of(sign_constant, turning_points, tilt_by_flip, oscillating_flip),
+    proof=all_of(sign_constant_rotating, turning_points, tilt_by_flip, psi_half_oscillating),
     where=line(160),
 )
 
@@ -82,8 +79,7 @@ positive_beyond = Claim(
     note="Positive exactly where sin²ψ > |γ|/b, and zero at the extremes.",
 )
 
-extremes_by_positivity = Claim(
-    label="positive_only_if",
+positive_only_if = Claim(
     says="γ + b sin²ψ is positive only if sin²ψ = |γ|/b.",
     given=(*oscillating, gamma + b * _sine > 0),
     means=equal(_sine, Abs(gamma) / b),
@@ -108,16 +104,14 @@ flip_between = Claim(
     note="For ψ in [0, π] this is positive exactly between ψ_min and ψ_max, and zero at both.",
 )
 
-flip_is_bounded = Claim(
-    label="eq_borne_psi",
+eq_borne_psi = Claim(
     says="An oscillating motion with 0 < ψ < π stays between ψ_min and ψ_max and turns there.",
     proof=all_of(flip_bounds, flip_between, tilt_by_flip, turning_points),
     where=display(14),
     note="One with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
 )
 
-each_trajectory = Claim(
-    label="each_oscillating_trajectory",
+each_oscillating_trajectory = Claim(
     says="Each oscillating motion, with −π < ψ < 0 too, has ψ between arcsin √(|γ|/b) and "
     "π − arcsin √(|γ|/b).",
     paper_says="“each oscillating trajectory is bounded by: ψ_min = arcsin √(|γ|/b), ψ_max = π − "
@@ -126,7 +120,7 @@ each_trajectory = Claim(
     means=Tuple(psi >= asin(sqrt(Abs(gamma) / b)), psi <= pi - asin(sqrt(Abs(gamma) / b))),
     proof=Counterexample({"b": fmpq(1, 2), "a": fmpq(1), "gamma": fmpq(-1, 8), "psi": fmpq(-3, 2)}),
     where=line(160),
-    amended_by=(flip_is_bounded,),
+    amended_by=(eq_borne_psi,),
     note="True of ψ or of −ψ: the other half of the motions are mirror images.",
 )
 
@@ -198,8 +192,7 @@ momentum_at_rest = Claim(
     r"(M_1, M_2, M_3)\left(\tfrac{\pi}{2}, \tfrac{\pi}{2}\right) = (0, 0, M)",
 )
 
-equilibria = Claim(
-    label="equilibria_phase_portrait",
+equilibria_phase_portrait = Claim(
     says="ψ = π/2 with dψ/dφ = 0 is stable and ψ = 0 with dψ/dφ = 0 unstable, modulo π.",
     proof=all_of(
         rest_points,
@@ -210,22 +203,20 @@ equilibria = Claim(
         momentum_at_rest,
         precession_forward,
         unstable_e2,
-        mirror_images,
+        symmetry_half,
     ),
     where=line(159),
     note="γ, which is conserved, has its least value at ψ = θ = π/2, and only there modulo π: "
     "stable. At ψ = 0 M is along e₂, and leaves it while φ grows: unstable.",
 )
 
-correspondence = Claim(
-    label="correspond_e3_e2",
+correspond_e3_e2 = Claim(
     says="These are the stable rotation about e₃ and the unstable one about e₂.",
     proof=all_of(momentum_at_rest, stable_e3, unstable_e2),
     where=line(160),
 )
 
-separatrix_passes = Claim(
-    label="unstable_on_separatrix",
+unstable_on_separatrix = Claim(
     says=Tuple(
         *(
             equal(at(printed.depth(theta, psi, a, b, sympy), {theta: pi / 2, psi: flip}), 0)
@@ -236,11 +227,12 @@ separatrix_passes = Claim(
     note="γ = 0 at the two unstable points.",
 )
 
-flip_portrait = Claim(
-    label="fig_ph_portrait",
+fig_ph_portrait = Claim(
     says="Oscillating for γ < 0, rotating for γ > 0; the two unstable points lie on the "
     "separatrix, and there the racket turns about e₂.",
-    proof=all_of(three_regimes, separatrix_passes, momentum_at_rest, equilibria),
+    proof=all_of(
+        three_regimes, unstable_on_separatrix, momentum_at_rest, equilibria_phase_portrait
+    ),
     where=line(157),
 )
 
@@ -261,8 +253,7 @@ width_of_pendulum = Claim(
     note="A pendulum with energy v²/2 − cos q = h turns at q = ±arccos(−h).",
 )
 
-amplitudes = Claim(
-    label="amplitude_pi",
+amplitude_pi = Claim(
     says="The racket swings over less than π, a pendulum over less than 2π.",
     proof=all_of(width_of_flip, width_of_pendulum),
     where=line(164),
@@ -301,9 +292,9 @@ similar_to_a_pendulum = Claim(
         linear_at_e2,
         linear_at_e3,
         linear_pendulum,
-        separatrix_passes,
+        unstable_on_separatrix,
         depth_at_e3,
-        mirror_images,
+        symmetry_half,
         three_regimes,
     ),
     where=line(164),
@@ -315,10 +306,9 @@ separatrix_moves = Claim(
     proof=manifest,
 )
 
-way_between = Claim(
-    label="heteroclinic_pi",
+heteroclinic_pi = Claim(
     says="To go from one unstable point to another is to turn by |Δψ| = π.",
-    proof=all_of(separatrix_passes, separatrix_moves, sign_constant),
+    proof=all_of(unstable_on_separatrix, separatrix_moves, sign_constant_rotating),
     where=line(164),
     note="On γ = 0 nothing rests between ψ = 0 and ψ = π. With S = −1 it is Δψ = −π.",
 )
@@ -342,18 +332,10 @@ root_argument = Claim(
 
 _off_axes = (*_body, *tilted, sin(psi) ** 2 * cos(psi) ** 2 > 0, (sin(psi) * cos(psi)) ** 2 > 0)
 
-product_of_flip = Claim(
-    label="d15",
+d15 = Claim(
     says=equal(sin(psi) * cos(psi), printed.sin_psi_cos_psi(theta, a, b, gamma, S2, sympy)),
     given=_off_axes,
-    proof=(
-        step(
-            S2 / (b * sin(theta) ** 2) * sqrt(b**2 * sin(theta) ** 4 * (sin(psi) * cos(psi)) ** 2),
-            substituting(sign_of_product),
-            roots,
-        ),
-        step(None, substituting(root_argument), roots),
-    ),
+    proof=by(substituting(sign_of_product, root_argument), roots),
     where=display(15),
 )
 
@@ -366,30 +348,18 @@ denominator_of_tilt = Claim(
 eq_dthetadphi = Claim(
     says=equal(dtheta_dphi, printed.theta_rate(theta, a, b, gamma, S2, sympy)),
     given=_off_axes,
-    proof=(
-        step(-b * sin(theta) * sin(psi) * cos(psi) / (1 - b * _sine), substituting(eq_Euler)),
-        step(
-            -b
-            * sin(theta)
-            * printed.sin_psi_cos_psi(theta, a, b, gamma, S2, sympy)
-            / (1 - b * _sine),
-            substituting(sign_of_product, root_argument),
-            roots,
-        ),
-        step(None, substituting(root_argument, denominator_of_tilt)),
-    ),
+    proof=by(substituting(eq_Euler, sign_of_product, root_argument, denominator_of_tilt), roots),
     where=display(16),
 )
 
-tilt_portrait = Claim(
-    label="fig_portrait_theta",
+fig_portrait_theta = Claim(
     says="Oscillating motions cross θ = π/2, rotating ones do not.",
     proof=all_of(three_regimes, handle_crosses, handle_side, rest_points),
     where=line(179),
 )
 
 _said_at = Integer(103)
-"""Where `mirror_images` is said: θ in [0, π/2] is enough for γ > 0."""
+"""Where `symmetry_half` is said: θ in [0, π/2] is enough for γ > 0."""
 
 said_in_section_3 = Claim(
     says="That θ in [0, π/2] is enough for γ > 0 is said in Section 3.",
@@ -409,16 +379,14 @@ reference_to_section_2 = Claim(
 
 _least_cosine = (gamma + b) / (a + b)
 
-rotating_bounds = Claim(
-    label="tilt_bounds_rotating",
+tilt_bounds_rotating = Claim(
     says=equations((theta_min, theta_max), printed.theta_bounds_rotating(a, b, gamma, sympy)),
     given=rotating,
     proof=Definition(),
     where=display(17),
 )
 
-oscillating_bounds = Claim(
-    label="tilt_bounds_oscillating",
+tilt_bounds_oscillating = Claim(
     says=equations((theta_min, theta_max), printed.theta_bounds_oscillating(a, b, gamma, sympy)),
     given=oscillating,
     proof=Definition(),
@@ -449,7 +417,7 @@ _roots = (trigonometry, inverses, roots)
 oscillating_tilt_between = Claim(
     says=equal(_above, (a + b) * sin(theta - theta_min) * sin(theta_max - theta)),
     given=oscillating,
-    proof=by(substituting(oscillating_bounds), *_roots),
+    proof=by(substituting(tilt_bounds_oscillating), *_roots),
     note="For θ in [0, π] not negative exactly between θ_min and θ_max, and zero at both.",
 )
 
@@ -459,7 +427,7 @@ rotating_tilt_between = Claim(
         equal(a * _square - gamma, a * sin(theta_max - theta) * sin(theta_max + theta)),
     ),
     given=rotating,
-    proof=by(substituting(rotating_bounds), *_roots),
+    proof=by(substituting(tilt_bounds_rotating), *_roots),
     note="For θ in [0, π/2] neither is negative exactly between θ_min and θ_max.",
 )
 
@@ -473,27 +441,25 @@ bounds_are_reached = Claim(
     note="Zero at ψ = π/2 and at ψ = 0: there the tilt is at a bound.",
 )
 
-tilt_is_bounded = Claim(
-    label="eq_borne_theta",
+eq_borne_theta = Claim(
     says="The tilt of the handle stays between θ_min and θ_max and reaches both.",
     proof=all_of(
-        rotating_bounds,
-        oscillating_bounds,
+        tilt_bounds_rotating,
+        tilt_bounds_oscillating,
         cosines_of_bounds,
         rotating_tilt_between,
         oscillating_tilt_between,
         tilts_in_order,
         tilt_above_least,
-        rotating_tilt,
+        theta_half,
         bounds_are_reached,
     ),
     where=display(17),
 )
 
-handle_on_the_sphere = Claim(
-    label="fig_thetamin",
+fig_thetamin = Claim(
     says="The handle moves between the two bounds of θ.",
-    proof=all_of(tilt_is_bounded),
+    proof=all_of(eq_borne_theta),
     where=line(193),
 )
 

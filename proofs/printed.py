@@ -22,7 +22,6 @@ TABLE_1 = {
 ROW_LINES = {"str": 302, "racket-1": 303, "racket-2": 304, "racket-3": 305, "book": 306}
 """Line of the source on which each row stands."""
 
-
 MOMENTS = ("I1", "I2", "I3")
 """Names of the first three columns."""
 

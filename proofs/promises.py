@@ -1,18 +1,18 @@
 """Abstract and introduction: what they promise, judged by what the proofs have shown.
 
 - `planar_constraint`: the one case treated before, I₃ = I₁ + I₂, in terms of the shape;
-- `general_formula`: the closed formula for bodies of every shape;
+- `abstract_general_formula`: the closed formula for bodies of every shape;
 - `abstract_flip`: the effect itself.
 """
 
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
 from tresym.proofs.conclusion import ethylene, ethylene_flip_exact
 from tresym.proofs.conditions import defect, shape
-from tresym.proofs.euler_angles import precession_forward, shape_and_depth
+from tresym.proofs.euler_angles import d08, precession_forward
 from tresym.proofs.frames import perfect_flip
 from tresym.proofs.numbers_in_text import flip_of_no_flip, flip_str_exact, tre_if_eps0_small
 from tresym.proofs.orders import bend_everywhere
-from tresym.proofs.regimes import realizable as realizable_shape
+from tresym.proofs.regimes import realizable_shape
 from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.separatrix import one_flip_defect
 from tresym.proofs.table_of_objects import str_realizable
@@ -29,7 +29,7 @@ abstract_flip = Claim(
 
 planar_constraint = Claim(
     says="The case studied before, I₃ = I₁ + I₂, is that of the shapes with b = 1/(a + 2).",
-    proof=all_of(shape_and_depth, realizable),
+    proof=all_of(d08, realizable),
     where=line(45),
     note="These are the flat bodies; their shape has one parameter.",
 )
@@ -45,8 +45,7 @@ _below_root = (
 _not_too_small = epsilon <= 100 * printed.asymptotic_defect(a, b, sympy)
 _far_off = Counterexample({"a": fmpq(1, 10**6), "b": fmpq(499, 1000), "epsilon": fmpq(2, 5)})
 
-general_formula = Claim(
-    label="abstract_general_formula",
+abstract_general_formula = Claim(
     says="The closed formula estimates the flip defect of every body: it is never 100 times too "
     "small.",
     paper_says="“A simple analytical formula is derived to estimate the twisting effect in the "
@@ -60,8 +59,7 @@ general_formula = Claim(
     "has one root for every shape; the formula is its limit for large ab.",
 )
 
-formula_for_any_body = Claim(
-    label="intro_any_body",
+intro_any_body = Claim(
     says="The closed formula gives the flip of any rigid body: it is never 100 times too small.",
     paper_says="“A simple asymptotic formula is derived to evaluate the value of the flip for any "
     "three-dimensional rigid body.” Read as: as closely as an asymptotic formula does; no "
@@ -73,8 +71,7 @@ formula_for_any_body = Claim(
     amended_by=(one_flip_defect, uniform_formulas),
 )
 
-coincide_for_a_class = Claim(
-    label="coincide_large_class",
+coincide_large_class = Claim(
     says="Formula and exact values agree for a large class of bodies and starts: for ab ≥ 1/4 the "
     "leading term within 0.17/(ab), and the linear formula while |γ| ≤ bε₀².",
     proof=all_of(printed_error, bend_everywhere),

@@ -2,20 +2,14 @@
 
 - `energy_by_gamma`: 2I₂E, 2I₃E and 2I₁E against M², each as a multiple of γ, γ + b, a − γ;
 - `tilt_by_flip`: cos²θ from ψ alone, hence θ comes back when ψ has turned by π;
-- `rotating_tilt`, `every_angle`: for γ > 0 the handle stays on one side, ψ is unbounded;
-- `oscillating_flip`, `handle_crosses`: for γ < 0 the racket oscillates, the handle crosses;
-- `mirror_images`: the symmetries of the planar system;
+- `theta_half`, `psi_unbounded`: for γ > 0 the handle stays on one side, ψ is unbounded;
+- `psi_half_oscillating`, `handle_crosses`: for γ < 0 the racket oscillates, the handle crosses;
+- `symmetry_half`: the symmetries of the planar system;
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles rest.
 """
 
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body
-from tresym.proofs.euler_angles import (
-    eq_Euler,
-    eq_gamma,
-    gamma_conserved,
-    precession_forward,
-    shape_and_depth,
-)
+from tresym.proofs.euler_angles import d08, eq_Euler, eq_gamma, gamma_conserved, precession_forward
 from tresym.proofs.frames import handle_in_space
 from tresym.proofs.jacobi import intersection_condition, solution_on_intersection
 from tresym.proofs.momentum import eq_dMi
@@ -46,7 +40,7 @@ energy_by_gamma = Claim(
         equal(M**2 - 2 * I1 * E, M**2 * (a - gamma) / (1 + a)),
     ),
     given=ordered_moments,
-    proof=by(substituting(shape_and_depth)),
+    proof=by(substituting(d08)),
     note="As 1 − b and 1 + a are positive, the signs of the left sides are those of γ, γ + b "
     "and a − γ.",
 )
@@ -57,21 +51,21 @@ _together = (M**2 - 2 * I1 * E > 0, 2 * I2 * E - M**2 > 0)
 oscillating_case = Claim(
     says=Tuple(-gamma > 0, gamma + b > 0),
     given=(*ordered_moments, *_apart),
-    proof=by(substituting(shape_and_depth)),
+    proof=by(substituting(d08)),
     where=line(96),
 )
 
 rotating_case = Claim(
     says=Tuple(gamma > 0, a - gamma > 0),
     given=(*ordered_moments, *_together),
-    proof=by(substituting(shape_and_depth)),
+    proof=by(substituting(d08)),
     where=line(96),
 )
 
 separatrix_case = Claim(
     says=Equivalent(equal(2 * I2 * E - M**2, 0), equal(gamma, 0)),
     given=ordered_moments,
-    proof=(step(equal(gamma, 0), multiplying(1 / M**2), substituting(shape_and_depth)),),
+    proof=(step(equal(gamma, 0), multiplying(1 / M**2), substituting(d08)),),
     where=line(96),
 )
 
@@ -82,8 +76,7 @@ three_regimes = Claim(
     note="The ends γ = a and γ = −b are the two stable rotations.",
 )
 
-spheres_and_ellipsoids = Claim(
-    label="fig_sphere_cases",
+fig_sphere_cases = Claim(
     says="M moves where ellipsoid and sphere meet, oscillating for 2I₂E < M² < 2I₃E, "
     "rotating for 2I₁E < M² < 2I₂E; p₊ and p₋ are stable, p_D is not.",
     proof=all_of(
@@ -120,10 +113,7 @@ precession_of_the_handle = Claim(
 tilt_by_flip = Claim(
     says=equal(cos(theta) ** 2 * (a + b * _sine), gamma + b * _sine),
     given=ordered_moments,
-    proof=(
-        step(a - sin(theta) ** 2 * (a + b * _sine) + b * _sine, trigonometry),
-        step(None, substituting(eq_gamma)),
-    ),
+    proof=by(substituting(eq_gamma), trigonometry),
 )
 
 _flips = Symbol("psi1", real=True), Symbol("psi2", real=True)
@@ -150,8 +140,7 @@ tilt_near_flip = Claim(
     note="At most (b/a)(1 + b/a) times the change of sin²ψ, since 0 ≤ a − γ ≤ a + b.",
 )
 
-tilt_comes_back = Claim(
-    label="delta_theta_zero",
+delta_theta_zero = Claim(
     says="When ψ has turned by π, the handle has its first tilt again.",
     proof=all_of(tilt_by_flip, tilt_after_flip, tilt_near_flip),
     where=line(78),
@@ -171,7 +160,7 @@ components_are_sufficient = Claim(
     given=(M > 0, theta > 0, theta < pi, _end > 0, _end < pi),
     proof=Counterexample({"M": fmpq(1), "theta": fmpq(3, 2), "theta_f": fmpq(3, 4)}),
     where=line(102),
-    amended_by=(tilt_comes_back,),
+    amended_by=(delta_theta_zero,),
     note="They give the length M for all angles; the conclusion needs the energy as well.",
 )
 
@@ -192,8 +181,7 @@ rotating = (*shape_of_a_body, gamma > 0, gamma < a)
 oscillating = (*shape_of_a_body, gamma < 0, gamma > -b)
 """Oscillating motions."""
 
-rotating_tilt = Claim(
-    label="theta_half",
+theta_half = Claim(
     says=a * cos(theta) ** 2 - gamma >= 0,
     given=(*ordered_moments, *shape_of_a_body),
     proof=by(substituting(eq_gamma)),
@@ -212,9 +200,7 @@ _turned = Symbol("Psi", real=True)
 _per_angle = printed.integrand(psi, a, b, gamma, 1, sympy)
 _at_most = 1 / sqrt(a * gamma)
 
-
-every_angle = Claim(
-    label="psi_unbounded",
+psi_unbounded = Claim(
     says=Integral(_per_angle, (psi, 0, _turned)) <= _turned / sqrt(a * gamma),
     given=(*rotating, _turned > 0),
     proof=(
@@ -231,7 +217,7 @@ every_angle = Claim(
 handle_side = Claim(
     says="In a rotating motion the handle stays above or below the plane (X, Y) while the "
     "racket turns about it.",
-    proof=all_of(handle_in_space, rotating_tilt, rotating_speed, every_angle),
+    proof=all_of(handle_in_space, theta_half, rotating_speed, psi_unbounded),
     where=line(103),
 )
 
@@ -239,8 +225,7 @@ _flow = printed.planar_rates(theta, psi, a, b, sympy)
 _mirrored = tuple(at(rate, {theta: pi - theta, psi: -psi}) for rate in _flow)
 _shifted = tuple(at(rate, {psi: psi + pi}) for rate in _flow)
 
-mirror_images = Claim(
-    label="symmetry_half",
+symmetry_half = Claim(
     says=Tuple(
         *equations(_mirrored, tuple(-r for r in _flow)).args, *equations(_shifted, _flow).args
     ),
@@ -253,8 +238,7 @@ mirror_images = Claim(
     r"V = \left(\frac{d\theta}{d\phi}, \frac{d\psi}{d\phi}\right)",
 )
 
-oscillating_flip = Claim(
-    label="psi_half_oscillating",
+psi_half_oscillating = Claim(
     says=b * _sine > 0,
     given=(*ordered_moments, *shape_of_a_body, gamma < 0),
     proof=(
@@ -273,8 +257,7 @@ handle_crosses = Claim(
     note="At θ = π/2 the tilt changes at a rate other than 0, but for the permanent rotations.",
 )
 
-same_trajectories = Claim(
-    label="panel_depends_on_shape",
+panel_depends_on_shape = Claim(
     says=equal((gamma - a) / a, -(sin(theta) ** 2) * (1 + b / a * _sine)),
     given=(*ordered_moments, *shape_of_a_body),
     proof=by(substituting(eq_gamma)),
@@ -282,32 +265,26 @@ same_trajectories = Claim(
     note="The curves on the sphere depend on the shape only through b/a.",
 )
 
-strict_range = Claim(
-    label="strict_range_of_shape",
+strict_range_of_shape = Claim(
     says=Tuple(a > 0, b > 0, 1 - b > 0),
     given=ordered_moments,
-    proof=by(substituting(shape_and_depth)),
+    proof=by(substituting(d08)),
     note="No end is reached: b = 1 would need I₃ = ∞, and a = ∞ would need I₁ = 0.",
 )
 
 _real = (*ordered_moments, I1 + I2 - I3 >= 0)
 
-realizable = Claim(
-    label="realizable_shape",
+realizable_shape = Claim(
     says=Tuple(1 / (a + 2) - b >= 0, 1 - 2 * b > 0),
     given=_real,
-    proof=together(
-        (step(I2 * (I1 + I2 - I3) / (I3 * (I1 + I2)), substituting(shape_and_depth)),),
-        (step(((I1 + I2 - I3) + (I2 - I1)) / I3, substituting(shape_and_depth)),),
-    ),
+    proof=by(substituting(d08)),
     note="No moment of a rigid body exceeds the sum of the others, which the paper does not use.",
 )
 
-symmetric_tops = Claim(
-    label="symmetric_top",
+symmetric_top = Claim(
     says=equations((a * I1, b * I3), (I2 - I1, I3 - I2)),
     given=ordered_moments,
-    proof=by(substituting(shape_and_depth)),
+    proof=by(substituting(d08)),
     where=line(124),
     note="a = 0 exactly when I₁ = I₂, b = 0 exactly when I₂ = I₃, both for a spherical top.",
 )
@@ -315,7 +292,7 @@ symmetric_tops = Claim(
 ratios_of_moments = Claim(
     says=equations((I2 / I1, I3 / I2), (1 + a, 1 / (1 - b))),
     given=ordered_moments,
-    proof=by(substituting(shape_and_depth)),
+    proof=by(substituting(d08)),
     note="I₁ ≪ I₂ ≪ I₃ means a ≫ 1 and 1 − b ≪ 1.",
 )
 
@@ -323,10 +300,10 @@ a_and_b_large = Claim(
     says="There is a case a ≫ 1, b ≫ 1, in which I₁ ≪ I₂ ≪ I₃.",
     means=ForSome(b >= 1),
     given=ordered_moments,
-    proof=formally(shape_and_depth),
+    proof=formally(d08),
     where=line(124),
     expect=Verdict.REFUTED,
-    amended_by=(ratios_of_moments, strict_range),
+    amended_by=(ratios_of_moments, strict_range_of_shape),
     note="b is below 1 for every body, and below 1/2 for a rigid one; I₁ ≪ I₂ ≪ I₃ needs b near 1.",
 )
 
@@ -360,8 +337,7 @@ ends_of_gamma = Claim(
     where=line(140),
 )
 
-angles_rest = Claim(
-    label="angles_rest_at_e1",
+angles_rest_at_e1 = Claim(
     says="At θ = 0 the planar system is in equilibrium.",
     paper_says="“The two equilibrium points, given by γ = a and γ = −b, correspond to the points "
     "p₊ and p₋.” Read as: M rests there.",

@@ -47,7 +47,6 @@ product_is_approached = Claim(
     note="So no bound below 1 holds for every rigid body.",
 )
 
-
 _u = Symbol("u", real=True)
 _c = sqrt(1 - _u**2)
 _a, _b = 1 / _u - 1, _u / (1 + _u)
@@ -61,7 +60,7 @@ planar_shape = Claim(
         equal(sqrt(_b / (_a + _b)), _u),
     ),
     given=_some,
-    proof=together(by(), by(), by(roots), by(roots)),
+    proof=by(roots),
     note="With a = 1/u − 1: a planar body, the factor of its equation, √(ab) and μ.",
 )
 
@@ -90,13 +89,7 @@ floor_candidate = Claim(
     says=asinh(_c * sinh(pi)) - _c / (1 + _u) * (pi + _turned) > 0,
     given=_some,
     proof=Charted(
-        (
-            On(
-                (_u,),
-                box((0, 1)),
-                (Shown(_floor_margin, _c * _u / (1 + _u), _concave),),
-            ),
-        ),
+        (On((_u,), box((0, 1)), (Shown(_floor_margin, _c * _u / (1 + _u), _concave),)),),
         cited=(concave_at_the_floor,),
         stored=certificate("floor_candidate"),
     ),
@@ -112,7 +105,6 @@ rigid_body_floor = Claim(
     note="At fixed a the defect decreases in b, so that planar bodies have the least.",
 )
 
-
 _above = _angle + _u
 _excess = _c / (1 + _u) * (pi + asin(_u * cos(_above))) - asinh(_c * cos(_above) / sin(_above))
 
@@ -122,7 +114,6 @@ excess_at_infinity = Claim(
     shown=r"\left.\log(e/\epsilon_*) - Q(e)\right|_{e = 2\arctan e^{-\pi},\, u = 0} = 0",
     note="log(e/ε*) − Q(e) at e = 2 arctan e^{−π} + u, in the limit a → ∞, where u = 1/(a+1) is 0.",
 )
-
 
 excess_grows = Claim(
     says=Derivative(_excess, _u) > 0,

@@ -1,10 +1,10 @@
 """Appendix, first part: the exact equation for the flip defect on the separatrix.
 
-- display (32), `separatrix_condition`: the integral of f from ε₀ to π − ε₀ is 2π, which
+- display (32), `d32`: the integral of f from ε₀ to π − ε₀ is 2π, which
   defines ε₀ (here ε);
-- (34), `start_in_x`, and (35), `substitution`: with x = √(b/(a+b)) cos ψ it is an integral in x;
-- (36), `integrated`: that integral by inverse functions;
-- (37), `exact_equation`: the exponential equation, as printed, equivalent to it;
+- (34), `d34`, and (35), `d35`: with x = √(b/(a+b)) cos ψ it is an integral in x;
+- (36), `d36`: that integral by inverse functions;
+- (37), `d37`: the exponential equation, as printed, equivalent to it;
 - `stable_equation`: the exponential equation is equivalent to
   tan ε₀ = √(a/(a+b)) / sinh T, T = √(ab)(π + arcsin(√(b/(a+b)) cos ε₀)), where nothing cancels;
 - `auxiliary_angle`: the arcsine is arctan(√(b/a) tanh T), which makes it an equation for T alone;
@@ -24,9 +24,7 @@ _f = printed.integrand(psi, a, b, 0, 1, sympy)
 _on_separatrix = _f.subs(sqrt(b * sin(psi) ** 2), sqrt(b) * sin(psi))
 _mu = sqrt(b / (a + b))
 
-
-start_in_x = Claim(
-    label="d34",
+d34 = Claim(
     says=equal(x0, printed.auxiliary_variable(epsilon, a, b, sympy)),
     given=(*shape, *defect),
     proof=Definition(),
@@ -35,9 +33,7 @@ start_in_x = Claim(
 
 _in_x = printed.auxiliary_integrand(x, a, b, sympy)
 
-
-separatrix_condition = Claim(
-    label="d32",
+d32 = Claim(
     says=equal(Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), 2 * pi),
     given=(*shape, *defect),
     proof=Definition("one turn of the handle on the separatrix"),
@@ -45,27 +41,24 @@ separatrix_condition = Claim(
     note="The condition for the flip defect on the separatrix: one ε meets it (`one_flip_defect`).",
 )
 
-
-substitution = Claim(
-    label="d35",
+d35 = Claim(
     says=equal(Integral(_in_x, (x, x0, -x0)), -2 * pi * b),
     given=(*shape, *defect),
     proof=(
         step(
             Integral(-b * _on_separatrix, (psi, epsilon, pi - epsilon)),
-            substituting(start_in_x),
+            substituting(d34),
             changing_variable(_mu * cos(psi)),
         ),
         step(-b * Integral(_on_separatrix, (psi, epsilon, pi - epsilon)), roots),
-        step(None, substituting(separatrix_condition)),
+        step(None, substituting(d32)),
     ),
     where=display(35),
 )
 
 _primitive = sqrt(b / a) * atanh(sqrt(a / b) * x / sqrt(1 - x**2)) - b * asin(x)
 
-integrated = Claim(
-    label="d36",
+d36 = Claim(
     says=equal(printed.arctanh_left(x0, a, b, sympy), sqrt(a * b) * pi),
     given=(*shape, *defect),
     knowing=(b / (a + b) - x0**2 > 0, Under(b / (a + b) - x**2 > 0, ((x - x0) * (-x0 - x) >= 0,))),
@@ -73,11 +66,9 @@ integrated = Claim(
         step(
             -sqrt(a / b) / 2 * Integral(_in_x, (x, x0, -x0)),
             integrating(_primitive),
-            inverses,
-            roots,
+            *(inverses, roots),
         ),
-        step(-sqrt(a / b) / 2 * (-2 * pi * b), substituting(substitution)),
-        step(None, roots),
+        step(None, substituting(d35), roots),
     ),
     where=display(36),
 )
@@ -90,18 +81,14 @@ _inverse = cos(epsilon) / _root
 _inverse_form = equal(atanh(_inverse), _time)
 _stable_equation = equal(sqrt(a / (a + b)) / sinh(_time), tan(epsilon))
 
-
-logarithm_of_artanh = Claim(
-    label="artanh_by_logarithm",
+artanh_by_logarithm = Claim(
     says=equal(atanh(x), log((1 + x) / (1 - x)) / 2),
     given=(x > -1, x < 1),
     proof=by(exponentials, inverses),
     where=line(340),
 )
 
-
-exact_equation = Claim(
-    label="d37",
+d37 = Claim(
     says=Equivalent(
         equal(printed.arctanh_left(_mu * cos(epsilon), a, b, sympy), sqrt(a * b) * pi),
         _printed_equation,
@@ -130,10 +117,7 @@ stable_equation = Claim(
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
             applying("sinh"),
-            roots,
-            trigonometry,
-            exponentials,
-            inverses,
+            *(roots, trigonometry, exponentials, inverses),
         ),
         step(
             _stable_equation, multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))), trigonometry
@@ -153,7 +137,6 @@ auxiliary_angle = Claim(
 
 _spread = cosh(T) ** 2 + r**2 * sinh(T) ** 2
 _end = 3 * pi / 2 * k
-
 
 unique_root = Claim(
     says="The equation T = √(ab)(π + arctan(√(b/a) tanh T)) has exactly one root "
@@ -189,7 +172,7 @@ no_root_below = Claim(
 contraction = Claim(
     says=equal(_map.diff(T, evaluate=False), k * r * sin(_tilt) ** 2),
     given=(*auxiliary, *later),
-    proof=(step(k * r / _spread, differentiation, exponentials), step(None, exponentials)),
+    proof=by(differentiation, exponentials),
     note="The derivative of the map is b sin²ε, between 0 and b.",
 )
 
@@ -203,7 +186,7 @@ one_flip_defect = Claim(
     says="The exact equation has exactly one root ε₀ in (0, π/2), and the map of its stable "
     "form contracts: its derivative is b sin²ε, between 0 and 1.",
     proof=all_of(
-        exact_equation,
+        d37,
         stable_equation,
         auxiliary_angle,
         unique_root,
@@ -272,9 +255,7 @@ leading_defect = Claim(
 defect_range = Claim(
     says=Tuple(sin(epsilon0) > 0, cos(epsilon0) > 0),
     given=shape,
-    proof=together(
-        (step(sin(epsilon0), citing(flip_defect)),), (step(cos(epsilon0), citing(flip_defect)),)
-    ),
+    proof=by(citing(flip_defect)),
 )
 
 label_claims(globals())

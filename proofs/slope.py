@@ -1,8 +1,8 @@
 """Appendix, second part: how the flip defect depends on γ at the separatrix.
 
-- display (54), `slope_of_integrand`: ∂f/∂γ at γ = 0;
-- (55), `slope_of_integral`: its antiderivative, as printed;
-- (51), `inverse_slope`: ∂ε/∂F at γ = 0 from ∂F/∂ε = −f.
+- display (54), `d54`: ∂f/∂γ at γ = 0;
+- (55), `d55`: its antiderivative, as printed;
+- (51), `d51`: ∂ε/∂F at γ = 0 from ∂F/∂ε = −f.
 """
 
 from tresym.proofs.conditions import defect, shape
@@ -13,30 +13,17 @@ from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
-slope_of_integrand = Claim(
-    label="d54",
+d54 = Claim(
     says=equal(
         Subs(Derivative(printed.integrand(psi, a, b, gamma, S, sympy), gamma), gamma, 0),
         printed.integrand_slope(psi, a, b, S, sympy),
     ),
     given=(*shape, *between),
-    proof=(
-        step(
-            -S
-            / 2
-            * (1 - b * sin(psi) ** 2)
-            / (sqrt(a + b * sin(psi) ** 2) * sqrt(b * sin(psi) ** 2) ** 3),
-            differentiation,
-            roots,
-        ),
-        step(None, roots),
-    ),
+    proof=by(differentiation, roots),
     where=display(54),
 )
 
-
-slope_of_integral = Claim(
-    label="d55",
+d55 = Claim(
     says=equal(
         Derivative(printed.turn_slope_antiderivative(psi, a, b, S, sympy), psi),
         printed.integrand_slope(psi, a, b, S, sympy),
@@ -46,8 +33,7 @@ slope_of_integral = Claim(
     where=display(55),
 )
 
-inverse_slope = Claim(
-    label="d51",
+d51 = Claim(
     says=equal(
         -1 / printed.integrand(epsilon, a, b, 0, S, sympy),
         printed.defect_per_turn(epsilon, a, b, S, sympy),
@@ -56,3 +42,5 @@ inverse_slope = Claim(
     proof=by(substituting(sign_of_tilt), roots),
     where=display(51),
 )
+
+label_claims(globals())

@@ -2,8 +2,8 @@
 
 - `faster_at_higher_level`: f = dφ/dψ falls as γ grows, and `level_grows_with_the_rate`: γ grows
   with the initial rate, so that a bound at one end of a range of rates holds on all of it;
-- `near_flip_close`: near enough to the unstable point no start flips; `likely_near`: in a rectangle
-  about it most do;
+- `near_flip_likely`: near enough to the unstable point no start flips; `likely_near`: in a
+  rectangle about it most do;
 - `far_from_separatrix`: where the standard racket shows no effect from any start, and
   `no_tre_far`: the same, read literally.
 """
@@ -14,7 +14,7 @@ from collections.abc import Callable
 
 from tresym.proofs.conditions import defect, shape_of_a_body, standard_racket
 from tresym.proofs.flip_definition import symmetric_is_extreme
-from tresym.proofs.numbers_in_text import central_symmetry, lower_exact, upper_exact_value
+from tresym.proofs.numbers_in_text import fig_rob, lower_level, upper_level_exact
 from tresym.proofs.on_the_separatrix import level_of_a_start
 from tresym.proofs.phase_portraits import flip_between
 from tresym.proofs.regimes import oscillating
@@ -40,7 +40,6 @@ level_grows_with_the_rate = Claim(
     proof=by(differentiation),
     note="γ of a start, by `level_of_a_start`.",
 )
-
 
 _level = _rate**2 * (1 - b * sin(psi0) ** 2) ** 2 / (a + b * sin(psi0) ** 2) - b * sin(psi0) ** 2
 """γ of the start (ψ₀, dψ/dφ)."""
@@ -93,14 +92,13 @@ share_of_the_rectangles = Claim(
 likely_near = Claim(
     says="Of the starts with |ψ₀| ≤ 1/10 and |dψ/dφ| ≤ 3/10 five in eight or more flip by π within "
     "π/6, for the standard racket.",
-    proof=all_of(two_rectangles, share_of_the_rectangles, central_symmetry),
+    proof=all_of(two_rectangles, share_of_the_rectangles, fig_rob),
     where=line(283),
     note="A rectangle about the unstable point, such as the figure marks; likely is read as the "
     "share of its area.",
 )
 
-near_flip_close = Claim(
-    label="near_flip_likely",
+near_flip_likely = Claim(
     says="However near the unstable point the starts are, a near flip may happen: within 1/100 of "
     "it the standard racket flips by 5π/6 or more from some.",
     paper_says="“When we consider initial conditions close to this point, Fig. 10 shows that a "
@@ -135,7 +133,6 @@ narrow_swing = Claim(
     note="With ε = π/12, ψ_max − ψ_min = π − 2 arcsin √(|γ|/b) < 5π/6: no start flips enough.",
 )
 
-
 _reached = _time(gamma, -pi / 12, pi / 2), _time(gamma, pi / 12, pi / 2)
 """F(−π/12, γ) and F(π/12, γ)."""
 
@@ -159,7 +156,6 @@ far_from_separatrix = Claim(
     note="Both are near the 10⁻² of the paper, which says approximately; b sin²(π/12) is 0.00422.",
 )
 
-
 no_tre_far = Claim(
     says="The standard racket shows no effect where |γ| > 10⁻², exactly.",
     paper_says="“the TRE does not occur far from the separatrix, approximately when |γ| > "
@@ -173,7 +169,7 @@ no_tre_far = Claim(
     given=(gamma > Rational(1, 100), gamma < 1),
     proof=Counterexample({"gamma": fmpq(51, 5000)}),
     where=line(272),
-    amended_by=(far_from_separatrix, upper_exact_value, lower_exact),
+    amended_by=(far_from_separatrix, upper_level_exact, lower_level),
     note="The symmetric start flips for −0.00418 ≤ γ ≤ 0.01035: F falls with ε, and π is between "
     "F(π/12, γ) and F(−π/12, γ).",
 )

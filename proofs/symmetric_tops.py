@@ -1,7 +1,7 @@
 """Section 3, end: bodies with two equal moments.
 
-- `sphere`: three equal moments;
-- `depth_b_zero`, `handle_keeps_its_tilt`, `spin_about_handle`: I₂ = I₃, only rotating motions;
+- `sphere_ellipsoid`: three equal moments;
+- `depth_b_zero`, `theta_constant`, `psi_linear`: I₂ = I₃, only rotating motions;
 - `depth_a_zero`: I₁ = I₂, only oscillating motions.
 """
 
@@ -11,8 +11,7 @@ from tresym.racket.notation import *
 
 _moments = (I1 > 0, I2 - I1 > 0, I2 > 0, M > 0)
 
-sphere = Claim(
-    label="sphere_ellipsoid",
+sphere_ellipsoid = Claim(
     says=equal(
         printed.energy(M1, M2, M3, I1, I1, I1), printed.momentum_squared(M1, M2, M3) / (2 * I1)
     ),
@@ -31,8 +30,7 @@ depth_b_zero = Claim(
     note="I₂ = I₃: γ M² = a M₁².",
 )
 
-no_oscillation = Claim(
-    label="no_oscillating_I2_I3",
+no_oscillating_I2_I3 = Claim(
     says=printed.depth(theta, psi, a, 0, sympy) >= 0,
     given=(a > 0,),
     proof=manifest,
@@ -40,15 +38,13 @@ no_oscillation = Claim(
     note="I₂ = I₃: γ is never negative.",
 )
 
-separatrix_on_the_equator = Claim(
-    label="separatrix_equator",
+separatrix_equator = Claim(
     says="For I₂ = I₃ the separatrix is the equator M₁ = 0.",
-    proof=all_of(depth_b_zero, no_oscillation),
+    proof=all_of(depth_b_zero, no_oscillating_I2_I3),
     where=line(112),
 )
 
-circle_about_handle = Claim(
-    label="circle_e1",
+circle_e1 = Claim(
     says=equal(at(printed.euler_equations(M1, M2, M3, I1, I2, I3)[0], {I3: I2}), 0),
     given=_moments,
     proof=by(evaluating),
@@ -59,8 +55,7 @@ circle_about_handle = Claim(
 
 _other = Symbol("N1", real=True)
 
-one_circle = Claim(
-    label="one_circle_e1",
+one_circle_e1 = Claim(
     says="For I₂ = I₃ the two surfaces meet in one circle and no more.",
     paper_says="“The intersection of the two surfaces is a circle centered on e₁.” Read as: the "
     "one on which a solution runs.",
@@ -68,15 +63,14 @@ one_circle = Claim(
     given=(a > 0, M > 0),
     proof=Counterexample({"a": fmpq(1), "M": fmpq(2), "M1": fmpq(1), "N1": fmpq(-1)}),
     where=line(112),
-    amended_by=(depth_b_zero, circle_about_handle),
+    amended_by=(depth_b_zero, circle_e1),
     note="They meet in two, M₁ = ±M√(γ/a), of which a solution takes one; on the separatrix the "
     "two are one.",
 )
 
 _rates = printed.angle_rates(theta, psi, M, I1, I2, I3, sympy)
 
-handle_keeps_its_tilt = Claim(
-    label="theta_constant",
+theta_constant = Claim(
     says=equal(at(_rates[0], {I3: I2}), 0),
     given=_moments,
     proof=by(evaluating),
@@ -84,8 +78,7 @@ handle_keeps_its_tilt = Claim(
     shown=r"\dot\theta = M\left(\frac{1}{I_2}-\frac{1}{I_2}\right)\sin\theta\sin\psi\cos\psi = 0",
 )
 
-spin_about_handle = Claim(
-    label="psi_linear",
+psi_linear = Claim(
     says=equal(at(_rates[2], {I3: I2}), M * (1 / I1 - 1 / I2) * cos(theta)),
     given=_moments,
     proof=by(evaluating, trigonometry),
@@ -100,8 +93,7 @@ depth_a_zero = Claim(
     shown=r"M^2\left.\gamma\right|_{a=0} = -bM_3^2",
 )
 
-only_oscillation = Claim(
-    label="only_oscillating_I1_I2",
+only_oscillating_I1_I2 = Claim(
     says=printed.depth(theta, psi, 0, b, sympy) <= 0,
     given=(b > 0,),
     proof=manifest,
@@ -118,10 +110,9 @@ rest_on_the_circle = Claim(
     shown=r"\left.(\dot M_1, \dot M_2, \dot M_3)\right|_{I_1=I_2,\,M_3=0} = (0, 0, 0)",
 )
 
-separatrix_in_the_plane = Claim(
-    label="separatrix_circle_e1e2",
+separatrix_circle_e1e2 = Claim(
     says="For I₁ = I₂ the separatrix is the circle M₃ = 0.",
-    proof=all_of(depth_a_zero, only_oscillation, rest_on_the_circle),
+    proof=all_of(depth_a_zero, only_oscillating_I1_I2, rest_on_the_circle),
     where=line(112),
     note="Every point of it is an equilibrium.",
 )

@@ -17,7 +17,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from tresym.proofs.euler_angles import shape_and_depth
+from tresym.proofs.euler_angles import d08
 from tresym.proofs.flip_definition import eqdefect
 from tresym.proofs.printed import MOMENTS, ROW_LINES, TABLE_1, inputs, moments, number, share_of_pi
 from tresym.proofs.separatrix import flip_defect, leading_defect, one_flip_defect
@@ -98,9 +98,9 @@ def _row(row: str) -> tuple[Claim, ...]:
     """All cells of a row whose moments are printed and usable."""
     one, two, three = MOMENTS
     first, second = TABLE_1[row][3:5]
-    shape_a = _cell(row, "a", first, a, moments(row, one, two), "", shape_and_depth)
-    shape_b = _cell(row, "b", second, b, moments(row, two, three), "", shape_and_depth)
-    return (_order(row), shape_a, shape_b, *_defects(row, moments(row), shape_and_depth))
+    shape_a = _cell(row, "a", first, a, moments(row, one, two), "", d08)
+    shape_b = _cell(row, "b", second, b, moments(row, two, three), "", d08)
+    return (_order(row), shape_a, shape_b, *_defects(row, moments(row), d08))
 
 
 def _realizable(row: str, label: str, **rest: Any) -> Claim:
@@ -160,7 +160,7 @@ racket_3_third_moment = Claim(
 )
 
 racket_3_swapped_b = number(
-    "With I₃ = 8118 racket 3 has b = {}.", b, "0.1222", inputs(I2=7126, I3=8118), shape_and_depth
+    "With I₃ = 8118 racket 3 has b = {}.", b, "0.1222", inputs(I2=7126, I3=8118), d08
 )
 
 racket_3_swapped_order = Claim(
@@ -182,7 +182,7 @@ racket_3_a = number(
     a,
     "14.91",
     moments("racket-3", "I1", "I2"),
-    shape_and_depth,
+    d08,
 )
 
 _SHAPES = {row: inputs(a=TABLE_1[row][3], b=TABLE_1[row][4]) for row in ("racket-3", "book")}
@@ -195,7 +195,7 @@ racket_3 = (
         fault=Fault.MISPRINT,
     ),
     replace(
-        _cell("racket-3", "a", "14.88", a, moments("racket-3", "I1", "I2"), "", shape_and_depth),
+        _cell("racket-3", "a", "14.88", a, moments("racket-3", "I1", "I2"), "", d08),
         expect=Verdict.REFUTED,
         amended_by=(racket_3_a,),
         fault=Fault.ROUNDING,

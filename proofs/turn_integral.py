@@ -1,11 +1,11 @@
 """Appendix, second part: the integral F whose level lines are ε(γ).
 
-- display (48), `half_turn`: the turn is twice F, by the symmetry of the flip angle about π/2;
-- (49), `half_integral`, defines F, and `one_turn`, `level_line`: F = π is one turn;
-- (50), `implicit_defect`: F(ε(γ), γ) = π has a slope, and `implicit_derivative`: which it is;
+- display (48), `d48`: the turn is twice F, by the symmetry of the flip angle about π/2;
+- (49), `d49`, defines F, and `one_turn`, `level_line`: F = π is one turn;
+- (50), `implicit_defect`: F(ε(γ), γ) = π has a slope, and `eq_depsdgamma_form`: which it is;
 - (51), `slope_by_end`, `slope_by_end_at_zero`: ∂F/∂ε = −f; `inverse_symbol`: ε as a function of F,
   which has a slope where F = π, and `defect_by_turn`: it is ∂ε/∂F = −1/f at γ = 0;
-- (53), `derivative_under_the_integral`: ∂F/∂γ is the integral of ∂f/∂γ; (55), `slope_of_turn`: its
+- (53), `d53`: ∂F/∂γ is the integral of ∂f/∂γ; (55), `slope_of_turn`: its
   value;
 - `S_drops_out`: the sign S does not matter for dε/dγ.
 """
@@ -25,10 +25,7 @@ F_epsilon, F_gamma, defect_F, defect_gamma = (
 F_epsilon0 = Symbol("partialF_partialepsilon0", real=True)
 """Partial derivatives, as symbols of their own; the last of F by ε at γ = 0."""
 _value = Symbol("F0", real=True)
-excess_value, excess_epsilon = (
-    Symbol(f"partialexcess_partial{by}", real=True) for by in ("F0", "epsilon")
-)
-"""A value F₀ of F at γ = 0, and the slopes of F − F₀ by F₀ and by ε."""
+"""A value F₀ of F at γ = 0."""
 _rotating = (*shape, b < 1, *defect, gamma > 0)
 
 
@@ -39,19 +36,18 @@ def _turn(level: Expr, start: Expr = epsilon) -> Integral:
 
 _mirrored = printed.integrand(x, a, b, gamma, S, sympy)
 
-half_turn = Claim(
-    label="d48",
+d48 = Claim(
     says=equal(Integral(_f, (psi, epsilon, pi - epsilon)), 2 * _turn(gamma)),
     given=_rotating,
     proof=(
         step(_turn(gamma) + Integral(_f, (psi, pi / 2, pi - epsilon)), cutting(pi / 2)),
-        step(_turn(gamma) + Integral(_mirrored, (x, epsilon, pi / 2)), changing_variable(pi - psi)),
+        step(None, changing_variable(pi - psi)),
     ),
     where=display(48),
     note="The second half is the first, run backwards.",
 )
 
-half_integral = Claim(
+d49 = Claim(
     label="d49", says=equal(F, _turn(gamma)), given=_rotating, proof=Definition(), where=display(49)
 )
 
@@ -66,10 +62,9 @@ one_turn = Claim(
 level_line = Claim(
     says=equal(F, pi),
     given=_rotating,
-    proof=(step(_turn(gamma), substituting(half_integral)), step(None, substituting(one_turn))),
+    proof=by(substituting(d49, one_turn)),
     where=display(49),
 )
-
 
 # -- the derivative by the end --------------------------------------------------------------------
 
@@ -124,8 +119,7 @@ value_reached = Claim(
     given=_one_motion,
     proof=(
         step(_turn(Integer(0)) - Integral(_value / _length, (psi, epsilon, pi / 2)), collecting()),
-        step(_turn(Integer(0)) - _value, integrating(_value * psi / _length)),
-        step(None, substituting(value_at_zero)),
+        step(None, integrating(_value * psi / _length), substituting(value_at_zero)),
     ),
     note="F = F₀ at γ = 0, as an equation for ε.",
 )
@@ -138,55 +132,17 @@ _opened = (differentiating_integral(_spread_slope), integrating(_spread_slope * 
 inverse_symbol = Claim(
     says=equal(defect_F, -_by_value / _by_end),
     given=_one_motion,
-    proof=ImplicitFunction(
-        equation=value_reached,
-        unknown=epsilon,
-        parameter=_value,
-        at=pi,
-        slope=(step(-_at_end, *_opened),),
-    ),
+    proof=ImplicitFunction(value_reached, epsilon, _value, pi, (step(-_at_end, *_opened),)),
     note="∂ε/∂F at γ = 0: the slope of the inverse function, where F = π.",
-)
-
-slopes_of_the_excess = Claim(
-    says=Tuple(equal(excess_value, _by_value), equal(excess_epsilon, _by_end)),
-    given=_one_motion,
-    proof=Definition(),
-    note="The slopes of F − F₀ by F₀ and by ε.",
-)
-
-excess_by_value = Claim(
-    says=equal(excess_value, -1),
-    given=_one_motion,
-    proof=by(
-        substituting(slopes_of_the_excess),
-        differentiating_integral(-1 / _length),
-        integrating(-psi / _length),
-    ),
-)
-
-excess_by_end = Claim(
-    says=equal(excess_epsilon, -_at_end),
-    given=_one_motion,
-    proof=by(substituting(slopes_of_the_excess), *_opened),
-)
-
-excess_falls = Claim(
-    says=excess_epsilon < 0, given=_one_motion, proof=by(substituting(excess_by_end))
-)
-
-defect_by_excess = Claim(
-    says=equal(defect_F, -excess_value / excess_epsilon),
-    given=_one_motion,
-    proof=by(substituting(inverse_symbol, slopes_of_the_excess), citing(excess_falls)),
 )
 
 defect_by_turn = Claim(
     says=equal(defect_F, -1 / _at_end),
     given=_one_motion,
-    proof=(
-        step(-excess_value / excess_epsilon, substituting(defect_by_excess), citing(excess_falls)),
-        step(None, substituting(excess_by_value, excess_by_end), roots),
+    proof=by(
+        substituting(inverse_symbol),
+        *(differentiating_integral(-1 / _length), integrating(-psi / _length)),
+        *(*_opened, roots),
     ),
     where=display(51),
 )
@@ -194,10 +150,7 @@ defect_by_turn = Claim(
 inverse_of_slope = Claim(
     says=equal(defect_F, 1 / F_epsilon0),
     given=_one_motion,
-    proof=(
-        step(-1 / _at_end, substituting(defect_by_turn)),
-        step(None, substituting(slope_by_end_at_zero), roots),
-    ),
+    proof=by(substituting(defect_by_turn, slope_by_end_at_zero), roots),
 )
 
 # -- the derivative by γ --------------------------------------------------------------------------
@@ -206,8 +159,7 @@ _slope = Subs(Derivative(_turn(gamma), gamma), gamma, 0)
 _slope_of_f = printed.integrand_slope(psi, a, b, S, sympy)
 _primitive = printed.turn_slope_antiderivative(psi, a, b, S, sympy)
 
-derivative_under_the_integral = Claim(
-    label="d53",
+d53 = Claim(
     says=equal(_slope, Integral(_slope_of_f, (psi, epsilon, pi / 2))),
     given=(*shape, *defect),
     proof=by(differentiating_integral(_slope_of_f)),
@@ -218,13 +170,7 @@ derivative_under_the_integral = Claim(
 slope_of_turn = Claim(
     says=equal(_slope, _primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
     given=(*shape, *defect),
-    proof=(
-        step(
-            Integral(_slope_of_f, (psi, epsilon, pi / 2)),
-            substituting(derivative_under_the_integral),
-        ),
-        step(None, integrating(_primitive), trigonometry),
-    ),
+    proof=by(substituting(d53), integrating(_primitive), trigonometry),
     where=display(55),
 )
 
@@ -236,32 +182,17 @@ implicit_defect = Claim(
     says=equal(defect_gamma, -_slope / Derivative(_turn(Integer(0)), epsilon)),
     given=(*shape, b < 1, *defect, S > 0),
     proof=ImplicitFunction(
-        equation=one_turn,
-        unknown=epsilon,
-        parameter=gamma,
-        at=Integer(0),
-        slope=(
-            step(
-                -printed.integrand(epsilon, a, b, 0, S, sympy),
-                differentiating_integral(Integer(0)),
-                roots,
-            ),
-        ),
+        *(one_turn, epsilon, gamma, Integer(0)),
+        slope=(step(-_at_end, differentiating_integral(Integer(0)), roots),),
     ),
     where=display(50),
     note="∂ε/∂γ at γ = 0, where F(ε(γ), γ) = π; the sign S is 1 there.",
 )
 
-implicit_derivative = Claim(
-    label="eq_depsdgamma_form",
+eq_depsdgamma_form = Claim(
     says=equal(defect_gamma, -defect_F * F_gamma),
     given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
-    proof=(
-        step(
-            -F_gamma / F_epsilon0, substituting(implicit_defect, turn_symbol, slope_symbol_at_zero)
-        ),
-        step(None, substituting(inverse_of_slope)),
-    ),
+    proof=by(substituting(implicit_defect, turn_symbol, slope_symbol_at_zero, inverse_of_slope)),
     where=display(50),
 )
 
@@ -272,14 +203,7 @@ closed_form = -printed.defect_per_turn(epsilon, a, b, 1, sympy) * printed.turn_s
 closed_slope = Claim(
     says=equal(defect_gamma, closed_form),
     given=(*shape, b < 1, *defect, S > 0, Ne(F_epsilon0, 0)),
-    proof=(
-        step(-defect_F * F_gamma, substituting(implicit_derivative)),
-        step(
-            1 / _at_end * (_primitive.subs(psi, pi / 2) - _primitive.subs(psi, epsilon)),
-            substituting(defect_by_turn, turn_symbol, slope_of_turn),
-        ),
-        step(None, roots),
-    ),
+    proof=by(substituting(eq_depsdgamma_form, defect_by_turn, turn_symbol, slope_of_turn), roots),
     note="∂ε/∂γ at γ = 0, in closed form.",
 )
 

@@ -33,7 +33,6 @@ c = Symbol("c", real=True)
 """A level, where γ is held."""
 chi, chi_rate = (Symbol(name, real=True) for name in ("chi", "chiprime"))
 """The variable in which the motion passes its turning points smoothly, and dχ/dγ."""
-Phi_chi, Phi_gamma = (Symbol(name, real=True) for name in ("Phi_chi", "Phi_gamma"))
 
 
 class _Unfolded:
@@ -57,7 +56,6 @@ oscillating = (*shape, gamma > -b, gamma < 0)
 half_time = (chi > 0, chi < pi, sin(chi) > 0)
 """Before the motion is back at ψ = π/2; the last condition says it to the sign procedure."""
 
-
 _rates = printed.planar_rates(_here.tilt, _here.flip, a, b, sympy)
 _solving = by(differentiation, trigonometry, roots)
 
@@ -67,13 +65,12 @@ unfolded_motion = Claim(
         equal(Derivative(_here.flip, x), -_here.rate * _rates[1]),
     ),
     given=(*oscillating, b < 1),
-    proof=together(_solving, _solving),
+    proof=by(differentiation, trigonometry, roots),
     note="The curve solves the planar system, φ falling at the rate N/(Q√R), and passes ψ = π/2 "
     "at χ = 0.",
 )
 
 before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
-
 
 phase = Integral(_here.rate, (x, 0, chi))
 """Φ(χ, γ), the precession from χ to ψ = π/2."""
@@ -94,19 +91,6 @@ def _phase(level: Expr, end: Expr = chi) -> Integral:
 
 
 _phase_by_depth = Subs(Derivative(_phase(c), c), c, gamma)
-
-phase_slopes = Claim(
-    says=Tuple(equal(Phi_chi, Derivative(_phase(gamma), chi)), equal(Phi_gamma, _phase_by_depth)),
-    given=(*shape, gamma < 0),
-    proof=Definition(),
-    note="∂Φ/∂χ and ∂Φ/∂γ.",
-)
-
-phase_rises_in_time = Claim(
-    says=Phi_chi > 0,
-    given=(*oscillating, *half_time),
-    proof=(step(_end.rate, substituting(phase_slopes), differentiating_integral(Integer(0))),),
-)
 
 _y = Symbol("y", real=True)
 
@@ -146,16 +130,13 @@ one_time = Claim(
 flip_defect_on_level = _end.flip.xreplace({chi: TheRoot(*_one_time.args)})
 """ε(γ) for γ < 0: ψ where Φ(χ, γ) = π."""
 
+_grows = differentiating_integral(_here.growth)
+_by_end = differentiating_integral(Integer(0))
+
 phase_rises_in_gamma = Claim(
-    says=Phi_gamma > 0,
+    says=_phase_by_depth > 0,
     given=(*oscillating, *half_time),
-    proof=(
-        step(
-            Integral(_here.growth, (x, 0, chi)),
-            substituting(phase_slopes),
-            differentiating_integral(_here.growth),
-        ),
-    ),
+    proof=(step(Integral(_here.growth, (x, 0, chi)), _grows),),
 )
 
 half_a_turn_before = Claim(
@@ -168,13 +149,7 @@ half_a_turn_before = Claim(
 unfolded_slope = Claim(
     says=equal(chi_rate, -_phase_by_depth / Derivative(_phase(gamma), chi)),
     given=(*oscillating, *half_time),
-    proof=ImplicitFunction(
-        equation=half_a_turn_before,
-        unknown=chi,
-        parameter=c,
-        at=gamma,
-        slope=(step(_end.rate, differentiating_integral(Integer(0))),),
-    ),
+    proof=ImplicitFunction(half_a_turn_before, chi, c, gamma, (step(_end.rate, _by_end),)),
 )
 
 unfolded_decrease = Claim(
@@ -182,9 +157,9 @@ unfolded_decrease = Claim(
     given=(*oscillating, *half_time),
     proof=(
         step(
-            Phi_gamma / Phi_chi,
-            substituting(unfolded_slope, phase_slopes),
-            citing(phase_rises_in_time, phase_rises_in_gamma),
+            Integral(_here.growth, (x, 0, chi)) / _end.rate,
+            substituting(unfolded_slope),
+            *(_grows, _by_end, roots),
         ),
     ),
 )
@@ -195,7 +170,6 @@ _total = Derivative(_end.flip, gamma) + Derivative(_end.flip, chi) * chi_rate
 """dε/dγ, as ε = ψ(χ(γ), γ)."""
 turned = (*oscillating, chi >= pi / 2, chi < pi, sin(chi) > 0, cos(chi) <= 0, chi > 0)
 """The motion has turned once, and is not yet back at ψ = π/2."""
-
 
 turned_decrease = Claim(
     says=_total < 0, given=turned, proof=by(differentiation, citing(unfolded_decrease))

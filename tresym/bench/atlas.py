@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from itertools import product
 from typing import Any, NamedTuple
@@ -17,7 +17,7 @@ import numpy as np
 from flint import arb, fmpq
 
 from tresym.bench import peers
-from tresym.bench.run import Keep, Measurement, forget
+from tresym.bench.run import Workload
 from tresym.bench.truth import true_digits
 from tresym.racket.body import named_body
 from tresym.racket.flip import separatrix
@@ -351,17 +351,12 @@ def grid(pair: Pair, digits: int, form: str) -> dict[str, Any]:
     return {"pair": pair.name, "plane": plane.name, "form": form, "digits": digits, "lost": lost}
 
 
-def measure(keep: Keep = forget) -> Measurement:
-    """The workload ``atlas``; nothing is timed."""
-    grids: list[dict[str, Any]] = []
-    complete = True
-    try:
-        for pair, digits, form in product(PAIRS, (16, 50), ("printed", "stable")):
-            grids.append(grid(pair, digits, form))
-            keep([], {"grids": grids})
-    except KeyboardInterrupt:
-        complete = False
-    planes = [{"plane": p.name, "x": list(p.x), "y": list(p.y)} for p in PLANES]
-    says = "digits lost by each printed formula and by its stable form"
-    tables = {"planes": planes, "grids": grids}
-    return Measurement("atlas", says, [], tables=tables, complete=complete)
+def grids(_: Any) -> Iterator[tuple[str, dict[str, Any]]]:
+    """The planes, and each pair over its own; nothing is timed."""
+    for plane in PLANES:
+        yield "planes", {"plane": plane.name, "x": list(plane.x), "y": list(plane.y)}
+    for pair, digits, form in product(PAIRS, (16, 50), ("printed", "stable")):
+        yield "grids", grid(pair, digits, form)
+
+
+WORKLOAD = Workload(tables=grids)

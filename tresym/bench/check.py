@@ -10,7 +10,6 @@ ones close to them.
 
 from __future__ import annotations
 
-import math
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -21,20 +20,7 @@ from typing import Any
 import sympy
 from sympy.core.cache import clear_cache
 
-from tresym.bench.run import (
-    FAILED,
-    RIGHT,
-    TIMED_OUT,
-    WRONG,
-    Contender,
-    Judged,
-    Keep,
-    Measurement,
-    Pace,
-    Timing,
-    forget,
-    interleave,
-)
+from tresym.bench.run import FAILED, RIGHT, WRONG, Contender, Judged, Pace, Timing, Workload, tally
 from tresym.reals.corpus.lists import Pair, known, pairs
 from tresym.reals.corpus.rewriting import (
     changed,
@@ -48,6 +34,7 @@ from tresym.reals.decisions import Answer, check
 from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.limits import Task, check_all
 from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.statement import decide_claim
 from tresym.reals.language.expression import Expr, differentiate, symbols
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
@@ -63,29 +50,41 @@ CHANGES = 20
 LIMIT = 10.0
 
 
-def measure(
-    keep: Keep = forget, pace: Pace = PACE, every: int = EVERY, trials: int = TRIALS
-) -> Measurement:
-    """The workload ``check``; ``every`` and ``trials`` make it smaller."""
+def contenders(_: Any) -> Iterator[Contender]:
+    """One pair in ``EVERY``: ours as asked in public, the claim as read, and SymPy."""
+    for pair in pairs()[::EVERY]:
+        left, right = (sympy.sympify(side, locals=_names(side)) for side in pair)
+        works: dict[str, Callable[[], Any]] = {
+            OURS: partial(_proved, pair.claim),
+            "tresym, once it is read": partial(_proved, read(pair.claim)),
+            "sympy simplify": partial(_simplify, left, right),
+            "sympy equals": partial(_equals, left, right),
+        }
+        for name, work in works.items():
+            judge = partial(_judge, name)
+            yield Contender(pair.claim, name, work, judge, name.startswith("tresym"))
+
+
+def notes(timings: list[Timing], _: Any) -> dict[str, Any]:
+    """The verdicts on all pairs, their mutants, the lists and the random identities."""
     everything = pairs()
-    notes: dict[str, Any] = {
+    found: dict[str, Any] = {
         "pairs": decided([pair.claim for pair in everything]),
         "mutants": mutants(everything),
     }
     for name in ("inequalities", "orders"):
         for truth, key in ((True, "true"), (False, "false")):
             claims = [claim for is_true, claim in known(name) if is_true is truth]
-            notes[f"{key} {name}"] = decided(claims)
-    contenders = (c for pair in everything[::every] for c in _contenders(pair))
-    timings, complete = interleave(contenders, pace, keep)
-    notes["peers"] = summary(timings, pace.limit)
-    if complete:
-        notes["trial"] = {
-            "true": trial(true_identity, trials),
-            "false": trial(false_identity, trials),
-        }
-    says = "is the derivative of this function that one?"
-    return Measurement("check", says, timings, OURS, notes=notes, complete=complete)
+            found[f"{key} {name}"] = decided(claims)
+    found["peers"] = tally(timings, OURS, PACE.limit, "pairs")
+    found["trial"] = {
+        "true": trial(true_identity, TRIALS),
+        "false": trial(false_identity, TRIALS),
+    }
+    return found
+
+
+WORKLOAD = Workload(contenders, PACE, OURS, notes=notes)
 
 
 def decided(claims: list[str]) -> dict[str, Any]:
@@ -148,26 +147,19 @@ def _false_mutant(pair: Pair, random: Random) -> Expr | None:
     return None
 
 
-def _contenders(pair: Pair) -> Iterator[Contender]:
-    left, right = (sympy.sympify(side, locals=_names(side)) for side in pair)
-    x = sympy.Symbol("x")
-    works: dict[str, Callable[[], Any]] = {
-        OURS: lambda: check(pair.claim).verdict is Verdict.PROVED,
-        "sympy simplify": _afresh(lambda: sympy.simplify(sympy.diff(left, x) - right) == 0),
-        "sympy equals": _afresh(lambda: sympy.diff(left, x).equals(right)),
-    }
-    for name, work in works.items():
-        yield Contender(pair.claim, name, work, partial(_judge, name), name == OURS)
+def _proved(claim: Any) -> bool:
+    decide = check if isinstance(claim, str) else decide_claim
+    return decide(claim).verdict is Verdict.PROVED
 
 
-def _afresh(work: Callable[[], Any]) -> Callable[[], Any]:
-    """``work`` with SymPy's memory of earlier answers emptied, as a claim is asked once."""
+def _simplify(left: Any, right: Any) -> bool:
+    clear_cache()  # SymPy's memory of earlier answers, as a claim is asked once
+    return bool(sympy.simplify(sympy.diff(left, sympy.Symbol("x")) - right) == 0)
 
-    def run() -> Any:
-        clear_cache()
-        return work()
 
-    return run
+def _equals(left: Any, right: Any) -> Any:
+    clear_cache()
+    return sympy.diff(left, sympy.Symbol("x")).equals(right)
 
 
 def _names(text: str) -> dict[str, Any]:
@@ -181,28 +173,6 @@ def _judge(method: str, answer: Any) -> Judged:
     if answer is False and method == "sympy equals":
         return Judged(outcome=WRONG, why="says False")
     return Judged(outcome=FAILED, why="not decided")
-
-
-def summary(timings: list[Timing], limit: float) -> dict[str, dict[str, Any]]:
-    """By method: outcomes, and the geometric mean of its time by ours over the pairs.
-
-    One that timed out counts with the limit, so that the mean is then too small.
-    """
-    ours = {t.contender.scene: t for t in timings if t.contender.ours}
-    found: dict[str, dict[str, Any]] = {}
-    for method in dict.fromkeys(t.contender.method for t in timings):
-        some = [t for t in timings if t.contender.method == method]
-        outcomes = Counter(t.judged.outcome for t in some)
-        ratios = [r for t in some if (r := _ratio(t, ours[t.contender.scene], limit))]
-        mean = math.exp(sum(map(math.log, ratios)) / len(ratios)) if ratios else None
-        found[method] = {"pairs": len(some), **outcomes, "ratio": mean and _short(mean)}
-    return found
-
-
-def _ratio(timing: Timing, ours: Timing, limit: float) -> float | None:
-    if timing.judged.outcome == TIMED_OUT and ours.seconds:
-        return limit / ours.quartiles[1]
-    return timing.ratio(ours)
 
 
 def trial(make: Callable[[Random], tuple[Expr, Expr]], count: int) -> dict[str, int]:

@@ -18,10 +18,11 @@ import numpy as np
 from flint import arb, fmpq
 
 from tresym.bench import peers
-from tresym.bench.run import WRONG, Contender, Judged, Keep, Measurement, Pace, forget, interleave
+from tresym.bench.run import WRONG, Contender, Judged, Pace, Workload, row
 from tresym.bench.truth import as_ball
 from tresym.racket.angle import Angle
 from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import flip_angle
 from tresym.racket.floats import flipmap
 from tresym.racket.motion.trajectory import Start, travel
 
@@ -33,18 +34,8 @@ SAMPLE = 20
 WANTED = 11
 """Digits after the point that an answer must have at the worst."""
 
-OURS = "tresym, numpy"
+OURS = "tresym.flip_map, numpy"
 Floats = flipmap.Floats
-
-PACE = Pace(rounds=5, limit=20.0, patience=3.0)
-
-
-def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
-    """The workload ``flipmap``: seconds for one start; digits after the point, at the worst."""
-    contenders = (c for name, shape in BODIES.items() for c in _contenders(name, shape))
-    timings, complete = interleave(contenders, pace, keep)
-    says = "the flip of one start, of very many; digits after the point, at the worst"
-    return Measurement("flipmap", says, timings, OURS, complete=complete)
 
 
 @lru_cache(maxsize=1)
@@ -62,28 +53,34 @@ def starts(count: int) -> tuple[Floats, Floats]:
 Method = Callable[[float, float, Floats, Floats], Any]
 
 
-def _contenders(name: str, shape: Shape) -> Iterator[Contender]:
-    a, b, _ = peers.floats(shape, fmpq(0))
-    truths = [ball_flip(a, b, *start) for start in zip(*starts(SAMPLE), strict=True)]
-    methods: dict[str, tuple[Method, int]] = {
-        OURS: (flipmap.flip_map, flipmap.LARGE - 1),
-        "scipy solve_ivp, RK45 at 1e-10": (partial(by_scipy, "RK45", 1e-10), LOOP),
-        "scipy solve_ivp, DOP853 at 1e-13": (partial(by_scipy, "DOP853", 1e-13), LOOP),
-        "heyoka, one by one": (by_heyoka, 1000),
-        "heyoka, batch": (by_heyoka_batch, 1000),
-    }
-    for extra, method in optional().items():
-        methods[extra] = (method, STARTS)
-    for title, (method, count) in methods.items():
-        work = partial(method, a, b, *starts(count))
-        with suppress(Exception):  # compiled and imported before anything is timed
-            method(a, b, *starts(count if title.endswith("numba") else 8))
+def contenders(_: Any) -> Iterator[Contender]:
+    """Seconds for one start; digits after the point, at the worst."""
+    for name, shape in BODIES.items():
+        a, b, _ = peers.floats(shape, fmpq(0))
+        truths = [ball_flip(a, b, *start) for start in zip(*starts(SAMPLE), strict=True)]
+        methods: dict[str, tuple[Method, int]] = {
+            OURS: (flipmap.flip_map, flipmap.LARGE - 1),
+            "tresym.flip_angle, 15 digits certified": (certified, LOOP),
+            "scipy solve_ivp, RK45 at 1e-10": (partial(by_scipy, "RK45", 1e-10), LOOP),
+            "scipy solve_ivp, DOP853 at 1e-13": (partial(by_scipy, "DOP853", 1e-13), LOOP),
+            "heyoka, one by one": (by_heyoka, 1000),
+            "heyoka, batch": (by_heyoka_batch, 1000),
+            **optional(),
+        }
         judge = partial(judged, truths)
-        ours = title.startswith("tresym")
-        yield Contender(name, title, work, judge, ours, WANTED, pieces=count)
-        if title.endswith("numba"):
-            title, sample = f"{title}, wall clock on all cores", partial(_on_the_wall, work, count)
-            yield Contender(name, title, work, judge, ours, WANTED, sample, count)
+        for title, (method, count) in methods.items():
+            work = partial(method, a, b, *starts(count))
+            with suppress(Exception):  # compiled and imported before anything is timed
+                method(a, b, *starts(count if title.endswith("numba") else 8))
+            more: dict[str, Any] = {"asked": WANTED, "pieces": count}
+            yield from row(name, {title: work}, judge, **more)
+            if title.endswith("numba"):
+                on_all = {f"{title}, wall clock on all cores": work}
+                sample = partial(_on_the_wall, work, count)
+                yield from row(name, on_all, judge, sample=sample, **more)
+
+
+WORKLOAD = Workload(contenders, Pace(rounds=5, limit=20.0, patience=3.0), OURS)
 
 
 def _on_the_wall(work: Callable[[], Any], pieces: int) -> float:
@@ -92,9 +89,9 @@ def _on_the_wall(work: Callable[[], Any], pieces: int) -> float:
     return (time.perf_counter() - start) / pieces
 
 
-def optional() -> dict[str, Method]:
+def optional() -> dict[str, tuple[Method, int]]:
     """The same map as it runs from ``LARGE`` starts on where numba is installed."""
-    return {"tresym, numba": flipmap.flip_map} if find_spec("numba") else {}
+    return {"tresym.flip_map, numba": (flipmap.flip_map, STARTS)} if find_spec("numba") else {}
 
 
 def judged(truths: list[arb], values: Any) -> Judged:
@@ -114,6 +111,14 @@ def ball_flip(a: float, b: float, psi: float, rate: float) -> arb:
     """Δψ of a start over one turn of the handle, certified."""
     p, q, x, v, turns = (fmpq(*float(y).as_integer_ratio()) for y in (a, b, psi, rate, math.tau))
     return travel(Shape(p, q), Start(Angle(fmpq(0), x), v), Angle(fmpq(0), turns), 20).turn
+
+
+def certified(a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
+    """``tresym.flip_angle``, start by start."""
+    p, q = (fmpq(*x.as_integer_ratio()) for x in (a, b))
+    pairs = zip(psi.tolist(), rate.tolist(), strict=True)
+    exact = ((fmpq(*x.as_integer_ratio()), fmpq(*v.as_integer_ratio())) for x, v in pairs)
+    return [float(flip_angle(p, q, x, v, 15).turn) for x, v in exact]
 
 
 def handle(a: float, b: float, psi: Any, rate: Any) -> Any:

@@ -19,7 +19,7 @@ from flint import arb, fmpq
 
 from tresym.bench import flipmap as starts
 from tresym.bench import peers
-from tresym.bench.run import Keep, Measurement, forget
+from tresym.bench.run import Workload
 from tresym.bench.separatrix import SHAPES
 from tresym.bench.truth import true_digits
 from tresym.racket.body import Shape, named_body
@@ -41,18 +41,13 @@ MOST = 60.0
 MeasuredPoint = dict[str, Any]
 
 
-def measure(keep: Keep = forget) -> Measurement:
-    """The workload ``honesty``; nothing is timed."""
-    points: list[MeasuredPoint] = []
-    complete = True
-    try:
-        for group in (_balls, _quadratures, _roots, _solvers, _float_map):
-            points += group()
-            keep([], {"points": points})
-    except KeyboardInterrupt:
-        complete = False
-    says = "digits that a method claims, and digits that it has"
-    return Measurement("honesty", says, [], tables={"points": points}, complete=complete)
+def points(_: Any) -> Iterator[tuple[str, MeasuredPoint]]:
+    """The dots of the chart; nothing is timed."""
+    for group in (_balls, _quadratures, _roots, _solvers, _float_map):
+        yield from (("points", found) for found in group())
+
+
+WORKLOAD = Workload(tables=points)
 
 
 def point(method: str, where: str, claims: float, digits: float) -> MeasuredPoint:

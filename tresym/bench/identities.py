@@ -9,7 +9,6 @@ which it does worse. A false variant is one that balls show violated; of ``simpl
 
 from __future__ import annotations
 
-import math
 import statistics
 import time
 from collections.abc import Callable, Iterator
@@ -19,20 +18,7 @@ from typing import Any, NamedTuple
 
 import sympy
 
-from tresym.bench.run import (
-    FAILED,
-    RIGHT,
-    TIMED_OUT,
-    WRONG,
-    Contender,
-    Judged,
-    Keep,
-    Measurement,
-    Pace,
-    Timing,
-    forget,
-    interleave,
-)
+from tresym.bench.run import FAILED, RIGHT, WRONG, Contender, Judged, Pace, Timing, Workload, tally
 from tresym.ledger import paper
 from tresym.ledger.claim import Chain, Claim, Together, chains_of
 from tresym.ledger.evidence.manifest import manifest_sign
@@ -41,11 +27,13 @@ from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.paper import all_claims
 from tresym.ledger.second_look import put_in, rules_of
 from tresym.reals.advocate import contradiction
+from tresym.reals.decisions import check
 from tresym.reals.decisions.identity import decide
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 OURS = "tresym, exact normal form"
+PUBLIC = "tresym check, from text"
 OPEN = (sympy.Integral, sympy.Derivative, sympy.Subs, sympy.MatrixBase)
 EVERY = 2
 """SymPy is asked one identity in so many, as it takes its time."""
@@ -66,13 +54,24 @@ class Identity(NamedTuple):
 PACE = Pace(rounds=3, limit=1.0, patience=0.05)
 
 
-def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
-    """The workload ``identities``: all of them by ours, one in ``EVERY`` by SymPy as well."""
-    contenders = (c for n, pair in enumerate(pairs()) for c in _of_pair(n, pair))
-    timings, complete = interleave(contenders, pace, keep)
-    says = "is an identity of the ledger true, is a false variant of it?"
-    notes = {"summary": summary(timings, pace.limit), "advocate": advocate()}
-    return Measurement("identities", says, timings, OURS, notes=notes, complete=complete)
+def contenders(_: Any) -> Iterator[Contender]:
+    """All of them by ours, one in ``EVERY`` by SymPy as well."""
+    for n, pair in enumerate(pairs()):
+        for identity in pair:
+            yield from islice(_contenders(identity), None if n % EVERY == 0 else 2)
+
+
+def notes(timings: list[Timing], _: Any) -> dict[str, Any]:
+    """Outcomes and ratios by method, for true identities and false ones; the advocate's part."""
+
+    def named(who: Contender) -> str:
+        return f"{who.method}, {'false' if who.scene.endswith('made false') else 'true'} ones"
+
+    summary = tally(timings, OURS, PACE.limit, "identities", named)
+    return {"summary": summary, "advocate": advocate()}
+
+
+WORKLOAD = Workload(contenders, PACE, OURS, notes=notes)
 
 
 def advocate() -> float:
@@ -87,14 +86,6 @@ def advocate() -> float:
         contradiction((left, "==", right), given.comparisons, spent=spent)
         parts.append((time.process_time() - start) / spent - 1)
     return float(f"{statistics.median(parts):.3g}")
-
-
-def _of_pair(n: int, pair: list[Identity]) -> Iterator[Contender]:
-    for identity in pair:
-        ours, *peers = _contenders(identity)
-        yield ours
-        if n % EVERY == 0:
-            yield from peers
 
 
 def pairs() -> Iterator[list[Identity]]:
@@ -158,15 +149,18 @@ def _verdict(left: Any, right: Any, given: Any) -> Verdict:
 def _contenders(identity: Identity) -> Iterator[Contender]:
     trees = tree(identity.left), tree(identity.right)
     given = known(conditions(identity.given))
+    said = ", ".join(f"{x} {relation} {y}" for x, relation, y in given.comparisons)
     left, right = _declared(identity)
     works: dict[str, Callable[[], Any]] = {
         OURS: lambda: decide(*trees, given).verdict,
+        PUBLIC: lambda: check(f"{trees[0]} == {trees[1]}", said).verdict,
         "sympy simplify": lambda: sympy.simplify(left - right) == 0,
         "sympy equals": lambda: left.equals(right),
         "sympy trigsimp": lambda: sympy.trigsimp(left - right) == 0,
     }
     for name, work in works.items():
-        yield Contender(identity.name, name, work, partial(_judge, identity, name), name == OURS)
+        judge = partial(_judge, identity, name)
+        yield Contender(identity.name, name, work, judge, name in (OURS, PUBLIC))
 
 
 def _declared(identity: Identity) -> tuple[Any, Any]:
@@ -181,44 +175,10 @@ def _declared(identity: Identity) -> tuple[Any, Any]:
 
 
 def _judge(identity: Identity, method: str, answer: Any) -> Judged:
-    if method == OURS:
+    if method in (OURS, PUBLIC):
         answer = {Verdict.PROVED: True, Verdict.REFUTED: False}.get(answer)
     if answer is identity.true:
         return Judged(outcome=RIGHT)
     if answer is None or (answer is False and method in ("sympy simplify", "sympy trigsimp")):
         return Judged(outcome=FAILED, why="not decided")
     return Judged(outcome=WRONG, why=f"says {answer}")
-
-
-def summary(timings: list[Timing], limit: float) -> dict[str, dict[str, Any]]:
-    """By method, for true identities and false ones: outcomes, and the geometric mean of ratios.
-
-    The mean is of this method's time by ours over all identities; one that timed out counts with
-    the limit, so that the mean is then too small.
-    """
-    ours = {t.contender.scene: t for t in timings if t.contender.method == OURS}
-    found: dict[str, dict[str, Any]] = {}
-    for kind in ("true", "false"):
-        for method in dict.fromkeys(t.contender.method for t in timings):
-            some = [
-                t
-                for t in timings
-                if t.contender.method == method
-                and t.contender.scene.endswith("made false") == (kind == "false")
-            ]
-            outcomes = [t.judged.outcome for t in some]
-            ratios = [r for t in some if (r := _ratio(t, ours[t.contender.scene], limit))]
-            found[f"{method}, {kind} ones"] = {
-                "identities": len(some),
-                **{word: outcomes.count(word) for word in dict.fromkeys(outcomes)},
-                "ratio": float(f"{math.exp(sum(map(math.log, ratios)) / len(ratios)):.3g}")
-                if ratios
-                else None,
-            }
-    return found
-
-
-def _ratio(timing: Timing, ours: Timing, limit: float) -> float | None:
-    if timing.judged.outcome == TIMED_OUT and ours.seconds:
-        return limit / ours.quartiles[1]
-    return timing.ratio(ours)

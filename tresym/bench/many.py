@@ -7,16 +7,18 @@ digits on each of a sample of shapes; the paper's equation loses them where ab i
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
 import numpy as np
 from flint import fmpq
 
-from tresym.bench.run import WRONG, Contender, Judged, Keep, Measurement, Pace, forget, interleave
+from tresym.bench import peers
+from tresym.bench.run import WRONG, Contender, Judged, Pace, Workload, row
 from tresym.bench.truth import true_digits
-from tresym.racket.flip import separatrix
+from tresym.racket.body import Shape
+from tresym.racket.flip import flip_defects, separatrix
 from tresym.racket.floats.shapes import Floats, defects
 from tresym.racket.formulas import printed, stable
 
@@ -27,7 +29,6 @@ SAMPLE = 200
 WANTED = 12
 
 OURS = "tresym, numpy arrays"
-PACE = Pace(rounds=5, limit=40.0, patience=1.5)
 
 
 def shapes(count: int) -> tuple[Floats, Floats]:
@@ -38,24 +39,16 @@ def shapes(count: int) -> tuple[Floats, Floats]:
     return a[:count], b[:count]
 
 
-def find_root_printed(a: Floats, b: Floats) -> Floats:
-    """scipy's ``elementwise.find_root`` (Chandrupatla's method) on the printed equation."""
+def find_root(residual: Callable[..., Any], a: Floats, b: Floats) -> Floats:
+    """scipy's ``elementwise.find_root`` (Chandrupatla's method)."""
     from scipy.optimize import elementwise
 
     ends = np.full_like(a, 1e-18), np.full_like(a, np.pi / 2)
-    residual = partial(printed.separatrix_residual, m=np)
     return np.asarray(elementwise.find_root(residual, ends, args=(a, b)).x)
 
 
-def find_root_map(a: Floats, b: Floats) -> Floats:
-    """The same on tan ε₀ = √(a/(a+b))/sinh T, from which nothing cancels."""
-    from scipy.optimize import elementwise
-
-    ends = np.full_like(a, 1e-18), np.full_like(a, np.pi / 2)
-    return np.asarray(elementwise.find_root(_fixed_point, ends, args=(a, b)).x)
-
-
-def _fixed_point(defect: Floats, a: Floats, b: Floats) -> Any:
+def fixed_point(defect: Floats, a: Floats, b: Floats) -> Any:
+    """tan ε₀ = √(a/(a+b))/sinh T as a residual, from which nothing cancels."""
     return np.log(defect / stable.separatrix_map(defect, a, b, np))
 
 
@@ -83,45 +76,44 @@ def newton_phase(a: Floats, b: Floats) -> Floats:
     return np.asarray(stable.defect_at(phase, k, r, np))
 
 
+def exact(a: Floats, b: Floats) -> list[Shape]:
+    """The shapes as fractions."""
+    pairs = zip(a.tolist(), b.tolist(), strict=True)
+    return [Shape(*(fmpq(*x.as_integer_ratio()) for x in pair)) for pair in pairs]
+
+
+def in_balls(a: Floats, b: Floats) -> Floats:
+    """``tresym.flip_defects``, 15 digits certified."""
+    return np.array([float(flip.defect) for flip in flip_defects(exact(a, b), digits=15)])
+
+
 def brentq_loop(a: Floats, b: Floats) -> Floats:
     """scipy's ``brentq`` on the printed equation, shape by shape."""
-    import math
-
-    from scipy.optimize import brentq
-
-    ends, residual = (1e-18, math.pi / 2), printed.separatrix_residual
-    pairs = zip(a.tolist(), b.tolist(), strict=True)
-    finest = {"xtol": 1e-300, "maxiter": 1000}
-    return np.array([brentq(residual, *ends, (p, q, math), **finest) for p, q in pairs])
+    return np.array([peers.brentq_printed(shape, fmpq(0), 15) for shape in exact(a, b)])
 
 
 METHODS: dict[str, tuple[Callable[[Floats, Floats], Floats], int]] = {
     OURS: (defects, SHAPES),
-    "scipy find_root, printed equation": (find_root_printed, SHAPES),
-    "scipy find_root, tan ε₀ equation": (find_root_map, SHAPES),
+    "tresym.flip_defects, 15 digits certified": (in_balls, LOOP),
+    "scipy find_root, printed equation": (
+        partial(find_root, partial(printed.separatrix_residual, m=np)),
+        SHAPES,
+    ),
+    "scipy find_root, tan ε₀ equation": (partial(find_root, fixed_point), SHAPES),
     "scipy newton, printed equation": (newton_printed, SHAPES),
     "our phase equation in scipy newton": (newton_phase, SHAPES),
     "brentq in a loop, printed equation": (brentq_loop, LOOP),
 }
 
 
-def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
-    """The workload ``many``: seconds for one shape; digits at the worst of the sample."""
-    contenders = [
-        Contender(
-            "ε₀ of a shape",
-            name,
-            partial(_run, method, count),
-            compare,
-            name.startswith(("tresym", "our")),
-            WANTED,
-            pieces=count,
-        )
-        for name, (method, count) in METHODS.items()
-    ]
-    timings, complete = interleave(contenders, pace, keep)
-    says = f"ε₀ of {SHAPES:,} shapes in float64, for one shape"
-    return Measurement("many", says, timings, OURS, complete=complete)
+def contenders(_: Any) -> Iterator[Contender]:
+    """Seconds for one shape; digits at the worst of the sample."""
+    for name, (method, count) in METHODS.items():
+        work = {name: partial(_run, method, count)}
+        yield from row("ε₀ of a shape", work, compare, asked=WANTED, pieces=count)
+
+
+WORKLOAD = Workload(contenders, Pace(rounds=5, limit=40.0, patience=1.5), OURS)
 
 
 def _run(method: Callable[[Floats, Floats], Floats], count: int) -> Floats:
@@ -131,15 +123,10 @@ def _run(method: Callable[[Floats, Floats], Floats], count: int) -> Floats:
 
 def compare(found: Floats) -> Judged:
     """The worst and the typical digits on the sample."""
-    pairs = zip(*(x.tolist() for x in shapes(SAMPLE)), strict=True)
-    digits = [true_digits(v, _truth(*s)) for v, s in zip(found.tolist(), pairs, strict=False)]
-    worst = min(digits)
+    pairs = zip(found.tolist(), exact(*shapes(SAMPLE)), strict=False)
+    digits = [true_digits(v, separatrix.solve(*s, 25).defect) for v, s in pairs]
     bad = sum(d < WANTED for d in digits)
     if not bad:
-        return Judged(worst)
-    return Judged(worst, None, WRONG, f"{bad} of {SAMPLE} shapes have fewer than {WANTED} digits")
-
-
-def _truth(a: float, b: float) -> Any:
-    p, q = (fmpq(*x.as_integer_ratio()) for x in (a, b))
-    return separatrix.solve(p, q, 25).defect
+        return Judged(min(digits))
+    why = f"{bad} of {SAMPLE} shapes have fewer than {WANTED} digits"
+    return Judged(min(digits), None, WRONG, why)

@@ -11,17 +11,30 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
-from flint import fmpq
+from flint import arb, fmpq
 
-from tresym.racket.body import Shape
+from tresym.racket.body import Shape, named_body
+from tresym.racket.flip import flip_defect
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion import quadrature
 from tresym.reals.numbers.arithmetic import mp_precision, to_mp
+from tresym.reals.numbers.exact import fraction_text
 
 FINEST = {"xtol": 1e-300, "rtol": 8.9e-16}
 """The least tolerances that brentq takes."""
 
 Method = Callable[[Shape, fmpq, int], Any]
+
+
+def from_text(body: str, gamma: str, digits: int) -> arb:
+    """ε(γ) as a user asks for it: a and b are read from text, and a value comes back."""
+    a, b = _texts(body)
+    return flip_defect(a, b, gamma, digits).defect
+
+
+@lru_cache
+def _texts(body: str) -> list[str]:
+    return [fraction_text(x) for x in named_body(body).shape]
 
 
 def start(a: Any, b: Any, gamma: Any, m: Any) -> Any:

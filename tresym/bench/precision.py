@@ -16,14 +16,14 @@ import numpy as np
 from flint import arb, fmpq
 
 from tresym.bench import peers
-from tresym.bench.run import Contender, Keep, Measurement, Pace, Rising, forget, interleave
+from tresym.bench.run import Contender, Judge, Judged, Pace, Rising, Workload, row
 from tresym.bench.truth import by_digits
 from tresym.racket.body import Shape, named_body
-from tresym.racket.flip import defect, separatrix
+from tresym.racket.flip import defect, flip_defect, separatrix
 from tresym.racket.flip.ladder import RUNGS, climb
 from tresym.racket.floats.flipmap import flip_map
 from tresym.racket.floats.shapes import defects
-from tresym.reals.numbers.exact import InputError, parse_number
+from tresym.reals.numbers.exact import InputError, fraction_text, parse_number
 
 DIGITS = (3, 10, 16, 30, 50, 100, 200, 500, 1000)
 FLOATS = 15
@@ -74,23 +74,6 @@ SOLVERS: dict[str, tuple[peers.Method, tuple[int, ...]]] = {
     "mpmath odefun": (peers.odefun, (10, 16, 30)),
 }
 
-PACE = Pace(rounds=7, limit=2.5, patience=0.3)
-
-
-def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
-    """The workload ``precision``."""
-    warm_up()
-    contenders = (c for scene in SCENES for c in _contenders(scene))
-    timings, complete = interleave(contenders, pace, keep)
-    return Measurement(
-        "precision",
-        "ε(γ) by every method, 10 to 1000 digits and float64, in six scenes",
-        timings,
-        "tresym",
-        notes={"picks": picks()},
-        complete=complete,
-    )
-
 
 def warm_up() -> None:
     """Import and compile everything before anything is timed."""
@@ -102,12 +85,13 @@ def warm_up() -> None:
             peers.heyoka_solver(tolerance)
 
 
-def picks() -> dict[str, dict[str, str]]:
+def picks(*_: Any) -> dict[str, dict[str, dict[str, str]]]:
     """The rung that the ladder takes, by scene and digits."""
-    return {
+    found = {
         scene.name: {str(d): climb(scene.shape, scene.gamma, d).rung for d in DIGITS}
         for scene in SCENES
     }
+    return {"picks": found}
 
 
 def truth_of(scene: Scene) -> arb:
@@ -117,78 +101,64 @@ def truth_of(scene: Scene) -> arb:
     return defect.inverted(*scene.shape, scene.gamma, 1100).defect
 
 
-def _contenders(scene: Scene) -> Iterator[Contender]:
-    truth = truth_of(scene)
-    at = scene.shape, scene.gamma
-    yield from _ladder(scene, truth, "tresym", lambda d: climb(*at, d).defect, ours=True)
-    for rung in RUNGS:
-        work = partial(_on_rung, scene, rung)
-        able = [d for d in DIGITS if _answers(scene, rung, d)]
-        digits = (*able, *(d for d in DIGITS if d not in able))[: len(able) + 1]
-        yield from _ladder(scene, truth, f"tresym, {rung}", work, digits=digits, ours=True)
-    yield _arrays(scene, truth)
-    on_level = ON_SEPARATRIX if scene.gamma == 0 else {}
-    for name, method in (on_level | EVERYWHERE).items():
-        yield from _ladder(scene, truth, name, partial(method, *at))
-    floats = {"scipy brentq, printed equation": peers.brentq_printed} if scene.gamma == 0 else {}
-    for name, method in (floats | FLOAT_PEERS).items():
-        judge = by_digits(truth, FLOATS, FLOATS)
-        yield Contender(scene.name, name, partial(method, *at, FLOATS), judge, asked=FLOATS)
-    for name, (method, tolerances) in SOLVERS.items():
-        yield from _ladder(scene, truth, name, partial(method, *at), digits=tolerances)
+def contenders(_: Any) -> Iterator[Contender]:
+    """Every method in every scene, each at rising digits."""
+    warm_up()
+    for scene in SCENES:
+        name, shape, gamma = scene
+        truth, at = truth_of(scene), (shape, gamma)
+        text = fraction_text(shape.a), fraction_text(shape.b), fraction_text(gamma)
+        methods: dict[str, tuple[Callable[[int], Any], tuple[int, ...]]] = {
+            "tresym": (partial(_on_rung, scene, None), DIGITS),
+            "tresym.flip_defect": (partial(_public, *text), DIGITS),
+        }
+        for rung in RUNGS:
+            able = [d for d in DIGITS if _answers(scene, rung, d)]
+            digits = (*able, *(d for d in DIGITS if d not in able))[: len(able) + 1]
+            methods[f"tresym, {rung}"] = partial(_on_rung, scene, rung), digits
+        on_level = ON_SEPARATRIX if gamma == 0 else {}
+        methods |= {n: (partial(m, *at), DIGITS) for n, m in (on_level | EVERYWHERE).items()}
+        methods |= {n: (partial(m, *at), digits) for n, (m, digits) in SOLVERS.items()}
+        for method, (work, digits) in methods.items():
+            rising = Rising()
+            for d in digits:
+                once = {method: rising.work(work, d)}
+                yield from row(name, once, by_digits(truth, d, d), asked=d)
+        first = {"scipy brentq, printed equation": peers.brentq_printed} if gamma == 0 else {}
+        floats = {n: partial(m, *at, FLOATS) for n, m in (first | FLOAT_PEERS).items()}
+        yield from row(name, floats, by_digits(truth, FLOATS, FLOATS), asked=FLOATS)
+        judge = partial(_of_first, by_digits(truth, FLOATS - 2, FLOATS - 2))
+        arrays = {"tresym, float64 arrays": _arrays(scene)}
+        yield from row(name, arrays, judge, asked=FLOATS, pieces=MANY)
+
+
+WORKLOAD = Workload(contenders, Pace(rounds=7, limit=2.5, patience=0.3), "tresym", notes=picks)
 
 
 def _answers(scene: Scene, rung: str, digits: int) -> bool:
-    try:
+    with suppress(InputError):
         _on_rung(scene, rung, digits)
-    except InputError:
-        return False
-    return True
+        return True
+    return False
 
 
-def _on_rung(scene: Scene, rung: str, digits: int) -> arb:
+def _public(a: str, b: str, gamma: str, digits: int) -> arb:
+    return flip_defect(a, b, gamma, digits).defect
+
+
+def _of_first(judge: Judge, values: Any) -> Judged:
+    return judge(float(values[0]))
+
+
+def _on_rung(scene: Scene, rung: str | None, digits: int) -> arb:
     return climb(scene.shape, scene.gamma, digits, rung).defect
 
 
-def _ladder(
-    scene: Scene,
-    truth: arb,
-    name: str,
-    work: Callable[[int], Any],
-    *,
-    digits: tuple[int, ...] = DIGITS,
-    ours: bool = False,
-) -> Iterator[Contender]:
-    """One method at rising digits."""
-    rising = Rising()
-    for asked in digits:
-        judge = by_digits(truth, asked, asked)
-        yield Contender(scene.name, name, rising.work(work, asked), judge, ours, asked)
-
-
-def _arrays(scene: Scene, truth: arb) -> Contender:
+def _arrays(scene: Scene) -> Callable[[], Any]:
     """Float64 over arrays: the time of one answer among thousands."""
     a, b, gamma = peers.floats(scene.shape, scene.gamma)
     if scene.gamma == 0:
-        first, second = np.full(MANY, a), np.full(MANY, b)
-
-        def work() -> Any:
-            return defects(first, second)
-
-    else:
-        rate = np.full(MANY, np.sqrt((a + b) * (gamma + b)) / (1 - b))
-        psi = np.full(MANY, np.pi / 2)
-
-        def work() -> Any:
-            return psi + flip_map(a, b, psi, rate, -np.pi)
-
-    judged = by_digits(truth, FLOATS - 2, FLOATS - 2)
-    return Contender(
-        scene.name,
-        "tresym, float64 arrays",
-        work,
-        lambda values: judged(float(values[0])),
-        ours=True,
-        asked=FLOATS,
-        pieces=MANY,
-    )
+        return partial(defects, np.full(MANY, a), np.full(MANY, b))
+    rate = np.full(MANY, np.sqrt((a + b) * (gamma + b)) / (1 - b))
+    psi = np.full(MANY, np.pi / 2)
+    return lambda: psi + flip_map(a, b, psi, rate, -np.pi)

@@ -7,11 +7,14 @@ the same scene. A contender that is wrong, fails or takes too long stays in the 
 
 from __future__ import annotations
 
+import math
 import os
 import platform
 import statistics
 import time
-from collections.abc import Callable, Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -65,23 +68,39 @@ class Judged(NamedTuple):
     why: str = ""
 
 
+Judge = Callable[[Any], Judged]
+
+
 @dataclass(frozen=True)
 class Contender:
     """One way of doing the work of a scene.
 
     ``work`` does it once and its value is put to ``judge``; ``sample`` returns seconds for one
     piece, by default the processor time of ``work``; where it is ``work`` itself, the first run is
-    a sample too. ``pieces`` is how many answers one call gives.
+    a sample too. ``pieces`` is how many answers one call gives, ``pace`` its own where the
+    workload's does not suit it.
     """
 
     scene: str
     method: str
     work: Callable[[], Any]
-    judge: Callable[[Any], Judged] = lambda _: Judged()
+    judge: Judge = lambda _: Judged()
     ours: bool = False
     asked: float | None = None
     sample: Callable[[], float] | None = None
     pieces: int = 1
+    pace: Pace | None = None
+
+
+def row(
+    scene: str,
+    works: Mapping[str, Callable[[], Any]],
+    judge: Judge = lambda _: Judged(),
+    **more: Any,
+) -> Iterator[Contender]:
+    """The contenders of a scene by their names, of which ours begin with tresym or our."""
+    for name, work in works.items():
+        yield Contender(scene, name, work, judge, name.startswith(("tresym", "our")), **more)
 
 
 @dataclass
@@ -202,6 +221,40 @@ def forget(timings: list[Timing], tables: Tables | None = None) -> None:
     """Keep nothing."""
 
 
+@dataclass(frozen=True)
+class Workload:
+    """A row of contenders; what they have opened stays open until all are timed.
+
+    ``tables`` are rows of what is found beside times once all are timed, each after the name of its
+    table, and ``notes`` what follows from both. ``reference`` and ``clock`` are as in
+    :class:`Measurement`.
+    """
+
+    contenders: Callable[[ExitStack], Iterable[Contender]] = lambda _: ()
+    pace: Pace = PACE
+    reference: str = ""
+    clock: str = "processor time"
+    tables: Callable[[list[Timing]], Iterable[tuple[str, Any]]] = lambda _: ()
+    notes: Callable[[list[Timing], Tables], dict[str, Any]] = lambda *_: {}
+
+    def measure(
+        self, name: str, says: str, keep: Keep = forget, pace: Pace | None = None
+    ) -> Measurement:
+        """Run it, at its own pace unless another is given."""
+        tables: Tables = {}
+        notes: dict[str, Any] = {}
+        with ExitStack() as opened:
+            timings, complete = interleave(self.contenders(opened), pace or self.pace, keep)
+            try:
+                for title, found in self.tables(timings) if complete else ():
+                    tables.setdefault(title, []).append(found)
+                    keep(timings, tables)
+                notes = self.notes(timings, tables) if complete else {}
+            except KeyboardInterrupt:
+                complete = False
+        return Measurement(name, says, timings, self.reference, self.clock, notes, tables, complete)
+
+
 def interleave(
     contenders: Iterable[Contender], pace: Pace = PACE, keep: Keep = forget
 ) -> tuple[list[Timing], bool]:
@@ -214,11 +267,11 @@ def interleave(
     waiting: list[tuple[Timing, int]] = []
     try:
         for contender in contenders:
-            timing, rounds = _first(contender, pace)
+            timing, rounds = _first(contender, contender.pace or pace)
             timings.append(timing)
             waiting.append((timing, rounds))
             keep(timings)
-        for i in range(pace.rounds):
+        for i in range(max([rounds for _, rounds in waiting], default=0)):
             turn = i % max(1, len(waiting))
             for timing, rounds in waiting[turn:] + waiting[:turn]:
                 if i < rounds and timing.judged.outcome in (RIGHT, WRONG):
@@ -251,6 +304,34 @@ def _first(contender: Contender, pace: Pace) -> tuple[Timing, int]:
         return timing, 0
     rounds = min(pace.rounds, int(pace.patience / max(took, 1e-9)))
     return timing, rounds if timing.seconds else max(1, rounds)
+
+
+def tally(
+    timings: list[Timing],
+    reference: str,
+    limit: float,
+    counted: str,
+    named: Callable[[Contender], str] = lambda who: who.method,
+) -> dict[str, dict[str, Any]]:
+    """By name: how many were ``counted``, the outcomes, and the geometric mean of the ratios.
+
+    The ratios are by the method ``reference`` of the same scene. One that timed out counts with the
+    limit, so that the mean is then too small.
+    """
+    by = {t.contender.scene: t for t in timings if t.contender.method == reference}
+    found: dict[str, dict[str, Any]] = {}
+    for name in dict.fromkeys(named(t.contender) for t in timings):
+        some = [t for t in timings if named(t.contender) == name]
+        ratios = [
+            limit / other.quartiles[1] if t.judged.outcome == TIMED_OUT else t.ratio(other) or 0.0
+            for t in some
+            if (other := by[t.contender.scene]).seconds
+        ]
+        logs = [math.log(r) for r in ratios if r > 0]
+        mean = float(f"{math.exp(statistics.fmean(logs)):.3g}") if logs else None
+        outcomes = Counter(t.judged.outcome for t in some)
+        found[name] = {counted: len(some), **outcomes, "ratio": mean}
+    return found
 
 
 def reason(error: Exception) -> str:

@@ -13,21 +13,11 @@ from flint import fmpq
 
 from tresym.bench import flipmap as starts
 from tresym.bench import peers
-from tresym.bench.run import (
-    Contender,
-    Keep,
-    Measurement,
-    Pace,
-    Rising,
-    Tables,
-    Timing,
-    forget,
-    interleave,
-)
+from tresym.bench.run import Contender, Pace, Rising, Workload, row
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import verify
 from tresym.racket.body import named_body
-from tresym.racket.flip.ladder import climb
+from tresym.racket.flip import flip_defect
 from tresym.racket.floats.flipmap import CHUNK, LARGE, flip_map
 from tresym.reals.numbers.exact import parse_number
 
@@ -42,53 +32,49 @@ BY_DIGITS = "time against digits"
 BY_STARTS = "time against starts"
 BY_CLAIMS = "time against claims"
 
-PACE = Pace(rounds=5, limit=2.5, patience=0.3)
 LONG = Pace(rounds=3, limit=120.0, patience=0.5)
 
 
-def measure(keep: Keep = forget, pace: Pace = PACE, most: int = STARTS[-1]) -> Measurement:
-    """The workload ``scaling``; ``most`` starts at the most."""
-    counts = [n for n in STARTS if n <= most]
-    timings, complete = interleave(_by_digits(), pace, keep)
-    if complete:
-        known = list(timings)
-
-        def keep_all(timings: list[Timing], tables: Tables | None = None) -> None:
-            keep(known + timings)
-
-        more = (*_by_starts(counts), *_by_claims())
-        rest, complete = interleave(more, LONG, keep_all)
-        timings += rest
-    memory = [{"starts": n, "megabytes": round(peak(n) / 1e6, 2)} for n in counts]
-    says = "time against digits, starts and claims; memory against starts"
-    notes = {"chunk": CHUNK, "piece": PIECE, "compiled from": LARGE if find_spec("numba") else None}
-    tables = {"memory": memory}
-    return Measurement("scaling", says, timings, notes=notes, tables=tables, complete=complete)
-
-
-def _by_digits() -> Iterator[Contender]:
-    """ε(γ) of the racket; a peer that was too slow is not tried at more digits."""
+def contenders(_: Any) -> Iterator[Contender]:
+    """By digits, ε(γ) of the racket; by starts; by the first claims of the proofs, and all."""
     methods: dict[str, tuple[peers.Method, str]] = {
-        "tresym, γ = 0": (_climb, "0"),
-        "tresym, γ = 1e-8": (_climb, "1e-8"),
-        "tresym, γ = -0.01 (turned)": (_climb, "-1/100"),
+        "tresym, γ = 0": (_public, "0"),
+        "tresym, γ = 1e-8": (_public, "1e-8"),
+        "tresym, γ = -0.01 (turned)": (_public, "-1/100"),
         "mpmath findroot, printed equation, γ = 0": (peers.findroot_printed, "0"),
         "mpmath findroot over R_F, R_J, γ = 1e-8": (peers.findroot_carlson, "1e-8"),
         "mpmath findroot over quad, γ = 1e-8": (peers.findroot_quad, "1e-8"),
     }
     for name, (method, gamma) in methods.items():
-        run = partial(_at, method, parse_number(gamma))
-        rising, ours = Rising(), name.startswith("tresym")
+        run, rising = partial(method, STR, parse_number(gamma)), Rising()
         for digits in DIGITS:
-            yield Contender(BY_DIGITS, name, rising.work(run, digits), ours=ours, asked=digits)
+            yield from row(BY_DIGITS, {name: rising.work(run, digits)}, asked=digits)
+    for count in STARTS:
+        work = {"tresym flip map": partial(flips, count)}
+        yield from row(BY_STARTS, work, asked=count, pieces=count, pace=LONG)
+    labels = [claim.label for claim in all_claims()]
+    for count in (*CLAIMS, len(labels)):
+        judged = {"tresym verify": partial(verify, labels[:count])}
+        yield from row(BY_CLAIMS, judged, asked=count, pace=LONG)
 
 
-def _at(method: peers.Method, gamma: fmpq, digits: int) -> Any:
-    return method(STR, gamma, digits)
+def memory(_: Any) -> Iterator[tuple[str, dict[str, Any]]]:
+    """The most memory against starts."""
+    for count in STARTS:
+        yield "memory", {"starts": count, "megabytes": round(peak(count) / 1e6, 2)}
 
 
-def _climb(shape: Any, gamma: fmpq, digits: int) -> Any:
-    return climb(shape, gamma, digits).defect
+def sizes(*_: Any) -> dict[str, Any]:
+    """How many starts are handed over and worked on at a time, and are compiled."""
+    compiled = LARGE if find_spec("numba") else None
+    return {"chunk": CHUNK, "piece": PIECE, "compiled from": compiled}
+
+
+WORKLOAD = Workload(contenders, Pace(rounds=5, limit=2.5, patience=0.3), tables=memory, notes=sizes)
+
+
+def _public(shape: Any, gamma: fmpq, digits: int) -> Any:
+    return flip_defect(shape, None, gamma, digits).defect
 
 
 def flips(count: int) -> float:
@@ -116,24 +102,3 @@ def peak(count: int) -> float:
         return float(tracemalloc.get_traced_memory()[1])
     finally:
         tracemalloc.stop()
-
-
-def _by_starts(counts: list[int]) -> Iterator[Contender]:
-    for count in counts:
-        yield Contender(
-            BY_STARTS,
-            "tresym flip map",
-            partial(flips, count),
-            ours=True,
-            asked=count,
-            pieces=count,
-        )
-
-
-def _by_claims() -> Iterator[Contender]:
-    """The first claims of the proofs, and all; what they rest on is judged with them."""
-    claims = all_claims()
-    for count in (*CLAIMS, len(claims)):
-        labels = [claim.label for claim in claims[:count]]
-        work = partial(verify, labels)
-        yield Contender(BY_CLAIMS, "tresym verify", work, ours=True, asked=count)

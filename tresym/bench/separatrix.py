@@ -3,43 +3,35 @@
 The peers do what a reader of the paper would do: ``findroot`` on the exact equation as printed, or
 over ``quad`` of the paper's integral, from the paper's asymptotic formula. Two processes serve the
 contenders, one with mpmath on gmpy2 and one with mpmath in pure Python; each hands back the seconds
-and the digits its answer has in common with the ball.
+and the digits its answer has in common with the ball. A sample is ``BLOCK`` calls.
 """
 
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack
 from functools import partial
+from importlib.util import find_spec
 from typing import Any
 from unittest.mock import patch
 
 from flint import arb, fmpq
 
 from tresym.bench import peers
-from tresym.bench.run import (
-    WRONG,
-    Contender,
-    Judged,
-    Keep,
-    Measurement,
-    Pace,
-    forget,
-    interleave,
-    time_once,
-)
+from tresym.bench.run import WRONG, Contender, Judged, Pace, Workload
 from tresym.bench.truth import SLACK, true_digits
 from tresym.racket.body import Shape, named_body
-from tresym.racket.flip import flip_defect, separatrix
-from tresym.reals.numbers.exact import fraction_text
+from tresym.racket.flip import flip_defects, separatrix
 from tresym.reals.processes import Processes
 
 BODY = "str"
 DIGITS = 50
+BLOCK = 20
 OURS = "tresym, certified"
 PUBLIC = "tresym.flip_defect, from text"
-A, B = map(fraction_text, named_body(BODY).shape)
+BATCH = "tresym.flip_defects, 20 shapes"
 
 PRODUCTS = tuple(fmpq(10) ** (n // 2) * fmpq(3 if n % 2 else 1) for n in range(-6, 9))
 """The values of ab, 10⁻³ … 10⁴ in steps of about √10."""
@@ -53,16 +45,17 @@ def certified(shape: Shape, _: fmpq, digits: int) -> arb:
     return separatrix.solve(*shape, digits).defect
 
 
-def public(_: Shape, __: fmpq, digits: int) -> arb:
-    """The same of ``BODY``, as a user asks for it: text is read, and a value comes back."""
-    return flip_defect(A, B, digits=digits).defect
+def batch(shape: Shape, _: fmpq, digits: int) -> list[arb]:
+    """A block of shapes in one call, all alike; the first is judged."""
+    return [flip.defect for flip in flip_defects([shape] * BLOCK, digits=digits)]
 
 
 WORK: dict[str, peers.Method] = {
     "findroot on the printed equation": peers.findroot_printed,
     "findroot over quad": peers.findroot_quad,
     "our phase equation in mpmath": peers.findroot_phase,
-    PUBLIC: public,
+    PUBLIC: lambda *_: peers.from_text(BODY, "0", DIGITS),
+    BATCH: lambda *asked: batch(*asked)[0],
     OURS: certified,
 }
 
@@ -77,50 +70,53 @@ def digits_at(method: peers.Method, shape: Shape) -> float:
 
 
 def timed(name: str) -> tuple[float, float]:
-    """The seconds that a method takes once in this process, and its true digits."""
-    shape = named_body(BODY).shape
-    return time_once(partial(WORK[name], shape, fmpq(0), DIGITS)), digits_at(WORK[name], shape)
+    """The seconds that a method takes in this process, over a block, and its true digits."""
+    shape, method = named_body(BODY).shape, WORK[name]
+    calls = 1 if name == BATCH or "quad" in name else BLOCK
+    start = time.process_time()
+    for _ in range(calls):
+        method(shape, fmpq(0), DIGITS)
+    seconds = (time.process_time() - start) / (BLOCK if name == BATCH else calls)
+    return seconds, digits_at(method, shape)
 
 
-Ask = Callable[[str], tuple[float, float]]
-
-
-@contextmanager
-def worker(pure_python: bool) -> Iterator[Ask]:
-    """A process that times by name, with mpmath on gmpy2 or in pure Python."""
-    with Processes(1) as process:
+def contenders(opened: ExitStack) -> Iterator[Contender]:
+    """Both mpmath backends and the certified ball, interleaved."""
+    asks = {}
+    for backend in ("gmpy2", "python") if find_spec("gmpy2") else ("python",):
+        process = opened.enter_context(Processes(1))
         with patch.dict(os.environ):
             os.environ.pop("MPMATH_NOGMPY", None)
-            if pure_python:
+            if backend == "python":
                 os.environ["MPMATH_NOGMPY"] = "1"
             process.submit(timed, OURS).result()  # starts it, and imports mpmath there
-        yield lambda name: process.submit(timed, name).result()
+        asks[backend] = partial(_ask, process)
+    for name in WORK:
+        if name.startswith("tresym"):
+            yield _contender(name, partial(next(iter(asks.values())), name))
+        else:
+            for backend, ask in asks.items():
+                yield _contender(f"{name}, {backend}", partial(ask, name))
 
 
-PACE = Pace(rounds=40, patience=2.0)
+def _ask(process: Processes, name: str) -> tuple[float, float]:
+    found: tuple[float, float] = process.submit(timed, name).result()
+    return found
 
 
-def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
-    """The workload ``separatrix``: both mpmath backends and the certified ball, interleaved."""
-    with worker(False) as on_gmpy, worker(True) as on_python:
-        backends = {"python": on_python}
-        if _has_gmpy():
-            backends = {"gmpy2": on_gmpy, **backends}
-        first = next(iter(backends.values()))
-        contenders = [
-            _contender(f"{name}, {backend}", name, ask)
-            for name in WORK
-            if name not in (OURS, PUBLIC)
-            for backend, ask in backends.items()
-        ]
-        contenders += [_contender(name, name, first) for name in (PUBLIC, OURS)]
-        timings, complete = interleave(contenders, pace, keep)
-    says = f"the flip defect of {BODY} on the separatrix to {DIGITS} digits"
-    notes = {"shapes": correct_on_shapes()} if complete else {}
-    return Measurement("separatrix", says, timings, OURS, notes=notes, complete=complete)
+def _contender(method: str, ask: Callable[[], tuple[float, float]]) -> Contender:
+    ours = method.startswith(("tresym", "our"))
+    return Contender("ε₀", method, ask, _judge, ours, DIGITS, sample=lambda: ask()[0])
 
 
-def correct_on_shapes() -> dict[str, dict[str, int]]:
+def _judge(answer: Any) -> Judged:
+    digits = answer[1]
+    if digits >= DIGITS - SLACK:
+        return Judged(digits, DIGITS)
+    return Judged(digits, DIGITS, WRONG, f"{digits:.1f} true digits of {DIGITS}")
+
+
+def correct_on_shapes(*_: Any) -> dict[str, dict[str, dict[str, int]]]:
     """On how many of the 75 shapes each method has its digits, is short of 45, and of 2."""
     found = {}
     for name in ("findroot on the printed equation", OURS):
@@ -131,23 +127,7 @@ def correct_on_shapes() -> dict[str, dict[str, int]]:
             "below 45 digits": sum(d < 45 for d in digits),
             "below 2 digits": sum(d < 2 for d in digits),
         }
-    return found
+    return {"shapes": found}
 
 
-def _contender(method: str, name: str, ask: Ask) -> Contender:
-    def judge(answer: Any) -> Judged:
-        digits = answer[1]
-        if digits >= DIGITS - SLACK:
-            return Judged(digits, DIGITS)
-        return Judged(digits, DIGITS, WRONG, f"{digits:.1f} true digits of {DIGITS}")
-
-    ours = name in (OURS, PUBLIC) or name.startswith("our")
-    return Contender(
-        "ε₀", method, lambda: ask(name), judge, ours, DIGITS, sample=lambda: ask(name)[0]
-    )
-
-
-def _has_gmpy() -> bool:
-    from importlib.util import find_spec
-
-    return find_spec("gmpy2") is not None
+WORKLOAD = Workload(contenders, Pace(rounds=40, patience=2.0), OURS, notes=correct_on_shapes)

@@ -14,18 +14,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from tresym.bench.clusters import Landing, Opened, added_by_dask, environment, own_cluster
-from tresym.bench.run import (
-    RIGHT,
-    WRONG,
-    Contender,
-    Judged,
-    Keep,
-    Measurement,
-    Pace,
-    Timing,
-    forget,
-    interleave,
-)
+from tresym.bench.run import RIGHT, WRONG, Contender, Judged, Pace, Tables, Timing, Workload
 from tresym.sweep import Grid, Summary, cluster, processes, sweep
 from tresym.sweep.workers import Workers
 
@@ -47,46 +36,23 @@ SCENES = (
 )
 SERIAL, ONE_WORKER, LANDING = "this process", "Dask, 1 worker", "landing alone"
 
-PACE = Pace(rounds=3, limit=300, patience=300)
-
 PLANNED = 10**9
 """Rows of the sweep that is planned."""
 
 
-def measure(
-    keep: Keep = forget, pace: Pace = PACE, scenes: tuple[Scene, ...] = SCENES
-) -> Measurement:
-    """The workload ``sweep``; the processes and clusters are up before anything is timed."""
-    with ExitStack() as stack:
-        ways: dict[str, Opened] = {SERIAL: partial(processes, 1)}
-        for n in sorted({1, os.cpu_count() or 1}):
-            if n > 1:
-                kept = stack.enter_context(processes(n))
-                ways[f"{n} processes"] = partial(_again, kept)
-            address = stack.enter_context(own_cluster(n))
-            ways[ONE_WORKER if n == 1 else f"Dask, {n} workers"] = partial(cluster, address)
-        contenders = [c for scene in scenes for c in _contenders(scene, ways)]
-        timings, complete = interleave(contenders, pace, keep)
-    asked = [(scene.title, Grid.read(*scene.grid), scene.digits) for scene in scenes]
-    added = added_by_dask(asked, pace.rounds) if complete else []
-    runs = [_long_run(scene) for scene in scenes] if complete else []
-    return Measurement(
-        "sweep",
-        "seconds a row of a sweep, and long runs with their memory",
-        timings,
-        SERIAL,
-        "wall clock",
-        notes={"numbers": _numbers(timings, runs, added)} if complete else {},
-        tables={"runs": runs, "added": added},
-        complete=complete,
-    )
-
-
-def _contenders(scene: Scene, ways: dict[str, Opened]) -> Iterator[Contender]:
-    grid = Grid.read(*scene.grid)
-    for name, opened in {**ways, LANDING: Landing(grid, scene.digits).opened}.items():
-        run = _Run(grid, scene.digits, opened)
-        yield Contender(scene.title, name, run.whole, _judge, ours=True, sample=run.seconds)
+def contenders(opened: ExitStack) -> Iterator[Contender]:
+    """The processes and clusters are up before anything is timed."""
+    ways: dict[str, Opened] = {SERIAL: partial(processes, 1)}
+    for n in sorted({1, os.cpu_count() or 1}):
+        if n > 1:
+            ways[f"{n} processes"] = partial(_again, opened.enter_context(processes(n)))
+        address = opened.enter_context(own_cluster(n))
+        ways[ONE_WORKER if n == 1 else f"Dask, {n} workers"] = partial(cluster, address)
+    for scene in SCENES:
+        grid = Grid.read(*scene.grid)
+        for name, way in {**ways, LANDING: Landing(grid, scene.digits).opened}.items():
+            run = _Run(grid, scene.digits, way)
+            yield Contender(scene.title, name, run.whole, _judge, ours=True, sample=run.seconds)
 
 
 class _Run(NamedTuple):
@@ -115,6 +81,13 @@ def _judge(found: Summary) -> Judged:
 def _again(workers: Workers) -> AbstractContextManager[Workers]:
     """What is open already, and stays so."""
     return nullcontext(workers)
+
+
+def runs(_: Any) -> Iterator[tuple[str, dict[str, Any]]]:
+    """What Dask adds, and one long run of each kind."""
+    asked = [(scene.title, Grid.read(*scene.grid), scene.digits) for scene in SCENES]
+    yield from (("added", found) for found in added_by_dask(asked, PACE.rounds))
+    yield from (("runs", _long_run(scene)) for scene in SCENES)
 
 
 def _long_run(scene: Scene) -> dict[str, Any]:
@@ -149,13 +122,11 @@ def _long_run(scene: Scene) -> dict[str, Any]:
         }
 
 
-def _numbers(
-    timings: list[Timing], runs: list[dict[str, Any]], added: list[dict[str, Any]]
-) -> dict[str, str]:
+def numbers(timings: list[Timing], tables: Tables) -> dict[str, dict[str, str]]:
     """What the page on sweeps quotes, by name: as measured, and for ``PLANNED`` rows."""
     found: dict[str, str] = {}
     at = {(t.contender.scene, t.contender.method): t for t in timings}
-    for run, more in zip(runs, added, strict=True):
+    for run, more in zip(tables["runs"], tables["added"], strict=True):
         scene, overhead = run["scene"], more["added"]
         key = "float" if scene == "float64" else "fifty"
         serial, landing = (at[scene, name].quartiles[1] for name in (SERIAL, LANDING))
@@ -176,7 +147,11 @@ def _numbers(
             if where == scene and name.endswith(("processes", "workers")):
                 speed = 1 / (timing.ratio(at[scene, SERIAL]) or 1.0)
                 found[f"sweep_{key}_{name.split(',')[0].split()[-1].lower()}"] = f"{speed:.2f}"
-    return found
+    return {"numbers": found}
+
+
+PACE = Pace(rounds=3, limit=300, patience=300)
+WORKLOAD = Workload(contenders, PACE, SERIAL, "wall clock", runs, numbers)
 
 
 def _plain(x: float) -> str:

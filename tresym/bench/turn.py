@@ -6,13 +6,16 @@ Digits are counted against a wider ball. mpmath runs in this process, on the bac
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.bench.run import Contender, Keep, Measurement, Pace, forget, interleave
+from tresym.bench.peers import from_text
+from tresym.bench.run import Contender, Pace, Workload, row
 from tresym.bench.truth import by_digits
 from tresym.racket.body import named_body
+from tresym.racket.flip.defect import solve
 from tresym.racket.motion import quadrature
 from tresym.racket.motion.carlson import Amplitude, amplitude, by_flint, turn
 from tresym.racket.motion.gauss import ball_ending, turn_by_gauss
@@ -25,32 +28,29 @@ SCENES = ("1e-2", "1e-4", "1e-8", "1e-16", "1e-30", "0", "-1/1000")
 """The γ that are timed; the last one from its turning point, the others from ε = 1/10."""
 OURS = "tresym, Gauss transformation"
 
-PACE = Pace(rounds=7, limit=5.0, patience=0.6)
+
+def contenders(_: Any = None) -> Iterator[Contender]:
+    """F(ε, γ) of the racket; the public call finds ε(γ), for which it needs F once or twice."""
+    for text in SCENES:
+        gamma = parse_number(text)
+        with ball_precision(bits(2 * DIGITS)):
+            truth = _flint_turn(gamma)
+        works: dict[str, Callable[[], Any]] = {
+            OURS: partial(_gauss_turn, gamma),
+            "tresym, FLINT's R_F and R_J": partial(_flint_turn, gamma),
+            "mpmath R_F and R_J": partial(_mp_carlson, gamma),
+            "mpmath quad, tanh-sinh": partial(_mp_quad, gamma, "tanh-sinh"),
+            "mpmath quad, Gauss-Legendre": partial(_mp_quad, gamma, "gauss-legendre"),
+            "mpmath quad of our substitution": partial(_mp_substituted, gamma),
+        }
+        where = f"γ = {text}" if gamma >= 0 else f"γ = {text}, at the turning point"
+        yield from row(where, works, by_digits(truth, DIGITS, DIGITS), asked=DIGITS)
+        public = {"tresym.flip_defect, ε(γ) from text": partial(from_text, "str", text, DIGITS)}
+        found = by_digits(solve(*SHAPE, gamma, 2 * DIGITS).defect, DIGITS, DIGITS)
+        yield from row(where, public, found, asked=DIGITS)
 
 
-def measure(keep: Keep = forget, pace: Pace = PACE) -> Measurement:
-    """The workload ``turn``: F(ε, γ) to 50 digits."""
-    contenders = (c for text in SCENES for c in _contenders(text))
-    timings, complete = interleave(contenders, pace, keep)
-    return Measurement("turn", "F(ε, γ) of str to 50 digits", timings, OURS, complete=complete)
-
-
-def _contenders(text: str) -> Iterator[Contender]:
-    gamma = parse_number(text)
-    with ball_precision(bits(2 * DIGITS)):
-        truth = _flint_turn(gamma)
-    works: dict[str, Callable[[], Any]] = {
-        OURS: lambda: _gauss_turn(gamma),
-        "tresym, FLINT's R_F and R_J": lambda: _flint_turn(gamma),
-        "mpmath R_F and R_J": lambda: _mp_carlson(gamma),
-        "mpmath quad, tanh-sinh": lambda: _mp_quad(gamma, "tanh-sinh"),
-        "mpmath quad, Gauss-Legendre": lambda: _mp_quad(gamma, "gauss-legendre"),
-        "mpmath quad of our substitution": lambda: _mp_substituted(gamma),
-    }
-    where = f"γ = {text}" if gamma >= 0 else f"γ = {text}, at the turning point"
-    for name, work in works.items():
-        ours = name.startswith("tresym")
-        yield Contender(where, name, work, by_digits(truth, DIGITS, DIGITS), ours, DIGITS)
+WORKLOAD = Workload(contenders, Pace(rounds=7, limit=5.0, patience=0.6), OURS)
 
 
 def _place(gamma: fmpq, m: Any, number: Callable[[fmpq], Any]) -> Amplitude:

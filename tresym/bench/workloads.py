@@ -10,7 +10,7 @@ from typing import Any
 
 import tresym
 from tresym.bench.names import WORKLOADS
-from tresym.bench.run import Keep, Measurement, Tables, Timing, forget
+from tresym.bench.run import Keep, Measurement, Pace, Tables, Timing, Workload, forget
 from tresym.output import write_text
 from tresym.reals.numbers.exact import InputError, quoted
 
@@ -18,8 +18,8 @@ KEEP_EVERY = 0.2
 """Seconds between two writings of what has been measured so far."""
 
 
-def measure(name: str, keep: Keep = forget) -> Measurement:
-    """Run one workload; ``keep`` is called with its timings after each sample.
+def measure(name: str, keep: Keep = forget, pace: Pace | None = None) -> Measurement:
+    """Run one workload; ``keep`` is called with what it has after each sample.
 
     Raises:
         InputError: an unknown name, or a library that the workload needs is not installed.
@@ -27,10 +27,10 @@ def measure(name: str, keep: Keep = forget) -> Measurement:
     if name not in WORKLOADS:
         raise InputError(f"workload: {quoted(name)} is not known; known: {', '.join(WORKLOADS)}")
     try:
-        found: Measurement = import_module(f"tresym.bench.{name}").measure(keep)
+        found: Workload = import_module(f"tresym.bench.{name}").WORKLOAD
+        return found.measure(name, WORKLOADS[name], keep, pace)
     except ModuleNotFoundError as error:
         raise InputError(f"bench: needs {error.name} (pip install -e '.[bench]')") from None
-    return found
 
 
 def folder() -> Path:

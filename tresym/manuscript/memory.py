@@ -14,6 +14,7 @@ from tresym.manuscript.terms import Head, head_of, is_plain, read_term
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     BINDERS,
+    DOTS,
     LEAVES,
     UNWORKED,
     Expr,
@@ -118,6 +119,8 @@ class Memory:
 
     def define(self, head: Head, value: Expr) -> None:
         """Remember what a symbol stands for."""
+        if DOTS.args[0] in symbols(value):
+            return  # not all of it is written
         self.functions.pop(head.name, None)  # the latest are put in first
         self.recent.add(head.name)
         self.functions[head.name] = Function(() if head.derived else head.parameters, value)
@@ -171,7 +174,7 @@ class Memory:
                 if name and found.whole and (name[:1] in _INDICES or not found.passing):
                     self.lasting += whole(symbol(name), found.whole)
                 if len(said.ops) == 1 and said.ops[0] in ("=", ":="):
-                    self.defined_in_line(said, found.defining, found.told)
+                    self.defined_in_line(said, found.defining, found.told, found.whole)
                 elif found.lasting:
                     given, _, _ = self.condition(said) or ((), (), "")
                     self.lasting += given
@@ -187,7 +190,7 @@ class Memory:
         self.lasting = [c for c in self.lasting if name not in names_in((c,))]
         self.earlier = [c for c in self.earlier if name not in names_in((c,))]
 
-    def defined_in_line(self, said: Said, surely: bool, told: bool) -> None:
+    def defined_in_line(self, said: Said, surely: bool, told: bool, kind: str) -> None:
         """A definition in the line, by the words before it or as one of a function, f(x) = ….
 
         What is only told, as in "then $m = 2k + 1$", may help to prove the next display.
@@ -205,6 +208,8 @@ class Memory:
             self.define(head, value)
         elif told and symbols(value):
             self.told[head.name] = value
+            for name in symbols(value) if kind else ():
+                self.lasting += whole(symbol(name), kind)
 
     def conditions_around(self, before: str, after: str) -> Under:
         """What the sentence around a display says of its conditions."""

@@ -47,6 +47,8 @@ _INTEGER_AFTER = re.compile(
     rf"{_LIST}"
     rf"(?:an?|any|some|both|all|fixed|given|arbitrary)?\s*{_WHOLE}"
 )
+_PARITY = re.compile(r"\b(?:odd|even)\b[^.$]*\Z", re.IGNORECASE)
+_HALVED = re.compile(r"\s*[a-zA-Z]\s*=\s*2\s*[a-zA-Z]\s*(?:[+-]\s*1\s*)?")
 _ANEW_BEFORE = re.compile(r"\b(?:real|all|any|every|each|arbitrary)\b[^.,;:$]*\Z", re.IGNORECASE)
 _ANEW_AFTER = re.compile(
     rf"{_LIST}(?:an?|any|some|both|all|not)?\s*(?:real|non-?zero|arbitrary)\b", re.IGNORECASE
@@ -64,7 +66,8 @@ class Inline(NamedTuple):
         passing: a condition of the display of this sentence ("for $x > 0$").
         defining: it may define a symbol ("where $r = \\sqrt{b/a}$").
         told: it is said to hold ("then $m = 2k + 1$").
-        whole: its symbols are integers, from the number that is said on ("a positive integer $n$").
+        whole: its symbols are integers, from the number that is said on ("a positive integer $n$",
+            "$m$ is odd, so $m = 2k + 1$").
         anew: its symbols are spoken of anew ("for all real $x$"): what was said of them has ended.
     """
 
@@ -120,7 +123,9 @@ def inline(text: str) -> Iterator[Inline]:
             tex, rest = found[1] or found[2], sentence[found.end() :]
             alone = not _RELATION.search(tex)
             told = alone and (anew or bool(_ANEW_AFTER.match(rest[:200])))
-            yield Inline(tex, *marks, _whole(words, rest, alone), told)
+            halved = _PARITY.search(words) and _HALVED.fullmatch(tex)
+            whole = "Z" if halved else _whole(words, rest, alone)
+            yield Inline(tex, *marks, whole, told)
             start, carried = found.end(), marks
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 import pytest
-from flint import arb, ctx, fmpq
+from flint import acb, arb, ctx, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -187,16 +187,55 @@ def test_precision_is_left_as_it_was_found() -> None:
     assert ctx.prec == before
 
 
-def test_interval_newton_refuses_a_point_that_is_not_near_the_root() -> None:
+def test_the_root_is_enclosed_from_points_that_are_near_and_from_no_others() -> None:
     with ball_precision(128):
         k, r = arb(1), arb(1) / 10
         root = solver.enclose_phase(k, r, 128)
         for offset in (0, 1e-6, -1e-6):
-            image = solver.interval_newton((root + offset).mid(), k, r)
+            image = solver.root_from((root + offset).mid(), k, r)
             assert image.contains(root.mid()) or image.overlaps(root)
-        # An interval whose slope is not bounded away from 0 shows nothing.
-        with pytest.raises(ArithmeticError):
-            solver.interval_newton(arb(-3), k, r)
+        # What is left out is bounded for x ≥ 3 and |y| ≤ 1/34 alone.
+        for far in (root + 0.05, arb(2.9), arb(-3), arb.nan()):
+            with pytest.raises(ArithmeticError):
+                solver.root_from(far.mid(), k, r)
+
+
+@given(log_k=st.floats(-8, 5), b=st.floats(1e-6, 1.0), offset=st.floats(-0.02, 0.02))
+def test_what_is_left_out_of_the_inverse_is_in_the_ball(
+    log_k: float, b: float, offset: float
+) -> None:
+    """Far from the root the remainder is the ball's whole width."""
+    with ball_precision(256):
+        k = arb(log_k).exp()
+        r = b / k
+        root = solver.enclose_phase(k, r, 250)
+        far = root_from(root, offset, k, r)
+        assert far.overlaps(root)
+        fourth = (abs(offset) * 2) ** 4
+        assert far.rad() < 20 * fourth + 1e-70
+
+
+def root_from(root: arb, offset: float, k: arb, r: arb) -> arb:
+    """The enclosure from a point so far away; from 3 where it would lie below."""
+    return solver.root_from(max((root + offset).mid(), arb(3)), k, r)
+
+
+@given(
+    theta=st.floats(0, 1.5707),
+    log_s=st.floats(-6, 6),
+    x=st.floats(3, 9),
+    at=st.complex_numbers(max_magnitude=1),
+)
+def test_the_slope_on_the_disc_is_below_a_half(
+    theta: float, log_s: float, x: float, at: complex
+) -> None:
+    """|u′| < 1/2 for |z − x| ≤ 1, which is what the bound on the remainder rests on."""
+    k = math.exp(log_s) * math.cos(theta)
+    r = math.tan(theta)
+    with ball_precision(128):
+        w = acb(k) * (acb(x) + acb(at.real, at.imag))
+        slope = k * r / (w.cosh() ** 2 + r * r * w.sinh() ** 2)
+        assert abs(slope) < 0.5 or not slope.is_finite()
 
 
 @given(log_k=st.floats(-700, 700), b=st.floats(1e-300, 1.0))

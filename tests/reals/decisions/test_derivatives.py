@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
-from tresym.reals.decisions.derivatives import where_real
+from tresym.reals.decisions.derivatives import real_nowhere, where_real
 from tresym.reals.language.parsing import parse
 from tresym.reals.places.conditions import Given
 
@@ -55,3 +55,27 @@ def test_a_point_is_inside_where_the_function_is_real(n: int) -> None:
     opened, whole = where_real(Given(), [parse("(x + 1)**(3/2)")], "x")
     for part in (opened, whole):
         assert all(c.holds({"x": arb(fmpq(n))}) for c in part.conditions) is (n > -1)
+
+
+@pytest.mark.parametrize(
+    ("functions", "given", "expected"),
+    [
+        (["log(-1 - x**2)"], "", True),
+        (["sqrt(-x**2)"], "", False),  # it is real at 0
+        (["sqrt(-x**2)/x"], "", True),
+        (["sqrt(-x**2)", "1/(3*x**2*y)"], "", True),
+        (["sqrt(-x**2)", "1/(x + y)"], "", False),
+        (["sqrt(-x**2)", "1/(x**2 + y)"], "", False),
+        (["log(x)"], "x < -1", True),
+        (["log(x + y)"], "x < -1, y < 0", True),
+        (["log(x + y)"], "x < -1", False),
+        (["log(x + y)", "sqrt(-y)"], "x < -1", True),
+        (["atanh(cosh(x))"], "", True),
+        (["asin(cosh(x))"], "", False),  # it is real at 0
+        (["tan(x)/(cos(x)**2 + sin(x)**2 - 1)"], "", True),
+    ],
+)
+def test_what_is_real_nowhere_is_shown_to_be(
+    functions: list[str], given: str, expected: bool
+) -> None:
+    assert real_nowhere(Given.parse(given), list(map(parse, functions))) is expected

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 import time
-from typing import NamedTuple
 
 from flint import arb, fmpq
 
@@ -29,12 +28,8 @@ RUNGS = ("asymptotic", "separatrix", "carlson", "planar")
 WITHOUT_FORMULA = RUNGS[1:]
 
 
-class RungAnswer(NamedTuple):
-    """What one rung has to say: balls for ε and Δψ in radians, and why they are enough."""
-
-    defect: arb
-    turn: arb
-    why: str
+RungAnswer = tuple[arb, arb, str]
+"""What one rung has to say: balls for ε and Δψ in radians, and why they are enough."""
 
 
 def parse_digits(text: str) -> int:
@@ -59,17 +54,18 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
     if type(digits) is not int or not 1 <= digits <= MAX_DIGITS:  # as most are: two calls less
         digits = checked_digits(digits)
     level = gamma if isinstance(gamma, fmpq) else fmpq(gamma)
-    if level != 0:
+    if level:
         defect.checked_gamma(shape.a, shape.b, level)
     if rung is not None:
         _checked_rung(rung)
     start = time.perf_counter()
     for used in (rung,) if rung is not None else _worth_trying(shape, level, digits):
-        answer, shortfall = _on_rung(used, shape, level, digits)
+        answer = _on_rung(used, shape, level, digits)
         if answer is not None:
+            angle, turn, why = answer
             seconds = time.perf_counter() - start
-            return Flip(shape, level, digits, *answer[:2], used, answer.why, seconds)
-    raise InputError(f"rung: {shortfall}")
+            return Flip(shape, level, digits, angle, turn, used, why, seconds)
+    raise InputError(f"rung: {_shortfall(used, shape, level, digits)}")
 
 
 def follow(
@@ -98,32 +94,29 @@ def _checked_rung(rung: str | None) -> None:
 
 def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
     """The rungs from the first that may have the digits; a float64 estimate spares the attempts."""
-    if gamma != 0:
+    if gamma:
         return RUNGS[2:]
-    if shape.a * shape.b < asymptotic.least_product(digits):
+    a, least = float(arb(shape.a)), asymptotic.least_product(digits)
+    if a < least or a * (b := float(arb(shape.b))) < least:
         return WITHOUT_FORMULA
-    a, b = float(arb(shape.a)), float(arb(shape.b))
     in_reach = 0 < a < math.inf and b > 0 and asymptotic.reach(a, b) > digits
     return RUNGS if in_reach else WITHOUT_FORMULA
 
 
-def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> tuple[RungAnswer | None, str]:
-    """The answer of one rung, or None and why it cannot give one."""
-    if rung == "separatrix" and gamma == 0:
-        return _separatrix(shape, digits), ""
+def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
+    """The answer of one rung, or None where it cannot give one."""
     if rung == "planar":
-        return _planar(shape, gamma, digits), ""
+        return _planar(shape, gamma, digits)
     if rung == "carlson":
-        return _carlson(shape, gamma, digits), (
-            f"carlson does not give {digits} digits this near to a turning point or to the ends of "
-            "the range of gamma; try planar"
-        )
-    if gamma != 0:
-        return None, f"{rung} knows the separatrix, gamma = 0, only; try carlson"
+        return _carlson(shape, gamma, digits)
+    if gamma:
+        return None
+    if rung == "separatrix":
+        return _separatrix(shape, digits)
     answer = _asymptotic(shape, digits)
-    if answer is not None and proves(answer.defect, digits) and proves(answer.turn, digits):
-        return answer, ""
-    return None, _shortfall(answer, digits)
+    if answer is not None and proves(answer[0], digits) and proves(answer[1], digits):
+        return answer
+    return None
 
 
 def _carlson(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
@@ -131,12 +124,12 @@ def _carlson(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
     if found is None:
         return None
     why = "F(ε, γ) in Carlson's form, π folded into the first quarter of the orbit"
-    return RungAnswer(*found, why)
+    return *found, why
 
 
 def _planar(shape: Shape, gamma: fmpq, digits: int) -> RungAnswer:
     found = defect.inverted(*shape, gamma, digits)
-    return RungAnswer(*found, "the phase on the orbit inverted, through turning points and turns")
+    return *found, "the phase on the orbit inverted, through turning points and turns"
 
 
 def _asymptotic(shape: Shape, digits: int) -> RungAnswer | None:
@@ -145,21 +138,28 @@ def _asymptotic(shape: Shape, digits: int) -> RungAnswer | None:
         return None
     why = "closed formula with a proved bound on its error"
     with ball_precision(bits(digits, 84)):
-        return RungAnswer(found, arb.pi() - 2 * found, why)
+        return found, arb.pi() - 2 * found, why
 
 
 def _separatrix(shape: Shape, digits: int) -> RungAnswer:
     found = separatrix.solve(shape.a, shape.b, digits)
-    why = "scalar equation at gamma = 0, its one root enclosed by interval Newton"
-    if found.defect.contains(0):
+    why = "scalar equation at gamma = 0, its one root enclosed by Taylor's theorem"
+    if not found.defect > 0:
         why = "the defect is positive but below every number that is told from 0 here"
-    return RungAnswer(found.defect, found.flip, why)
+    return found.defect, found.flip, why
 
 
-def _shortfall(answer: RungAnswer | None, digits: int) -> str:
-    """Why the closed formula cannot answer."""
-    reached = 0
-    if answer is not None and answer.defect.is_finite():
-        worst = min(answer.defect.rel_accuracy_bits(), answer.turn.rel_accuracy_bits())
+def _shortfall(rung: str, shape: Shape, gamma: fmpq, digits: int) -> str:
+    """Why a rung cannot answer."""
+    if rung == "carlson":
+        return (
+            f"carlson does not give {digits} digits this near to a turning point or to the ends of "
+            "the range of gamma; try planar"
+        )
+    if gamma:
+        return f"{rung} knows the separatrix, gamma = 0, only; try carlson"
+    answer, reached = _asymptotic(shape, digits), 0
+    if answer is not None and answer[0].is_finite():
+        worst = min(x.rel_accuracy_bits() for x in answer[:2])
         reached = max(0, int((worst - 4) / BITS_PER_DIGIT))
     return f"asymptotic reaches {reached} digits for this shape, not {digits}; try separatrix"

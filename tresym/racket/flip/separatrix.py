@@ -5,9 +5,19 @@ phase P (:mod:`tresym.racket.formulas.stable`), for which nothing cancels:
 
     g(P) = P − π − arctan(√(b/a) tanh(√(ab) P)) = 0.
 
-*Uniqueness.* g′ = 1 − b/(cosh² T + (b/a) sinh² T) with T = √(ab) P is positive for every P > 0, as
-b ≤ 1 < cosh² T; g(π) ≤ 0 < g(3π/2). So there is one root, and an interval Newton step that lands
-inside its starting interval encloses it.
+*Uniqueness.* g′ = 1 − u′ with u′ = b/(cosh² T + (b/a) sinh² T), T = √(ab) P, is positive for every
+P > 0, as b ≤ 1 < cosh² T; g(π) ≤ 0 < g(3π/2). So there is one root.
+
+*Enclosure.* P(y), the inverse of y = g(P), is expanded at y = g(x) of a near exact point x: its
+terms up to y³ come from the one value tanh kx, and **what is left out is below 17 y⁴** where x ≥ 3
+and |y| ≤ 1/34. For with r = tan θ, w = kz = X + iY, |z − x| ≤ 1, so that X ≥ 2k and |Y| ≤ k,
+
+    u′(z) = k sin θ cos θ / (cosh(w + iθ) cosh(w − iθ)),  |cosh(X + iY)|² = sinh² X + cos² Y.
+
+Let k = s cos θ. If s ≥ 1, |u′| ≤ k cos θ/(2k)² ≤ 1/4. Else |cos(Y ± θ)| ≥ cos θ (1 − s − s²/2), and
+|u′| ≤ s/(4s² + max(0, 1 − s − s²/2)²) < 1/2. So |g′ − 1| < 1/2 on that disc, g is one-to-one there,
+its image holds the disc of radius 1/2 around y, and P(y) − x is below 1 on it: by Cauchy the m-th
+coefficient is below 2^m, and Σ (2|y|)^m from m = 4 on below 17 y⁴.
 """
 
 from __future__ import annotations
@@ -15,7 +25,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
 from tresym.racket.formulas import stable
 from tresym.racket.result import GUARD_BITS
@@ -27,8 +37,9 @@ LARGEST_ARGUMENT = 10**17
 FLOAT_BITS = 48
 """Bits of the float64 start that are taken to be right; nothing rests on it but speed."""
 
-SPARE = 8
-"""Bits of the working precision that the last step may leave: with them a whole step is saved."""
+LARGEST_RESIDUAL = fmpq(1, 34)
+LARGE = 16
+"""√(ab) from which sech² √(ab) P is not formed as a difference."""
 
 
 class Separatrix(NamedTuple):
@@ -57,48 +68,55 @@ def float_phase(k: float, b: float) -> tuple[float, float]:
     return phase, slope
 
 
-def interval_newton(phase: arb, k: arb, r: arb) -> arb:
-    """A ball that contains the one root, from a near exact point ``phase``.
-
-    g′ ≥ 0.86 at the root of every shape, so an interval of eight times the residual (its rounding
-    errors included) leaves room.
-
-    Raises:
-        ArithmeticError: the step does not land inside its starting interval, so nothing is shown.
-    """
-    residual = phase - stable.phase_map(phase, k, r, balls)
-    interval = arb(phase, 8 * residual.abs_upper())
-    with ball_precision(ctx.prec // 2 + 16):
-        slope = stable.phase_slope(interval, k, r, balls)
-    image = phase - residual / slope
-    if not interval.contains_interior(image):
-        raise ArithmeticError("interval Newton did not contract; the precision is too low")
-    return image
-
-
 def enclose_phase(k: arb, r: arb, precision: int) -> arb:
-    """The phase as a ball some 2^(``SPARE`` − precision) wide, at that working precision.
+    """The phase as a ball some 2^−``precision`` wide, at that working precision.
 
-    Newton's method doubles the correct bits of the float64 start, so that the last doubling, the
-    interval Newton step, ends there.
+    A round quadruples the correct bits of the float64 start; all but the last are at less bits.
     """
-    guess, slope = map(arb, float_phase(float(k), float(k * r)))
-    for rising in _roundings(precision - SPARE):
-        if rising > 2 * FLOAT_BITS:
-            with ball_precision(rising // 2 + 16):
-                slope = stable.phase_slope(guess, k, r, balls)
+    near = arb(float_phase(float(k), float(k * r))[0])
+    for rising in _roundings(precision):
         with ball_precision(rising + 16):
-            residual = guess - stable.phase_map(guess, k, r, balls)
-            guess = (guess - residual / slope).mid()
-    return interval_newton(guess, k, r)
+            near = root_from(near, k, r).mid()
+    return root_from(near, k, r)
 
 
 def _roundings(precision: int) -> list[int]:
-    """Correct bits after each Newton step that leads from the float64 start to ``precision``/2."""
+    """Correct bits after each round that leads from the float64 start to ``precision``/4."""
     steps = []
-    while (precision := precision // 2 + 2) > FLOAT_BITS:
+    while (precision := precision // 4 + 2) > FLOAT_BITS:
         steps.append(precision)
     return steps[::-1]
+
+
+def root_from(x: arb, k: arb, r: arb) -> arb:
+    """A ball that contains the one root, from a near exact point ``x`` ≥ 3.
+
+    With v = u′ and w = −v′/2v, the terms of the inverse in h = y/(1 − v) and c = vw/(1 − v) are
+    h (1 + hc + h² (2cw + 6c² − vw′/(1 − v))/3).
+
+    Raises:
+        ArithmeticError: ``x`` is not near enough, or the precision is too low.
+    """
+    argument = k * x
+    tangent = argument.tanh()
+    ratio = r * tangent
+    y = x - arb.pi() - ratio.atan()
+    if not (x >= 3 and abs(y) <= LARGEST_RESIDUAL):
+        raise ArithmeticError("the root is not enclosed; the precision is too low")
+    square = ratio * ratio
+    scale = k / (1 + square)
+    if k < LARGE:
+        short = scale * (1 - tangent * tangent)
+    else:  # the difference leaves nothing of sech², and powers of k come to it
+        sech = argument.sech()
+        short = scale * sech * sech
+    v, grown = r * short, scale * (1 + r * r)
+    w, over = grown * tangent, 1 / (1 - v)
+    h, c = y * over, v * w * over
+    # w′ = k (1 + r²) sech² kx (1 − r² tanh² kx) over (1 + r² tanh² kx)², in these terms.
+    third = 2 * c * (w + 3 * c) - v * over * (1 + r * r) * short * scale * (1 - square)
+    fourth = y * y
+    return x - h * (1 + h * (c + h * third / 3)) + arb(0, 17 * fourth * fourth)
 
 
 def defect_over(a: arb, b: arb, m: Balls = balls) -> arb:
@@ -124,7 +142,8 @@ def solve(a: fmpq, b: fmpq, digits: int) -> Separatrix:
     while True:
         with ball_precision(precision):
             p, q = arb(a), arb(b)
-            k, r = (p * q).sqrt(), (q / p).sqrt()
+            k = (p * q).sqrt()
+            r = k / p
             if k > LARGEST_ARGUMENT:
                 return _unresolved(digits)
             phase = enclose_phase(k, r, precision)

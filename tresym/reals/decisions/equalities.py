@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import chain
 
 from flint import arb, ctx, fmpq
 
-from tresym.reals.decisions.derivatives import where_real
+from tresym.reals.decisions.derivatives import real_nowhere, where_real
 from tresym.reals.decisions.identity import Decision, decide, no_point, sampled_values, shown
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import decided
@@ -46,13 +47,19 @@ def decide_equality(
         return found
     parts = (left, right, *differentiated)
     names = sorted(frozenset().union(*map(symbols, parts)))
-    if found.verdict is Verdict.PROVED:
-        for point, _ in sampled_values(left, right, given, names, LOOKS):
+    if found.at is not None:
+        more = (point for point, _ in sampled_values(left, right, given, names, LOOKS))
+        for point in chain((found.at,), more):
             if _is_real(differentiated, by, point):
                 return replace(found, why=f"{found.why}, {REAL} at {shown(point)}")
+    proved = found.verdict is Verdict.PROVED
+    if real_nowhere(given, differentiated if proved else parts):
+        why = f"{REAL} nowhere, {FORMAL}" if proved else f"{NOWHERE}, and there is none"
+        verdict = Verdict.PROVED if proved else Verdict.UNDECIDED
+        return Decision(verdict, f"{found.why}; {why}")
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1), None)
-    if found.verdict is Verdict.PROVED:
+    if proved:
         where = f", {REAL} at {shown(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
         return replace(found, why=found.why + where)
     if real is None:

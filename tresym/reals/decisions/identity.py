@@ -25,8 +25,9 @@ in balls, to be defined.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 
 from flint import arb, fmpq
 
@@ -44,15 +45,15 @@ from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import needs
-from tresym.reals.places.values import evaluate, undefined_parts
+from tresym.reals.places.values import evaluate, undefined_parts, values_or_broken
 from tresym.reals.signs.jumps import cases_at_jumps
 from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.verdict import Verdict
 
-Points = Callable[[Given], Sequence[Mapping[str, fmpq]]]
+Points = Callable[[Given], Iterable[Mapping[str, fmpq]]]
 
 FIRST_POINTS = 2
-SIGN_POINTS = 6, 64
+SIGN_POINTS = 6
 BLAMED_POINTS, MAX_SHOWN = 40, 60
 LATER_LOOKS = ((128, 60), (700, 20), (4000, 2))
 SEARCH_POINTS = 400
@@ -71,12 +72,14 @@ class Decision:
         why: one sentence: the normal form and base points, or what stopped the procedure.
         witness: the exact point of a refutation.
         values: both sides there, as disjoint balls.
+        at: of what is proved, a point at which both sides are defined.
     """
 
     verdict: Verdict
     why: str
     witness: Mapping[str, fmpq] | None = None
     values: tuple[arb, arb] | None = None
+    at: Mapping[str, fmpq] | None = None
 
 
 def decide(
@@ -101,16 +104,25 @@ def decide(
     ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
         return sampled_values(left, right, where, names, count, bits)
 
-    defined: dict[str, fmpq] | None = None
-    for point, values in look(FIRST_POINTS):
+    inside = look(SIGN_POINTS)
+    defined: list[dict[str, fmpq]] = []
+    for point, values in islice(inside, FIRST_POINTS):
         if not values[0].overlaps(values[1]):
             return _refutation(point, values)
-        defined = point
-    if defined is None:
+        defined.append(point)
+    if not defined:
         return Decision(Verdict.UNDECIDED, no_point(sides, given))
 
-    def points(where: Given) -> list[dict[str, fmpq]]:
-        return [point for point, _ in look(*SIGN_POINTS, where)]
+    def points(where: Given) -> Iterator[dict[str, fmpq]]:
+        if where is not given:
+            yield from (point for point, _ in look(SIGN_POINTS, where=where))
+            return
+        for n in range(
+            SIGN_POINTS
+        ):  # those that were found already, and more as they are asked for
+            if n == len(defined):
+                defined.extend(point for point, _ in islice(inside, 1))
+            yield from defined[n : n + 1]
 
     proof, obstacle, in_doubt = _prove(sides, given, theories, points)
     if proof is None:
@@ -131,7 +143,8 @@ def decide(
         fewer = _open(given)
         if not is_regular(fewer) or _prove(sides, fewer, theories, points)[0] is None:
             return Decision(Verdict.UNDECIDED, ONLY_INSIDE)
-    return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown(defined)}")
+    at = defined[0]
+    return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown(at)}", at=at)
 
 
 def _open(given: Given) -> Given:
@@ -169,14 +182,15 @@ def sampled_values(
     bits: int = WORKING,
 ) -> Iterator[tuple[dict[str, fmpq], tuple[arb, arb]]]:
     """Points where both sides are defined, at most ``count``, with their values."""
+    trees: tuple[Expr, ...] = (left, right)
     found = 0
     for point in given.points(names, SEARCH_POINTS):
         with ball_precision(bits):
-            known: dict[Expr, arb] = {}
-            x = evaluate(left, point, known)
-            y = evaluate(right, point, known) if x.is_finite() else x
-        if y.is_finite():
-            yield point, (x, y)
+            values = values_or_broken(trees, point)
+        if isinstance(values, Expr):
+            trees = (values, left, right)
+        else:
+            yield point, (values[-2], values[-1])
             found += 1
         if found == count or not point:
             return

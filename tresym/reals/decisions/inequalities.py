@@ -177,6 +177,8 @@ def _refuted_at(
     point: dict[str, fmpq], left: Expr, relation: str, right: Expr, given: Given
 ) -> Answer | None:
     """A refutation where the exact point satisfies the conditions and violates the claim."""
+    if not given.names <= point.keys():  # found where the claim's own variables are
+        return None
     if is_isolated({name: arb(value) for name, value in point.items()}, (left, right)):
         return None
     for bits, _ in LOOKS:

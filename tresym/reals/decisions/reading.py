@@ -20,6 +20,8 @@ from tresym.reals.language.expression import (
     multiply,
     number,
     opened,
+    replaced,
+    substitute,
     symbol,
     symbols,
 )
@@ -109,6 +111,17 @@ class Comparison:
     def by(self) -> frozenset[str]:
         """The variables by which."""
         return frozenset(found.by for found in self.derivatives)
+
+    def solved(self, node: Expr) -> Expr | None:
+        """What an equation says that ``node`` is, where it is linear in it."""
+        mark = symbol("[S]")
+        left, right = (replaced(side, {node: mark}) for side in (self.left, self.right))
+        gap = left - right
+        slope = differentiate(gap, "[S]")
+        if "[S]" in symbols(slope) or slope == ZERO:
+            return None
+        rest = substitute(gap, {"[S]": ZERO})
+        return rest * (-1 / slope)
 
     def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
         """The comparison of changed sides, their derivatives with them."""
@@ -228,15 +241,28 @@ def read(claim: Any, given: Any = "", path: str | None = None) -> Statement:
             raise InputError(f"{relation} is no claim: one is made with == != > >= < <= ~ or ->")
         if relation in (*ORDERS, LIMIT) and len(written.comparisons) > 1:
             raise InputError(NO_CHAIN)
-    return _checked(_stated(str(written), text))
+    shown = str(written)
+    if not all(isinstance(part, str) and _is_plain(part) for part in (claim, given, path or "")):
+        written = _read_again(shown)
+    return _checked(_stated(written, shown, text))
 
 
-def _stated(shown: str, text: str) -> Statement:
-    """What is decided: just what is read from the text that is shown."""
+def _is_plain(text: str) -> bool:
+    """Whether text is in the grammar as it stands, neither LaTeX nor with signs of print."""
+    return text.isascii() and not _LATEX.search(text)
+
+
+def _read_again(shown: str) -> _Written:
+    """What is written in the text that is shown: of LaTeX and of SymPy just that is decided."""
     claim, _, end = shown.partition(" as ")
     claim, _, under = claim.partition(" given ")
-    parts, path = tuple(parse_claim(claim)), read_path(end) if end else None
-    said = parse_given(under)
+    path = read_path(end) if end else None
+    return _Written(tuple(parse_claim(claim)), tuple(parse_given(under)), path)
+
+
+def _stated(written: _Written, shown: str, text: str) -> Statement:
+    """What is decided of what is written."""
+    parts, said, path = written
     given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
     closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
@@ -438,7 +464,7 @@ def _is_infinite(e: Expr) -> bool:
     """Whether oo stands in it elsewhere than at the end of an integral."""
     if e.op in LEAVES or INFINITY.args[0] not in symbols(e):
         return e == INFINITY
-    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum") else ()
+    ends = (INFINITY, -INFINITY) if e.op in ("integral", "sum", "product") else ()
     return any(_is_infinite(arg) for arg in e.args if arg not in ends)
 
 

@@ -11,10 +11,11 @@ from tresym.reals.advocate import STOPPED
 from tresym.reals.decisions.answer import Answer, Decide, refuted, worst
 from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.equalities import decide_equality
+from tresym.reals.decisions.exponents import beyond_positive_bases
 from tresym.reals.decisions.identity import JUMP, exact_text
 from tresym.reals.decisions.reading import Comparison, Statement, functions, read
-from tresym.reals.language.binders import outermost
-from tresym.reals.language.expression import ZERO, Expr, symbols
+from tresym.reals.language.binders import is_infinite, outermost
+from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import FACTORIAL, parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -40,7 +41,7 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
     """
     start = time.perf_counter()
     statement = claim if isinstance(claim, Statement) else read(claim, given, path)
-    answers = [_bounded(comparison, statement) for comparison in statement.comparisons]
+    answers = [_everywhere(comparison, statement) for comparison in statement.comparisons]
     answer = worst(answers)
     if len(answers) > 1:
         broken = statement.comparisons[answers.index(answer)]
@@ -55,6 +56,11 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         read_as=statement.read_as,
         seconds=time.perf_counter() - start,
     )
+
+
+def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
+    answer = _bounded(comparison, statement)
+    return beyond_positive_bases(answer, comparison, statement) if answer else answer
 
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
@@ -95,6 +101,14 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
     sides = comparison.left, comparison.right
     nodes = {node.op for node in outermost(*sides)}
     unknown = {f.args[0].args[0] for e in (*sides, *statement.said) for f in functions(e)}
+    if any(DOTS.args[0] in symbols(side) for side in sides):
+        from tresym.reals.decisions.dotted import decide_dotted
+
+        return decide_dotted
+    if any(is_infinite(node) for node in outermost(*sides)):
+        from tresym.reals.decisions.infinite import decide_infinite
+
+        return decide_infinite
     if FACTORIAL in unknown:
         from tresym.reals.decisions.factorials import decide_factorials
 

@@ -65,8 +65,6 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     nodes = _nodes(claim)
     if not nodes:
         return decided(claim, statement)
-    if any(INFINITY in node.args for node in nodes):
-        return _to_infinity(claim, statement, nodes, decided)
     ends = {node: _end(node) for node in nodes}
     names = {end[0] for end in ends.values() if end is not None}
     if None in ends.values() or len(names) != 1:
@@ -90,12 +88,11 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     return answer if found is None else found
 
 
-def _to_infinity(
-    claim: Comparison, statement: Statement, nodes: list[Expr], decided: Decide
-) -> Answer:
+def first_terms(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     """With the values of series put in: limits of closed forms of their first terms."""
     from tresym.reals.decisions.antiderivatives import summed
 
+    nodes = _nodes(claim)
     known: dict[Expr, Expr] = {}
     taken = symbols(claim.left) | symbols(claim.right) | statement.given.names
     n = fresh("n", taken)

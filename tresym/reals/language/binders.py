@@ -49,6 +49,12 @@ def total(kind: str, f: Expr, name: str, low: Expr, high: Expr) -> Expr:
     return Expr(kind, (bind(f, (name,)), low, high), (name,))
 
 
+def is_infinite(e: Expr) -> bool:
+    """Whether it is a sum or a product of infinitely many terms."""
+    ends = (symbol("oo"), -symbol("oo"))
+    return e.op in ("sum", "product") and any(end in ends for end in e.args[1:])
+
+
 def derivative(f: Expr, name: str, point: Expr | None = None) -> Expr:
     """The derivative of ``f`` by the variable ``name``, at ``point`` or at the variable itself."""
     place = symbol(name) if point is None else point

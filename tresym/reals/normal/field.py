@@ -16,7 +16,7 @@ continuous, so a difference that reduces to zero is zero there, but where sign a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from math import prod
 
 from flint import arb, fmpq
@@ -53,7 +53,7 @@ class Field(AngleRing):
         given: Given,
         theories: frozenset[str] = ALL_THEORIES,
         size: int = 24,
-        points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple,
+        points: Callable[[], Iterable[Mapping[str, fmpq]]] = tuple,
     ):
         """The arguments of the base class, and what may be used beyond algebra."""
         super().__init__(given, size, points)

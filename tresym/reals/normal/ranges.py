@@ -5,7 +5,7 @@ A sign proven here holds on the open part of the domain, where no factor vanishe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
 from flint import arb, fmpq, fmpz
@@ -30,13 +30,15 @@ class ProvingRing(ValuedRing):
     """A ring whose generators have ranges, and which proves signs of its polynomials by them."""
 
     def __init__(
-        self, given: Given, size: int, points: Callable[[], Sequence[Mapping[str, fmpq]]] = tuple
+        self, given: Given, size: int, points: Callable[[], Iterable[Mapping[str, fmpq]]] = tuple
     ) -> None:
         """Signs under ``given``; ``points`` finds some of the domain, which spare vain trials."""
         super().__init__(size)
         self.given = given
         self._find_points = points
-        self._samples: list[tuple[dict[str, arb], dict[int, arb]]] | None = None
+        self._inhabited = points is not tuple
+        self._more: Iterator[Mapping[str, fmpq]] | None = None
+        self._samples: list[tuple[dict[str, arb], dict[int, arb]]] = []
         self.box: dict[str, Range] = dict(given.box)
         self.known_signs: dict[str, int] = {}
         self.positives: dict[str, Poly] = {}
@@ -84,15 +86,23 @@ class ProvingRing(ValuedRing):
 
     def _changes_sign(self, p: Poly) -> bool:
         """Whether ``p`` is seen with both signs at points of the domain: no proof can be found."""
-        if self._samples is None:
-            points = [{name: arb(x) for name, x in point.items()} for point in self._find_points()]
-            self._samples = [(point, {}) for point in points]
         seen = set()
-        with ball_precision(64):
-            for point, known in self._samples:
+        for point, known in self._sampled():
+            with ball_precision(64):
                 value = self.ball(p, point, known)
-                seen |= {value > 0} if value > 0 or value < 0 else set()
-        return len(seen) == 2
+            seen |= {value > 0} if value > 0 or value < 0 else set()
+            if len(seen) == 2:
+                return True
+        return False
+
+    def _sampled(self) -> Iterator[tuple[dict[str, arb], dict[int, arb]]]:
+        """Points of the domain, looked for as they are asked for, and values known there."""
+        yield from self._samples
+        if self._more is None:
+            self._more = iter(self._find_points())
+        for point in self._more:
+            self._samples.append(({name: arb(x) for name, x in point.items()}, {}))
+            yield self._samples[-1]
 
     def definite(self, p: Poly) -> int:
         """The sign of ``p`` on the whole box of the conditions, by ranges alone, else 0.

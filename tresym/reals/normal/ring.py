@@ -202,9 +202,12 @@ class Ring:
 
     def reduce(self, p: Poly) -> Poly:
         """``p`` modulo the relations."""
-        for position, _, rule in self.relations:
-            if not p.derivative(position).is_zero():
-                p = p % rule
+        if self.relations:
+            degrees = p.degrees()
+            for position, degree, rule in self.relations:
+                if degrees[position] >= degree:
+                    p = p % rule
+                    degrees = p.degrees()
         if len(p) > MAX_TERMS:
             raise TooLargeError(f"a normal form of more than {MAX_TERMS} terms")
         return p

@@ -2,7 +2,19 @@
 
 from __future__ import annotations
 
-from tresym.reals.language.expression import PI, Expr, add, apply, multiply, number, power, symbol
+from tresym.reals.language.expression import (
+    LEAVES,
+    PI,
+    Expr,
+    add,
+    apply,
+    multiply,
+    number,
+    power,
+    rebuild,
+    substitute,
+    symbol,
+)
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Fraction, Generator, Poly, UndefinedError
 from tresym.reals.numbers.exact import InputError
@@ -67,3 +79,43 @@ def _generator(field: Field, generator: Generator) -> Expr | None:
 def _fraction(field: Field, x: Fraction) -> Expr | None:
     top, bottom = written(field, x.num), written(field, x.den)
     return None if top is None or bottom is None else top / bottom
+
+
+def in_lowest_terms(e: Expr) -> Expr:
+    """``e`` with each rational function in it as one fraction in lowest terms.
+
+    Functions and roots stand in it as names, their arguments treated in the same way. It is ``e``
+    itself where one of them is too large. The domain may be larger: x/x becomes 1.
+    """
+    atoms: dict[str, Expr] = {}
+
+    def walk(node: Expr) -> Expr:
+        whole = node.op == "^" and node.args[1].op == "number" and node.args[1].args[0].q == 1
+        if node.op in LEAVES:
+            return node
+        if node.op in ("+", "*"):
+            return rebuild(node, tuple(map(walk, node.args)))
+        if whole:
+            return rebuild(node, (walk(node.args[0]), node.args[1]))
+        inner = rebuild(node, tuple(map(in_lowest_terms, node.args)))
+        name = next((n for n, known in atoms.items() if known == inner), f"[{len(atoms)}]")
+        atoms[name] = inner
+        return symbol(name)
+
+    try:
+        field = Field(Given())
+        (value,) = field.normal(walk(e))
+        found = _fraction(field, value)
+        return e if found is None else substitute(found, atoms)
+    except (TooLargeError, UndefinedError, InputError):
+        return e
+
+
+def normal_form(e: Expr, given: Given) -> Expr:
+    """The normal form of ``e``, or ``e`` itself where there is none to write."""
+    try:
+        field = Field(given)
+        (value,) = field.normal(e)
+        return _fraction(field, value) or e
+    except (TooLargeError, UndefinedError, InputError):
+        return e

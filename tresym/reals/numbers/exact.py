@@ -22,7 +22,14 @@ _DECIMAL = re.compile(r"([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?", re.ASCII)
 
 
 class InputError(ValueError):
-    """Input that tresym refuses; the message is one line that says what is allowed."""
+    """Input that tresym refuses; the message is one line that says what is allowed.
+
+    Example:
+        >>> import tresym
+        >>> tresym.flip_defect(0.5, "1/2")
+        Traceback (most recent call last):
+        tresym.reals.numbers.exact.InputError: not exact
+    """
 
 
 def shortened(text: str, length: int = 40) -> str:
@@ -63,12 +70,19 @@ def _scaled(coefficient: int, exponent: int) -> fmpq:
 
 
 def _decimal(text: str, what: str) -> fmpq:
-    """The decimal ``text`` exactly; a short one without a sign, as most are, at once."""
-    whole, _, part = text.partition(".")
-    digits = whole + part
-    if digits.isdecimal() and digits.isascii() and len(digits) < len(_TENS):
-        return fmpq(int(digits), _TENS[len(part)])
     return _scaled(*_split(text.strip(" \t"), what))
+
+
+def _at_once(text: str) -> fmpq | None:
+    """What most texts are, a short decimal or fraction without a sign, read in few steps."""
+    if len(text) < len(_TENS) and text.isascii():
+        whole, _, part = text.partition(".")
+        if (digits := whole + part).isdecimal():
+            return fmpq(int(digits), _TENS[len(part)])
+        top, _, bottom = text.partition("/")
+        if top.isdecimal() and bottom.isdecimal() and (below := int(bottom)):
+            return fmpq(int(top), below)
+    return None
 
 
 def parse_number(text: str, what: str = "number") -> fmpq:
@@ -83,9 +97,9 @@ def parse_number(text: str, what: str = "number") -> fmpq:
     """
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"{what}: {len(text)} characters are beyond the limit of {MAX_CHARACTERS}")
-    if "/" not in text:
+    numerator, slash, denominator = text.partition("/")
+    if not slash:
         return _decimal(text, what)
-    numerator, _, denominator = text.partition("/")
     top, bottom = _decimal(numerator, what), _decimal(denominator, what)
     if bottom == 0:
         raise InputError(f"{what}: {quoted(text)} divides by zero")
@@ -98,10 +112,10 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
     Raises:
         InputError: floats (they are not the decimals they print as), booleans, other types.
     """
+    if isinstance(x, str):
+        return _at_once(x) or parse_number(x, what)
     if isinstance(x, fmpq):
         return x
-    if isinstance(x, str):
-        return parse_number(x, what)
     if type(x) is int or isinstance(x, fmpz):
         return fmpq(x)
     if isinstance(x, bool):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import islice
 from typing import Any
 
@@ -196,19 +196,19 @@ class Given:
         ranges = [self.box.get(name, Interval()) for name in wanted]
         if any(r.low is not None and r.high is not None and r.low >= r.high for r in ranges):
             return
-        found = 0
+        found, conditions = 0, list(self.conditions)
         for k in range(start, start + (_TRIES if self.conditions else n)):
             point = {
                 name: _sample(where, k, j)
                 for j, (name, where) in enumerate(zip(wanted, ranges, strict=True))
             }
-            if self._holds(point):
+            if _hold(conditions, point):
                 yield point
                 found += 1
                 if found == n:
                     return
         if not found and self.conditions:
-            yield from islice(filter(self._holds, self._far(wanted, ranges)), n)
+            yield from islice(filter(partial(_hold, conditions), self._far(wanted, ranges)), n)
 
     def _far(self, wanted: list[str], ranges: list[Interval]) -> Iterator[dict[str, fmpq]]:
         """Points to try where the conditions hold far away or on narrow sets."""
@@ -217,10 +217,16 @@ class Given:
         ]
         yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
 
-    def _holds(self, point: dict[str, fmpq]) -> bool:
-        known: dict[Expr, arb] = {}
-        with ball_precision():
-            return all(condition.holds(point, known) for condition in self.conditions)
+
+def _hold(conditions: list[Condition], point: dict[str, fmpq]) -> bool:
+    """Whether all hold; one that fails is put first, as it may well fail at the next point."""
+    known: dict[Expr, arb] = {}
+    with ball_precision():
+        for n, condition in enumerate(conditions):
+            if not condition.holds(point, known):
+                conditions.insert(0, conditions.pop(n))
+                return False
+    return True
 
 
 def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.language.expression import Expr
+from tresym.reals.language.expression import ZERO, Expr
 from tresym.reals.numbers.arithmetic import balls
 
 _NAN = arb.nan()
@@ -97,22 +97,40 @@ def stands(difference: arb, relation: str) -> bool:
     )
 
 
+def values_or_broken(
+    expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]
+) -> list[arb] | Expr:
+    """The values of ``expressions`` as by :func:`evaluate`, or a part of them that has none.
+
+    A part that has none at one point may well have none at the next, and is looked at first there.
+    """
+    walker = InBalls(balls, point)
+    try:
+        return [walker.value(e) for e in expressions]
+    except UndefinedError:
+        return walker.broken
+
+
 def undefined_parts(expressions: Iterable[Expr], point: Mapping[str, arb | fmpq]) -> set[Expr]:
     """The innermost parts that have no real value at ``point``, or none that the balls show."""
+    walker = InBalls(balls, point)
+    done: dict[Expr, bool] = {}
     found: set[Expr] = set()
-    known: dict[Expr, arb] = {}
-    seen: set[Expr] = set()
-    stack = list(expressions)
-    while stack:
-        node = stack.pop()
-        if node in seen or evaluate(node, point, known).is_finite():
-            continue
-        seen.add(node)
-        inner = [arg for arg in node.args if isinstance(arg, Expr)]
-        broken = [arg for arg in inner if not evaluate(arg, point, known).is_finite()]
-        stack.extend(broken)
-        if not broken:
-            found.add(node)
+
+    def has_value(node: Expr) -> bool:
+        if node not in done:
+            inner = [has_value(arg) for arg in node.args if isinstance(arg, Expr)]
+            done[node] = all(inner)
+            if done[node]:
+                try:
+                    walker.value(node)
+                except UndefinedError:
+                    found.add(node)
+                    done[node] = False
+        return done[node]
+
+    for e in expressions:
+        has_value(e)
     return found
 
 
@@ -166,12 +184,20 @@ _OWN: dict[str, Callable[..., arb]] = {
 class InBalls(Walker):
     """Values in balls, of which every one is finite."""
 
+    broken: Expr = ZERO
+    """The innermost part that was found without a value."""
+
     def value(self, e: Expr) -> arb:
         """The value of ``e``."""
         found = self.known.get(e)
         if found is None:
-            found = self._computed(e)
+            try:
+                found = self._computed(e)
+            except UndefinedError:
+                self.broken = e if self.broken is ZERO else self.broken
+                raise
             if not found.is_finite():
+                self.broken = e
                 raise UndefinedError
             self.known[e] = found
         return found

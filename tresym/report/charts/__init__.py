@@ -36,7 +36,6 @@ CHARTS = {
         "Digits lost near turning points and stable rotations", "atlas", "atlas", "turning"
     ),
     "scaling": Chart("Time against digits, starts and claims", "scaling", "scaling"),
-    "economy": Chart("What each cell and panel costs, and what more would", "economy", "economy"),
     "identities": Chart("Deciding identities: SymPy against tresym", "identities", "identities"),
     "separatrix": Chart("ε₀ to 50 digits", "separatrix", "times"),
     "many": Chart("A million ε₀ in float64", "many", "times"),

@@ -1,0 +1,57 @@
+"""Hypergeometric series: which sums are such, and where they converge."""
+
+from __future__ import annotations
+
+import pytest
+
+from tresym.reals.decisions.hypergeometric import Series, out_of_range, radius_of, series_of
+from tresym.reals.decisions.reading import read
+from tresym.reals.places.conditions import Given
+
+NONE = [
+    "sin(n)*x**n",
+    "x**(n**2)",
+    "x**n/factorial(n/2)",
+    "x**(n/2)",
+    "log(n)*x**n",
+    "(n - 3)*x**n",
+]
+
+
+def series(terms: str, low: int = 1) -> Series | None:
+    return series_of(read(f"1 == sum({terms}, n, {low}, oo)").comparisons[0].right)
+
+
+@pytest.mark.parametrize("terms", NONE)
+def test_what_is_no_such_series(terms: str) -> None:
+    assert series(terms) is None
+
+
+@pytest.mark.parametrize(
+    ("terms", "radius", "above", "below"),
+    [
+        ("x**n", "1", False, False),
+        ("x**n/n", "1", False, True),
+        ("x**n/n**2", "1", True, True),
+        ("(-x)**n/n", "1", False, True),
+        ("n*x**n/3**n", "3", False, False),
+        ("factorial(2*n)*x**n/factorial(n)**2", "1/4", False, True),
+        ("factorial(2*n)*x**n/(factorial(n)**2*n)", "1/4", True, True),
+    ],
+)
+def test_where_it_converges(terms: str, radius: str, above: bool, below: bool) -> None:
+    s = series(terms)
+    assert s is not None
+    assert str(radius_of(s)) == radius
+    r = f"({radius})"
+    ends = ("-x", "x") if "(-x)" in terms else ("x", "-x")
+    assert out_of_range(s, Given.parse(f"abs(x) < {r}")) == ""
+    for x, holds in zip(ends, (above, below), strict=True):
+        assert (out_of_range(s, Given.parse(f"0 <= {x}, {x} <= {r}")) == "") is holds
+        assert out_of_range(s, Given.parse(f"0 <= {x}, {x} <= 2*{r}"))
+
+
+def test_a_series_that_diverges_everywhere_has_no_range() -> None:
+    s = series("factorial(n)*x**n")
+    assert s is not None
+    assert out_of_range(s, Given.parse("x >= 0, x <= 0"))

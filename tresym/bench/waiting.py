@@ -1,0 +1,91 @@
+"""What one waits for at the shell: whole processes, each with the seconds it may take.
+
+The goals are for a machine with two quiet cores. Beside them stand Python importing python-flint
+and SymPy, which no command of ours can be faster than where it needs them.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections import defaultdict
+from collections.abc import Callable, Iterator
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import tresym
+from tresym.bench.run import Contender, Pace, Timing, Workload
+
+
+class Wait(NamedTuple):
+    """Words for Python, and the seconds they may take; ``needs`` is a library of an extra."""
+
+    words: str
+    goal: float | None = None
+    needs: str = "flint"
+
+
+WAITS = {
+    "tresym verify": Wait("-m tresym verify --json", 12),
+    "tresym verify eq_gamma": Wait("-m tresym verify eq_gamma --json", 1.2),
+    "tresym derive": Wait("-m tresym derive", 15),
+    "tresym figure flip-map": Wait("-m tresym figure flip-map", 3, "matplotlib"),
+    "tresym chart work-precision": Wait("-m tresym chart work-precision", 2, "matplotlib"),
+    "tresym flip": Wait("-m tresym flip --shape 12.5372 0.0629"),
+    "tresym check": Wait("-m tresym check sin(2*x)==2*sin(x)*cos(x)"),
+    "import tresym": Wait("-c import~tresym", 0.03),
+    "import flint": Wait("-c import~flint"),
+    "import sympy": Wait("-c import~sympy"),
+}
+
+
+def launch(words: list[str]) -> Callable[[], float]:
+    """A sample: the seconds on the clock that Python takes with these words, start to end."""
+    environment = {**os.environ, "PYTHONPATH": str(Path(tresym.__file__).parent.parent)}
+
+    def sample() -> float:
+        with tempfile.TemporaryFile() as nowhere:
+            start = time.perf_counter()
+            subprocess.run([sys.executable, *words], stdout=nowhere, env=environment, check=True)
+            return time.perf_counter() - start
+
+    return sample
+
+
+def contenders(_: Any) -> Iterator[Contender]:
+    """Whole processes, interleaved."""
+    for name, (words, _, needs) in WAITS.items():
+        if find_spec(needs):
+            run = launch([word.replace("~", " ") for word in words.split(" ")])
+            yield Contender("start to end", name, run, ours="tresym" in name, sample=run)
+
+
+def ledger(timings: list[Timing]) -> Iterator[tuple[str, Any]]:
+    """Where the time of the ledger goes: by kind of claim, and the claims that take longest."""
+    with tempfile.TemporaryDirectory() as folder:
+        launch(["-m", "tresym", "verify", "--json", "--workers", "1", "-o", f"{folder}/x.json"])()
+        claims = json.loads(Path(folder, "x.json").read_text(encoding="utf-8"))["claims"]
+    kinds = defaultdict(list)
+    for claim in claims:
+        kinds[claim["kind"]].append(claim["seconds"])
+    for kind, seconds in sorted(kinds.items(), key=lambda pair: -sum(pair[1])):
+        longest = max(seconds)
+        yield (
+            "kinds",
+            {
+                "kind": kind,
+                "claims": len(seconds),
+                "seconds": round(sum(seconds), 2),
+                "longest": round(longest, 2),
+            },
+        )
+    for claim in sorted(claims, key=lambda claim: -claim["seconds"])[:20]:
+        yield "longest", {"label": claim["label"], "seconds": round(claim["seconds"], 2)}
+
+
+WORKLOAD = Workload(contenders, Pace(5, 120.0, 120.0), "import flint", "wall clock", tables=ledger)

@@ -1,0 +1,314 @@
+"""Power series: a sum to oo whose terms are hypergeometric, by its differential equation.
+
+The terms f(k) y^(p k + q) with f(k + 1)/f(k) = P(k)/Q(k), P and Q polynomials, have a sum S(y) with
+Q(δ − 1) S − y^p P(δ) S = Q(−1) f(0) y^q, where δ = (θ − q)/p and θ = y d/dy. What is claimed to be
+S is G, analytic on an interval around 0 on which it satisfies the same equation, by the normal form
+of both sides. The difference D of the two has coefficients with
+Q((m − q)/p − 1) d(m) = P((m − q)/p − 1) d(m − p): it is 0 where d(m) is 0 at each natural number m
+at which the first factor is, of which there are few, and at these derivatives of G are compared. So
+S is G inside the radius of convergence; at an end of it by Abel's theorem, where the series
+converges, which Gauss's test decides.
+
+The variable y may be an expression: x is put in by its inverse. A claim is refuted by partial sums
+with a bound of the rest, or where it is made of a point at which the series diverges. The method
+is that of D. Zeilberger, *A holonomic systems approach to special functions identities*,
+J. Comput. Appl. Math. 32 (1990) 321.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from math import factorial
+
+from flint import fmpq, fmpq_poly
+
+from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.hypergeometric import (
+    HIGHEST,
+    K,
+    OpenError,
+    Series,
+    out_of_range,
+    radius_of,
+    series_of,
+    summed,
+    whole_roots,
+)
+from tresym.reals.decisions.identity import decide, shown
+from tresym.reals.decisions.reading import functions
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    apply,
+    differentiate,
+    fresh,
+    number,
+    rebuild,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.inverted import solutions
+from tresym.reals.normal.at_point import equal_at
+from tresym.reals.normal.written import in_lowest_terms, normal_form
+from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.unworked import jumps
+from tresym.reals.places.values import evaluate
+from tresym.reals.signs.defined import continuous_on
+from tresym.reals.verdict import Verdict
+
+POLES = 4
+"""Up to which power of y is multiplied with, where a side has a singularity that is removable."""
+POINTS = 6
+APART = "partial sums, with a bound of the rest, have them apart"
+APART = "partial sums, with a bound of the rest, have them apart"
+
+
+# The proof
+
+
+def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
+    """PROVED, REFUTED or UNDECIDED for ``side == node``, a sum to oo of hypergeometric terms.
+
+    Args:
+        side: an elementary expression.
+        given: the conditions.
+    """
+    s = series_of(node, symbols(side) | given.names)
+    if s is None or not elementary(side) or any(True for _ in functions(side)):
+        return Answer(Verdict.UNDECIDED, f"{node}: its terms are not hypergeometric")
+    found = _at_points(side, s, given)
+    if found is not None:
+        return found
+    try:
+        how = _shown(side, s, given)
+    except OpenError as error:
+        return Answer(Verdict.UNDECIDED, f"{node}: {error}")
+    except InputError as error:
+        return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
+    for at in given.points(symbols(side) | symbols(s.u) | symbols(s.head), POINTS):
+        with ball_precision():
+            if evaluate(side, at).is_finite() and evaluate(s.first, at).is_finite():
+                return Answer(Verdict.PROVED, f"{how}; both sides are defined at {shown(at)}")
+    return Answer(Verdict.UNDECIDED, "both sides are shown to be defined at no point")
+
+
+def _shown(side: Expr, s: Series, given: Given) -> str:
+    """The proof in words."""
+    y = fresh("y", symbols(side) | symbols(s.u) | symbols(s.head) | given.names)
+    need_range(side, s, given)
+    for x in sorted(symbols(s.u), key=lambda name: (name not in symbols(side), name)):
+        power = _power_of(s.head, s.u, x, given)
+        if power is None:
+            continue
+        for moved in functions_of(side, s.u, x, y, given):
+            found = by_equation(moved, power, s, y, without(x, given))
+            if found:
+                return found
+    raise OpenError("the other side is not shown to satisfy its differential equation")
+
+
+def need_range(side: Expr, s: Series, given: Given) -> None:
+    """That the series converges wherever the conditions hold, and to limits of ``side``.
+
+    Raises:
+        OpenError: it is not shown to.
+    """
+    problem = "the other side may jump" if jumps(side) else out_of_range(s, given)
+    if problem:
+        raise OpenError(problem)
+
+
+def without(x: str, given: Given) -> Given:
+    """The conditions that do not speak of x."""
+    return Given(tuple(c for c in given.comparisons if x not in symbols(c[0]) | symbols(c[2])))
+
+
+def _power_of(head: Expr, u: Expr, x: str, given: Given) -> tuple[Expr, int] | None:
+    """c and n where ``head`` is c u^n, and c is free of x."""
+    for n in (0, *(m for k in range(1, HIGHEST) for m in (k, -k))):
+        for scale in (in_lowest_terms(head * u ** number(-n)), substitute(head, {x: ONE})):
+            if x in symbols(scale):
+                continue
+            if n == 0 and scale == head:
+                return scale, 0
+            if decide(head, scale * u ** number(n), given).verdict is Verdict.PROVED:
+                return scale, n
+    return None
+
+
+def functions_of(e: Expr, u: Expr, x: str, y: str, given: Given) -> Iterator[Expr]:
+    """What ``e`` is as a function of y = u, free of x, in several forms."""
+    if u == symbol(x):
+        yield substitute(e, {x: symbol(y)})
+        return
+    for moved in dict.fromkeys(_moved(e, u, x, y)):
+        if x not in symbols(moved):
+            again = substitute(moved, {y: u})
+            if again == e or decide(again, e, given).verdict is Verdict.PROVED:
+                yield moved
+
+
+def _moved(e: Expr, u: Expr, x: str, y: str) -> Iterator[Expr]:
+    """Candidates for these."""
+    yield replaced(_by_exponentials(e), {u: symbol(y)})
+    positive = Given(((symbol(y), ">", ZERO),))
+    for found in (*_moebius(u, x, y), *solutions(u - symbol(y), x)):
+        moved = substitute(e, {x: found})
+        yield moved
+        yield normal_form(moved, positive)
+
+
+def _by_exponentials(e: Expr) -> Expr:
+    """``e`` with powers whose exponents are no numbers as exponentials."""
+    if e.op in LEAVES:
+        return e
+    args = tuple(map(_by_exponentials, e.args))
+    if e.op == "^" and args[1].op != "number":
+        return apply("exp", args[1] * apply("log", args[0]))
+    return rebuild(e, args)
+
+
+def _moebius(u: Expr, x: str, y: str) -> Iterator[Expr]:
+    """The inverse of (a x + b)/(c x + d), by three of its values."""
+    try:
+        f, g, h = (in_lowest_terms(substitute(u, {x: number(n)})) for n in (2, 3, 5))
+        left = (symbol(y) - f) * (g - h)  # the cross ratio of values is that of their places
+        right = (symbol(y) - h) * (g - f)
+        yield in_lowest_terms((5 * left + 4 * right) / (left + 2 * right))
+    except (InputError, ZeroDivisionError):
+        return
+
+
+def by_equation(side: Expr, power: tuple[Expr, int], s: Series, y: str, given: Given) -> str:
+    """That ``side`` is ``c y^n Σ f(k) y^(p k + q)`` inside the radius of convergence, in words.
+
+    Args:
+        side: a function of y.
+        power: c and n.
+        given: the conditions on what else is in it.
+    """
+    scale, plain = power
+    v = symbol(y)
+    radius = radius_of(s)
+    inside = given
+    if radius is not None:
+        inside = given & Given(((v, "<", radius), (v, ">", -radius)))
+    for pole in range(POLES):
+        q = s.start + plain + pole
+        if q < 0:
+            continue
+        g = in_lowest_terms(side * v ** number(pole))
+        if continuous_on(g, inside, dear=True) is not None:
+            continue
+        below = s.below((K - q) / s.step - 1)
+        above = s.above((K - q) / s.step)
+        if max(below.degree(), above.degree()) > HIGHEST:
+            return ""
+        left = _applied(below, g, y) - v ** number(s.step) * _applied(above, g, y)
+        right = number(s.below(fmpq(-1))) * scale * v ** number(q)
+        if decide(left, right, inside).verdict is not Verdict.PROVED:
+            return ""
+        free = [m for m in whole_roots(below) if m >= 0]
+        if max(free, default=0) > 2 * HIGHEST:
+            return ""
+        if all(_coefficient_is(g, y, m, s, q, scale, given) for m in free):
+            at = ", ".join(map(str, sorted(free))) or "none"
+            return (
+                f"both sides satisfy one linear differential equation in {s.u}, "
+                f"and their Taylor coefficients agree where it leaves them open (orders {at})"
+                + ("" if radius is None else f"; the radius of convergence is {radius}")
+            )
+        return ""
+    return ""
+
+
+def _applied(p: fmpq_poly, g: Expr, y: str) -> Expr:
+    """A polynomial in θ = y d/dy of a function: θ(θ − 1)…(θ − j + 1) is y^j (d/dy)^j."""
+    values = [p(fmpq(n)) for n in range(p.degree() + 1)]
+    result, derivative = ZERO, g
+    for j in range(len(values)):
+        if values[0]:
+            result = result + number(values[0] / factorial(j)) * symbol(y) ** number(j) * derivative
+        values = [b - a for a, b in pairwise(values)]
+        derivative = differentiate(derivative, y)
+    return result
+
+
+def _coefficient_is(g: Expr, y: str, m: int, s: Series, q: int, scale: Expr, given: Given) -> bool:
+    """Whether the coefficient of y^m in g is that of the series."""
+    for _ in range(m):
+        g = differentiate(g, y)
+    k, rest = divmod(m - q, s.step)
+    value = fmpq(0)
+    if rest == 0 and k >= 0:
+        value = fmpq(1)
+        for j in range(k):
+            value = value * s.above(fmpq(j)) / s.below(fmpq(j))
+    wanted = scale * number(value * factorial(m)) if value else ZERO
+    return decide(substitute(g, {y: ZERO}), wanted, given).verdict is Verdict.PROVED
+
+
+# Points
+
+
+def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
+    """A refutation: where the sides are apart, or where it diverges and the conditions hold."""
+    names = symbols(side) | symbols(s.u) | symbols(s.head)
+    for at in given.points(names, POINTS):
+        with ball_precision(256):
+            value, total = evaluate(side, at), summed(s, at)
+        if total is not None and value.is_finite() and not value.overlaps(total):
+            return refuted(APART, at, value, total)
+    if symbols(s.u) & given.names:  # else its range is not said at all
+        radius = radius_of(s)
+        far = () if radius is None else ((apply("abs", s.u), ">", radius),)
+        for at in (given & Given(far)).points(names, 1) if far else ():
+            return refuted(f"the series diverges where abs({s.u}) > {radius}", at)
+    return _at_ends(side, s, given)
+
+
+def _at_ends(side: Expr, s: Series, given: Given) -> Answer | None:
+    """A refutation at an end of its range, where it diverges and the other side has a value."""
+    names = sorted(symbols(s.u))
+    if len(names) != 1 or not s.rate or symbols(side) - {*names}:
+        return None
+    (x,) = names
+    radius = radius_of(s)
+    if radius is None or x not in given.names:
+        return None
+    for sided in (1, -1):
+        even = sided > 0 or s.step % 2 == 0
+        if s.converges(bool(s.rate > 0) == even):
+            continue
+        for point in solutions(s.u - sided * radius, x):
+            if symbols(point):
+                continue
+            at = {x: point}
+            with ball_precision():
+                ball = {x: evaluate(point, {})}
+                if not evaluate(side, ball).is_finite():
+                    continue
+            if equal_at(substitute(s.u, at), sided * radius, {}) and all(
+                _holds_at(c.expression, c.relation, at) for c in given.conditions
+            ):
+                return refuted(f"the series diverges where {s.u} is {sided * radius}", at)
+    return None
+
+
+def _holds_at(e: Expr, relation: str, at: dict[str, Expr]) -> bool:
+    e = substitute(e, at)
+    if symbols(e):
+        return False
+    with ball_precision():
+        ball = evaluate(e, {})
+    if ball > 0 or (relation == "!=" and ball < 0):
+        return True
+    return relation == ">=" and equal_at(e, ZERO, {})
