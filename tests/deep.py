@@ -1,4 +1,4 @@
-"""The long hunts: ``python tests/deep.py laws`` (also cheap, hostile, classes, kills, claims, known).
+"""The long hunts: ``python tests/deep.py known`` (claims, laws, cheap, hostile, classes, kills).
 
 Each hunt is a number of chunks, each with seeds of its own: a run of pytest, or of a script.
 What has passed is in ``build/deep.jsonl`` and is not run again: an interrupted hunt goes on when it
@@ -48,7 +48,7 @@ HUNTS = {
     "cheap": Hunt(("tests/laws", "-k", CHEAPEST), 100),
     "hostile": Hunt(("tests/commands/test_hostile.py", "-k", GENERATED), 10),
     "classes": Hunt(("tests/commands/test_hostile.py", "-k", f"not ({GENERATED})"), 1),
-    "kills": Hunt(("tests/sweep/test_sweep.py", "-k", "kill"), 1),
+    "kills": Hunt(("tests/commands/test_kills.py", "tests/sweep/test_sweep.py", "-k", "kill"), 5),
     "claims": Hunt((), 2000, ("tests/hunt.py",)),
     "known": Hunt((), 200, ("tests/known.py",)),
 }
