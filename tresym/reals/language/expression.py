@@ -458,7 +458,7 @@ def bind(e: Expr, names: tuple[str, ...]) -> Expr:
             return Expr("bound", (places[node.args[0]] + depth,))
         if node.op in LEAVES or symbols(node).isdisjoint(places):
             return node
-        return rebuild(node, _operands(node, depth, walk))
+        return Expr(node.op, _operands(node, depth, walk), node.names)  # one leaf for another
 
     return walk(e, 0)
 
@@ -466,19 +466,23 @@ def bind(e: Expr, names: tuple[str, ...]) -> Expr:
 def instantiate(body: Expr, values: tuple[Expr, ...]) -> Expr:
     """The body of a binder at these values of its variables."""
     _need_closed(values)
+    plain = all(value.op == "symbol" for value in values)
 
     def walk(node: Expr, depth: int) -> Expr:
         if node.loose <= depth:
             return node
         if node.op == "bound":
             return values[node.args[0] - depth]
-        return rebuild(node, _operands(node, depth, walk))
+        operands = _operands(node, depth, walk)
+        return Expr(node.op, operands, node.names) if plain else rebuild(node, operands)
 
     return walk(body, 0)
 
 
 def _operands(node: Expr, depth: int, walk: Callable[[Expr, int], Expr]) -> tuple[Expr, ...]:
     """The operands walked over; the first is under the variables that the node binds."""
+    if not node.names:
+        return tuple([walk(arg, depth) for arg in node.args])
     inside = depth + len(node.names)
     return tuple(walk(arg, depth if n else inside) for n, arg in enumerate(node.args))
 
