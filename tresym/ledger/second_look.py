@@ -11,7 +11,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, reduce
+from functools import lru_cache
 from itertools import pairwise
 from time import process_time
 from typing import Any
@@ -266,6 +266,7 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
     return World(tuple(conditions), tuple(rules.items()), tuple(implicit))
 
 
+@lru_cache(maxsize=512)
 def _identical(left: Basic, right: Basic) -> bool:
     one, other = generalised(tree(left), tree(right))
     return decide(one, other).verdict is Verdict.PROVED
@@ -448,8 +449,14 @@ def value(e: Basic, point: Values, analytic: bool = False) -> Any:
 
 
 @lru_cache(maxsize=PROGRAMS)
-def _program(e: Basic) -> Program:
-    """``e`` as a function of a point, made once: integrands are evaluated thousands of times."""
+def _program(e: Basic, within: Symbol | None = None) -> Program:
+    """``e`` as a function of a point, made once: integrands are evaluated thousands of times.
+
+    Args:
+        within: of an integrand, its variable: parts without it are looked up in the point.
+    """
+    if within is not None and e.args and within not in e.free_symbols:
+        return lambda point, analytic: point[e]
     match e:
         case Symbol():
             return lambda point, analytic: point[e]
@@ -460,12 +467,13 @@ def _program(e: Basic) -> Program:
             constant = {"pi": arb.pi, "E": arb.const_e}[str(e)]
             return lambda point, analytic: constant()
         case Add() | Mul():
-            return _fold(operator.add if isinstance(e, Add) else operator.mul, e.args)
+            combine = operator.add if isinstance(e, Add) else operator.mul
+            return _fold(combine, [_program(argument, within) for argument in e.args])
         case exp():
-            argument = _program(e.args[0])
+            argument = _program(e.args[0], within)
             return lambda point, analytic: argument(point, analytic).exp()
         case Pow():
-            return _power(_program(e.base), e.exp)
+            return _power(_program(e.base, within), e.exp, within)
         case Derivative():
             return _program(_differentiated(e))
         case Subs():
@@ -473,17 +481,31 @@ def _program(e: Basic) -> Program:
         case Integral():
             return lambda point, analytic: _integral(e, point)
         case _ if len(e.args) == 1 and (name := e.func.__name__) in (*FUNCTIONS, "Abs"):
-            x = _program(e.args[0])
+            x = _program(e.args[0], within)
             return lambda point, analytic: _function(name, x(point, analytic), analytic)
         case _:
             return lambda point, analytic: arb.nan()
 
 
-def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> Program:
-    parts = [_program(argument) for argument in arguments]
+@lru_cache(maxsize=PROGRAMS)
+def _without(e: Basic, variable: Symbol) -> frozenset[Basic]:
+    """The parts of an integrand that its variable is not in, as :func:`_program` looks them up."""
+    if not e.args or isinstance(e, Derivative | Subs | Integral):
+        inside = not e.args or variable in e.free_symbols
+        return frozenset() if inside else frozenset((e,))
+    if variable not in e.free_symbols:
+        return frozenset((e,))
+    return frozenset().union(*(_without(argument, variable) for argument in e.args))
+
+
+def _fold(combine: Callable[[Any, Any], Any], parts: list[Program]) -> Program:
+    first, *rest = parts
 
     def folded(point: Values, analytic: bool) -> Any:
-        return reduce(combine, (part(point, analytic) for part in parts))
+        found = first(point, analytic)
+        for part in rest:
+            found = combine(found, part(point, analytic))
+        return found
 
     return folded
 
@@ -506,9 +528,9 @@ def _differentiated(e: Derivative) -> Basic:
     return found
 
 
-def _power(base: Program, exponent: Basic) -> Program:
+def _power(base: Program, exponent: Basic, within: Symbol | None) -> Program:
     if not isinstance(exponent, Rational):
-        power = _program(exponent)
+        power = _program(exponent, within)
         return lambda point, analytic: _general_power(
             base(point, analytic), power(point, analytic), analytic
         )
@@ -554,7 +576,8 @@ def _integral(e: Integral, point: Values) -> arb:
     if not (start.is_finite() and end.is_finite()):
         return arb.nan()
 
-    function, at = _program(e.function), dict(point)
+    function, at = _program(e.function, variable), dict(point)
+    at |= {part: value(part, point) for part in _without(e.function, variable)}
 
     def integrand(z: acb, analytic: bool) -> acb:
         at[variable] = z

@@ -44,9 +44,10 @@ MIDPOINTS = tuple(math.sin((2 * k + 1) * math.pi / 24) ** 2 for k in range(6))
 class FloatOrbit(NamedTuple):
     """The constants of an orbit. ``steps`` is the number of Gauss steps.
 
-    ``root`` = √|γ(a+b)|, ``split`` a quarter of it with the sign of γ, ``reach`` = A, ``first`` and ``third`` are C before and after the steps,
-    ``unit`` is L and ``drift`` the factor of τ in ∫ b sin²ψ dτ. ``work`` has what belongs to each
-    step: G², C′/C − 1 and G² − H², and tangents at the place and at the far end.
+    ``root`` = √|γ(a+b)|, ``split`` is a quarter of it with the sign of γ, ``reach`` = A, ``first``
+    and ``third`` are C before and after the steps, ``unit`` is L and ``drift`` the factor of τ in
+    ∫ b sin²ψ dτ. ``work`` has what belongs to each step: G², C′/C − 1 and G² − H², and tangents at
+    the place and at the far end.
     """
 
     a: float
@@ -240,8 +241,8 @@ class FloatStart(NamedTuple):
     """A start on its orbit, by symmetry with ψ increasing (rotating) and 0 ≤ ψ ≤ π.
 
     ``mirror`` is −1 where ψ was turned round, ``before`` is ½ where the start lies below π/2, else
-    −½, and ``offset`` is the angle from the nearer of the unstable points 0 and π. ``time``, ``phase``
-    belong to it, ``far_time`` and ``far_phase`` to the far end of a quarter.
+    −½, and ``offset`` is the angle from the nearer of the unstable points 0 and π. ``time`` and
+    ``phase`` belong to it, ``far_time`` and ``far_phase`` to the far end of a quarter.
     """
 
     sine: Any

@@ -19,6 +19,8 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
     Raises:
         TooLargeError: a power of M of more than ``MAX_DEGREE`` would be multiplied out.
     """
+    if high is None and low == 0:
+        return p
     if (low != 0 or high is not None) and int(p.degrees()[i]) > MAX_DEGREE:
         raise TooLargeError("a range is mapped, and a power of it is too large")
     context = p.context()
