@@ -161,12 +161,12 @@ def verify(
             processes that keep dying.
     """
     asked, workers = _labels(labels), checked_workers(workers)
-    claims = paper.all_claims(asked)
-    _need_coherent(claims)
-    chosen, requested = _choose(claims, asked)
     found: dict[str, Finding] = {}
     rows = []
     with _collecting_seldom():
+        claims = paper.all_claims(asked)
+        _need_coherent(claims)
+        chosen, requested = _choose(claims, asked)
         for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
             found[claim.label] = judge(claim, found, evidence)
             rows.append(Row(claim, found[claim.label], claim.label in requested))
