@@ -19,6 +19,14 @@ Definition turn_short (a b e : R) : R :=
   1 - 2 / (exp (2 * (sqrt (a * b) * (PI + atan (sqrt (b * / (a + b)) * cos e
     / sqrt (1 - sqrt (b * / (a + b)) * cos e * (sqrt (b * / (a + b)) * cos e)))))) + 1)
   - / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Lemma turn_short_is a b e : 0 < a -> 0 < b -> turn_short a b e
+  = tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e.
+Proof.
+  intros A B; unfold turn_short; rewrite (asin_by_atan _ (share_below a b e A B)); f_equal.
+  set (x := sqrt (a * b) * _); replace (2 * x) with (x + x) by ring; rewrite exp_plus, tanh_law.
+  pose proof (exp_pos x); field; split; nra.
+Qed.
 Lemma defect_exists a b lo hi : 0 < a -> 0 < b -> lo <= hi ->
   turn_short a b lo <= 0 -> 0 <= turn_short a b hi ->
   exists e, lo <= e <= hi /\ tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
@@ -28,18 +36,30 @@ Proof.
   assert (I : forall e, 0 < b * / a * sin e ^ 2 + 1).
   { intros e; pose proof (pow2_ge_0 (sin e)); assert (0 < b * / a).
     { apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]. } nra. }
-  assert (W : forall e, turn_short a b e = tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
-    - / sqrt (b * / a * sin e ^ 2 + 1) * cos e).
-  { intros e; unfold turn_short; rewrite (asin_by_atan _ (share_below a b e A B)); f_equal.
-    set (x := sqrt (a * b) * _); replace (2 * x) with (x + x) by ring; rewrite exp_plus, tanh_law.
-    pose proof (exp_pos x); field; split; nra. }
   destruct (root_exists (fun e => tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
     - / sqrt (b * / a * sin e ^ 2 + 1) * cos e) lo hi L) as [e [E Z]].
   - intros e _; pose proof (share_below a b e A B); continues; cbv beta; try lra.
     apply Rgt_not_eq, sqrt_lt_R0, I.
-  - cbv beta; rewrite <- !W; nra.
+  - cbv beta; rewrite <- !turn_short_is by assumption; nra.
   - exists e; split; [exact E |]; cbv beta in Z; lra.
 Qed.
+(* The one defect of a shape between two numbers, as a zero. *)
+Lemma defect_between a b lo hi : 0 < a -> 0 < b ->
+  (exists! e, e > 0 /\ e < 1 / 2 * PI /\ tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+    = / sqrt (b * / a * sin e ^ 2 + 1) * cos e) ->
+  0 < lo -> lo <= hi -> hi < 1 / 2 * PI -> turn_short a b lo <= 0 -> 0 <= turn_short a b hi ->
+  exists e, lo <= e <= hi
+    /\ is_root (fun e => tanh (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)))
+      + (-1) * / sqrt (b * / a * sin e ^ 2 + 1) * cos e) 0 (1 / 2 * PI) e.
+Proof.
+  intros A B [z [_ U]] L M H S T; destruct (defect_exists a b lo hi A B M S T) as [e [X E]].
+  exists e; split; [exact X |]; split; [split; lra |]; intros y Y F.
+  rewrite <- (U e), <- (U y); repeat split; lra.
+Qed.
+Ltac one_defect unique a b lo hi x X E :=
+  destruct (defect_between a b lo hi) as [x [X E]];
+    [lra | lra | apply unique; numeric | lra | lra | interval | unfold turn_short; numeric
+    | unfold turn_short; numeric |].
 
 (* The turn of a defect as an arc tangent, and the phase that it belongs to. *)
 Lemma turn_of_share a b e : 0 < a -> 0 < b -> asin (sqrt (b * / (a + b)) * cos e)
@@ -488,3 +508,58 @@ Proof.
     apply (d_plus (fun _ => (-1) * w)); [apply d_const | apply zero_by_start; lra].
 Qed.
 End Plain.
+
+(* The one level on which a half turn takes what it takes, between two of them. *)
+Lemma turn_by_rising_level a b e x y : a > 0 -> b > 0 -> b <= 1 -> e < 1 / 2 * PI -> 0 < x -> x < y ->
+  RInt (plain a b y) e (1 / 2 * PI) < RInt (plain a b x) e (1 / 2 * PI).
+Proof.
+  intros A B L E X Y; apply Ropp_lt_cancel.
+  assert (P : forall c t, 0 < c -> 0 < c + b * sin t ^ 2).
+  { intros c t C; pose proof (pow2_ge_0 (sin t)); nra. }
+  assert (D : forall g, 0 < g -> is_derive (fun c => - RInt (plain a b c) e (1 / 2 * PI)) g
+    (- RInt (rate_slope 1 a b g) e (1 / 2 * PI))).
+  { intros g G; apply (d_opp (fun c => RInt (plain a b c) e (1 / 2 * PI)) g (RInt (rate_slope 1 a b g) e (1 / 2 * PI))).
+    apply (plain_by_level a b A B g 0 (e - 1) (PI / 2 + 1)); try lra; intros c t C _; apply P, C. }
+  apply (rising (fun c => - RInt (plain a b c) e (1 / 2 * PI))
+    (fun g => - RInt (rate_slope 1 a b g) e (1 / 2 * PI)) x y); try lra.
+  - intros g G; exact (continuous_derive _ _ _ (D g ltac:(lra))).
+  - intros g G; apply D; lra.
+  - intros g G; enough (RInt (rate_slope 1 a b g) e (1 / 2 * PI) < 0) by lra; apply turn_falls; try lra.
+    + intros t _; apply P; lra.
+    + destruct (room b e) as [t [T1 T2]]; try lra; exists t; split; lra.
+Qed.
+Lemma level_between a b e l u : a > 0 -> b > 0 -> b <= 1 -> e < 1 / 2 * PI -> 0 < l -> l < u -> u < a ->
+  RInt (plain a b u) e (1 / 2 * PI) < PI < RInt (plain a b l) e (1 / 2 * PI) ->
+  exists c, l <= c <= u /\ is_root (fun c => PI + (-1) * RInt (plain a b c) e (1 / 2 * PI)) 0 a c.
+Proof.
+  intros A B L E X Y Z [U V].
+  destruct (root_exists (fun c => PI + (-1) * RInt (plain a b c) e (1 / 2 * PI)) l u) as [c [C F]]; [lra | | nra |].
+  - intros g G; apply (continuous_plus (fun _ => PI) (fun c => (-1) * RInt (plain a b c) e (1 / 2 * PI)));
+      [apply continuous_const | apply (c_mult (fun _ => -1)); [apply continuous_const |]].
+    apply (continuous_derive (fun c => RInt (plain a b c) e (1 / 2 * PI))
+      (RInt (rate_slope 1 a b g) e (1 / 2 * PI))), (plain_by_level a b A B g 0 (e - 1) (PI / 2 + 1)); try lra.
+    intros c t C _; pose proof (pow2_ge_0 (sin t)); nra.
+  - exists c; split; [exact C |]; split; [split; lra |]; intros y W K.
+    destruct (Rtotal_order y c) as [M|[M|M]]; [exfalso | exact M | exfalso].
+    + pose proof (turn_by_rising_level a b e y c A B L E (proj1 W) M); lra.
+    + pose proof (turn_by_rising_level a b e c y A B L E ltac:(lra) M); lra.
+Qed.
+(* With greater a and b the turn is smaller. *)
+Lemma turn_by_shape a b x y c e : 0 < x -> x <= a -> 0 < y -> y <= b -> b <= 1 -> 0 < c -> e <= 1 / 2 * PI ->
+  RInt (plain a b c) e (1 / 2 * PI) <= RInt (plain x y c) e (1 / 2 * PI).
+Proof.
+  intros X A Y B L C E; assert (P : forall u t, 0 < u -> 0 < c + u * sin t ^ 2).
+  { intros u t U; pose proof (pow2_ge_0 (sin t)); nra. }
+  assert (I : forall p q r s, 0 < p -> p <= q -> 0 < r -> r <= s -> / sqrt q * / sqrt s <= / sqrt p * / sqrt r).
+  { intros p q r s H1 H2 H3 H4; apply Rmult_le_compat; try (left; positive).
+    - apply Rinv_le_contravar; [positive | now apply sqrt_le_1_alt].
+    - apply Rinv_le_contravar; [positive | now apply sqrt_le_1_alt]. }
+  apply integral_le; [exact E | | |].
+  - intros t _; apply plain_continuous; try lra; apply P; lra.
+  - intros t _; apply plain_continuous; try lra; apply P; lra.
+  - intros t _; unfold plain; pose proof (SIN_bound t) as S; pose proof (pow2_ge_0 (sin t)) as Q.
+    assert (sin t ^ 2 <= 1) by nra; specialize (P y t Y).
+    apply Rmult_le_compat; [| nra | | nra].
+    + assert (0 < c + b * sin t ^ 2) by nra; assert (0 < a + b * sin t ^ 2) by nra; left; positive.
+    + apply I; nra.
+Qed.

@@ -22,6 +22,10 @@ Definition atanh (x : R) : R := ln ((1 + x) / (1 - x)) / 2.
 Definition atan2 (y x : R) : R :=
   if Req_EM_T y 0 then if Rlt_dec x 0 then PI else 0 else 2 * atan (y / (sqrt (x ^ 2 + y ^ 2) + x)).
 
+(* The one zero of a function between two ends. *)
+Definition is_root (f : R -> R) (low high x : R) : Prop :=
+  (low < x < high /\ f x = 0) /\ forall y, low < y < high -> f y = 0 -> y = x.
+
 (* Signs and roots. *)
 
 Lemma sign_pos x : 0 < x -> sign x = 1.
@@ -1573,6 +1577,11 @@ Ltac weakly := repeat match goal with H : _ < _ |- _ => apply Rlt_le in H end.
 (* That an integral exists, by the continuity of what is under it. *)
 Ltac integrable := apply (RInt_correct (V := R_CompleteNormedModule)), integral_exists;
   intros ? ?; continues; cbv beta; give.
+(* Integrals of what has no parameters: that they exist, and between which numbers they are. *)
+Ltac integrated := apply integral_correct; intros ? _; continues; cbv beta; numeric.
+Ltac measured := repeat match goal with |- context [RInt ?f ?u ?v] =>
+  let H := fresh "M" in integral_intro (RInt f u v) with (i_prec 50, i_relwidth 20) as H;
+  generalize dependent (RInt f u v); intros end.
 
 Lemma asin_rises x y : -1 <= x -> x < y -> y <= 1 -> asin x < asin y.
 Proof.

@@ -3,7 +3,8 @@
 The definitions that a claim speaks of are premises, each an equation for a symbol, and so is what
 it assumes. A definition has a theorem of its own: that what it defines exists. What is refuted is
 that there is a point at which the conditions hold and the statement does not. A sentence that says
-several claims together is the conjunction of their theorems.
+several claims together is the conjunction of their theorems; where it is refuted, of those of the
+parts that are.
 """
 
 from __future__ import annotations
@@ -41,7 +42,15 @@ from tresym.ledger.meaning import conditions
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as door
-from tresym.reals.language.expression import ZERO, Expr, number, symbols
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    fresh,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
@@ -99,8 +108,11 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
         raise NotExportedError("a root that is given a name is a premise of what speaks of it")
     if isinstance(proof, Definition) and proof.assumes:
         raise NotExportedError("what is assumed is a premise of what rests on it")
-    if isinstance(proof, AllOf) and claim.expect is not Verdict.REFUTED:
-        return Joint(name_of(claim.label), tuple(p for p in proof.claims if not _assumed(p)))
+    if isinstance(proof, AllOf):
+        parts = (p for p in proof.claims if not _assumed(p))
+        if claim.expect is Verdict.REFUTED:  # since some of its parts are
+            parts = (p for p in parts if p.expect is Verdict.REFUTED)
+        return Joint(name_of(claim.label), tuple(parts))
     statement = claim.statement
     if statement is None:
         raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
@@ -153,9 +165,35 @@ def read(says: Basic) -> Formula:
         x, low, high = map(door.unworked, says.args[:3])
         between = Relation(x, ">", low), Relation(x, "<", high)
         return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
+    if kind == "AtMostOne":
+        return _at_most_one(door.unworked(says.args[0]), says)
     if isinstance(says, Rounds):
         return _rounded(door.unworked(says.term), says)
     return door.formula(says)
+
+
+def _at_most_one(x: Expr, says: Basic) -> Formula:
+    """That two values between the ends of which it is said are the same."""
+    low, high = map(door.unworked, says.args[1:3])
+    said = read(says.args[3])
+    other = symbol(fresh(f"{x.args[0]}'", free(said)))
+    there = [
+        part
+        for one in (x, other)
+        for part in (
+            Relation(one, ">", low),
+            Relation(one, "<", high),
+            *(
+                Relation(
+                    substitute(p.left, {x.args[0]: one}),
+                    p.sign,
+                    substitute(p.right, {x.args[0]: one}),
+                )
+                for p in relations(said)
+            ),
+        )
+    ]
+    return Wherever(tuple(there), Relation(other, "==", x))
 
 
 def _rounded(e: Expr, says: Rounds) -> Formula:

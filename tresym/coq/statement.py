@@ -38,6 +38,7 @@ FUNCTIONS = {
 """The functions of the language by their names in Coq."""
 RELATIONS = {"==": "=", "!=": "<>", ">": ">", ">=": ">=", "<": "<", "<=": "<="}
 VALUES = {"integral": "RInt", "derivative": "Derive", "at": ""}
+SAID = {"integral": "is_RInt", "derivative": "is_derive", "root": "is_root"}
 _PLAIN = re.compile(
     r"[a-z]\d*|(alpha|beta|gamma|delta|epsilon|zeta|eta|theta|kappa|lambda|mu|nu|xi|rho|sigma|tau"
     r"|phi|chi|psi|omega)\d*"
@@ -125,10 +126,10 @@ def condition(e: Expr, relation: str) -> str:
 
 
 def has_value(node: Expr, value: str) -> str:
-    """That an integral, or a derivative, exists and is ``value``."""
-    if node.op not in ("integral", "derivative"):
+    """That an integral, a derivative, or the one zero between two ends, exists and is ``value``."""
+    if node.op not in SAID:
         raise NotExportedError(f"{node.op} is not exported to Coq yet")
-    return f"is_{'RInt' if node.op == 'integral' else 'derive'} {_function(node)} {value}"
+    return f"{SAID[node.op]} {_function(node)} {value}"
 
 
 def formula(f: Formula) -> str:

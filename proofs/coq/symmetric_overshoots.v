@@ -1,0 +1,1 @@
+intros a b -> ->; eexists; split; [integrated | measured; interval].
