@@ -308,9 +308,10 @@ def _behind(claim: Claim) -> tuple[Basic, ...]:
 
     What is used, where that is definitions, or where two of them define one symbol.
     """
-    if all(isinstance(c.proof, Definition | Root) for c in claim.uses):
+    defining = Definition | Root | ImplicitFunction
+    if all(isinstance(c.proof, defining) for c in claim.uses):
         return _known(claim)
-    used = {c.label: c for c in claim.rests_on if isinstance(c.proof, Definition | Root)}
+    used = {c.label: c for c in claim.rests_on if isinstance(c.proof, defining)}
     if any(used.get(c.label, c) is not c for c in claim.rests_on):
         return _known(claim)
     known = dict.fromkeys(c for d in (*used.values(), *claim.uses) for c in d.given)

@@ -322,8 +322,18 @@ def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions)
     The integrand must be smooth on the closed interval (hence near it), as a function of the
     variable and of the parameter together.
     """
-    slopes = (n for n in outermost(before, after) if n.op == "derivative")
-    node = _one_of([*dict.fromkeys(n for n in slopes if n.args[0].op == "integral")])
+    why = "the step needs the derivative of an integral"
+    for node in dict.fromkeys(outermost(before, after)):
+        if node.op == "derivative" and node.args[0].op == "integral":
+            try:
+                return {node: _derived(node, reason, given)}
+            except NotShownError as error:
+                why = str(error)
+    raise NotShownError(why)
+
+
+def _derived(node: Expr, reason: Reason, given: Conditions) -> Expr:
+    """The derivative of an integral where the reason's slope is that of its integrand."""
     point = node.args[1]
     whole, outside, bound = _near(node, given, symbols(_expression(reason)))
     (name,) = node.names
@@ -347,7 +357,7 @@ def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions)
             _need_continuous((end,), outside)
             moved = differentiate(end, parameter) * instantiate(whole.args[0], (end,))
             value += way * substitute(moved, put)
-    return {node: value}
+    return value
 
 
 Rule = Callable[[Expr, Expr, Reason, Conditions], Replaced]
