@@ -8,7 +8,7 @@ UNDECIDED, whatever its own evidence.
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from time import process_time
 
@@ -48,7 +48,13 @@ from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.evaluated import Evaluated, judge_evaluated
 from tresym.ledger.evidence.facts import by_facts, facts_of
-from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
+from tresym.ledger.evidence.integrals import (
+    NotShownError,
+    need_integrals,
+    need_smooth,
+    under_binder,
+    with_bounds,
+)
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
@@ -457,11 +463,22 @@ def _judge_instance(claim: Claim, proof: Instance) -> Finding:
         if condition not in given and not is_manifest(condition, given):
             return Finding(UNDECIDED, f"{condition} is not shown, but the instance needs it")
     says = relations(formula(claim.says))
-    sides = (side for part in says for side in (part.left, part.right))
+    gap = _gap([side for part in says for side in (part.left, part.right)], given)
+    return (
+        Finding(UNDECIDED, gap) if gap else Finding(PROVED, f"it is an instance of {general.label}")
+    )
+
+
+def _gap(sides: Sequence[Expr], given: Conditions) -> str | None:
+    """What is not shown to exist in the sides, in words."""
     gap = next((gap for side in sides if (gap := undefined(side, given)) is not None), None)
     if gap is not None:
-        return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
-    return Finding(PROVED, f"it is an instance of {general.label}")
+        return f"nothing shows that {gap} allows its operation"
+    try:
+        need_integrals(sides, given)
+    except NotShownError as error:
+        return str(error)
+    return None
 
 
 def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
@@ -562,8 +579,7 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
     else:
         shown = is_manifest(Relation(left, relation.sign, right), plain)
         why = "the sign of the difference of the two sides is " + ("proven" if shown else "open")
-    gaps = (undefined(side, plain) for side in (left, right)) if shown else ()
-    gap = next((gap for gap in gaps if gap is not None), None)
+    gap = _gap((left, right), plain) if shown else None
     if gap is not None:
-        return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+        return Finding(UNDECIDED, gap)
     return Finding(PROVED if shown else UNDECIDED, why)

@@ -35,6 +35,13 @@ def check(
 
     Raises:
         InputError: the claim is not read, or the limit is no number of seconds; one line says why.
+
+    Example:
+        >>> import tresym
+        >>> tresym.check("sqrt(x**2) == x", given="x > 0").verdict.value
+        'PROVED'
+        >>> tresym.check("sqrt(x**2) == x").verdict.value
+        'REFUTED'
     """
     if not (path is None or isinstance(path, str)):
         raise InputError("path: text such as x -> 0+")
