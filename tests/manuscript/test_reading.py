@@ -199,3 +199,21 @@ def test_what_is_not_all_written_is_put_in_nowhere(tmp_path: Path) -> None:
     rows = read(tmp_path, r"\[ g = 1 + x + \cdots \] \[ g^2 = 1 + 2x + \cdots \]")
     assert rows[0].status == "DEFINED"
     assert "with g =" not in rows[1].why
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        (r"For $x>0$, \[ \ln(2x) = \ln x \]", "REFUTED"),
+        (r"If $a$ and $b$ are positive, then \[ \ln\frac{a}{b} = \ln b - \ln a \] ", "EQUATION"),
+        (r"If $a>0$ and $b>0$, then \[ \ln\frac{a}{b} = \ln b - \ln a \] ", "REFUTED"),
+        (r"\[ \sin(u \pm v) = \sin u\cos v \mp \cos u\sin v \]", "REFUTED"),
+        (r"\[ \tan x = 2x \]", "EQUATION"),
+        (r"The roots, for $x>0$, are those of \[ \tan x = 2x \]", "EQUATION"),
+        (r"For $x>0$ the condition at the wall reads \[ \tan x = 2x \]", "EQUATION"),
+        (r"For $x>0$, \[ k\tan x = 2x \]", "EQUATION"),
+        (r"For $t>0$, \[ \dot x = 2 x \]", "EQUATION"),
+    ],
+)
+def test_when_an_equality_is_claimed_of_all_values(tmp_path: Path, text: str, status: str) -> None:
+    assert {row.status for row in read(tmp_path, text)} == {status}

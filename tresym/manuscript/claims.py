@@ -35,7 +35,7 @@ DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
-_WORKED = frozenset(("antiderivative", "derivative", "limit"))
+_WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
 """What is written to be worked out: an equality with one of these is no equation to be solved."""
 
 
@@ -135,6 +135,12 @@ def claim(
         node.op in _WORKED for node in outermost(compared[0], compared[2])
     )
     firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
+    firm = firm or (
+        relation == "=="
+        and same
+        and not said.before
+        and _is_general(left, right, under, head, signed and not said.either)
+    )
     firm = firm or (worked and same and relation == "==" and under.kind != prose.SOLVE)
     firm = (
         firm
@@ -156,6 +162,17 @@ def claim(
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
+
+
+def _is_general(left: Expr, right: Expr, under: Under, head: Head | None, signed: bool) -> bool:
+    """Whether an equality is claimed of all values: a sentence says for which, of all its
+    variables, or it is two, with an upper and a lower sign in both sides."""
+    names = (symbols(left) | symbols(right)) - NO_VARIABLES
+    if head is not None or under.kind or unknown_in(left, right):
+        return False
+    if any(base_of(name) != name for name in names):
+        return False
+    return signed or (under.universal and names <= names_in(under.given))
 
 
 def _attempts(

@@ -77,6 +77,7 @@ class Under:
     kind: str = ""
     noted: bool = False
     sources: tuple[tuple[str, Expr], ...] = ()
+    universal: bool = False
 
 
 class Memory:
@@ -238,7 +239,9 @@ class Memory:
                     if more and not more[1]:
                         given += more[0]
                         path = more[2] or path
-        return Under(tuple(given), tuple(put_in), path, prose.kind_of(before))
+        universal = prose.is_universal(before)
+        kind = prose.kind_of(before)
+        return Under(tuple(given), tuple(put_in), path, kind, universal=universal)
 
     def following(self, around: Under, orders: Orders) -> Under:
         """With the displays from which this one follows: equations, and what symbols stand for."""

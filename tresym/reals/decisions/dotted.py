@@ -41,6 +41,7 @@ from tresym.reals.language.expression import (
     apply,
     differentiate,
     fresh,
+    multiply,
     number,
     sqrt,
     substitute,
@@ -80,12 +81,13 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
         powers = _powers(terms, u)
         if powers is None:
             continue
+        rest = side
         if powers.get(0, ZERO).op != "number":  # pi/2 - x - ...: of what is left without it
-            side, powers = side - powers[0], powers | {0: ZERO}
+            rest, powers = side - powers[0], powers | {0: ZERO}
         y = fresh("y", symbols(side) | symbols(node) | given.names)
         for x in sorted(symbols(u)):
             fixed = without(x, given)
-            for moved in functions_of(side, u, x, y, given):
+            for moved in functions_of(rest, u, x, y, given):
                 found = _decided(moved, y, u, powers, given, fixed)
                 if found.verdict is not _OPEN:
                     return found
@@ -109,9 +111,22 @@ def _raised(terms: list[Expr]) -> Iterator[Expr]:
         yield symbol(name)
         yield 1 / symbol(name)
     last = next((term for term in reversed(terms) if symbols(term)), ZERO)
-    for factor in last.args if last.op == "*" else (last,):
-        if factor.op == "^" and factor.args[1].op == "number" and symbols(factor.args[0]):
-            yield factor.args[0]
+    factors = list(_factors(last, 1))
+    above = [(base, m) for base, m in factors if symbols(base)]
+    if len(above) > 1 and len({abs(m) for _, m in above}) == 1:  # (x/a)**3
+        yield multiply(*(base if m > 0 else 1 / base for base, m in above))
+    yield from (base for base, m in above if base.op != "symbol" and abs(m) > 1)
+
+
+def _factors(e: Expr, times: int) -> Iterator[tuple[Expr, int]]:
+    """The factors of a term, with their exponents."""
+    if e.op == "*":
+        for arg in e.args:
+            yield from _factors(arg, times)
+    elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0].q == 1:
+        yield from _factors(e.args[0], times * int(e.args[1].args[0].p))
+    else:
+        yield e, times
 
 
 def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:

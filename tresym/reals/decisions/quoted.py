@@ -130,12 +130,12 @@ def quoted_total(node: Expr, others: Iterable[Expr], given: Given) -> Quoted | N
     low, high = node.args[1:]
     try:
         if low == -INFINITY and high == INFINITY and node.op == "sum":
-            return _on_both_sides(body, n, others, given)
+            return _on_both_sides(body, n, [*others, body], given)
         if high != INFINITY or low.op != "number" or low.args[0].q != 1:
             return None
         for more in (0, 1, 2, -1, -2):
             start = number(low.args[0] - more)
-            found = _value(total(node.op, body, n, start, high), [*others, node], given)
+            found = _value(total(node.op, body, n, start, high), [*others, body], given)
             if found is not None and _is_number(found.value):
                 return _with_terms(found, node.op, body, n, int(low.args[0].p), more)
     except InputError:
@@ -327,8 +327,9 @@ def _roots(e: Expr, n: str) -> Iterator[Expr]:
     square = differentiate(differentiate(e, n), n) / 2
     if n in symbols(square):
         return
-    for sign in (1, -1):
-        yield from (root for root in solutions(sign * e + (1 - sign) * square * symbol(n) ** 2, n))
+    yield from solutions(e, n)
+    if square != ZERO:
+        yield from solutions(2 * square * symbol(n) ** 2 - e, n)
 
 
 def _parts(e: Expr) -> Iterator[Expr]:

@@ -64,7 +64,7 @@ _NOT_DECIDED = {
         expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
     ),
 }
-VALUED = ("integral", "sum", "product", "unknown")
+VALUED = ("integral", "nth", "sum", "product", "unknown")
 """What may stand in a claim and is worked out when it is decided."""
 _LONE = "the limit stands alone on one side, compared by == with its value"
 _ASSUMPTIONS = {

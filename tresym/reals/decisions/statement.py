@@ -112,6 +112,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.infinite import decide_infinite
 
         return decide_infinite
+    if "nth" in nodes:
+        from tresym.reals.decisions.repeated import decide_repeated
+
+        return decide_repeated
     if FACTORIAL in unknown:
         from tresym.reals.decisions.factorials import decide_factorials
 
