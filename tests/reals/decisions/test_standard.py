@@ -32,6 +32,7 @@ HOLD = [
     "integral(2*x*log(x)/(1 - x**2), x, 0, 1) == -pi**2/12",
     "integral(exp(-2*x)*sin(3*x)/x, x, 0, oo) == atan(3/2)",
     "asin(x) == integral(1/sqrt(1 - t**2), t, 0, x) given -1 <= x <= 1",
+    "acosh(x) == integral(1/sqrt(t**2 - 1), t, 1, x) given x >= 1",
 ]
 FALSE = [
     "integral(sin(m*x)*sin(n*x), x, 0, pi) == 0 given n integer, n >= 1, m integer, m >= 1",
@@ -54,6 +55,7 @@ FALSE = [
     "integral(sin(x**2), x, 0, oo) == sqrt(pi/2)",
     "integral(x**(a - 1)/(1 + x), x, 0, oo) == pi*sin(pi*a) given 0 < a < 1",
     "asin(x) == integral(1/sqrt(1 + t**2), t, 0, x) given -1 <= x <= 1",
+    "asinh(x) == integral(1/sqrt(t**2 - 1), t, 1, x) given x >= 1",
 ]
 
 

@@ -23,6 +23,7 @@ from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     OpenError,
     Series,
+    folded,
     polynomial,
     size_of,
     whole_roots,
@@ -30,7 +31,7 @@ from tresym.reals.decisions.hypergeometric import (
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.power_series import by_equation, functions_of, need_range, without
 from tresym.reals.decisions.reading import Comparison, Statement
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, is_infinite
 from tresym.reals.language.expression import (
     DOTS,
     LEAVES,
@@ -43,6 +44,7 @@ from tresym.reals.language.expression import (
     fresh,
     multiply,
     number,
+    opened,
     sqrt,
     substitute,
     symbol,
@@ -56,6 +58,7 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
+MOST_TERMS = 8
 LEAST, MOST, FIT = -3, 30, 3
 """Exponents that are looked for, and the degree of ratios of coefficients."""
 DIFFERENTIATED = 6
@@ -74,6 +77,8 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
         return Answer(_OPEN, "dots are read in a sum of powers, on one side of an equation")
     side = claim.solved(node)
     terms = [term for term in node.args if term not in (DOTS, -DOTS)]
+    if side is not None and is_infinite(side) and not statement.path:
+        return _first_of(side, add(*terms), statement.given)
     if side is None or statement.path or DOTS.args[0] in symbols(side) or not elementary(side):
         return Answer(_OPEN, "what the series with dots is said to be is not seen")
     given, why = statement.given, "the terms before the dots are no rising powers of one thing"
@@ -93,6 +98,23 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
                     return found
                 why = found.why
     return Answer(_OPEN, why)
+
+
+def _first_of(series: Expr, terms: Expr, given: Given) -> Answer:
+    """Whether the terms before the dots are the first ones of the series on the other side."""
+    (k,), body = opened(series, given.names)
+    low, first = series.args[1], ZERO
+    if series.op == "sum" and low.op == "number":
+        for n in range(MOST_TERMS):
+            term = folded(substitute(body, {k: low + n}))
+            if term is None:
+                break
+            first = first + term
+            found = decide(first, terms, given)
+            if n and found.verdict is Verdict.PROVED:
+                why = f"they are the first {n + 1} terms of the series: {found.why}"
+                return Answer(Verdict.PROVED, why)
+    return Answer(_OPEN, "the terms before the dots are not shown to be the first of the series")
 
 
 def _sum_with_dots(e: Expr) -> Expr | None:

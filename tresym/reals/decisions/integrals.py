@@ -159,6 +159,11 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
         high, low = low + 1, low  # shown to be defined around the point
         return multiply(ZERO, _integral(name, f, low, high, given, work))
     order = _order(low, high, given)
+    if order == 0:  # one of the ends may be the other, where the integral is 0 as its limit
+        side = sign(high - low, given, ">=") or sign(high - low, given, "<=")
+        order = {">=0": 1, "<=0": -1}.get(side or "", 0)
+        given = given & Given(((low, "<", high),)) if order > 0 else given
+        given = given & Given(((high, "<", low),)) if order < 0 else given
     if order < 0:
         return -_integral(name, f, high, low, given, work)
     if order > 0:
