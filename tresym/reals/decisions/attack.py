@@ -11,7 +11,7 @@ from tresym.reals.advocate import conditions, contradiction, program, said, wher
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.reading import functions as unknown
-from tresym.reals.language.binders import outermost
+from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import DOTS, symbols
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -34,6 +34,8 @@ def attack(
         spent: seconds that its decision took.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
+    if any(map(is_infinite, outermost(comparison.left, comparison.right))):
+        return None  # what was put in for it was attacked itself
     if statement.path is not None:
         against = _attack_order(comparison, statement.path, answer)
         ranged = answer.verdict is Verdict.ENCLOSED

@@ -33,6 +33,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    apply,
     differentiate,
     multiply,
     number,
@@ -48,6 +49,8 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
+from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 
@@ -140,6 +143,24 @@ def quoted_total(node: Expr, others: Iterable[Expr], given: Given) -> Quoted | N
                 return _with_terms(found, node.op, body, n, int(low.args[0].p), more)
     except InputError:
         return None
+    return None
+
+
+def quoted_product(node: Expr, given: Given) -> Quoted | None:
+    """The value of a finite product whose factors know how many they are, if a theorem has it."""
+    (k,), body = opened(node, given.names)
+    low, count = node.args[1], node.args[2] + 1
+    if node.op != "product" or body.op != "sin" or count.op != "symbol":
+        return None
+    if sign(count - 1, given, ">=") not in PROVING[">="]:
+        return None
+    start = substitute(body.args[0], {k: ZERO})
+    step = symbol(k) * PI / count
+    if low == ZERO and k not in symbols(start) and _same(body.args[0], start + step, given):
+        value = apply("sin", count * start) / number(2) ** (count - 1)
+        return Quoted(value, "DLMF 4.21.35") if start != ZERO else None
+    if low == ONE and _same(body.args[0], step, given):
+        return Quoted(count / number(2) ** (count - 1), "DLMF 4.21.35 at z = 0")
     return None
 
 
