@@ -116,7 +116,8 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
         InputError: floats (they are not the decimals they print as), booleans, other types.
     """
     if isinstance(x, str):
-        return _at_once(x) or parse_number(x, what)
+        found = _at_once(x)
+        return parse_number(x, what) if found is None else found
     if isinstance(x, fmpq):
         return x
     if type(x) is int or isinstance(x, fmpz):
