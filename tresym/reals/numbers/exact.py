@@ -74,7 +74,7 @@ def _decimal(text: str, what: str) -> fmpq:
 
 
 def _at_once(text: str) -> fmpq | None:
-    """What most texts are, a short decimal or fraction without a sign, read in few steps."""
+    """What most texts are, a short decimal or fraction, read in few steps."""
     if len(text) < len(_TENS) and text.isascii():
         whole, _, part = text.partition(".")
         if (digits := whole + part).isdecimal():
@@ -85,6 +85,8 @@ def _at_once(text: str) -> fmpq | None:
         top, _, power = text.partition("e-")
         if top.isdecimal() and power.isdecimal() and (places := int(power)) < len(_TENS):
             return fmpq(int(top), _TENS[places])
+        if text[:1] == "-" and text[1:2].isdecimal() and (size := _at_once(text[1:])) is not None:
+            return -size
     return None
 
 
