@@ -30,7 +30,9 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
     asked_by,
+    by,
     chains_of,
+    equal,
     parts_of,
 )
 from tresym.ledger.definitions import (
@@ -72,7 +74,7 @@ from tresym.ledger.meaning import (
     put_into,
     tree,
 )
-from tresym.ledger.reasons import citing
+from tresym.ledger.reasons import citing, substituting
 from tresym.ledger.second_look import (
     contradiction,
     rootless,
@@ -498,8 +500,11 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     there = substitute(left, {p: at})
     by_unknown = derivative(there, u)
     slope = -derivative(left, p, at) / by_unknown
-    if not under_binder(says.right, slope, outside) or symbols(says.left) & symbols(left):
-        return Finding(UNDECIDED, "that is not the slope of the implicit function")
+    if symbols(says.left) & symbols(left):
+        return Finding(UNDECIDED, f"{says.left} is not a new symbol")
+    if not under_binder(says.right, slope, outside):
+        other = Finding(UNDECIDED, "that is not the slope of the implicit function")
+        return _refuted_slope(claim, proof) or other
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     place = tree(proof.parameter)
@@ -523,6 +528,19 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
         return Finding(UNDECIDED, "no point is found that satisfies the equation", steps=steps)
     why = f"the equation is smooth and its derivative by {u} is not zero"
     return Finding(PROVED, why, steps=steps)
+
+
+def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
+    """REFUTED with a point of the equation at which what is said is not the slope, or None."""
+    says, equation = claim.says, proof.equation.says
+    assert isinstance(says, Basic)
+    assert isinstance(equation, Basic)
+    left, p = equation.args[0], proof.parameter
+    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
+    slope = -Subs(Derivative(left, p), p, proof.at) / by_unknown
+    return refute(
+        equal(says.args[1], slope), replace(claim, proof=by(substituting(proof.equation)))
+    )
 
 
 def _judge_relations(claim: Claim) -> Finding:

@@ -17,6 +17,7 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
 from tresym.ledger.evidence.charted import Charted
+from tresym.ledger.evidence.evaluated import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.reals.notebook import html_table, in_one_line
@@ -209,12 +210,12 @@ def verify(
         Row(eq_gamma: PROVED)
     """
     asked, workers = _labels(labels), checked_workers(workers)
-    claims = paper.all_claims(asked)
-    _need_coherent(claims)
-    chosen, requested = _choose(claims, asked)
     found: dict[str, Finding] = {}
     rows = []
     with _collecting_seldom():
+        claims = paper.all_claims(asked)
+        _need_coherent(claims)
+        chosen, requested = _choose(claims, asked)
         for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
             found[claim.label] = judge(claim, found, evidence)
             rows.append(Row(claim, found[claim.label], claim.label in requested))
@@ -285,7 +286,7 @@ def save_certificates(report: Report) -> int:
         row.claim.label: row.finding.trees
         for row in report.rows
         if row.finding.trees
-        and isinstance(row.claim.proof, Boxes | Charted)
+        and isinstance(row.claim.proof, Boxes | Charted | Evaluated)
         and row.claim.proof.stored
     }
     save(found)
