@@ -247,9 +247,18 @@ class NotebookDirective(SphinxDirective):
         return found
 
 
+JOINER = "\u2060"
+"""Between these no line may end; at the edge of a formula Chromium takes no other sign for it."""
+
+
 def visit_inline(translator: HTML5Translator, node: nodes.math) -> None:
-    """A formula in a line."""
-    translator.body.append(mathematics.mathml(node.astext(), block=False))
+    """A formula in a line, which ends neither between it and a comma nor behind a bracket."""
+    shown = mathematics.mathml(node.astext(), block=False)
+    at = node.parent.index(node)
+    before, after = node.parent[max(at - 1, 0)], node.parent[min(at + 1, len(node.parent) - 1)]
+    joined = JOINER * (isinstance(before, nodes.Text) and before.endswith(("(", "“")))
+    follows = isinstance(after, nodes.Text) and after.startswith(tuple(",.;:)”’!?"))
+    translator.body.append(joined + shown + JOINER * follows)
     raise nodes.SkipNode
 
 
