@@ -229,10 +229,21 @@ def _broken(display: Display) -> Iterator[str]:
         first, *rest = broken(line.right, LINE)
         *lines, last = (rf"&{arrow}\quad {first}", *map(_continued, rest))
         yield from lines
-        why = _because(line)
         beside = width((rest or [first])[-1]) + _extent(line) <= WIDEST
-        yield last + (rf"\qquad {why}" if why and beside else "")
-        yield from [rf"&\qquad {why}"] if why and not beside else []
+        whys = [why for part in _parted(line) if (why := _because(part))]
+        yield last + (rf"\qquad {whys.pop(0)}" if whys and beside else "")
+        yield from (rf"&\qquad {why}" for why in whys)
+
+
+def _parted(line: Line) -> Iterator[Line]:
+    """The line with as many of its reasons as fit below it, then again with the next."""
+    few: tuple[Because, ...] = ()
+    for why in line.reasons:
+        if few and _extent(line._replace(reasons=(*few, why))) > WIDEST:
+            yield line._replace(reasons=few)
+            few = ()
+        few = (*few, why)
+    yield line._replace(reasons=few)
 
 
 def _continued(line: str) -> str:

@@ -108,7 +108,7 @@ def _said(reason: Reason) -> Because:
         labels = tuple(claim.label for claim in reason.claims)
         return Because(_VERBS.get(reason.name, f"{reason.name},"), labels=labels)
     if reason.function is not None:
-        return Because(f"{reason.function} of both sides")
+        return Because(f"{reason.function.replace('asinh', 'arsinh')} of both sides")
     if reason.factor is not None:
         return Because("times", bracketed(expression_latex(reason.factor)))
     if reason.term is not None:
