@@ -10,6 +10,7 @@ from tresym.ledger.claim import Chain, Claim, Reason
 from tresym.ledger.evidence.defined import undefined
 from tresym.ledger.evidence.integrals import (
     NotShownError,
+    need_integrals,
     sign_of_integral,
     with_bounds,
     without_integrals,
@@ -155,6 +156,7 @@ def _arrives(
     bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
     try:
         signs = {n: sign_of_integral(node, bounds, given, strict) for node, n in numbers.items()}
+        need_integrals((node for node in outermost(last[0]) if node not in numbers), given)
     except NotShownError as error:
         return _undecided(str(error))
     known = (Relation(n, ">" if sign == "+" else ">=", ZERO) for n, sign in signs.items() if sign)

@@ -97,14 +97,18 @@ def without_integrals(
     """Both sides of a step after the rules for integrals that its reasons name.
 
     Raises:
-        NotShownError: a rule does not apply, or what it asks for is not shown.
+        NotShownError: a rule does not apply, or what it asks for is not shown, or that an integral
+            exists of which no rule spoke.
     """
+    shown: set[Expr] = set()
     for reason in reasons:
         rule = RULES.get(reason.name)
         if rule is not None:
             before, after = ordered(before), ordered(after)
             found = rule(before, after, reason, given)
             before, after = replaced(before, found), replaced(after, found)
+            shown.update(outermost(*found.values()))
+    need_integrals(set(outermost(before, after)) - shown, given)
     return before, after
 
 
@@ -147,6 +151,26 @@ def need_smooth(e: Expr, given: Conditions) -> None:
         _need_continuous((inside.integrand,), inside.conditions)
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
     _need_continuous((replaced(e, variables),), given)
+
+
+def need_integrals(trees: Iterable[Expr], given: Conditions) -> None:
+    """That the integrals in ``trees`` exist, of smooth integrands at every point of ``given``, also
+    those of which values or derivatives are taken.
+
+    Raises:
+        NotShownError: one is not shown to.
+    """
+    for node in outermost(*trees):
+        if node.op == "integral":
+            need_smooth(node, given)
+        elif node.op in ("at", "derivative") and _holds_integral(node):
+            need_value(node, given)
+
+
+def _holds_integral(e: Expr) -> bool:
+    return any(
+        node.op == "integral" or any(map(_holds_integral, node.args)) for node in outermost(e)
+    )
 
 
 def need_value(e: Expr, given: Conditions) -> None:
