@@ -15,7 +15,7 @@ from tresym.manuscript.rows import Said
 from tresym.manuscript.surface import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in
 from tresym.reals.decisions.reading import chained
-from tresym.reals.language.binders import antiderivative, outermost
+from tresym.reals.language.binders import antiderivative, is_infinite, outermost
 from tresym.reals.language.expression import (
     DOTS,
     Expr,
@@ -36,7 +36,8 @@ CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
 _WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
-"""What is written to be worked out: an equality with one of these is no equation to be solved."""
+"""What is written to be worked out: an equality with one of these, or with a series, is no equation
+to be solved."""
 
 
 class Attempt(NamedTuple):
@@ -132,8 +133,9 @@ def claim(
     goes_on = n > 0 and same and under.kind != prose.SOLVE
     constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
     worked = not unknown_in(left, right) and any(
-        node.op in _WORKED for node in outermost(compared[0], compared[2])
+        node.op in _WORKED or is_infinite(node) for node in outermost(compared[0], compared[2])
     )
+    worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
     firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
     firm = firm or (
         relation == "=="
