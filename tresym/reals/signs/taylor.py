@@ -9,6 +9,10 @@ point takes part.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
+from flint import fmpq
+
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -26,7 +30,7 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import singularities
 from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.inside import Ask
+from tresym.reals.signs.inside import REMEMBERED, Ask
 from tresym.reals.signs.inside import sign_inside as sign
 from tresym.reals.signs.parts import FLIP, WEAK
 
@@ -126,7 +130,7 @@ def _expansion(
         derivative = differentiate(derivative, name)
         if derivative.size > MAX_SIZE:
             return None
-        last = sign(derivative, inside)
+        last = None if _changes(derivative, inside) else sign(derivative, inside)
         if last is None:
             continue
         if all(_has_sign([*terms, last], side, relation, apart) for side in sides):
@@ -143,16 +147,28 @@ def _term_sign(e: Expr, ways: set[int], inside: Given) -> str | None:
     Args:
         ways: the signs that it must have for the terms to add up.
     """
+    if _changes(e, inside):
+        return None
     found = sign(e, inside)
     if found is not None or len(ways) > 1 or not symbols(e):
         return found
     (way,) = ways
-    with ball_precision():
-        values = (evaluate(way * e, point) for point in inside.points(symbols(e), MAX_LOOKS))
-        if any(value < 0 for value in values):
-            return None
     proof = sign_by_taylor(way * e, ">=", inside)
     return None if proof is None else {1: ">=0", -1: "<=0"}[way]
+
+
+def _changes(e: Expr, inside: Given) -> bool:
+    """Whether both signs are seen at points inside, so that none need be looked for."""
+    if not symbols(e):
+        return False
+    with ball_precision():
+        values = [evaluate(e, point) for point in _points(inside, symbols(e))]
+    return any(value > 0 for value in values) and any(value < 0 for value in values)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _points(inside: Given, names: frozenset[str]) -> list[dict[str, fmpq]]:
+    return list(inside.points(names, MAX_LOOKS))
 
 
 def _has_sign(terms: list[str | None], side: int, relation: str, apart: bool) -> bool:
