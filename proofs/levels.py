@@ -1,9 +1,9 @@
 """Beyond the paper: where ε(γ) decreases on (−b, a], and where it does not.
 
 ε(γ) is the flip angle half a turn before the motion passes ψ = π/2. Until the motion has turned it
-solves F(ε, γ) = π, and F falls in ε and in γ, so that ε falls too:
+solves F(ε, γ) = π, and F falls in ε, by ∂F/∂ε = −f, and in γ, as f does, so that ε falls too:
 
-- `rotating_decrease`, `unturned_decrease`: dε/dγ = −(∂F/∂γ)/(∂F/∂ε) < 0, for γ > 0 with ε < π/2
+- `rotating_decrease`, `unturned_decrease`: −dε/dγ = (∂F/∂γ)/(∂F/∂ε) > 0, for γ > 0 with ε < π/2
   and for 0 < ε < π/2 with γ > −b sin²ε.
 
 With what the file before shows of the motion once it has turned:

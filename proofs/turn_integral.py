@@ -60,10 +60,7 @@ one_turn = Claim(
 )
 
 level_line = Claim(
-    says=equal(F, pi),
-    given=_rotating,
-    proof=by(substituting(d49, one_turn)),
-    where=display(49),
+    says=equal(F, pi), given=_rotating, proof=by(substituting(d49, one_turn)), where=display(49)
 )
 
 # -- the derivative by the end --------------------------------------------------------------------

@@ -17,6 +17,7 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
 from tresym.ledger.evidence.charted import Charted
+from tresym.ledger.evidence.evaluated import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.reals.notebook import html_table, in_one_line
@@ -285,7 +286,7 @@ def save_certificates(report: Report) -> int:
         row.claim.label: row.finding.trees
         for row in report.rows
         if row.finding.trees
-        and isinstance(row.claim.proof, Boxes | Charted)
+        and isinstance(row.claim.proof, Boxes | Charted | Evaluated)
         and row.claim.proof.stored
     }
     save(found)
