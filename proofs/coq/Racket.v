@@ -276,6 +276,36 @@ Proof.
   field; repeat split; lra.
 Qed.
 
+(* What the exponent of an angle exceeds its logarithm by, as that of one number. *)
+Lemma exponent_parts a b e : 0 < a -> 0 < b -> 0 < e -> 0 < sin e -> 0 < cos e ->
+  exists w, 0 < w /\ w - / w = 2 * (sqrt (a * / (a + b)) * cos e * / sin e)
+  /\ sqrt (a * b) * ((-1) * asin (sqrt (b * / (a + b)) * cos e) + asin (sqrt (b * / (a + b))))
+      + ln (e * / sin e) + ln (1 / 2 * sqrt (b * / a * sin e ^ 2 + 1) + 1 / 2 * cos e)
+    = ln (1 / 2 * e * / sqrt (a * / (a + b)) * exp (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b))))))
+      + ln w - sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)).
+Proof.
+  intros A B E S C; pose proof (sin_square e) as Q; pose proof (root_above a b e A B) as R1.
+  pose proof (root_square a b e A B) as R2; unfold root_of in *.
+  set (s := sin e) in *; set (c := cos e) in *; set (r := sqrt (b * / a * s ^ 2 + 1)) in *.
+  assert (M0 : 0 < a * / (a + b)) by positive; set (m := sqrt (a * / (a + b))).
+  assert (M2 : m ^ 2 = a * / (a + b)) by (apply pow2_sqrt; lra).
+  assert (M : 0 < m) by (apply sqrt_lt_R0; exact M0); assert (J : 0 < / s) by positive.
+  assert (Z : s ^ 2 = m ^ 2 * (r ^ 2 - c ^ 2)) by (rewrite M2, R2, Q; field; lra).
+  exists (m * (r + c) * / s); assert (W : 0 < m * (r + c) * / s) by (apply Rmult_lt_0_compat; [nra | exact J]).
+  split; [exact W | split].
+  - assert (I : / (m * (r + c) * / s) = m * (r - c) * / s); [| rewrite I; ring].
+    apply (Rmult_eq_reg_l (m * (r + c) * / s)); [| lra]; rewrite Rinv_r by lra.
+    replace (m * (r + c) * / s * (m * (r - c) * / s)) with (m ^ 2 * (r ^ 2 - c ^ 2) * / (s ^ 2)) by (field; lra).
+    rewrite <- Z; field; lra.
+  - set (x := sqrt (a * b) * (PI + asin (sqrt (b * / (a + b))))); pose proof (exp_pos x).
+    replace (1 / 2 * e * / m * exp x) with (/ 2 * (e * (/ m * exp x))) by (field; lra).
+    replace (1 / 2 * r + 1 / 2 * c) with (/ 2 * (r + c)) by field.
+    assert (0 < / m) by positive.
+    rewrite (ln_mult (/ 2) (e * _)), (ln_mult e (/ m * _)), (ln_mult (/ m)), ln_exp, (ln_mult e (/ s)),
+      (ln_mult (/ 2) (r + c)), (ln_mult _ (/ s)), (ln_mult m), !ln_Rinv by (first [lra | positive]).
+    unfold x; ring.
+Qed.
+
 (* The rate dphi/dpsi of precession on a level, and how its integral changes. *)
 Definition rate (s a b g t : R) : R :=
   s * / sqrt (a + b * sin t ^ 2) * / sqrt (g + b * sin t ^ 2) * ((-1) * b * sin t ^ 2 + 1).
