@@ -756,14 +756,6 @@ Proof.
   - assert (1 <= x * p) by nra; nra.
 Qed.
 End Ratio.
-Lemma sinh_grows x y : x <= y -> sinh x <= sinh y.
-Proof.
-  intros L; unfold sinh; pose proof (exp_rises x y L); pose proof (exp_rises (- y) (- x) ltac:(lra)); lra.
-Qed.
-Lemma sinh_above x : 0 < x -> 0 < sinh x.
-Proof. intros L; unfold sinh; pose proof (exp_increasing (- x) x ltac:(lra)); lra. Qed.
-Lemma arctangent_rises x y : x <= y -> atan x <= atan y.
-Proof. intros [L|L]; [left; now apply atan_increasing | rewrite L; lra]. Qed.
 (* A bound of an angle from a weaker one, and what it says of the ratio. *)
 Ltac sharper step l m := eapply Rle_trans;
   [apply (step l m); lra | unfold sinh; inverse_sines; interval].

@@ -12,7 +12,7 @@ assert (Step : forall l M, 0 <= l -> l <= r -> e <= M -> M <= PI / 2 ->
   { unfold p; pose proof (asin_bound (sqrt (b * / (a + b)) * cos e)); lra. }
   assert (Y : e = atan (/ sqrt (r + 1) * / sinh (p * k))).
   { apply (claim_defect_by_phase p a b e); trivial; try lra; try nra; fold r; try lra.
-    fold k; apply Rgt_not_eq, sinh_above; nra. }
+    fold k; apply Rgt_not_eq, sinh_pos; nra. }
   assert (V : 0 <= l * / (l + 1) <= b * / (a + b)).
   { replace (b * / (a + b)) with (r * / (r + 1)) by (unfold r; field; lra).
     assert (0 < / (l + 1)) by positive; split; [nra |].
@@ -29,8 +29,8 @@ assert (Step : forall l M, 0 <= l -> l <= r -> e <= M -> M <= PI / 2 ->
   assert (T0 : 0 <= asin (sqrt (l * / (l + 1)) * cos M)).
   { destruct X0 as [X0|X0]; [left; apply asin_above; exact X0 | rewrite <- X0, asin_0; lra]. }
   rewrite Y at 1; apply arctangent_rises; rewrite <- Rinv_mult; apply Rinv_le_contravar.
-  - apply Rmult_lt_0_compat; [apply sqrt_lt_R0; lra | apply sinh_above; lra].
-  - apply Rmult_le_compat; [apply sqrt_pos | left; apply sinh_above; lra | apply sqrt_le_1_alt; lra |].
+  - apply Rmult_lt_0_compat; [apply sqrt_lt_R0; lra | apply sinh_pos; lra].
+  - apply Rmult_le_compat; [apply sqrt_pos | left; apply sinh_pos; lra | apply sqrt_le_1_alt; lra |].
     apply sinh_grows; assert (G : PI + asin (sqrt (l * / (l + 1)) * cos M) <= p) by (unfold p; lra).
     apply Rle_trans with (p / 2); [lra | nra]. }
 assert (E0 : e <= 42 / 100).
