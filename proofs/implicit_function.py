@@ -268,8 +268,8 @@ def _at_origin(
 ) -> tuple[Claim, Claim]:
     """That a derivative of G, as ``slope`` says it is, has this value at the origin."""
     says_value = equal(at(parts_of(slope.says)[0].args[1], at_origin), value)
-    name = slope.label.removeprefix("slope_by_")
-    letter = {"lambda": r"\lambda", "mu": r"\mu"}.get(name, name)
+    name = label.removeprefix("G_").removesuffix("_at_origin")
+    letter = name if len(name) == 1 else "\\" + name
     shown = rf"\frac{{\partial G}}{{\partial {letter}}}(0, 0, 0) = {value}"
     proof = by(evaluating, *reasons)
     found = Claim(label=f"{label}_value", says=says_value, proof=proof, shown=shown)

@@ -1,9 +1,9 @@
 """Beyond the paper: where ε(γ) decreases on (−b, a], and where it does not.
 
 ε(γ) is the flip angle half a turn before the motion passes ψ = π/2. Until the motion has turned it
-solves F(ε, γ) = π, and F falls in ε and in γ, so that ε falls too:
+solves F(ε, γ) = π, and F falls in ε, by ∂F/∂ε = −f, and in γ, as f does, so that ε falls too:
 
-- `rotating_decrease`, `unturned_decrease`: dε/dγ = −(∂F/∂γ)/(∂F/∂ε) < 0, for γ > 0 with ε < π/2
+- `rotating_decrease`, `unturned_decrease`: −dε/dγ = (∂F/∂γ)/(∂F/∂ε) > 0, for γ > 0 with ε < π/2
   and for 0 < ε < π/2 with γ > −b sin²ε.
 
 With what the file before shows of the motion once it has turned:
@@ -46,7 +46,6 @@ from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
-F_epsilon, F_gamma = (Symbol(name, real=True) for name in ("F_epsilon", "F_gamma"))
 rotating_rate, unturned_rate = (
     Symbol(name, real=True) for name in ("epsilonprime_r", "epsilonprime_o")
 )
@@ -83,61 +82,33 @@ def _at(level: Expr, given: tuple[Any, ...]) -> tuple[Any, ...]:
 
 
 def _falling(name: str, given: tuple[Any, ...], rate: Symbol) -> tuple[Claim, ...]:
-    """F(ε, γ) = π where ``given`` holds, both slopes of F, and dε/dγ with its sign."""
+    """F(ε, γ) = π where ``given`` holds, and dε/dγ = −(∂F/∂γ)/(∂F/∂ε) with its sign."""
     turn = Claim(
         label=f"{name}_turn",
         says=equal(_turn(c), pi),
         given=_at(c, given),
         proof=Definition("half a turn of the handle from epsilon to the middle"),
     )
-    slopes = Claim(
-        label=f"{name}_slopes",
-        says=Tuple(equal(F_epsilon, Derivative(_turn(gamma), epsilon)), equal(F_gamma, _by_depth)),
-        given=given,
-        proof=Definition(),
-        note="∂F/∂ε and ∂F/∂γ.",
-    )
-    by_defect = Claim(
-        label=f"{name}_falls_in_defect",
-        says=F_epsilon < 0,
-        given=given,
-        proof=(
-            step(_f(gamma, epsilon), substituting(slopes), differentiating_integral(Integer(0))),
-        ),
-    )
-    by_depth = Claim(
-        label=f"{name}_falls_in_gamma",
-        says=F_gamma < 0,
-        given=given,
-        proof=(
-            step(
-                Integral(_fall, (psi, epsilon, pi / 2)),
-                substituting(slopes),
-                differentiating_integral(-_fall),
-            ),
-        ),
-    )
+    by_end = differentiating_integral(Integer(0))
     slope = Claim(
         label=f"{name}_slope",
         says=equal(rate, -_by_depth / Derivative(_turn(gamma), epsilon)),
         given=given,
-        proof=ImplicitFunction(
-            equation=turn,
-            unknown=epsilon,
-            parameter=c,
-            at=gamma,
-            slope=(step(-_f(gamma, epsilon), differentiating_integral(Integer(0))),),
-        ),
+        proof=ImplicitFunction(turn, epsilon, c, gamma, (step(-_f(gamma, epsilon), by_end),)),
     )
     decrease = Claim(
         label=f"{name}_decrease",
         says=rate < 0,
         given=given,
         proof=(
-            step(F_gamma / F_epsilon, substituting(slope, slopes), citing(by_defect, by_depth)),
+            step(
+                Integral(_fall, (psi, epsilon, pi / 2)) / _f(gamma, epsilon),
+                substituting(slope),
+                *(differentiating_integral(-_fall), by_end, roots),
+            ),
         ),
     )
-    return turn, slopes, by_defect, by_depth, slope, decrease
+    return turn, slope, decrease
 
 
 rotating_claims = _falling("rotating", rotating, rotating_rate)

@@ -29,6 +29,8 @@ _sine, _cosine = sin(epsilon0), cos(epsilon0)
 _root = sqrt(1 + b / a * _sine**2)
 
 _tangent = tanh(sqrt(a * b) * P)
+_at_root = citing(flip_defect)
+"""That ε₀ lies between 0 and π/2."""
 
 phase = Claim(says=equal(P, pi + asin(_mu * _cosine)), given=shape, proof=Definition())
 
@@ -57,18 +59,14 @@ defect_by_phase = Claim(
     says=equal(epsilon0, atan(1 / (sqrt(1 + b / a) * sinh(sqrt(a * b) * P)))),
     given=shape,
     proof=(
-        step(atan(tan(epsilon0)), citing(flip_defect), substituting(angle_of_tangent)),
+        step(atan(tan(epsilon0)), _at_root, substituting(angle_of_tangent)),
         step(
             atan(sqrt(1 - (_cosine / _root) ** 2) / (sqrt(1 + b / a) * (_cosine / _root))),
-            citing(flip_defect, defect_range),
-            roots,
-            trigonometry,
+            *(_at_root, roots, trigonometry),
         ),
         step(
             atan(sqrt(1 - _tangent**2) / (sqrt(1 + b / a) * _tangent)),
-            substituting(phase, flip_defect),
-            citing(flip_defect, defect_range),
-            roots,
+            *(substituting(phase, flip_defect), _at_root, roots),
         ),
         step(None, citing(phase_range), exponentials, roots),
     ),
@@ -81,15 +79,12 @@ phase_by_defect = Claim(
     says=equal(P, asinh(sqrt(a / (a + b)) * _cosine / _sine) / sqrt(a * b)),
     given=shape,
     proof=(
-        step(asinh(sinh(sqrt(a * b) * P)) / sqrt(a * b), exponentials, inverses, roots),
-        step(asinh(_sinh) / sqrt(a * b), exponentials, roots),
+        step(asinh(_sinh) / sqrt(a * b), exponentials, inverses, roots),
         step(
             asinh(_share / sqrt(1 - _share**2)) / sqrt(a * b),
-            substituting(phase, flip_defect),
-            citing(flip_defect, defect_range),
-            roots,
+            *(substituting(phase, flip_defect), _at_root, roots),
         ),
-        step(None, citing(flip_defect, defect_range), roots, trigonometry),
+        step(None, _at_root, roots, trigonometry),
     ),
 )
 
@@ -114,20 +109,14 @@ turn_by_cosine = Claim(
     proof=by(inverses, roots),
 )
 
-below_one = Claim(
-    says=_cosine < 1,
-    given=shape,
-    proof=by(citing(flip_defect)),
-)
-
-_turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (defect_range, below_one))
+_turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (flip_defect,))
 
 turn_at_root = Claim(says=_turn_at_root.says, given=shape, proof=_turn_at_root)
 
 turn_as_one = Claim(
     says=equal(asin(_mu), asin(_mu * _cosine) + _turn),
     given=shape,
-    proof=by(substituting(turn_at_root), citing(flip_defect, defect_range), trigonometry),
+    proof=by(substituting(turn_at_root), _at_root, trigonometry),
 )
 
 decay_at_root = Claim(
@@ -138,9 +127,9 @@ decay_at_root = Claim(
         step(
             sqrt((1 - _cosine / _root) / (1 + _cosine / _root)),
             substituting(phase, flip_defect),
-            citing(flip_defect, defect_range),
+            _at_root,
         ),
-        step(None, citing(flip_defect, defect_range), roots, trigonometry),
+        step(None, _at_root, roots, trigonometry),
     ),
 )
 
@@ -152,7 +141,7 @@ decay_once = Claim(
     given=shape,
     proof=(
         step(exp(-sqrt(a * b) * P), substituting(phase)),
-        step(None, substituting(decay_at_root), citing(flip_defect, defect_range)),
+        step(None, substituting(decay_at_root), _at_root),
     ),
 )
 
@@ -160,10 +149,10 @@ decay_by_defect = Claim(
     says=Tuple(decay_once.says, equal(exp(-2 * _time), _over**2)),
     given=shape,
     proof=together(
-        by(substituting(decay_once), citing(flip_defect, defect_range)),
+        by(substituting(decay_once), _at_root),
         (
             step(Pow(exp(-_time), 2, evaluate=False), exponentials),
-            step(None, substituting(decay_once), citing(flip_defect, defect_range), roots),
+            step(None, substituting(decay_once), _at_root, roots),
         ),
     ),
 )
@@ -173,29 +162,19 @@ leading_by_defect = Claim(
     given=shape,
     proof=(
         step(
-            2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (pi + asin(_mu))), substituting(leading_term)
-        ),
-        step(
-            2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * (P + _turn)),
-            substituting(phase, turn_as_one),
-            citing(flip_defect, defect_range),
-        ),
-        step(
             2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * P) * exp(-sqrt(a * b) * _turn),
-            citing(flip_defect, defect_range),
-            exponentials,
+            substituting(leading_term, phase, turn_as_one),
+            *(_at_root, exponentials),
         ),
         step(
             2 * _sine / (_cosine + _root) * exp(-sqrt(a * b) * _turn),
             substituting(decay_at_root),
-            citing(flip_defect, defect_range),
-            roots,
+            *(_at_root, roots),
         ),
-        step(
-            None, substituting(exponent_of_defect), citing(flip_defect, defect_range), exponentials
-        ),
+        step(None, substituting(exponent_of_defect), _at_root, exponentials),
     ),
 )
+
 first_coefficient = Claim(
     says=equal(c1, (6 * b - 1 + 3 * b / a) / 12), given=shape, proof=Definition()
 )
@@ -207,7 +186,7 @@ second_coefficient = Claim(
 exponent_is_logarithm = Claim(
     says=equal(Q, log(epsilon0 / epsilon_star)),
     given=shape,
-    proof=by(substituting(leading_by_defect), citing(flip_defect), exponentials),
+    proof=by(substituting(leading_by_defect), _at_root, exponentials),
 )
 
 ROOT = (flip_defect, defect_range)
@@ -328,10 +307,7 @@ def _sweep(
     gained = Claim(
         f"sweep_from_{start}_misses",
         equal(left, gap),
-        (
-            step(_sweep_turn - atan(turn), substituting(one)),
-            step(None, substituting(turn_of_phase)),
-        ),
+        by(substituting(one, turn_of_phase)),
         given=shape,
     )
     end = sqrt(1 + b / a) * sinh(k_ * (pi + atan(turn)))
@@ -341,10 +317,7 @@ def _sweep(
     beyond = Claim(
         f"sweep_from_{start}_exceeds",
         equal(apart, ends - epsilon0),
-        (
-            step(atan(1 / end) - atan(1 / _w), substituting(two), citing(phase_range)),
-            step(None, substituting(swept, defect_by_phase), citing(phase_range)),
-        ),
+        by(substituting(two, swept, defect_by_phase), citing(phase_range)),
         given=shape,
     )
     error = sinh(k_ * P) / sinh(k_ * (pi + atan(turn))) - 1
@@ -546,10 +519,7 @@ def _newton(
     beyond = Claim(
         f"{label}_exceeds",
         equal(apart, last - epsilon0),
-        (
-            step(atan(_w) - atan(w), substituting(two)),
-            step(None, substituting(improved[1], defect_by_cotangent)),
-        ),
+        by(substituting(two, improved[1], defect_by_cotangent)),
         given=shape,
     )
     known["cited"] = (phase_range, goes_on)

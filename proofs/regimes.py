@@ -241,10 +241,7 @@ symmetry_half = Claim(
 psi_half_oscillating = Claim(
     says=b * _sine > 0,
     given=(*ordered_moments, *shape_of_a_body, gamma < 0),
-    proof=(
-        step(gamma + b * _sine - gamma),
-        step(cos(theta) ** 2 * (a + b * _sine) - gamma, substituting(eq_gamma), trigonometry),
-    ),
+    proof=(step(cos(theta) ** 2 * (a + b * _sine) - gamma, substituting(tilt_by_flip)),),
     where=line(103),
     note="sin ψ never vanishes, so ψ stays in (0, π) or in (−π, 0), up to full turns.",
 )

@@ -253,9 +253,7 @@ leading_defect = Claim(
 )
 
 defect_range = Claim(
-    says=Tuple(sin(epsilon0) > 0, cos(epsilon0) > 0),
-    given=shape,
-    proof=by(citing(flip_defect)),
+    says=Tuple(sin(epsilon0) > 0, cos(epsilon0) > 0), given=shape, proof=by(citing(flip_defect))
 )
 
 label_claims(globals())

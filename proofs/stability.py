@@ -113,17 +113,11 @@ def _stays_near(
 
 
 stays_near_e1 = _stays_near(
-    "stays_near_e1",
-    _below_first,
-    (M2, M3),
-    ((I2 - I1) / (I1 * I2), (I3 - I1) / (I1 * I3)),
+    "stays_near_e1", _below_first, (M2, M3), ((I2 - I1) / (I1 * I2), (I3 - I1) / (I1 * I3))
 )
 
 stays_near_e3 = _stays_near(
-    "stays_near_e3",
-    _above_third,
-    (M2, M1),
-    ((I3 - I2) / (I2 * I3), (I3 - I1) / (I1 * I3)),
+    "stays_near_e3", _above_third, (M2, M1), ((I3 - I2) / (I2 * I3), (I3 - I1) / (I1 * I3))
 )
 
 _conserved = (energy_conserved, momentum_conserved)

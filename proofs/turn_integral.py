@@ -25,10 +25,7 @@ F_epsilon, F_gamma, defect_F, defect_gamma = (
 F_epsilon0 = Symbol("partialF_partialepsilon0", real=True)
 """Partial derivatives, as symbols of their own; the last of F by ε at γ = 0."""
 _value = Symbol("F0", real=True)
-excess_value, excess_epsilon = (
-    Symbol(f"partialexcess_partial{by}", real=True) for by in ("F0", "epsilon")
-)
-"""A value F₀ of F at γ = 0, and the slopes of F − F₀ by F₀ and by ε."""
+"""A value F₀ of F at γ = 0."""
 _rotating = (*shape, b < 1, *defect, gamma > 0)
 
 
@@ -63,10 +60,7 @@ one_turn = Claim(
 )
 
 level_line = Claim(
-    says=equal(F, pi),
-    given=_rotating,
-    proof=by(substituting(d49, one_turn)),
-    where=display(49),
+    says=equal(F, pi), given=_rotating, proof=by(substituting(d49, one_turn)), where=display(49)
 )
 
 # -- the derivative by the end --------------------------------------------------------------------
@@ -135,53 +129,18 @@ _opened = (differentiating_integral(_spread_slope), integrating(_spread_slope * 
 inverse_symbol = Claim(
     says=equal(defect_F, -_by_value / _by_end),
     given=_one_motion,
-    proof=ImplicitFunction(
-        equation=value_reached,
-        unknown=epsilon,
-        parameter=_value,
-        at=pi,
-        slope=(step(-_at_end, *_opened),),
-    ),
+    proof=ImplicitFunction(value_reached, epsilon, _value, pi, (step(-_at_end, *_opened),)),
     note="∂ε/∂F at γ = 0: the slope of the inverse function, where F = π.",
-)
-
-slopes_of_the_excess = Claim(
-    says=Tuple(equal(excess_value, _by_value), equal(excess_epsilon, _by_end)),
-    given=_one_motion,
-    proof=Definition(),
-    note="The slopes of F − F₀ by F₀ and by ε.",
-)
-
-excess_by_value = Claim(
-    says=equal(excess_value, -1),
-    given=_one_motion,
-    proof=by(
-        substituting(slopes_of_the_excess),
-        differentiating_integral(-1 / _length),
-        integrating(-psi / _length),
-    ),
-)
-
-excess_by_end = Claim(
-    says=equal(excess_epsilon, -_at_end),
-    given=_one_motion,
-    proof=by(substituting(slopes_of_the_excess), *_opened),
-)
-
-excess_falls = Claim(
-    says=excess_epsilon < 0, given=_one_motion, proof=by(substituting(excess_by_end))
-)
-
-defect_by_excess = Claim(
-    says=equal(defect_F, -excess_value / excess_epsilon),
-    given=_one_motion,
-    proof=by(substituting(inverse_symbol, slopes_of_the_excess), citing(excess_falls)),
 )
 
 defect_by_turn = Claim(
     says=equal(defect_F, -1 / _at_end),
     given=_one_motion,
-    proof=by(substituting(defect_by_excess, excess_by_value, excess_by_end), roots),
+    proof=by(
+        substituting(inverse_symbol),
+        *(differentiating_integral(-1 / _length), integrating(-psi / _length)),
+        *(*_opened, roots),
+    ),
     where=display(51),
 )
 
@@ -220,17 +179,8 @@ implicit_defect = Claim(
     says=equal(defect_gamma, -_slope / Derivative(_turn(Integer(0)), epsilon)),
     given=(*shape, b < 1, *defect, S > 0),
     proof=ImplicitFunction(
-        equation=one_turn,
-        unknown=epsilon,
-        parameter=gamma,
-        at=Integer(0),
-        slope=(
-            step(
-                -printed.integrand(epsilon, a, b, 0, S, sympy),
-                differentiating_integral(Integer(0)),
-                roots,
-            ),
-        ),
+        *(one_turn, epsilon, gamma, Integer(0)),
+        slope=(step(-_at_end, differentiating_integral(Integer(0)), roots),),
     ),
     where=display(50),
     note="∂ε/∂γ at γ = 0, where F(ε(γ), γ) = π; the sign S is 1 there.",

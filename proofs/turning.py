@@ -33,7 +33,6 @@ c = Symbol("c", real=True)
 """A level, where γ is held."""
 chi, chi_rate = (Symbol(name, real=True) for name in ("chi", "chiprime"))
 """The variable in which the motion passes its turning points smoothly, and dχ/dγ."""
-Phi_chi, Phi_gamma = (Symbol(name, real=True) for name in ("Phi_chi", "Phi_gamma"))
 
 
 class _Unfolded:
@@ -93,19 +92,6 @@ def _phase(level: Expr, end: Expr = chi) -> Integral:
 
 _phase_by_depth = Subs(Derivative(_phase(c), c), c, gamma)
 
-phase_slopes = Claim(
-    says=Tuple(equal(Phi_chi, Derivative(_phase(gamma), chi)), equal(Phi_gamma, _phase_by_depth)),
-    given=(*shape, gamma < 0),
-    proof=Definition(),
-    note="∂Φ/∂χ and ∂Φ/∂γ.",
-)
-
-phase_rises_in_time = Claim(
-    says=Phi_chi > 0,
-    given=(*oscillating, *half_time),
-    proof=(step(_end.rate, substituting(phase_slopes), differentiating_integral(Integer(0))),),
-)
-
 _y = Symbol("y", real=True)
 
 precession_goes_on = Claim(
@@ -144,16 +130,13 @@ one_time = Claim(
 flip_defect_on_level = _end.flip.xreplace({chi: TheRoot(*_one_time.args)})
 """ε(γ) for γ < 0: ψ where Φ(χ, γ) = π."""
 
+_grows = differentiating_integral(_here.growth)
+_by_end = differentiating_integral(Integer(0))
+
 phase_rises_in_gamma = Claim(
-    says=Phi_gamma > 0,
+    says=_phase_by_depth > 0,
     given=(*oscillating, *half_time),
-    proof=(
-        step(
-            Integral(_here.growth, (x, 0, chi)),
-            substituting(phase_slopes),
-            differentiating_integral(_here.growth),
-        ),
-    ),
+    proof=(step(Integral(_here.growth, (x, 0, chi)), _grows),),
 )
 
 half_a_turn_before = Claim(
@@ -166,13 +149,7 @@ half_a_turn_before = Claim(
 unfolded_slope = Claim(
     says=equal(chi_rate, -_phase_by_depth / Derivative(_phase(gamma), chi)),
     given=(*oscillating, *half_time),
-    proof=ImplicitFunction(
-        equation=half_a_turn_before,
-        unknown=chi,
-        parameter=c,
-        at=gamma,
-        slope=(step(_end.rate, differentiating_integral(Integer(0))),),
-    ),
+    proof=ImplicitFunction(half_a_turn_before, chi, c, gamma, (step(_end.rate, _by_end),)),
 )
 
 unfolded_decrease = Claim(
@@ -180,9 +157,9 @@ unfolded_decrease = Claim(
     given=(*oscillating, *half_time),
     proof=(
         step(
-            Phi_gamma / Phi_chi,
-            substituting(unfolded_slope, phase_slopes),
-            citing(phase_rises_in_time, phase_rises_in_gamma),
+            Integral(_here.growth, (x, 0, chi)) / _end.rate,
+            substituting(unfolded_slope),
+            *(_grows, _by_end, roots),
         ),
     ),
 )

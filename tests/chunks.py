@@ -23,6 +23,8 @@ DEEP = os.environ.get("HYPOTHESIS_PROFILE") == "deep"
 
 EXAMPLES: Counter[str] = Counter()
 """How many examples each test has passed since its name was recorded last."""
+DECIDED: Counter[str] = Counter()
+"""Of those that are claims, how many got a verdict other than UNDECIDED."""
 
 
 def seed_of(number: int) -> int:
@@ -42,15 +44,17 @@ def record(test: str, outcome: str, seconds: float) -> None:
     """Add the end of a test to the record, if there is one."""
     if RECORD is None:
         return
-    name = test.rpartition("::")[2]
+    name = test.rpartition("::")[2].partition("[")[0]
     line: dict[str, Any] = {
         "test": test,
         "chunk": CHUNK,
         "outcome": outcome,
-        "examples": EXAMPLES.pop(name.partition("[")[0], 0),
+        "examples": EXAMPLES.pop(name, 0),
         "seconds": round(seconds, 2),
         "commit": os.environ.get("TRESYM_COMMIT", ""),
         "day": datetime.now(UTC).date().isoformat(),
     }
+    if name in DECIDED:
+        line["decided"] = DECIDED.pop(name)
     with open(RECORD, "a", encoding="utf-8") as file:
         file.write(json.dumps(line) + "\n")

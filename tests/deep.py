@@ -1,6 +1,6 @@
-"""The long hunts: ``python tests/deep.py laws`` (also cheap, hostile, classes, kills, claims).
+"""The long hunts: ``python tests/deep.py known`` (claims, laws, cheap, hostile, classes, kills).
 
-Each hunt is a number of chunks, each with seeds of its own: a run of pytest, or of ``hunt.py``.
+Each hunt is a number of chunks, each with seeds of its own: a run of pytest, or of a script.
 What has passed is in ``build/deep.jsonl`` and is not run again: an interrupted hunt goes on when it
 is started again. A failure stays in the record, its output in ``build/deep-HUNT-CHUNK.txt``.
 ``--seconds N`` begins no chunk after N seconds; ``show`` prints the totals, and ``save`` puts them
@@ -48,8 +48,9 @@ HUNTS = {
     "cheap": Hunt(("tests/laws", "-k", CHEAPEST), 100),
     "hostile": Hunt(("tests/commands/test_hostile.py", "-k", GENERATED), 10),
     "classes": Hunt(("tests/commands/test_hostile.py", "-k", f"not ({GENERATED})"), 1),
-    "kills": Hunt(("tests/sweep/test_sweep.py", "-k", "kill"), 1),
+    "kills": Hunt(("tests/commands/test_kills.py", "tests/sweep/test_sweep.py", "-k", "kill"), 5),
     "claims": Hunt((), 2000, ("tests/hunt.py",)),
+    "known": Hunt((), 200, ("tests/known.py",)),
 }
 
 
@@ -101,6 +102,8 @@ def totals() -> dict[str, dict[str, Any]]:
         at["seconds"] = round(at["seconds"] + line["seconds"], 2)
         at["examples"] += line["examples"] if passed else 0
         at["chunks" if passed else "failures"] += 1
+        if "decided" in line:
+            at["decided"] = at.get("decided", 0) + line["decided"]
         at |= {"day": line.get("day", ""), "commit": line.get("commit", "")}
     return dict(sorted(found.items()))
 

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
+import doctest
 import html.parser
 import importlib
+import inspect
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any
 
 import pytest
 from flint import arb
 
 import tresym
-from tresym.racket.body import shape
+from tresym.ledger.claim import Claim
+from tresym.ledger.verification import Report, Row
+from tresym.racket.body import Body, shape
+from tresym.racket.result import Flip, Journey
+from tresym.reals.decisions.answer import Answer
 from tresym.reals.numbers.arithmetic import ball_precision
 
 
@@ -42,6 +51,35 @@ def test_a_flip_has_its_defect_in_degrees_and_the_papers_estimate() -> None:
         assert found.degrees.rel_accuracy_bits() > 90
         assert abs(found.paper / found.defect - arb("1.000723")) < arb("1e-6")
     assert tresym.flip_defect("1", "1/10", "1/100").paper is None
+
+
+def _documented() -> Iterator[tuple[str, Any]]:
+    """What a user meets: each public name, and each member of a value that it gives."""
+    yield "tresym", tresym
+    for name in tresym.__all__:
+        if inspect.isroutine(found := getattr(tresym, name)) or inspect.isclass(found):
+            yield name, found
+    for cls in (Answer, Body, Claim, Flip, Journey, Report, Row):
+        yield cls.__name__, cls
+        for name, member in vars(cls).items():
+            told = inspect.isfunction(member) or isinstance(member, property | cached_property)
+            if told and not name.startswith("_"):
+                yield f"{cls.__name__}.{name}", member
+
+
+DOCUMENTED = dict(_documented())
+
+
+@pytest.mark.parametrize("name", DOCUMENTED)
+def test_every_public_name_has_an_example_that_does_what_it_says(name: str) -> None:
+    text = inspect.getdoc(DOCUMENTED[name]) or ""
+    module = inspect.getmodule(getattr(DOCUMENTED[name], "fget", DOCUMENTED[name]))
+    example = doctest.DocTestParser().get_doctest(text, dict(vars(module or tresym)), name, None, 0)
+    assert example.examples
+    said: list[str] = []
+    flags = doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL
+    doctest.DocTestRunner(optionflags=flags).run(example, out=said.append)
+    assert not said, "".join(said)
 
 
 VALUES = {

@@ -3,6 +3,11 @@
 The paper: L. Van Damme, P. Mardešić, D. Sugny, *The tennis racket effect in a three-dimensional
 rigid body*, Physica D 338 (2017) 17. Importing this package imports nothing heavy; names are
 loaded when first used.
+
+Example:
+    >>> import tresym
+    >>> tresym.flip_defect(tresym.bodies["book"]).realizable
+    True
 """
 
 from __future__ import annotations

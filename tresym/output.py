@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 
 from tresym.reals.numbers.exact import InputError
@@ -50,6 +50,29 @@ def writing(path: str) -> Iterator[str]:
         if aside is not None:
             with suppress(OSError):
                 os.remove(aside)
+
+
+def own_folder(folder: str, names: Iterable[str], mark: str) -> None:
+    """Make the folder; what stands there by the names to be written must bear our mark.
+
+    Raises:
+        InputError: it cannot be made, or holds a file of somebody else by one of the names.
+    """
+    try:
+        os.makedirs(folder, exist_ok=True)
+        for name in names:
+            path = os.path.join(folder, name)
+            if os.path.isfile(path) and os.path.getsize(path) and not _bears(path, mark):
+                shown = path if path.isprintable() else ascii(path)
+                raise InputError(f"{shown}: is not ours, and is not replaced; name another folder")
+    except (OSError, ValueError) as error:
+        reason = error.strerror or error if isinstance(error, OSError) else error
+        raise InputError(f"{folder!a}: no folder to write in ({reason})") from None
+
+
+def _bears(path: str, mark: str) -> bool:
+    with open(path, encoding="utf-8", errors="replace") as file:
+        return mark in file.read(10_000)
 
 
 def _remove_what_the_dead_left(goal: str) -> None:

@@ -213,6 +213,8 @@ def test_numbers_of_numpy_are_taken() -> None:
     assert str(found.defect) == str(flip_defect(1, "1/2", 0, 20).defect)
     assert flip_map(one, np.float32(0.5), np.float32(1), one) == flip_map(1, 0.5, 1.0, 1.0)
     assert check("x == x", limit=np.int64(5))
+    assert check("x == x", limit=np.float16(5))  # 100 000 is no number of its kind
+    assert complaint_of(lambda: check("x == x", limit=10**400)) is not None
     assert len(verify("eq_gamma", workers=one).rows) == len(verify(["eq_gamma"]).rows)
 
 
@@ -391,6 +393,27 @@ def test_an_input_is_never_replaced(
     Path("in").write_text("x == x\n")
     assert main(words) == 2
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"in": "x == x\n"}
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [(["paper", PAPER, "--html", "at"], "index.html"),
+     (["paper", PAPER, "--marks", "at/marks"], "tresym.sty"),
+     (["export", "eq_gamma", "--coq", "at"], "Makefile"),
+     (["export", "eq_gamma", "--coq", "at"], "Tresym.v")],
+)  # fmt: skip
+def test_a_folder_of_others_is_left_as_it_is(
+    words: list[str], name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    Path("at").mkdir()
+    (Path("at") / name).write_text("theirs")
+    assert main(words) == 2
+    assert one_line(capsys.readouterr().err.removesuffix("\n"))
+    assert {p.name: p.read_text() for p in Path("at").iterdir()} == {name: "theirs"}
+    (Path("at") / name).unlink()
+    assert main(words) == main(words) == 0
 
 
 # Whole processes

@@ -10,6 +10,7 @@ import pytest
 
 from tresym.ledger import certificates
 from tresym.ledger.certificates import FILE, certificate, checkout_file, save
+from tresym.ledger.paper import all_claims
 from tresym.reals.balls.boxes import BoxProof
 from tresym.reals.numbers.exact import InputError
 
@@ -44,3 +45,8 @@ def test_an_installed_package_is_not_written_to(checkout: Path) -> None:
     with pytest.raises(InputError):
         checkout_file()
     assert not (checkout / "proofs" / FILE).exists()
+
+
+def test_who_looks_for_a_stored_proof_has_one() -> None:
+    looking = {c.label for c in all_claims() if getattr(c.proof, "stored", None) is not None}
+    assert looking == certificates._trees().keys()

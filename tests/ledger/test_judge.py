@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+import sympy
 from flint import arb
 from sympy import (
     Abs,
@@ -375,6 +376,59 @@ def test_derivatives_are_opened_only_by_name() -> None:
     given = (x > -1, x < 1)
     assert verdict(claim(says, by(differentiation, roots, inverses), given)) is Verdict.PROVED
     assert verdict(claim(says, by(roots, inverses), given)) is not Verdict.PROVED
+
+
+SMOOTH_NOWHERE = {
+    "a logarithm of what is negative": (equal(Derivative(log(x), x), 1 / x), (x < 0,)),
+    "atanh beyond 1": (equal(Derivative(sympy.atanh(x), x), 1 / (1 - x**2)), (x > 1,)),
+    "a corner": (equal(Derivative(Abs(x), x), sign(x)), ()),
+    "a corner that is put in": (equal(at(Derivative(Abs(x), x), {x: y}), sign(y)), ()),
+    "a jump": (equal(Derivative(sign(x), x), 0), ()),
+    "a constant that is none": (equal(Derivative(log(y) + x, x), 1), ()),
+    "inside a value": (equal(at(Derivative(log(x), x) + y, {x: y}), y + 1 / y), (y < 0,)),
+    "a second derivative": (equal(Derivative(log(x), x, x), -1 / x**2), (x < 0,)),
+}
+
+
+@pytest.mark.parametrize("name", SMOOTH_NOWHERE)
+def test_a_derivative_is_one_where_its_function_is_smooth(name: str) -> None:
+    says, given = SMOOTH_NOWHERE[name]
+    for proof in (by(evaluating, *EVERYTHING), formally()):
+        assert not verdict(claim(says, proof, given)).holds
+
+
+def test_a_derivative_of_what_is_shown_to_be_smooth() -> None:
+    for says in (
+        equal(Derivative(log(x), x), 1 / x),
+        equal(Derivative(Abs(x), x), sign(x)),
+        equal(Derivative(log(x), x, x), -1 / x**2),
+        equal(at(Derivative(log(x), x) + y, {x: y}), y + 1 / y),
+    ):
+        assert verdict(claim(says, by(evaluating, *EVERYTHING), (x > 0, y > 0))).holds
+
+
+ACROSS = Integral(1 / x, (x, -1, 1))
+NO_INTEGRAL = {
+    "one equal to itself": (equal(ACROSS, Integral(1 / y, (y, -1, 1))), ()),
+    "a square": (Ge(ACROSS**2, 0, evaluate=False), ()),
+    "of what is not real": (Ge(Integral(log(y), (y, -2, -1)) ** 2, 0, evaluate=False), ()),
+    "in a derivative": (
+        equal(
+            Derivative(Integral(1 / t, (t, -1, x)), x) + y,
+            y + Derivative(Integral(1 / a, (a, -1, x)), x),
+        ),
+        (x > 0,),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", NO_INTEGRAL)
+def test_an_integral_that_does_not_exist_equals_nothing(name: str) -> None:
+    says, given = NO_INTEGRAL[name]
+    for proof in (by(), formally(), manifest):
+        assert not verdict(claim(says, proof, given)).holds
+    there = equal(Integral(1 / x, (x, 1, 2)), Integral(1 / y, (y, 1, 2)))
+    assert all(verdict(claim(there, proof)).holds for proof in (by(), formally()))
 
 
 def test_circular_definitions_end() -> None:

@@ -320,6 +320,19 @@ def test_a_lost_answer_is_asked_for_again_but_not_for_ever(
             sweep(GRID, str(tmp_path / "t"), 20, losing)
 
 
+@pytest.mark.parametrize(("answers", "ends"), [(1, True), (3, True), (4, False)])
+def test_a_lost_answer_is_asked_for_again_in_order_too(answers: int, ends: bool) -> None:
+    """As ``tresym check -f --scheduler`` asks."""
+    asked = [b"%d" % n for n in range(9)]
+    for window in (1, 20):
+        found = Workers(Losing(answers), window).in_order(bytes.strip, iter(asked))
+        if ends or window > 1:
+            assert list(found) == asked
+        else:
+            with pytest.raises(ValueError, match="too many values"):
+                list(found)
+
+
 @pytest.mark.parametrize(
     "batch", [b"nonsense" * 1000, packed([SweepRow(1, "x", defect=0.5)], True)]
 )
@@ -931,7 +944,6 @@ def test_a_cluster_that_dies_is_one_line_and_the_rest_is_computed_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, big_rows: list[tuple[Any, ...]]
 ) -> None:
     pytest.importorskip("distributed")
-    monkeypatch.setattr("tresym.sweep.run.PATIENCE", 1)
     monkeypatch.setattr("tresym.sweep.workers.PATIENCE", 2)
     monkeypatch.setattr(Progress, "EVERY", 0.0)
     doomed, grid = Cluster(), Grid.read(BIG[1], BIG[3], BIG[5])
@@ -969,7 +981,7 @@ def test_workers_that_are_gone_end_the_wait(
     def silent() -> Iterator[Workers]:
         yield Workers(Silent(), 2, gone)
 
-    monkeypatch.setattr("tresym.sweep.run.PATIENCE", 0.01)
+    monkeypatch.setattr("tresym.sweep.workers.PATIENCE", 0.01)
     with pytest.raises(InputError, match="nobody is left"):
         sweep(GRID, str(tmp_path / "t"), 20, silent)
 

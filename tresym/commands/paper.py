@@ -57,6 +57,7 @@ def run(args: argparse.Namespace) -> int:
     if missing:
         print(f"not found, and left out: {', '.join(missing[:5])}", file=sys.stderr)
     links = read_links(events)
+    _check_places(args)
     rows = decided(links, limit, progress=_progress)
     if args.json:
         lines = (json.dumps(row.as_json(), ensure_ascii=False) for row in rows)
@@ -69,6 +70,19 @@ def run(args: argparse.Namespace) -> int:
     return UNEXPECTED if any(row.status in bad for row in rows) else 0
 
 
+def _check_places(args: argparse.Namespace) -> None:
+    """See, before any work, that the page and the marks replace nothing of others."""
+    from pathlib import Path
+
+    from tresym.manuscript import page
+    from tresym.output import own_folder
+
+    if args.html is not None:
+        own_folder(args.html, ["index.html"], page.MARK)
+    if args.marks is not None:
+        own_folder(str(Path(args.marks).parent), ["tresym.sty"], r"\ProvidesPackage{tresym}")
+
+
 def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
     """The page and the marks, where they are asked for."""
     from pathlib import Path
@@ -77,9 +91,7 @@ def _write_pages(args: argparse.Namespace, rows: list[Row]) -> None:
     from tresym.output import write_text
 
     if args.html is not None:
-        folder = Path(args.html)
-        folder.mkdir(parents=True, exist_ok=True)
-        write_text(str(folder / "index.html"), page.page(rows, Path(args.paper).name))
+        write_text(str(Path(args.html) / "index.html"), page.page(rows, Path(args.paper).name))
     if args.marks is not None:
         write_text(args.marks, page.marks(rows))
         write_text(str(Path(args.marks).with_name("tresym.sty")), page.STYLE)

@@ -22,7 +22,7 @@ from tresym.coq.search import assumptions
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.paper import PAPER, all_claims, file_of, sections
-from tresym.output import write_text
+from tresym.output import own_folder, write_text
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
@@ -145,10 +145,6 @@ def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict
     claims = {claim.label: claim for claim in all_claims()}
     if wanted - claims.keys():
         raise InputError(f"no claim is called {', '.join(sorted(wanted - claims.keys()))}")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be made ({error.strerror})") from None
     found = entries(store)
     wanted = _behind(wanted, found, store) if wanted else set(claims)
     chosen = {label: e for label, e in found.items() if label in wanted}
@@ -173,6 +169,9 @@ def write(folder: Path, labels: Iterable[str], store: Mapping[str, Any]) -> dict
     files["Makefile"] = MAKEFILE
     index = {label: _row(label, e, names[label], store) for label, e in chosen.items()}
     files["index.json"] = json.dumps(index, indent=1, ensure_ascii=False) + "\n"
+    own_folder(str(folder), ["Tresym.v"], prelude().splitlines()[0])
+    if not (folder / "Tresym.v").exists():  # a first export
+        own_folder(str(folder), files, "\0")
     for name, text in files.items():
         write_text(str(folder / name), text)
     return index

@@ -358,6 +358,11 @@ class Claim:
         quotes: theorems that the evidence applies and no claim shows.
         knowing: local facts, each shown by the prover of signs under the conditions of the claim
             and by those before it; ``Under(φ, (condition, …))`` is one of what is bound.
+
+    Example:
+        >>> import tresym
+        >>> tresym.verify("eq_gamma")["eq_gamma"].claim.kind
+        'identity'
     """
 
     label: str = ""
@@ -411,6 +416,11 @@ class Claim:
 
         A conjunction means what its parts mean, each under its own conditions. None where words
         are all there is.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.statement
+            Eq(gamma, a - (a + b*sin(psi)**2)*sin(theta)**2)
         """
         if self.means is not None:
             return self.means
@@ -424,17 +434,36 @@ class Claim:
 
     @property
     def parts(self) -> tuple[Basic, ...]:
-        """What the statement consists of; nothing where there is none."""
+        """What the statement consists of; nothing where there is none.
+
+        Example:
+            >>> import tresym
+            >>> len(tresym.verify("eq_Mi")["eq_Mi"].claim.parts)
+            3
+        """
         return () if self.statement is None else parts_of(self.statement)
 
     @cached_property
     def uses(self) -> tuple[Claim, ...]:
-        """The claims that the evidence names, each once, in order."""
+        """The claims that the evidence names, each once, in order.
+
+        Example:
+            >>> import tresym
+            >>> [claim.label for claim in tresym.verify("eq_gamma")["eq_gamma"].claim.uses]
+            ['d08', 'energy_of_momentum', 'eq_Mi']
+        """
         return tuple(dict.fromkeys(_named(self.proof)))
 
     @cached_property
     def rests_on(self) -> tuple[Claim, ...]:
-        """All that the claim rests on, directly or not, foundations first."""
+        """All that the claim rests on, directly or not, foundations first.
+
+        Example:
+            >>> import tresym
+            >>> claim = tresym.verify("eq_gamma")["eq_gamma"].claim
+            >>> "energy" in [each.label for each in claim.rests_on]
+            True
+        """
         order: dict[Claim, None] = {}
         for claim in self.uses:
             order.update(dict.fromkeys((*claim.rests_on, claim)))
@@ -442,7 +471,13 @@ class Claim:
 
     @cached_property
     def axioms(self) -> tuple[Axiom, ...]:
-        """The theorems quoted by the claim or by anything that it rests on, each once."""
+        """The theorems quoted by the claim or by anything that it rests on, each once.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.axioms
+            ()
+        """
         quoted = (axiom for claim in (*self.rests_on, self) for axiom in claim.quotes)
         return tuple(dict.fromkeys(quoted))
 

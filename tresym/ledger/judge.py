@@ -8,7 +8,7 @@ UNDECIDED, whatever its own evidence.
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from time import process_time
 
@@ -30,7 +30,9 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
     asked_by,
+    by,
     chains_of,
+    equal,
     parts_of,
 )
 from tresym.ledger.definitions import (
@@ -48,7 +50,13 @@ from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.evaluated import Evaluated, judge_evaluated
 from tresym.ledger.evidence.facts import by_facts, facts_of
-from tresym.ledger.evidence.integrals import NotShownError, need_smooth, under_binder, with_bounds
+from tresym.ledger.evidence.integrals import (
+    NotShownError,
+    need_integrals,
+    need_smooth,
+    under_binder,
+    with_bounds,
+)
 from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
@@ -66,7 +74,7 @@ from tresym.ledger.meaning import (
     put_into,
     tree,
 )
-from tresym.ledger.reasons import citing
+from tresym.ledger.reasons import citing, substituting
 from tresym.ledger.second_look import (
     contradiction,
     rootless,
@@ -308,9 +316,10 @@ def _behind(claim: Claim) -> tuple[Basic, ...]:
 
     What is used, where that is definitions, or where two of them define one symbol.
     """
-    if all(isinstance(c.proof, Definition | Root) for c in claim.uses):
+    defining = Definition | Root | ImplicitFunction
+    if all(isinstance(c.proof, defining) for c in claim.uses):
         return _known(claim)
-    used = {c.label: c for c in claim.rests_on if isinstance(c.proof, Definition | Root)}
+    used = {c.label: c for c in claim.rests_on if isinstance(c.proof, defining)}
     if any(used.get(c.label, c) is not c for c in claim.rests_on):
         return _known(claim)
     known = dict.fromkeys(c for d in (*used.values(), *claim.uses) for c in d.given)
@@ -456,11 +465,22 @@ def _judge_instance(claim: Claim, proof: Instance) -> Finding:
         if condition not in given and not is_manifest(condition, given):
             return Finding(UNDECIDED, f"{condition} is not shown, but the instance needs it")
     says = relations(formula(claim.says))
-    sides = (side for part in says for side in (part.left, part.right))
+    gap = _gap([side for part in says for side in (part.left, part.right)], given)
+    return (
+        Finding(UNDECIDED, gap) if gap else Finding(PROVED, f"it is an instance of {general.label}")
+    )
+
+
+def _gap(sides: Sequence[Expr], given: Conditions) -> str | None:
+    """What is not shown to exist in the sides, in words."""
     gap = next((gap for side in sides if (gap := undefined(side, given)) is not None), None)
     if gap is not None:
-        return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
-    return Finding(PROVED, f"it is an instance of {general.label}")
+        return f"nothing shows that {gap} allows its operation"
+    try:
+        need_integrals(sides, given)
+    except NotShownError as error:
+        return str(error)
+    return None
 
 
 def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
@@ -480,8 +500,11 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     there = substitute(left, {p: at})
     by_unknown = derivative(there, u)
     slope = -derivative(left, p, at) / by_unknown
-    if not under_binder(says.right, slope, outside) or symbols(says.left) & symbols(left):
-        return Finding(UNDECIDED, "that is not the slope of the implicit function")
+    if symbols(says.left) & symbols(left):
+        return Finding(UNDECIDED, f"{says.left} is not a new symbol")
+    if not under_binder(says.right, slope, outside):
+        other = Finding(UNDECIDED, "that is not the slope of the implicit function")
+        return _refuted_slope(claim, proof) or other
     if not _possible(claim):
         return Finding(UNDECIDED, "no exact point is found that satisfies the conditions")
     place = tree(proof.parameter)
@@ -505,6 +528,19 @@ def _judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
         return Finding(UNDECIDED, "no point is found that satisfies the equation", steps=steps)
     why = f"the equation is smooth and its derivative by {u} is not zero"
     return Finding(PROVED, why, steps=steps)
+
+
+def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
+    """REFUTED with a point of the equation at which what is said is not the slope, or None."""
+    says, equation = claim.says, proof.equation.says
+    assert isinstance(says, Basic)
+    assert isinstance(equation, Basic)
+    left, p = equation.args[0], proof.parameter
+    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
+    slope = -Subs(Derivative(left, p), p, proof.at) / by_unknown
+    return refute(
+        equal(says.args[1], slope), replace(claim, proof=by(substituting(proof.equation)))
+    )
 
 
 def _judge_relations(claim: Claim) -> Finding:
@@ -561,8 +597,7 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
     else:
         shown = is_manifest(Relation(left, relation.sign, right), plain)
         why = "the sign of the difference of the two sides is " + ("proven" if shown else "open")
-    gaps = (undefined(side, plain) for side in (left, right)) if shown else ()
-    gap = next((gap for gap in gaps if gap is not None), None)
+    gap = _gap((left, right), plain) if shown else None
     if gap is not None:
-        return Finding(UNDECIDED, f"nothing shows that {gap} allows its operation")
+        return Finding(UNDECIDED, gap)
     return Finding(PROVED if shown else UNDECIDED, why)

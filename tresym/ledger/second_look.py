@@ -34,7 +34,6 @@ from sympy import (
     Tuple,
     exp,
     false,
-    together,
 )
 from sympy.core.relational import Relational
 
@@ -44,6 +43,7 @@ from tresym.reals import advocate
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import generalised
 from tresym.reals.language.expression import FUNCTIONS
+from tresym.reals.limit import held
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval, fraction_text
 from tresym.reals.places.conditions import Given
@@ -55,7 +55,7 @@ Rules = dict[Basic, Basic]
 Values = Mapping[Symbol, Any]
 Place = Mapping[Symbol, Interval]
 """Exact values, or tiny segments."""
-Program = Callable[[Values, bool], Any]
+Program = Callable[["At"], Any]
 
 BITS, ROUGH = 128, 64
 POINTS = 40
@@ -72,8 +72,14 @@ PARAMETERS, CELLS = 2, 256
 """Points tried, and cells cut, to show an interval without a root."""
 EVALUATIONS = 120
 """How far an integral is refined."""
-PROGRAMS = 4096
+LARGE = 400
+"""Parts of the largest expression that symbols are replaced in."""
+NODES = 1 << 15
 """Expressions kept in the form in which balls walk over them."""
+COARSE = 32
+"""Bits with which signs on the grid are told."""
+FINEST = 3**20
+"""One over this is as finely as a chord is told to cross a segment."""
 WIDTH = fmpq(1, 2**24)
 """Width of the segment on which an implicit equation holds somewhere."""
 
@@ -88,12 +94,55 @@ class Violation:
 
 @dataclass(frozen=True)
 class World:
-    """Where a claim is tried: conditions, rules that are put in, equations met by search."""
+    """Where a claim is tried: conditions, symbols that have a meaning, equations met by search."""
 
     conditions: Conditions
-    rules: tuple[tuple[Basic, Basic], ...]
+    rules: tuple[tuple[Symbol, Basic], ...]
     implicit: tuple[Basic, ...]
     """Differences that vanish where the equations used hold."""
+    large: Conditions = ()
+    """Conditions in which the symbols stand as they are: their meanings would be too long."""
+
+    def names(self, *sides: Basic) -> frozenset[Symbol]:
+        """The symbols that these hang on, and that are free to take values.
+
+        Raises:
+            CircularError: a variable is bound where a symbol stands whose meaning hangs on it.
+        """
+        rules = dict(self.rules)
+        _need_unbound(sides, rules)
+        return _reached(_names(*sides), rules).difference(rules)
+
+    def at(self, place: Place) -> At:
+        """A place, where balls are taken."""
+        return At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
+
+    def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
+        """Balls for these at a place."""
+        here = self.at(place)
+        return tuple(value(side, here) for side in sides)
+
+
+def _names(*sides: Basic) -> frozenset[Symbol]:
+    return frozenset().union(*(side.free_symbols for side in sides))
+
+
+def _reached(names: Iterable[Symbol], rules: Mapping[Symbol, Basic]) -> frozenset[Symbol]:
+    """These symbols, and all that their meanings hang on."""
+    found, waiting = set[Symbol](), [*names]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += rules[name].free_symbols if name in rules else ()
+    return frozenset(found)
+
+
+def _need_unbound(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> None:
+    for node in {n for e in sides for n in e.atoms(Integral, Derivative, Subs)}:
+        for name in node.free_symbols.intersection(rules):
+            if not _reached((name,), rules).isdisjoint(node.variables):
+                raise CircularError(f"a definition reaches {name}, where a variable is bound")
 
 
 @lru_cache(maxsize=4096)
@@ -104,15 +153,14 @@ def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> 
         says: a relation, a `Tuple` of them (one must fail), or an `Equivalent` of two equations.
         known: relations of the claims that are used.
     """
-    for relation, held in _relations(says, known):
-        world = _world(given, held)
-        left, right = _put_in_world(relation, world)
-        points = _points(world, _names(left, right))
+    for relation, there in _relations(says, known):
+        world = _world(given, there)
+        points = _points(world, world.names(*relation.args))
         for bits, count in LOOKS:
             for place in points[:count]:
                 with ball_precision(bits):
-                    point = {s: i.ball() for s, i in place.items()}
-                    if excluded(value(left, point) - value(right, point), relation.rel_op):
+                    left, right = world.values(relation.args, place)
+                    if excluded(left - right, relation.rel_op):
                         return _violated_at(place)
     return None
 
@@ -126,16 +174,14 @@ def contradiction(
         spent: seconds that the decision took; with more of them, more points are tried.
     """
     relations = tuple(_relations(says, known))
-    for relation, held in relations:
-        world = _world(given, held)
-        left, right = _put_in_world(relation, world)
+    for relation, there in relations:
+        world = _world(given, there)
         start, shown = process_time(), 0
         dear = bool(world.implicit) or relation.has(Integral)
         with ball_precision(BITS):
-            for tried, place in enumerate(_places(world, _names(left, right)), 1):
+            for tried, place in enumerate(_places(world, world.names(*relation.args)), 1):
                 if place is not None:
-                    point = {s: i.ball() for s, i in place.items()}
-                    sides = value(left, point), value(right, point)
+                    sides = world.values(relation.args, place)
                     shown += sides[0].is_finite() and sides[1].is_finite()
                     if excluded(sides[0] - sides[1], relation.rel_op):
                         seen = " and ".join(map(advocate.said, sides))
@@ -161,29 +207,20 @@ def _relations(
         yield from ((entry, known) for entry in scalars(says))
 
 
-def _names(*sides: Basic) -> frozenset[Symbol]:
-    return frozenset().union(*(side.free_symbols for side in sides))
-
-
-def _put_in_world(relation: Relational, world: World) -> tuple[Basic, Basic]:
-    left, right = (put_in(side, dict(world.rules)) for side in relation.args)
-    return left, right
-
-
 def rootless(
     function: Basic, variable: Symbol, ends: tuple[Basic, Basic], given: Conditions
 ) -> Violation | None:
     """A point under ``given`` at which balls show ``function`` without root between ``ends``."""
-    names = function.free_symbols.union(*(end.free_symbols for end in ends)) - {variable}
-    for place in _points(_world(given, ()), frozenset(names))[:PARAMETERS]:
+    names = _names(function, *ends) - {variable}
+    for place in _points(_world(given, ()), names)[:PARAMETERS]:
         with ball_precision(BITS):
-            point = {s: i.ball() for s, i in place.items()}
-            low, high = (value(end, point) for end in ends)
+            here = At({s: i.ball() for s, i in place.items()})
+            low, high = (value(end, here) for end in ends)
             cells = [
                 (low + (high - low) * n / CELLS).union(low + (high - low) * (n + 1) / CELLS)
                 for n in range(CELLS)
             ]
-            sides = {_side(value(function, {**point, variable: cell})) for cell in cells}
+            sides = {_side(value(function, At({variable: cell}, outer=here))) for cell in cells}
         if sides in ({1}, {-1}):
             return _violated_at(place)
     return None
@@ -199,8 +236,7 @@ def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple
     for left, right in world.rules:
         done = _differentiated(right) if isinstance(right, Derivative) else right
         rules[left] = right if left not in spoken_of or done.has(Integral) else done
-    wanted = _names(*rules.values()).difference(rules)
-    return rules, _points(world, wanted, enough=1)
+    return rules, _points(world, world.names(*rules.values()), enough=1)
 
 
 def excluded(difference: arb, relation: str) -> bool:
@@ -241,29 +277,48 @@ def scalars(equation: Basic) -> list[Basic]:
 @lru_cache(maxsize=512)
 def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
     relations = [entry for relation in known for entry in scalars(relation)]
-    rules: Rules = {}
+    equations = [r for r in relations if isinstance(r, Eq)]
+    rules: dict[Symbol, Basic] = {}
     pending = []
-    for equation in (r for r in relations if isinstance(r, Eq)):
-        left, right = (put_in(side, rules) for side in equation.args)
-        if isinstance(left, Symbol) and left not in right.free_symbols:
+    for left, right in (equation.args for equation in equations):
+        new = isinstance(left, Symbol) and left not in rules
+        if new and left not in _reached(right.free_symbols, rules):
             rules[left] = right
         elif left != right:
-            pending.append(equation)
-    kept = frozenset().union(*(condition.free_symbols for condition in given))
+            pending.append((left, right))
+    _need_unbound(rules.values(), rules)
+    kept = _names(*given)
     implicit = []
-    for equation in pending:
-        left, right = (put_in(side, rules) for side in equation.args)
-        if left == right or _identical(left, right):
-            continue
-        solved = _solved(left - right, kept)
+    for left, right in pending:
+        large = _size((left, right), rules) > LARGE
+        solved = _solved(left - right, kept, rules) if large else None
+        if solved is None:
+            left, right = put_in(left, rules), put_in(right, rules)
+            if left == right or _identical(left, right):
+                continue
+            solved = _solved(left - right, kept, rules)
         if solved is None:
             implicit.append(left - right)
         else:
             rules[solved[0]] = solved[1]
-    bounds = [r for r in relations if not isinstance(r, Eq)]
-    conditions = dict.fromkeys(put_in(c, rules) for c in (*given, *bounds))
-    implicit = [put_in(difference, rules) for difference in implicit]
-    return World(tuple(conditions), tuple(rules.items()), tuple(implicit))
+    asked = dict.fromkeys((*given, *(r for r in relations if not isinstance(r, Eq))))
+    small = [c for c in asked if _size((c,), rules) <= LARGE]
+    others = tuple(c for c in asked if c not in small)
+    _need_unbound((*implicit, *others), rules)
+    conditions = dict.fromkeys(put_in(c, rules) for c in small)
+    return World(tuple(conditions), tuple(rules.items()), tuple(implicit), others)
+
+
+def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
+    """How many parts these would have, with all that symbols stand for put in."""
+    known: dict[Basic, int] = {}
+
+    def size(e: Basic) -> int:
+        if e not in known:
+            known[e] = size(rules[e]) if e in rules else 1 + sum(map(size, e.args))
+        return known[e]
+
+    return sum(map(size, sides))
 
 
 def _identical(left: Basic, right: Basic) -> bool:
@@ -298,14 +353,18 @@ def put_in(expression: Basic, rules: Rules) -> Basic:
     raise CircularError(f"definitions of {sorted(map(str, rules))} never end")
 
 
-def _solved(difference: Basic, kept: frozenset[Symbol]) -> tuple[Symbol, Basic] | None:
+def _solved(
+    difference: Basic, kept: frozenset[Symbol], rules: Mapping[Symbol, Basic]
+) -> tuple[Symbol, Basic] | None:
     """A symbol in which ``difference`` is linear, preferably a free one, and its root."""
+    names = difference.free_symbols
     if difference.has(Integral):
         return None
-    for symbol in sorted(difference.free_symbols, key=lambda s: (s in kept, s.name)):
+    for symbol in sorted(names.difference(rules), key=lambda s: (s in kept, s.name)):
         slope = difference.diff(symbol)
-        if slope != 0 and symbol not in slope.free_symbols:
-            return symbol, together(-difference.subs(symbol, 0) / slope)
+        alone = symbol not in _reached(names - {symbol}, rules)
+        if alone and slope != 0 and symbol not in slope.free_symbols:
+            return symbol, -difference.subs(symbol, 0) / slope
     return None
 
 
@@ -322,7 +381,8 @@ def _points(
         for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
             exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
             with ball_precision(BITS):
-                inside = all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard)
+                here = world.at(exact)
+                inside = all(_holds(c, here) for c in hard)
             if inside:
                 yield exact
 
@@ -351,7 +411,8 @@ def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Int
             continue
         ends = (Interval(v, v) for v in map(advocate.exact, values))
         exact = dict(zip((symbols[name] for name in order), ends, strict=True))
-        if not all(_holds(c, {s: i.ball() for s, i in exact.items()}) for c in hard):
+        here = world.at(exact)
+        if not all(_holds(c, here) for c in hard):
             yield None
         elif world.implicit:
             yield next(_on_equation(world, exact, _grids(world)[0]), None)
@@ -364,15 +425,18 @@ def _parts(
 ) -> tuple[dict[str, Symbol], list[Basic], list[Basic]]:
     """All symbols by name, the conditions that are plain, and those that are not."""
     conditions = world.conditions
-    symbols = {s.name: s for s in names.union(*(e.free_symbols for e in world.implicit))}
+    symbols = {s.name: s for s in names | world.names(*world.implicit, *world.large)}
     symbols |= {s.name: s for condition in conditions for s in condition.free_symbols}
     hard = [c for c in conditions if c.has(Integral, Derivative, Subs)]
-    return symbols, [c for c in conditions if c not in hard], hard
+    return symbols, [c for c in conditions if c not in hard], [*hard, *world.large]
 
 
 def _grids(world: World) -> tuple[Sequence[int], ...]:
     """An integral is dear: it is first looked at near both ends only."""
-    coarse = ((1, GRID - 1),) if world.implicit[0].has(Integral) else ()
+    (difference,) = world.implicit
+    rules = dict(world.rules)
+    meanings = (rules[s] for s in _reached(difference.free_symbols, rules) if s in rules)
+    coarse = ((1, GRID - 1),) if any(e.has(Integral) for e in (difference, *meanings)) else ()
     return (*coarse, range(1, GRID))
 
 
@@ -385,17 +449,21 @@ def _on_equation(
     box = Given.from_sympy(*plain).box
     with ball_precision(ROUGH):
         fixed = {s: i.ball() for s, i in exact.items()}
-        for symbol in sorted(difference.free_symbols, key=lambda s: (s.name not in box, s.name)):
+        rules, moving = dict(world.rules), world.names(difference)
+        for symbol in sorted(moving, key=lambda s: (s.name not in box, s.name)):
             low, high = _reach(box.get(symbol.name, Range()))
 
-            def at(v: arb | fmpq, symbol: Symbol = symbol) -> arb:
-                return value(difference, {**fixed, symbol: arb(v)})
+            def there(v: arb | fmpq, symbol: Symbol = symbol) -> At:
+                return At({**fixed, symbol: arb(v)}, rules=rules)
+
+            def at(v: arb | fmpq, there: Callable[[arb | fmpq], At] = there) -> arb:
+                return value(difference, there(v))
 
             segment = _segment(at, [low + (high - low) * n / GRID for n in grid])
             if segment is None or not at(segment.ball()).is_finite():
                 continue
-            point = {**fixed, symbol: segment.ball()}
-            if all(_holds(condition, point) for condition in world.conditions):
+            here = there(segment.ball())
+            if all(_holds(c, here) for c in (*world.conditions, *world.large)):
                 yield {**exact, symbol: segment}
                 return
 
@@ -407,28 +475,44 @@ def _reach(where: Range) -> tuple[fmpq, fmpq]:
 
 def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval | None:
     """A tiny segment at whose ends ``function`` has opposite signs, between two on ``grid``."""
-    signed = ((v, s) for v in grid if (s := _side(function(v))))
-    for (start, first), (end, second) in pairwise(signed):
-        if first == second:
-            continue
-        while end - start > WIDTH:
-            # Not halved: roots like to lie on halves, where a ball cannot tell the sign.
-            middle = (5 * start + 4 * end) / 9
-            side = _side(function(middle))
-            if not side:
+    with ball_precision(COARSE):
+        signed = [(v, s) for v in grid if (s := _side(function(v)))]
+    changes = [(v, w) for (v, first), (w, second) in pairwise(signed) if first != second]
+    return next(filter(None, (_narrowed(function, *ends) for ends in changes)), None)
+
+
+def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interval | None:
+    """A tiny part of the segment at whose ends the signs are opposite too, by chords."""
+    first, last = function(start), function(end)
+    while end - start > WIDTH:
+        width, share = end - start, first / (first - last)
+        # Not halved: roots like to lie on halves, where a ball cannot tell the sign.
+        parts = round(float(share.mid()) * FINEST) if share.is_finite() else FINEST * 5 // 9
+        middle = start + width * fmpq(min(max(parts, 1), FINEST - 1), FINEST)
+        half = max(WIDTH * 4 / 9, min(width / 32, width * width))
+        for near in (middle - half, middle + half, (5 * start + 4 * end) / 9):
+            v = fmpq((near * FINEST).floor(), FINEST)
+            if not start < v < end:
+                continue
+            found = function(v)
+            if not _side(found):
                 return None
-            start, end = (middle, end) if side == first else (start, middle)
-        return Interval(start, end)
-    return None
+            if _side(found) == _side(first):
+                start, first = v, found
+            else:
+                end, last = v, found
+            if end - start <= 2 * half:
+                break
+    return Interval(start, end)
 
 
 def _side(x: arb) -> int:
     return 1 if x > 0 else -1 if x < 0 else 0
 
 
-def _holds(condition: Basic, point: Values) -> bool:
+def _holds(condition: Basic, here: At) -> bool:
     """Whether balls show an inequality, strictly."""
-    difference = value(condition.lhs - condition.rhs, point)
+    difference = value(condition.lhs, here) - value(condition.rhs, here)
     if condition.rel_op == "!=":
         return _side(difference) != 0
     return bool(difference > 0 if condition.rel_op in (">", ">=") else difference < 0)
@@ -437,65 +521,108 @@ def _holds(condition: Basic, point: Values) -> bool:
 # Balls over SymPy expressions
 
 
-def value(e: Basic, point: Values, analytic: bool = False) -> Any:
+NO_RULES: dict[Symbol, Basic] = {}
+
+
+class At:
+    """A point, and the balls that are known there: each part of an expression is met once.
+
+    Attributes:
+        values: symbols to real or complex balls.
+        analytic: for integrands: not finite, too, where a part is not shown to be analytic.
+        outer: where all other symbols have their values.
+        rules: what symbols without a value stand for, where nothing is outside.
+    """
+
+    __slots__ = ("analytic", "known", "outer", "rules", "values")
+
+    def __init__(
+        self,
+        values: Values,
+        analytic: bool = False,
+        outer: At | None = None,
+        rules: Mapping[Symbol, Basic] = NO_RULES,
+    ) -> None:
+        self.values, self.analytic, self.outer, self.rules = values, analytic, outer, rules
+        self.known: dict[_Node, Any] = {}
+
+    def of(self, name: Symbol) -> Any:
+        """What a symbol comes to."""
+        return self.values[name] if name in self.values else value(self.rules[name], self)
+
+
+class _Node:
+    """An expression as a function of a point, made once: integrands are met thousands of times."""
+
+    __slots__ = ("compute", "names")
+
+    def __init__(self, names: Iterable[Basic], compute: Program) -> None:
+        self.names, self.compute = frozenset(names), compute
+
+    def __call__(self, at: At) -> Any:
+        while at.outer is not None and self.names.isdisjoint(at.values):
+            at = at.outer
+        found = at.known.get(self)
+        if found is None:
+            found = at.known[self] = self.compute(at)
+        return found
+
+
+def value(e: Basic, point: Values | At, analytic: bool = False) -> Any:
     """A ball that contains ``e`` at ``point``; not finite where ``e`` is not shown to be defined.
 
     Args:
-        point: symbols to real or complex balls.
+        point: symbols to real or complex balls, or a place at which some balls are known.
         analytic: for integrands: not finite, too, where ``e`` is not shown to be analytic.
     """
-    return _program(e)(point, analytic)
+    return _node(e)(point if isinstance(point, At) else At(point, analytic))
 
 
-@lru_cache(maxsize=PROGRAMS)
-def _program(e: Basic) -> Program:
-    """``e`` as a function of a point, made once: integrands are evaluated thousands of times."""
+@lru_cache(maxsize=NODES)
+def _node(e: Basic) -> _Node:
     match e:
         case Symbol():
-            return lambda point, analytic: point[e]
+            return _Node((e,), lambda at: at.of(e))
         case Rational():
             exact = fmpq(int(e.p), int(e.q))
-            return lambda point, analytic: arb(exact)
+            return _Node((), lambda at: arb(exact))
         case NumberSymbol():
             constant = {"pi": arb.pi, "E": arb.const_e}[str(e)]
-            return lambda point, analytic: constant()
+            return _Node((), lambda at: constant())
         case Add() | Mul():
             return _fold(operator.add if isinstance(e, Add) else operator.mul, e.args)
         case exp():
-            argument = _program(e.args[0])
-            return lambda point, analytic: argument(point, analytic).exp()
+            argument = _node(e.args[0])
+            return _Node(argument.names, lambda at: argument(at).exp())
         case Pow():
-            return _power(_program(e.base), e.exp)
+            return _power(_node(e.base), e.exp)
         case Derivative():
-            return _program(_differentiated(e))
+            return _node(_differentiated(e))
         case Subs():
             return _substituted(e)
-        case Integral():
-            return lambda point, analytic: _integral(e, point)
+        case Integral() if len(e.limits) == 1 and len(e.limits[0]) == 3:
+            return _integral(e)
         case _ if len(e.args) == 1 and (name := e.func.__name__) in (*FUNCTIONS, "Abs"):
-            x = _program(e.args[0])
-            return lambda point, analytic: _function(name, x(point, analytic), analytic)
+            x = _node(e.args[0])
+            return _Node(x.names, lambda at: _function(name, x(at), at.analytic))
         case _:
-            return lambda point, analytic: arb.nan()
+            return _Node((), lambda at: arb.nan())
 
 
-def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> Program:
-    parts = [_program(argument) for argument in arguments]
-
-    def folded(point: Values, analytic: bool) -> Any:
-        return reduce(combine, (part(point, analytic) for part in parts))
-
-    return folded
+def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> _Node:
+    parts = [_node(argument) for argument in arguments]
+    names = frozenset().union(*(part.names for part in parts))
+    return _Node(names, lambda at: reduce(combine, (part(at) for part in parts)))
 
 
-def _substituted(e: Subs) -> Program:
-    inner = _program(e.expr)
-    values = [(variable, _program(p)) for variable, p in zip(e.variables, e.point, strict=True)]
+def _substituted(e: Subs) -> _Node:
+    inner, points = _node(e.expr), [_node(p) for p in e.point]
 
-    def substituted(point: Values, analytic: bool) -> Any:
-        return inner({**point, **{v: at(point, analytic) for v, at in values}}, analytic)
+    def compute(at: At) -> Any:
+        values = [point(at) for point in points]
+        return inner(At(dict(zip(e.variables, values, strict=True)), at.analytic, at))
 
-    return substituted
+    return _Node((inner.names - {*e.variables}).union(*(p.names for p in points)), compute)
 
 
 def _differentiated(e: Derivative) -> Basic:
@@ -506,14 +633,15 @@ def _differentiated(e: Derivative) -> Basic:
     return found
 
 
-def _power(base: Program, exponent: Basic) -> Program:
+def _power(base: _Node, exponent: Basic) -> _Node:
     if not isinstance(exponent, Rational):
-        power = _program(exponent)
-        return lambda point, analytic: _general_power(
-            base(point, analytic), power(point, analytic), analytic
+        power = _node(exponent)
+        return _Node(
+            base.names | power.names,
+            lambda at: _general_power(base(at), power(at), at.analytic),
         )
     p, q = int(exponent.p), int(exponent.q)
-    return lambda point, analytic: _rational_power(base(point, analytic), p, q, analytic)
+    return _Node(base.names, lambda at: _rational_power(base(at), p, q, at.analytic))
 
 
 def _rational_power(base: Any, p: int, q: int, analytic: bool) -> Any:
@@ -545,22 +673,23 @@ def _function(name: str, x: Any, analytic: bool) -> Any:
     return getattr(x, name)()
 
 
-def _integral(e: Integral, point: Values) -> arb:
+def _integral(e: Integral) -> _Node:
     """A proper integral over one variable, enclosed; widely where it is hard."""
-    if len(e.limits) != 1 or len(e.limits[0]) != 3:
-        return arb.nan()
-    variable, low, high = e.limits[0]
-    start, end = value(low, point), value(high, point)
-    if not (start.is_finite() and end.is_finite()):
-        return arb.nan()
+    variable, *ends = e.limits[0]
+    function, (first, last) = _node(e.function), map(_node, ends)
 
-    function, at = _program(e.function), dict(point)
+    def compute(at: At) -> arb:
+        start, end = first(at), last(at)
+        if not (start.is_finite() and end.is_finite()):
+            return arb.nan()
 
-    def integrand(z: acb, analytic: bool) -> acb:
-        at[variable] = z
-        return acb(function(at, analytic))
+        def integrand(z: acb, analytic: bool) -> acb:
+            return acb(function(At({variable: z}, analytic, at)))
 
-    tolerance = arb(2) ** -min(48, ctx.prec // 2 + 8)
-    fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
-    found = acb.integral(integrand, acb(start), acb(end), **fine)
-    return found.real if found.imag.contains(0) else arb.nan()
+        tolerance = arb(2) ** -min(48, ctx.prec // 2 + 8)
+        fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
+        with held():
+            found = acb.integral(integrand, acb(start), acb(end), **fine)
+        return found.real if found.imag.contains(0) else arb.nan()
+
+    return _Node((function.names - {variable}) | first.names | last.names, compute)

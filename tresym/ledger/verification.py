@@ -17,6 +17,7 @@ from tresym.ledger.claim import Claim
 from tresym.ledger.definitions import conflict
 from tresym.ledger.evidence.balls import Boxes, finding_anew, searching_anew
 from tresym.ledger.evidence.charted import Charted
+from tresym.ledger.evidence.evaluated import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.reals.notebook import html_table, in_one_line
@@ -39,7 +40,13 @@ SHOWN = 40
 
 @dataclass(frozen=True)
 class Row:
-    """A claim, what was found, and whether it was asked for by name (or only rested on)."""
+    """A claim, what was found, and whether it was asked for by name (or only rested on).
+
+    Example:
+        >>> import tresym
+        >>> tresym.verify("eq_gamma")["eq_gamma"].finding.verdict.value
+        'PROVED'
+    """
 
     claim: Claim
     finding: Finding
@@ -60,7 +67,13 @@ class Row:
 
     @property
     def as_expected(self) -> bool:
-        """True when the verdict is the one the claim must get."""
+        """True when the verdict is the one the claim must get.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma")["eq_gamma"].as_expected
+            True
+        """
         return _meets(self.claim.expect, self.finding.verdict)
 
 
@@ -71,7 +84,14 @@ def _meets(expected: Ruling, verdict: Ruling) -> bool:
 
 @dataclass(frozen=True)
 class Report:
-    """The ledger: one row per claim, in the order of the proofs."""
+    """The ledger: one row per claim, in the order of the proofs.
+
+    Example:
+        >>> import tresym
+        >>> report = tresym.verify(["eq_gamma", "eq_Mi"])
+        >>> [row for row in report.rows if row.requested]
+        [Row(eq_Mi: PROVED), Row(eq_gamma: PROVED)]
+    """
 
     rows: tuple[Row, ...]
 
@@ -100,6 +120,12 @@ class Report:
 
         Raises:
             InputError: pandas is not installed.
+
+        Example:
+            >>> import tresym
+            >>> frame = tresym.verify("d24").to_frame()  # doctest: +SKIP
+            >>> frame[frame.verdict == "REFUTED"].label.tolist()  # doctest: +SKIP
+            ['d24']
         """
         try:
             import pandas
@@ -119,18 +145,36 @@ class Report:
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many claims got each verdict; all are always present."""
+        """How many claims got each verdict; all are always present.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma").counts["REFUTED"]
+            0
+        """
         counted = Counter(row.finding.verdict.value for row in self.rows)
         return {v.value: counted[v.value] for v in RULINGS}
 
     @property
     def as_expected(self) -> bool:
-        """True when every verdict is the expected one."""
+        """True when every verdict is the expected one.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma").as_expected
+            True
+        """
         return all(row.as_expected for row in self.rows)
 
     @property
     def axioms(self) -> dict[Axiom, tuple[Claim, ...]]:
-        """The theorems that are quoted, each with the claims of the report that rest on it."""
+        """The theorems that are quoted, each with the claims of the report that rest on it.
+
+        Example:
+            >>> import tresym
+            >>> tresym.verify("eq_gamma").axioms
+            {}
+        """
         resting: dict[Axiom, tuple[Claim, ...]] = {}
         for row in self.rows:
             for axiom in row.claim.axioms:
@@ -159,6 +203,11 @@ def verify(
     Raises:
         InputError: a label that no claim has, claims that no ledger can hold together, or
             processes that keep dying.
+
+    Example:
+        >>> import tresym
+        >>> tresym.verify("eq_gamma")["eq_gamma"]
+        Row(eq_gamma: PROVED)
     """
     asked, workers = _labels(labels), checked_workers(workers)
     claims = paper.all_claims(asked)
@@ -237,7 +286,7 @@ def save_certificates(report: Report) -> int:
         row.claim.label: row.finding.trees
         for row in report.rows
         if row.finding.trees
-        and isinstance(row.claim.proof, Boxes | Charted)
+        and isinstance(row.claim.proof, Boxes | Charted | Evaluated)
         and row.claim.proof.stored
     }
     save(found)

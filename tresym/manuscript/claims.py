@@ -17,6 +17,7 @@ from tresym.manuscript.terms import Head, base_of, unknown_in
 from tresym.reals.decisions.reading import chained
 from tresym.reals.language.binders import antiderivative, outermost
 from tresym.reals.language.expression import (
+    DOTS,
     Expr,
     differentiate,
     instantiate,
@@ -27,11 +28,12 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_reach import Piece
-from tresym.reals.language.parsing import Compared
+from tresym.reals.language.parsing import INFINITY, Compared
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
+NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
 _WORKED = frozenset(("antiderivative", "derivative", "limit"))
 """What is written to be worked out: an equality with one of these is no equation to be solved."""
@@ -117,7 +119,7 @@ def claim(
     elif (
         relation == "=="
         and pieces[1].printed.strip("-")
-        and not symbols(left)
+        and not symbols(left) - NO_VARIABLES
         and (not pieces[1].printed.strip("-").isdigit())
     ):
         return _printed(link, compared, pieces[1])
@@ -128,7 +130,7 @@ def claim(
     sure = under.kind == prose.CLAIM and (under.noted or same or not said.before)
     sure = sure and (under.noted or said.universal or head is None)
     goes_on = n > 0 and same and under.kind != prose.SOLVE
-    constants = not symbols(left) | symbols(right)
+    constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
     worked = not unknown_in(left, right) and any(
         node.op in _WORKED for node in outermost(compared[0], compared[2])
     )
@@ -162,7 +164,7 @@ def _attempts(
     """What is asked, in order, and whether the same variables stand on both sides in one of it."""
     left, relation, right = compared
     attempts: dict[str, Attempt] = {}
-    same, free, end = False, {"oo"}, as_path.split()[1] if as_path else ""
+    same, free, end = False, {*NO_VARIABLES}, as_path.split()[1] if as_path else ""
     if any(node.op == "antiderivative" for node in outermost(left, right)):
         free |= {name for name in symbols(left) | symbols(right) if CONSTANTS.fullmatch(name)}
     for conditions in (under.given, (*under.given, *memory.earlier)):
@@ -250,7 +252,7 @@ def _fallback(
     known = head is not None and head.name in memory.functions and not head.derived
     if head is not None and known and head.name not in symbols(right):
         return DEFINED, "defined before, and otherwise: from here on it is this"
-    names = (symbols(left) | symbols(right)) - {"oo"}
+    names = (symbols(left) | symbols(right)) - NO_VARIABLES
     unknown = unknown_in(left, right)
     if unknown:
         return EQUATION, f"to be solved for {' or '.join(sorted(unknown))}"

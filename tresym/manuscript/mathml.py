@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from html import escape, unescape
 
-from tresym.reals.language.expression import Expr, number, opened
+from tresym.reals.language.expression import DOTS, Expr, number, opened
 from tresym.reals.language.latex_tokens import GREEK
 from tresym.reals.language.parsing import INFINITY, Compared
 from tresym.reals.numbers.exact import fraction_text
@@ -43,7 +43,8 @@ def _written(e: Expr) -> tuple[str, int]:
         case "number":
             return _number(e)
         case "symbol":
-            return ("<mi>∞</mi>" if e == INFINITY else _symbol(str(e.args[0]))), _ATOM
+            marks = {INFINITY: "<mi>∞</mi>", DOTS: "<mo>⋯</mo>"}
+            return marks.get(e) or _symbol(str(e.args[0])), _ATOM
         case "pi":
             return "<mi>π</mi>", _ATOM
         case "+":

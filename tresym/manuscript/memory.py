@@ -14,6 +14,7 @@ from tresym.manuscript.terms import Head, head_of, is_plain, read_term
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     BINDERS,
+    DOTS,
     LEAVES,
     UNWORKED,
     Expr,
@@ -118,6 +119,8 @@ class Memory:
 
     def define(self, head: Head, value: Expr) -> None:
         """Remember what a symbol stands for."""
+        if DOTS.args[0] in symbols(value):
+            return  # not all of it is written
         self.functions.pop(head.name, None)  # the latest are put in first
         self.recent.add(head.name)
         self.functions[head.name] = Function(() if head.derived else head.parameters, value)

@@ -28,7 +28,8 @@ def page(rows: Sequence[Row], name: str) -> str:
     title = escape(name)
     body = "\n".join(_sections(rows))
     return (
-        f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<title>{title}</title>\n'
+        f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n{MARK}\n'
+        f"<title>{title}</title>\n"
         f'<meta name="viewport" content="width=device-width">\n<style>{_STYLE}</style>\n'
         f"<h1>{title}</h1>\n<p>{len(rows)} links: {summary}</p>\n{body}\n</html>\n"
     )
@@ -74,6 +75,9 @@ def marks(rows: Sequence[Row]) -> str:
         lines.append(f"\\tresymstatus{{{number}}}{{{worst(found)}}}\n")
     return "% written by tresym paper --marks\n" + "".join(lines)
 
+
+MARK = '<meta name="generator" content="tresym">'
+"""In every page, which may be replaced by another."""
 
 STYLE = r"""\NeedsTeXFormat{LaTeX2e}
 \ProvidesPackage{tresym}[marks in the margin: what tresym paper says of each display]

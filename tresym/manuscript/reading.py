@@ -39,7 +39,7 @@ from tresym.manuscript.terms import (
 )
 from tresym.reals.decisions.reading import chained
 from tresym.reals.language.binders import elementary, outermost
-from tresym.reals.language.expression import Expr, symbol, symbols
+from tresym.reals.language.expression import DOTS, Expr, symbol, symbols
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.latex_reach import Piece
 from tresym.reals.language.latex_tokens import RELATIONS
@@ -150,6 +150,8 @@ class _Reading:
             head, value = self.memory.head(said.terms[0]), self.piece(said.terms[1], said)
             if head and not head.derived and not isinstance(value, str) and not said.conditions:
                 names = symbols(value.tree)
+                if DOTS.args[0] in names:
+                    continue
                 if names and head.name not in names and head.name not in self.memory.functions:
                     yield head.name, value.tree
 

@@ -57,7 +57,13 @@ def shape(a: Exact, b: Exact) -> Shape:
 
 
 class Body:
-    """Three principal moments of inertia in any one unit, smallest first, exact."""
+    """Three principal moments of inertia in any one unit, smallest first, exact.
+
+    Example:
+        >>> import tresym
+        >>> tresym.flip_defect(tresym.Body(1210, 16380, 17480), digits=3).rung
+        'asymptotic'
+    """
 
     __slots__ = ("I1", "I2", "I3")
 
@@ -96,12 +102,22 @@ class Body:
 
     @property
     def shape(self) -> Shape:
-        """The exact shape parameters."""
+        """The exact shape parameters.
+
+        Example:
+            >>> print(*Body(2, 3, 4).shape)
+            1/2 1/4
+        """
         return Shape(self.I2 / self.I1 - 1, 1 - self.I2 / self.I3)
 
     @property
     def realizable(self) -> bool:
-        """Whether I₃ ≤ I₁ + I₂, as for every distribution of mass."""
+        """Whether I₃ ≤ I₁ + I₂, as for every distribution of mass.
+
+        Example:
+            >>> Body(2, 3, 4).realizable, Body(2, 3, 6).realizable
+            (True, False)
+        """
         return bool(self.I3 <= self.I1 + self.I2)
 
     def __eq__(self, other: object) -> bool:

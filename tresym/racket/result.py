@@ -21,6 +21,11 @@ class Flip(NamedTuple):
 
     ``defect`` (ε) and ``turn`` (Δψ) are balls in radians that contain the truth; ``rung`` is the
     model that gave them and ``why`` says why that one was enough.
+
+    Example:
+        >>> import tresym
+        >>> tresym.flip_defect("1", "1/10").turn.str(20, radius=False)
+        '1.8667941433597176388'
     """
 
     shape: Shape
@@ -34,18 +39,37 @@ class Flip(NamedTuple):
 
     @property
     def realizable(self) -> bool:
-        """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂)."""
+        """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂).
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_defect("1", "1/10").realizable
+            True
+        """
         return self.shape.realizable
 
     @property
     def degrees(self) -> arb:
-        """The defect ε in degrees."""
+        """The defect ε in degrees.
+
+        Example:
+            >>> import tresym
+            >>> round(float(tresym.flip_defect("1", "1/10").degrees), 3)
+            36.52
+        """
         with ball_precision(bits(self.digits, 64)):
             return self.defect * 180 / arb.pi()
 
     @property
     def paper(self) -> arb | None:
-        """ε as the paper's asymptotic formula has it, which is for γ = 0 alone."""
+        """ε as the paper's asymptotic formula has it, which is for γ = 0 alone.
+
+        Example:
+            >>> import tresym
+            >>> found = tresym.flip_defect(tresym.bodies["str"])
+            >>> round(float(found.paper / found.defect - 1), 5)
+            0.00072
+        """
         if self.gamma != 0:
             return None
         with ball_precision(bits(self.digits, 64)):
@@ -63,7 +87,13 @@ class Flip(NamedTuple):
         return _latex_of(self)
 
     def as_json(self) -> dict[str, Any]:
-        """The answer under the keys of ``tresym flip --json``; numbers are decimal strings."""
+        """The answer under the keys of ``tresym flip --json``; numbers are decimal strings.
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_defect("1", "1/10", digits=6).as_json()["rung"]
+            'separatrix'
+        """
         return _answer_json(self, ball_json(self.defect, self.digits), None, None)
 
 
@@ -71,6 +101,11 @@ class Journey(NamedTuple):
     """Where one start comes to, certified: Δψ, ψ and θ in radians, as balls.
 
     ``gamma`` is an exact rational where the start makes it one, else a ball.
+
+    Example:
+        >>> import tresym
+        >>> tresym.flip_angle("1", "1/10", "1", rate="0", digits=6).rung
+        'planar'
     """
 
     shape: Shape
@@ -85,7 +120,13 @@ class Journey(NamedTuple):
 
     @property
     def realizable(self) -> bool:
-        """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂)."""
+        """Whether a rigid body can have this shape (I₃ ≤ I₁ + I₂).
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_angle("1", "1", "1", rate="0").realizable
+            False
+        """
         return self.shape.realizable
 
     def __repr__(self) -> str:
@@ -100,7 +141,13 @@ class Journey(NamedTuple):
         return _latex_of(self)
 
     def as_json(self) -> dict[str, Any]:
-        """The same keys as for a flip; there is no defect away from the symmetric trajectory."""
+        """The same keys as for a flip; there is no defect away from the symmetric trajectory.
+
+        Example:
+            >>> import tresym
+            >>> tresym.flip_angle("1", "1/10", "1", rate="0").as_json()["defect"] is None
+            True
+        """
         psi, theta = (ball_json(x, self.digits) for x in (self.psi, self.theta))
         return _answer_json(self, None, psi, theta)
 

@@ -6,7 +6,13 @@ from enum import Enum
 
 
 class Verdict(Enum):
-    """What tresym says of a statement. The value is the word printed everywhere."""
+    """What tresym says of a statement. The value is the word printed everywhere.
+
+    Example:
+        >>> import tresym
+        >>> tresym.check("exp(x) >= 1 + x").verdict is tresym.Verdict.PROVED
+        True
+    """
 
     PROVED = "PROVED"
     """An exact decision procedure said yes; no floating point took part."""

@@ -11,7 +11,7 @@ import sys
 import time
 from collections import deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
+from concurrent.futures import BrokenExecutor
 from contextlib import AbstractContextManager
 from typing import Any, NamedTuple
 
@@ -21,7 +21,7 @@ from tresym.reals.processes import cores
 from tresym.sweep.rows import compute
 from tresym.sweep.source import Part, Source
 from tresym.sweep.table import Table, check_export, open_table, packed, to_frame
-from tresym.sweep.workers import PATIENCE, Workers, processes
+from tresym.sweep.workers import Workers, processes
 
 FLOAT_BATCH = 20_000
 LARGEST_BATCH = 4000
@@ -31,8 +31,6 @@ MOST_DIGITS = 200_000
 FEWEST_BATCHES = 16
 """So many batches at least, so that few rows, too, are shared out."""
 
-MOST_LOST = 3
-"""How often the answer to one batch may be lost on its way."""
 SHOWN_PROBLEMS = 10
 
 
@@ -115,31 +113,14 @@ def _run(
     table: Table,
     progress: Progress,
 ) -> None:
-    """Keep the window full until nothing is left."""
-    pending: dict[Future[bytes], tuple[int, bytes, int]] = {}
+    """Rows into the table until nothing is left."""
+    asked = ((number, pickle.dumps((part, digits))) for number, part in parts)
     with opened() as workers:
-        while True:
-            while len(pending) < workers.window and (batch := next(parts, None)) is not None:
-                asked = pickle.dumps((batch[1], digits))
-                pending[workers.executor.submit(computed, asked)] = batch[0], asked, 0
-            if not pending:
-                return
-            done = wait(pending, PATIENCE, FIRST_COMPLETED).done
-            if not done:
-                workers.check()
-            for future in done:
-                number, asked, lost = pending.pop(future)
-                try:
-                    found = future.result()
-                except BrokenExecutor as error:
-                    raise InputError(f"sweep: {error or 'the workers have died'}") from None
-                except ValueError as error:
-                    # A Dask worker that dies between its answer and the reading of it.
-                    if isinstance(error, InputError) or lost == MOST_LOST:
-                        raise
-                    pending[workers.executor.submit(computed, asked)] = number, asked, lost + 1
-                    continue
+        try:
+            for number, found in workers.as_landed(computed, asked):
                 progress.landed(table.add(number, found))
+        except BrokenExecutor as error:
+            raise InputError(f"sweep: {error or 'the workers have died'}") from None
 
 
 def computed(asked: bytes) -> bytes:

@@ -9,8 +9,15 @@ import logging
 import socket
 import threading
 from collections import deque
-from collections.abc import Callable, Iterator
-from concurrent.futures import CancelledError, Executor, Future, wait
+from collections.abc import Callable, Collection, Iterator
+from concurrent.futures import (
+    ALL_COMPLETED,
+    FIRST_COMPLETED,
+    CancelledError,
+    Executor,
+    Future,
+    wait,
+)
 from contextlib import contextmanager, suppress
 from itertools import islice
 from typing import Any, NamedTuple
@@ -21,6 +28,9 @@ from tresym.reals.processes import Processes
 
 PATIENCE = 10
 """Seconds to wait for a scheduler, and for workers to come or to come back."""
+
+MOST_LOST = 3
+"""How often the answer to one call may be lost on its way."""
 
 LOUD = ("distributed", "tornado", "asyncio")
 """Libraries that log what Dask meets."""
@@ -44,20 +54,74 @@ class Workers(NamedTuple):
     window: int
     check: Callable[[], None] = _nothing_amiss
 
-    def in_order(self, fn: Callable[[bytes], bytes], arguments: Iterator[bytes]) -> Iterator[bytes]:
-        """What ``fn`` returns for each argument, in order; no more is under way than the window.
+    def as_landed(
+        self, fn: Callable[[bytes], bytes], arguments: Iterator[tuple[int, bytes]]
+    ) -> Iterator[tuple[int, bytes]]:
+        """What ``fn`` returns for each argument, with its number, as it comes.
 
         Raises:
             InputError: nobody is left to work.
         """
-        under_way = deque(self.executor.submit(fn, each) for each in islice(arguments, self.window))
-        while under_way:
-            first = under_way[0]
-            while not wait((first,), PATIENCE).done:
-                self.check()
-            found = under_way.popleft().result()
-            under_way.extend(self.executor.submit(fn, each) for each in islice(arguments, 1))
-            yield found
+        calls: dict[Future[bytes], _Call] = {}
+        while True:
+            for number, argument in islice(arguments, self.window - len(calls)):
+                call = _Call(self.executor, fn, argument, number)
+                calls[call.future] = call
+            if not calls:
+                return
+            for future in self._wait(calls, FIRST_COMPLETED):
+                call = calls.pop(future)
+                found = call.answer()
+                if found is None:
+                    calls[call.future] = call
+                else:
+                    yield call.number, found
+
+    def in_order(self, fn: Callable[[bytes], bytes], arguments: Iterator[bytes]) -> Iterator[bytes]:
+        """The same in order; no more is under way, or waits to be given, than the window.
+
+        Raises:
+            InputError: nobody is left to work.
+        """
+        calls = deque(_Call(self.executor, fn, each) for each in islice(arguments, self.window))
+        while calls:
+            self._wait((calls[0].future,), ALL_COMPLETED)
+            found = calls[0].answer()
+            if found is not None:
+                calls.popleft()
+                calls.extend(_Call(self.executor, fn, each) for each in islice(arguments, 1))
+                yield found
+
+    def _wait(self, futures: Collection[Future[bytes]], until: str) -> set[Future[bytes]]:
+        """Those that are done, at least one of them."""
+        while True:
+            done = wait(futures, PATIENCE, until).done
+            if done:
+                return done
+            self.check()
+
+
+class _Call:
+    """A call that is under way, and is made again where its answer is lost."""
+
+    def __init__(
+        self, executor: Executor, fn: Callable[[bytes], bytes], argument: bytes, number: int = 0
+    ) -> None:
+        """Begin it."""
+        self.submit = lambda: executor.submit(fn, argument)
+        self.number, self.lost, self.future = number, 0, self.submit()
+
+    def answer(self) -> bytes | None:
+        """What it returned; None where that was lost, and ``future`` is another now."""
+        try:
+            return self.future.result()
+        except ValueError as error:
+            # A Dask worker that dies between its answer and the reading of it.
+            if isinstance(error, InputError) or self.lost == MOST_LOST:
+                raise
+        self.lost += 1
+        self.future = self.submit()
+        return None
 
 
 class Here(Executor):

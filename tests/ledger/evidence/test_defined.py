@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Basic, Derivative, Integral, Subs, Symbol, log, sqrt
+from sympy import Abs, Basic, Derivative, Integral, Subs, Symbol, log, sqrt
 
 from tresym.ledger.evidence import defined
 from tresym.ledger.meaning import conditions, tree
@@ -25,10 +25,17 @@ def test_what_is_put_in_is_looked_at_in_place() -> None:
 
 
 def test_what_is_bound_has_conditions_of_its_own() -> None:
-    for e in (Integral(1 / x, (x, 1, 2)), Derivative(log(x), x)):
-        assert undefined(e, ()) is None
-        assert undefined(e + sqrt(y), ()) is not None
-        assert undefined(e + sqrt(y), (y >= 0,)) is None
+    e = Integral(1 / x, (x, 1, 2))
+    assert undefined(e, ()) is None
+    assert undefined(e + sqrt(y), ()) is not None
+    assert undefined(e + sqrt(y), (y >= 0,)) is None
+
+
+def test_a_derivative_is_defined_where_its_function_is_smooth() -> None:
+    for e in (Derivative(log(x), x), Derivative(Abs(x) + y, x), Subs(Derivative(log(x), x), x, y)):
+        assert undefined(e, ()) is not None
+        assert undefined(e, (x > 0, y > 0)) is None
+    assert undefined(Derivative(log(x) + Integral(x, (x, 0, y)), y), ()) is not None
 
 
 def test_smooth_is_what_hides_nothing() -> None:

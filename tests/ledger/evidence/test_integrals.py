@@ -241,6 +241,33 @@ def test_planted_positive_integrals(name: str) -> None:
     assert not shown(integral, *given, strictly=True).holds
 
 
+def test_integrals_have_their_signs_in_products_and_quotients() -> None:
+    def sign(e: Expr, strictly: bool, *given: Basic) -> Verdict:
+        return verdict((Gt if strictly else Ge)(e, 0, evaluate=False), (step(e),), given)
+
+    assert sign(x * area(t**2), True, x > 0) is Verdict.PROVED
+    assert sign(x * area(t**2) - r * area(exp(t)), True, x > 0, r <= 0) is Verdict.PROVED
+    assert sign(area(t**2) * area(exp(t)) / x, True, x > 0) is Verdict.PROVED
+    perhaps_zero = area(x**2 * t * (1 - t))
+    assert sign(r * perhaps_zero, False, r > 0) is Verdict.PROVED
+    assert not sign(r * perhaps_zero, True, r > 0).holds
+    assert not sign(r / perhaps_zero, False, r > 0).holds
+    assert not sign(x * area(1 - 4 * t * (2 - t)), False, x > 0).holds
+    assert not sign(x * area(t**2, 1, 0), False, x > 0).holds
+    assert not sign(area(t**2) - area(t), False).holds
+
+
+def test_each_rule_finds_its_own_of_several_derivatives() -> None:
+    curved, moved = by_parameter(exp(x * t)), Derivative(area(exp(t), 0, x), x)
+    rules = differentiating_integral(t * exp(x * t)), differentiating_integral(ZERO)
+    product = area(t * exp(x * t)) * exp(x)
+    for reasons in (rules, rules[::-1]):
+        assert verdict(equal(curved * moved, product), by(*reasons)) is Verdict.PROVED
+        assert not verdict(equal(curved * moved, 2 * product), by(*reasons)).holds
+    for reasons in (rules[:1], rules[1:], (*rules[:1], differentiating_integral(exp(x)))):
+        assert not verdict(equal(curved * moved, product), by(*reasons)).holds
+
+
 NAMES = {
     "the variable in its own end": (
         equal(area(t, 0, t), t**2 / 2),
@@ -350,6 +377,21 @@ def test_the_implicit_function_theorem_needs_its_conditions() -> None:
         proof = ImplicitFunction(equation, y, x, ZERO, (step(slope),))
         user = Claim("slope", says, proof, given=(y >= 0,))
         assert judge(user, held).verdict is Verdict.UNDECIDED
+
+
+def test_the_sign_of_a_slope_is_shown_and_never_refuted_at_another_value_of_it() -> None:
+    proof = implicit(equal(r, SLOPE)).of.proof
+    slope = Claim("slope", equal(r, SLOPE), proof, given=(y > 0,))
+    held = {"slope": judge(slope, {"equation": judge(EQUATION, {})})}
+
+    def found(says: Basic, *reasons: Reason) -> Verdict:
+        chain = (step(area(t, 0, y), substituting(slope), *reasons),)
+        return judge(Claim("user", says, chain, given=(y > 0,)), held).verdict
+
+    rules = differentiating_integral(t), differentiating_integral(ZERO), exponentials
+    assert found(r < 0, *rules) is Verdict.PROVED
+    assert found(r < 0) is Verdict.UNDECIDED  # r is no variable, though no definition says it
+    assert not found(r > 0, *rules).holds
 
 
 def test_an_equation_without_solutions_defines_no_function() -> None:

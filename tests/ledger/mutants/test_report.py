@@ -22,7 +22,6 @@ from tresym.ledger.mutants.report import (
 )
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import substituting
-from tresym.ledger.statements import ForSome
 from tresym.reals.verdict import Verdict
 
 ORDER = [claim.label for claim in all_claims()]
@@ -80,9 +79,6 @@ def test_what_is_false_may_deny_nothing() -> None:
     denied = replace(FALSE, claim=replace(B, proof=Denied((A,), {})))
     assert _survives(denied, Verdict.REFUTED)
     assert not _survives(denied, Verdict.UNDECIDED)
-    somewhere = replace(FALSE, claim=replace(B, says=ForSome(x > y)))
-    assert _survives(somewhere, Verdict.REFUTED)
-    assert not _survives(somewhere, Verdict.UNDECIDED)
 
 
 def test_processes_find_what_one_finds() -> None:

@@ -28,6 +28,12 @@ TRUE = [
     # about an end of the range, on the other side
     "exp(x) < 1 + x + x**2/2 given x < 0",
     "x*log(x) > x - 1 given x > 1",
+    # out of a corner, along one edge after the other
+    "exp(x + y) >= 1 + x + y + x*y given x >= 0, y >= 0",
+    "(exp(x) - 1)*(exp(y) - 1) >= x*y given x >= 0, y >= 0",
+    "exp(x + y + z) >= 1 + x + y + z + x*y*z given x >= 0, y >= 0, z >= 0",
+    "sinh(x)*sinh(y) > x*y given x > 0, y > 0",
+    "exp(x - y) >= 1 + x - y given x <= 0, y >= 0",
 ]
 
 FALSE = {
@@ -39,6 +45,13 @@ FALSE = {
     "x*log(x/y) >= 1001*(x - y)/1000 given x > 0, y > 0": "x = 10001/10000, y = 1",
     "a + x > 0 given x > 0": "a = -2, x = 1",
     "exp(x) >= a + x": "a = 2, x = 0",
+    # a term by its own expansion, of the other sign, or not on the range
+    "exp(x + y) >= 1 + x + y + 201*x*y/100 given x >= 0, y >= 0": "x = 1/200, y = 1/200",
+    "exp(x + y) >= 1 + x + 101*y/100 + x*y given x >= 0, y >= 0": "x = 0, y = 1/200",
+    "exp(x + y) > 1 + x + y + x*y given x >= 0, y >= 0": "x = 0, y = 0",
+    "(exp(x) - 1)*(exp(y) - 1) >= x*y": "x = 1, y = -1",
+    "exp(x)*(exp(y) - 1 - y - y**2/2) >= 0": "x = 1, y = -1",
+    "exp(x)*(sin(y) - y) >= 0 given x >= 0, y >= 0": "x = 1, y = 1",
     # the other side of the point
     "sin(x) <= x": "x = -1",
     "exp(x) < 1 + x + x**2/2 + x**3/6": "x = -1",

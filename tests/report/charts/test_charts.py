@@ -55,6 +55,17 @@ def test_a_measurement_of_another_shape_is_one_line(
             charts.picture(name, str(path))
 
 
+@pytest.mark.parametrize("kind", ["svg", "png"])
+@pytest.mark.parametrize("label", ["$\\frac$", "\ud800"])
+def test_words_that_cannot_be_drawn_are_one_line(label: str, kind: str, tmp_path: Path) -> None:
+    path = tmp_path / "measured.json"
+    known = data("honesty")
+    known["machine"]["processor"] = label
+    path.write_text(json.dumps(known))
+    with pytest.raises(InputError, match="as tresym bench --save writes it"):
+        charts.picture("honesty", str(path), kind)
+
+
 def test_what_is_no_file_of_a_measurement_is_one_line(tmp_path: Path) -> None:
     path = tmp_path / "deep.json"
     path.write_text("[" * 200_000)

@@ -136,12 +136,35 @@ def test_the_angles_on_the_sphere_are_those_of_the_momentum(sphere):
     assert math.atan2(third, -second) == pytest.approx(sphere.psi)
 
 
-def test_the_image_shows_both_surfaces(sphere):
-    image = momentum_sphere.surfaces(sphere.radii[0], momentum_sphere.EYE, 120)
-    assert image.shape == (60, 60, 4)
-    light, dark = image[30, 30, 0], image[14, 30, 0]
-    assert light > 0.7 > 0.6 > dark
-    assert image[0, 0, 3] == 0
+def _depth(inverse, eye, places):
+    """How far towards the eye a surface is seen at places on the paper; −∞ beside it."""
+    beside = places[:, :1] * eye.right + places[:, 1:] * eye.up
+    square = float(inverse @ eye.towards**2)
+    half = (beside * inverse) @ eye.towards / square
+    rest = half**2 - ((beside**2) @ inverse - 1) / square
+    return np.where(rest >= 0, np.sqrt(np.maximum(rest, 0)) - half, -np.inf)
+
+
+@pytest.mark.parametrize("panel", [0, 1])
+def test_the_surface_that_is_set_last_is_the_one_in_front(sphere, panel):
+    """Against rays from the eye: the greys of the sphere are lighter than the ellipsoid's."""
+    from matplotlib.patches import Polygon
+
+    drawn = momentum_sphere.draw(sphere).axes[panel]
+    places = np.random.default_rng(5).uniform(-1.4, 1.4, (4000, 2))
+    lightness = np.ones(len(places))
+    for part in (x for x in drawn.patches if isinstance(x, Polygon)):
+        within = part.get_path().contains_points(places)
+        if part.get_clip_path() is not None:
+            cap = part.get_clip_path().get_fully_transformed_path()
+            within &= cap.contains_points(drawn.transData.transform(places))
+        lightness[within] = part.get_facecolor()[0]
+    eye, radii = momentum_sphere.EYE, sphere.radii[panel]
+    depths = [_depth(inverse, eye, places) for inverse in (np.ones(3), radii**-2)]
+    expected = np.where(np.maximum(*depths) == -np.inf, 2, np.argmax(depths, axis=0))
+    kinds = np.where(lightness == 1, 2, np.where(lightness > 0.57, 0, 1))
+    assert np.mean(kinds != expected) < 0.004  # what lies on an outline
+    assert len(set(expected)) == 3
 
 
 # Fig. 4

@@ -2,7 +2,7 @@
 
 from tresym.ledger.verification import verify
 from tresym.report.pages.trust import trust
-from tresym.report.pages.trusted import trusted
+from tresym.report.pages.trusted import CHECK, LEDGER, trusted
 
 GUARDS = {
     "files": {
@@ -18,9 +18,10 @@ GUARDS = {
 
 def test_the_page_says_what_was_counted() -> None:
     page = trust(verify(["eq_gamma"]), GUARDS)
-    proved, enclosed = trusted()
-    assert f"For PROVED {proved.total} lines" in page
+    proved, enclosed = trusted(LEDGER)
+    assert f"For PROVED in the ledger {proved.total} lines" in page
     assert f"for ENCLOSED {enclosed.total} more" in page
+    assert f"for PROVED {trusted(CHECK)[0].total} lines" in page
     assert "`arb`" in page
     assert "| integrating | fundamental theorem of calculus |" in page
     assert "Of 21 that were tried the quick tests refuse 20, which is 95.2 %" in page

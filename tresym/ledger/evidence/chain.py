@@ -10,6 +10,7 @@ from tresym.ledger.claim import Chain, Claim, Reason
 from tresym.ledger.evidence.defined import undefined
 from tresym.ledger.evidence.integrals import (
     NotShownError,
+    need_integrals,
     sign_of_integral,
     with_bounds,
     without_integrals,
@@ -30,7 +31,7 @@ from tresym.ledger.meaning import (
 )
 from tresym.reals.decisions.identity import Decision, decide
 from tresym.reals.language.binders import generalised, outermost, worked_out
-from tresym.reals.language.expression import HALF, PI, ZERO, Expr, add, apply, sqrt
+from tresym.reals.language.expression import HALF, PI, ZERO, Expr, apply, replaced, sqrt, symbol
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
 from tresym.reals.verdict import Verdict
 
@@ -150,17 +151,17 @@ def _arrives(
     if isinstance(last, Relation) or len(last) != 1 or not isinstance(says, Relation):
         return _undecided("an inequality is shown by the sign of a number")
     given, strict = with_bounds(given, reasons), says.sign in (">", "<")
-    terms = last[0].args if last[0].op == "+" else last
-    integrals = tuple(term for term in terms if term.op == "integral")
-    rest = last[0] - add(*integrals) if integrals else last[0]
+    integrals = dict.fromkeys(node for node in outermost(last[0]) if node.op == "integral")
+    numbers = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
     bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
     try:
-        signs = {sign_of_integral(node, bounds, given, strict) for node in integrals}
+        signs = {n: sign_of_integral(node, bounds, given, strict) for node, n in numbers.items()}
+        need_integrals((node for node in outermost(last[0]) if node not in numbers), given)
     except NotShownError as error:
         return _undecided(str(error))
-    if rest != ZERO or not integrals:
-        signs.add(manifest_sign(rest, given, ">" if strict else ">="))
-    if all(sign in NON_NEGATIVE for sign in signs) and ("+" in signs or not strict):
+    known = (Relation(n, ">" if sign == "+" else ">=", ZERO) for n, sign in signs.items() if sign)
+    wanted = ">" if strict else ">="
+    if is_manifest(Relation(replaced(last[0], numbers), wanted, ZERO), (*given, *known)):
         return PROVED
     return _undecided(f"the sign of {last[0]} is not manifest")
 

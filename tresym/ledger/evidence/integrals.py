@@ -97,14 +97,18 @@ def without_integrals(
     """Both sides of a step after the rules for integrals that its reasons name.
 
     Raises:
-        NotShownError: a rule does not apply, or what it asks for is not shown.
+        NotShownError: a rule does not apply, or what it asks for is not shown, or that an integral
+            exists of which no rule spoke.
     """
+    shown: set[Expr] = set()
     for reason in reasons:
         rule = RULES.get(reason.name)
         if rule is not None:
             before, after = ordered(before), ordered(after)
             found = rule(before, after, reason, given)
             before, after = replaced(before, found), replaced(after, found)
+            shown.update(outermost(*found.values()))
+    need_integrals(set(outermost(before, after)) - shown, given)
     return before, after
 
 
@@ -147,6 +151,26 @@ def need_smooth(e: Expr, given: Conditions) -> None:
         _need_continuous((inside.integrand,), inside.conditions)
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
     _need_continuous((replaced(e, variables),), given)
+
+
+def need_integrals(trees: Iterable[Expr], given: Conditions) -> None:
+    """That the integrals in ``trees`` exist, of smooth integrands at every point of ``given``, also
+    those of which values or derivatives are taken.
+
+    Raises:
+        NotShownError: one is not shown to.
+    """
+    for node in outermost(*trees):
+        if node.op == "integral":
+            need_smooth(node, given)
+        elif node.op in ("at", "derivative") and _holds_integral(node):
+            need_value(node, given)
+
+
+def _holds_integral(e: Expr) -> bool:
+    return any(
+        node.op == "integral" or any(map(_holds_integral, node.args)) for node in outermost(e)
+    )
 
 
 def need_value(e: Expr, given: Conditions) -> None:
@@ -322,8 +346,18 @@ def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions)
     The integrand must be smooth on the closed interval (hence near it), as a function of the
     variable and of the parameter together.
     """
-    slopes = (n for n in outermost(before, after) if n.op == "derivative")
-    node = _one_of([*dict.fromkeys(n for n in slopes if n.args[0].op == "integral")])
+    why = "the step needs the derivative of an integral"
+    for node in dict.fromkeys(outermost(before, after)):
+        if node.op == "derivative" and node.args[0].op == "integral":
+            try:
+                return {node: _derived(node, reason, given)}
+            except NotShownError as error:
+                why = str(error)
+    raise NotShownError(why)
+
+
+def _derived(node: Expr, reason: Reason, given: Conditions) -> Expr:
+    """The derivative of an integral where the reason's slope is that of its integrand."""
     point = node.args[1]
     whole, outside, bound = _near(node, given, symbols(_expression(reason)))
     (name,) = node.names
@@ -347,7 +381,7 @@ def _differentiate(before: Expr, after: Expr, reason: Reason, given: Conditions)
             _need_continuous((end,), outside)
             moved = differentiate(end, parameter) * instantiate(whole.args[0], (end,))
             value += way * substitute(moved, put)
-    return {node: value}
+    return value
 
 
 Rule = Callable[[Expr, Expr, Reason, Conditions], Replaced]

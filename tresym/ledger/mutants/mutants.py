@@ -16,11 +16,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import partial
 from itertools import islice
 from typing import Any
 
-from sympy import Basic, Derivative, Eq, Equivalent, Integral, Subs, Tuple
+from sympy import Basic, Derivative, Eq, Equivalent, Integral, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger import paper
@@ -40,7 +39,6 @@ from tresym.ledger.claim import (
     Step,
     Together,
     UniqueRoot,
-    by,
     chains_of,
     equal,
     formally,
@@ -65,7 +63,6 @@ from tresym.ledger.mutants.changed_numbers import (
     printed_changes,
 )
 from tresym.ledger.mutants.changes import mutations, scattered
-from tresym.ledger.reasons import substituting
 from tresym.ledger.second_look import rootless
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.verdict import Verdict
@@ -219,12 +216,7 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             for n, condition in enumerate(claim.given, 1):
                 yield _condition_spot(claim, n, condition)
         case Formally() if isinstance(claim.statement, ForSome):
-            yield _Spot(
-                "statement",
-                _mutations(claim.statement),
-                _one(partial(saying, claim)),
-                _is_somewhere,
-            )
+            yield _nowhere_spot(claim, claim.statement)
         case Formally() | Instance():
             for n, relation in enumerate(claim.parts, 1):
                 yield _formal_spot(claim, relation, f"relation {n}")
@@ -249,10 +241,14 @@ def _is_refuted(claim: Claim) -> bool:
     return found is not None and found.verdict is Verdict.REFUTED
 
 
-def _is_somewhere(claim: Claim) -> bool:
-    """Whether balls show, at a point, what is said to be so at one."""
-    (some,) = claim.statement.args if isinstance(claim.statement, ForSome) else (None,)
-    return isinstance(some, Relational) and refute(some.negated, claim) is not None
+def _nowhere_spot(claim: Claim, says: ForSome) -> _Spot:
+    """That something is nowhere, which is why the claim is refuted, of what is somewhere."""
+
+    def claims(changed: Variant) -> tuple[Claim, ...]:
+        return (saying(claim, changed.negated),)
+
+    variants = (e for e in _mutations(says.args[0]) if isinstance(e, Relational))
+    return _Spot("denial", variants, claims, _is_violated)
 
 
 def _region_spot(claim: Claim) -> _Spot:
@@ -307,7 +303,8 @@ def _counterexample_spot(claim: Claim) -> _Spot:
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
         at_point = saying(claim, changed)
-        if sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
+        plain = all(isinstance(part, Relational) for part in parts_of(changed))
+        if not plain or sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
             return (at_point,)
         return at_point, replace(at_point, proof=formally())
 
@@ -339,12 +336,18 @@ def _condition_spot(claim: Claim, n: int, condition: Basic) -> _Spot:
 def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterator[_Spot]:
     def claims(changed: Variant) -> tuple[Claim, ...]:
         follows = replace(saying(claim, changed), proof=_following(chain, says, changed))
-        if isinstance(changed, Equivalent):
+        if isinstance(changed, Equivalent) or _is_plain(chain):
             return (follows,)
         return follows, replace(follows, proof=formally(*claim.uses))
 
     yield _Spot(prefix + "statement", _mutations(says), claims, _is_violated)
     yield from _step_spots(claim, _start(says), chain, prefix)
+
+
+def _is_plain(chain: Chain) -> bool:
+    """Whether a chain leaves all to the provers, as no chain does."""
+    (link, *more) = chain
+    return not more and link.expression is None and not any(r.theories for r in link.reasons)
 
 
 def _following(chain: Chain, says: Any, changed: Any) -> Chain:
@@ -432,27 +435,14 @@ def _sloping(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
 def _equation_spot(claim: Claim, dependent: Claim) -> _Spot:
     """The slope of a function that ``claim`` defines, where the equation for it is changed.
 
-    It is claimed by the slope that the function has then, put in so that balls show it to be
-    another, and by the implicit function theorem.
+    It counts where balls show, at a point of the equation, that the function has another slope.
     """
     proof: Any = dependent.proof
-    says: Any = dependent.says
 
     def claims(changed: Variant) -> tuple[Claim, ...]:
-        other = replace(proof, equation=replace(claim, says=changed))
-        slope = replace(claim, says=equal(says.args[0], _slope_of(other)), given=dependent.given)
-        put_in = replace(dependent, proof=by(substituting(slope)))
-        return put_in, replace(dependent, proof=other)
+        return (replace(dependent, proof=replace(proof, equation=replace(claim, says=changed))),)
 
-    return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _is_violated)
-
-
-def _slope_of(proof: ImplicitFunction) -> Basic:
-    """The slope that the implicit function theorem gives."""
-    equation: Any = proof.equation.says
-    left, p = equation.args[0], proof.parameter
-    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
-    return -Subs(Derivative(left, p), p, proof.at) / by_unknown
+    return _Spot(f"in {dependent.label}", _other_meanings(claim.says), claims, _is_refuted)
 
 
 def _other_meanings(says: Basic) -> Iterator[Basic]:

@@ -18,14 +18,13 @@ from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence, seen_false
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
 from tresym.ledger.mutants.planted import planted
-from tresym.ledger.statements import ForSome
 from tresym.ledger.verification import JSON_VERSION, choose
 from tresym.reals.limit import time_limit
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes
 from tresym.reals.verdict import Verdict
 
-SECONDS = 1.0
+SECONDS = 0.5
 """Processor time that a mutant's evidence gets, or twice as much as the claim's own, if more."""
 MUTANTS = 5
 """Changes that are tried on each claim, one or more at each place of it."""
@@ -224,11 +223,8 @@ def _believed(claim: Claim, verdict: Ruling) -> bool:
 
 
 def _survives(mutant: Mutant, verdict: Ruling) -> bool:
-    """Whether a false variant is believed: it holds, or what is false still denies something.
-
-    That there is a point is made true where it was false: then it is not to be denied.
-    """
-    denies = isinstance(mutant.claim.proof, Denied) or isinstance(mutant.claim.statement, ForSome)
+    """Whether a false variant is believed: it holds, or what is false still denies something."""
+    denies = isinstance(mutant.claim.proof, Denied)
     return verdict.holds or (denies and verdict is Verdict.REFUTED)
 
 
@@ -251,17 +247,27 @@ _once: dict[int, tuple[Claim, Finding]] = {}
 
 
 def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
-    """The finding on a changed claim, once: not believed where its evidence takes too long."""
+    """The finding on a changed claim, once: not believed where its evidence takes too long.
+
+    What the judge leaves open, as two definitions of one symbol, may still be false at a point.
+    """
     if id(claim) not in _once:
-        finding = _within(SECONDS, claim, found)
-        if finding is None:
-            longer = 2 * _own_seconds(claim.label)
-            finding = _within(longer, claim, found) if longer > SECONDS else None
-        _once[id(claim)] = claim, finding or seen_false(claim)
+        label = claim.label
+        finding = _within(_allowed.get(label, SECONDS), claim, found)
+        if finding is None and label not in _allowed:
+            _allowed[label] = max(SECONDS, 2 * _own_seconds(label))
+            finding = _within(_allowed[label], claim, found) if _allowed[label] > SECONDS else None
+        if finding is None or finding.verdict is Verdict.UNDECIDED:
+            seen = seen_false(claim)
+            finding = finding if finding and seen.verdict is not Verdict.REFUTED else seen
+        _once[id(claim)] = claim, finding
     return _once[id(claim)][1]
 
 
-@cache
+_allowed: dict[str, float] = {}
+"""Processor time for mutants of claims of which one took too long."""
+
+
 def _own_seconds(label: str) -> float:
     """Processor time of a claim's own evidence."""
     claims = paper.all_claims()

@@ -34,6 +34,11 @@ def flip_defect(
 
     Raises:
         InputError: anything outside these ranges.
+
+    Example:
+        >>> import tresym
+        >>> tresym.flip_defect("12.5372", "0.0629", digits=30).defect.str(12, radius=False)
+        '0.115021432971'
     """
     return climb(as_shape(a, b), as_rational(gamma, "gamma"), digits, rung)
 
@@ -57,6 +62,12 @@ def flip_defects(
 
     Raises:
         InputError: anything outside these ranges, with the place of the shape, from 1.
+
+    Example:
+        >>> import tresym
+        >>> racket = tresym.Body(1210, 16380, 17480)
+        >>> [found.rung for found in tresym.flip_defects([("1", "1/10"), racket])]
+        ['separatrix', 'separatrix']
     """
     level, digits, found = as_rational(gamma, "gamma"), checked_digits(digits), []
     if isinstance(shapes, str | bytes) or not isinstance(shapes, Iterable):
@@ -101,6 +112,12 @@ def flip_angle(
 
     Raises:
         InputError: anything outside these ranges, or a start no body of this shape can have.
+
+    Example:
+        >>> import tresym
+        >>> end = tresym.flip_angle("1", "1/10", "pi/2", theta0="2")
+        >>> end.turn.str(6, radius=False)
+        '-2.32688'
     """
     if (rate is None) == (theta0 is None):
         raise InputError("start: give psi0 with either a rate or theta0")

@@ -16,8 +16,9 @@ and |y| ≤ 1/34. For with r = tan θ, w = kz = X + iY, |z − x| ≤ 1, so that
 
 Let k = s cos θ. If s ≥ 1, |u′| ≤ k cos θ/(2k)² ≤ 1/4. Else |cos(Y ± θ)| ≥ cos θ (1 − s − s²/2), and
 |u′| ≤ s/(4s² + max(0, 1 − s − s²/2)²) < 1/2. So |g′ − 1| < 1/2 on that disc, g is one-to-one there,
-its image holds the disc of radius 1/2 around y, and P(y) − x is below 1 on it: by Cauchy the m-th
-coefficient is below 2^m, and Σ (2|y|)^m from m = 4 on below 17 y⁴.
+its image holds the disc of radius 1/2 around y, and P(y) − x is below 1 on it: the m-th
+coefficient, 2^m times a mean over its circle, is below 2^m, and Σ (2|y|)^m from m = 4 on below
+17 y⁴.
 """
 
 from __future__ import annotations

@@ -70,6 +70,11 @@ def flip_map(
 
     Raises:
         InputError: a or b out of range, or beyond 1e±100; starts that are no numbers.
+
+    Example:
+        >>> import tresym
+        >>> [round(float(turn), 6) for turn in tresym.flip_map("1", "0.1", 1.5, [0.1, 0.2])]
+        [0.329301, 0.612057]
     """
     p, q = _floats(a, b)
     starts, shape = _broadcast(psi0, rate, precession)

@@ -35,11 +35,17 @@ def check(
 
     Raises:
         InputError: the claim is not read, or the limit is no number of seconds; one line says why.
+
+    Example:
+        >>> import tresym
+        >>> tresym.check("sqrt(x**2) == x", given="x > 0").verdict.value
+        'PROVED'
+        >>> tresym.check("sqrt(x**2) == x").verdict.value
+        'REFUTED'
     """
     if not (path is None or isinstance(path, str)):
         raise InputError("path: text such as x -> 0+")
-    is_limit = isinstance(limit, Real) and not isinstance(limit, bool) and 0 < limit < MAX_SECONDS
-    if not (limit is None or is_limit):
+    if not (limit is None or _is_limit(limit)):
         raise InputError(f"limit: a number of seconds above 0 and below {MAX_SECONDS}")
     if not (isinstance(claim, str) and isinstance(given, str)):
         claim, given, path = read(claim, given, path), "", None  # SymPy evaluates what it copies
@@ -48,3 +54,13 @@ def check(
     from tresym.reals.decisions.limits import Task, check_within
 
     return check_within(Task(claim, given, path), float(limit))
+
+
+def _is_limit(limit: object) -> bool:
+    """Whether it is a number of seconds, of numpy's smallest kinds as well."""
+    if not isinstance(limit, Real) or isinstance(limit, bool):
+        return False
+    try:
+        return 0 < float(limit) < MAX_SECONDS
+    except OverflowError:
+        return False

@@ -37,6 +37,14 @@ class Answer:
         seconds: computing time.
         line: of the file it was read from.
         read_as: the claim with its conditions and path in the grammar of expressions.
+
+    Example:
+        >>> import tresym
+        >>> found = tresym.check("x**2 == 9", given="x > 0")
+        >>> found.verdict.value, sorted(found.witness)
+        ('REFUTED', ['x'])
+        >>> bool(found)
+        False
     """
 
     verdict: Verdict
@@ -65,6 +73,11 @@ class Answer:
         """Everything but the verdict, as names and text.
 
         How the claim was read is shown where it is not what was written, spaces aside.
+
+        Example:
+            >>> import tresym
+            >>> dict(tresym.check("x + x == 2*x").rows())["claim"]
+            'x + x == 2*x'
         """
         written = (self.statement, f"{self.statement} given {self.given}")
         same = any(_unspaced(text) == _unspaced(self.read_as) for text in written)
@@ -83,7 +96,13 @@ class Answer:
         return [row for row in rows if row[1]]
 
     def as_json(self) -> dict[str, Any]:
-        """A JSON value; every key is always there."""
+        """A JSON value; every key is always there.
+
+        Example:
+            >>> import tresym
+            >>> tresym.check(r"\\frac{x}{2} + \\frac{x}{2} = x").as_json()["read_as"]
+            'x/2 + x/2 == x'
+        """
         value = asdict(self) | {"verdict": self.verdict.value}
         value["witness"] = None if self.witness is None else dict(self.witness)
         value["constant"] = None if self.constant is None else self.constant._asdict()

@@ -12,7 +12,7 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.reading import functions as unknown
 from tresym.reals.language.binders import outermost
-from tresym.reals.language.expression import symbols
+from tresym.reals.language.expression import DOTS, symbols
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
@@ -40,7 +40,8 @@ def attack(
         return against or _attack_limit(comparison, statement, statement.path, ranged)
     claim = (comparison.left, comparison.relation, comparison.right)
     said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
-    if statement.equations or any(next(unknown(e), None) is not None for e in said):
+    dotted = any(DOTS.args[0] in symbols(e) for e in claim[::2])
+    if dotted or statement.equations or any(next(unknown(e), None) is not None for e in said):
         return None  # its cases, without equations and such functions, were attacked themselves
     totals = [node for node in outermost(*claim[::2]) if node.op in ("sum", "product")]
     counted = {*statement.integers}.union(*(symbols(node.args[2]) for node in totals))

@@ -283,7 +283,7 @@ def out_of_range(s: Series, given: Given) -> str:
     radius = radius_of(s)
     if radius == ZERO:
         return "it diverges"
-    if radius is None or _sign(radius - _size(s.u), given) == "+":
+    if radius is None or _sign(radius - size_of(s.u), given) == "+":
         return ""
     for side in (1, -1):
         found = _sign(radius - side * s.u, given)
@@ -297,12 +297,12 @@ def out_of_range(s: Series, given: Given) -> str:
     return ""
 
 
-def _size(e: Expr) -> Expr:
+def size_of(e: Expr) -> Expr:
     """The absolute value, of the factors."""
     if e.op == "*":
-        return multiply(*map(_size, e.args))
+        return multiply(*map(size_of, e.args))
     if e.op == "^" and e.args[1].op == "number" and e.args[1].args[0].q == 1:
-        return _size(e.args[0]) ** e.args[1]
+        return size_of(e.args[0]) ** e.args[1]
     return apply("abs", e)
 
 

@@ -16,17 +16,11 @@ from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.decisions.totals import first_terms
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import (
-    ZERO,
     Expr,
-    differentiate,
     replaced,
-    substitute,
-    symbol,
     symbols,
 )
 from tresym.reals.verdict import Verdict
-
-MARK = "[S]"
 
 
 def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -43,7 +37,7 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
         return Answer(Verdict.UNDECIDED, "of a series with variables an equation is decided alone")
     found = None
     if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
-        side = solved(claim, nodes[0])
+        side = claim.solved(nodes[0])
         if side is not None:
             found = decide_power_series(side, nodes[0], statement.given)
             if found or found.verdict is Verdict.REFUTED:
@@ -68,13 +62,3 @@ def with_values(
     answer = decided(replace(claim, left=left, right=right), statement)
     said = "; ".join(f"{node} = {form.value} by {form.source}" for node, form in known.items())
     return replace(answer, why=f"{said}; {answer.why}", region=None)
-
-
-def solved(claim: Comparison, node: Expr) -> Expr | None:
-    """What the claim says that ``node`` is, where it is linear in it."""
-    gap = replaced(claim.left - claim.right, {node: symbol(MARK)})
-    slope = differentiate(gap, MARK)
-    if MARK in symbols(slope):
-        return None
-    rest = substitute(gap, {MARK: ZERO})
-    return -rest / slope if slope.op != "number" else rest * (-1 / slope)

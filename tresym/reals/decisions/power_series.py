@@ -102,22 +102,33 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
 
 def _shown(side: Expr, s: Series, given: Given) -> str:
     """The proof in words."""
-    problem = "the other side may jump" if jumps(side) else out_of_range(s, given)
-    if problem:
-        raise OpenError(problem)
     y = fresh("y", symbols(side) | symbols(s.u) | symbols(s.head) | given.names)
+    need_range(side, s, given)
     for x in sorted(symbols(s.u), key=lambda name: (name not in symbols(side), name)):
-        fixed = Given(tuple(c for c in given.comparisons if x not in symbols(c[0]) | symbols(c[2])))
         power = _power_of(s.head, s.u, x, given)
         if power is None:
             continue
-        for moved in _by_one(side, s.u, x, y):
-            same = moved == side or decide(substitute(moved, {y: s.u}), side, given).verdict
-            if x not in symbols(moved) and same in (True, Verdict.PROVED):
-                found = _by_equation(moved, *power, s, y, fixed)
-                if found:
-                    return found
+        for moved in functions_of(side, s.u, x, y, given):
+            found = by_equation(moved, power, s, y, without(x, given))
+            if found:
+                return found
     raise OpenError("the other side is not shown to satisfy its differential equation")
+
+
+def need_range(side: Expr, s: Series, given: Given) -> None:
+    """That the series converges wherever the conditions hold, and to limits of ``side``.
+
+    Raises:
+        OpenError: it is not shown to.
+    """
+    problem = "the other side may jump" if jumps(side) else out_of_range(s, given)
+    if problem:
+        raise OpenError(problem)
+
+
+def without(x: str, given: Given) -> Given:
+    """The conditions that do not speak of x."""
+    return Given(tuple(c for c in given.comparisons if x not in symbols(c[0]) | symbols(c[2])))
 
 
 def _power_of(head: Expr, u: Expr, x: str, given: Given) -> tuple[Expr, int] | None:
@@ -133,11 +144,20 @@ def _power_of(head: Expr, u: Expr, x: str, given: Given) -> tuple[Expr, int] | N
     return None
 
 
-def _by_one(e: Expr, u: Expr, x: str, y: str) -> Iterator[Expr]:
-    """Candidates for what ``e`` is as a function of y = u."""
+def functions_of(e: Expr, u: Expr, x: str, y: str, given: Given) -> Iterator[Expr]:
+    """What ``e`` is as a function of y = u, free of x, in several forms."""
     if u == symbol(x):
         yield substitute(e, {x: symbol(y)})
         return
+    for moved in dict.fromkeys(_moved(e, u, x, y)):
+        if x not in symbols(moved):
+            again = substitute(moved, {y: u})
+            if again == e or decide(again, e, given).verdict is Verdict.PROVED:
+                yield moved
+
+
+def _moved(e: Expr, u: Expr, x: str, y: str) -> Iterator[Expr]:
+    """Candidates for these."""
     yield replaced(_by_exponentials(e), {u: symbol(y)})
     positive = Given(((symbol(y), ">", ZERO),))
     for found in (*_moebius(u, x, y), *solutions(u - symbol(y), x)):
@@ -167,8 +187,15 @@ def _moebius(u: Expr, x: str, y: str) -> Iterator[Expr]:
         return
 
 
-def _by_equation(side: Expr, scale: Expr, plain: int, s: Series, y: str, given: Given) -> str:
-    """That ``side`` is ``scale Σ f(k) y^(p k + q)`` inside the radius of convergence."""
+def by_equation(side: Expr, power: tuple[Expr, int], s: Series, y: str, given: Given) -> str:
+    """That ``side`` is ``c y^n Σ f(k) y^(p k + q)`` inside the radius of convergence, in words.
+
+    Args:
+        side: a function of y.
+        power: c and n.
+        given: the conditions on what else is in it.
+    """
+    scale, plain = power
     v = symbol(y)
     radius = radius_of(s)
     inside = given

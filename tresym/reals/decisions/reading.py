@@ -20,6 +20,8 @@ from tresym.reals.language.expression import (
     multiply,
     number,
     opened,
+    replaced,
+    substitute,
     symbol,
     symbols,
 )
@@ -109,6 +111,17 @@ class Comparison:
     def by(self) -> frozenset[str]:
         """The variables by which."""
         return frozenset(found.by for found in self.derivatives)
+
+    def solved(self, node: Expr) -> Expr | None:
+        """What an equation says that ``node`` is, where it is linear in it."""
+        mark = symbol("[S]")
+        left, right = (replaced(side, {node: mark}) for side in (self.left, self.right))
+        gap = left - right
+        slope = differentiate(gap, "[S]")
+        if "[S]" in symbols(slope) or slope == ZERO:
+            return None
+        rest = substitute(gap, {"[S]": ZERO})
+        return rest * (-1 / slope)
 
     def mapped(self, change: Callable[[Expr], Expr]) -> Comparison:
         """The comparison of changed sides, their derivatives with them."""

@@ -15,7 +15,7 @@ from tresym.reals.decisions.exponents import beyond_positive_bases
 from tresym.reals.decisions.identity import JUMP, exact_text
 from tresym.reals.decisions.reading import Comparison, Statement, functions, read
 from tresym.reals.language.binders import is_infinite, outermost
-from tresym.reals.language.expression import ZERO, Expr, symbols
+from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import FACTORIAL, parse
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -101,6 +101,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
     sides = comparison.left, comparison.right
     nodes = {node.op for node in outermost(*sides)}
     unknown = {f.args[0].args[0] for e in (*sides, *statement.said) for f in functions(e)}
+    if any(DOTS.args[0] in symbols(side) for side in sides):
+        from tresym.reals.decisions.dotted import decide_dotted
+
+        return decide_dotted
     if any(is_infinite(node) for node in outermost(*sides)):
         from tresym.reals.decisions.infinite import decide_infinite
 

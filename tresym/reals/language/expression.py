@@ -188,6 +188,8 @@ ZERO = number(0)
 ONE = number(1)
 MINUS_ONE = number(-1)
 HALF = number(Fraction(1, 2))
+DOTS = symbol("...")
+"""What is not written of a sum: no text writes this name."""
 PI = Expr("pi", ())
 E = Expr("exp", (ONE,))
 
@@ -456,7 +458,7 @@ def bind(e: Expr, names: tuple[str, ...]) -> Expr:
             return Expr("bound", (places[node.args[0]] + depth,))
         if node.op in LEAVES or symbols(node).isdisjoint(places):
             return node
-        return rebuild(node, _operands(node, depth, walk))
+        return Expr(node.op, _operands(node, depth, walk), node.names)  # one leaf for another
 
     return walk(e, 0)
 
@@ -464,19 +466,23 @@ def bind(e: Expr, names: tuple[str, ...]) -> Expr:
 def instantiate(body: Expr, values: tuple[Expr, ...]) -> Expr:
     """The body of a binder at these values of its variables."""
     _need_closed(values)
+    plain = all(value.op == "symbol" for value in values)
 
     def walk(node: Expr, depth: int) -> Expr:
         if node.loose <= depth:
             return node
         if node.op == "bound":
             return values[node.args[0] - depth]
-        return rebuild(node, _operands(node, depth, walk))
+        operands = _operands(node, depth, walk)
+        return Expr(node.op, operands, node.names) if plain else rebuild(node, operands)
 
     return walk(body, 0)
 
 
 def _operands(node: Expr, depth: int, walk: Callable[[Expr, int], Expr]) -> tuple[Expr, ...]:
     """The operands walked over; the first is under the variables that the node binds."""
+    if not node.names:
+        return tuple([walk(arg, depth) for arg in node.args])
     inside = depth + len(node.names)
     return tuple(walk(arg, depth if n else inside) for n, arg in enumerate(node.args))
 
@@ -551,7 +557,10 @@ def _text(e: Expr, level: int) -> str:
     if e.op == "+":
         terms = e.args
         last = terms[-1]
-        if last.op == "number" and last.args[0] > 0 and _text(terms[0], 1).startswith("-"):
+        if DOTS in terms:  # they stand last, and a number before them first
+            numbers = [term for term in terms if term.op == "number"]
+            terms = (*numbers, *(t for t in terms if t.op != "number" and t != DOTS), DOTS)
+        elif last.op == "number" and last.args[0] > 0 and _text(terms[0], 1).startswith("-"):
             terms = (last, *terms[:-1])  # 1 - x for -x + 1, which is the same tree
         body = _text(terms[0], 1)
         for term in terms[1:]:

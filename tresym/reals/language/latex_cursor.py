@@ -29,7 +29,7 @@ BRACKETS = {"(": ")", "[": "]", "\\{": "\\}"}
 FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")
-DOTS = ("\\dot", "\\ddot")
+TIME = ("\\dot", "\\ddot")
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
 
 

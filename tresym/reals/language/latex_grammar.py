@@ -17,6 +17,7 @@ from tresym.reals.language.binders import (
     total,
 )
 from tresym.reals.language.expression import (
+    DOTS,
     MAX_DERIVATIVES,
     MINUS_ONE,
     ONE,
@@ -39,12 +40,12 @@ from tresym.reals.language.latex_cursor import (
     BRACKETS,
     CLOSED,
     DIFFERENTIALS,
-    DOTS,
     FRACTIONS,
     INSTEAD,
     NO_DERIVATIVE,
     OPENING,
     OPERATORS,
+    TIME,
     Author,
     Cursor,
     Function,
@@ -68,13 +69,14 @@ from tresym.reals.language.latex_reach import (
     whole,
 )
 from tresym.reals.language.latex_tokens import (
+    ELLIPSIS,
     EXTREMES,
     FUNCTIONS,
     LETTERS_OF_FUNCTIONS,
     RELATIONS,
     STOPS,
 )
-from tresym.reals.language.parsing import INFINITY, call
+from tresym.reals.language.parsing import INFINITY, call, sum_of
 from tresym.reals.numbers.exact import InputError
 
 MAX_FACTORIAL = 100
@@ -92,10 +94,14 @@ class Reader(Cursor):
         first = self.signed()
         terms = [first.tree]
         while self.peek() in ("+", "-") and not self.sides():
+            if self.peek(1) == ELLIPSIS:
+                self.at += 2
+                terms.append(DOTS)
+                continue
             terms.append(-self.product().tree if self.take() == "-" else self.product().tree)
             if self.bar[0] == self.at and self.bar[1] in symbols(add(*terms[:-1])):
                 self.refuse("of the terms before an evaluation bar which are meant? Write brackets")
-        return first if len(terms) == 1 else Piece(add(*terms), 0)
+        return first if len(terms) == 1 else Piece(sum_of(*terms), 0)
 
     def signed(self) -> Piece:
         """The first term of a sum, perhaps with a sign."""
@@ -209,7 +215,9 @@ class Reader(Cursor):
         raised = base is None and self.is_exponential(self.at)
         base = base or self.base()
         while True:
-            if self.peek() == "^" and not self.sides():
+            if self.degrees():
+                base = Piece(base.tree * PI / 180, 2)
+            elif self.peek() == "^" and not self.sides():
                 if raised:
                     self.refuse("TeX takes one exponent: write brackets or braces,")
                 self.at += 1
@@ -222,6 +230,10 @@ class Reader(Cursor):
                 base = Piece(base.tree**exponent.tree, 3, base.symbol, printed)
             elif self.peek() == "!":
                 base = self.factorial(base)
+            elif self.peek() == "'" and self.tokens[self.at - 1] == ")" and len(base.names) == 1:
+                (name,) = base.names
+                base = Piece(derivative(base.tree, name))
+                self.at += 1
             elif self.peek() == "|" and self.peek(1) == "_" and not self.at_bar():
                 self.at += 1
                 base = self.evaluated(base.tree)
@@ -230,6 +242,14 @@ class Reader(Cursor):
                 base = Piece(at(base.tree, values))
             else:
                 return base
+
+    def degrees(self) -> bool:
+        """Whether ``^\\circ`` stands here, which is stepped over."""
+        for form in (["^", "\\circ"], ["^", "{", "\\circ", "}"]):
+            if self.tokens[self.at : self.at + len(form)] == form:
+                self.at += len(form)
+                return True
+        return False
 
     def check_power_of_e(self, exponent: Piece) -> None:
         """Refuse a power of the letter e that may be the exponential function."""
@@ -308,7 +328,7 @@ class Reader(Cursor):
         if token == "\\infty":
             self.take()
             return Piece(INFINITY)
-        if token in DOTS and self.author:
+        if token in TIME and self.author:
             return self.dotted()
         if token.lstrip("\\") in FUNCTIONS and token.startswith("\\"):
             return self.function()

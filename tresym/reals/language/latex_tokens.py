@@ -22,7 +22,7 @@ FUNCTIONS = {
     **{f"{ar}{name}": f"a{name}" for ar in ("ar", "arc") for name in ("sech", "csch", "coth")},
     **{f"ar{name}": f"a{name}" for name in ("sinh", "cosh", "tanh")},
     **{f"a{name}": f"a{name}" for name in _TRIGONOMETRIC},
-    **{"sech": "sech", "csch": "csch", "cosec": "csc", "sgn": "sign", "sign": "sign"},
+    **{"sech": "sech", "csch": "csch", "cosec": "csc", "sgn": "sign", "sign": "sign", "gd": "gd"},
 }
 """Commands and upright words that apply a function, and the function."""
 GREEK = _words(
@@ -69,7 +69,9 @@ CONDITION = "\\conditionfor"
 """The token for upright words that open a condition."""
 _CONDITIONS = frozenset(("for", "for all", "if", "when", "whenever", "as", "given", "provided"))
 
-_SAME = {"\\forall": CONDITION, "\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
+ELLIPSIS = "\\ldots"
+_SAME = dict.fromkeys(("\\cdots", "\\dots", "\\dotsb", "\\dotsc"), ELLIPSIS)
+_SAME |= {"\\forall": CONDITION, "\\lbrace": "\\{", "\\rbrace": "\\}", "\\vert": "|"} | {
     "\\lvert": "\\left|",
     "\\rvert": "\\right|",
 }

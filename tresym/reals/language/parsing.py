@@ -31,6 +31,7 @@ from tresym.reals.language.binders import (
     worked_out,
 )
 from tresym.reals.language.expression import (
+    DOTS,
     FUNCTIONS,
     MAX_DEPTH,
     MAX_DERIVATIVES,
@@ -71,13 +72,18 @@ _RECIPROCALS = {
     "acsch": "asinh",
     "acoth": "atanh",
 }
+_GUDERMANNIAN: dict[str, Callable[[Expr], Expr]] = {
+    "gd": lambda x: 2 * apply("atan", apply("tanh", x / 2)),
+    "agd": lambda x: apply("asinh", apply("tan", x)),
+}
+"""Source: DLMF 4.23.39 and 4.23.41."""
 _INTEGER = re.compile(r"\b(\w+)\s+(?:is\s+)?(?:an\s+)?integer\b")
 _EQUALS = re.compile(r"(?<![=<>!~:])=(?![=<>])")
 _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
 """Python's parser refuses integers of more digits than that, and takes them as decimals."""
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
-KNOWN |= {"sqrt", "atan2", "diff", "Derivative"}
+KNOWN |= {"sqrt", "atan2", "diff", "Derivative", *_GUDERMANNIAN}
 """The names of functions."""
 UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|factorial")
 """The names of functions that may be left unknown, and that of one of integers."""
@@ -176,6 +182,8 @@ class _Reader:
 
     def _read(self, node: ast.expr) -> Expr:
         match node:
+            case ast.Constant(value=value) if value is ...:
+                raise InputError("dots stand as a term of a sum: 1 + x + x**2/2 + ...")
             case ast.Constant():
                 if type(node.value) not in (int, float):
                     raise self._refuse(node)
@@ -197,7 +205,7 @@ class _Reader:
             case ast.UnaryOp(op=ast.UAdd()):
                 return self._read(node.operand)
             case ast.BinOp(op=ast.Add() | ast.Sub()):
-                return self._chain(node, (ast.Add, ast.Sub), add, lambda e: -e)
+                return self._chain(node, (ast.Add, ast.Sub), sum_of, lambda e: -e)
             case ast.BinOp(op=ast.Mult() | ast.Div()):
                 return self._chain(node, (ast.Mult, ast.Div), multiply, lambda e: 1 / e)
             case ast.BinOp(op=ast.Pow()):
@@ -223,7 +231,8 @@ class _Reader:
         parts: list[Expr] = []
         left: ast.expr = node
         while isinstance(left, ast.BinOp) and isinstance(left.op, ops):
-            right = self._read(left.right)
+            dots = isinstance(left.right, ast.Constant) and left.right.value is ...
+            right = DOTS if dots and join is sum_of else self._read(left.right)
             parts.append(invert(right) if isinstance(left.op, ops[1]) else right)
             left = left.left
         parts.append(self._read(left))
@@ -307,6 +316,22 @@ class _Reader:
         )
 
 
+def sum_of(*terms: Expr) -> Expr:
+    """The sum of terms as they are written, of which one may be dots.
+
+    Dots before the last term stand for the terms of a finite sum, behind numbers for those of a
+    series; else they stay as a term that is not known.
+
+    Raises:
+        InputError: what the dots stand for is not seen.
+    """
+    if DOTS not in terms and -DOTS not in terms:
+        return add(*terms)
+    from tresym.reals.language.dots import meant
+
+    return meant([DOTS if term == -DOTS else term for term in terms])
+
+
 def call(name: str, values: list[Expr]) -> Expr:
     """A function of the grammar, by any of its names, at these arguments.
 
@@ -320,6 +345,8 @@ def call(name: str, values: list[Expr]) -> Expr:
         return apply("log", values[0]) / apply("log", values[1])
     if name in _FOLDED and len(values) > 1:
         return extreme(_FOLDED[name], values)
+    if name in _GUDERMANNIAN and len(values) == 1:
+        return _GUDERMANNIAN[name](values[0])
     if name == FACTORIAL and len(values) == 1:
         return unknown(name, tuple(values))
     if name not in KNOWN:
@@ -379,7 +406,7 @@ def parse_given(text: str) -> list[Compared]:
             relation != "in" or right != INTEGERS or left.op != "symbol"
         ):
             raise InputError("a variable that takes integer values is written n integer")
-        if INFINITY.args[0] in symbols(left) | symbols(right):
+        if {INFINITY.args[0], DOTS.args[0]} & (symbols(left) | symbols(right)):
             raise InputError(NO_INFINITY)
         if not all(map(_algebraic, (left, right))):
             raise InputError(NO_DERIVATIVE)

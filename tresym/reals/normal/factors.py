@@ -160,13 +160,15 @@ class FactoredRing(SignedRing):
         """Record that ``x`` is not negative on the domain; with ``strict``, that it is positive."""
         if x.num.is_zero():
             return
-        sign, parts = self.factors(x)
+        self._require_sign_of(*self.factors(x), strict)
+
+    def _require_sign_of(self, sign: int, parts: Factors, strict: bool) -> None:
         self.require_sign([(part, int(k.p)) for part, k in parts.values()], sign, strict)
 
     def require_sign(self, parts: list[tuple[Poly, int]], sign: int, strict: bool = False) -> None:
         """As in the base class, and of the arguments of inverse functions too."""
         for i, (part, k) in enumerate(parts):
-            if k % 2 == 0 or (str(part) not in self.known_signs and self.sign(part)):
+            if k % 2 == 0 or (str(part) not in self.known_signs and self._sign_in(parts, part)):
                 continue
             inner = same_sign(self, part)
             if inner is not None and not inner.is_zero():

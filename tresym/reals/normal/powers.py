@@ -45,7 +45,7 @@ class PowerRing(FactoredRing):
             for part in (part for part, k in parts.values() if k.p % 2):
                 result = result * self.fraction(self.sigma(part))
         else:
-            self._require_positive(x, strict=r < 0)
+            self._require_sign_of(sign, parts, strict=r < 0)
         for part, k in parts.values():
             result = result * self._absolute_power(part, k * r)
         return result
@@ -100,8 +100,8 @@ class PowerRing(FactoredRing):
 
     def log(self, x: Fraction) -> Fraction:
         """``log x`` on ``x > 0``, as a sum over the factors of ``x``."""
-        self._require_positive(x, strict=True)
-        _, parts = self.factors(x)
+        sign, parts = self.factors(x)
+        self._require_sign_of(sign, parts, strict=True)
         return sum((self._log_absolute(part) * k for part, k in parts.values()), self.zero)
 
     def _log_absolute(self, f: Poly) -> Fraction:

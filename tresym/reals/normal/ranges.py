@@ -36,6 +36,7 @@ class ProvingRing(ValuedRing):
         super().__init__(size)
         self.given = given
         self._find_points = points
+        self._inhabited = points is not tuple
         self._more: Iterator[Mapping[str, fmpq]] | None = None
         self._samples: list[tuple[dict[str, arb], dict[int, arb]]] = []
         self.box: dict[str, Range] = dict(given.box)

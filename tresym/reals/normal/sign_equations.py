@@ -90,7 +90,7 @@ class SignedRing(ProvingRing):
             sign *= 1 if constant.leading_coefficient() > 0 else -1
         parts = [(part, k) for part, k in parts if not part.is_constant()]
         for part in (part for part, k in parts if k % 2):
-            known = self.sign(part)
+            known = self._sign_in(parts, part)
             if known:
                 sign *= known
                 continue
@@ -108,6 +108,13 @@ class SignedRing(ProvingRing):
                 raise AgainError
             return
         self._equations.add((frozenset(keys), sign))
+
+    def _sign_in(self, parts: list[tuple[Poly, int]], part: Poly) -> int:
+        """The sign of a part; where it stands alone it is about to be known, and is not proved."""
+        if not self._inhabited or sum(not p.is_constant() for p, _ in parts) > 1:
+            return self.sign(part)
+        key = str(part)
+        return self.known_signs.get(key) or self._signs.get(key) or self.orthant_sign(part)
 
     def zero_divisor(
         self, num: Poly, den: Poly, position: int, parts: dict[int, Poly]

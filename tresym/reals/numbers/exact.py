@@ -22,7 +22,14 @@ _DECIMAL = re.compile(r"([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?", re.ASCII)
 
 
 class InputError(ValueError):
-    """Input that tresym refuses; the message is one line that says what is allowed."""
+    """Input that tresym refuses; the message is one line that says what is allowed.
+
+    Example:
+        >>> import tresym
+        >>> tresym.flip_defect(0.5, "1/2")
+        Traceback (most recent call last):
+        tresym.reals.numbers.exact.InputError: not exact
+    """
 
 
 def shortened(text: str, length: int = 40) -> str:

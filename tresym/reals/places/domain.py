@@ -32,9 +32,14 @@ def with_domain(given: Given, *expressions: Expr) -> Given:
     return Given(given.comparisons + tuple(bound(*part) for part in parts))
 
 
-def needs(expressions: Iterable[Expr]) -> list[tuple[Expr, str]]:
-    """What is ``>``, ``>=`` or ``!=`` zero wherever all of ``expressions`` are defined."""
-    return list(dict.fromkeys(part for node in _operations(expressions) for part in needs_of(node)))
+def needs(expressions: Iterable[Expr], powers: bool = True) -> list[tuple[Expr, str]]:
+    """What is ``>``, ``>=`` or ``!=`` zero wherever all of ``expressions`` are defined.
+
+    Args:
+        powers: whether powers with a variable as exponent ask for a positive base.
+    """
+    nodes = (e for e in _operations(expressions) if powers or e.op != "^" or not symbols(e.args[1]))
+    return list(dict.fromkeys(part for node in nodes for part in needs_of(node)))
 
 
 def denominators(e: Expr) -> list[Expr]:

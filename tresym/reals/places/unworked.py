@@ -17,6 +17,7 @@ from flint import acb, arb, ctx, fmpq
 
 from tresym.reals.language.binders import worked_out
 from tresym.reals.language.expression import LEAVES, MINUS_ONE, Expr, opened, symbol, symbols
+from tresym.reals.limit import held
 from tresym.reals.numbers.arithmetic import ball_precision, balls, side
 from tresym.reals.places.integrands import Integrand
 from tresym.reals.places.values import InBalls, UndefinedError
@@ -92,7 +93,8 @@ class Enclosing(InBalls):
         known = integrand.real(((low + high) / 2).real.mid()).rel_accuracy_bits()
         tolerance = arb((1, -min(max(known, 0) + SPARE, ctx.prec)))
         fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
-        return acb.integral(integrand, low, high, **fine).real
+        with held():
+            return acb.integral(integrand, low, high, **fine).real
 
 
 def enclosed(e: Expr, at: At, root: Root = no_root) -> arb:

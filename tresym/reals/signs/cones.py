@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import combinations, islice, pairwise, permutations, product
-from math import gcd
+from math import factorial, gcd
 
 from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 
@@ -63,10 +63,11 @@ def sign_on_cones(
             if other.den.is_one()
             or (other.den.is_constant() and other.den.leading_coefficient() > 0)
         ]
-        found, count = _sign(field, rest, conditions, strict)
+        ways = (1, -1) if relation == "!=" else (sign,)
+        count = _count(field, rest, conditions, strict, ways)
     except (TooLargeError, UndefinedError):
         return None
-    if found == 0 or (sign * found < 0 and relation != "!="):
+    if count is None:
         return None
     return f"the difference has coefficients of one sign on {count} cones that cover the region"
 
@@ -104,10 +105,14 @@ class _Cone:
     rows: tuple[frozenset[int], ...]
 
 
-def _sign(
-    field: Field, p: Poly, conditions: list[tuple[Poly, str]], strict: bool
-) -> tuple[int, int]:
-    """±1 for a sign of ``p`` on all of the region, or 0; and the number of cones it took."""
+def _count(
+    field: Field,
+    p: Poly,
+    conditions: list[tuple[Poly, str]],
+    strict: bool,
+    ways: tuple[int, ...],
+) -> int | None:
+    """In how many cones ``p`` has one of these signs on all of the region; None if in no number."""
     used = field.used(p)
     kept = [q for q, relation in conditions if _excludes(q, relation, strict)]
     wider = sorted({i for q in (p, *kept) for i in field.used(q)})
@@ -116,15 +121,15 @@ def _sign(
     else:
         kept = []
     if len(used) > MAX_VARIABLES:
-        return 0, 0
+        return None
     sides = [_sides(field, i, bool(kept)) for i in used]
     if kept:
         kept += _upper_ends(field, used, sides, strict)
     charts = list(islice(product(*sides), MAX_CHARTS + 1))
     bounded = any(None not in side for chart in charts for side in chart)
     if len(charts) > MAX_CHARTS or (strict and bounded):
-        return 0, 0  # with two variables at infinity, a limit shows no more than equality
-    for sign in (1, -1):
+        return None  # with two variables at infinity, a limit shows no more than equality
+    for sign in ways:
         count = 0
         for chart in charts:
             cones = _proved(_mapped([p * sign, *kept], used, chart), strict)
@@ -132,8 +137,8 @@ def _sign(
                 break
             count += cones
         else:
-            return sign, count
-    return 0, 0
+            return count
+    return None
 
 
 def _excludes(q: Poly, relation: str, strict: bool) -> bool:
@@ -228,10 +233,9 @@ def _proved(start: _Cone, strict: bool) -> int | None:
             if strict and not _vanishes_nowhere(cone):
                 return None
             continue
-        parts = _parts(cone)
-        if _fails_at_vertex(cone) or count + len(stack) + len(parts) > most:
+        if _fails_at_vertex(cone) or count + len(stack) + factorial(len(_used(cone))) > most:
             return None
-        stack.extend(parts)
+        stack.extend(_parts(cone))
     return count
 
 
@@ -265,13 +269,18 @@ def _vanishes_nowhere(cone: _Cone) -> bool:
     return True
 
 
+def _used(cone: _Cone) -> list[int]:
+    """The coordinates that occur."""
+    degrees = [q.degrees() for q in (cone.target, *cone.conditions)]
+    return [i for i, powers in enumerate(zip(*degrees, strict=True)) if max(powers) > 0]
+
+
 def _parts(cone: _Cone) -> list[_Cone]:
     """One cone for each order of the coordinates by size: each is the last one and a rest."""
     polys = (cone.target, *cone.conditions)
     gens = cone.target.context().gens()
-    used = [i for i in range(len(gens)) if any(q.degrees()[i] > 0 for q in polys)]
     found = []
-    for order in permutations(used):
+    for order in permutations(_used(cone)):
         sums = list(gens)
         for before, after in pairwise(order):
             sums[after] = sums[before] + gens[after]

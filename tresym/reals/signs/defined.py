@@ -3,15 +3,15 @@
 A proof divides only where the denominator is shown non-zero and takes roots and logarithms only
 where their arguments are shown to allow it, everywhere under the conditions given. What is not
 worked out, such as an integral, has conditions of its own, and is not shown to be smooth; a value
-at a point is looked at in place.
+at a point is looked at in place, and so is a derivative, whose function must be smooth there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from tresym.reals.language.binders import elementary, generalised, worked_out
-from tresym.reals.language.expression import LEAVES, UNWORKED, Expr, opened
+from tresym.reals.language.binders import generalised
+from tresym.reals.language.expression import LEAVES, UNWORKED, Expr, opened, substitute
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import analytic_of, needs_of
 from tresym.reals.signs.inside import PROVING
@@ -36,14 +36,18 @@ def continuous_on(e: Expr, given: Given, dear: bool = False) -> Expr | None:
     return _missing(e, given, analytic_of, dear)
 
 
+def _differentiable_of(node: Expr) -> list[tuple[Expr, str]]:
+    """Where an operation can be differentiated: as far as is asked here, where it is analytic."""
+    return analytic_of(node)
+
+
 def _missing(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
     if e.op in LEAVES:
         return None
     if e.op in UNWORKED:
         if table is analytic_of:
             return e
-        plain = e.op == "at" and elementary(opened(e)[1], *e.args[1:])
-        return _missing(worked_out(e), given, table, dear) if plain else None
+        return _missing_at(e, given, table, dear) if e.op in ("at", "derivative") else None
     parts = table(e)
     missing = [part for part, relation in parts if not _holds(part, relation, given, dear)]
     if missing and len(parts) == 2:  # 1 − x and 1 + x: not both are negative
@@ -51,6 +55,16 @@ def _missing(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
         missing = [] if _holds(first * second, relation, given, dear) else missing
     inner = (_missing(arg, given, table, dear) for arg in e.args)
     return missing[0] if missing else next(filter(None, inner), None)
+
+
+def _missing_at(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
+    """The same of a value, or of a derivative: its function must be smooth where it is taken."""
+    names, body = opened(e)
+    points = e.args[1:]
+    there = substitute(body, dict(zip(names, points, strict=True)))
+    asked = _differentiable_of if e.op == "derivative" else table
+    missing = (_missing(point, given, needs_of, dear) for point in points)
+    return next(filter(None, missing), None) or _missing(there, given, asked, dear)
 
 
 def _holds(e: Expr, relation: str, given: Given, dear: bool) -> bool:

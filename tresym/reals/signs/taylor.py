@@ -2,7 +2,9 @@
 
 On a segment from c to x, d(x) = Σ_{j<k} d⁽ʲ⁾(c) (x−c)ʲ/j! + d⁽ᵏ⁾(ξ) (x−c)ᵏ/k!. Where all terms have
 one sign, d has it. The other symbols are parameters, and c may depend on them: it is an end of the
-range, 0, 1, another symbol, or where the derivative vanishes. No floating point takes part.
+range, 0, 1, another symbol, or where the derivative vanishes. A term that holds parameters may have
+its sign by another expansion, so that a corner is left along one edge after the other. No floating
+point takes part.
 """
 
 from __future__ import annotations
@@ -19,9 +21,11 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.inverted import solutions
 from tresym.reals.normal.written import numerator
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import singularities
 from tresym.reals.places.points import Range
+from tresym.reals.places.values import evaluate
 from tresym.reals.signs.inside import Ask
 from tresym.reals.signs.inside import sign_inside as sign
 from tresym.reals.signs.parts import FLIP, WEAK
@@ -29,6 +33,7 @@ from tresym.reals.signs.parts import FLIP, WEAK
 MAX_ORDER = 5
 MAX_SIZE = 500
 MAX_BASES = 8
+MAX_LOOKS = 12
 
 
 def sign_by_taylor(
@@ -114,7 +119,8 @@ def _expansion(
     terms: list[str | None] = []
     derivative = difference
     for order in range(1, MAX_ORDER + 1):
-        terms.append(sign(substitute(derivative, at), inside))
+        ways = {side ** (order - 1) for side in sides}
+        terms.append(_term_sign(substitute(derivative, at), ways, inside))
         if terms[-1] is None:
             return None
         derivative = differentiate(derivative, name)
@@ -129,6 +135,24 @@ def _expansion(
                 f"derivative of order {order} have the sign that is claimed"
             )
     return None
+
+
+def _term_sign(e: Expr, ways: set[int], inside: Given) -> str | None:
+    """The sign of a term, in which a variable less is left: by another expansion if need be.
+
+    Args:
+        ways: the signs that it must have for the terms to add up.
+    """
+    found = sign(e, inside)
+    if found is not None or len(ways) > 1 or not symbols(e):
+        return found
+    (way,) = ways
+    with ball_precision():
+        values = (evaluate(way * e, point) for point in inside.points(symbols(e), MAX_LOOKS))
+        if any(value < 0 for value in values):
+            return None
+    proof = sign_by_taylor(way * e, ">=", inside)
+    return None if proof is None else {1: ">=0", -1: "<=0"}[way]
 
 
 def _has_sign(terms: list[str | None], side: int, relation: str, apart: bool) -> bool:

@@ -73,16 +73,16 @@ def picture(name: str, source: str | None = None, kind: str = "svg") -> bytes:
     module = import_module(f"{__name__}.{chart.module}")
     part = () if chart.part is None else (chart.part,)
     with style.looks():
-        try:
+        try:  # what is drawn only at the end can be wrong as well, as a label of half a formula
             figure, caption = _drawn(chart, module, data, part)
+            if kind != "svg":
+                return style.bitmap_or_page(figure, chart.title, kind)
+            text = style.svg_text(figure, escape(chart.title))
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
             if source is None or isinstance(error, InputError):
                 raise
             name = shortened(source)
             raise InputError(f"{name}: is not as tresym bench --save writes it") from None
-        if kind != "svg":
-            return style.bitmap_or_page(figure, chart.title, kind)
-        text = style.svg_text(figure, escape(chart.title))
         return text.replace(
             " <metadata>", f" <desc>{escape(caption)}</desc>\n <metadata>", 1
         ).encode()

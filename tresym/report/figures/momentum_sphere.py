@@ -7,6 +7,7 @@ All lengths are in units of M: the sphere is |M| = 1 and the ellipsoid M₁²(1+
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,12 +15,14 @@ import numpy as np
 from tresym.racket.floats.flipmap import Floats
 from tresym.report.figures import style
 from tresym.report.figures.curves import ILLUSTRATION, DrawnOrbit, orbit, separatrix, shape_of
-from tresym.report.figures.view import View, arc, arrow, ball, bare, curve, label, view
+from tresym.report.figures.view import View, arc, arrow, ball, bare, circle, curve, label, view
 
 EYE = view(38, 24)
 LEVELS = (-0.29, -0.24, -0.17, -0.08, 0.1, 0.3, 0.55, 0.8, 1.0)
 ELLIPSOIDS = (-0.15, 0.2)
 REACH = 1.55
+SHADES = 32
+"""Steps between dark and light, each too small to be seen."""
 
 
 class Data(NamedTuple):
@@ -77,34 +80,48 @@ def draw(data: Data) -> Any:
     return figure
 
 
-def surfaces(radii: Floats, eye: View, size: int = 960, reach: float = REACH) -> Floats:
-    """The two surfaces as the eye sees them: an image of shape (size/2, size/2, 4), row 0 on top.
+def shades(inverse: Floats, eye: View) -> Iterator[tuple[Floats, float]]:
+    """Where the surface x·diag(inverse)·x = 1 faces the light at least so much, darkest first.
 
-    Every pixel is the mean of four, so that the edges are soft.
+    Each part is an outline on the paper, shape (n, 2), with its shade from 0 to 1; the first is the
+    whole surface. Where a normal n has n·light ≥ c is a cap of the sphere of normals.
     """
-    x, y = np.meshgrid(np.linspace(-reach, reach, size), np.linspace(reach, -reach, size))
-    beside = x[..., None] * eye.right + y[..., None] * eye.up
     light = eye.towards + 0.5 * eye.up - 0.6 * eye.right
     light /= np.linalg.norm(light)
-    image, nearest = np.ones((size, size, 4)), np.full((size, size), -np.inf)
-    image[..., 3] = 0
-    for inverse, tone in ((np.ones(3), 0.95), (1 / radii**2, 0.55)):
-        square = float(inverse @ eye.towards**2)
-        half = (beside * inverse) @ eye.towards / square
-        rest = half**2 - ((beside**2) @ inverse - 1) / square
-        depth = np.where(rest >= 0, np.sqrt(np.maximum(rest, 0)) - half, -np.inf)
-        front = depth > nearest
-        normal = (beside + np.where(front, depth, 0)[..., None] * eye.towards) * inverse
-        normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-        shade = tone * (0.62 + 0.38 * np.clip(normal @ light, 0, 1))
-        image[front] = np.stack([shade, shade, shade, np.ones_like(shade)], axis=-1)[front]
-        nearest = np.maximum(nearest, depth)
-    return image.reshape(size // 2, 2, size // 2, 2, 4).mean(axis=(1, 3))
+    yield _seen(circle(eye.towards), inverse, eye), 0.0
+    for height in np.arange(1, SHADES) / SHADES:
+        yield _seen(circle(light, float(height), 61), inverse, eye), float(height)
+
+
+def _seen(normals: Floats, inverse: Floats, eye: View) -> Floats:
+    """Where a line of the surface with these normals is seen, its hidden parts along the rim."""
+    behind = np.minimum(eye.depth(normals), 0)[:, None]
+    rim = normals - behind * eye.towards
+    on = rim / np.linalg.norm(rim, axis=1, keepdims=True) / inverse
+    return eye.flat(on / np.sqrt(np.sum(on**2 * inverse, axis=1, keepdims=True)))
+
+
+def in_front(inverse: Floats, meeting: tuple[DrawnOrbit, DrawnOrbit], eye: View) -> Floats:
+    """The outline of the cap by which one surface stands out of the other towards the eye."""
+    near = max(meeting, key=lambda on: float(eye.depth(on.momentum.mean(axis=0))))
+    normals = near.momentum * inverse
+    return _seen(normals / np.linalg.norm(normals, axis=1, keepdims=True), inverse, eye)
 
 
 def _surfaces(sheet: Any, radii: Floats, meeting: tuple[DrawnOrbit, DrawnOrbit]) -> None:
-    frame = (-REACH, REACH, -REACH, REACH)
-    sheet.imshow(surfaces(radii, EYE), extent=frame, interpolation="none")
+    from matplotlib.patches import Polygon
+
+    sphere, ellipsoid = (np.ones(3), 0.95), (radii**-2, 0.55)
+    # Two caps of the one stand out of the other: of the ellipsoid about its longest axis, or of
+    # the sphere about the shortest. The other hides all of it but the near cap, set once more.
+    capped, belt = (sphere, ellipsoid) if meeting[0].gamma > 0 else (ellipsoid, sphere)
+    cap = Polygon(in_front(capped[0], meeting, EYE), transform=sheet.transData)
+    for (inverse, tone), within in ((capped, None), (belt, None), (capped, cap)):
+        for outline, shade in shades(inverse, EYE):
+            grey = str(round(tone * (0.62 + 0.38 * shade), 3))
+            part = Polygon(outline, facecolor=grey, edgecolor="none")
+            sheet.add_patch(part)
+            part.set_clip_path(within)
     for on in meeting:
         # In sight where neither surface is in front: the outward normals point to the viewer.
         seen = (EYE.depth(on.momentum) >= 0) & (EYE.depth(on.momentum / radii**2) >= 0)

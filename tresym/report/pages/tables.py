@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from difflib import get_close_matches
+from itertools import zip_longest
+from textwrap import wrap
 from typing import NamedTuple
 
 from flint import arb, fmpq
@@ -21,6 +23,10 @@ from tresym.report.words.markdown import escaped
 FORMATS = ("text", "markdown", "latex")
 LONGEST = 22
 """Characters of a number that fit a column of a paper; the rest is left out, and that is shown."""
+TERMINAL = 80
+"""Characters of a line of a terminal."""
+HEAD = 12
+"""Characters of a head that stay on one line there, however narrow its cells."""
 WIDEST = 90
 """Characters of a row that fit a page of a paper; a wider table is turned on its side."""
 _NUMBER = re.compile(r"([-+]?\d+(?:\.\d+)?)(?:e([-+]?\d+))?( %)?")
@@ -33,6 +39,8 @@ class Table(NamedTuple):
     heads: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     name: str = ""
+    keys: int = 1
+    """Columns that say of what a row is."""
 
 
 def digits_of(x: arb, digits: int) -> str:
@@ -58,15 +66,15 @@ def objects() -> Table:
                 name,
                 _short(body.shape.a),
                 _short(body.shape.b),
+                "yes" if body.shape.realizable else "no",
                 digits_of(found.defect, 50),
                 digits_of(share, 6),
-                "yes" if body.shape.realizable else "no",
             )
         )
     return Table(
         "Flip defect on the separatrix of the named bodies, from exactly the printed data: ε₀ in "
         "radians by the exact equation, and x in Δψ = π(1 − x).",
-        ("body", "a", "b", "ε₀", "x", "rigid body"),
+        ("body", "a", "b", "rigid body", "ε₀", "x"),
         tuple(rows),
     )
 
@@ -177,6 +185,7 @@ def routes() -> Table:
         "of the digits that each is meant to have agree with the ball.",
         ("body", "γ", "ε(γ)", *heads),
         rows,
+        keys=2,
     )
 
 
@@ -212,11 +221,36 @@ def written(found: Table, form: str) -> str:
 
 
 def _text(found: Table) -> str:
-    lines = [found.heads, *found.rows]
-    widths = [max(len(row[i]) for row in lines) for i in range(len(found.heads))]
-    body = ["  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)) for row in lines]
-    body.insert(1, "  ".join("─" * w for w in widths))
-    return "\n".join([found.caption, "", *(line.rstrip() for line in body), ""])
+    """Of a table wider than a terminal the columns stand in blocks, the first ones in each."""
+    body = [*zip(*found.rows, strict=True)]
+    heads = [_lines(h, max(map(len, cells))) for h, cells in zip(found.heads, body, strict=True)]
+    widths = [max(map(len, (*h, *cells))) for h, cells in zip(heads, body, strict=True)]
+    keys = [*range(found.keys)]
+    blocks = [[*keys]]
+    for column in range(found.keys, len(widths)):
+        wide = sum(widths[n] + 2 for n in (*blocks[-1], column)) - 2
+        if wide > TERMINAL and len(blocks[-1]) > len(keys):
+            blocks.append([*keys])
+        blocks[-1].append(column)
+    joined = re.sub(r" (?=[<>=≤≥+−] )|(?<= [<>=≤≥+−]) ", "\xa0", found.caption)
+    text = [line.replace("\xa0", " ") for line in wrap(joined, TERMINAL)]
+    for block in blocks:
+        above = zip_longest(*(heads[n] for n in block), fillvalue="")
+        rows = [
+            *above,
+            ["─" * widths[n] for n in block],
+            *zip(*(body[n] for n in block), strict=True),
+        ]
+        text.append("")
+        for row in rows:
+            cells = (c.ljust(widths[n]) for n, c in zip(block, row, strict=True))
+            text.append("  ".join(cells).rstrip())
+    return "\n".join([*text, ""])
+
+
+def _lines(head: str, width: int) -> list[str]:
+    """A head that is wider than its cells on several lines."""
+    return wrap(head, max(width, HEAD), break_long_words=False, break_on_hyphens=False)
 
 
 def _markdown(found: Table) -> str:

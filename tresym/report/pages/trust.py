@@ -17,12 +17,13 @@ from tresym.reals.balls.gradient import Divided
 from tresym.reals.balls.traced import Named
 from tresym.reals.language.expression import symbol
 from tresym.reals.verdict import Verdict
-from tresym.report.pages.trusted import RECHECKED, Count, trusted
+from tresym.report.pages.trusted import CHECK, LEDGER, RECHECKED, Count, trusted
 
 CALLED = {
     Boxes: "bounds on boxes: the margin, and its slopes",
 }
 """Evidence that holds functions in place of formulas."""
+WHAT = ("PROVED", "ENCLOSED, more")
 
 
 def trust(
@@ -60,20 +61,25 @@ def _table(heads: Sequence[str], rows: Iterable[Sequence[object]], right: int = 
 
 
 def _code(proved: Count, enclosed: Count) -> list[str]:
-    rooms = sorted({_room(file) for count in (proved, enclosed) for file in count.lines})
-    sums = [Counter[str](), Counter[str]()]
-    for total, count in zip(sums, (proved, enclosed), strict=True):
+    ledger, check = trusted(LEDGER), trusted(CHECK)
+    counts = (*ledger, *check, proved, enclosed)
+    sums = [Counter[str]() for _ in counts]
+    for total, count in zip(sums, counts, strict=True):
         for file, lines in count.lines.items():
             total[_room(file)] += lines
+    rooms = sorted(set().union(*sums))
     rows = [(f"`{room}`", *(total[room] for total in sums)) for room in rooms]
-    whole = ("all", proved.total, enclosed.total)
+    whole = ("all", *(count.total for count in counts))
+    heads = [f"{whose}{what}" for whose in ("ledger: ", "check: ", "both: ") for what in WHAT]
     return [
         "## Code",
         "",
-        f"For PROVED {proved.total} lines in {len(proved.lines)} files must be right, for ENCLOSED "
-        f"{enclosed.total} more. Comments, docstrings and blank lines are not counted.",
+        f"For PROVED in the ledger {ledger[0].total} lines must be right, and for ENCLOSED "
+        f"{ledger[1].total} more. What decides claims of your own shares most of them, and has "
+        f"deciders that the ledger does without: for PROVED {check[0].total} lines. Comments, "
+        "docstrings and blank lines are not counted.",
         "",
-        *_table(("room", "PROVED", "ENCLOSED, more"), (*rows, whole), 1),
+        *_table(("room", *heads), (*rows, whole), 1),
     ]
 
 

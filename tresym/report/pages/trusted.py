@@ -20,12 +20,11 @@ import flint
 
 import tresym
 
-ROOTS = (
-    "reals.decisions.statement.decide_claim",
-    "ledger.judge.judge",
-    "ledger.judge.judge_evidence",
-)
-"""Where verdicts are given: on a user's claim, and on a claim of the ledger."""
+LEDGER = ("ledger.judge.judge", "ledger.judge.judge_evidence")
+"""Where verdicts are given on a claim of the ledger."""
+CHECK = ("reals.decisions.statement.decide_claim",)
+"""Where they are given on a user's claim."""
+ROOTS = (*LEDGER, *CHECK)
 
 ENCLOSING = (
     "reals.balls",
@@ -131,19 +130,19 @@ class Count(NamedTuple):
         return sum(self.lines.values())
 
 
-def trusted() -> tuple[Count, Count]:
-    """What must be right for PROVED, and what more for ENCLOSED."""
+def trusted(roots: Collection[str] = ROOTS) -> tuple[Count, Count]:
+    """What must be right for PROVED, and what more for ENCLOSED, where ``roots`` give verdicts."""
     found = {name for names in RECHECKED.values() for name in names}
-    proving = reached({*found, *ENCLOSING})
-    return counted(proving), counted(reached(found) - proving)
+    proving = reached({*found, *ENCLOSING}, roots)
+    return counted(proving), counted(reached(found, roots) - proving)
 
 
-def reached(without: Collection[str]) -> set[Piece]:
-    """All pieces that the deciding functions reach past none of those ``without``."""
+def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Piece]:
+    """All pieces that ``roots`` reach past none of those ``without``."""
     seen: set[Piece] = set()
     found: set[Piece] = set()
     attributes: set[str] = set()
-    waiting = [piece_of(name) for name in ROOTS]
+    waiting = [piece_of(name) for name in roots]
     while waiting:
         while waiting:
             piece = waiting.pop()
@@ -338,6 +337,9 @@ def _home() -> Path:
 
 def main() -> None:
     """Show the count, file by file."""
+    for whose, roots in (("the ledger", LEDGER), ("check", CHECK)):
+        proved, enclosed = trusted(roots)
+        print(f"{proved.total:5} PROVED, {enclosed.total} ENCLOSED more: {whose} alone")
     for verdict, count in zip(("PROVED", "ENCLOSED, more"), trusted(), strict=True):
         print(f"{count.total:5} {verdict}")
         for file, lines in sorted(count.lines.items(), key=lambda item: -item[1]):

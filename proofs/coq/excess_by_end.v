@@ -1,2 +1,0 @@
-intros S a b e F D A B G_3 G_4 G_5 G_6 G_7 G_8 G_9 N_1 N_2 N_3; rewrite <- (is_derive_unique _ _ _ D).
-apply is_derive_unique; eapply d_eq; [apply (over_by_end S a b A B e PI); lra | unfold zero_rate; ring].

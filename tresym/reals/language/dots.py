@@ -1,0 +1,132 @@
+"""What dots in a sum stand for, where its terms show that.
+
+Before the last term, as in ``1 + 3 + ... + (2*n - 1)``, they stand for the terms between; the last
+term is the general one, and those before the dots must be its values in a row. More dots behind it
+make a series of it. Behind three numbers
+or more, as in ``1 - 1/3 + 1/5 - ...``, they stand for a series whose terms are one over a power of
+a linear function, one over factorials, or geometric, of one sign or of signs in turn. Other dots
+stay a term.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import factorial
+
+from flint import fmpq, fmpz
+
+from tresym.reals.language.binders import total
+from tresym.reals.language.expression import (
+    DOTS,
+    LEAVES,
+    MINUS_ONE,
+    ONE,
+    ZERO,
+    Expr,
+    add,
+    fresh,
+    number,
+    rebuild,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.parsing import FACTORIAL, INFINITY, call
+from tresym.reals.numbers.exact import InputError
+
+FIRST, SEEN, HIGHEST = 4, 2, 4
+"""At which number a sum may begin, how many of its terms are needed, and what powers are seen."""
+_UNSEEN = "what the dots stand for is not seen: write the sum as sum(f, k, 1, n)"
+
+
+def meant(terms: Sequence[Expr]) -> Expr:
+    """The sum of these terms, one of them dots.
+
+    Raises:
+        InputError: there are several dots, or what they stand for is not seen.
+    """
+    at = terms.index(DOTS)
+    before, after = list(terms[:at]), list(terms[at + 1 :])
+    if DOTS in after[:1] or DOTS in after[2:] or not before:
+        raise InputError(_UNSEEN)
+    if after[1:] == [DOTS]:  # the general term stands between dots
+        *terms, whole = _finite(before, after[0])
+        return add(*terms, Expr(whole.op, (*whole.args[:2], INFINITY), whole.names))
+    if after:
+        return add(*_finite(before, after[0]), *after[1:])
+    if all(term.op == "number" for term in before) and len(before) > SEEN:
+        return _series([fmpq(term.args[0]) for term in before])
+    return add(*before, DOTS)
+
+
+def _finite(before: list[Expr], last: Expr) -> list[Expr]:
+    """The terms that are no part of the sum from the first of it to ``last``, and that sum."""
+    for n in sorted(symbols(last)):
+        for start in range(FIRST):
+            for count in range(len(before), SEEN - 1, -1):
+                shown = before[len(before) - count :]
+                if all(
+                    _folded(substitute(last, {n: number(start + i)})) == _folded(term)
+                    for i, term in enumerate(shown)
+                ):
+                    k = fresh("k", symbols(last))
+                    body = substitute(last, {n: symbol(k)})
+                    whole = total("sum", body, k, number(start), symbol(n))
+                    return [*before[: len(before) - count], whole]
+    raise InputError(_UNSEEN)
+
+
+def _folded(e: Expr) -> Expr:
+    """``e`` with powers of exponent 0, and factorials of numbers, worked out."""
+    if e.op in LEAVES:
+        return e
+    args = tuple(map(_folded, e.args))
+    if e.op == "^" and args[1] == ZERO:
+        return ONE
+    if e.op == "unknown" and args[0].args[0] == FACTORIAL and args[1].op == "number":
+        value = args[1].args[0]
+        if value.q == 1 and 0 <= value < 100:
+            return number(factorial(int(value.p)))
+    return rebuild(e, args)
+
+
+def _series(values: list[fmpq]) -> Expr:
+    """The series of numbers that begins so."""
+    k = symbol("k")
+    signs = [value > 0 for value in values]
+    alternating = all(one != other for one, other in pairwise(signs))
+    if 0 in values or not (alternating or len(set(signs)) == 1):
+        raise InputError(_UNSEEN)
+    body = _general([abs(value) for value in values], k)
+    if body is None:
+        raise InputError(_UNSEEN)
+    turn = MINUS_ONE**k if alternating else ONE
+    return total("sum", (1 if signs[0] else -1) * turn * body, "k", ZERO, INFINITY)
+
+
+def _general(values: list[fmpq], k: Expr) -> Expr | None:
+    """The general term of positive numbers."""
+    ratios = [other / one for one, other in pairwise(values)]
+    if len(set(ratios)) == 1:
+        return number(values[0]) * number(ratios[0]) ** k
+    steps = [1 / ratio for ratio in ratios]
+    if steps[0].q == 1 and all(b - a == 1 for a, b in pairwise(steps)):
+        start = int(steps[0].p) - 1
+        whole = number(values[0] * factorial(start)) if start >= 0 else None
+        if whole is not None and (start or len(values) > SEEN + 1):
+            return whole / call(FACTORIAL, [k + start])
+    for m in range(1, HIGHEST + 1):
+        roots = [_root(1 / value, m) for value in values]
+        known = [root for root in roots if root is not None]
+        if len(known) == len(values) and len({b - a for a, b in pairwise(known)}) == 1:
+            slope = known[1] - known[0]
+            return 1 / (number(int(slope)) * k + number(int(known[0]))) ** number(m)
+    return None
+
+
+def _root(value: fmpq, m: int) -> fmpz | None:
+    if value.q != 1:
+        return None
+    root = fmpz(value.p).root(m)
+    return root if root**m == value.p else None
