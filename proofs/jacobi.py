@@ -19,8 +19,8 @@ from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
-chi, time = Symbol("chi", real=True), Symbol("t", real=True)
-"""The amplitude of the elliptic functions, and time."""
+chi = Symbol("chi", real=True)
+"""The amplitude of the elliptic functions."""
 
 up = 2 * I3 * E - M**2
 """2I₃E − M², positive unless M lies along e₃."""

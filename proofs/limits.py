@@ -22,8 +22,8 @@ from tresym.proofs.implicit_function import (
 from tresym.proofs.orders import (
     d56,
     eq_epsilon_gen,
-    exponential_decay,
     printed_speed,
+    remark1,
     u_exponentially_small,
 )
 from tresym.proofs.separatrix import one_flip_defect
@@ -35,7 +35,7 @@ from tresym.racket.notation import *
 
 zero_asymptotic = Claim(
     says="As ab → ∞ the root of the exact equation tends to 0.",
-    proof=all_of(one_flip_defect, exponential_decay),
+    proof=all_of(one_flip_defect, remark1),
     where=line(342),
 )
 
@@ -80,7 +80,7 @@ solution_in_that_form = Claim(
 
 limit_of_eps0 = Claim(
     says="As λ → 0, u and μ tend to 0 and so does ε₀.",
-    proof=all_of(small_together, u_exponentially_small, exponential_decay),
+    proof=all_of(small_together, u_exponentially_small, remark1),
     where=line(370),
 )
 
@@ -95,7 +95,7 @@ factor_that_vanishes = Claim(
 
 any_delta = Claim(
     says="For every δ > 0, ε₀ = o(e^{−(π − δ)/λ}) as λ → 0.",
-    proof=all_of(exponential_decay, factor_that_vanishes, flat_from_above),
+    proof=all_of(remark1, factor_that_vanishes, flat_from_above),
     where=line(370),
     note="ε₀ ≤ 2.01 e^{−π/λ}, and the factor e^{−δ/λ} tends to 0.",
 )

@@ -19,13 +19,13 @@ from tresym.proofs.flip_definition import eq_TRE, tre_only_if
 from tresym.proofs.flip_dynamics import d19, sign_of_tilt
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
-from tresym.proofs.orders import exponential_decay
+from tresym.proofs.orders import remark1
 from tresym.proofs.phase_portraits import eq_borne_psi, sign_constant_rotating
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
 from tresym.proofs.turn_integral import closed_form, closed_slope, one_rotating_level
-from tresym.proofs.turning import chi, one_turned_level, phase, unfolded_turn
+from tresym.proofs.turning import chi, longest_turn, one_turned_level, phase
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -179,16 +179,6 @@ lower_level = number(
     note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
 )
 
-_square, _before = sin(psi) ** 2, Symbol("c", real=True)
-
-slower_at_lower_level = Claim(
-    says=printed.integrand(psi, a, b, _before, 1, sympy)
-    >= printed.integrand(psi, a, b, gamma, 1, sympy),
-    given=(*shape_of_a_body, _before + b * _square > 0, gamma - _before >= 0),
-    proof=manifest,
-    note="f is largest at the least γ, here called c.",
-)
-
 longest_unturned = Claim(
     says=phase.xreplace({chi: pi / 2, gamma: -b * sin(pi / 12) ** 2}) < Rational("3.0373"),
     given=standard_racket,
@@ -200,8 +190,7 @@ longest_unturned = Claim(
 lower_level_unturned = Claim(
     says="By F(ε, γ) = π, as the appendix has it, no γ gives the standard racket ε = π/12: "
     "F(π/12, γ) stays below 3.0373 for every γ > −b sin²(π/12).",
-    proof=all_of(longest_unturned, unfolded_turn, slower_at_lower_level),
-    note="F falls as γ grows, so that it is largest in the limit γ = −b sin²(π/12).",
+    proof=all_of(longest_unturned, longest_turn),
 )
 d29 = Claim(
     says="For the standard racket ε = −π/12 at γ = 1.09·10⁻² and ε = π/12 at γ = −4.2·10⁻³.",
@@ -464,7 +453,7 @@ product_along_a_level = number(
 nearly_hyperbolic = Claim(
     says="The level curves of ε₀ have a hyperbolic shape: on one with ab ≥ 1/4, √(ab) stays within "
     "an interval of length 0.4305.",
-    proof=all_of(exponential_decay, product_along_a_level, monotonicity),
+    proof=all_of(remark1, product_along_a_level, monotonicity),
     where=line(291),
     note="√(ab) = log(c/ε₀)/π with 0.52 < c < 2.01, so that the smaller ε₀ the nearer are the "
     "curves to hyperbolas, relatively.",

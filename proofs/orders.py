@@ -55,7 +55,7 @@ from tresym.racket.near.samples import in_bent_chart
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
 
-O, o = Function("O"), Function("o")  # noqa: E741
+O = Function("O")  # noqa: E741
 hot = Symbol("hot", real=True)
 _derivative = Subs(depsilon_dgamma, gamma, 0)
 _per_turn = Subs(partialepsilon_partialF, gamma, 0)
@@ -103,7 +103,7 @@ _wide: dict[str, Any] = {
     "slopes": True,
 }
 
-quadratic_left = below(
+d38 = below(
     "d38",
     exp(-2 * sqrt(a * b) * _exponent) - (1 + b / a) * epsilon0**2 / 4,
     "1.84",
@@ -115,7 +115,7 @@ quadratic_left = below(
     **_wide,
 )
 
-linear_left = below(
+eqnew = below(
     "eqnew",
     2 * sqrt(a / (a + b)) * exp(-sqrt(a * b) * _exponent) - epsilon0,
     "0.92",
@@ -371,8 +371,8 @@ def _printed_slope(label: str, number: int) -> Claim:
     )
 
 
-pavao = _printed_slope("eq_pavao", 23)
-summary = _printed_slope("d58", 58)
+eq_pavao = _printed_slope("eq_pavao", 23)
+d58 = _printed_slope("d58", 58)
 
 
 def _beside_linear(share: str) -> Integral:
@@ -405,7 +405,7 @@ bend_everywhere = Claim(
 
 prop1 = Claim(
     says="The theorem: both formulas, each with its remainder, for every body.",
-    proof=all_of(pavao, d24),
+    proof=all_of(eq_pavao, d24),
     where=line(231),
     amended_by=(printed_leading_term, printed_error, repaired, eq_epsilon_gen, slope_leading_term),
     note="The leading terms of ε₀ and of dε/dγ are right; neither remainder is.",
@@ -421,7 +421,7 @@ def _decay(b: Any, kappa: Any, m: Any) -> Any:
     return 2 * cosine * m.exp(exponent - b * charts.arctangent_over(root.r))
 
 
-exponential_decay = between(
+remark1 = between(
     "remark1",
     epsilon0 * exp(pi * sqrt(a * b)),
     ("0.52", "2.01"),

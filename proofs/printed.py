@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.ledger.vocabulary import *
-from tresym.racket.flip.separatrix import defect_over
 
 TABLE_1 = {
     "str": ("1210", "16380", "17480", "12.54", "0.06", "0.1150", "0.0732"),
@@ -74,8 +73,3 @@ def number(
 def share_of_pi(defect: Expr) -> Expr:
     """The x of Δψ = π − 2ε₀ = π(1 − x)."""
     return 2 * defect / pi
-
-
-def exact_defect(a: arb, b: arb, m: Any) -> arb:
-    """ε₀ by the exact equation."""
-    return defect_over(a, b, m)

@@ -34,8 +34,6 @@ def _turn(level: Expr, start: Expr = epsilon) -> Integral:
     return Integral(printed.integrand(psi, a, b, level, S, sympy), (psi, start, pi / 2))
 
 
-_mirrored = printed.integrand(x, a, b, gamma, S, sympy)
-
 d48 = Claim(
     says=equal(Integral(_f, (psi, epsilon, pi - epsilon)), 2 * _turn(gamma)),
     given=_rotating,

@@ -13,6 +13,7 @@ is the motion (`unfolded_motion`): it turns at χ = π/2, 3π/2, … and is at �
 The precession back from χ = 0 is Φ(χ, γ) = ∫₀^χ N/(Q√R) dx, which is F until the motion turns
 (`unfolded_turn`), and ε(γ) is ψ where Φ(χ, γ) = π:
 
+- `longest_turn`: F(ε, γ) is below Φ of the motion that turns at ε, whatever γ;
 - `unfolded_decrease`: χ falls as γ rises, while 0 < χ < π;
 - `turned_decrease`: dε/dγ < 0 for π/2 ≤ χ < π, once the motion has turned;
 - `beyond_right_angle`: ε > π/2 for π < χ < 2π;
@@ -57,7 +58,6 @@ half_time = (chi > 0, chi < pi, sin(chi) > 0)
 """Before the motion is back at ψ = π/2; the last condition says it to the sign procedure."""
 
 _rates = printed.planar_rates(_here.tilt, _here.flip, a, b, sympy)
-_solving = by(differentiation, trigonometry, roots)
 
 unfolded_motion = Claim(
     says=Tuple(
@@ -70,8 +70,6 @@ unfolded_motion = Claim(
     "at χ = 0.",
 )
 
-before_the_turn = (*oscillating, chi > 0, chi < pi / 2)
-
 phase = Integral(_here.rate, (x, 0, chi))
 """Φ(χ, γ), the precession from χ to ψ = π/2."""
 
@@ -79,10 +77,47 @@ unfolded_turn = Claim(
     says=equal(
         Integral(printed.integrand(psi, a, b, gamma, 1, sympy), (psi, _end.flip, pi / 2)), phase
     ),
-    given=before_the_turn,
+    given=(*oscillating, chi > 0, chi < pi / 2),
     knowing=(Under(gamma + b * sin(_here.flip) ** 2 > 0, (x >= 0, x <= chi)),),
     proof=by(changing_variable(_here.flip)),
     note="Before the motion has turned Φ is F.",
+)
+
+_higher = Symbol("d", real=True)
+"""How far a level is above the one that turns at ε."""
+_edge = _Unfolded(-b * sin(epsilon) ** 2, x)
+_bend = b * cos(epsilon) ** 2 * (a + b * sin(epsilon) ** 2) / _edge.Q
+_room, _share = _higher + _bend * cos(x) ** 2, _edge.R / _edge.Q
+"""γ + b sin²ψ on the higher level, and b sin²ψ, on the curve that turns at ε."""
+_speed = sqrt(_bend / _edge.R) * sqrt((a + b) * (a + b * sin(epsilon) ** 2) / _edge.Q) * cos(x)
+"""−dψ/dx there."""
+_once = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0, _higher > 0)
+_on_higher = printed.integrand(psi, a, b, _higher - b * sin(epsilon) ** 2, 1, sympy)
+
+level_on_the_curve = Claim(
+    says=_higher - b * sin(epsilon) ** 2 + b * sin(_edge.flip) ** 2 > 0,
+    given=(*_once, x >= 0, x <= pi / 2),
+    proof=(step(_room, inverses, roots, trigonometry),),
+)
+
+longest_turn = Claim(
+    says=Integral(_on_higher, (psi, epsilon, pi / 2)) <= Integral(_edge.rate, (x, 0, pi / 2)),
+    given=_once,
+    proof=(
+        step(
+            Integral(_edge.rate, (x, 0, pi / 2))
+            - Integral((1 - _share) / (sqrt(a + _share) * sqrt(_room)) * _speed, (x, 0, pi / 2)),
+            changing_variable(_edge.flip, level_on_the_curve),
+        ),
+        step(
+            Integral(
+                _edge.rate * _higher / (sqrt(_room) * (sqrt(_room) + sqrt(_bend) * cos(x))),
+                (x, 0, pi / 2),
+            ),
+            collecting(),
+        ),
+    ),
+    note="F falls as the level rises, from Φ of the motion that turns at ε.",
 )
 
 

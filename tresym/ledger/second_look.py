@@ -321,6 +321,7 @@ def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
     return sum(map(size, sides))
 
 
+@lru_cache(maxsize=512)
 def _identical(left: Basic, right: Basic) -> bool:
     one, other = generalised(tree(left), tree(right))
     return decide(one, other).verdict is Verdict.PROVED

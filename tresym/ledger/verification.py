@@ -210,12 +210,12 @@ def verify(
         Row(eq_gamma: PROVED)
     """
     asked, workers = _labels(labels), checked_workers(workers)
-    claims = paper.all_claims(asked)
-    _need_coherent(claims)
-    chosen, requested = _choose(claims, asked)
     found: dict[str, Finding] = {}
     rows = []
     with _collecting_seldom():
+        claims = paper.all_claims(asked)
+        _need_coherent(claims)
+        chosen, requested = _choose(claims, asked)
         for claim, evidence in zip(chosen, _evidence(chosen, workers), strict=True):
             found[claim.label] = judge(claim, found, evidence)
             rows.append(Row(claim, found[claim.label], claim.label in requested))

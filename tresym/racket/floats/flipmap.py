@@ -29,7 +29,7 @@ from tresym.reals.numbers.exact import InputError
 
 Floats = NDArray[np.float64]
 
-CHUNK = 2048
+CHUNK = 8192
 """Starts per pass: what is needed of one pass stays in the cache."""
 
 WIDEST = 10**100

@@ -44,15 +44,17 @@ MIDPOINTS = tuple(math.sin((2 * k + 1) * math.pi / 24) ** 2 for k in range(6))
 class FloatOrbit(NamedTuple):
     """The constants of an orbit. ``steps`` is the number of Gauss steps.
 
-    ``root`` = √|γ(a+b)|, ``reach`` = A, ``first`` and ``third`` are C before and after the steps,
-    ``unit`` is L and ``drift`` the factor of τ in ∫ b sin²ψ dτ. ``work`` has what belongs to each
-    step: G², C′/C − 1 and √(G² − H²), and tangents at the place and at the far end.
+    ``root`` = √|γ(a+b)|, ``split`` is a quarter of it with the sign of γ, ``reach`` = A, ``first``
+    and ``third`` are C before and after the steps, ``unit`` is L and ``drift`` the factor of τ in
+    ∫ b sin²ψ dτ. ``work`` has what belongs to each step: G², C′/C − 1 and G² − H², and tangents at
+    the place and at the far end.
     """
 
     a: float
     b: float
     rotating: Any
     root: Any
+    split: Any
     reach: Any
     first: Any
     third: Any
@@ -100,7 +102,7 @@ def orbit(
         high, low = (high + low) / 2, np.sqrt(inner)
         steps += 1
         work[SQUARES, steps], work[GAINS, steps] = high * high, gain
-        work[APARTS, steps] = apart
+        work[APARTS, steps] = apart * apart
         if steps == LEVELS or not largest(apart - 1e-4 * root) > 0:
             break
         apart = apart * (apart / (high + low)) / 2
@@ -110,6 +112,7 @@ def orbit(
         b,
         rotating,
         root,
+        choose(rotating, root / 4, root / -4),
         reach,
         first,
         third,
@@ -125,23 +128,26 @@ def entries(on: FloatOrbit, x: Any, y: Any, z: Any, scale: Any) -> tuple[Any, An
 
     Both in one loop, as a step of one need not wait for the other's.
     """
-    u, v = choose(on.rotating, 0.0, on.root), choose(on.rotating, on.root, 0.0)
+    u = choose(on.rotating, 0.0, on.root)
+    v = on.root - u
     w = np.sqrt(on.work[SQUARES, 0] + u * u)
     tangent, far_tangent = scale * on.first / z, on.first / w
     on.work[TANGENTS, 0], on.work[FAR, 0] = tangent, far_tangent
     double = scale * scale
+    x, u = (x + y) / 2, (u + v) / 2
     for n in range(1, on.steps + 1):
         square, gain, apart = on.work[SQUARES, n], on.work[GAINS, n], on.work[APARTS, n]
-        x, u = (x + y) / 2, (u + v) / 2
         after, far_after = np.sqrt(x * x + double * square), np.sqrt(u * u + square)
         ratio, far_ratio = z / after, w / far_after
-        y, v, z, w = ratio * x, far_ratio * u, after, far_after
-        more = gain * ratio + scale * apart / (x + y) * (scale * apart / x)
-        far_more = gain * far_ratio + apart / (u + v) * (apart / u)
-        on.work[TANGENTS, n] = tangent * more / (1 + tangent * tangent * (1 + more))
-        on.work[FAR, n] = far_tangent * far_more / (1 + far_tangent * far_tangent * (1 + far_more))
-        tangent, far_tangent = tangent * (1 + more), far_tangent * (1 + far_more)
-    x, u, long = (x + y) / 2, (u + v) / 2, scale * on.unit
+        z, w, sum_, far_sum = after, far_after, x + ratio * x, u + far_ratio * u
+        more = gain * ratio + double * apart / sum_ / x
+        far_more = gain * far_ratio + apart / far_sum / u
+        x, u = sum_ / 2, far_sum / 2
+        after, far_after = tangent + tangent * more, far_tangent + far_tangent * far_more
+        on.work[TANGENTS, n] = tangent * more / (1 + tangent * after)
+        on.work[FAR, n] = far_tangent * far_more / (1 + far_tangent * far_after)
+        tangent, far_tangent = after, far_after
+    long = scale * on.unit
     time = np.log1p(long / x * (1 + long / (z + x))) / on.unit
     far = np.log1p(on.unit / u * (1 + on.unit / (w + u))) / on.unit
     return time, time - spent(on, time, TANGENTS), far, far - spent(on, far, FAR)
@@ -154,17 +160,16 @@ def place(on: FloatOrbit, time: Any) -> tuple[Any, Any, Any]:
     z = x + x * (grown * (grown / (1 + grown)) / 2)
     tangent, inverse = on.third / z, 1 / x
     for n in range(on.steps, 0, -1):
-        apart = on.work[APARTS, n]
-        drop = apart * inverse * apart / 4
+        drop = on.work[APARTS, n] * inverse / 4
         y, x = x + drop, x - drop
         inverse = 1 / x
         ratio = y * inverse
         z = z * ratio
         more = on.work[GAINS, n] * ratio + 2 * drop * inverse
-        tangent = tangent / (1 + more)
-        on.work[TANGENTS, n] = tangent * more / (1 + tangent * tangent * (1 + more))
+        after, tangent = tangent, tangent / (1 + more)
+        on.work[TANGENTS, n] = tangent * more / (1 + tangent * after)
     on.work[TANGENTS, 0] = tangent
-    drop = choose(on.rotating, on.root, -on.root) / 2 * (on.root / 2 / x)
+    drop = on.split * (on.root / x)
     return x - drop, x + drop, z
 
 
@@ -188,8 +193,9 @@ def of_fast_rotation(on: FloatOrbit, far_time: Any, far_phase: Any) -> tuple[Any
     """
     a, b = on.a, on.b
     gamma = on.root * (on.root / (a + b))
-    fast = choose(on.rotating, gamma, 0.0) > 8 * b
-    if largest(choose(fast, 1.0, 0.0)) > 0:
+    gamma = choose(on.rotating, gamma, 0.0)
+    if largest(gamma) > 8 * b:
+        fast = gamma > 8 * b
         time, phase = 0.0 * gamma, 0.0 * gamma
         for square in MIDPOINTS:
             part = b * square
@@ -234,9 +240,9 @@ def arrival(on: FloatOrbit, phase: Any, far_time: Any, far_phase: Any) -> tuple[
 class FloatStart(NamedTuple):
     """A start on its orbit, by symmetry with ψ increasing (rotating) and 0 ≤ ψ ≤ π.
 
-    ``mirror`` is −1 where ψ was turned round, ``before`` says whether the start lies below π/2, and
-    ``offset`` is the angle from the nearer of the unstable points 0 and π. ``time``, ``phase``
-    belong to it, ``far_time`` and ``far_phase`` to the far end of a quarter.
+    ``mirror`` is −1 where ψ was turned round, ``before`` is ½ where the start lies below π/2, else
+    −½, and ``offset`` is the angle from the nearer of the unstable points 0 and π. ``time`` and
+    ``phase`` belong to it, ``far_time`` and ``far_phase`` to the far end of a quarter.
     """
 
     sine: Any
@@ -273,8 +279,8 @@ def depart(a: float, b: float, psi: Any, rate: Any, work: Any) -> tuple[FloatOrb
     # What is not above its rounding: b = 1 and ψ = π/2, where the precession stands still.
     far_phase = np.maximum(far_phase, 1e-16 * far_time)
     mirror = choose(rotating & (handle < 0), -1.0, 1.0)
-    before = mirror * sine * cosine >= 0
-    time, phase = choose(before, -time, time), choose(before, -phase, phase)
+    before = choose(mirror * sine * cosine >= 0, 0.5, -0.5)
+    time, phase = -2 * before * time, -2 * before * phase
     back = (handle < 0) & ~rotating
     time = choose(back, 2 * far_time - time, time)
     phase = choose(back, 2 * far_phase - phase, phase)
@@ -315,17 +321,17 @@ def travel(on: FloatOrbit, start: FloatStart, precession: Any) -> End:
     halves = np.rint(end / (2 * start.far_phase))
     phase = end - 2 * halves * start.far_phase
     time, p, r = arrival(on, np.abs(phase), start.far_time, start.far_phase)
-    turned = choose((halves % 2 != 0) & ~on.rotating, -1.0, 1.0)
-    after = choose(phase < 0, -turned, turned) > 0
+    odd = halves - 2 * np.rint(halves / 2)
+    turned = choose((odd != 0) & ~on.rotating, -1.0, 1.0)
+    after = choose(phase < 0, -0.5, 0.5) * turned
     offset = np.arctan2(p, on.reach)
-    whole = choose(on.rotating, halves, 0.0) + choose(after, 0.5, -0.5)
-    whole = whole + choose(start.before, 0.5, -0.5)
-    apart = choose(after, -offset, offset) - choose(start.before, start.offset, -start.offset)
+    whole = choose(on.rotating, halves, 0.0) + after + start.before
+    apart = 2 * (after * offset + start.before * start.offset)
     return End(
-        start.mirror * (math.pi * whole + apart),
+        start.mirror * (math.pi * whole - apart),
         p,
         start.mirror * turned * r,
-        choose(phase < 0, -time, time),
+        np.copysign(time, phase),
         halves,
         math.pi * np.abs(whole) + offset + start.offset,
         np.abs(end),

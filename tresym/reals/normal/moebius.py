@@ -19,8 +19,8 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
     Raises:
         TooLargeError: a power of M of more than ``MAX_DEGREE`` would be multiplied out.
     """
-    if (low != 0 or high is not None) and int(p.degrees()[i]) > MAX_DEGREE:
-        raise TooLargeError("a range is mapped, and a power of it is too large")
+    if high is None and low == 0:
+        return p
     context = p.context()
     u = context.gen(i)
     if low is not None and high is not None:
@@ -35,7 +35,10 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
     while not p.is_zero():
         coefficients.append(p.subs({i: 0}))
         p = (p - coefficients[-1]) / u
-    result, below = context.constant(0), context.constant(1)
+        if len(coefficients) > MAX_DEGREE + 1:
+            raise TooLargeError("a range is mapped, and a power of it is too large")
+    result = coefficients.pop() if coefficients else context.constant(0)
+    below = bottom
     for part in reversed(coefficients):
         result, below = result * top + part * below, below * bottom
     return result

@@ -82,6 +82,9 @@ def _at_once(text: str) -> fmpq | None:
         top, _, bottom = text.partition("/")
         if top.isdecimal() and bottom.isdecimal() and (below := int(bottom)):
             return fmpq(int(top), below)
+        top, _, power = text.partition("e-")
+        if top.isdecimal() and power.isdecimal() and (places := int(power)) < len(_TENS):
+            return fmpq(int(top), _TENS[places])
     return None
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from flint import arb
+from flint import arb, fmpq
 
 from tresym.ledger.paper import corrections, index
 from tresym.ledger.verification import Report
@@ -20,7 +20,8 @@ def numbers(report: Report) -> dict[str, str]:
     Returns:
         Counts of the ledger; and for each named body ``defect_NAME`` (ε₀ in radians),
         ``degrees_NAME`` (the same in degrees), ``share_NAME`` (x in Δψ = π(1 − x)) and
-        ``paper_error_NAME`` (of the paper's formula, in per cent); the floor of rigid bodies.
+        ``paper_error_NAME`` (of the paper's formula, in per cent); the floor of rigid
+        bodies; and how many operations F and the float64 map take.
     """
     found = {name.lower(): str(count) for name, count in report.counts.items()}
     placed = sum(row.claim.where is not None for row in report.rows)
@@ -37,6 +38,10 @@ def numbers(report: Report) -> dict[str, str]:
     }
     for name in NAMED_BODIES:
         found |= _of_body(name)
+    from tresym.racket.compared.calls import map_operations, turn_calls
+
+    found["calls_near"], found["calls_far"] = (str(turn_calls(g)) for g in (fmpq(0), fmpq(1, 100)))
+    found["map_operations"] = str(map_operations())
     with ball_precision(128):
         floor = 2 * (-arb.pi()).exp().atan()
         found["floor"] = digits_of(floor, DIGITS)
