@@ -94,8 +94,8 @@ def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
     first, second = says.args
     yield Line("", says_latex(second if chain[-1].expression == first else first))
     for link in chain:
-        assert link.expression is not None
-        yield Line(EQUIVALENT, says_latex(link.expression), _reasons(link))
+        shown = second if link.expression is None else link.expression
+        yield Line(EQUIVALENT, says_latex(shown), _reasons(link))
 
 
 def _reasons(link: Step, otherwise: str = "algebra") -> tuple[Because, ...]:
