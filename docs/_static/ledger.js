@@ -32,15 +32,18 @@ function filterLedger(parts) {
     const verdict = [...entry.querySelector(".verdict").classList].find((name) => name !== "verdict");
     const stated = entry.querySelector(".place") ? "paper" : "lemma";
     const marks = [...entry.querySelectorAll(".mark")].map((mark) => mark.classList[1]);
-    return new Set([verdict, stated, ...marks]);
+    return new Set([verdict, stated, ...marks, entry.querySelector(".kind").textContent]);
   });
   const WORDS = {
     proved: "PROVED", enclosed: "ENCLOSED", refuted: "REFUTED", defined: "DEFINED",
     assumed: "ASSUMED", paper: "in the paper", lemma: "lemmas", coq: "checked by Coq",
     axioms: "rest on quoted theorems",
+    identity: "identities", number: "numbers", bound: "bounds", order: "orders", limit: "limits",
+    statement: "statements",
   };
   const GROUPS = [["proved", "enclosed", "refuted", "defined", "assumed"], ["paper", "lemma"],
-    ["coq"], ["axioms"]];
+    ["coq"], ["axioms"],
+    ["identity", "number", "bound", "order", "limit", "statement"]];
   const buttons = Object.entries(WORDS).map(([name, words]) => {
     const button = Object.assign(document.createElement("button"), { textContent: words });
     button.dataset.name = name;
@@ -110,4 +113,8 @@ document.addEventListener("DOMContentLoaded", () => {
   const parts = [...document.querySelectorAll(".ledger")];
   if (parts.length) filterLedger(parts);
   document.querySelectorAll(".copied-from").forEach(addCopyButtons);
+  for (const graph of document.querySelectorAll(".graph")) {
+    const own = graph.querySelector(".own").getBoundingClientRect();
+    graph.scrollLeft += own.left + own.width / 2 - graph.getBoundingClientRect().left - graph.clientWidth / 2;
+  }
 });

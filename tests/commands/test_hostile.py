@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from decimal import Decimal
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import chunks
 import numpy as np
@@ -439,16 +439,6 @@ def run(
     )
 
 
-@pytest.mark.slow
-def test_whole_processes_of_every_command_end_with_a_status(tmp_path: Path) -> None:
-    for words in command_lines(PROCESSES, 5, list(COMMANDS)):
-        done = run(words, tmp_path)
-        assert done.returncode in (0, 1, 2, 3), words
-        assert b"Traceback" not in done.stderr, words
-        chunks.EXAMPLES["test_whole_processes_of_every_command_end_with_a_status"] += 1
-    assert not list(tmp_path.glob("*.part"))
-
-
 # One request of each command that writes something.
 WRITES = {
     "flip": ["flip", "--body", "str"],
@@ -463,6 +453,80 @@ WRITES = {
     "figure": ["figure"],
     "chart": ["chart"],
 }
+
+
+class Fault(NamedTuple):
+    """What befalls a process: too little of something, output that fails, or a signal."""
+
+    limit: tuple[int, int] | None = None
+    sink: str | None = None
+    signal: int | None = None
+    after: float = 0.0
+
+
+def fault(dice: random.Random) -> Fault:
+    few = dice.choice(
+        [
+            (resource.RLIMIT_AS, dice.randint(150, 900) * 2**20),
+            (resource.RLIMIT_NOFILE, dice.randint(8, 30)),
+            (resource.RLIMIT_FSIZE, dice.choice([0, 10, 1000, 10**5])),
+            (resource.RLIMIT_CPU, dice.randint(1, 2)),
+        ]
+    )
+    sinks = dice.choice(["/dev/full", "closed", "left"])
+    number = dice.choice([signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGPIPE])
+    kind = dice.randrange(4)
+    if kind < 3:
+        return (Fault(few), Fault(sink=sinks), Fault())[kind]
+    return Fault(signal=number, after=dice.uniform(0.3, 2))
+
+
+def stricken(words: list[str], folder: Path, fault: Fault) -> tuple[int, bytes]:
+    """The status of a command that the fault befalls, and what it says."""
+
+    def begun() -> None:
+        if fault.limit is not None:
+            kind, size = fault.limit
+            resource.setrlimit(kind, (size, resource.getrlimit(kind)[1]))
+        if fault.sink == "closed":
+            os.close(1)
+
+    sink = os.open(fault.sink, os.O_WRONLY) if fault.sink == "/dev/full" else subprocess.PIPE
+    process = subprocess.Popen(
+        [sys.executable, "-m", "tresym", *words],
+        stdin=subprocess.DEVNULL,
+        stdout=sink,
+        stderr=subprocess.PIPE,
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(ROOT), "OPENBLAS_NUM_THREADS": "1"},
+        preexec_fn=begun,
+    )
+    if sink != subprocess.PIPE:
+        os.close(sink)
+    if fault.sink == "left" and process.stdout is not None:
+        process.stdout.close()
+        process.stdout = None
+    if fault.signal is not None:
+        time.sleep(fault.after)
+        process.send_signal(fault.signal)
+    _, err = process.communicate(timeout=HANGS)
+    return process.returncode, err
+
+
+@pytest.mark.slow
+def test_whole_processes_of_every_command_end_with_a_status(tmp_path: Path) -> None:
+    """Hostile words, and random faults beside them."""
+    dice = random.Random(chunks.seed_of(8))
+    for words in command_lines(PROCESSES, 5, list(COMMANDS)):
+        befallen = fault(dice)
+        if dice.random() < 0.3:  # nothing wrong but what befalls it
+            words = dice.choice(list(WRITES.values())) + dice.choice([[], ["-o", "out"]])
+        status, err = stricken(words, tmp_path, befallen)
+        # killed by what was sent, or by the clock of the processor
+        killed = {-signal.SIGXCPU, -(befallen.signal or 0)}
+        assert status in {0, 1, 2, 3, 130} | killed, (words, befallen, err)
+        assert b"Traceback" not in err, (words, befallen, err)
+        chunks.EXAMPLES["test_whole_processes_of_every_command_end_with_a_status"] += 1
 
 
 @pytest.mark.slow

@@ -70,14 +70,15 @@ def digits_at(method: peers.Method, shape: Shape) -> float:
 
 
 def timed(name: str) -> tuple[float, float]:
-    """The seconds that a method takes in this process, over a block, and its true digits."""
+    """The seconds that a method takes in this process, over a block, and its true digits before."""
     shape, method = named_body(BODY).shape, WORK[name]
+    digits = digits_at(method, shape)
     calls = 1 if name == BATCH or "quad" in name else BLOCK
     start = time.process_time()
     for _ in range(calls):
         method(shape, fmpq(0), DIGITS)
     seconds = (time.process_time() - start) / (BLOCK if name == BATCH else calls)
-    return seconds, digits_at(method, shape)
+    return seconds, digits
 
 
 def contenders(opened: ExitStack) -> Iterator[Contender]:

@@ -39,7 +39,7 @@ def pages(ledger: Record, seconds: dict[str, float]) -> Iterator[tuple[str, str]
     placed = list(titles)
     for label in ledger["claims"]:
         text = page(label, ledger, titles.get(label), seconds.get(label))
-        beside = _beside(label, placed) if label in titles else ""
+        beside = _beside(label, placed, ledger["claims"]) if label in titles else ""
         yield f"{label}.md", text + beside
 
 
@@ -145,14 +145,19 @@ def _item(label: str, claim: Record) -> str:
     place = f" [{claim['place']}]{{.place}}" if claim["place"] else ""
     coq = " [Coq]{.mark .coq}" if claim["coq"] and not claim["coq"]["premises"] else ""
     axioms = " [quoted theorem]{.mark .axioms}" if claim["axioms"] else ""
-    return f"{titled(label, claim)}{place}{coq}{axioms}\\\n{inline(claim)}"
+    kind = f" [{claim['kind']}]{{.kind}}"
+    return f"{titled(label, claim)}{place}{coq}{axioms}{kind}\\\n{inline(claim)}"
 
 
-def _beside(label: str, order: list[str]) -> str:
+def _beside(label: str, order: list[str], claims: dict[str, Record]) -> str:
     """Links to the claims before and after it, in the order of the proofs."""
+
+    def named(other: str) -> str:
+        return f"[{sentence(claims[other]['title'])}](/claims/{other}.md)"
+
     at = order.index(label)
-    before = [f"← {link(order[at - 1])}"] if at else []
-    after = [f"{link(order[at + 1])} →"] if at + 1 < len(order) else []
+    before = [f"← {named(order[at - 1])}"] if at else []
+    after = [f"{named(order[at + 1])} →"] if at + 1 < len(order) else []
     return "\n" + " · ".join([*before, "[the ledger](index.md)", *after]) + "\n"
 
 

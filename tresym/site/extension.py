@@ -90,6 +90,10 @@ _AS_WRITTEN = (
 )
 
 
+_TOUCHES_BEFORE = re.compile(r"[(“]+$")
+_TOUCHES_AFTER = re.compile(r"[,.;:)”’!?]+")
+
+
 def set_formulas(app: Sphinx, doctree: nodes.document) -> None:
     """Set the formulas of every sentence, but for titles, code and what machines have written."""
     if app.env.docname.startswith(("reference/", "pages/api", "pages/coq")):
@@ -102,6 +106,31 @@ def set_formulas(app: Sphinx, doctree: nodes.document) -> None:
         found = list(pieces(str(text)))
         if any(piece.latex for piece in found):
             text.parent.replace(text, [_node(piece) for piece in found])
+    for formula in list(doctree.findall(nodes.math)):
+        glue(formula)
+
+
+def glue(formula: nodes.math) -> None:
+    """Let no line end between a formula and the comma or the bracket that touches it."""
+    parent, at = formula.parent, formula.parent.index(formula)
+    before, after = parent.children[:at][-1:], parent.children[at + 1 : at + 2]
+    opens = _TOUCHES_BEFORE.search(before[0]) if before and _is_text(before[0]) else None
+    shuts = _TOUCHES_AFTER.match(after[0]) if after and _is_text(after[0]) else None
+    if not (opens or shuts):
+        return
+    glued = nodes.inline("", "", classes=["glued"])
+    parent.replace(formula, glued)
+    if opens:
+        parent.replace(before[0], nodes.Text(before[0][: opens.start()]))
+        glued += nodes.Text(opens[0])
+    glued += formula
+    if shuts:
+        parent.replace(after[0], nodes.Text(after[0][shuts.end() :]))
+        glued += nodes.Text(shuts[0])
+
+
+def _is_text(node: nodes.Node) -> bool:
+    return isinstance(node, nodes.Text)
 
 
 def join_lines(parent: nodes.TextElement) -> None:

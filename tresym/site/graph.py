@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from html import escape
+from textwrap import wrap
 from typing import Any
 
 Record = dict[str, Any]
@@ -15,8 +16,8 @@ Record = dict[str, Any]
 MOST = 7
 """Boxes of a column; the rest are counted."""
 LETTERS = 27
-"""Letters of a title that fit a box."""
-BOX, HIGH, ACROSS, DOWN = 170, 26, 190, 36
+"""Letters of a title that fit a line of a box, which has two."""
+BOX, HIGH, ACROSS, DOWN = 170, 38, 190, 46
 """Width and height of a box, and the steps from one to the next."""
 
 
@@ -69,11 +70,16 @@ def _edges(places: dict[str, tuple[float, float]], claims: dict[str, Record]) ->
 
 def _box(name: str, at: tuple[float, float], claim: Record, own: str) -> str:
     title = claim["title"]
-    words = title if len(title) <= LETTERS else f"{title[: LETTERS - 1].rstrip()}…"
+    lines = wrap(title, LETTERS, max_lines=2, placeholder="…")
+    first = HIGH / 2 + 4 - 6.5 * (len(lines) - 1)
     kind = claim["verdict"].lower() + (" own" if name == own else "")
     x, y = at
     return (
         f'<a href="{name}.html"><title>{escape(title)} ({claim["verdict"]})</title>'
         f'<rect class="{kind}" x="{x:g}" y="{y:g}" width="{BOX}" height="{HIGH}" rx="4"/>'
-        f'<text x="{x + 8:g}" y="{y + HIGH / 2 + 4:g}">{escape(words)}</text></a>'
+        + "".join(
+            f'<text x="{x + 8:g}" y="{y + first + 13 * n:g}">{escape(words)}</text>'
+            for n, words in enumerate(lines)
+        )
+        + "</a>"
     )

@@ -53,6 +53,8 @@ def test_an_irrational_witness_is_written_exactly() -> None:
     assert parse(answer.witness["x"]) == parse("sqrt(2)/2")
     assert answer.witness["y"] == "-1/7"
     assert answer.values is None
+    answer = refuted("why", {"x": parse("-sqrt(32/9)/2")})
+    assert answer.witness == {"x": "-2*sqrt(2)/3"}
 
 
 @pytest.mark.parametrize("text", ["pi", "1/3", "10**30*sqrt(2)", "exp(-70)"])

@@ -28,6 +28,35 @@ def exact_ends(x: arb) -> tuple[fmpq, fmpq]:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "0",
+        "12.5372",
+        ".5",
+        "5.",
+        "007",
+        "16380/1210",
+        "0/3",
+        "1e-8",
+        "-1e-3",
+        "-3/4",
+        "-0.01",
+        "2.5e-3",
+    ],
+)
+def test_what_is_read_at_once_is_what_is_read_slowly(text: str) -> None:
+    assert as_rational(text) == parse_number(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "-", "--5", "-+5", "1/0", "-1/0", "1/-2/3", "٣", "²", "1e-", "e-3", "5-", "1_0"]
+)
+def test_what_is_no_number_is_none_at_once_either(text: str) -> None:
+    with pytest.raises(InputError):
+        as_rational(text)
+
+
+@pytest.mark.parametrize(
     ("text", "value"),
     [
         ("0.0629", Fraction(629, 10_000)),

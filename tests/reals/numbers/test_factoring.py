@@ -9,7 +9,9 @@ from flint import Ordering, fmpz, fmpz_mpoly, fmpz_mpoly_ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tresym.reals.decisions.statement import decide_claim
 from tresym.reals.numbers.factoring import TooLargeError, factors_of, primes_of
+from tresym.reals.verdict import Verdict
 
 CONTEXT = fmpz_mpoly_ctx.get(("x", "y"), Ordering.lex)
 X, Y = CONTEXT.gens()
@@ -62,6 +64,9 @@ class Lying:
     def context(self) -> Any:
         return CONTEXT
 
+    def __len__(self) -> int:
+        return 1
+
 
 P = 6 * (X - Y) ** 2 * (X + 1)
 
@@ -86,3 +91,13 @@ def test_what_are_no_prime_factors_is_not_believed(found: Any) -> None:
     assert primes_of(fmpz(12)) == [(2, 2), (3, 1)]
     with pytest.raises(ArithmeticError):
         primes_of(Lying(fmpz(12), found))
+
+
+def test_a_sum_of_high_degree_is_refused_before_flint_is_asked() -> None:
+    """FLINT does not end on it, and is deaf meanwhile; the claim comes to such a one."""
+    high = 2 * X**20002 * Y**4 - 2 * X**12006 * Y**8 + 2 * X**11994 - 2 * X**3998 * Y**4
+    with pytest.raises(TooLargeError, match="2000"):
+        factors_of(high)
+    assert sorted(k for _, k in factors_of(X**20002 * Y)[1]) == [1, 20002]
+    claim = "sinh(max(2 - x, 2*x + 1/1000)) != sinh(4001/3000)"
+    assert decide_claim(claim, "-2 <= x <= 2").verdict is Verdict.REFUTED

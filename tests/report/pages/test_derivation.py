@@ -113,6 +113,18 @@ def test_the_article_compiles(text: str, tmp_path: Path) -> None:
     assert "tresym: a display is shrunk" not in log
 
 
+@pytest.mark.slow
+def test_statements_to_paste_fit_an_article_as_latex_sets_it(tmp_path: Path) -> None:
+    """Short and long chains; no margin is set, and each is referred to."""
+    if shutil.which("pdflatex") is None:
+        pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
+    labels = ["d37", "eq_gamma", "eq_Euler", "stable_equation", "logarithmic_equation"]
+    report = verify(labels)
+    body = "".join(fragment(report[label]) + rf"\eqref{{tresym:{label}}}" for label in labels)
+    head = r"\documentclass{article}\usepackage{amsmath,amssymb}\begin{document}"
+    assert "undefined" not in compiled(head + body + r"\end{document}", tmp_path, times=2)
+
+
 def test_tables_for_a_paper_compile(tmp_path: Path) -> None:
     if shutil.which("pdflatex") is None:
         assert not os.environ.get("CI"), "TeX Live must be there in CI"

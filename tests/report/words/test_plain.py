@@ -12,12 +12,13 @@ from tresym.report.words.plain import plain
 @pytest.mark.parametrize(
     ("formula", "shown"),
     [
-        (r"\gamma = \frac{2I_2E}{M^2}-1", "γ = 2I₂E/M²-1"),
+        (r"\gamma = \frac{2I_2E}{M^2}-1", "γ = 2I₂E/M²−1"),
         (r"\frac{1}{4b\epsilon_0}", "1/(4bε₀)"),
         (r"\frac{a+b}{2}", "(a+b)/2"),
         (r"\dot M_1 = M_2M_3", "\u1e40₁ = M₂M₃"),
-        (r"e^{-\pi\sqrt{a b}}", "e^(-π√(a b))"),
+        (r"e^{-\pi\sqrt{a b}}", "e^(−π√(a b))"),
         (r"\sqrt{a}", "√a"),
+        (r"x_{-1}-\text{third-order}", "x₋₁−third-order"),
         (r"\left.\frac{d}{db}(x)\right|_{b=0}", "d/db(x)|_(b = 0)"),
         (r"\sin^2\theta", "sin²θ"),
         (r"0 < b \le 1", "0 < b ≤ 1"),

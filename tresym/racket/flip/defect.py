@@ -10,6 +10,7 @@ enough (:func:`quick`). Where that does not do, at γ* and at the ends of the ra
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import lru_cache
 from typing import NamedTuple
 
 from flint import arb, fmpq
@@ -38,7 +39,7 @@ class Defect(NamedTuple):
 
 def checked_gamma(a: fmpq, b: fmpq, gamma: fmpq) -> fmpq:
     """``gamma`` if it is in [−b, a]; InputError otherwise."""
-    if not -b <= gamma <= a:
+    if (gamma + b).p < 0 or (a - gamma).p < 0:  # as integers, whose signs are known at once
         low, high = (shortened(fraction_text(end)) for end in (-b, a))
         raise InputError(f"gamma: must be between -b and a, here between {low} and {high}")
     return gamma
@@ -118,12 +119,13 @@ def quick(a: fmpq, b: fmpq, gamma: fmpq, digits: int) -> Defect | None:
     return None
 
 
-def _rounds(precision: int) -> list[int]:
+@lru_cache(maxsize=64)
+def _rounds(precision: int) -> tuple[int, ...]:
     """Precisions that each quadruple what is known, from float64; the last is one to spare."""
     rounds = [precision]
     while rounds[0] > 4 * FLOAT_BITS + 10:
         rounds.insert(0, rounds[0] // 4 + 10)
-    return [*rounds, precision + precision // 4 + 32]
+    return (*rounds, precision + precision // 4 + 32)
 
 
 def unfolded(angle: arb, fold: Fold) -> Defect:
@@ -149,7 +151,7 @@ def corrected(a: arb, b: arb, gamma: arb, near: arb, fold: Fold) -> arb:
     sine, cosine = near.sin_cos()
     square = b * sine * sine
     z, inverse = gamma + square, 1 / (1 - square)
-    if not (z > 0 and 0 < near < 2 and cosine > 0):
+    if not (z > 0 and sine > 0 and cosine > 0 and near < 2):
         raise ArithmeticError("not between the turning point and pi/2 at this precision")
     phase = _turn(sine, cosine, z, a, b, gamma, back=fold.back)
     phase -= fold.phase(arb.pi(), lambda: quarter_phase(a, b, gamma))

@@ -84,7 +84,8 @@ def turn_by_gauss(
     small = ending.small
     if not back and abs(split) < small * square and abs(split) < small * far:
         return _end(square, g, far, split, C, z, 1 - b, m, ending)
-    x, G, A = m.sqrt(square), m.sqrt(g), m.sqrt(far)
+    G, A = m.sqrt(g), m.sqrt(far)
+    x = A * tangent
     y, H, B = m.sqrt(total * rest), m.sqrt(b * (a - gamma)), m.sqrt(b * total)
     sum_ = abs(split) / (x + y) if back else x + y
     factor, angle, weight = 1 - b, 0, 1

@@ -39,7 +39,7 @@ from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.locally_constant import equal_by_derivative
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import Fraction, UndefinedError
-from tresym.reals.normal.written import written
+from tresym.reals.normal.written import normal_form, written
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
@@ -208,8 +208,10 @@ def shown(point: Mapping[str, fmpq | Expr]) -> str:
 
 
 def exact_text(value: fmpq | Expr) -> str:
-    """A coordinate of an exact point, as one would type it."""
-    return str(value) if isinstance(value, Expr) else fraction_text(value)
+    """A coordinate of an exact point, as one would type it: its roots of whole numbers."""
+    if isinstance(value, Expr):
+        return str(normal_form(value, Given()))
+    return fraction_text(value)
 
 
 def no_point(parts: tuple[Expr, ...], given: Given) -> str:

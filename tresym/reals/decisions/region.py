@@ -223,7 +223,9 @@ class _Search:
                 return True
             if all(satisfies(c, {name: point}, at) for c in self.spoken_of):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
-                return refuted(f"both sides are equal at {name} = {point}", {name: point}, *values)
+                return refuted(
+                    f"both sides are equal at {shown({name: point})}", {name: point}, *values
+                )
         return False
 
     def _fails(self, condition: Condition, point: Expr, at: dict[str, arb]) -> bool:

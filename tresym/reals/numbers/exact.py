@@ -74,7 +74,7 @@ def _decimal(text: str, what: str) -> fmpq:
 
 
 def _at_once(text: str) -> fmpq | None:
-    """What most texts are, a short decimal or fraction without a sign, read in few steps."""
+    """What most texts are, a short decimal or fraction, read in few steps."""
     if len(text) < len(_TENS) and text.isascii():
         whole, _, part = text.partition(".")
         if (digits := whole + part).isdecimal():
@@ -85,6 +85,8 @@ def _at_once(text: str) -> fmpq | None:
         top, _, power = text.partition("e-")
         if top.isdecimal() and power.isdecimal() and (places := int(power)) < len(_TENS):
             return fmpq(int(top), _TENS[places])
+        if text[:1] == "-" and text[1:2].isdecimal() and (size := _at_once(text[1:])) is not None:
+            return -size
     return None
 
 
@@ -116,7 +118,8 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
         InputError: floats (they are not the decimals they print as), booleans, other types.
     """
     if isinstance(x, str):
-        return _at_once(x) or parse_number(x, what)
+        found = _at_once(x)
+        return parse_number(x, what) if found is None else found
     if isinstance(x, fmpq):
         return x
     if type(x) is int or isinstance(x, fmpz):

@@ -9,6 +9,9 @@ from math import prod
 
 from flint import fmpz, fmpz_mpoly
 
+MOST_DEGREES = 2000
+"""Of a sum to be factored: beyond, FLINT may not end for hours, and hears no interrupt."""
+
 
 class TooLargeError(Exception):
     """The normal form outgrew its bounds or ran out of generators."""
@@ -18,10 +21,12 @@ def factors_of(p: fmpz_mpoly) -> tuple[fmpz, list[tuple[fmpz_mpoly, int]]]:
     """FLINT's unit and factors of ``p``.
 
     Raises:
-        TooLargeError: python-flint cannot sort factors whose coefficients differ by more than a
-            machine integer.
+        TooLargeError: the degree is beyond the limit, or python-flint cannot sort the factors,
+            whose coefficients differ by more than a machine integer.
         ArithmeticError: these are not its factors.
     """
+    if len(p) > 1 and p.total_degree() > MOST_DEGREES:
+        raise TooLargeError(f"a sum with powers beyond {MOST_DEGREES} is not factored")
     try:
         unit, found = p.factor()
     except OverflowError:

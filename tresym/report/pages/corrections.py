@@ -152,12 +152,16 @@ def _true(claims: tuple[Claim, ...]) -> Iterator[str]:
 def _evidence(row: Row) -> Iterator[str]:
     """How it is refuted, and at which point."""
     finding = row.finding
-    path = f"along {finding.parameter}: " if finding.parameter else ""
-    text = f"**Evidence:** {found_text(_clipped(path + finding.why))}"
+    path = finding.parameter
+    if path and finding.why.startswith("along "):
+        path = f"for {path.partition(',')[0]}, "
+    elif path:
+        path = f"along {path}: "
+    text = f"**Evidence:** {found_text(_clipped((path or '') + finding.why))}"
     if finding.witness and " = " not in finding.why:
         point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in sorted(finding.witness.items()))
         text += f", at {found_text(_clipped(point))}"
-    yield f"{text}."
+    yield text if text.endswith("…") else f"{text}."
     yield ""
 
 

@@ -28,6 +28,8 @@ LONGEST = 400
 """Characters that are shown of what judging found."""
 LINE = 66
 """Letters of a formula alone that fit a line."""
+NARROW = 0.8
+"""How wide LaTeX's own article is beside ours, less the number of an equation."""
 
 _LETTERS = {
     "²": r"\textsuperscript{2}", "⁻": r"\textsuperscript{$-$}", "¹": r"\textsuperscript{1}",
@@ -109,7 +111,7 @@ def _stated(claim: Claim) -> list[str]:
 
 def _numbered(claim: Claim) -> Iterator[str]:
     """The displays as equations that can be referred to: by the label of the claim, then -2, -3."""
-    for n, body in enumerate(set_displays(claim), 1):
+    for n, body in enumerate(set_displays(claim, NARROW), 1):
         label = f"tresym:{claim.label}" + (f"-{n}" if n > 1 else "")
         yield f"\\begin{{equation}}\\label{{{label}}}\n{body}\n\\end{{equation}}"
 
@@ -194,24 +196,27 @@ def reference(claim: Claim, known: Collection[str]) -> str:
     return rf"\hyperref[claim:{claim.label}]{{{name}}}" if claim.label in known else name
 
 
-def set_displays(claim: Claim) -> list[str]:
-    """The displays of a claim, each in `aligned`; a formula alone stands by itself."""
-    return [_aligned(display) for display in displays(claim)]
+def set_displays(claim: Claim, share: float = 1) -> list[str]:
+    """The displays of a claim, each in `aligned`; a formula alone stands by itself.
+
+    They fit this share of the width of our article.
+    """
+    return [_aligned(display, share) for display in displays(claim)]
 
 
-def alone(formula: str) -> str:
+def alone(formula: str, share: float = 1) -> str:
     """A formula without a chain; one that is too wide takes several lines."""
-    lines = broken(formula, LINE)
+    lines = broken(formula, share * LINE)
     return formula if len(lines) == 1 else _rows([f"&{lines[0]}", *map(_continued, lines[1:])])
 
 
-def _aligned(display: Display) -> str:
+def _aligned(display: Display, share: float) -> str:
     """Lines aligned at the sign, reasons at the right; what is too wide for that is broken."""
     if len(display) == 1 and not display[0].reasons:
-        return alone(display[0].right)
+        return alone(display[0].right, share)
     start = width(display[0].left)
-    narrow = all(start + width(line.right) + _extent(line) <= WIDEST for line in display)
-    return _rows([*map(_row, display)] if narrow else [*_broken(display)])
+    narrow = all(start + width(line.right) + _extent(line) <= share * WIDEST for line in display)
+    return _rows([*map(_row, display)] if narrow else [*_broken(display, share)])
 
 
 def _row(line: Line) -> str:
@@ -219,20 +224,31 @@ def _row(line: Line) -> str:
     return f"{line.left} &{line.right}{f' && {why}' if why else ''}".lstrip()
 
 
-def _broken(display: Display) -> Iterator[str]:
+def _broken(display: Display, share: float) -> Iterator[str]:
     """The lines one below the other, each reason beside the end of its formula or below it."""
     for line in display:
         arrow = line.left if line.left == EQUIVALENT else ""
         if line.left and not arrow:
-            first, *rest = broken(line.left, LINE)
+            first, *rest = broken(line.left, share * LINE)
             yield from (f"&{first}", *map(_continued, rest))
-        first, *rest = broken(line.right, LINE)
+        first, *rest = broken(line.right, share * LINE)
         *lines, last = (rf"&{arrow}\quad {first}", *map(_continued, rest))
         yield from lines
-        why = _because(line)
-        beside = width((rest or [first])[-1]) + _extent(line) <= WIDEST
-        yield last + (rf"\qquad {why}" if why and beside else "")
-        yield from [rf"&\qquad {why}"] if why and not beside else []
+        beside = width((rest or [first])[-1]) + _extent(line) <= share * WIDEST
+        whys = [why for part in _parted(line, share) if (why := _because(part))]
+        yield last + (rf"\qquad {whys.pop(0)}" if whys and beside else "")
+        yield from (rf"&\qquad {why}" for why in whys)
+
+
+def _parted(line: Line, share: float) -> Iterator[Line]:
+    """The line with as many of its reasons as fit below it, then again with the next."""
+    few: tuple[Because, ...] = ()
+    for why in line.reasons:
+        if few and _extent(line._replace(reasons=(*few, why))) > share * WIDEST:
+            yield line._replace(reasons=few)
+            few = ()
+        few = (*few, why)
+    yield line._replace(reasons=few)
 
 
 def _continued(line: str) -> str:

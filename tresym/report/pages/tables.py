@@ -29,6 +29,7 @@ HEAD = 12
 """Characters of a head that stay on one line there, however narrow its cells."""
 WIDEST = 90
 """Characters of a row that fit a page of a paper; a wider table is turned on its side."""
+_RAISED = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 _NUMBER = re.compile(r"([-+]?\d+(?:\.\d+)?)(?:e([-+]?\d+))?( %)?")
 
 
@@ -254,9 +255,19 @@ def _lines(head: str, width: int) -> list[str]:
 
 
 def _markdown(found: Table) -> str:
-    lines = [found.heads, tuple("---" for _ in found.heads), *found.rows]
+    rows = (map(_set, row) for row in found.rows)
+    lines = [found.heads, tuple("---" for _ in found.heads), *rows]
     body = ["| " + " | ".join(row) + " |" for row in lines]
     return "\n".join([*body, "", f"*{escaped(found.caption)}*", ""])
+
+
+def _set(text: str) -> str:
+    """A number with true minus signs and powers of ten; anything else as it is."""
+    number = _NUMBER.fullmatch(text)
+    if number is None:
+        return text
+    power = f"·10{number[2].translate(_RAISED)}" if number[2] else ""
+    return f"{number[1].replace('-', '−')}{power}{number[3] or ''}"
 
 
 def _latex(found: Table) -> str:

@@ -94,8 +94,8 @@ def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
     first, second = says.args
     yield Line("", says_latex(second if chain[-1].expression == first else first))
     for link in chain:
-        shown = second if link.expression is None else link.expression
-        yield Line(EQUIVALENT, says_latex(shown), _reasons(link))
+        arrived = second if link.expression is None else link.expression
+        yield Line(EQUIVALENT, says_latex(arrived), _reasons(link))
 
 
 def _reasons(link: Step, otherwise: str = "algebra") -> tuple[Because, ...]:
@@ -108,7 +108,7 @@ def _said(reason: Reason) -> Because:
         labels = tuple(claim.label for claim in reason.claims)
         return Because(_VERBS.get(reason.name, f"{reason.name},"), labels=labels)
     if reason.function is not None:
-        return Because(f"{reason.function} of both sides")
+        return Because(f"{reason.function.replace('asinh', 'arsinh')} of both sides")
     if reason.factor is not None:
         return Because("times", bracketed(expression_latex(reason.factor)))
     if reason.term is not None:

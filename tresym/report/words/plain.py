@@ -15,7 +15,7 @@ _SIGNS = {
     r"\le": "≤", r"\ge": "≥", r"\ne": "≠", r"\to": "→", r"\iff": "⟺", r"\in": "∈", r"\cdot": "·",
     r"\times": "×", r"\pm": "±", r"\mp": "∓", r"\infty": "∞", r"\partial": "∂", r"\int": "∫",
     r"\exists": "∃", r"\vert": "|", r"\quad": " ", r"\qquad": " ", r"\,": "", r"\ ": " ",
-    r"\{": "{", r"\}": "}", r"\!": "", r"\;": " ", r"\\": "; ",
+    "-": "−", r"\{": "{", r"\}": "}", r"\!": "", r"\;": " ", r"\\": "; ",
     r"\sum": "Σ", r"\land": "and", r"\wedge": "and", r"\simeq": "≃", r"\sim": "∼",
     r"\alpha": "α", r"\beta": "β", r"\gamma": "γ", r"\delta": "δ", r"\epsilon": "ε",
     r"\theta": "θ", r"\kappa": "κ", r"\lambda": "λ", r"\mu": "μ", r"\nu": "ν", r"\xi": "ξ",
@@ -24,11 +24,11 @@ _SIGNS = {
     r"\Theta": "Θ", r"\min": "min", r"\max": "max", r"\top": "ᵀ", r"\varphi": "φ",
 }  # fmt: skip
 _RAISED = str.maketrans("0123456789+-−n*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻ⁿ*")
-_LOWERED = str.maketrans("0123456789+-", "₀₁₂₃₄₅₆₇₈₉₊₋")
+_LOWERED = str.maketrans("0123456789+-−", "₀₁₂₃₄₅₆₇₈₉₊₋₋")
 _OVER = {r"\dot": "\u0307", r"\vec": "\u20d7", r"\hat": "\u0302", r"\ddot": "\u0308"}
 _KEPT = frozenset([r"\mathrm", r"\mathsf", r"\mathtt", r"\text", r"\operatorname", r"\mathbf"])
 _SPACED = re.compile(r"(?<=[^\s(\[])\s*([=<>≤≥≠⟺→∼≃])\s*")
-_PRODUCT = re.compile(r"[\s+\-·/=<>]|(?<=\w)\(")
+_PRODUCT = re.compile(r"[\s+\-−·/=<>]|(?<=\w)\(")
 
 
 _ONE = re.compile(r"[d∂]?[^\W\d][₀-₉⁰¹²³⁴-⁹]*")
@@ -63,7 +63,7 @@ def _plain(tokens: list[str]) -> str:
                 tokens.pop(0)
             text += _plain(argument(tokens)) + _OVER[token]
         elif token in _KEPT:
-            text += _plain(argument(tokens))
+            text += _plain(argument(tokens)).replace("−", "-")
         elif token == r"\begin":
             text += "(" if argument(tokens) else ""
         elif token == r"\end":

@@ -23,6 +23,10 @@ LONGEST_IN_A_LINE = 60
 LONGEST_IN_A_LIST = 220
 """Formulas of more LaTeX characters than this stand on the page of their claim only."""
 
+MOST_PARTS = 3
+"""Sets of conditions that are listed without the parts they are of."""
+EACH_ITS_OWN = "for each part what its own claim asks"
+
 
 class Part(NamedTuple):
     """Conditions that some parts of a conjunction ask for beside the shared ones, in LaTeX."""
@@ -102,7 +106,8 @@ def conditions(
         formula: how a formula of LaTeX is set.
         words: how a sentence is set.
         name: how the label of a part is set. None leaves labels out, and the conditions that are
-            among those of another part.
+            among those of another part; of more than a few parts it is only said that they have
+            their own.
     """
     pieces = [_listed(found.given, formula)] if found.given else []
     if found.where and found.where not in (found.says or ""):
@@ -114,7 +119,10 @@ def conditions(
     if name is None and found.parts:
         sets = [{*part.given} for part in found.parts]
         widest = [p for p, own in zip(found.parts, sets, strict=True) if not _within(own, sets)]
-        pieces.append(start + "; ".join(_listed(part.given, formula) for part in widest))
+        if len(widest) <= MOST_PARTS:
+            pieces.append(start + "; ".join(_listed(part.given, formula) for part in widest))
+        else:
+            pieces.append("for each part also what its own claim asks" if pieces else EACH_ITS_OWN)
     elif name is not None:
         also = " also" if pieces else ""
         for part in found.parts:

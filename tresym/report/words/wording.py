@@ -13,9 +13,10 @@ _GREEK = {
 }  # fmt: skip
 _NAMES = "|".join(_GREEK)
 _NAME = re.compile(
-    rf"\b(?:({_NAMES})([0-9]?)(_f|_max|_min|prime)?|([A-Za-z])([0-9]?)(_f|_dt)?(?=\s*(?:=|->)))(?![\w])"
+    rf"\b(?:({_NAMES})([0-9]?)(_f|_max|_min|_start|prime)?|([A-Za-z])([0-9]?)(_f|_dt)?(?=\s*(?:=|->)))(?![\w])"
 )
 """A Greek name, or one letter that is given a value."""
+_RATE = re.compile(rf"\bd({_NAMES})_dt\b")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
@@ -38,6 +39,7 @@ def readable(text: str) -> str:
     text = re.sub(r"(?<![\w)])-(?=[\w.(√])|(?<=[\w)]) - (?=[\w(√])", _minus, text)
     text = re.sub(r"-> (0|oo)([+-]?)", lambda m: f"-> {m[1]}{_SIDES[m[2]]}", text)
     text = re.sub(r"\boo\b", "∞", text)
+    text = _RATE.sub(lambda m: f"{_GREEK[m[1]]}\u0307", text)
     text = _NAME.sub(_named, text)
     for typed, set_ in (("->", "→"), (">=", "≥"), ("<=", "≤")):
         text = text.replace(typed, set_)
@@ -53,5 +55,5 @@ def _minus(found: re.Match[str]) -> str:
 
 def _named(found: re.Match[str]) -> str:
     name, index, rest = found.groups()[:3] if found[1] else found.groups()[3:]
-    rest = "′" if rest == "prime" else rest or ""
+    rest = {"prime": "′", "_start": "₀"}.get(rest, rest or "")
     return _GREEK.get(name, name) + index.translate(_LOWERED) + rest
