@@ -20,6 +20,7 @@ from tresym.proofs.implicit_function import (
     small_together,
 )
 from tresym.proofs.orders import (
+    bend_carries,
     d56,
     eq_epsilon_gen,
     printed_speed,
@@ -104,8 +105,9 @@ any_delta = Claim(
 
 slope_is_variation = Claim(
     says="Near the separatrix dε/dγ at γ = 0 describes how ε varies with γ.",
-    proof=all_of(eq_epsilon_gen, eq_depsdgamma_form),
+    proof=all_of(eq_depsdgamma_form, bend_carries),
     where=line(222),
+    note="It is the slope of ε there; how far the line carries is shown of the standard racket.",
 )
 
 uniform_convergence = Claim(

@@ -164,3 +164,60 @@ def test_a_condition_that_is_not_read_lets_nothing_pass(tmp_path: Path) -> None:
     (row,) = read(tmp_path, r"\[ x + x = 2x \text{ for } x \in \mathbb{Q} \]")
     assert row.status == "UNREAD"
     assert "condition" in row.why
+
+
+@pytest.mark.parametrize(
+    ("tex", "status", "said"),
+    [
+        (r"\sin(n+\tfrac12)\pi = \cos n\pi \quad (n \in \mathbb{Z})", "PROVED", "(n + 1/2)*pi"),
+        (r"\tan^{-1} x + \tan^{-1}\frac1x = \frac{\pi}{2} \qquad (x > 0)", "PROVED", "atan(x)"),
+        (r"\tan^{-1} x + \tan^{-1}\frac1x = \frac{\pi}{3} \qquad (x > 0)", "UNREAD", ""),
+        (r"\coth^2 x - \operatorname{csch}^2 x = 1\;(x\neq0)", "PROVED", "x != 0"),
+        (r"\int\frac{dx}{x\ln x} = \ln|\ln x| \qquad (x>0,\ x\neq1)", "PROVED", "x != 1"),
+        (r"\sin x\,\csc x = 1 \qquad (x\neq0,\pm\pi,\pm2\pi,\ldots)", "PROVED", "sin(x) != 0"),
+        (
+            r"\cos x\sec x = 1,\quad x \ne \pm\tfrac{\pi}{2},\pm\tfrac{3\pi}{2},\ldots",
+            "PROVED",
+            "cos",
+        ),
+        (r"\cos x\,\sec x = 1 \qquad x \ne (n+\tfrac12)\pi", "PROVED", "cos(x) != 0"),
+        (r"\sin(\pi x)\csc(\pi x) = 1,\qquad x\notin\mathbb{Z}", "PROVED", "sin(pi*x) != 0"),
+        (r"(\tanh x)' = \operatorname{sech}^2 x", "PROVED", "diff(tanh(x), x)"),
+        (r"\cos 60^\circ = \tfrac12", "PROVED", "cos(pi/3)"),
+        (r"\cos 60^\circ = \tfrac13", "REFUTED", "cos(pi/3)"),
+        (r"e^x = 1 + x + \frac{x^2}{2!} + \cdots", "PROVED", "1 + x + x**2/2 + ..."),
+        (r"1 + 2 + \cdots + n = \frac{n(n+1)}{2}", "PROVED", "sum(k, k, 1, n)"),
+    ],
+)
+def test_how_handbooks_print(tmp_path: Path, tex: str, status: str, said: str) -> None:
+    (row,) = read(tmp_path, rf"\[ {tex} \]")
+    assert row.status == status
+    assert said in row.link.read_as
+
+
+def test_what_is_not_all_written_is_put_in_nowhere(tmp_path: Path) -> None:
+    rows = read(tmp_path, r"\[ g = 1 + x + \cdots \] \[ g^2 = 1 + 2x + \cdots \]")
+    assert rows[0].status == "DEFINED"
+    assert "with g =" not in rows[1].why
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        (r"For $x>0$, \[ \ln(2x) = \ln x \]", "REFUTED"),
+        (r"If $a$ and $b$ are positive, then \[ \ln\frac{a}{b} = \ln b - \ln a \] ", "EQUATION"),
+        (r"If $a>0$ and $b>0$, then \[ \ln\frac{a}{b} = \ln b - \ln a \] ", "REFUTED"),
+        (r"\[ \sin(u \pm v) = \sin u\cos v \mp \cos u\sin v \]", "REFUTED"),
+        (r"\[ \tan x = 2x \]", "EQUATION"),
+        (r"\[ e^x = 1 + x + \frac{x^2}{3} + \cdots \]", "REFUTED"),
+        (r"\[ e^x = \sum_{n=1}^\infty \frac{x^n}{n!} \]", "REFUTED"),
+        (r"\[ x = 1 + y + y^2 + \cdots \]", "DEFINED"),
+        (r"\[ 1 + x + x^2 + \cdots = 3 \]", "EQUATION"),
+        (r"The roots, for $x>0$, are those of \[ \tan x = 2x \]", "EQUATION"),
+        (r"For $x>0$ the condition at the wall reads \[ \tan x = 2x \]", "EQUATION"),
+        (r"For $x>0$, \[ k\tan x = 2x \]", "EQUATION"),
+        (r"For $t>0$, \[ \dot x = 2 x \]", "EQUATION"),
+    ],
+)
+def test_when_an_equality_is_claimed_of_all_values(tmp_path: Path, text: str, status: str) -> None:
+    assert {row.status for row in read(tmp_path, text)} == {status}

@@ -46,7 +46,6 @@ from tresym.ledger.evidence.asymptotics import Asymptotics, judge_asymptotics
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.charted import Charted, judge_charted
-from tresym.ledger.evidence.defined import continuous_on, undefined
 from tresym.ledger.evidence.denial import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.evaluated import Evaluated, judge_evaluated
 from tresym.ledger.evidence.facts import by_facts, facts_of
@@ -57,7 +56,7 @@ from tresym.ledger.evidence.integrals import (
     under_binder,
     with_bounds,
 )
-from tresym.ledger.evidence.manifest import is_manifest, manifest_sign
+from tresym.ledger.evidence.manifest import continuous_on, is_manifest, manifest_sign, undefined
 from tresym.ledger.evidence.meant import unfit
 from tresym.ledger.evidence.printed import judge_printed
 from tresym.ledger.evidence.satisfied import satisfiable

@@ -288,13 +288,14 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
             pending.append((left, right))
     _need_unbound(rules.values(), rules)
     kept = _names(*given)
+    plain = tuple(c for c in given if not c.has(Integral, Derivative, Subs, Eq))
     implicit = []
     for left, right in pending:
         large = _size((left, right), rules) > LARGE
         solved = _solved(left - right, kept, rules) if large else None
         if solved is None:
             left, right = put_in(left, rules), put_in(right, rules)
-            if left == right or _identical(left, right):
+            if left == right or _identical(left, right, plain):
                 continue
             solved = _solved(left - right, kept, rules)
         if solved is None:
@@ -322,9 +323,9 @@ def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
 
 
 @lru_cache(maxsize=512)
-def _identical(left: Basic, right: Basic) -> bool:
+def _identical(left: Basic, right: Basic, given: Conditions) -> bool:
     one, other = generalised(tree(left), tree(right))
-    return decide(one, other).verdict is Verdict.PROVED
+    return decide(one, other, Given.from_sympy(*given)).verdict is Verdict.PROVED
 
 
 def rules_of(claims: Iterable[Claim]) -> Rules:

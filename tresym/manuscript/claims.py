@@ -15,7 +15,7 @@ from tresym.manuscript.rows import Said
 from tresym.manuscript.surface import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in
 from tresym.reals.decisions.reading import chained
-from tresym.reals.language.binders import antiderivative, outermost
+from tresym.reals.language.binders import antiderivative, is_infinite, outermost
 from tresym.reals.language.expression import (
     DOTS,
     Expr,
@@ -35,8 +35,9 @@ DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
-_WORKED = frozenset(("antiderivative", "derivative", "limit"))
-"""What is written to be worked out: an equality with one of these is no equation to be solved."""
+_WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
+"""What is written to be worked out: an equality with one of these, or with a series, is no equation
+to be solved."""
 
 
 class Attempt(NamedTuple):
@@ -132,9 +133,16 @@ def claim(
     goes_on = n > 0 and same and under.kind != prose.SOLVE
     constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
     worked = not unknown_in(left, right) and any(
-        node.op in _WORKED for node in outermost(compared[0], compared[2])
+        node.op in _WORKED or is_infinite(node) for node in outermost(compared[0], compared[2])
     )
+    worked = worked or DOTS.args[0] in symbols(left) | symbols(right)
     firm = not said.before and (sure or goes_on or constants) and (under.noted or not as_path)
+    firm = firm or (
+        relation == "=="
+        and same
+        and not said.before
+        and _is_general(left, right, under, head, signed and not said.either)
+    )
     firm = firm or (worked and same and relation == "==" and under.kind != prose.SOLVE)
     firm = (
         firm
@@ -156,6 +164,17 @@ def claim(
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
+
+
+def _is_general(left: Expr, right: Expr, under: Under, head: Head | None, signed: bool) -> bool:
+    """Whether an equality is claimed of all values: a sentence says for which, of all its
+    variables, or it is two, with an upper and a lower sign in both sides."""
+    names = (symbols(left) | symbols(right)) - NO_VARIABLES
+    if head is not None or under.kind or unknown_in(left, right):
+        return False
+    if any(base_of(name) != name for name in names):
+        return False
+    return signed or (under.universal and names <= names_in(under.given))
 
 
 def _attempts(

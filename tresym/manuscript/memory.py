@@ -15,9 +15,14 @@ from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     BINDERS,
     DOTS,
+    HALF,
     LEAVES,
+    ONE,
+    PI,
     UNWORKED,
+    ZERO,
     Expr,
+    apply,
     bind,
     instantiate,
     number,
@@ -31,7 +36,9 @@ from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_cursor import Author, Function
 from tresym.reals.language.latex_tokens import tokenize
 from tresym.reals.language.parsing import INFINITY, INTEGERS, Compared
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.places.values import evaluate
 
 _LETTER_E = re.compile(
     r"(?<![a-zA-Z\\{_^])e\s*\\(?:sin|cos)|1\s*[-+]\s*e(?![a-zA-Z^])"
@@ -55,6 +62,7 @@ _DERIVATIVES = (
 _INDICES = frozenset("ijklmnpqrsIJKLMN")
 """Letters of integers: in passing, of others it is said of one display."""
 DEPTH = 10
+_OFF = (("\\ne",), ("\\neq",), ("\\notin",))
 Conditions: TypeAlias = tuple[tuple[Compared, ...], tuple[tuple[str, Expr], ...], str]
 """What conditions state: comparisons, values that are put in, and a path."""
 
@@ -69,6 +77,7 @@ class Under:
     kind: str = ""
     noted: bool = False
     sources: tuple[tuple[str, Expr], ...] = ()
+    universal: bool = False
 
 
 class Memory:
@@ -92,7 +101,7 @@ class Memory:
         self.lasting: list[Compared] = []
         self.earlier: list[Compared] = []
         self.labels: dict[str, list[Compared]] = {}
-        self.shorter = False
+        self.shorter = self.longer = False
         self.ahead: dict[str, Expr] = {}
         self.dependent = _dependent(text)
         self.called = frozenset(
@@ -109,6 +118,7 @@ class Memory:
             self.functions,
             strict=True,
             shorter=self.shorter,
+            longer=self.longer,
             letter_e=self.letter_e,
             called=self.called,
         )
@@ -217,6 +227,8 @@ class Memory:
         put_in: list[tuple[str, Expr]] = []
         path = ""
         for text in (prose.last_sentence(before), prose.first_sentence(after)):
+            if prose.is_of_signs(text):
+                continue
             for found in prose.inline(text):
                 if not found.passing:
                     continue
@@ -227,7 +239,9 @@ class Memory:
                     if more and not more[1]:
                         given += more[0]
                         path = more[2] or path
-        return Under(tuple(given), tuple(put_in), path, prose.kind_of(before))
+        universal = prose.is_universal(before)
+        kind = prose.kind_of(before)
+        return Under(tuple(given), tuple(put_in), path, kind, universal=universal)
 
     def following(self, around: Under, orders: Orders) -> Under:
         """With the displays from which this one follows: equations, and what symbols stand for."""
@@ -252,6 +266,9 @@ class Memory:
 
     def condition(self, said: Said) -> Conditions | None:
         """The comparisons, the values put in and the path that a condition states, if it is one."""
+        off = self.off_multiples(said) if said.ops in _OFF else None
+        if off is not None:
+            return off
         if not said.ops or any(op in STRANGE for op in said.ops):
             return None
         if said.values and said.ops == ("=",):
@@ -282,6 +299,32 @@ class Memory:
         ):
             return None
         return tuple(links), (), ""
+
+    def off_multiples(self, said: Said) -> Conditions | None:
+        """Off all multiples of π or 1, or odd ones of its half: ``x \\ne 0, \\pm\\pi, \\ldots``.
+
+        It is None for what is no such condition.
+        """
+        try:
+            x = read_term(said.terms[0], self.author).tree
+            if said.ops == ("\\notin",):
+                whole = said.terms[1][:1] == ("\\mathbb",) and "Z" in said.terms[1]
+                return (((apply("sin", PI * x), "!=", ZERO),), (), "") if whole else None
+            listed = [t for t in (said.terms[1], *said.values) if t != ("\\ldots",)]
+            if len(said.values) != len(listed):  # nothing goes on
+                return None if said.values else self.off_each(x, said.terms[1])
+            values = [read_term([t for t in v if t != "\\pm"], self.author).tree for v in listed]
+        except InputError:
+            return None
+        return _off(x, values)
+
+    def off_each(self, x: Expr, term: Sequence[str]) -> Conditions | None:
+        """Off what a term is for every integer that stands in it."""
+        value = read_term(term, self.author).tree
+        (name, *more) = sorted(symbols(value)) or [""]
+        if more or name not in _INDICES or value == symbol(name) or symbols(x) & _INDICES:
+            return None
+        return _off(x, [substitute(value, {name: number(k)}) for k in range(3)])
 
     def integers(self, said: Said) -> Conditions | None:
         """``n = 0, 1, 2, \\ldots``: every integer from the first on, to the last if any is."""
@@ -314,6 +357,18 @@ def whole(name: Expr, which: str) -> tuple[Compared, ...]:
     """That a symbol is an integer, of N one from 1 on, of N0 from 0 on."""
     least = {"N": 1, "Z+": 1, "N0": 0}.get(which)
     return (name, "in", INTEGERS), *(() if least is None else [(name, ">=", number(least))])
+
+
+def _off(x: Expr, values: Sequence[Expr]) -> Conditions | None:
+    """That x is no multiple, or no odd multiple of one half, of π or 1, where these are such."""
+    for unit in (PI, ONE):
+        for start, wave in ((ZERO, "sin"), (HALF, "cos")):
+            row = [(start + k) * unit for k in range(len(values))]
+            with ball_precision():
+                gaps = [evaluate(one - other, {}) for one, other in zip(row, values, strict=True)]
+                if len(values) > 1 and all(gap.contains(0) for gap in gaps):
+                    return ((apply(wave, x if unit == PI else PI * x), "!=", ZERO),), (), ""
+    return None
 
 
 def _reaches(name: str, names: Iterable[str], known: Mapping[str, Expr]) -> bool:

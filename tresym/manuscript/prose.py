@@ -54,6 +54,10 @@ _ANEW_AFTER = re.compile(
     rf"{_LIST}(?:an?|any|some|both|all|not)?\s*(?:real|non-?zero|arbitrary)\b", re.IGNORECASE
 )
 _RELATION = re.compile(r"[<>=]|\\(?:[lg]eq?|neq?|in)(?![a-zA-Z])")
+_SAID_OF = re.compile(
+    r"(?:\W|\b(?:for|if|when|whenever|and|or|then|with|an?|all|every|any|each|real|positive|negative"
+    r"|non-?negative|non-?zero|not|both|zero|integers?|is|are|the|numbers?|values?|of)\b)*"
+)
 MAX_AFTER = 600
 
 
@@ -102,6 +106,18 @@ def first_sentence(text: str) -> str:
     if "\n\n" in skipped or "." in skipped or not goes_on:
         return ""
     return _SENTENCE.split(start)[0]
+
+
+def is_universal(before: str) -> bool:
+    """Whether the sentence before a display says for which values it is claimed, and nothing else:
+    "If $x > 0$, then", "For real $a$ and $b$"."""
+    words = _INLINE.sub(" ", last_sentence(before)).lower()
+    return bool(_SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words))
+
+
+def is_of_signs(text: str) -> bool:
+    """Whether it tells conditions of the upper and the lower of two signs, which are no one's."""
+    return bool(re.search(r"\bupper\b.*\blower\b|\blower\b.*\bupper\b", text, re.DOTALL))
 
 
 def inline(text: str) -> Iterator[Inline]:

@@ -59,6 +59,9 @@ _FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|
 """What a condition behind an inequality does not have in it."""
 
 
+HOLDS = "of the two readings of print it is the one that holds"
+
+
 class _Reading:
     """One pass over a manuscript."""
 
@@ -180,12 +183,47 @@ class _Reading:
             return
         under, problem = self.under(said, extra, around)
         pieces = [self.piece(term, said) for term in said.terms]
+        doubts = [p for p in pieces if isinstance(p, str) and p.startswith("two readings remain")]
+        if doubts and {*said.ops} == {"="} and not self.memory.shorter:
+            links = list(self.either_reading(blank, said, under, doubts[0]))
+            if links:
+                yield from links
+                return
         for n, op in enumerate(said.ops):
             shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
             signs = {*said.terms[n][:1], *said.terms[n + 1][:1]} & {"\\pm", "\\mp"}
             several = signed or (said.either and bool(signs))
             link = replace(blank, shown=shown)
             yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, several)
+
+    def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
+        """The links of a chain that can be read in two ways, one of which may hold; or none."""
+        rows: list[list[Piece | str]] = []
+        for longer in (True, False):
+            self.memory.longer, self.memory.shorter = longer, not longer
+            rows.append([self.piece(term, said) for term in said.terms])
+        self.memory.longer = self.memory.shorter = False
+        if any(isinstance(piece, str) for row in rows for piece in row):
+            return
+        for n in range(len(said.ops)):
+            shown = " ".join((*said.terms[n], "=", *said.terms[n + 1]))
+            asked: list[Attempt] = []
+            for row in rows:
+                one, other = row[n : n + 2]
+                if isinstance(one, Piece) and isinstance(other, Piece):
+                    compared = one.tree, "==", other.tree
+                    link = replace(blank, shown=shown)
+                    link = claim(
+                        self.memory, link, 1, said, compared, (one, other), under, None, False
+                    )
+                    asked += (a._replace(how=HOLDS, may_fail=False) for a in link.claims)
+            yield replace(
+                blank,
+                shown=shown,
+                claims=tuple(dict.fromkeys(asked)),
+                unknown=True,
+                otherwise=(UNREAD, why),
+            )
 
     def under(self, said: Said, extra: Sequence[Said], around: Under) -> tuple[Under, str]:
         """What a chain is said under, and what of it is not read."""
@@ -379,6 +417,8 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
     claims = "=" in before.ops or not all(map(is_plain, before.terms))
     if said.before or said.conditions or not said.ops or not claims:
         return False
+    if said.ops == ("\\notin",):
+        return True
     relations = {RELATIONS.get(op, "") for op in said.ops}
     if relations == {"->"} and len(said.terms[0]) < 3:
         return True

@@ -55,6 +55,7 @@ _OPEN, _CLOSE = (
     frozenset(("(", "[", "{", "\\{", "\\langle")),
     frozenset(")]}") | {"\\}", "\\rangle"},
 )
+_IN_VALUES = frozenset(("-", "\\ldots", "\\pm", "\\mp", "\\pi", "\\frac", "\\tfrac", "{", "}", "/"))
 _OPERATORS = frozenset(("+", "-", "\\pm", "\\mp", "\\cdot", "\\times", "*", "/"))
 _DEFINED = re.compile(
     r"\\(?:stackrel|overset|underset)\s*\{((?:[^{}]|\{[^{}]*\})*)\}\s*(?:\{\s*=\s*\}|=)"
@@ -419,6 +420,7 @@ def _chains(tokens: list[str]) -> list[Said]:
     found: list[Said] = []
     pending: list[list[str]] = []
     ahead: list[Said] = []
+    told: dict[int, tuple[Said, ...]] = {}
     under = colon = False
     for stop, part in _parts(tokens):
         while part[:1] == [WORDS] and stop == GAP and found and found[-1].ops and not pending:
@@ -432,8 +434,18 @@ def _chains(tokens: list[str]) -> list[Said]:
             under = False
         colon = under and part[-1] == ":" and len(part) > 1
         part = part[:-1] if colon else part
-        inner = _bracketed(part)
-        chain = _chain(inner or part)
+        part, inner = _without_bracket(part)
+        if inner:
+            behind = tuple(said for said in _chains(inner) if said.ops)
+            if part:
+                told[len(found)] = behind
+            elif found:
+                found[-1] = replace(found[-1], conditions=(*found[-1].conditions, *behind))
+                continue
+            else:
+                ahead += behind
+                continue
+        chain = _chain(part)
         if not chain.ops:
             if colon:
                 continue
@@ -457,7 +469,7 @@ def _chains(tokens: list[str]) -> list[Said]:
         several = [replace(chain, terms=(tuple(p), *chain.terms[1:])) for p in pending]
         pending = []
         for one in (*several, chain):
-            if (under or inner) and found:
+            if under and found:
                 found[-1] = replace(found[-1], conditions=(*found[-1].conditions, one))
             elif under:
                 ahead.append(one)
@@ -465,21 +477,26 @@ def _chains(tokens: list[str]) -> list[Said]:
                 before = stop if stop in ARROWS or stop == OR else ""
                 found.append(replace(one, before=before, conditions=tuple(ahead)))
     found += [Said((tuple(part),)) for part in pending]
+    for n, behind in told.items():
+        if n < len(found):
+            found[n] = replace(found[n], conditions=(*found[n].conditions, *behind))
     return found or ahead
 
 
-def _bracketed(part: list[str]) -> list[str] | None:
-    """What stands in brackets around all of a part, if that is a relation: ``(x > 0)``."""
-    if part[0] not in ("(", "[") or part[-1] not in (")", "]"):
-        return None
-    if any(depth == 0 for n, _, depth in _levels(part) if 0 < n < len(part) - 1):
-        return None
-    return part[1:-1] if _relation_in(part[1:-1]) else None
+def _without_bracket(part: list[str]) -> tuple[list[str], list[str]]:
+    """A part without the bracket at its end, and what stands in that, if there is a relation in it:
+    ``a = b (x > 0)``."""
+    if part[-1] not in (")", "]"):
+        return part, []
+    start = max((n for n, t, depth in _levels(part) if depth == 0 and t in ("(", "[")), default=-1)
+    if start < 0 or not _relation_in(part[start + 1 : -1]):
+        return part, []
+    return part[:start], part[start + 1 : -1]
 
 
 def _plain(part: list[str]) -> bool:
     """A value in a list, such as ``2`` or ``\\ldots``."""
-    return all(t[0].isdigit() or t in ("-", "\\ldots", "\\pm", "\\mp") or t[0] == "." for t in part)
+    return all(t[0].isdigit() or t in _IN_VALUES or t[0] == "." for t in part)
 
 
 def _extended(chain: Said, terms: Sequence[Sequence[str]], ops: tuple[str, ...] = ()) -> Said:

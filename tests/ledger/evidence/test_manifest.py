@@ -1,7 +1,21 @@
 """Signs that are manifest where conditions pin a symbol, and the falsehoods planted for them."""
 
 import pytest
-from sympy import Abs, Basic, Expr, Symbol, cos, pi, sign, sin, sqrt
+from sympy import (
+    Abs,
+    Basic,
+    Derivative,
+    Expr,
+    Integral,
+    Subs,
+    Symbol,
+    cos,
+    log,
+    pi,
+    sign,
+    sin,
+    sqrt,
+)
 
 from tresym.ledger.evidence import manifest
 from tresym.ledger.meaning import conditions, tree
@@ -73,3 +87,40 @@ NEITHER: list[tuple[Expr, tuple[Basic, ...]]] = [
 @pytest.mark.parametrize(("e", "given"), NEITHER)
 def test_what_may_be_negative_has_no_sign(e: Expr, given: tuple[Basic, ...]) -> None:
     assert manifest_sign(e, given) not in ("+", ">=0", "0")
+
+
+# Where expressions are defined: what is bound has conditions of its own
+
+
+def undefined(e: Basic, given: tuple[Basic, ...]) -> object:
+    return manifest.undefined(tree(e), conditions(given))
+
+
+def continuous_on(e: Basic, given: tuple[Basic, ...]) -> object:
+    return manifest.continuous_on(tree(e), conditions(given))
+
+
+def test_what_is_put_in_is_looked_at_in_place() -> None:
+    assert undefined(Subs(1 / x, x, y), (y > 0,)) is None
+    assert undefined(1 + 2 * Subs(1 / x, x, y), (y >= 0, x > 0)) is not None
+
+
+def test_what_is_bound_has_conditions_of_its_own() -> None:
+    e = Integral(1 / x, (x, 1, 2))
+    assert undefined(e, ()) is None
+    assert undefined(e + sqrt(y), ()) is not None
+    assert undefined(e + sqrt(y), (y >= 0,)) is None
+
+
+def test_a_derivative_is_defined_where_its_function_is_smooth() -> None:
+    for e in (Derivative(log(x), x), Derivative(Abs(x) + y, x), Subs(Derivative(log(x), x), x, y)):
+        assert undefined(e, ()) is not None
+        assert undefined(e, (x > 0, y > 0)) is None
+    assert undefined(Derivative(log(x) + Integral(x, (x, 0, y)), y), ()) is not None
+
+
+def test_smooth_is_what_hides_nothing() -> None:
+    assert continuous_on(Integral(x, (x, 0, 1)), ()) is not None
+    assert continuous_on(1 + Subs(x, x, 1), ()) is not None
+    assert continuous_on(Derivative(log(x), x), (x > 0,)) is not None
+    assert continuous_on(log(x), (x > 0,)) is None

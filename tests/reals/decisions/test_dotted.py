@@ -27,6 +27,8 @@ HOLD = [
     "a**x == 1 + x*log(a) + (x*log(a))**2/2 + (x*log(a))**3/6 + ... given a > 0",
     "exp(sin(x)) == 1 + x + x**2/2 - x**4/8 - ...",
     "sqrt(1 + x) == 1 + x/2 - x**2/8 + x**3/16 - ... given abs(x) <= 1",
+    "sum(x**n/factorial(n), n, 0, oo) == 1 + x + x**2/2 + x**3/6 + ...",
+    "sum((-1)**n*x**(2*n + 1)/(2*n + 1), n, 0, oo) == x - x**3/3 + x**5/5 - ...",
 ]
 FALSE = [
     "exp(x) == 1 + x + x**2/2 + x**3/3 + ...",
@@ -63,6 +65,10 @@ NEVER = [
     "sqrt(x**2 + x**4) == x + x**3/2 - x**5/8 + ... given abs(x) < 1",
     "atan(x) == -pi/2 - 1/x + 1/(3*x**3) - ... given x >= 1",
     "exp(x) > 1 + x + ...",
+    "sum(x**n/factorial(n), n, 0, oo) == 1 + x + x**2/3 + ...",
+    "sum(x**n/factorial(n), n, 1, oo) == 1 + x + x**2/2 + ...",
+    "sum(x**n/factorial(n), n, 0, oo) == 1 + x + x**3/6 + ...",
+    "sum(x**n/n, n, 0, oo) == x + x**2/2 + ...",
     "x == 1 + y + ...",
     "exp(x) + ... == 1",
     "exp(x) == 1 + x + x**2/2 + ... given x > 1, x < 0",

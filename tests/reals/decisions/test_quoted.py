@@ -40,6 +40,9 @@ HOLD = [
     "pi/2 == product(4*n**2/(4*n**2 - 1), n, 1, oo)",
     "sum(1/(n**2 + 1), n, 1, oo) == (pi*coth(pi) - 1)/2",
     "sum(1/n**2, n, 1, oo) > 3/2",
+    "sin(n*x) == 2**(n - 1)*product(sin(x + k*pi/n), k, 0, n - 1) given n integer, n >= 1",
+    "product(sin(k*pi/n), k, 1, n - 1) == n/2**(n - 1) given n integer, n >= 2",
+    "limit((1 + 1/n)**n, n, oo) == sum(1/factorial(k), k, 0, oo)",
 ]
 FALSE = [
     "E == sum(1/factorial(k), k, 1, oo)",
@@ -70,6 +73,9 @@ FALSE = [
     "pi/4 == product(4*n**2/(4*n**2 - 1), n, 1, oo)",
     "sin(z) == product(cos(z/2**n), n, 1, oo)",
     "sum(1/n**2, n, 1, oo) > 2",
+    "sin(n*x) == 2**n*product(sin(x + k*pi/n), k, 0, n - 1) given n integer, n >= 1",
+    "product(sin(k*pi/n), k, 1, n - 1) == n/2**n given n integer, n >= 2",
+    "limit((1 + 1/n)**n, n, oo) == sum(1/factorial(k), k, 1, oo)",
 ]
 NEVER = [
     "cos(z) == product(1 - 4*z**2/((2*n + 1)**2*pi**2), n, 1, oo)",
@@ -80,6 +86,9 @@ NEVER = [
     "pi**2/6 == sum(1/n**3, n, 1, oo)",
     "pi == sum(1/(n**2 - 4), n, 1, oo)",  # a term is none
     "pi/2 == product(4*n**2/(4*n**2 - 1), n, 0, oo)",
+    "sin(n*x) == 2**(n - 1)*product(sin(x + k*pi/n), k, 0, n - 1) given n integer, n >= 0",
+    "sin(n*x) == 2**(n - 1)*product(sin(x + k*pi/n), k, 1, n - 1) given n integer, n >= 1",
+    "sin(n*x) == 2**(n - 1)*product(sin(x + 2*k*pi/n), k, 0, n - 1) given n integer, n >= 1",
     "1 < 1/x + 2*x*sum(1/(x**2 - n**2), n, 1, oo)",
 ]
 

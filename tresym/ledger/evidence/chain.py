@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from tresym.ledger.claim import Chain, Claim, Reason
-from tresym.ledger.evidence.defined import undefined
 from tresym.ledger.evidence.integrals import (
     NotShownError,
     need_integrals,
@@ -15,7 +14,7 @@ from tresym.ledger.evidence.integrals import (
     with_bounds,
     without_integrals,
 )
-from tresym.ledger.evidence.manifest import NON_NEGATIVE, is_manifest, manifest_sign
+from tresym.ledger.evidence.manifest import NON_NEGATIVE, is_manifest, manifest_sign, undefined
 from tresym.ledger.finding import StepFinding
 from tresym.ledger.meaning import (
     Conditions,

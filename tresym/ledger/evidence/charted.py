@@ -27,9 +27,8 @@ from sympy import Expr as Expression
 from tresym.ledger.claim import Claim, parts_of
 from tresym.ledger.evidence.balls import decimal, decisions_of
 from tresym.ledger.evidence.chain import instantiated, unmet_condition
-from tresym.ledger.evidence.defined import undefined
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
-from tresym.ledger.evidence.manifest import is_manifest
+from tresym.ledger.evidence.manifest import is_manifest, undefined
 from tresym.ledger.finding import Finding
 from tresym.ledger.meaning import (
     REMEMBERED,

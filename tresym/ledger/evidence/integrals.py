@@ -16,8 +16,13 @@ from typing import NamedTuple
 from sympy import Basic
 
 from tresym.ledger.claim import Claim, Reason
-from tresym.ledger.evidence.defined import continuous_on, undefined
-from tresym.ledger.evidence.manifest import NON_NEGATIVE, is_stated, manifest_sign
+from tresym.ledger.evidence.manifest import (
+    NON_NEGATIVE,
+    continuous_on,
+    is_stated,
+    manifest_sign,
+    undefined,
+)
 from tresym.ledger.meaning import (
     REMEMBERED,
     Conditions,

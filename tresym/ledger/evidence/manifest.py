@@ -1,4 +1,4 @@
-"""The one prover of signs, asked under the conditions of a claim.
+"""The one prover of signs and of domains, asked under the conditions of a claim.
 
 A number that is not worked out, such as an integral, is a variable of which nothing is known.
 """
@@ -9,6 +9,7 @@ from tresym.ledger.meaning import Conditions, known
 from tresym.reals.language.binders import generalised, ordered
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.formula import Relation
+from tresym.reals.signs import defined
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import sign
 
@@ -33,3 +34,13 @@ def is_manifest(relation: Relation, given: Conditions) -> bool:
         return False
     up = relation.upward
     return manifest_sign(up.left - up.right, given, up.sign) in PROVING[up.sign]
+
+
+def undefined(e: Expr, given: Conditions) -> Expr | None:
+    """The first part of ``e`` that is not shown to be defined under ``given``, or None."""
+    return defined.undefined(e, known(given))
+
+
+def continuous_on(e: Expr, given: Conditions) -> Expr | None:
+    """The first part of ``e`` that is not shown to stay off its singularities, or None."""
+    return defined.continuous_on(e, known(given))

@@ -73,10 +73,10 @@ Variant = Any
 TRIES, INPUT_TRIES = 40, 3
 """Changes tried at one place to find those that count: few of an input, whose every change is
 looked at over its whole box."""
-EVALUATED_TRIES = 20
+EVALUATED_TRIES = 40
 """Changes tried of what is evaluated over a box, integrals and all."""
-LOOSENED, REGION_TRIES = 3, 12
-"""Changes of each condition, and of all of them those that are tried."""
+LOOSENED, REGION_TRIES, CHARTED_TRIES = 3, 12, 5
+"""Changes of each condition, and of all of them those that are tried; fewer of a chart's."""
 LARGEST = 60
 """Operations of a denial and its conditions that is also decided without its point."""
 DEPENDENTS = 2
@@ -207,8 +207,10 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             yield from _root_spots(claim, claim.proof, claim.statement)
         case Charted():
             yield _charted_spot(claim)
+            yield _region_spot(claim, lambda c: denied_somewhere(c) is not None, CHARTED_TRIES)
         case Evaluated():
             yield _evaluated_spot(claim)
+            yield _region_spot(claim, fails_at_once)
         case Monotone(slope=chain) if isinstance(claim.statement, AtMostOne):
             yield from _slope_spots(claim, chain, claim.statement)
         case Counterexample():
@@ -251,7 +253,11 @@ def _nowhere_spot(claim: Claim, says: ForSome) -> _Spot:
     return _Spot("denial", variants, claims, _is_violated)
 
 
-def _region_spot(claim: Claim) -> _Spot:
+def _region_spot(
+    claim: Claim,
+    violated: Callable[[Claim], bool] = _is_violated,
+    tries: int = REGION_TRIES,
+) -> _Spot:
     """What is said under other conditions: one dropped, turned round, or with other constants."""
     given = claim.given
 
@@ -266,7 +272,7 @@ def _region_spot(claim: Claim) -> _Spot:
     def claims(other: Named) -> tuple[Claim, ...]:
         return (replace(claim, given=other.changed),)
 
-    return _Spot("region", scattered(variants()), claims, _is_violated, REGION_TRIES)
+    return _Spot("region", scattered(variants()), claims, violated, tries)
 
 
 def _formal_spot(claim: Claim, relation: Basic, name: str) -> _Spot:

@@ -12,7 +12,7 @@ from time import process_time
 from typing import Any, NamedTuple
 
 from tresym.ledger import paper
-from tresym.ledger.claim import Claim, Counterexample
+from tresym.ledger.claim import AllOf, Claim, Counterexample
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence, seen_false
@@ -229,11 +229,17 @@ def _survives(mutant: Mutant, verdict: Ruling) -> bool:
 
 
 def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
-    """The finding on a mutant, where the changed claims it rests on are judged first."""
+    """The finding on a mutant, where the changed claims it rests on are judged first.
+
+    A conjunction with a part that is refuted is false, whatever else says that it is no ledger.
+    """
     changed = dict(found)
     for claim in mutant.beneath:
         changed[claim.label] = _judged(claim, changed)
     finding = _judged(mutant.claim, changed)
+    part = changed[mutant.beneath[-1].label] if mutant.beneath else finding
+    if finding.verdict is Verdict.UNDECIDED and isinstance(mutant.claim.proof, AllOf):
+        finding = part if part.verdict is Verdict.REFUTED else finding
     stopped = finding.stopped or any(changed[claim.label].stopped for claim in mutant.beneath)
     return replace(finding, stopped=stopped)
 

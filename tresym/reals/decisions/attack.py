@@ -11,7 +11,7 @@ from tresym.reals.advocate import conditions, contradiction, program, said, wher
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.reading import functions as unknown
-from tresym.reals.language.binders import outermost
+from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import DOTS, symbols
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -34,6 +34,8 @@ def attack(
         spent: seconds that its decision took.
     """
     functions, derivatives = comparison.differentiated, comparison.derivatives
+    if any(map(is_infinite, outermost(comparison.left, comparison.right))):
+        return None  # what was put in for it was attacked itself
     if statement.path is not None:
         against = _attack_order(comparison, statement.path, answer)
         ranged = answer.verdict is Verdict.ENCLOSED
@@ -41,6 +43,8 @@ def attack(
     claim = (comparison.left, comparison.relation, comparison.right)
     said = (*claim[::2], *(side for link in statement.given.comparisons for side in link[::2]))
     dotted = any(DOTS.args[0] in symbols(e) for e in claim[::2])
+    if any(node.op == "nth" for node in outermost(*claim[::2])):
+        return None  # its induction was attacked itself
     if dotted or statement.equations or any(next(unknown(e), None) is not None for e in said):
         return None  # its cases, without equations and such functions, were attacked themselves
     totals = [node for node in outermost(*claim[::2]) if node.op in ("sum", "product")]

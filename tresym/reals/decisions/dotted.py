@@ -23,6 +23,7 @@ from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     OpenError,
     Series,
+    folded,
     polynomial,
     size_of,
     whole_roots,
@@ -30,7 +31,7 @@ from tresym.reals.decisions.hypergeometric import (
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.power_series import by_equation, functions_of, need_range, without
 from tresym.reals.decisions.reading import Comparison, Statement
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, is_infinite
 from tresym.reals.language.expression import (
     DOTS,
     LEAVES,
@@ -41,7 +42,9 @@ from tresym.reals.language.expression import (
     apply,
     differentiate,
     fresh,
+    multiply,
     number,
+    opened,
     sqrt,
     substitute,
     symbol,
@@ -55,6 +58,7 @@ from tresym.reals.places.values import evaluate
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
+MOST_TERMS = 8
 LEAST, MOST, FIT = -3, 30, 3
 """Exponents that are looked for, and the degree of ratios of coefficients."""
 DIFFERENTIATED = 6
@@ -73,6 +77,8 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
         return Answer(_OPEN, "dots are read in a sum of powers, on one side of an equation")
     side = claim.solved(node)
     terms = [term for term in node.args if term not in (DOTS, -DOTS)]
+    if side is not None and is_infinite(side) and not statement.path:
+        return _first_of(side, add(*terms), statement.given)
     if side is None or statement.path or DOTS.args[0] in symbols(side) or not elementary(side):
         return Answer(_OPEN, "what the series with dots is said to be is not seen")
     given, why = statement.given, "the terms before the dots are no rising powers of one thing"
@@ -80,17 +86,35 @@ def decide_dotted(claim: Comparison, statement: Statement, decided: Decide) -> A
         powers = _powers(terms, u)
         if powers is None:
             continue
+        rest = side
         if powers.get(0, ZERO).op != "number":  # pi/2 - x - ...: of what is left without it
-            side, powers = side - powers[0], powers | {0: ZERO}
+            rest, powers = side - powers[0], powers | {0: ZERO}
         y = fresh("y", symbols(side) | symbols(node) | given.names)
         for x in sorted(symbols(u)):
             fixed = without(x, given)
-            for moved in functions_of(side, u, x, y, given):
+            for moved in functions_of(rest, u, x, y, given):
                 found = _decided(moved, y, u, powers, given, fixed)
                 if found.verdict is not _OPEN:
                     return found
                 why = found.why
     return Answer(_OPEN, why)
+
+
+def _first_of(series: Expr, terms: Expr, given: Given) -> Answer:
+    """Whether the terms before the dots are the first ones of the series on the other side."""
+    (k,), body = opened(series, given.names)
+    low, first = series.args[1], ZERO
+    if series.op == "sum" and low.op == "number":
+        for n in range(MOST_TERMS):
+            term = folded(substitute(body, {k: low + n}))
+            if term is None:
+                break
+            first = first + term
+            found = decide(first, terms, given)
+            if n and found.verdict is Verdict.PROVED:
+                why = f"they are the first {n + 1} terms of the series: {found.why}"
+                return Answer(Verdict.PROVED, why)
+    return Answer(_OPEN, "the terms before the dots are not shown to be the first of the series")
 
 
 def _sum_with_dots(e: Expr) -> Expr | None:
@@ -109,9 +133,22 @@ def _raised(terms: list[Expr]) -> Iterator[Expr]:
         yield symbol(name)
         yield 1 / symbol(name)
     last = next((term for term in reversed(terms) if symbols(term)), ZERO)
-    for factor in last.args if last.op == "*" else (last,):
-        if factor.op == "^" and factor.args[1].op == "number" and symbols(factor.args[0]):
-            yield factor.args[0]
+    factors = list(_factors(last, 1))
+    above = [(base, m) for base, m in factors if symbols(base)]
+    if len(above) > 1 and len({abs(m) for _, m in above}) == 1:  # (x/a)**3
+        yield multiply(*(base if m > 0 else 1 / base for base, m in above))
+    yield from (base for base, m in above if base.op != "symbol" and abs(m) > 1)
+
+
+def _factors(e: Expr, times: int) -> Iterator[tuple[Expr, int]]:
+    """The factors of a term, with their exponents."""
+    if e.op == "*":
+        for arg in e.args:
+            yield from _factors(arg, times)
+    elif e.op == "^" and e.args[1].op == "number" and e.args[1].args[0].q == 1:
+        yield from _factors(e.args[0], times * int(e.args[1].args[0].p))
+    else:
+        yield e, times
 
 
 def _powers(terms: list[Expr], u: Expr) -> dict[int, Expr] | None:

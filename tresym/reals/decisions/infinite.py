@@ -30,10 +30,11 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
         decided: decides claims without them.
     """
     nodes = [node for node in outermost(claim.left, claim.right) if is_infinite(node)]
-    if claim.derivatives or statement.path is not None or statement.equations:
+    limit = statement.path is not None
+    if claim.derivatives or statement.equations or (limit and not is_infinite(claim.right)):
         why = "a series with derivatives, limits or equations beside it is not decided"
         return Answer(Verdict.UNDECIDED, why)
-    if claim.relation != "==" and any(symbols(node) - {"oo"} for node in nodes):
+    if claim.relation not in ("==", "->") and any(symbols(node) - {"oo"} for node in nodes):
         return Answer(Verdict.UNDECIDED, "of a series with variables an equation is decided alone")
     found = None
     if len(set(nodes)) == 1 and claim.relation == "==" and not statement.integers:
@@ -46,6 +47,8 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
     others = [claim.left, claim.right]
     for node in dict.fromkeys(nodes):
         form = quoted_total(node, others, statement.given)
+        if form is None and limit:
+            return Answer(Verdict.UNDECIDED, f"{node}: no theorem says what it is")
         if form is None:
             answer = first_terms(claim, statement, decided)
             return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found

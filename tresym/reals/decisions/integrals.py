@@ -7,7 +7,8 @@ may be singular, and each piece is looked at by itself. Where the order of the e
 order is. How F is found plays no part: it may be given in the claim, by values of it that are
 written ``at(F, x, b) - at(F, x, a)``; else SymPy suggests one.
 
-An integral of which no antiderivative is known is enclosed by certified quadrature
+Some integrals are theorems, which are quoted (:mod:`tresym.reals.decisions.standard`). Another of
+which no antiderivative is known is enclosed by certified quadrature
 (:mod:`tresym.reals.places.unworked`), which refutes an equation, and bounds.
 """
 
@@ -25,13 +26,16 @@ from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import Comparison, Statement, functions
 from tresym.reals.decisions.simple import simple_points
+from tresym.reals.decisions.standard import standard
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.cancellation import collected
 from tresym.reals.language.expression import (
     LEAVES,
     PI,
     ZERO,
     Expr,
     add,
+    apply,
     differentiate,
     instantiate,
     multiply,
@@ -52,7 +56,7 @@ from tresym.reals.places import unworked
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound, needs, singularities
 from tresym.reals.places.values import evaluate, stands
-from tresym.reals.signs.defined import continuous_on
+from tresym.reals.signs.defined import continuous_on, undefined
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
@@ -155,6 +159,11 @@ def _integral(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wo
         high, low = low + 1, low  # shown to be defined around the point
         return multiply(ZERO, _integral(name, f, low, high, given, work))
     order = _order(low, high, given)
+    if order == 0:  # one of the ends may be the other, where the integral is 0 as its limit
+        side = sign(high - low, given, ">=") or sign(high - low, given, "<=")
+        order = {">=0": 1, "<=0": -1}.get(side or "", 0)
+        given = given & Given(((low, "<", high),)) if order > 0 else given
+        given = given & Given(((high, "<", low),)) if order < 0 else given
     if order < 0:
         return -_integral(name, f, high, low, given, work)
     if order > 0:
@@ -178,6 +187,10 @@ def _order(low: Expr, high: Expr, given: Given) -> int:
 def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """∫ f from ``low`` to ``high``, which is greater under ``given``."""
     f = _without(f, given & _inside(name, low, high), work)
+    known = standard(f, name, low, high, given)
+    if known is not None:
+        work.notes.append(f"the integral of {f} is {known.value} by {known.source}")
+        return known.value
     pieces = list(_pieces(name, (f,), low, high))
     values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
@@ -280,7 +293,7 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
         yield from suggested(plain, name, frozenset(positive))
 
     written = (instantiate(body, (symbol(name),)) for body in work.primitives)
-    for candidate in chain(written, later()):
+    for candidate in chain(written, _of_waves(plain, name), later()):
         values = []
         for start, end in _pieces(name, (candidate,), low, high):
             here = given & _inside(name, start, end)
@@ -298,6 +311,30 @@ def _piece(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work)
     raise _OpenError(f"integral of {f}: {_OPEN}")
 
 
+def _of_waves(f: Expr, name: str) -> Iterator[Expr]:
+    """An antiderivative of a product of two sines or cosines of what is linear, by their sum."""
+    parts = f.args if f.op == "*" else ()
+    waves = [part for part in parts if name in symbols(part)]
+    if len(waves) != 2 or any(wave.op not in ("sin", "cos") for wave in waves):
+        return
+    if waves[0].op == "cos":
+        waves.reverse()
+    (u, v), kinds = (wave.args[0] for wave in waves), tuple(wave.op for wave in waves)
+    below, above = (collected(differentiate(e, name)) for e in (u - v, u + v))
+    if name in symbols(below) | symbols(above):
+        return
+    wave, signs = {
+        ("sin", "sin"): ("sin", (1, -1)),
+        ("cos", "cos"): ("sin", (1, 1)),
+        ("sin", "cos"): ("cos", (-1, -1)),
+    }[kinds]
+    terms = zip(signs, (u - v, u + v), (below, above), strict=True)
+    yield multiply(
+        *(part for part in parts if name not in symbols(part)),
+        add(*(sign * apply(wave, e) / (2 * slope) for sign, e, slope in terms)),
+    )
+
+
 def _difference(
     name: str, f: Expr, function: Expr, low: Expr, high: Expr, given: Given
 ) -> Expr | None:
@@ -311,7 +348,9 @@ def _difference(
     for end, side in ((high, -1), (low, 1)):
         point = None if _ends(end) else end
         toward = side if point is not None else 1 if end == INFINITY else -1
-        value = limit_of(function, name, point, toward, given)
+        value = None if point is None else _at_end(function, name, point, given)
+        if value is None:
+            value = limit_of(function, name, point, toward, given)
         if value is None:
             return None
         ends.append(value)
@@ -321,6 +360,12 @@ def _difference(
             return None
         return above if _ends(above) else -below
     return above - below
+
+
+def _at_end(function: Expr, name: str, point: Expr, given: Given) -> Expr | None:
+    """Its value there, which is its limit from where it is defined: only sign and atan2 jump."""
+    value = substitute(function, {name: point})
+    return None if unworked.jumps(function) or undefined(value, given) is not None else value
 
 
 def _without_corners(e: Expr, given: Given) -> Expr:

@@ -149,17 +149,17 @@ def functions_of(e: Expr, u: Expr, x: str, y: str, given: Given) -> Iterator[Exp
     if u == symbol(x):
         yield substitute(e, {x: symbol(y)})
         return
-    for moved in dict.fromkeys(_moved(e, u, x, y)):
+    for moved in dict.fromkeys(_moved(e, u, x, y, without(x, given))):
         if x not in symbols(moved):
             again = substitute(moved, {y: u})
             if again == e or decide(again, e, given).verdict is Verdict.PROVED:
                 yield moved
 
 
-def _moved(e: Expr, u: Expr, x: str, y: str) -> Iterator[Expr]:
+def _moved(e: Expr, u: Expr, x: str, y: str, given: Given) -> Iterator[Expr]:
     """Candidates for these."""
     yield replaced(_by_exponentials(e), {u: symbol(y)})
-    positive = Given(((symbol(y), ">", ZERO),))
+    positive = given & Given(((symbol(y), ">", ZERO),))
     for found in (*_moebius(u, x, y), *solutions(u - symbol(y), x)):
         moved = substitute(e, {x: found})
         yield moved

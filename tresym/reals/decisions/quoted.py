@@ -33,6 +33,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    apply,
     differentiate,
     multiply,
     number,
@@ -48,6 +49,8 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
+from tresym.reals.signs.inside import PROVING
+from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
 
@@ -130,16 +133,34 @@ def quoted_total(node: Expr, others: Iterable[Expr], given: Given) -> Quoted | N
     low, high = node.args[1:]
     try:
         if low == -INFINITY and high == INFINITY and node.op == "sum":
-            return _on_both_sides(body, n, others, given)
+            return _on_both_sides(body, n, [*others, body], given)
         if high != INFINITY or low.op != "number" or low.args[0].q != 1:
             return None
         for more in (0, 1, 2, -1, -2):
             start = number(low.args[0] - more)
-            found = _value(total(node.op, body, n, start, high), [*others, node], given)
+            found = _value(total(node.op, body, n, start, high), [*others, body], given)
             if found is not None and _is_number(found.value):
                 return _with_terms(found, node.op, body, n, int(low.args[0].p), more)
     except InputError:
         return None
+    return None
+
+
+def quoted_product(node: Expr, given: Given) -> Quoted | None:
+    """The value of a finite product whose factors know how many they are, if a theorem has it."""
+    (k,), body = opened(node, given.names)
+    low, count = node.args[1], node.args[2] + 1
+    if node.op != "product" or body.op != "sin" or count.op != "symbol":
+        return None
+    if sign(count - 1, given, ">=") not in PROVING[">="]:
+        return None
+    start = substitute(body.args[0], {k: ZERO})
+    step = symbol(k) * PI / count
+    if low == ZERO and k not in symbols(start) and _same(body.args[0], start + step, given):
+        value = apply("sin", count * start) / number(2) ** (count - 1)
+        return Quoted(value, "DLMF 4.21.35") if start != ZERO else None
+    if low == ONE and _same(body.args[0], step, given):
+        return Quoted(count / number(2) ** (count - 1), "DLMF 4.21.35 at z = 0")
     return None
 
 
@@ -327,8 +348,9 @@ def _roots(e: Expr, n: str) -> Iterator[Expr]:
     square = differentiate(differentiate(e, n), n) / 2
     if n in symbols(square):
         return
-    for sign in (1, -1):
-        yield from (root for root in solutions(sign * e + (1 - sign) * square * symbol(n) ** 2, n))
+    yield from solutions(e, n)
+    if square != ZERO:
+        yield from solutions(2 * square * symbol(n) ** 2 - e, n)
 
 
 def _parts(e: Expr) -> Iterator[Expr]:

@@ -9,7 +9,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tresym.reals.language import expression
-from tresym.reals.language.binders import elementary, outermost, worked_out
+from tresym.reals.language.binders import elementary, is_infinite, outermost, worked_out
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
@@ -64,7 +64,7 @@ _NOT_DECIDED = {
         expression.ORDERS, "O(…) and o(…) stand at the right end of a claim: f == g + O(h)"
     ),
 }
-VALUED = ("integral", "sum", "product", "unknown")
+VALUED = ("integral", "nth", "sum", "product", "unknown")
 """What may stand in a claim and is worked out when it is decided."""
 _LONE = "the limit stands alone on one side, compared by == with its value"
 _ASSUMPTIONS = {
@@ -396,7 +396,7 @@ def _limit(left: Expr, relation: str, right: Expr, path: Path | None) -> tuple[C
     if path is not None:
         raise InputError("a limit has its path in it: write no other")
     left, value = (left, right) if left.op == "limit" else (right, left)
-    if relation != "==" or not elementary(value):
+    if relation != "==" or not (elementary(value) or is_infinite(value)):
         raise InputError(_LONE)
     (name,), body = opened(left, symbols(value))
     side = {1: "+", -1: "-"}.get(int(left.args[2].args[0].p), "")

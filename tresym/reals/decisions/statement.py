@@ -84,6 +84,9 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     if door is not None:
         return door(comparison, statement, _bounded)
     real = comparison.differentiated, comparison.by
+    if left.op == "abs" and relation in ("<", "<=") and not symbols(right):
+        halves = (replace(comparison, left=side * left.args[0]) for side in (1, -1))
+        return worst([_decide(half, statement) for half in halves])
     if relation == "==":
         found = decide_equality(left, right, statement.given, *real)
         if found.witness is not None and found.values is not None:
@@ -109,6 +112,10 @@ def _door(comparison: Comparison, statement: Statement) -> Door | None:
         from tresym.reals.decisions.infinite import decide_infinite
 
         return decide_infinite
+    if "nth" in nodes:
+        from tresym.reals.decisions.repeated import decide_repeated
+
+        return decide_repeated
     if FACTORIAL in unknown:
         from tresym.reals.decisions.factorials import decide_factorials
 

@@ -18,6 +18,7 @@ from functools import partial
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.quoted import quoted_product
 from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.decisions.simple import tidied
 from tresym.reals.language.binders import outermost, total
@@ -65,6 +66,12 @@ def decide_totals(claim: Comparison, statement: Statement, decided: Decide) -> A
     nodes = _nodes(claim)
     if not nodes:
         return decided(claim, statement)
+    known = {node: quoted_product(node, statement.given) for node in nodes}
+    values = {node: theorem.value for node, theorem in known.items() if theorem is not None}
+    if values:
+        answer = decided(claim.mapped(partial(replaced, known=values)), statement)
+        said = "; ".join(f"{node} = {value} by DLMF 4.21.35" for node, value in values.items())
+        return replace(answer, why=f"{said}; {answer.why}")
     ends = {node: _end(node) for node in nodes}
     names = {end[0] for end in ends.values() if end is not None}
     if None in ends.values() or len(names) != 1:

@@ -61,6 +61,11 @@ def derivative(f: Expr, name: str, point: Expr | None = None) -> Expr:
     return Expr("derivative", (bind(f, (name,)), place), (name,))
 
 
+def nth_derivative(f: Expr, name: str, order: Expr) -> Expr:
+    """The derivative of ``f`` by the variable ``name``, as often as ``order`` says, an integer."""
+    return Expr("nth", (bind(f, (name,)), symbol(name), order), (name,))
+
+
 def at(f: Expr, values: Mapping[str, Expr]) -> Expr:
     """``f`` where its variables have these values, all at once, not yet worked out.
 

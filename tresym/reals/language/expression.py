@@ -32,7 +32,7 @@ Number: TypeAlias = int | Fraction | fmpq
 
 LEAVES = frozenset(("number", "symbol", "pi", "bound", "function"))
 BINDERS = frozenset(
-    ("integral", "antiderivative", "derivative", "at", "limit", "root", "sum", "product")
+    ("integral", "antiderivative", "derivative", "nth", "at", "limit", "root", "sum", "product")
 )
 """Operations that bind: the first operand is the body, under as many variables as have names."""
 ORDERS = frozenset(("O", "o", "Theta", "omega"))
@@ -614,6 +614,8 @@ def _binder_text(e: Expr) -> str:
     if times:
         return f"diff({body}, {e.args[1]}{f', {times}' if times > 1 else ''})"
     names, body = opened(e)
+    if e.op == "nth":
+        return f"diff({instantiate(e.args[0], (e.args[1],))}, {e.args[1]}, {e.args[2]})"
     if e.op == "derivative":
         return f"at(diff({body}, {names[0]}), {names[0]}, {e.args[1]})"
     if e.op == "at":

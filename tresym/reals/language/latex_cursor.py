@@ -74,6 +74,7 @@ class Author:
         strict: what can be read in two ways is refused, as for anybody else, and f is left unknown
             in ``f(x)`` where it is not defined.
         shorter: how far an argument goes is no question: the shorter reading is meant.
+        longer: the longer reading is meant, and of ``\\sin^{-1}`` the inverse function.
         letter_e: ``e`` is a variable of his, and no number.
         called: names of functions of his, some of which may be unknown.
     """
@@ -82,6 +83,7 @@ class Author:
     variable: str = ""
     strict: bool = False
     shorter: bool = False
+    longer: bool = False
     letter_e: bool = False
     called: frozenset[str] = frozenset()
 

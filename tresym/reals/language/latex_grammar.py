@@ -12,6 +12,7 @@ from tresym.reals.language.binders import (
     derivative,
     integral,
     limit,
+    nth_derivative,
     order,
     outermost,
     total,
@@ -160,7 +161,8 @@ class Reader(Cursor):
         if braced:
             self.take("}")
         needed = inner.strength == 0 or (1 < inner.strength < 4 and self.peek() == "^")
-        if not needed or name in LETTERS_OF_FUNCTIONS:
+        either = self.author and (self.author.shorter or self.author.longer)
+        if name in LETTERS_OF_FUNCTIONS or not (needed or either):
             value = f"{name}_1 for the value of a function {name}"
             self.two_readings(joined([last, inner], ["", "*"]), value)
         return self.factor(Piece(inner.tree))
@@ -200,7 +202,8 @@ class Reader(Cursor):
             last, both = factors[-1], ["", operators[-1]]
             if last is None:
                 continue
-            if reach is Reach.DOUBT and matters(last):
+            longer = bool(self.author and self.author.longer)
+            if reach is Reach.DOUBT and matters(last) and not longer:
                 shorter_one = applied(joined(factors[:-1], operators[:-1]))
                 self.two_readings(
                     applied(joined(factors, operators)), joined([shorter_one, last], both)
@@ -451,6 +454,8 @@ class Reader(Cursor):
             length = 4 if above[1:2] == ["{"] else 2
             order, above = above[:length], above[length:]
             digits = "".join(order).strip("^{}")
+            if below[-length:] == order and len(digits) == 1 and is_letter(digits) and not above:
+                return self.repeated(digits, below[:-length])
             if below[-length:] != order or not digits.isdigit():
                 self.refuse("a derivative of higher order is written \\frac{d^2}{dx^2} f, here")
             if len(digits) > 2 or not 1 <= (times := int(digits)) <= MAX_DERIVATIVES:
@@ -469,6 +474,14 @@ class Reader(Cursor):
         if not (piece.symbol and piece.strength == 4):
             return self.slope(piece, kind, name, times)
         return self.of_symbol(kind, piece.symbol, name, times)
+
+    def repeated(self, order: str, below: list[str]) -> Piece:
+        """``\\frac{d^n}{dx^n}`` of what follows."""
+        variable = Reader(below[1:], self.author)
+        name = variable.symbol()
+        if variable.peek():
+            variable.refuse("one variable is expected")
+        return self.followed(name, lambda e: Piece(nth_derivative(e.tree, name, symbol(order))))
 
     def of_symbol(self, kind: str, above: str, below: str, times: int) -> Piece:
         """The derivative of a symbol of an author's: of what it stands for, or one more symbol."""
@@ -552,7 +565,9 @@ class Reader(Cursor):
             tree = call(name, [argument.tree, *more])
             if exponent is None:
                 return Piece(tree)
-            if exponent == MINUS_ONE:
+            if exponent == MINUS_ONE and self.author and self.author.longer:
+                return Piece(call(_inverse(name), [argument.tree]))
+            if exponent == MINUS_ONE and not (self.author and self.author.shorter):
                 self.two_readings(f"{_inverse(name)}({argument.tree})", f"1/{tree}")
             return Piece(tree**exponent, 3)
 

@@ -25,6 +25,7 @@ from tresym.reals.language.binders import (
     elementary,
     integral,
     limit,
+    nth_derivative,
     order,
     outermost,
     total,
@@ -276,6 +277,8 @@ class _Reader:
         if len(args) not in (2, 3):
             raise InputError("diff takes an expression, a variable and perhaps an order")
         e, name, times = self._read(args[0]), self._name(args[1]), 1
+        if len(args) == 3 and symbols(order := self._read(args[2])):
+            return nth_derivative(e, name, order)
         if len(args) == 3:
             expected = f"the order of diff is an integer from 1 to {MAX_DERIVATIVES}"
             times = self._whole(args[2], range(1, MAX_DERIVATIVES + 1), expected)

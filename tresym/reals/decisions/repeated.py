@@ -1,0 +1,92 @@
+"""Derivatives whose order is an integer variable: by induction on it.
+
+``d^n f/dx^n = g(n, x)`` for all n from the least on holds where it does for that n, and where the
+derivative of g(n, x) by x is g(n + 1, x). It is refuted at small n, where it is a derivative of
+that order.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.hypergeometric import folded
+from tresym.reals.decisions.reading import Comparison, Statement
+from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.expression import (
+    Expr,
+    differentiate,
+    instantiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.places.conditions import Given
+from tresym.reals.verdict import Verdict
+
+LOOKED_AT = 4
+"""Values of n at which a claim is looked at."""
+
+
+def decide_repeated(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """PROVED, ENCLOSED, REFUTED or UNDECIDED for a claim with such a derivative.
+
+    Args:
+        decided: decides claims without one.
+    """
+    nodes = [n for n in outermost(claim.left, claim.right) if n.op == "nth"]
+    g = claim.solved(nodes[0]) if len(set(nodes)) == 1 else None
+    if g is None or claim.relation != "==" or claim.derivatives or statement.path is not None:
+        return Answer(Verdict.UNDECIDED, "a derivative of order n is decided alone, in an equation")
+    inner, place, order = nodes[0].args
+    f, x = instantiate(inner, (place,)), str(place)
+    if order.op != "symbol" or not elementary(f) or str(order) in symbols(f):
+        return Answer(Verdict.UNDECIDED, f"the order of a derivative is n, here {order}")
+    n = str(order)
+    least = _least(statement.given, n)
+    fixed = replace(
+        statement,
+        given=Given(tuple(c for c in statement.given.comparisons if not _speaks(c, n))),
+        integers=tuple(name for name in statement.integers if name != n),
+    )
+    first = Answer(Verdict.UNDECIDED, f"it is shown at no {n}")
+    for k in range(least, least + LOOKED_AT):
+        value = folded(substitute(g, {n: number(k)}))
+        derivative = f
+        for _ in range(k):
+            derivative = differentiate(derivative, x)
+        if value is None:
+            break
+        found = decided(Comparison(derivative, "==", value), fixed)
+        if found.verdict is Verdict.REFUTED:
+            witness = {n: str(k)} | dict(found.witness or {})
+            return replace(found, why=f"at {n} = {k}: {found.why}", witness=witness)
+        first = found if k == least else first
+    if not first:
+        return replace(first, why=f"induction has no base at {n} = {least}: {first.why}")
+    beyond = statement.given & Given(((order, ">=", number(least)),))
+    whole = tuple(dict.fromkeys((*statement.integers, n)))
+    later = substitute(g, {n: symbol(n) + 1})
+    step = decided(
+        Comparison(differentiate(g, x), "==", later),
+        replace(statement, given=beyond, integers=whole),
+    )
+    if not step:
+        why = f"the step of the induction from {n} to {n} + 1 is open: {step.why}"
+        return Answer(Verdict.UNDECIDED, why)
+    why = f"by induction from {n} = {least}: {first.why}; from {n} to {n} + 1, {step.why}"
+    return replace(step, why=why, region=None)
+
+
+def _speaks(link: tuple[Expr, str, Expr], n: str) -> bool:
+    return n in symbols(link[0]) | symbols(link[2])
+
+
+def _least(given: Given, n: str) -> int:
+    """The least order that the conditions allow."""
+    low = given.box[n].low if n in given.box else None
+    if low is None or low < 0:
+        return 0
+    whole = -(-int(low.p) // int(low.q))
+    return whole + (1 if given.box[n].low_open and low.q == 1 else 0)
