@@ -40,12 +40,12 @@ COMMANDS = (
 BEGIN = """\
 tresym: the tennis racket effect, verified. To begin with:
 
-  tresym flip --body str                  how far a racket is from a perfect flip, in 50 digits
+  tresym flip --body str                  how perfect the flip of a racket is
   tresym flip --inertia 1210 16380 17480  the same of a body of yours
-  tresym verify eq_gamma                  one statement of the paper, and all that it rests on
+  tresym verify eq_gamma                  a statement, and all that it rests on
   tresym check 'exp(x) >= 1 + x'          a claim of your own
   tresym paper MANUSCRIPT.tex             the displays of a manuscript of yours
-  tresym verify                           the verdict on every statement (half a minute)
+  tresym verify                           every statement (half a minute)
 
 tresym --help lists the commands, tresym COMMAND --help the arguments of one.
 """

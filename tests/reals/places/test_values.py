@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tresym.reals.language.expression import FUNCTIONS, apply, number, symbol
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision, mp_precision
-from tresym.reals.places.values import evaluate, stands, undefined_parts
+from tresym.reals.places.values import Tape, evaluate, stands, undefined_parts
 
 small = st.fractions(-3, 3, max_denominator=50)
 
@@ -159,3 +159,31 @@ def test_what_has_no_value_or_reaches_0_stands_in_no_strict_relation(relation: s
 
 def test_infinity_is_no_value_that_differs_from_0() -> None:
     assert not stands(arb("inf"), "!=")
+
+
+TAPES = [
+    "x + y*sin(x) - 2*y/3",
+    "sqrt(x)*log(y) + x**(2/3) + cbrt(x - 1)",
+    "1/(x - y) + tan(x)/atan2(x, y)",
+    "x**y + pi*abs(y - x) - sign(x)",
+    "asin(x - 1) + acosh(y) + exp(-x**2)**3",
+    "atan(1/x) + sin(log(y))",
+    "2 - E",
+]
+
+
+@pytest.mark.parametrize("text", TAPES)
+def test_a_tape_gives_what_evaluating_does(text: str) -> None:
+    """At points and over boxes, at any precision, and nothing where there is nothing."""
+    e = parse(text)
+    tape = Tape(e, ["x", "y"])
+    for bits in (53, 200):
+        with ball_precision(bits):
+            for n in range(-3, 9):
+                for radius in (0, fmpq(1, 10), 2):
+                    x, y = (arb(fmpq(k, 4)) + arb(0, radius) for k in (n, 2 * n + 1))
+                    found, expected = tape([x, y]), evaluate(e, {"x": x, "y": y})
+                    assert found.is_finite() == expected.is_finite()
+                    if found.is_finite():
+                        assert found.overlaps(expected)
+                        assert found.rad() <= 2 * expected.rad() + arb((1, 9 - bits))

@@ -167,6 +167,18 @@ def test_the_surface_that_is_set_last_is_the_one_in_front(sphere, panel):
     assert len(set(expected)) == 3
 
 
+@pytest.mark.parametrize("name", ["flip-portrait", "flip-map"])
+def test_the_words_of_a_narrow_picture_stand_within_it_and_apart(name, monkeypatch):
+    from tresym.report.figures import style
+
+    drawn = []
+    monkeypatch.setattr(style, "svg_text", lambda figure, title: drawn.append(figure) or "")
+    figures.picture(name, body=(1.0, 0.2), width=90)
+    assert len(list(style._words(drawn[0]))) > 3
+    boxes = [x.get_window_extent() for x in style._words(drawn[0]) if x.get_text()]
+    assert style._apart(boxes, drawn[0].bbox)
+
+
 # Fig. 4
 
 

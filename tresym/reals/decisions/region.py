@@ -35,7 +35,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval, near
 from tresym.reals.places.conditions import Condition, Given
 from tresym.reals.places.points import Range
-from tresym.reals.places.values import evaluate
+from tresym.reals.places.values import Tape, evaluate, stands
 from tresym.reals.verdict import Verdict
 
 PRECISION = 128
@@ -117,6 +117,9 @@ class _Search:
         self.difference = self.left - self.right
         self.slopes = [differentiate(self.difference, name) for name in self.names]
         self.smooth = list(_smooth_parts(self.difference)) or [self.difference]
+        self.value = Tape(self.difference, self.names)
+        self.rates = [Tape(slope, self.names) for slope in self.slopes]
+        self.bounds = [(Tape(c.expression, self.names), c.relation) for c in self.region.conditions]
 
     # -- one variable -----------------------------------------------------------------------
 
@@ -302,24 +305,22 @@ class _Search:
     def _margin(self, *arguments: Any) -> arb:
         """Positive where the claim holds on the whole box; negative where it surely fails."""
         coordinates = arguments[:-1]
-        at = dict(zip(self.names, coordinates, strict=True))
         inside = True
-        for condition in self.region.conditions:
-            value = evaluate(condition.expression, at)
-            if value < 0 or (value <= 0 and condition.relation == ">"):
-                if condition.relation != "!=":
-                    return _ONE
-            elif condition.relation == "!=" and value.is_zero():
+        for bound, relation in self.bounds:
+            value = bound(coordinates)
+            if value.is_zero() if relation == "!=" else value < 0:
                 return _ONE
-            inside = inside and condition.holds_exactly(at)
+            if relation == ">" and value <= 0:
+                return _ONE
+            inside = inside and stands(value, relation)
         if any(_contains(piece, coordinates[0]) for piece in self.pieces):
             return _ONE
-        value = evaluate(self.difference, at)
+        value = self.value(coordinates)
         if value > 0 or (not self.strict and value >= 0):
             return _ONE
         if value.is_finite() and not all(x.is_exact() for x in coordinates):
-            bound = self._mean_value(coordinates, at)
-            if bound > 0 or (not self.strict and bound >= 0):
+            least = self._mean_value(coordinates)
+            if least > 0 or (not self.strict and least >= 0):
                 return _ONE
             if len(coordinates) == 1 and self._by_taylor(coordinates[0]) > 0:
                 return _ONE
@@ -333,20 +334,20 @@ class _Search:
             return known[self.difference]
         return evaluate(self.difference, {name: x}, known)
 
-    def _mean_value(self, coordinates: tuple[arb, ...], at: dict[str, arb]) -> arb:
+    def _mean_value(self, coordinates: tuple[arb, ...]) -> arb:
         """A ball whose lower end bounds the difference below on the box."""
-        corner: dict[str, arb] = {}
+        corner = []
         spread = arb(0)
-        for name, x, derivative in zip(self.names, coordinates, self.slopes, strict=True):
-            slope = evaluate(derivative, at)
+        for x, rate in zip(coordinates, self.rates, strict=True):
+            slope = rate(coordinates)
             if not slope.is_finite():
                 return _NAN
             if slope >= 0 or slope <= 0:
-                corner[name] = x.lower() if slope >= 0 else x.upper()
+                corner.append(x.lower() if slope >= 0 else x.upper())
             else:
-                corner[name] = x.mid()
+                corner.append(x.mid())
                 spread += slope * (x - x.mid())
-        return evaluate(self.difference, corner) + spread
+        return self.value(corner) + spread
 
 
 def _smooth_parts(e: Expr) -> Iterator[Expr]:

@@ -6,14 +6,14 @@ lead both astray.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from functools import reduce
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial, reduce
 from operator import add, mul
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
-from tresym.reals.language.expression import ZERO, Expr
+from tresym.reals.language.expression import ZERO, Expr, symbol
 from tresym.reals.numbers.arithmetic import balls
 
 _NAN = arb.nan()
@@ -237,3 +237,75 @@ def rational_power(x: arb, r: fmpq) -> arb:
         raise UndefinedError
     root = x.sqrt() if q == 2 else _root(x, q)
     return root if p == 1 else root**p
+
+
+class Tape:
+    """A tree made ready for many points: its value in balls there, as by :func:`evaluate`."""
+
+    def __init__(self, e: Expr, names: Sequence[str]) -> None:
+        """Its variables are among ``names``, in whose order a point gives their values."""
+        self._places = {symbol(name): n for n, name in enumerate(names)}
+        self._numbers: list[tuple[int, Expr]] = []
+        self._steps: list[tuple[Callable[..., arb], int, int | None, int]] = []
+        self._slots: list[Any] = [None] * len(names)
+        self._bits = 0
+        self._end = self._place(e)
+
+    def __call__(self, point: Sequence[arb]) -> arb:
+        """The value where the variables have these; NaN where it is not shown to be defined."""
+        if self._bits != ctx.prec:
+            self._bits = ctx.prec
+            for k, leaf in self._numbers:
+                self._slots[k] = arb(leaf.args[0]) if leaf.args else arb.pi()
+        values = [*point, *self._slots[len(point) :]]
+        try:
+            for function, i, j, k in self._steps:
+                if j is not None:
+                    values[k] = function(values[i], values[j])
+                else:
+                    values[k] = value = function(values[i])
+                    if not value.is_finite():
+                        return _NAN
+        except UndefinedError:
+            return _NAN
+        found: arb = values[self._end]
+        return found if found.is_finite() else _NAN
+
+    def _place(self, e: Expr) -> int:
+        """Where the value of ``e`` comes to lie."""
+        if e in self._places:
+            return self._places[e]
+        if e.op in ("number", "pi"):
+            k = self._slot()
+            self._numbers.append((k, e))
+        elif e.op == "^" and e.args[1].op == "number":
+            r = e.args[1].args[0]
+            k = self._step(lambda x: rational_power(x, r), self._place(e.args[0]))
+        elif len(e.args) == 1:
+            k = self._step(partial(applied, e.op), self._place(e.args[0]))
+        else:
+            function = _OF_TWO.get(e.op) or partial(applied, e.op)
+            k = self._place(e.args[0])
+            for arg in e.args[1:]:
+                k = self._step(function, k, self._place(arg))
+        self._places[e] = k
+        return k
+
+    def _step(self, function: Callable[..., arb], i: int, j: int | None = None) -> int:
+        k = self._slot()
+        self._steps.append((function, i, j, k))
+        return k
+
+    def _slot(self) -> int:
+        self._slots.append(None)
+        return len(self._slots) - 1
+
+
+def _finite_power(x: arb, y: arb) -> arb:
+    found = real_power(x, y)
+    if not found.is_finite():
+        raise UndefinedError
+    return found
+
+
+_OF_TWO: dict[str, Callable[..., arb]] = {"+": add, "*": mul, "^": _finite_power}

@@ -9,6 +9,10 @@ point takes part.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
+from flint import fmpq
+
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -26,7 +30,7 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import singularities
 from tresym.reals.places.points import Range
 from tresym.reals.places.values import evaluate
-from tresym.reals.signs.inside import Ask
+from tresym.reals.signs.inside import REMEMBERED, Ask
 from tresym.reals.signs.inside import sign_inside as sign
 from tresym.reals.signs.parts import FLIP, WEAK
 
@@ -116,20 +120,31 @@ def _expansion(
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
     apart = sign((symbol(name) - c) ** 2, region) == "+"
     at = {name: c}
+    on_edge = c in (number(end) for end in region.box.get(name, Range())[:2] if end is not None)
     terms: list[str | None] = []
+    assumed: list[Expr] = []
     derivative = difference
     for order in range(1, MAX_ORDER + 1):
-        ways = {side ** (order - 1) for side in sides}
-        terms.append(_term_sign(substitute(derivative, at), ways, inside))
-        if terms[-1] is None:
-            return None
+        term = substitute(derivative, at)
+        seen, ways = _seen(term, inside), {side ** (order - 1) for side in sides}
+        found = None if len(seen) > 1 else sign(term, inside)
+        if found is None:
+            if not on_edge or len(seen | ways) > 1:
+                return None
+            (way,) = ways
+            assumed.append(way * term)
+            found = {1: ">=0", -1: "<=0"}[way]
+        terms.append(found)
         derivative = differentiate(derivative, name)
         if derivative.size > MAX_SIZE:
             return None
-        last = sign(derivative, inside)
+        last = None if len(_seen(derivative, inside)) > 1 else sign(derivative, inside)
         if last is None:
             continue
         if all(_has_sign([*terms, last], side, relation, apart) for side in sides):
+            # what is left of an edge may have its sign by another expansion
+            if not all(sign_by_taylor(e, ">=", inside) for e in assumed):
+                return None
             return (
                 f"about {name} = {c} the terms below order {order} and the "
                 f"derivative of order {order} have the sign that is claimed"
@@ -137,22 +152,18 @@ def _expansion(
     return None
 
 
-def _term_sign(e: Expr, ways: set[int], inside: Given) -> str | None:
-    """The sign of a term, in which a variable less is left: by another expansion if need be.
-
-    Args:
-        ways: the signs that it must have for the terms to add up.
-    """
-    found = sign(e, inside)
-    if found is not None or len(ways) > 1 or not symbols(e):
-        return found
-    (way,) = ways
+def _seen(e: Expr, inside: Given) -> set[int]:
+    """The signs that are seen at points inside: of two, none need be looked for."""
+    if not symbols(e):
+        return set()
     with ball_precision():
-        values = (evaluate(way * e, point) for point in inside.points(symbols(e), MAX_LOOKS))
-        if any(value < 0 for value in values):
-            return None
-    proof = sign_by_taylor(way * e, ">=", inside)
-    return None if proof is None else {1: ">=0", -1: "<=0"}[way]
+        values = [evaluate(e, point) for point in _points(inside, symbols(e))]
+    return {way for way in (1, -1) if any(way * value > 0 for value in values)}
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _points(inside: Given, names: frozenset[str]) -> list[dict[str, fmpq]]:
+    return list(inside.points(names, MAX_LOOKS))
 
 
 def _has_sign(terms: list[str | None], side: int, relation: str, apart: bool) -> bool:

@@ -88,9 +88,9 @@ def picture(
         drawn = module.strip if name == "racket-flip" else module.draw
         figure = drawn(module.data(**given))
         if width is not None:
-            figure.set_size_inches(
-                figure.get_size_inches() * (width / MM_PER_INCH / figure.get_figwidth())
-            )
+            share = width / MM_PER_INCH / figure.get_figwidth()
+            figure.set_size_inches(figure.get_size_inches() * share)
+            style.fit_words(figure, share)
         if kind == "svg":
             return style.svg_text(figure, FIGURES[name]).encode()
         return style.bitmap_or_page(figure, FIGURES[name], kind, dpi)

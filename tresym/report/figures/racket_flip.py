@@ -242,7 +242,7 @@ def strip(data: Data) -> Any:
         face = FACES[0 if eye.depth(frame[2]) > 0 else 1]
         sheet.fill(*eye.flat(shape.rim @ frame).T, facecolor=face, edgecolor=style.INK)
         sheet.plot(*eye.flat(shape.handle @ frame).T, color=style.INK, linewidth=2.5)
-        sheet.set_title(f"φ = {data.phi[at] / math.pi:.2g}π", fontsize=8)
+        sheet.set_title(f"φ = {data.phi[at] / math.pi:.3g}π", fontsize=8)
     return figure
 
 

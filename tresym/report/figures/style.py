@@ -83,6 +83,54 @@ def _settle(figure: Any) -> None:
         axes.set_position([round(x, 4) for x in axes.get_position(original=True).bounds])
 
 
+def fit_words(figure: Any, least: float) -> None:
+    """Set the words of a narrower picture as large as all stand within it, and none on another.
+
+    At ``least``, how much narrower it is, they stand as in the picture as it was drawn.
+    """
+    words = [(word, word.get_fontsize()) for word in _words(figure)]
+    axes = [axis for each in figure.axes for axis in (each.xaxis, each.yaxis)]
+    marks = [
+        (axis, axis.get_ticklabels()[0].get_fontsize())
+        for axis in axes
+        if len(axis.get_ticklabels())
+    ]
+
+    def stand(share: float) -> bool:
+        for word, size in words:
+            word.set_fontsize(share * size)
+        for axis, size in marks:
+            axis.set_tick_params(labelsize=share * size)
+        figure.draw_without_rendering()
+        shown = [word for word, _ in words]
+        shown += [mark for axis, _ in marks for mark in axis.get_ticklabels()]
+        boxes = [x.get_window_extent() for x in shown if x.get_visible() and x.get_text()]
+        return _apart(boxes, figure.bbox)
+
+    share = min(least, 1.0)
+    stand(share)
+    while share < 1 and stand(min(1.05 * share, 1.0)):
+        share = min(1.05 * share, 1.0)
+    stand(share)
+
+
+def _words(figure: Any) -> Iterator[Any]:
+    """Everything written in a picture but the numbers at its ticks."""
+    yield from figure.texts
+    for axes in figure.axes:
+        yield from (axes.title, axes.xaxis.label, axes.yaxis.label, *axes.texts)
+        if (legend := axes.get_legend()) is not None:
+            yield from legend.get_texts()
+
+
+def _apart(boxes: list[Any], frame: Any) -> bool:
+    within = all(
+        box.x0 >= frame.x0 and box.x1 <= frame.x1 and box.y0 >= frame.y0 and box.y1 <= frame.y1
+        for box in boxes
+    )
+    return within and not any(x.overlaps(y) for n, x in enumerate(boxes) for y in boxes[:n])
+
+
 def svg_text(figure: Any, title: str) -> str:
     """The figure as SVG with a title, and without anything of the day or the machine in it."""
     _settle(figure)
