@@ -25,6 +25,7 @@ from sympy import (
 
 from tresym.ledger.claim import equal
 from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.statements import TheRoot
 from tresym.racket.notation import a, b
 
 x, y, t = (Symbol(name, real=True) for name in "xyt")
@@ -77,3 +78,10 @@ def test_bound_variables_stay() -> None:
     for e in (Integral(t, (t, 0, 1)), Derivative(t**2, t), Subs(t, t, 1)):
         for changed in mutations(e, (a, b)):
             assert not changed.has(type(e)) or changed.atoms(type(e)).pop().variables == e.variables
+
+
+def test_the_name_of_a_root_stays_a_name() -> None:
+    root = TheRoot(t, 0, x, equal(t * x, 1))
+    found = [node for e in mutations(root + y, (a, b)) for node in e.atoms(TheRoot)]
+    assert {node.variable for node in found} == {t}
+    assert len(set(found)) > 5

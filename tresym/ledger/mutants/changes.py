@@ -31,6 +31,8 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
+from tresym.ledger.statements import Binding
+
 Path = tuple[int, ...]
 Changes = Callable[[Basic], Iterable[Basic]]
 
@@ -85,6 +87,8 @@ def _changeable(e: Basic) -> range:
         return range(1)
     if isinstance(e, Subs):
         return range(0, 3, 2)
+    if isinstance(e, Binding):
+        return range(1, 4)
     if isinstance(e, MatrixBase):
         return range(2, 3)
     if isinstance(e, Tuple) and len(e.args) == 3 and isinstance(e.args[0], Symbol):
