@@ -41,7 +41,10 @@ _DEFINING = re.compile(
     re.IGNORECASE,
 )
 _WHOLE = r"(positive |non-?negative |natural |nonzero )?(?:integers?|natural numbers?)"
-_INTEGER_BEFORE = re.compile(rf"\b{_WHOLE}[\s~]*\Z", re.IGNORECASE)
+_INTEGER_BEFORE = re.compile(rf"(?<![\w-]){_WHOLE}[\s~]*\Z", re.IGNORECASE)
+_NO_INTEGER = re.compile(
+    r"\b(?:not|no|non|half|half an|neither|nor|except)[\s~-]+(?:an? )?\Z", re.IGNORECASE
+)
 _LIST = r"((?:[\s~,]*(?:and\b[\s~]*)?\$[^$]*\$){0,8})[\s~,]*(?:is|are|be|being|denotes?)?\s*"
 _INTEGER_AFTER = re.compile(
     rf"{_LIST}"
@@ -53,6 +56,25 @@ _ANEW_BEFORE = re.compile(r"\b(?:real|all|any|every|each|arbitrary)\b[^.,;:$]*\Z
 _ANEW_AFTER = re.compile(
     rf"{_LIST}(?:an?|any|some|both|all|not)?\s*(?:real|non-?zero|arbitrary)\b", re.IGNORECASE
 )
+_DENIED = re.compile(
+    r"\b(?:fails?|failing|false|wrong|invalid|untrue|without(?! loss)|drop\w*|lift\w*|no longer"
+    r"|(?:not|never) (?:true|valid|hold\w*|so|correct|assum\w*|requir\w*|need\w*|suppos\w*))"
+    r"\b[^.$;:]*\Z|\b(?:no|not)[\s~]*\Z",
+    re.IGNORECASE,
+)
+_DENIED_AFTER = re.compile(
+    r"[\s~]*(?:fails?\b|(?:is|are|does|do|need|can)\s*(?:not|no longer)\b"
+    r"|is (?:false|violated|wrong)\b"
+    r"|no longer\b|cannot\b)",
+    re.IGNORECASE,
+)
+_OR = re.compile(r"[\s~,]*\bor[\s~,]*(?=\$|\Z)")
+_EXCEPT = re.compile(
+    r"\b(?:except|unless|excluding|other than|but not|apart from)\b[^.$;:]*\Z", re.IGNORECASE
+)
+_OPPOSITE = {"=": "\\neq ", "<": "\\geq ", ">": "\\leq "}
+_OPPOSITE |= dict.fromkeys(("\\le", "\\leq"), "> ") | dict.fromkeys(("\\ge", "\\geq"), "< ")
+_OPPOSITE |= dict.fromkeys(("\\ne", "\\neq"), "= ")
 _RELATION = re.compile(r"[<>=]|\\(?:[lg]eq?|neq?|in)(?![a-zA-Z])")
 _SAID_OF = re.compile(
     r"(?:\W|\b(?:for|if|when|whenever|and|or|then|with|an?|all|every|any|each|real|positive|negative"
@@ -139,10 +161,29 @@ def inline(text: str) -> Iterator[Inline]:
             tex, rest = found[1] or found[2], sentence[found.end() :]
             alone = not _RELATION.search(tex)
             told = alone and (anew or bool(_ANEW_AFTER.match(rest[:200])))
+            if not alone and _is_no_condition(words, rest):
+                marks, told = (False, False, False, False), True
+            elif _EXCEPT.search(words):
+                tex, marks = opposite(tex), (False, True, False, False)
             halved = _PARITY.search(words) and _HALVED.fullmatch(tex)
             whole = "Z" if halved else _whole(words, rest, alone)
             yield Inline(tex, *marks, whole, told)
             start, carried = found.end(), marks
+
+
+def _is_no_condition(before: str, after: str) -> bool:
+    """Whether a formula between these words is denied, or one of several that may hold."""
+    denied = _DENIED.search(before) or _DENIED_AFTER.match(after[:60])
+    return bool(denied or _OR.fullmatch(before) or _OR.match(after[:60]))
+
+
+def opposite(tex: str) -> str:
+    """The contrary of a formula with one relation; of another, what no reader takes for one."""
+    found = [*_RELATION.finditer(tex)]
+    if len(found) != 1 or found[0][0] not in _OPPOSITE:
+        return ""
+    (one,) = found
+    return tex[: one.start()] + _OPPOSITE[one[0]] + tex[one.end() :]
 
 
 def _whole(before: str, after: str, alone: bool) -> str:
@@ -152,6 +193,8 @@ def _whole(before: str, after: str, alone: bool) -> str:
     in "$x > 0$ and $n$ a positive integer" it is of the last.
     """
     found, kind = _INTEGER_BEFORE.search(before[-60:]), 1
+    if found is not None and _NO_INTEGER.search(before[-60:][: found.start()]):
+        return ""
     if found is None:
         found, kind = _INTEGER_AFTER.match(after[:200]), 2
         if found and found[1].strip() and not (alone and found[0].endswith("s")):
