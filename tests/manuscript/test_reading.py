@@ -132,6 +132,8 @@ CLAIMS = {
     r"If $m$ is odd, then $m = 2k+1$. \[ (x^2)^k x = x^{2k+1} = x^m \]": "PROVED PROVED",
     r"If $m$ is odd, then $m = 2k+1$. \[ x^{2k} = x^m \]": "EQUATION",
     r"for every integer $n$ \[ \sin(n\pi) = 0 \]": "PROVED",
+    r"If $x > 0$, then \[ x^2 = 3x - 2 \] gives two values.": "EQUATION",
+    r"If $x > 0$, then \[ x^2 = 3x - 2 \] for $x < 9$.": "REFUTED",
     r"for every half-integer $n$ \[ \sin(n\pi) = 0 \]": "REFUTED",
     r"For non-integer $n$, \[ \sin(n\pi) = 0 \]": "EQUATION",
     r"For $n$ that is not an integer $n$, \[ \sin(n\pi) = 0 \]": "EQUATION",

@@ -113,6 +113,9 @@ def kind_of(before: str) -> str:
     return max(found)[1] if found else ""
 
 
+_CONDITION = re.compile(r"(?:and\s+)?(?:for|where|when|whenever|if|provided|with|since|because)\b")
+
+
 def last_sentence(text: str) -> str:
     """The sentence that leads over to what follows ``text``."""
     pieces = _SENTENCE.split(text)
@@ -130,11 +133,15 @@ def first_sentence(text: str) -> str:
     return _SENTENCE.split(start)[0]
 
 
-def is_universal(before: str) -> bool:
+def is_universal(before: str, after: str) -> bool:
     """Whether the sentence before a display says for which values it is claimed, and nothing else:
-    "If $x > 0$, then", "For real $a$ and $b$"."""
+    "If $x > 0$, then", "For real $a$ and $b$". It may end in a condition behind the display, and in
+    nothing else: what "has a root" is an equation."""
     words = _INLINE.sub(" ", last_sentence(before)).lower()
-    return bool(_SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words))
+    rest = first_sentence(after)
+    return (not rest or bool(_CONDITION.match(rest))) and bool(
+        _SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words)
+    )
 
 
 def is_of_signs(text: str) -> bool:
