@@ -119,39 +119,25 @@ separatrix_amplitudes = Claim(
 
 _by_integrals = by(substituting(energy_of_momentum, eq_first_int))
 
-
-def _start(
-    label: str, given: tuple[Basic, ...], across: tuple[Expr, Expr], along: tuple[Expr, Expr, Expr]
-) -> Claim:
-    """That M is on the curve of ``label``, where sin χ is M₂ over its amplitude.
-
-    Args:
-        label: which of the motions.
-        given: the conditions on E and M for it.
-        across: the amplitude of M₂, and the ratio that cos χ is.
-        along: the third component, its amplitude, and the parameter of dn.
-    """
-    amplitude, cosine = across
-    component, largest, parameter = along
-    sine = M2 / amplitude
-    return Claim(
-        label=f"{label}_start",
-        says=Tuple(
-            equal(sine**2 + cosine**2, 1),
-            equal(component**2, largest**2 * (1 - parameter * sine**2)),
-        ),
-        given=given,
-        proof=_by_integrals,
-        note="M₂ over its amplitude and the ratio of the other are the sine and the cosine of some "
-        "χ, and the third component is dn but for its sign.",
-    )
-
-
-rotating_start = _start(
-    "rotating", _rotating, (_second_rotating, M3 / _third), (M1, _first, _m_rotating)
+rotating_start = Claim(
+    says=Tuple(
+        equal((M2 / _second_rotating) ** 2 + (M3 / _third) ** 2, 1),
+        equal(M1**2, _first**2 * (1 - _m_rotating * (M2 / _second_rotating) ** 2)),
+    ),
+    given=_rotating,
+    proof=_by_integrals,
+    note="M₂ over its amplitude and the ratio of the other are the sine and the cosine of some χ, "
+    "and the third component is dn but for its sign.",
 )
-oscillating_start = _start(
-    "oscillating", _oscillating, (_second_oscillating, M1 / _first), (M3, _third, _m_oscillating)
+
+oscillating_start = Claim(
+    says=Tuple(
+        equal((M2 / _second_oscillating) ** 2 + (M1 / _first) ** 2, 1),
+        equal(M3**2, _third**2 * (1 - _m_oscillating * (M2 / _second_oscillating) ** 2)),
+    ),
+    given=_oscillating,
+    proof=_by_integrals,
+    note="As for the rotating motion, in `rotating_start`.",
 )
 
 _off_separatrix = I1 * I3 * (2 * I2 * E - M**2) / (I2 * (I3 - I1))

@@ -83,41 +83,28 @@ energy_near_e3 = Claim(
     note="At given M the energy is least at M₁ = M₂ = 0, and nowhere else.",
 )
 
-# Where M began: its length and the energy were the same there.
-_began = tuple(Symbol(f"N{n}", real=True) for n in (1, 2, 3))
+N1, N2, N3 = (Symbol(f"N{n}", real=True) for n in (1, 2, 3))
+"""Where M began: its length and the energy were the same there."""
 
 
-def _stays_near(
-    label: str, excess: Expr, across: tuple[Expr, Expr], slopes: tuple[Expr, Expr]
-) -> Claim:
-    """That the distance from the axis stays below a multiple of what it was at the start.
-
-    Args:
-        excess: the energy above that on the axis, or below it, as the claims before give it.
-        across: the two components across the axis.
-        slopes: the factors of their squares in ``excess``, the smaller first.
-    """
-    start = dict(zip(_components, _began, strict=True))
-    low, high = slopes
-    first, second = across
-    conserved = excess.xreplace(start) - excess
-    distance = first**2 + second**2
-    return Claim(
-        label=label,
-        says=distance <= high / low * distance.xreplace(start),
-        given=(*ordered_moments, conserved >= 0),
-        proof=manifest,
-        note="N is where M began, with as much energy and momentum. The distance stays as small "
-        "as one likes if it begins small enough: the rotation is stable.",
-    )
+def _from_start(excess: Expr) -> Expr:
+    """By how much ``excess`` was larger at the start."""
+    return excess.xreplace({M1: N1, M2: N2, M3: N3}) - excess
 
 
-stays_near_e1 = _stays_near(
-    "stays_near_e1", _below_first, (M2, M3), ((I2 - I1) / (I1 * I2), (I3 - I1) / (I1 * I3))
+stays_near_e1 = Claim(
+    says=M2**2 + M3**2 <= I2 * (I3 - I1) / (I3 * (I2 - I1)) * (N2**2 + N3**2),
+    given=(*ordered_moments, _from_start(_below_first) >= 0),
+    proof=manifest,
+    note="N is where M began, with as much energy and momentum. The distance stays as small as "
+    "one likes if it begins small enough: the rotation is stable.",
 )
 
-stays_near_e3 = _stays_near(
-    "stays_near_e3", _above_third, (M2, M1), ((I3 - I2) / (I2 * I3), (I3 - I1) / (I1 * I3))
+stays_near_e3 = Claim(
+    says=M1**2 + M2**2 <= I2 * (I3 - I1) / (I1 * (I3 - I2)) * (N1**2 + N2**2),
+    given=(*ordered_moments, _from_start(_above_third) >= 0),
+    proof=manifest,
+    note="As for e₁, in `stays_near_e1`.",
 )
 
 _conserved = (energy_conserved, momentum_conserved)

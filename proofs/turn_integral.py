@@ -45,9 +45,7 @@ d48 = Claim(
     note="The second half is the first, run backwards.",
 )
 
-d49 = Claim(
-    label="d49", says=equal(F, _turn(gamma)), given=_rotating, proof=Definition(), where=display(49)
-)
+d49 = Claim(says=equal(F, _turn(gamma)), given=_rotating, proof=Definition(), where=display(49))
 
 one_turn = Claim(
     says=equal(_turn(gamma), pi),

@@ -85,38 +85,35 @@ unfolded_turn = Claim(
 
 _higher = Symbol("d", real=True)
 """How far a level is above the one that turns at ε."""
-_edge = _Unfolded(-b * sin(epsilon) ** 2, x)
-_bend = b * cos(epsilon) ** 2 * (a + b * sin(epsilon) ** 2) / _edge.Q
-_room, _share = _higher + _bend * cos(x) ** 2, _edge.R / _edge.Q
-"""γ + b sin²ψ on the higher level, and b sin²ψ, on the curve that turns at ε."""
-_speed = sqrt(_bend / _edge.R) * sqrt((a + b) * (a + b * sin(epsilon) ** 2) / _edge.Q) * cos(x)
-"""−dψ/dx there."""
+_level, _edge = _higher - b * sin(epsilon) ** 2, _Unfolded(-b * sin(epsilon) ** 2, x)
+_steep = sqrt(b * (a + b * sin(epsilon) ** 2) / _edge.Q) * cos(epsilon) * cos(x)
+"""√(γ + b sin²ψ) on the curve that turns at ε."""
+_room = sqrt(_higher + _steep**2)
 _once = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0, _higher > 0)
-_on_higher = printed.integrand(psi, a, b, _higher - b * sin(epsilon) ** 2, 1, sympy)
 
 level_on_the_curve = Claim(
-    says=_higher - b * sin(epsilon) ** 2 + b * sin(_edge.flip) ** 2 > 0,
+    says=_level + b * sin(_edge.flip) ** 2 > 0,
     given=(*_once, x >= 0, x <= pi / 2),
-    proof=(step(_room, inverses, roots, trigonometry),),
+    proof=(step(_higher + _steep**2, inverses, roots, trigonometry),),
 )
 
 longest_turn = Claim(
-    says=Integral(_on_higher, (psi, epsilon, pi / 2)) <= Integral(_edge.rate, (x, 0, pi / 2)),
+    says=Integral(printed.integrand(psi, a, b, _level, 1, sympy), (psi, epsilon, pi / 2))
+    <= Integral(_edge.rate, (x, 0, pi / 2)),
     given=_once,
     proof=(
         step(
             Integral(_edge.rate, (x, 0, pi / 2))
-            - Integral((1 - _share) / (sqrt(a + _share) * sqrt(_room)) * _speed, (x, 0, pi / 2)),
+            - Integral(_edge.rate * _steep / _room, (x, 0, pi / 2)),
             changing_variable(_edge.flip, level_on_the_curve),
         ),
         step(
-            Integral(
-                _edge.rate * _higher / (sqrt(_room) * (sqrt(_room) + sqrt(_bend) * cos(x))),
-                (x, 0, pi / 2),
-            ),
+            Integral(_edge.rate * _higher / (_room * (_room + _steep)), (x, 0, pi / 2)),
             collecting(),
         ),
     ),
+    shown=r"\int_\epsilon^{\frac{\pi}{2}}f(\psi, \gamma)\,d\psi \le "
+    r"\Phi\left(\frac{\pi}{2}, -b\sin^2\epsilon\right),\quad \gamma = d-b\sin^2\epsilon",
     note="F falls as the level rises, from Φ of the motion that turns at ε.",
 )
 

@@ -276,6 +276,36 @@ Proof.
   field; repeat split; lra.
 Qed.
 
+(* What the exponent of an angle exceeds its logarithm by, as that of one number. *)
+Lemma exponent_parts a b e : 0 < a -> 0 < b -> 0 < e -> 0 < sin e -> 0 < cos e ->
+  exists w, 0 < w /\ w - / w = 2 * (sqrt (a * / (a + b)) * cos e * / sin e)
+  /\ sqrt (a * b) * ((-1) * asin (sqrt (b * / (a + b)) * cos e) + asin (sqrt (b * / (a + b))))
+      + ln (e * / sin e) + ln (1 / 2 * sqrt (b * / a * sin e ^ 2 + 1) + 1 / 2 * cos e)
+    = ln (1 / 2 * e * / sqrt (a * / (a + b)) * exp (sqrt (a * b) * (PI + asin (sqrt (b * / (a + b))))))
+      + ln w - sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e)).
+Proof.
+  intros A B E S C; pose proof (sin_square e) as Q; pose proof (root_above a b e A B) as R1.
+  pose proof (root_square a b e A B) as R2; unfold root_of in *.
+  set (s := sin e) in *; set (c := cos e) in *; set (r := sqrt (b * / a * s ^ 2 + 1)) in *.
+  assert (M0 : 0 < a * / (a + b)) by positive; set (m := sqrt (a * / (a + b))).
+  assert (M2 : m ^ 2 = a * / (a + b)) by (apply pow2_sqrt; lra).
+  assert (M : 0 < m) by (apply sqrt_lt_R0; exact M0); assert (J : 0 < / s) by positive.
+  assert (Z : s ^ 2 = m ^ 2 * (r ^ 2 - c ^ 2)) by (rewrite M2, R2, Q; field; lra).
+  exists (m * (r + c) * / s); assert (W : 0 < m * (r + c) * / s) by (apply Rmult_lt_0_compat; [nra | exact J]).
+  split; [exact W | split].
+  - assert (I : / (m * (r + c) * / s) = m * (r - c) * / s); [| rewrite I; ring].
+    apply (Rmult_eq_reg_l (m * (r + c) * / s)); [| lra]; rewrite Rinv_r by lra.
+    replace (m * (r + c) * / s * (m * (r - c) * / s)) with (m ^ 2 * (r ^ 2 - c ^ 2) * / (s ^ 2)) by (field; lra).
+    rewrite <- Z; field; lra.
+  - set (x := sqrt (a * b) * (PI + asin (sqrt (b * / (a + b))))); pose proof (exp_pos x).
+    replace (1 / 2 * e * / m * exp x) with (/ 2 * (e * (/ m * exp x))) by (field; lra).
+    replace (1 / 2 * r + 1 / 2 * c) with (/ 2 * (r + c)) by field.
+    assert (0 < / m) by positive.
+    rewrite (ln_mult (/ 2) (e * _)), (ln_mult e (/ m * _)), (ln_mult (/ m)), ln_exp, (ln_mult e (/ s)),
+      (ln_mult (/ 2) (r + c)), (ln_mult _ (/ s)), (ln_mult m), !ln_Rinv by (first [lra | positive]).
+    unfold x; ring.
+Qed.
+
 (* The rate dphi/dpsi of precession on a level, and how its integral changes. *)
 Definition rate (s a b g t : R) : R :=
   s * / sqrt (a + b * sin t ^ 2) * / sqrt (g + b * sin t ^ 2) * ((-1) * b * sin t ^ 2 + 1).
@@ -563,3 +593,173 @@ Proof.
     + assert (0 < c + b * sin t ^ 2) by nra; assert (0 < a + b * sin t ^ 2) by nra; left; positive.
     + apply I; nra.
 Qed.
+
+(* The ratio of the defect to its leading term, by the square of the defect: small angles first. *)
+Lemma small_sine e : 0 <= e -> e <= 1 ->
+  e * (1 - e ^ 2 / 6) <= sin e <= e * (1 - e ^ 2 / 6 + e ^ 4 / 120)
+  /\ 1 - e ^ 2 / 2 <= cos e <= 1 - e ^ 2 / 2 + e ^ 4 / 24.
+Proof.
+  intros E F; pose proof pi_between as J.
+  destruct (pre_sin_bound e 0) as [A B]; try lra.
+  destruct (pre_cos_bound e 0) as [G K]; try lra.
+  unfold sin_approx, cos_approx, sin_term, cos_term in *; cbn in A, B, G, K.
+  repeat split; [eapply Rle_trans, A | eapply Rle_trans; [exact B |] | eapply Rle_trans, G | eapply Rle_trans; [exact K |]]; right; field.
+Qed.
+Definition up_time (u : R) : R := 1 - u / 3 + 2 * u ^ 2 / 45.
+Definition up_root (r u : R) : R :=
+  (r * up_time u / 2 - r ^ 2 * u * up_time u ^ 2 / 8 + r ^ 3 * u ^ 2 * up_time u ^ 3 / 16 - 1 / 2 + u / 24) / 2.
+Definition low_sum (r u : R) : R :=
+  2 + r * (u - u ^ 2 / 3) / 2 - (r * (u - u ^ 2 / 3)) ^ 2 / 8 - u / 2.
+Definition up_turn (r u : R) : R := up_time u / low_sum r u * (1 + r * u ^ 2 / 15).
+Definition up_exp (r u : R) : R := up_turn r u + u * up_turn r u ^ 2 / 2 + u ^ 2 * up_turn r u ^ 3 / 5.
+Definition up_sine (u : R) : R := 1 / 6 + u / 34.
+Definition up_all (r u : R) : R :=
+  up_sine u + up_root r u + up_exp r u
+  + u * (up_sine u * up_root r u + up_sine u * up_exp r u + up_root r u * up_exp r u)
+  + u ^ 2 * up_sine u * up_root r u * up_exp r u.
+Lemma asin_near y : 0 <= y -> y <= 3 / 10 -> asin y <= y * (1 + y ^ 2 / 5).
+Proof.
+  intros A B; enough (0 <= y * (1 + y ^ 2 / 5) - asin y) by lra.
+  apply (from_left_ge (fun t : R => t * (1 + t ^ 2 / 5) - asin t)
+    (fun t : R => 1 + 3 * t ^ 2 / 5 - / sqrt (1 - t ^ 2)) 0 y).
+  - exact A.
+  - intros t T; assert (0 < 1 - t ^ 2) by nra; assert (0 < sqrt (1 - t ^ 2)) by (apply sqrt_lt_R0; lra).
+    eapply d_eq; [derive; lra |]; cbv beta; tidy.
+    replace ((-1) * t ^ 2 + 1) with (1 - t ^ 2) by ring; field; lra.
+  - intros t T; assert (P : 0 < 1 - t ^ 2) by nra; assert (S : 0 < sqrt (1 - t ^ 2)) by (apply sqrt_lt_R0; lra).
+    assert (Q : sqrt (1 - t ^ 2) ^ 2 = 1 - t ^ 2) by (apply pow2_sqrt; lra).
+    enough (/ sqrt (1 - t ^ 2) <= 1 + 3 * t ^ 2 / 5) by lra.
+    apply (Rmult_le_reg_r (sqrt (1 - t ^ 2))); [exact S |]; rewrite Rinv_l by lra.
+    set (q := sqrt (1 - t ^ 2)) in *; set (m := 1 + 3 * t ^ 2 / 5).
+    assert (M : 1 <= m ^ 2 * q ^ 2) by (rewrite Q; unfold m; assert (0 <= t ^ 2 <= 9 / 100) by nra;
+      set (x := t ^ 2) in *; nra).
+    assert (0 < m) by (unfold m; nra); assert (0 < m * q) by nra; nra.
+  - rewrite asin_0; lra.
+Qed.
+Lemma exp_near z : 0 <= z -> z <= 1 / 2 -> exp z <= 1 + z + z ^ 2 / 2 + z ^ 3 / 5.
+Proof.
+  intros A B.
+  assert (H : 0 <= (1 + z + z ^ 2 / 2 + z ^ 3 / 5) * exp (- z) - 1).
+  { apply (from_left_ge (fun t : R => (1 + t + t ^ 2 / 2 + t ^ 3 / 5) * exp (- t) - 1)
+      (fun t : R => t ^ 2 * (1 / 10 - t / 5) * exp (- t)) 0 z).
+    - exact A.
+    - intros t T; eapply d_eq; [derive; lra |]; tidy; field.
+    - intros t T; pose proof (exp_pos (- t)); apply Rmult_le_pos; [nra | lra].
+    - rewrite Ropp_0, exp_0; lra. }
+  rewrite exp_Ropp in H; pose proof (exp_pos z) as P; apply (Rmult_le_compat_r (exp z)) in H; [| lra].
+  rewrite Rmult_0_l, Rmult_minus_distr_r, Rmult_assoc, Rinv_l in H; lra.
+Qed.
+Section Ratio.
+Variables b r k e : R.
+Hypotheses (B0 : 0 < b) (B1 : b <= 1) (R0 : 0 < r) (R4 : r <= 4) (K : 0 < k) (KR : k * sqrt r = b).
+Hypotheses (E0 : 0 < e) (E1 : e <= 42 / 100).
+Let u := e ^ 2.
+Let w := sqrt (r * sin e ^ 2 + 1).
+Let y := sqrt r * / (w + cos e) * sin e ^ 2.
+Lemma square_between : 0 < u <= 1764 / 10000.
+Proof. unfold u; nra. Qed.
+Lemma sine_square_between : u - u ^ 2 / 3 <= sin e ^ 2 <= u * up_time u /\ sin e ^ 2 <= u /\ 0 < sin e.
+Proof.
+  pose proof square_between as U; destruct (small_sine e) as [[A B] _]; try lra; unfold up_time.
+  replace (e ^ 4) with (u ^ 2) in B by (unfold u; ring); fold u in A, B.
+  assert (X : 0 < e * (1 - u / 6)) by nra; assert (S : 0 < sin e) by lra.
+  assert (Y : (e * (1 - u / 6)) ^ 2 <= sin e ^ 2) by nra.
+  assert (Z : sin e ^ 2 <= (e * (1 - u / 6 + u ^ 2 / 120)) ^ 2) by nra.
+  rewrite Rpow_mult_distr in Y, Z; fold u in Y, Z.
+  assert (0 <= u ^ 2) by nra; assert (0 <= u ^ 3) by (apply pow_le; lra).
+  assert (M : (1 - u / 6 + u ^ 2 / 120) ^ 2 <= 1 - u / 3 + 2 * u ^ 2 / 45).
+  { enough (0 <= u ^ 3 * (1 / 360 - u / 14400)) by lra; apply Rmult_le_pos; lra. }
+  assert (1 - u / 3 + 2 * u ^ 2 / 45 <= 1) by nra; repeat split; nra.
+Qed.
+Lemma sum_between : low_sum r u <= w + cos e /\ 1 / 2 * w + 1 / 2 * cos e <= 1 + u * up_root r u
+  /\ 18 / 10 <= low_sum r u /\ 1 <= w.
+Proof.
+  pose proof square_between as U; destruct sine_square_between as [[A B] [C D]].
+  destruct (small_sine e) as [_ [F G]]; try lra.
+  replace (e ^ 4) with (u ^ 2) in G by (unfold u; ring); fold u in F, G.
+  assert (T : 0 <= up_time u <= 1) by (unfold up_time; nra).
+  assert (W1 : w <= 1 + r * u * up_time u / 2 - (r * u * up_time u) ^ 2 / 8 + (r * u * up_time u) ^ 3 / 16).
+  { set (x := r * u * up_time u); assert (X : 0 <= x <= 1).
+    { unfold x; assert (0 <= r * u <= 1) by nra; nra. }
+    assert (0 <= x ^ 2 <= 1) by nra; assert (0 <= x ^ 3) by (apply pow_le; lra).
+    apply above_sqrt; [nra |]; apply Rle_trans with (1 + x); [unfold x; nra |].
+    enough (0 <= x ^ 4 * (5 / 64 - x / 64 + x ^ 2 / 256)) by nra.
+    apply Rmult_le_pos; [apply pow_le; lra | nra]. }
+  assert (W2 : 1 + r * (u - u ^ 2 / 3) / 2 - (r * (u - u ^ 2 / 3)) ^ 2 / 8 <= w).
+  { set (x := r * (u - u ^ 2 / 3)); assert (X : 0 <= x <= 1).
+    { unfold x; assert (0 <= u - u ^ 2 / 3 <= 1764 / 10000) by nra; nra. }
+    apply below_sqrt; apply Rle_trans with (1 + x); [| unfold x; nra].
+    assert (0 <= x ^ 3) by (apply pow_le; lra); nra. }
+  assert (L : low_sum r u <= w + cos e) by (unfold low_sum; lra).
+  repeat split.
+  - exact L.
+  - unfold up_root; replace (r ^ 2 * u * up_time u ^ 2) with (u * (r * up_time u) ^ 2) by ring.
+    apply Rle_trans with (1 / 2 * (1 + r * u * up_time u / 2 - (r * u * up_time u) ^ 2 / 8
+      + (r * u * up_time u) ^ 3 / 16) + 1 / 2 * (1 - u / 2 + u ^ 2 / 24)); [lra |].
+    right; field.
+  - unfold low_sum; clear - R0 R4 U; destruct U; interval.
+  - apply below_sqrt; nra.
+Qed.
+Lemma turn_below : k * asin y <= u * up_turn r u /\ 0 <= k * asin y /\ k * asin y <= 1 / 2.
+Proof.
+  pose proof square_between as U; destruct sine_square_between as [[A B] [C D]].
+  destruct sum_between as [F [_ [G W]]]; set (L := low_sum r u) in *.
+  assert (P : 0 < / (w + cos e) <= / L).
+  { split; [apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; lra]. }
+  assert (I : / L <= 10 / 18) by (replace (10 / 18) with (/ (18 / 10)) by field; apply Rinv_le_contravar; lra).
+  assert (Q : 0 < sqrt r) by (apply sqrt_lt_R0; lra); assert (Q2 : sqrt r ^ 2 = r) by (apply pow2_sqrt; lra).
+  assert (S : 0 < sin e ^ 2) by nra.
+  assert (V : 0 < / (w + cos e) * sin e ^ 2 <= 10 / 18 * u) by nra.
+  assert (Y0 : 0 < y) by (unfold y; rewrite Rmult_assoc; nra).
+  assert (Y1 : y ^ 2 <= r * (10 / 18 * u) ^ 2).
+  { unfold y; rewrite Rmult_assoc, Rpow_mult_distr, Q2; apply Rmult_le_compat_l; [lra | nra]. }
+  assert (Y2 : y <= 3 / 10) by (assert (y ^ 2 <= 4 * (10 / 18 * (1764 / 10000)) ^ 2); nra).
+  pose proof (asin_near y ltac:(lra) Y2) as N.
+  assert (Z : k * y <= u * (up_time u * / L)).
+  { unfold y; replace (k * (sqrt r * / (w + cos e) * sin e ^ 2))
+      with (b * (/ (w + cos e) * sin e ^ 2)) by (rewrite <- KR; ring).
+    assert (/ (w + cos e) * sin e ^ 2 <= / L * (u * up_time u)) by nra; nra. }
+  assert (M : k * asin y <= u * up_turn r u).
+  { unfold up_turn; fold L; apply Rle_trans with (k * y * (1 + y ^ 2 / 5)); [nra |].
+    replace (u * (up_time u / L * (1 + r * u ^ 2 / 15)))
+      with (u * (up_time u * / L) * (1 + r * u ^ 2 / 15)) by (unfold Rdiv; ring).
+    assert (0 < k * y) by nra; assert (0 <= u ^ 2) by nra; apply Rmult_le_compat; nra. }
+  assert (X : 0 < asin y) by (apply asin_above; exact Y0).
+  repeat split; [exact M | nra |]; eapply Rle_trans; [exact M |].
+  unfold up_turn, L, low_sum, up_time; clear - R0 R4 U; destruct U; interval.
+Qed.
+Lemma ratio_below : exp (k * asin y + ln (e * / sin e) + ln (1 / 2 * w + 1 / 2 * cos e)) <= 1 + u * up_all r u
+  /\ 1 - u / 4 <= exp (k * asin y + ln (e * / sin e) + ln (1 / 2 * w + 1 / 2 * cos e)).
+Proof.
+  pose proof square_between as U; destruct sine_square_between as [_ [_ S]].
+  destruct sum_between as [F [G [L W]]]; destruct turn_below as [T [T0 T1]].
+  destruct (small_sine e) as [[A B] [C _]]; try lra; fold u in A, C.
+  rewrite !exp_plus, !exp_ln by (first [lra | positive]).
+  assert (I : 0 < / sin e) by (apply Rinv_0_lt_compat; lra).
+  assert (V : 1 <= e * / sin e <= 1 + u * up_sine u).
+  { split; apply (Rmult_le_reg_r (sin e)); try lra; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    - destruct (small_sine e) as [[_ J] _]; try lra; replace (e ^ 4) with (u ^ 2) in J by (unfold u; ring);
+        fold u in J; nra.
+    - unfold up_sine; apply Rle_trans with (e * (1 - u / 6) * (1 + u * (1 / 6 + u / 34))); [| nra].
+      assert (0 <= u ^ 2 * (1 / 34 - 1 / 36 - u / 204)) by (apply Rmult_le_pos; nra); nra. }
+  assert (X : 1 <= exp (k * asin y) <= 1 + u * up_exp r u).
+  { split; [rewrite <- exp_0; apply exp_rises, T0 |]; eapply Rle_trans; [apply exp_near; assumption |].
+    set (z := k * asin y) in *; set (q := u * up_turn r u) in *.
+    replace (1 + u * up_exp r u) with (1 + q + q ^ 2 / 2 + q ^ 3 / 5) by (unfold q, up_exp; field).
+    assert (z ^ 2 <= q ^ 2) by nra; assert (z ^ 3 <= q ^ 3) by (apply pow_incr; lra); lra. }
+  set (p := e * / sin e) in *; set (x := exp (k * asin y)) in *; set (d := 1 / 2 * w + 1 / 2 * cos e) in *.
+  assert (D : 1 - u / 4 <= d) by (unfold d; lra).
+  split.
+  - replace (1 + u * up_all r u) with ((1 + u * up_exp r u) * (1 + u * up_sine u) * (1 + u * up_root r u))
+      by (unfold up_all; ring).
+    repeat apply Rmult_le_compat; try lra; nra.
+  - assert (1 <= x * p) by nra; nra.
+Qed.
+End Ratio.
+(* A bound of an angle from a weaker one, and what it says of the ratio. *)
+Ltac sharper step l m := eapply Rle_trans;
+  [apply (step l m); lra | unfold sinh; inverse_sines; interval].
+Ltac all_below m := lazymatch goal with |- up_all ?r (?e ^ 2) * _ <= _ =>
+  assert (0 <= e ^ 2 <= m ^ 2) by nra; set (u := e ^ 2) in *; clearbody u r;
+  unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
+  interval with (i_bisect u, i_bisect r, i_depth 30) end.

@@ -1,54 +1,19 @@
-intros a b epsilon G_1 G_2 G_3 G_4 G_5 G_6 G_7 N_1 N_2 N_3 N_4 N_5 N_6 N_7 N_8 N_9 N_10 N_11 N_12 N_13 N_14 N_15 N_16 N_17.
-pose proof (sin_square epsilon) as Q; unfold tan.
-set (s := sin epsilon) in *; set (c := cos epsilon) in *.
-set (R1 := sqrt (b * / a * s ^ 2 + 1)) in *; set (m := sqrt (a * / (a + b))) in *.
-assert (A0 : 0 < b * / a) by positive.
-assert (R2 : R1 ^ 2 = b * / a * s ^ 2 + 1) by (apply pow2_sqrt; exact N_10).
-assert (R3 : 0 < R1) by (apply sqrt_lt_R0; nra).
-assert (M2 : m ^ 2 = a * / (a + b)) by (apply pow2_sqrt; exact N_7).
-assert (M : 0 < m) by (apply sqrt_lt_R0; exact N_17).
+intros a b e; intros; destruct (exponent_parts a b e) as [w [W [V L]]]; try lra; rewrite L; clear L; unfold tan.
 assert (K : 0 < sqrt (a * b)) by (apply sqrt_lt_R0; positive).
-set (k := sqrt (a * b)) in *; set (mu := sqrt (b * / (a + b))) in *.
-assert (T : 0 < k * (PI + asin (mu * c))).
-{ pose proof (asin_bound (mu * c)); pose proof PI_RGT_0; apply Rmult_lt_0_compat; lra. }
-assert (Z : s ^ 2 = m ^ 2 * (R1 ^ 2 - c ^ 2)) by (rewrite M2, R2, Q; field; lra).
-replace (1 / 2 * epsilon * / m * exp (k * (PI + asin mu)))
-  with (/ 2 * (epsilon * (/ m * exp (k * (PI + asin mu))))) by (field; lra).
-replace (1 / 2 * R1 + 1 / 2 * c) with (/ 2 * (R1 + c)) by field.
-pose proof (exp_pos (k * (PI + asin mu))) as X.
-assert (I : 0 < / m) by positive.
-assert (J : 0 < / s) by positive.
-rewrite (ln_mult (/ 2) (epsilon * _)), (ln_mult epsilon (/ m * _)), (ln_mult (/ m)), ln_exp,
-  (ln_mult epsilon (/ s)), (ln_mult (/ 2) (R1 + c)), !ln_Rinv by (first [lra | positive]).
-clear X I J; set (t := k * (PI + asin (mu * c))) in *.
-set (w := m * (R1 + c) * / s).
-assert (W : 0 < w) by (unfold w; positive).
-assert (L : ln w = ln m + ln (R1 + c) - ln s).
-{ unfold w; rewrite !ln_mult, ln_Rinv by positive; ring. }
-assert (V : w - / w = 2 * (m * c * / s)).
-{ assert (E : / w = m * (R1 - c) * / s); [| rewrite E; unfold w; ring].
-  apply (Rmult_eq_reg_l w); [| lra]; rewrite Rinv_r by lra; unfold w.
-  replace (m * (R1 + c) * / s * (m * (R1 - c) * / s)) with (m ^ 2 * (R1 ^ 2 - c ^ 2) * / (s ^ 2))
-    by (field; lra).
-  rewrite <- Z; field; lra. }
-assert (second : k * (-1 * asin (mu * c) + asin mu) + (ln epsilon + - ln s) + (- ln 2 + ln (R1 + c)) =
-  - ln 2 + (ln epsilon + (- ln m + k * (PI + asin mu))) <-> w = exp t).
-{ split; intro H.
-  - assert (E : ln w = t) by (rewrite L; unfold t; lra); now rewrite <- E, exp_ln.
-  - assert (E : ln w = t) by (rewrite H; apply ln_exp); rewrite L in E; unfold t in E; lra. }
-rewrite second; clear second L.
+set (m := sqrt (a * / (a + b))) in *; assert (M : 0 < m) by (apply sqrt_lt_R0; assumption).
+set (t := sqrt (a * b) * (PI + asin (sqrt (b * / (a + b)) * cos e))) in *.
+assert (T : 0 < t).
+{ pose proof (asin_bound (sqrt (b * / (a + b)) * cos e)); pose proof PI_RGT_0.
+  apply Rmult_lt_0_compat; lra. }
 assert (S : 0 < sinh t) by (rewrite <- sinh_0; now apply sinh_lt).
-assert (first : m * / sinh t = s / c <-> sinh t = m * c * / s).
-{ split; intro H.
-  - assert (E : m * c = s * sinh t).
-    { replace (m * c) with (m * / sinh t * (sinh t * c)) by (field; lra); rewrite H; field; lra. }
-    rewrite E; field; lra.
-  - rewrite H; field; lra. }
-rewrite first; clear first; rewrite sinh_law in *; pose proof (exp_pos t) as X.
-set (x := exp t) in *; clearbody x w; split; intro H.
-- assert (E : (x - w) * (x * w + 1) = 0).
+set (s := sin e) in *; set (c := cos e) in *; assert (F : w = exp t <-> sinh t = m * c * / s).
+{ rewrite sinh_law; pose proof (exp_pos t) as X; set (x := exp t) in *; split; intros Y; [rewrite <- Y; lra |].
+  assert (E : (x - w) * (x * w + 1) = 0).
   { assert (D : x - / x = w - / w) by lra.
-    replace ((x - w) * (x * w + 1)) with (x * w * ((x - / x) - (w - / w))) by (field; lra).
-    rewrite D; ring. }
-  apply Rmult_integral in E; destruct E as [E|E]; [lra | nra].
-- rewrite H in V; lra.
+    replace ((x - w) * (x * w + 1)) with (x * w * ((x - / x) - (w - / w))) by (field; lra); rewrite D; ring. }
+  apply Rmult_integral in E; destruct E; nra. }
+split; intros Y.
+- enough (w = exp t) as -> by (rewrite ln_exp; ring); apply F.
+  apply (Rmult_eq_reg_r (s * / (c * sinh t))); [| apply Rgt_not_eq; positive].
+  transitivity (s / c); [field; lra | rewrite <- Y; field; lra].
+- assert (E : ln w = t) by lra; rewrite (proj1 F) by (now rewrite <- E, exp_ln); field; lra.

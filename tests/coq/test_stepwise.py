@@ -10,7 +10,8 @@ import pytest
 from tresym.coq.asked import theorems
 from tresym.coq.dialogue import Dialogue
 from tresym.coq.search import by_steps
-from tresym.coq.stepwise import spelled, stepwise
+from tresym.coq.stepwise import stepwise
+from tresym.coq.writing import spelled
 from tresym.reals.decisions.reading import read
 from tresym.reals.language.parsing import parse
 

@@ -17,10 +17,6 @@ Proof.
   cbv beta; field; repeat split; try lra.
   all: pose proof (Rle_0_sqr (r * tanh T)); unfold Rsqr in *; nra.
 Qed.
-Lemma sinh_pos T : 0 < T -> 0 < sinh T.
-Proof.
-  intros H; unfold sinh; assert (exp (- T) < exp T) by (apply exp_increasing; lra); lra.
-Qed.
 Lemma excess_rises T : 0 < T -> 0 < excess_slope T.
 Proof.
   intros H; unfold excess_slope, tanh; pose proof (cosh_pos T) as C; pose proof (sinh_pos T H) as S.
@@ -85,21 +81,6 @@ Qed.
 Definition defect (a b T : R) : R := atan (sqrt (a / (a + b)) / sinh T).
 
 (* The floor of every rigid body, I3 <= I1 + I2: its defect is above atan (1 / sinh pi). *)
-Lemma cosh_rises x y : 0 <= x -> x <= y -> cosh x <= cosh y.
-Proof.
-  intros X [L|L]; [| subst; lra].
-  destruct (mean_value cosh sinh x y (Rlt_le _ _ L)) as [c [C E]].
-  - intros t _; apply (d_eq _ _ (1 * sinh t)); [apply (d_cosh (fun t => t)), d_id | ring].
-  - assert (0 <= sinh c) by (destruct (Req_dec c 0) as [->|];
-      [rewrite sinh_0; lra | left; apply sinh_pos; lra]).
-    nra.
-Qed.
-Lemma sinh_rises x y : x < y -> sinh x < sinh y.
-Proof.
-  intros L; destruct (mean_value sinh cosh x y (Rlt_le _ _ L)) as [c [C E]].
-  - intros t _; apply (d_eq _ _ (1 * cosh t)); [apply (d_sinh (fun t => t)), d_id | ring].
-  - pose proof (cosh_pos c); nra.
-Qed.
 Lemma sinh_convex c x : 0 <= c -> c <= 1 -> 0 <= x -> sinh (c * x) <= c * sinh x.
 Proof.
   intros A B X.
@@ -111,20 +92,6 @@ Proof.
   - intros t T; apply Rmult_le_pos; [exact A |].
     assert (cosh (c * t) <= cosh t) by (apply cosh_rises; nra); lra.
   - rewrite Rmult_0_r, sinh_0; lra.
-Qed.
-Lemma jordan t : 0 <= t <= PI / 2 -> t <= PI / 2 * sin t.
-Proof.
-  intros T; pose proof PI_RGT_0 as P.
-  assert (H : 0 <= sin t - 2 / PI * t).
-  { apply (concave (fun t : R => sin t - 2 / PI * t) (fun t : R => cos t - 2 / PI)
-      (fun t : R => - sin t) 0 (PI / 2) t); trivial.
-    - intros; eapply d_eq; [derive | ring].
-    - intros; eapply d_eq; [derive | ring].
-    - intros s S; pose proof (sin_ge_0 s ltac:(lra) ltac:(lra)); lra.
-    - rewrite sin_0; lra.
-    - rewrite sin_PI2; right; field; lra. }
-  apply (Rmult_le_compat_l (PI / 2)) in H; [| lra].
-  replace (PI / 2 * (sin t - 2 / PI * t)) with (PI / 2 * sin t - t) in H by (field; lra); lra.
 Qed.
 Theorem floor a b T : 0 < a -> 0 < b -> b * (a + 2) <= 1 -> 0 < T ->
   T - sqrt (a * b) * (PI + atan (sqrt (b / a) * tanh T)) = 0 -> atan (/ sinh PI) < defect a b T.

@@ -1589,3 +1589,44 @@ Proof.
   pose proof (asin_bound x); pose proof (asin_bound y).
   pose proof (sin_incr_1 (asin y) (asin x)) as M; rewrite !sin_asin in M by lra; lra.
 Qed.
+
+(* How the hyperbolic sine, the arc tangent and the sine grow. *)
+Lemma sinh_pos x : 0 < x -> 0 < sinh x.
+Proof.
+  intros H; unfold sinh; assert (exp (- x) < exp x) by (apply exp_increasing; lra); lra.
+Qed.
+Lemma cosh_rises x y : 0 <= x -> x <= y -> cosh x <= cosh y.
+Proof.
+  intros X [L|L]; [| subst; lra].
+  destruct (mean_value cosh sinh x y (Rlt_le _ _ L)) as [c [C E]].
+  - intros t _; apply (d_eq _ _ (1 * sinh t)); [apply (d_cosh (fun t => t)), d_id | ring].
+  - assert (0 <= sinh c) by (destruct (Req_dec c 0) as [->|];
+      [rewrite sinh_0; lra | left; apply sinh_pos; lra]).
+    nra.
+Qed.
+Lemma sinh_rises x y : x < y -> sinh x < sinh y.
+Proof.
+  intros L; destruct (mean_value sinh cosh x y (Rlt_le _ _ L)) as [c [C E]].
+  - intros t _; apply (d_eq _ _ (1 * cosh t)); [apply (d_sinh (fun t => t)), d_id | ring].
+  - pose proof (cosh_pos c); nra.
+Qed.
+Lemma sinh_grows x y : x <= y -> sinh x <= sinh y.
+Proof.
+  intros L; unfold sinh; pose proof (exp_rises x y L); pose proof (exp_rises (- y) (- x) ltac:(lra)); lra.
+Qed.
+Lemma arctangent_rises x y : x <= y -> atan x <= atan y.
+Proof. intros [L|L]; [left; now apply atan_increasing | rewrite L; lra]. Qed.
+Lemma jordan t : 0 <= t <= PI / 2 -> t <= PI / 2 * sin t.
+Proof.
+  intros T; pose proof PI_RGT_0 as P.
+  assert (H : 0 <= sin t - 2 / PI * t).
+  { apply (concave (fun t : R => sin t - 2 / PI * t) (fun t : R => cos t - 2 / PI)
+      (fun t : R => - sin t) 0 (PI / 2) t); trivial.
+    - intros; eapply d_eq; [derive | ring].
+    - intros; eapply d_eq; [derive | ring].
+    - intros s S; pose proof (sin_ge_0 s ltac:(lra) ltac:(lra)); lra.
+    - rewrite sin_0; lra.
+    - rewrite sin_PI2; right; field; lra. }
+  apply (Rmult_le_compat_l (PI / 2)) in H; [| lra].
+  replace (PI / 2 * (sin t - 2 / PI * t)) with (PI / 2 * sin t - t) in H by (field; lra); lra.
+Qed.

@@ -26,7 +26,7 @@ from tresym.output import own_folder, write_text
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
-_MACHINE = re.compile(r"\b(interval|numeric|base_value)\b")  # tactics that compute
+_MACHINE = re.compile(r"\b(interval|numeric|base_value|measured|integrated|one_defect)\b")
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 import signal
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from hashlib import sha256
@@ -20,7 +21,8 @@ from typing import Any
 from tresym.coq.dialogue import Dialogue, prelude
 from tresym.coq.ledger import Joint, conditions_of, lemmas, name_of, stamp, theorem_of
 from tresym.coq.points import WAYS
-from tresym.coq.proving import Plan, candidates, plans
+from tresym.coq.proving import Plan, candidates, plans, without_definitions
+from tresym.coq.search import by_steps
 from tresym.coq.statement import NotExportedError, Theorem, comparison, term, variable
 from tresym.ledger.claim import Claim
 from tresym.ledger.meaning import known
@@ -30,7 +32,7 @@ from tresym.reals.numbers.exact import InputError
 _AND = " /\\ "
 _LEMMA = re.compile(r"Theorem \w+ :\n(.*?)\.\nProof\.\n(.*?)\nQed\.", re.DOTALL)
 UNWRITTEN = ArithmeticError, AttributeError, RecursionError, TypeError, ValueError, NotExportedError
-WRITING_SECONDS, CLAIM_SECONDS, TEXTS = 1.5, 30, 150
+WRITING_SECONDS, CLAIM_SECONDS, STEPPED_SECONDS, TEXTS = 1.5, 30, 60, 150
 EFFORTS = (3, 2), (8, 4)  # how many proofs of a lemma are tried, and seconds for a sentence
 
 
@@ -55,13 +57,18 @@ class Memory:
         lost = f"{key} {patience} {_hash(prelude() + lemmas())}"
         if key not in self.known and lost not in self.known:
             self.count += 1
-            self.coq = self.coq or Dialogue(lemmas=lemmas())
+            coq = self.dialogue()
             if self.count % TEXTS == 0:
-                self.coq.end()  # what it has defined takes room
-            self.coq.patience = patience
-            ok = self.coq.accepts(text.replace("@", str(self.count)), 4.0 * patience)
+                coq.end()  # what it has defined takes room
+            coq.patience = patience
+            ok = coq.accepts(text.replace("@", str(self.count)), 4.0 * patience)
             self.known[key if ok else lost] = ok
         return key in self.known
+
+    def dialogue(self) -> Dialogue:
+        """The dialogue, begun where there is none."""
+        self.coq = self.coq or Dialogue(lemmas=lemmas())
+        return self.coq
 
     def close(self) -> None:
         """End the dialogue."""
@@ -140,9 +147,23 @@ def lemma_proof(lemma: Theorem, memory: Memory) -> str | None:
             if memory.accepts(f"Theorem trial_@ :\n{body}.\nProof.\n{proof}\nQed."):
                 memory.known[key] = proof
                 return proof
+        if (found := stepped(lemma, memory)) is not None:
+            memory.known[key] = found
+        return found
     except UNWRITTEN:  # an expression on the way grew too large
         pass
     return None
+
+
+def stepped(lemma: Theorem, memory: Memory) -> str | None:
+    """A proof of an equation that is found by asking Coq after each step."""
+    if lemma.relation != "==" or lemma.by is not None:
+        return None
+    plain, intros = without_definitions(lemma)
+    proof = by_steps(plain, memory.dialogue(), time.monotonic() + STEPPED_SECONDS)
+    proof = proof and proof.replace("intros", intros, 1)
+    text = f"Theorem trial_@ :\n{lemma.body}.\nProof.\n{proof}\nQed."
+    return proof if proof and memory.accepts(text) else None
 
 
 def witnesses(claims: Iterable[Claim], memory: Memory) -> dict[str, Any]:

@@ -46,13 +46,20 @@ class Some(NamedTuple):
     says: Formula
 
 
+class Every(NamedTuple):
+    """It is said of all values of the variables."""
+
+    names: tuple[str, ...]
+    says: Formula
+
+
 class Fails(NamedTuple):
     """It does not hold."""
 
     says: Formula
 
 
-Formula: TypeAlias = Relation | Conjunction | Equivalence | Wherever | One | Some | Fails
+Formula: TypeAlias = Relation | Conjunction | Equivalence | Wherever | One | Some | Every | Fails
 
 
 class Single:

@@ -20,6 +20,7 @@ from sympy import Basic
 from tresym.coq.formulas import Part, defined
 from tresym.coq.statement import (
     Condition,
+    Every,
     Fails,
     Formula,
     NotExportedError,
@@ -42,11 +43,13 @@ from tresym.ledger.meaning import conditions
 from tresym.ledger.paper import file_of
 from tresym.ledger.statements import Rounds
 from tresym.reals.language import sympy as door
+from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
     fresh,
     number,
+    replaced,
     substitute,
     symbol,
     symbols,
@@ -117,6 +120,8 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
     if statement is None:
         raise NotExportedError("a sentence whose formula is not at hand is not exported yet")
     try:
+        if type(statement).__name__ == "As":
+            return tending(claim, statement)
         says = read(statement)
         if isinstance(proof, Definition):
             return existence(claim, says)
@@ -232,7 +237,7 @@ def free(says: Formula) -> frozenset[str]:
             return frozenset().union(free(says.says), *asked)
         case One():
             return free(says.says) - {says.name}
-        case Some():
+        case Some() | Every():
             return free(says.says) - {*says.names}
         case Fails():
             return free(says.says)
@@ -246,7 +251,7 @@ def asked(says: Formula) -> Iterator[Part]:
     match says:
         case Relation():
             yield from (part for e in (says.left, says.right) for part in defined(e))
-        case One() | Some():
+        case One() | Some() | Every():
             bound = {says.name} if isinstance(says, One) else {*says.names}
             yield from (part for part in asked(says.says) if bound.isdisjoint(symbols(part[0])))
         case Wherever() | Fails():
@@ -278,6 +283,55 @@ def theorem(
     return Theorem(
         name_of(claim.label), tuple(sorted(names)), put_in, given, tuple(parts), says, exists
     )
+
+
+def tending(claim: Claim, says: Basic) -> Theorem:
+    """An order: with which bound for which distance, at all points so near that are allowed.
+
+    Raises:
+        NotExportedError: an order of derivatives.
+    """
+    equation, what, points, side = says.args
+    left, right = door.unworked(equation.lhs), door.unworked(equation.rhs)
+    (node,) = {e for e in outermost(right) if e.op in ("O", "o")}
+    if not elementary(left):
+        raise NotExportedError("an order of derivatives is not exported to Coq yet")
+    k, d = symbol("bound"), symbol("near")
+    without, whole = (replaced(right, {node: e}) for e in (ZERO, node.args[0]))
+    small = Relation(abs(left - without), "<=", k * abs(whole - without))
+    several = type(what).__name__ == "Tuple"
+    pairs = zip(what.args, points.args, strict=True) if several else [(what, points)]
+    where = [part for x, p in pairs for part in _beside(x, p, int(side), d)]
+    if not several and not int(side):
+        where.append(Relation(door.unworked(what), "!=", door.unworked(points)))
+    given = [*conditions_of(claim.given), *where]
+    sides = [e for c in given for e in (c.left, c.right)]
+    used = frozenset().union(free(small), *map(symbols, sides)) - {"bound", "near"}
+    meanings, names = definitions(claim, used)
+    asked_for = [part for e in (left, without, whole, *sides) for part in defined(e)]
+    given += [Relation(e, sign, ZERO) for e, sign in dict.fromkeys(asked_for) if symbols(e)]
+    inner: Formula = Wherever((*(m for _, m in meanings), *given), small)
+    every = Every(tuple(sorted(names)), inner)
+    near: Formula = Some(("near",), Conjunction((Relation(d, ">", ZERO), every)))  # type: ignore[arg-type]
+    if node.op == "o":
+        near = Every(("bound",), Wherever((Relation(k, ">", ZERO),), near))
+    else:
+        near = Some(("bound",), near)
+    refuted = claim.expect is Verdict.REFUTED
+    return Theorem(name_of(claim.label), (), (), (), (), Fails(near) if refuted else near)
+
+
+def _beside(x: Basic, point: Basic, side: int, d: Expr) -> Iterator[Relation]:
+    """That ``x`` is as near to the point as said, and on that side; beyond ``d`` at infinity."""
+    e = door.unworked(x)
+    if point.is_infinite:
+        yield Relation(e, ">", d)
+        return
+    p = door.unworked(point)
+    yield from [
+        Relation(e, ">", p if side > 0 else p - d),
+        Relation(e, "<", p if side < 0 else p + d),
+    ]
 
 
 Meaning = tuple[tuple[Condition, ...], Relation]

@@ -478,11 +478,10 @@ def candidates(lemma: Theorem) -> Iterator[str]:
     path = file_of("coq") / f"{lemma.name}.v"
     if path.is_file():
         yield path.read_text(encoding="utf-8").rstrip()
-    meanings = {meaning.left: meaning.right for _, meaning in lemma.definitions}
-    if meanings:
-        put = " ".join(term(name) for name in meanings)
-        for proof in candidates(_put_in(lemma, meanings)):
-            yield proof.replace("intros", f"intros; subst {put}", 1)
+    if lemma.definitions:
+        plain, intros = without_definitions(lemma)
+        for proof in candidates(plain):
+            yield proof.replace("intros", intros, 1)
         return
     rewritten = {
         x: y
@@ -513,6 +512,14 @@ def candidates(lemma: Theorem) -> Iterator[str]:
         yield QUICK
         yield from islice(manifest_proofs(lemma), 4)
     yield from proofs(lemma)
+
+
+def without_definitions(lemma: Theorem) -> tuple[Theorem, str]:
+    """The lemma after its definitions are put in, and the tactic that puts them in."""
+    meanings = {meaning.left: meaning.right for _, meaning in lemma.definitions}
+    if not meanings:
+        return lemma, "intros"
+    return _put_in(lemma, meanings), f"intros; subst {' '.join(map(term, meanings))}"
 
 
 def turned(lemma: Theorem) -> list[tuple[Expr, Expr, str]]:

@@ -16,6 +16,7 @@ from flint import fmpq
 
 from tresym.coq.formulas import (
     Condition,
+    Every,
     Fails,
     Formula,
     One,
@@ -146,6 +147,8 @@ def formula(f: Formula) -> str:
         return f"~ ({formula(f.says)})"
     if isinstance(f, Some):
         return f"exists {' '.join(map(variable, f.names))} : R, {formula(f.says)}"
+    if isinstance(f, Every):
+        return f"forall {' '.join(map(variable, f.names))} : R, {formula(f.says)}"
     bare, names = values_of(f)
     if f.sign == "==" and len(names) == 1:
         ((node, name),) = names.items()

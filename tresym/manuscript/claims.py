@@ -35,6 +35,7 @@ DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
+EARLIER = "under what sections before it say"
 _WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
 """What is written to be worked out: an equality with one of these, or with a series, is no equation
 to be solved."""
@@ -186,7 +187,8 @@ def _attempts(
     same, free, end = False, {*NO_VARIABLES}, as_path.split()[1] if as_path else ""
     if any(node.op == "antiderivative" for node in outermost(left, right)):
         free |= {name for name in symbols(left) | symbols(right) if CONSTANTS.fullmatch(name)}
-    for conditions in (under.given, (*under.given, *memory.earlier)):
+    for more in ((), memory.earlier):
+        conditions: Sequence[Compared] = (*under.given, *more)
         conditions = tuple(c for c in conditions if end not in names_in((c,)))
         spoken = chained(about(symbols(left) | symbols(right), conditions))
         said_so = f"{left} {relation} {right}" + (f" given {spoken}" if spoken else "") + as_path
@@ -194,6 +196,7 @@ def _attempts(
             given = [c for c in given if end not in names_in((c,))]  # where it holds, the path says
             shown = chained(about(symbols(one) | symbols(other), given))
             text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
+            how = "; ".join(filter(None, (how, EARLIER if more else "")))
             may_fail = not how.startswith(TOLD)
             attempts.setdefault(text, Attempt(text, how, said_so, may_fail))
             same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)

@@ -239,7 +239,7 @@ class Memory:
                     if more and not more[1]:
                         given += more[0]
                         path = more[2] or path
-        universal = prose.is_universal(before)
+        universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
         return Under(tuple(given), tuple(put_in), path, kind, universal=universal)
 

@@ -41,7 +41,10 @@ _DEFINING = re.compile(
     re.IGNORECASE,
 )
 _WHOLE = r"(positive |non-?negative |natural |nonzero )?(?:integers?|natural numbers?)"
-_INTEGER_BEFORE = re.compile(rf"\b{_WHOLE}[\s~]*\Z", re.IGNORECASE)
+_INTEGER_BEFORE = re.compile(rf"(?<![\w-]){_WHOLE}[\s~]*\Z", re.IGNORECASE)
+_NO_INTEGER = re.compile(
+    r"\b(?:not|no|non|half|half an|neither|nor|except)[\s~-]+(?:an? )?\Z", re.IGNORECASE
+)
 _LIST = r"((?:[\s~,]*(?:and\b[\s~]*)?\$[^$]*\$){0,8})[\s~,]*(?:is|are|be|being|denotes?)?\s*"
 _INTEGER_AFTER = re.compile(
     rf"{_LIST}"
@@ -53,6 +56,25 @@ _ANEW_BEFORE = re.compile(r"\b(?:real|all|any|every|each|arbitrary)\b[^.,;:$]*\Z
 _ANEW_AFTER = re.compile(
     rf"{_LIST}(?:an?|any|some|both|all|not)?\s*(?:real|non-?zero|arbitrary)\b", re.IGNORECASE
 )
+_DENIED = re.compile(
+    r"\b(?:fails?|failing|false|wrong|invalid|untrue|without(?! loss)|drop\w*|lift\w*|no longer"
+    r"|(?:not|never) (?:true|valid|hold\w*|so|correct|assum\w*|requir\w*|need\w*|suppos\w*))"
+    r"\b[^.$;:]*\Z|\b(?:no|not)[\s~]*\Z",
+    re.IGNORECASE,
+)
+_DENIED_AFTER = re.compile(
+    r"[\s~]*(?:fails?\b|(?:is|are|does|do|need|can)\s*(?:not|no longer)\b"
+    r"|is (?:false|violated|wrong)\b"
+    r"|no longer\b|cannot\b)",
+    re.IGNORECASE,
+)
+_OR = re.compile(r"[\s~,]*\bor[\s~,]*(?=\$|\Z)")
+_EXCEPT = re.compile(
+    r"\b(?:except|unless|excluding|other than|but not|apart from)\b[^.$;:]*\Z", re.IGNORECASE
+)
+_OPPOSITE = {"=": "\\neq ", "<": "\\geq ", ">": "\\leq "}
+_OPPOSITE |= dict.fromkeys(("\\le", "\\leq"), "> ") | dict.fromkeys(("\\ge", "\\geq"), "< ")
+_OPPOSITE |= dict.fromkeys(("\\ne", "\\neq"), "= ")
 _RELATION = re.compile(r"[<>=]|\\(?:[lg]eq?|neq?|in)(?![a-zA-Z])")
 _SAID_OF = re.compile(
     r"(?:\W|\b(?:for|if|when|whenever|and|or|then|with|an?|all|every|any|each|real|positive|negative"
@@ -91,6 +113,9 @@ def kind_of(before: str) -> str:
     return max(found)[1] if found else ""
 
 
+_CONDITION = re.compile(r"(?:and\s+)?(?:for|where|when|whenever|if|provided|with|since|because)\b")
+
+
 def last_sentence(text: str) -> str:
     """The sentence that leads over to what follows ``text``."""
     pieces = _SENTENCE.split(text)
@@ -108,11 +133,15 @@ def first_sentence(text: str) -> str:
     return _SENTENCE.split(start)[0]
 
 
-def is_universal(before: str) -> bool:
+def is_universal(before: str, after: str) -> bool:
     """Whether the sentence before a display says for which values it is claimed, and nothing else:
-    "If $x > 0$, then", "For real $a$ and $b$"."""
+    "If $x > 0$, then", "For real $a$ and $b$". It may end in a condition behind the display, and in
+    nothing else: what "has a root" is an equation."""
     words = _INLINE.sub(" ", last_sentence(before)).lower()
-    return bool(_SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words))
+    rest = first_sentence(after)
+    return (not rest or bool(_CONDITION.match(rest))) and bool(
+        _SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words)
+    )
 
 
 def is_of_signs(text: str) -> bool:
@@ -139,10 +168,29 @@ def inline(text: str) -> Iterator[Inline]:
             tex, rest = found[1] or found[2], sentence[found.end() :]
             alone = not _RELATION.search(tex)
             told = alone and (anew or bool(_ANEW_AFTER.match(rest[:200])))
+            if not alone and _is_no_condition(words, rest):
+                marks, told = (False, False, False, False), True
+            elif _EXCEPT.search(words):
+                tex, marks = opposite(tex), (False, True, False, False)
             halved = _PARITY.search(words) and _HALVED.fullmatch(tex)
             whole = "Z" if halved else _whole(words, rest, alone)
             yield Inline(tex, *marks, whole, told)
             start, carried = found.end(), marks
+
+
+def _is_no_condition(before: str, after: str) -> bool:
+    """Whether a formula between these words is denied, or one of several that may hold."""
+    denied = _DENIED.search(before) or _DENIED_AFTER.match(after[:60])
+    return bool(denied or _OR.fullmatch(before) or _OR.match(after[:60]))
+
+
+def opposite(tex: str) -> str:
+    """The contrary of a formula with one relation; of another, what no reader takes for one."""
+    found = [*_RELATION.finditer(tex)]
+    if len(found) != 1 or found[0][0] not in _OPPOSITE:
+        return ""
+    (one,) = found
+    return tex[: one.start()] + _OPPOSITE[one[0]] + tex[one.end() :]
 
 
 def _whole(before: str, after: str, alone: bool) -> str:
@@ -152,6 +200,8 @@ def _whole(before: str, after: str, alone: bool) -> str:
     in "$x > 0$ and $n$ a positive integer" it is of the last.
     """
     found, kind = _INTEGER_BEFORE.search(before[-60:]), 1
+    if found is not None and _NO_INTEGER.search(before[-60:][: found.start()]):
+        return ""
     if found is None:
         found, kind = _INTEGER_AFTER.match(after[:200]), 2
         if found and found[1].strip() and not (alone and found[0].endswith("s")):

@@ -57,6 +57,8 @@ def test_the_page_does_without_what_was_never_measured() -> None:
 
 def test_the_page_tells_of_the_long_hunts() -> None:
     row = {"examples": 3000, "seconds": 1.0, "chunks": 2, "failures": 1}
-    hunts = {"tests": {"a.py::test_x": {**row, "day": "2026-01-02", "commit": "abc"}}}
+    row |= {"day": "2026-01-02", "commit": "abc"}
+    hunts = {"tests": {"a.py::test_x": row, "b.py::y": {**row, "decided": 2900}}}
     page = trust(verify(["eq_gamma"]), None, hunts)
-    assert "| `x` | 2026-01-02, `abc` | 3,000 | 1 |" in page
+    assert "| `x` | 2026-01-02, `abc` | 3,000 |  | 1 |" in page
+    assert "| `y` | 2026-01-02, `abc` | 3,000 | 2,900 | 1 |" in page

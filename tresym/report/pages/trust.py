@@ -242,7 +242,8 @@ def _hunts(tests: Mapping[str, Any]) -> Iterator[str]:
     yield ""
     yield (
         "Beside what every change must pass, tests run for hours with seeds of their own "
-        "(`python tests/deep.py`). An example is a random input or claim whose truth is known."
+        "(`python tests/deep.py`). An example is a random input or claim whose truth is known; of "
+        "claims it is counted how many were decided within the time of one."
     )
     yield ""
     rows = [
@@ -250,11 +251,12 @@ def _hunts(tests: Mapping[str, Any]) -> Iterator[str]:
             f"`{test.rpartition('::')[2].removeprefix('test_')}`",
             f"{row['day']}, `{row['commit']}`" if row["commit"] else row["day"],
             f"{row['examples'] or row['chunks']:,}",
+            f"{row['decided']:,}" if "decided" in row else "",
             row["failures"],
         )
         for test, row in tests.items()
     ]
-    yield from _table(("hunt", "last run", "examples", "failures"), rows, 2)
+    yield from _table(("hunt", "last run", "examples", "decided", "failures"), rows, 2)
 
 
 def _died(counts: Counter[str]) -> int:
