@@ -23,6 +23,7 @@ from sympy import (
     Derivative,
     Eq,
     Equivalent,
+    Integer,
     Integral,
     MatrixBase,
     Mul,
@@ -302,6 +303,9 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
             implicit.append(left - right)
         else:
             rules[solved[0]] = solved[1]
+    # What was left may hold by what was solved for after it.
+    same = (_identical(put_in(e, rules), Integer(0), plain) for e in implicit)
+    implicit = [e for e, holds in zip(implicit, same, strict=True) if not holds]
     asked = dict.fromkeys((*given, *(r for r in relations if not isinstance(r, Eq))))
     small = [c for c in asked if _size((c,), rules) <= LARGE]
     others = tuple(c for c in asked if c not in small)

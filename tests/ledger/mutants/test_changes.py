@@ -24,7 +24,7 @@ from sympy import (
 )
 
 from tresym.ledger.claim import equal
-from tresym.ledger.mutants.changes import mutations
+from tresym.ledger.mutants.changes import mutations, of_relations
 from tresym.ledger.statements import TheRoot
 from tresym.racket.notation import a, b
 
@@ -85,3 +85,10 @@ def test_the_name_of_a_root_stays_a_name() -> None:
     found = [node for e in mutations(root + y, (a, b)) for node in e.atoms(TheRoot)]
     assert {node.variable for node in found} == {t}
     assert len(set(found)) > 5
+
+
+def test_each_relation_is_turned_round_first() -> None:
+    found = list(of_relations(Tuple(x > 0, y <= 1)))
+    assert found[:2] == [Tuple(x < 0, y <= 1), Tuple(x > 0, y >= 1)]
+    assert Tuple(x > 0, y <= 2) in found
+    assert (x > 2) in of_relations(x > 0)

@@ -145,6 +145,16 @@ def _further(e: Basic) -> Iterator[Basic]:
                 yield e.func(e.lhs, e.rhs + more, evaluate=False)
 
 
+def of_relations(says: Basic) -> Iterator[Basic]:
+    """``says`` with one of its relations turned round, or with another number on the right."""
+    parts = says.args if isinstance(says, Tuple) else (says,)
+    for change in (_here, _further):
+        for n, part in enumerate(parts):
+            for changed in change(part) if isinstance(part, Relational) else ():
+                whole = Tuple(*parts[:n], changed, *parts[n + 1 :])
+                yield whole if isinstance(says, Tuple) else changed
+
+
 def scattered(variants: Iterable[Any]) -> list[Any]:
     """The same in an order in which the first few are of all kinds."""
     numbered = enumerate(variants)

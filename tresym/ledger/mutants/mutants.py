@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import islice, zip_longest
 from typing import Any
 
 from sympy import Basic, Derivative, Eq, Equivalent, Integral, Tuple
@@ -62,7 +62,7 @@ from tresym.ledger.mutants.changed_numbers import (
     order_fails,
     printed_changes,
 )
-from tresym.ledger.mutants.changes import mutations, scattered
+from tresym.ledger.mutants.changes import mutations, of_relations, scattered
 from tresym.ledger.second_look import rootless
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.verdict import Verdict
@@ -300,7 +300,9 @@ def _evaluated_spot(claim: Claim) -> _Spot:
     def claims(changed: Variant) -> tuple[Claim, ...]:
         return (saying(claim, changed),)
 
-    variants = () if claim.statement is None else _mutations(claim.statement)
+    says = claim.statement
+    pairs = () if says is None else zip_longest(of_relations(says), _mutations(says))
+    variants = (changed for pair in pairs for changed in pair if changed is not None)
     return _Spot("statement", variants, claims, fails_at_once, EVALUATED_TRIES)
 
 
