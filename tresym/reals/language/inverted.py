@@ -73,7 +73,7 @@ def _solved_power(base: Expr, exponent: Expr, name: str, value: Expr) -> list[Ex
             else _solved(exponent, name, apply("log", value) / apply("log", base))
         )
     r = exponent.args[0]
-    if value == ZERO:
+    if value == ZERO or r == 0:
         return _solved(base, name, ZERO) if r > 0 else []
     root = power(value, number(1 / r))
     return [

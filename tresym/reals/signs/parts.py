@@ -191,6 +191,8 @@ class Parts:
         if exponent.op != "number":
             return "+"
         r = exponent.args[0]
+        if r == 0:
+            return "+"  # of 0 too
         if r < 0:
             return (
                 inner
