@@ -94,7 +94,7 @@ _once = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) >
 level_on_the_curve = Claim(
     says=_level + b * sin(_edge.flip) ** 2 > 0,
     given=(*_once, x >= 0, x <= pi / 2),
-    proof=(step(_higher + _steep**2, inverses, roots, trigonometry),),
+    proof=(step(_higher + _steep**2, trigonometry),),
 )
 
 longest_turn = Claim(

@@ -32,7 +32,8 @@ function filterLedger(parts) {
     const verdict = [...entry.querySelector(".verdict").classList].find((name) => name !== "verdict");
     const stated = entry.querySelector(".place") ? "paper" : "lemma";
     const marks = [...entry.querySelectorAll(".mark")].map((mark) => mark.classList[1]);
-    return new Set([verdict, stated, ...marks, entry.querySelector(".kind").textContent]);
+    const kind = entry.querySelector(".kind")?.textContent;
+    return new Set([verdict, stated, ...marks, kind]);
   });
   const WORDS = {
     proved: "PROVED", enclosed: "ENCLOSED", refuted: "REFUTED", defined: "DEFINED",

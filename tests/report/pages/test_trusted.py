@@ -64,11 +64,11 @@ def test_libraries_are_named(counts: tuple[Count, Count]) -> None:
 def test_the_count_stays_within_what_was_reached(counts: tuple[Count, Count]) -> None:
     proved, enclosed = counts
     print(f"PROVED {proved.total}, ENCLOSED {enclosed.total} more")
-    assert proved.total <= 10_600
+    assert proved.total <= 10_900
     assert enclosed.total <= 2200
     proved, enclosed = trusted(LEDGER)
     print(f"the ledger alone: PROVED {proved.total}, ENCLOSED {enclosed.total} more")
-    assert proved.total <= 6300
+    assert proved.total <= 6500
     assert enclosed.total <= 2450
 
 

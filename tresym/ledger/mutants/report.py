@@ -265,7 +265,8 @@ def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
             finding = _within(_allowed[label], claim, found) if _allowed[label] > SECONDS else None
         if finding is None or finding.verdict is Verdict.UNDECIDED:
             seen = seen_false(claim)
-            finding = finding if finding and seen.verdict is not Verdict.REFUTED else seen
+            if finding is None or seen.verdict is Verdict.REFUTED:
+                finding = replace(seen, stopped=finding is not None and finding.stopped)
         _once[id(claim)] = claim, finding
     return _once[id(claim)][1]
 

@@ -84,6 +84,8 @@ _LONG_INTEGER = re.compile(r"(?<![\w.])(\d{4000,})(?![\w.])")
 """Python's parser refuses integers of more digits than that, and takes them as decimals."""
 _FOLDED = {"max": 1, "min": -1, "Max": 1, "Min": -1}
 KNOWN = FUNCTIONS | _ALIASES.keys() | _RECIPROCALS.keys() | _FOLDED.keys()
+ORDER_NAMES = frozenset("jkmnN")
+"""Letters that an order of a derivative may have; of others diff(f, x, y) may be a mixed one."""
 KNOWN |= {"sqrt", "atan2", "diff", "Derivative", *_GUDERMANNIAN}
 """The names of functions."""
 UNKNOWN = re.compile(r"(?:[fghuvwyzFGHUVW]|phi|psi|theta|Phi|Psi)(?:_?\d)?|factorial")
@@ -277,7 +279,12 @@ class _Reader:
         if len(args) not in (2, 3):
             raise InputError("diff takes an expression, a variable and perhaps an order")
         e, name, times = self._read(args[0]), self._name(args[1]), 1
-        if len(args) == 3 and symbols(order := self._read(args[2])):
+        if len(args) == 3 and (names := symbols(order := self._read(args[2]))):
+            if not names <= ORDER_NAMES - symbols(e):
+                raise InputError(
+                    f"an order of diff is a number or one of {', '.join(sorted(ORDER_NAMES))}; "
+                    f"for a mixed derivative write diff(diff(f, x), y)"
+                )
             return nth_derivative(e, name, order)
         if len(args) == 3:
             expected = f"the order of diff is an integer from 1 to {MAX_DERIVATIVES}"
