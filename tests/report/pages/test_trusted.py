@@ -65,7 +65,7 @@ def test_the_count_stays_within_what_was_reached(counts: tuple[Count, Count]) ->
     proved, enclosed = counts
     print(f"PROVED {proved.total}, ENCLOSED {enclosed.total} more")
     assert proved.total <= 10_900
-    assert enclosed.total <= 2200
+    assert enclosed.total <= 2250
     proved, enclosed = trusted(LEDGER)
     print(f"the ledger alone: PROVED {proved.total}, ENCLOSED {enclosed.total} more")
     assert proved.total <= 6500
