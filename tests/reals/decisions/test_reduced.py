@@ -142,7 +142,7 @@ OF_ONE_PART = [
 BESIDE = [  # each passes where one guard or one end is left out
     "x**2 + y >= 0",
     "x + y + 1 + 0*sqrt(x) >= 0",
-    "x*y > 0 given x >= 0, y > 0",
+    "exp(x*y) > 1 given x >= 0, y > 0",
     "x + y > 0 given x >= 0, y >= 0",
     "x - y > 0 given x >= 0, y <= 0",
     "x*y >= 1 given x >= -1, y >= -1",
