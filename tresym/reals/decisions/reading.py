@@ -214,11 +214,13 @@ class _Written(NamedTuple):
 
 def chained(comparisons: Iterable[Compared]) -> str:
     """Comparisons in the grammar of text, ``0 < x <= 1`` for two with a side in common."""
-    text, last = "", None
+    text = ""
+    last: tuple[Expr | None, str] = (None, "")
     for left, relation, right in comparisons:
-        joint = "" if left is last else f"{', ' if text else ''}{left}"
+        goes_on = left is last[0] and relation[0] == last[1][0]
+        joint = "" if goes_on else f"{', ' if text else ''}{left}"
         text += f"{joint} integer" if relation == "in" else f"{joint} {relation} {right}"
-        last = right
+        last = right, relation
     return text
 
 
@@ -263,7 +265,7 @@ def _read_again(shown: str) -> _Written:
 def _stated(written: _Written, shown: str, text: str) -> Statement:
     """What is decided of what is written."""
     parts, said, path = written
-    given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
+    given = Given(tuple(link for link in said if link[1] not in ("==", "in"))).unfolded()
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
     closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
     equations += tuple(
