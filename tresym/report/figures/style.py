@@ -144,7 +144,7 @@ def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
     """The figure as the bytes of a PDF page or of a PNG with so many dots an inch."""
     _settle(figure)
     out = io.BytesIO()
-    ours = {
+    ours: dict[str, dict[str, Any]] = {
         "pdf": {"CreationDate": None, "Creator": "tresym", "Producer": None},
         "png": {"Software": "tresym"},
     }
