@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
-from decimal import Decimal, Inexact, localcontext
+from decimal import Context, Decimal, Inexact, localcontext
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
@@ -259,7 +259,7 @@ def _shape(answer: Flip | Journey) -> list[tuple[str, str]]:
 
 def _exactly(x: fmpq) -> str:
     """A number as a short decimal where it is one, else as a fraction."""
-    with localcontext(prec=12, traps=[Inexact]):
+    with localcontext(Context(prec=12, traps=[Inexact])):
         try:
             text = str(Decimal(int(x.p)) / Decimal(int(x.q)))
         except Inexact:
