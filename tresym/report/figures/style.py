@@ -144,8 +144,11 @@ def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
     """The figure as the bytes of a PDF page or of a PNG with so many dots an inch."""
     _settle(figure)
     out = io.BytesIO()
-    of_the_day = {"pdf": ("CreationDate", "Creator", "Producer"), "png": ("Software",)}
-    metadata = {"Title": title, **dict.fromkeys(of_the_day[kind])}
+    ours: dict[str, dict[str, Any]] = {
+        "pdf": {"CreationDate": None, "Creator": "tresym", "Producer": None},
+        "png": {"Software": "tresym"},
+    }
+    metadata = {"Title": title, **ours[kind]}
     figure.savefig(out, format=kind, dpi=dpi, metadata=metadata)
     return out.getvalue()
 
@@ -159,10 +162,13 @@ def halo() -> list[Any]:
 
 def pi_ticks(axis: Any, parts: Sequence[Fraction | int]) -> None:
     """Ticks at these multiples of π, written as such."""
-    axis.set_ticks([float(x) * math.pi for x in parts], [_multiple(Fraction(x)) for x in parts])
+    axis.set_ticks(
+        [float(x) * math.pi for x in parts], [multiple_of_pi(Fraction(x)) for x in parts]
+    )
 
 
-def _multiple(x: Fraction) -> str:
+def multiple_of_pi(x: Fraction) -> str:
+    """So many times π, as one writes it."""
     if x == 0:
         return "0"
     sign, top = "−" if x < 0 else "", abs(x.numerator)
