@@ -241,6 +241,7 @@ class Memory:
                         path = more[2] or path
         universal = prose.is_universal(before, after)
         kind = prose.kind_of(before)
+        kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
         return Under(tuple(given), tuple(put_in), path, kind, universal=universal)
 
     def following(self, around: Under, orders: Orders) -> Under:

@@ -50,6 +50,28 @@ _INTEGER_AFTER = re.compile(
     rf"{_LIST}"
     rf"(?:an?|any|some|both|all|fixed|given|arbitrary)?\s*{_WHOLE}"
 )
+_SIGNED = {"positive": "> 0", "negative": "< 0", "nonnegative": "\\geq 0", "nonpositive": "\\leq 0"}
+_SIGNED["nonzero"] = "\\neq 0"
+_SIGN = r"(?:strictly )?((?:non-?)?(?:positive|negative)|non-?zero)"
+_NUMBERS = r"(?:\s+(?:real )?(?:numbers?|reals?|constants?|parameters?|values?(?: of)?))?"
+_SIGN_BEFORE = re.compile(
+    r"\b(?:for|all|any|every|each|both|and|let|with|given|fixed|arbitrary|consider|take|an?|real)"
+    rf"[\s~]+{_SIGN}{_NUMBERS}[\s~]*\Z",
+    re.IGNORECASE,
+)
+_SIGN_AFTER = re.compile(
+    rf"{_LIST}(?:(?:an?|any|some|all|both|fixed|given|arbitrary|real|real and) )*"
+    rf"{_SIGN}{_NUMBERS}[\s~]*(?=[.,;:]|and\b|\Z)"
+    r"(?!,?\s*(?:or|if|iff|when|whenever|only|unless|except|but|and not)\b)",
+)
+_NEITHER = re.compile(r"\b(?:neither|nor|not|no)[\s~]*\Z", re.IGNORECASE)
+_SYMBOL = r"(?:\\[a-zA-Z]+|[a-zA-Z])(?:_\w)?"
+_SYMBOLS = re.compile(rf"\s*{_SYMBOL}(?:\s*,\s*{_SYMBOL})*\s*")
+_NARROWED = re.compile(
+    r"\bfor (?:all|every|any|each)\b[^.]*?(?:\$|\\\)|numbers?|values?|reals?)\s*,?\s*"
+    r"(?:that|which|whose|but|except|not|other|outside|away|near|close|sufficiently)\b",
+    re.IGNORECASE,
+)
 _PARITY = re.compile(r"\b(?:odd|even)\b[^.$]*\Z", re.IGNORECASE)
 _HALVED = re.compile(r"\s*[a-zA-Z]\s*=\s*2\s*[a-zA-Z]\s*(?:[+-]\s*1\s*)?")
 _ANEW_BEFORE = re.compile(r"\b(?:real|all|any|every|each|arbitrary)\b[^.,;:$]*\Z", re.IGNORECASE)
@@ -144,6 +166,11 @@ def is_universal(before: str, after: str) -> bool:
     )
 
 
+def is_narrowed(before: str) -> bool:
+    """Whether "for all $x$" goes on in words that narrow it, and that no reader takes in."""
+    return bool(_NARROWED.search(last_sentence(before)))
+
+
 def is_of_signs(text: str) -> bool:
     """Whether it tells conditions of the upper and the lower of two signs, which are no one's."""
     return bool(re.search(r"\bupper\b.*\blower\b|\blower\b.*\bupper\b", text, re.DOTALL))
@@ -166,6 +193,10 @@ def inline(text: str) -> Iterator[Inline]:
                     bool(_TOLD.search(words)),
                 )
             tex, rest = found[1] or found[2], sentence[found.end() :]
+            signed = _signed(tex, words, rest)
+            if signed:  # spoken of anew, and then under its condition
+                yield Inline(tex, *marks, anew=anew)
+                tex, anew = signed, False
             alone = not _RELATION.search(tex)
             told = alone and (anew or bool(_ANEW_AFTER.match(rest[:200])))
             if not alone and _is_no_condition(words, rest):
@@ -176,6 +207,24 @@ def inline(text: str) -> Iterator[Inline]:
             whole = "Z" if halved else _whole(words, rest, alone)
             yield Inline(tex, *marks, whole, told)
             start, carried = found.end(), marks
+
+
+def _signed(tex: str, before: str, after: str) -> str:
+    """The condition that words around symbols state of their signs; empty where they state none.
+
+    What is said behind a list is said of all in it only where that is of many.
+    """
+    if not _SYMBOLS.fullmatch(tex) or _NEITHER.search(before):
+        return ""
+    found, kind = _SIGN_BEFORE.search(before[-60:]), 1
+    if found is None:
+        found, kind = _SIGN_AFTER.match(after[:200]), 2
+        if found and found[1].strip() and not re.search(r"\b(?:are|be|being)\b", found[0]):
+            return ""
+    if found is None:
+        return ""
+    relation = _SIGNED[found[kind].replace("-", "").lower()]
+    return ", ".join(f"{name.strip()} {relation}" for name in tex.split(","))
 
 
 def _is_no_condition(before: str, after: str) -> bool:
