@@ -26,7 +26,7 @@ from typing import Any, TypeAlias
 
 from flint import fmpq
 
-from tresym.reals.numbers.exact import InputError, as_rational, fraction_text
+from tresym.reals.numbers.exact import InputError, exact_number, fraction_text
 
 Number: TypeAlias = int | Fraction | fmpq
 
@@ -145,9 +145,6 @@ class Expr:
     def __neg__(self) -> Expr:
         return multiply(MINUS_ONE, self)
 
-    def __pos__(self) -> Expr:
-        return self
-
     def __abs__(self) -> Expr:
         return apply("abs", self)
 
@@ -173,7 +170,7 @@ def as_expr(x: Expr | Number) -> Expr:
 
 def number(x: Number) -> Expr:
     """An exact rational number."""
-    value = as_rational(x)
+    value = exact_number(x)
     if value.p.bit_length() > MAX_BITS or value.q.bit_length() > MAX_BITS:
         raise InputError("a number in the expression is too long: at most 12 000 digits")
     return Expr("number", (value,))
