@@ -97,7 +97,6 @@ FALSE = [
     "log(1 + x) == sum((-1)**(n - 1)*x**n/n, n, 1, oo) given 0 < x < 3",
     "log(1 + x) == sum((-1)**(n - 1)*x**n/n, n, 1, oo) given x > 1",
     "log(x) == sum(((x - 1)/x)**k/k, k, 1, oo) given x > 1/4",
-    "log((1 + x)/(1 - x)) == 2*sum(x**(2*k + 1)/(2*k + 1), k, 0, oo) given -3/2 < x < 3/2",
     "atan(x) == sum((-1)**k*x**(2*k + 1)/(2*k + 1), k, 0, oo) given abs(x) < 2",
     "atan(x) == sum((-1)**k*x**(2*k + 1)/(2*k + 1), k, 0, oo) given x > 0",
     "1/(1 - x) == sum(x**n, n, 0, oo) given x != 1",
@@ -110,6 +109,11 @@ FALSE = [
     "1/(1 + x**2) == sum((-1)**n*x**(2*n), n, 0, oo) given abs(x) <= 1",
     "1/(1 - x) == sum(x**n, n, 0, oo) given -1 <= x < 1",
     "1/(1 + x)**2 == sum((-1)**n*(n + 1)*x**n, n, 0, oo) given -1 < x <= 1",
+    # numbers whose series diverges
+    "10 == sum(1/k, k, 1, oo)",
+    "1/2 == sum((-1)**k, k, 0, oo)",
+    "5 == sum(2**k/k**5, k, 1, oo)",
+    "5 == sum(factorial(k)/2**k, k, 1, oo)",
 ]
 NEVER = [
     # what is said of a range that it does not have, without a condition or with none that is shown
@@ -125,6 +129,15 @@ NEVER = [
     "exp(x) == sum(x**n/factorial(n), n, 0, oo) given x > 1, x < 0",
     "exp(x) < sum(x**n/factorial(n), n, 0, oo)",
 ]
+NOWHERE_FALSE = [
+    # it diverges where the other side is not defined, or where all of its terms are 0
+    "log((1 + x)/(1 - x)) == 2*sum(x**(2*k + 1)/(2*k + 1), k, 0, oo) given -3/2 < x < 3/2",
+    "log(1 - x) == -sum(x**k/k, k, 1, oo) given x >= -1",
+    "0 == sum(0*factorial(k), k, 0, oo)",
+    "0*x == sum(0*x**k, k, 0, oo) given -2 < x < 2",
+    "0*x == sum(0*x**k, k, 0, oo) given -1 <= x <= 1",
+    "log(0) == sum(1/k, k, 1, oo)",
+]
 
 
 @pytest.mark.parametrize("claim", HOLD)
@@ -136,12 +149,28 @@ def test_series_that_hold(claim: str) -> None:
 def test_series_that_are_false(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is Verdict.REFUTED
-    assert answer.witness
+    assert answer.witness is not None
 
 
 @pytest.mark.parametrize("claim", NEVER)
 def test_series_that_are_not_proved(claim: str) -> None:
     assert tresym.check(claim).verdict in (Verdict.UNDECIDED, Verdict.REFUTED)
+
+
+@pytest.mark.parametrize("claim", NOWHERE_FALSE)
+def test_what_is_no_witness_refutes_nothing(claim: str) -> None:
+    assert tresym.check(claim).verdict is not Verdict.REFUTED
+
+
+def test_the_values_shown_are_those_of_the_two_sides() -> None:
+    for claim, left, right in (
+        ("25 == sum(k**3/2**k, k, 1, oo)", 25, 26),
+        ("sum(k**3/2**k, k, 1, oo) == 25", 26, 25),
+    ):
+        values = tresym.check(claim).values
+        assert values is not None
+        assert [round(float(ball.mid)) for ball in values] == [left, right]
+    assert tresym.check("2*sum(k**3/2**k, k, 1, oo) == 50").values is None
 
 
 def test_the_range_is_part_of_the_claim() -> None:

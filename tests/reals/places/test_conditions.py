@@ -215,3 +215,18 @@ def test_why_is_one_sentence() -> None:
         why = decide(parse(left), parse(right)).why
         assert why
         assert "\n" not in why
+
+
+BOUNDS = ["abs(x) < 3/2", "2 >= abs(x - 1)", "abs(x) < -1", "log(x) < 0", "log(x) >= 1/2"]
+BOUNDS += ["0 > log(log(x))", "abs(log(x)) <= 1", "1 < log(x**2)", "abs(x) > 1", "log(x) != 0"]
+
+
+@pytest.mark.parametrize("text", BOUNDS)
+def test_bounds_of_sizes_and_logarithms_unfold_to_the_same_points(text: str) -> None:
+    given = Given.parse(text)
+    unfolded = given.unfolded()
+    for n in range(-60, 61):
+        point = {"x": fmpq(n, 17)}
+        with ball_precision():
+            before, after = (all(c.holds(point) for c in g.conditions) for g in (given, unfolded))
+        assert before == after

@@ -290,11 +290,26 @@ def out_of_range(s: Series, given: Given) -> str:
         if found == "+":
             continue
         even = side > 0 or s.step % 2 == 0
+        if found == "-" and not symbols(s.u):
+            return "it diverges"
         if found not in ("0", ">=0"):
             return f"it converges where abs({s.u}) < {radius}: the conditions must say so"
         if not s.converges(bool((s.rate or 0) > 0) == even):
-            return f"it is not shown to converge where {s.u} is {radius * side}"
+            where = f" where {s.u} is {radius * side}" if symbols(s.u) else ""
+            return f"it diverges{where}"
     return ""
+
+
+def diverges(s: Series) -> bool:
+    """Whether a series of numbers is shown to have no sum, unless all of its terms are 0."""
+    return not symbols(s.u) | symbols(s.head) and out_of_range(s, Given()) == "it diverges"
+
+
+def has_terms(s: Series, at: dict[str, fmpq]) -> bool:
+    """Whether what stands before all of its terms is shown not to be 0."""
+    with ball_precision():
+        head = evaluate(s.head, at)
+    return bool(head > 0 or head < 0)
 
 
 def size_of(e: Expr) -> Expr:

@@ -42,7 +42,7 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
         if side is not None:
             found = decide_power_series(side, nodes[0], statement.given)
             if found or found.verdict is Verdict.REFUTED:
-                return found
+                return _as_claimed(found, claim, nodes[0])
     known: dict[Expr, Quoted] = {}
     others = [claim.left, claim.right]
     for node in dict.fromkeys(nodes):
@@ -54,6 +54,13 @@ def decide_infinite(claim: Comparison, statement: Statement, decided: Decide) ->
             return answer if found is None or answer.verdict is not Verdict.UNDECIDED else found
         known[node] = form
     return with_values(claim, statement, known, decided)
+
+
+def _as_claimed(found: Answer, claim: Comparison, series: Expr) -> Answer:
+    """Values of an elementary side and of a series as those of the two sides of the claim."""
+    if found.values is None or claim.right == series:
+        return found
+    return replace(found, values=found.values[::-1] if claim.left == series else None)
 
 
 def with_values(

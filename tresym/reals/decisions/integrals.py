@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from itertools import chain, pairwise
 from typing import NamedTuple
 
@@ -23,7 +24,7 @@ from flint import arb, fmpq
 
 from tresym.reals.decisions.answer import Answer, Decide, refuted
 from tresym.reals.decisions.approach import limit_of
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide, shown
 from tresym.reals.decisions.reading import Comparison, Statement, functions
 from tresym.reals.decisions.simple import simple_points
 from tresym.reals.decisions.standard import standard
@@ -99,14 +100,14 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     try:
         sides = [_without(side, given, work) for side in (claim.left, claim.right)]
     except _OpenError as error:
-        return Answer(Verdict.UNDECIDED, str(error))
+        found = _at_parameters(claim, statement, decided)
+        return Answer(Verdict.UNDECIDED, str(error)) if found is None else found
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
     said = "; ".join(dict.fromkeys(work.notes))
     if any(side in (INFINITY, MINUS_INFINITY) for side in sides):
-        names = sorted(symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]})
-        at = simple_points(names, statement.given, 1, statement.integers)
-        return _infinite(claim.relation, sides, said, at[0] if at else None)
+        points = simple_points(_parameters(claim), given, PARAMETERS, statement.integers)
+        return _infinite(claim.relation, sides, said, points)
     if any(INFINITY.args[0] in symbols(side) for side in sides):
         return Answer(Verdict.UNDECIDED, f"an infinite value stands in a sum or product; {said}")
     plain = replace(statement, given=given)
@@ -123,13 +124,38 @@ def _where_defined(claim: Comparison, given: Given) -> Given:
     return given & Given(tuple(bound(*part) for part in free))
 
 
-def _infinite(relation: str, sides: list[Expr], said: str, at: dict[str, fmpq] | None) -> Answer:
+def _infinite(relation: str, sides: list[Expr], said: str, points: list[dict[str, fmpq]]) -> Answer:
     """The comparison of values of which one is infinite wherever the conditions hold."""
-    if relation != "==" or at is None:
+    if relation != "==" or not points:
         return Answer(Verdict.UNDECIDED, f"{said}; a value that is infinite is claimed by ==")
     if sides[0] == sides[1]:
         return Answer(Verdict.PROVED, said)
-    return refuted(said, at)
+    finite = [side for side in sides if not _ends(side)]
+    for at in points:
+        with ball_precision():
+            if all(evaluate(side, at).is_finite() for side in finite):
+                return refuted(said, at)
+    return Answer(Verdict.UNDECIDED, f"{said}; the other side was found to be defined nowhere")
+
+
+def _at_parameters(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
+    """A refutation at simple values of the parameters, each integral worked out there."""
+    names = _parameters(claim)
+    if not names or claim.derivatives:
+        return None
+    for at in simple_points(names, statement.given, PARAMETERS, statement.integers):
+        put_in = partial(substitute, mapping={name: number(value) for name, value in at.items()})
+        fixed = replace(statement.mapped(put_in), given=Given(), integers=())
+        found = decide_integrals(claim.mapped(put_in), fixed, decided)
+        if found.verdict is Verdict.REFUTED:
+            witness = refuted("", at).witness
+            return replace(found, why=f"at {shown(at)}: {found.why}", witness=witness)
+    return None
+
+
+def _parameters(claim: Comparison) -> list[str]:
+    """The free symbols of both sides that are no infinite end."""
+    return sorted((symbols(claim.left) | symbols(claim.right)) - {str(INFINITY.args[0])})
 
 
 # By an antiderivative
@@ -387,10 +413,10 @@ def _without_corners(e: Expr, given: Given) -> Expr:
 def _by_quadrature(claim: Comparison, statement: Statement) -> Answer | None:
     """A refutation at simple values of the parameters; without any also a proof of a bound."""
     sides = claim.left, claim.right
-    names = sorted(symbols(sides[0]) | symbols(sides[1]))
+    names = _parameters(claim)
     nodes = list(outermost(*sides))
     if (
-        INFINITY.args[0] in names
+        any(INFINITY.args[0] in symbols(side) for side in sides)
         or claim.derivatives
         or not all(elementary(*n.args) for n in nodes)
     ):

@@ -29,6 +29,8 @@ from tresym.reals.decisions.hypergeometric import (
     K,
     OpenError,
     Series,
+    diverges,
+    has_terms,
     out_of_range,
     radius_of,
     series_of,
@@ -67,7 +69,6 @@ from tresym.reals.verdict import Verdict
 POLES = 4
 """Up to which power of y is multiplied with, where a side has a singularity that is removable."""
 POINTS = 6
-APART = "partial sums, with a bound of the rest, have them apart"
 APART = "partial sums, with a bound of the rest, have them apart"
 
 
@@ -267,11 +268,15 @@ def _at_points(side: Expr, s: Series, given: Given) -> Answer | None:
             value, total = evaluate(side, at), summed(s, at)
         if total is not None and value.is_finite() and not value.overlaps(total):
             return refuted(APART, at, value, total)
+        if value.is_finite() and diverges(s) and has_terms(s, at):
+            return refuted("the series diverges", at)
     if symbols(s.u) & given.names:  # else its range is not said at all
         radius = radius_of(s)
         far = () if radius is None else ((apply("abs", s.u), ">", radius),)
-        for at in (given & Given(far)).points(names, 1) if far else ():
-            return refuted(f"the series diverges where abs({s.u}) > {radius}", at)
+        for at in (given & Given(far)).points(names, POINTS) if far else ():
+            with ball_precision():
+                if evaluate(side, at).is_finite() and has_terms(s, at):
+                    return refuted(f"the series diverges where abs({s.u}) > {radius}", at)
     return _at_ends(side, s, given)
 
 
@@ -294,7 +299,7 @@ def _at_ends(side: Expr, s: Series, given: Given) -> Answer | None:
             at = {x: point}
             with ball_precision():
                 ball = {x: evaluate(point, {})}
-                if not evaluate(side, ball).is_finite():
+                if not evaluate(side, ball).is_finite() or not has_terms(s, ball):
                     continue
             if equal_at(substitute(s.u, at), sided * radius, {}) and all(
                 _holds_at(c.expression, c.relation, at) for c in given.conditions

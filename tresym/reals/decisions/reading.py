@@ -263,7 +263,7 @@ def _read_again(shown: str) -> _Written:
 def _stated(written: _Written, shown: str, text: str) -> Statement:
     """What is decided of what is written."""
     parts, said, path = written
-    given = Given(tuple(link for link in said if link[1] not in ("==", "in")))
+    given = Given(tuple(link for link in said if link[1] not in ("==", "in"))).unfolded()
     equations = tuple((left, right) for left, relation, right in said if relation == "==")
     closed = sum(relation in (">=", "<=") for _, relation, _ in said) > 1
     equations += tuple(

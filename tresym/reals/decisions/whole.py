@@ -251,12 +251,12 @@ def _beyond(claim: Comparison, statement: Statement, name: str, decided: Decide)
     """The claim at each small integer, and for all real values beyond them."""
     n = symbol(name)
     plain = replace(statement, integers=())
-    answers = []
+    near, far = [], []
     for value in range(-SMALL, SMALL + 1):
         at = {name: number(value)}
         given = _given_at(plain.given, at)
         if given is not None:
-            answers.append(
+            near.append(
                 decided(claim.mapped(partial(substitute, mapping=at)), replace(plain, given=given))
             )
         elif _may_hold(plain.given, at):
@@ -266,10 +266,13 @@ def _beyond(claim: Comparison, statement: Statement, name: str, decided: Decide)
         low, high = inside.given.box[name][:2]
         if low is not None and high is not None and low > high:
             continue
-        answers.append(_by_residues(claim, inside, [name], decided))
+        far.append(_by_residues(claim, inside, [name], decided))
+    answers = near + far
     if not answers or not all(answers):
         return None
-    return worst(answers)
+    said = [f"one by one up to {SMALL} in size"] if near else []
+    said += [f"beyond, {worst(far).why}"] if far else []
+    return replace(worst(answers), why="; ".join(said))
 
 
 def _may_hold(given: Given, at: dict[str, Expr]) -> bool:

@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.language.expression import PI, Expr, number, symbol, symbols
+from tresym.reals.language.expression import ONE, PI, ZERO, Expr, apply, number, symbol, symbols
 from tresym.reals.language.formula import MIRRORED
 from tresym.reals.language.parsing import NO_DERIVATIVE, parse_conditions
 from tresym.reals.language.sympy import RELATIONS, atoms, from_sympy
@@ -85,6 +85,10 @@ class Given:
             elif name != "BooleanTrue":
                 raise InputError(f"{shortened(str(item))} is not a condition such as a > 0")
         return Given(tuple(result))
+
+    def unfolded(self) -> Given:
+        """The same, with bounds of ``|u|`` and of ``log u`` by constants as bounds of ``u``."""
+        return Given(tuple(link for part in self.comparisons for link in _unfolded(part)))
 
     def mapped(self, change: Callable[[Expr], Expr]) -> Given:
         """The conditions with changed sides."""
@@ -240,6 +244,24 @@ def _tighten(box: dict[str, Interval], side: Expr, relation: str, bound: Expr) -
     above = relation in (">", ">=")
     half = Interval(low, None, is_open) if above else Interval(None, high, False, is_open)
     box[side.args[0]] = box.get(side.args[0], Interval()) & half
+
+
+def _unfolded(link: tuple[Expr, str, Expr]) -> Iterator[tuple[Expr, str, Expr]]:
+    left, sign, right = link
+    for side, relation, bound in ((left, sign, right), (right, MIRRORED[sign], left)):
+        if symbols(bound) or side.op not in ("abs", "log") or not symbols(side):
+            continue
+        inner = side.args[0]
+        if side.op == "abs" and relation in ("<", "<="):
+            yield from _unfolded((inner, relation, bound))
+            yield from _unfolded((inner, MIRRORED[relation], -bound))
+            return
+        if side.op == "log" and relation != "!=":
+            if relation in ("<", "<="):
+                yield from _unfolded((inner, ">", ZERO))
+            yield from _unfolded((inner, relation, ONE if bound == ZERO else apply("exp", bound)))
+            return
+    yield link
 
 
 def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool = False) -> None:

@@ -109,6 +109,8 @@ def analytic_of(node: Expr) -> list[tuple[Expr, str]]:
 
 def bound(e: Expr, relation: str) -> tuple[Expr, str, Expr]:
     """``e relation 0``, written as a bound of one symbol where ``e`` is affine in it alone."""
+    if e.op == "abs" and relation in (">", "!="):
+        return bound(e.args[0], "!=")
     names = sorted(symbols(e))
     if len(names) == 1 and e.op in ("+", "*", "symbol"):
         name = names[0]
