@@ -8,17 +8,15 @@ trees and the decision procedures that a violation is to contradict, nor with th
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, reduce
-from itertools import pairwise
+from functools import lru_cache
+from itertools import islice, pairwise
 from time import process_time
 from typing import Any
 
-from flint import acb, arb, ctx, fmpq
+from flint import arb, fmpq
 from sympy import (
-    Add,
     Basic,
     Derivative,
     Eq,
@@ -26,26 +24,21 @@ from sympy import (
     Integer,
     Integral,
     MatrixBase,
-    Mul,
-    NumberSymbol,
-    Pow,
-    Rational,
     Subs,
     Symbol,
     Tuple,
-    exp,
     false,
 )
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import Claim, equal, parts_of
+from tresym.ledger.kept import Kept
 from tresym.ledger.meaning import MAX_PASSES, CircularError, tree
+from tresym.ledger.walked import At, differentiated, value
 from tresym.reals import advocate
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import generalised
-from tresym.reals.language.expression import FUNCTIONS
-from tresym.reals.limit import held
-from tresym.reals.numbers.arithmetic import ball_precision
+from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval, fraction_text
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import Range
@@ -53,10 +46,8 @@ from tresym.reals.verdict import Verdict
 
 Conditions = tuple[Basic, ...]
 Rules = dict[Basic, Basic]
-Values = Mapping[Symbol, Any]
 Place = Mapping[Symbol, Interval]
 """Exact values, or tiny segments."""
-Program = Callable[["At"], Any]
 
 BITS, ROUGH = 128, 64
 POINTS = 40
@@ -71,12 +62,8 @@ SPAN, GRID = fmpq(8), 16
 """Where a root is looked for along an unbounded coordinate, and in how many steps."""
 PARAMETERS, CELLS = 2, 256
 """Points tried, and cells cut, to show an interval without a root."""
-EVALUATIONS = 120
-"""How far an integral is refined."""
 LARGE = 400
 """Parts of the largest expression that symbols are replaced in."""
-NODES = 1 << 15
-"""Expressions kept in the form in which balls walk over them."""
 COARSE = 32
 """Bits with which signs on the grid are told."""
 FINEST = 3**20
@@ -158,7 +145,7 @@ def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> 
         world = _world(given, there)
         points = _points(world, world.names(*relation.args))
         for bits, count in LOOKS:
-            for place in points[:count]:
+            for place in points.first(count):
                 with ball_precision(bits):
                     left, right = world.values(relation.args, place)
                     if excluded(left - right, relation.rel_op):
@@ -213,7 +200,7 @@ def rootless(
 ) -> Violation | None:
     """A point under ``given`` at which balls show ``function`` without root between ``ends``."""
     names = _names(function, *ends) - {variable}
-    for place in _points(_world(given, ()), names)[:PARAMETERS]:
+    for place in _points(_world(given, ()), names).first(PARAMETERS):
         with ball_precision(BITS):
             here = At({s: i.ball() for s, i in place.items()})
             low, high = (value(end, here) for end in ends)
@@ -221,7 +208,7 @@ def rootless(
                 (low + (high - low) * n / CELLS).union(low + (high - low) * (n + 1) / CELLS)
                 for n in range(CELLS)
             ]
-            sides = {_side(value(function, At({variable: cell}, outer=here))) for cell in cells}
+            sides = {side(value(function, At({variable: cell}, outer=here))) for cell in cells}
         if sides in ({1}, {-1}):
             return _violated_at(place)
     return None
@@ -235,9 +222,9 @@ def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple
     world, rules = _world(given, known), {}
     spoken_of = _names(*given)
     for left, right in world.rules:
-        done = _differentiated(right) if isinstance(right, Derivative) else right
+        done = differentiated(right) if isinstance(right, Derivative) else right
         rules[left] = right if left not in spoken_of or done.has(Integral) else done
-    return rules, _points(world, world.names(*rules.values()), enough=1)
+    return rules, tuple(_points(world, world.names(*rules.values()), enough=1))
 
 
 def excluded(difference: arb, relation: str) -> bool:
@@ -377,10 +364,10 @@ def _solved(
 @lru_cache(maxsize=512)
 def _points(
     world: World, names: frozenset[Symbol], enough: int = ROOTS
-) -> tuple[dict[Symbol, Interval], ...]:
+) -> Kept[dict[Symbol, Interval]]:
     """Points, or tiny segments, on which every condition and equation holds somewhere."""
     if len(world.implicit) > 1 or false in world.conditions:
-        return ()
+        return Kept(lambda: iter(()))
     symbols, plain, hard = _parts(world, names)
 
     def starts() -> Iterator[dict[Symbol, Interval]]:
@@ -393,15 +380,21 @@ def _points(
                 yield exact
 
     if not world.implicit:
-        return tuple(starts())
+        return Kept(starts)
     found: list[dict[Symbol, Interval]] = []
     for grid in _grids(world):
-        found = []
-        for exact in starts():
-            found += _on_equation(world, exact, grid)
-            if len(found) >= enough:
-                return tuple(found)
-    return tuple(found)
+        found = [*_roots(world, starts(), grid, enough)]
+        if len(found) >= enough:
+            break
+    return Kept(lambda: iter(found))
+
+
+def _roots(
+    world: World, starts: Iterator[dict[Symbol, Interval]], grid: Sequence[int], enough: int
+) -> Iterator[dict[Symbol, Interval]]:
+    """At most so many segments across the implicit equation."""
+    segments = (segment for exact in starts for segment in _on_equation(world, exact, grid))
+    return islice(segments, enough)
 
 
 def _places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Interval] | None]:
@@ -482,7 +475,7 @@ def _reach(where: Range) -> tuple[fmpq, fmpq]:
 def _segment(function: Callable[[fmpq], arb], grid: Sequence[fmpq]) -> Interval | None:
     """A tiny segment at whose ends ``function`` has opposite signs, between two on ``grid``."""
     with ball_precision(COARSE):
-        signed = [(v, s) for v in grid if (s := _side(function(v)))]
+        signed = [(v, s) for v in grid if (s := side(function(v)))]
     changes = [(v, w) for (v, first), (w, second) in pairwise(signed) if first != second]
     return next(filter(None, (_narrowed(function, *ends) for ends in changes)), None)
 
@@ -501,9 +494,9 @@ def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interv
             if not start < v < end:
                 continue
             found = function(v)
-            if not _side(found):
+            if not side(found):
                 return None
-            if _side(found) == _side(first):
+            if side(found) == side(first):
                 start, first = v, found
             else:
                 end, last = v, found
@@ -512,190 +505,9 @@ def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interv
     return Interval(start, end)
 
 
-def _side(x: arb) -> int:
-    return 1 if x > 0 else -1 if x < 0 else 0
-
-
 def _holds(condition: Basic, here: At) -> bool:
     """Whether balls show an inequality, strictly."""
     difference = value(condition.lhs, here) - value(condition.rhs, here)
     if condition.rel_op == "!=":
-        return _side(difference) != 0
+        return bool(side(difference))
     return bool(difference > 0 if condition.rel_op in (">", ">=") else difference < 0)
-
-
-# Balls over SymPy expressions
-
-
-NO_RULES: dict[Symbol, Basic] = {}
-
-
-class At:
-    """A point, and the balls that are known there: each part of an expression is met once.
-
-    Attributes:
-        values: symbols to real or complex balls.
-        analytic: for integrands: not finite, too, where a part is not shown to be analytic.
-        outer: where all other symbols have their values.
-        rules: what symbols without a value stand for, where nothing is outside.
-    """
-
-    __slots__ = ("analytic", "known", "outer", "rules", "values")
-
-    def __init__(
-        self,
-        values: Values,
-        analytic: bool = False,
-        outer: At | None = None,
-        rules: Mapping[Symbol, Basic] = NO_RULES,
-    ) -> None:
-        self.values, self.analytic, self.outer, self.rules = values, analytic, outer, rules
-        self.known: dict[_Node, Any] = {}
-
-    def of(self, name: Symbol) -> Any:
-        """What a symbol comes to."""
-        return self.values[name] if name in self.values else value(self.rules[name], self)
-
-
-class _Node:
-    """An expression as a function of a point, made once: integrands are met thousands of times."""
-
-    __slots__ = ("compute", "names")
-
-    def __init__(self, names: Iterable[Basic], compute: Program) -> None:
-        self.names, self.compute = frozenset(names), compute
-
-    def __call__(self, at: At) -> Any:
-        while at.outer is not None and self.names.isdisjoint(at.values):
-            at = at.outer
-        found = at.known.get(self)
-        if found is None:
-            found = at.known[self] = self.compute(at)
-        return found
-
-
-def value(e: Basic, point: Values | At, analytic: bool = False) -> Any:
-    """A ball that contains ``e`` at ``point``; not finite where ``e`` is not shown to be defined.
-
-    Args:
-        point: symbols to real or complex balls, or a place at which some balls are known.
-        analytic: for integrands: not finite, too, where ``e`` is not shown to be analytic.
-    """
-    return _node(e)(point if isinstance(point, At) else At(point, analytic))
-
-
-@lru_cache(maxsize=NODES)
-def _node(e: Basic) -> _Node:
-    match e:
-        case Symbol():
-            return _Node((e,), lambda at: at.of(e))
-        case Rational():
-            exact = fmpq(int(e.p), int(e.q))
-            return _Node((), lambda at: arb(exact))
-        case NumberSymbol():
-            constant = {"pi": arb.pi, "E": arb.const_e}[str(e)]
-            return _Node((), lambda at: constant())
-        case Add() | Mul():
-            return _fold(operator.add if isinstance(e, Add) else operator.mul, e.args)
-        case exp():
-            argument = _node(e.args[0])
-            return _Node(argument.names, lambda at: argument(at).exp())
-        case Pow():
-            return _power(_node(e.base), e.exp)
-        case Derivative():
-            return _node(_differentiated(e))
-        case Subs():
-            return _substituted(e)
-        case Integral() if len(e.limits) == 1 and len(e.limits[0]) == 3:
-            return _integral(e)
-        case _ if len(e.args) == 1 and (name := e.func.__name__) in (*FUNCTIONS, "Abs"):
-            x = _node(e.args[0])
-            return _Node(x.names, lambda at: _function(name, x(at), at.analytic))
-        case _:
-            return _Node((), lambda at: arb.nan())
-
-
-def _fold(combine: Callable[[Any, Any], Any], arguments: tuple[Basic, ...]) -> _Node:
-    parts = [_node(argument) for argument in arguments]
-    names = frozenset().union(*(part.names for part in parts))
-    return _Node(names, lambda at: reduce(combine, (part(at) for part in parts)))
-
-
-def _substituted(e: Subs) -> _Node:
-    inner, points = _node(e.expr), [_node(p) for p in e.point]
-
-    def compute(at: At) -> Any:
-        values = [point(at) for point in points]
-        return inner(At(dict(zip(e.variables, values, strict=True)), at.analytic, at))
-
-    return _Node((inner.names - {*e.variables}).union(*(p.names for p in points)), compute)
-
-
-def _differentiated(e: Derivative) -> Basic:
-    """The derivative by SymPy's rules: Leibniz's for integrals, which stay unevaluated."""
-    found = e.expr
-    for variable in e.variables:
-        found = found.diff(variable)
-    return found
-
-
-def _power(base: _Node, exponent: Basic) -> _Node:
-    if not isinstance(exponent, Rational):
-        power = _node(exponent)
-        return _Node(
-            base.names | power.names,
-            lambda at: _general_power(base(at), power(at), at.analytic),
-        )
-    p, q = int(exponent.p), int(exponent.q)
-    return _Node(base.names, lambda at: _rational_power(base(at), p, q, at.analytic))
-
-
-def _rational_power(base: Any, p: int, q: int, analytic: bool) -> Any:
-    if q > 1:
-        if isinstance(base, acb):
-            return base.pow(acb(fmpq(p, q)), analytic)
-        if not base >= 0:
-            return arb.nan()
-        base = base.root(q)
-    return arb.nan() if p < 0 and base.contains(0) else base**p
-
-
-def _general_power(base: Any, power: Any, analytic: bool) -> Any:
-    if isinstance(base, acb) or isinstance(power, acb):
-        return acb(base).pow(acb(power), analytic)
-    return (base.log() * power).exp() if base > 0 else arb.nan()
-
-
-def _function(name: str, x: Any, analytic: bool) -> Any:
-    if name == "Abs":
-        return abs(x) if isinstance(x, arb) else x.real_abs(analytic)
-    if name == "sign":
-        if isinstance(x, acb):
-            return x.real_sgn(analytic)
-        side = _side(x)
-        return arb(side) if side else arb.nan()
-    if analytic and isinstance(x, acb) and name in ("log", "asin", "acos", "atanh", "acosh"):
-        return x.log(analytic) if name == "log" else acb(arb.nan())
-    return getattr(x, name)()
-
-
-def _integral(e: Integral) -> _Node:
-    """A proper integral over one variable, enclosed; widely where it is hard."""
-    variable, *ends = e.limits[0]
-    function, (first, last) = _node(e.function), map(_node, ends)
-
-    def compute(at: At) -> arb:
-        start, end = first(at), last(at)
-        if not (start.is_finite() and end.is_finite()):
-            return arb.nan()
-
-        def integrand(z: acb, analytic: bool) -> acb:
-            return acb(function(At({variable: z}, analytic, at)))
-
-        tolerance = arb(2) ** -min(48, ctx.prec // 2 + 8)
-        fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": EVALUATIONS}
-        with held():
-            found = acb.integral(integrand, acb(start), acb(end), **fine)
-        return found.real if found.imag.contains(0) else arb.nan()
-
-    return _Node((function.names - {variable}) | first.names | last.names, compute)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import gc
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
@@ -20,6 +19,7 @@ from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.evaluated import Evaluated
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence
+from tresym.reals.limit import collecting_seldom
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.exact import InputError, quoted
 from tresym.reals.processes import Processes, checked_workers
@@ -212,7 +212,7 @@ def verify(
     asked, workers = _labels(labels), checked_workers(workers)
     found: dict[str, Finding] = {}
     rows = []
-    with _collecting_seldom():
+    with collecting_seldom(SELDOM):
         claims = paper.all_claims(asked)
         _need_coherent(claims)
         chosen, requested = _choose(claims, asked)
@@ -222,17 +222,6 @@ def verify(
             if on_row is not None:
                 on_row(rows[-1])
     return Report(tuple(rows))
-
-
-@contextmanager
-def _collecting_seldom() -> Iterator[None]:
-    """Inside, memory is seldom searched for circles: a ledger makes many terms and few circles."""
-    thresholds = gc.get_threshold()
-    gc.set_threshold(SELDOM, *thresholds[1:])
-    try:
-        yield
-    finally:
-        gc.set_threshold(*thresholds)
 
 
 def _labels(asked: Any) -> tuple[str, ...]:

@@ -1,7 +1,11 @@
-"""A limit on the processor time of a piece of work, kept by a signal of the operating system."""
+"""Limits on a piece of work: on its processor time, and on how often memory is searched in it.
+
+That of time is kept by a signal of the operating system.
+"""
 
 from __future__ import annotations
 
+import gc
 import signal
 import threading
 from collections.abc import Iterator
@@ -52,3 +56,14 @@ def time_limit(seconds: float, error: type[BaseException] = TimeUp) -> Iterator[
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.signal(signal.SIGPROF, before)
+
+
+@contextmanager
+def collecting_seldom(objects: int) -> Iterator[None]:
+    """Inside, memory is searched for circles after so many new objects: terms make few circles."""
+    thresholds = gc.get_threshold()
+    gc.set_threshold(max(objects, thresholds[0]) if thresholds[0] else 0, *thresholds[1:])
+    try:
+        yield
+    finally:
+        gc.set_threshold(*thresholds)

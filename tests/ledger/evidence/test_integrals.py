@@ -51,8 +51,8 @@ from tresym.ledger.reasons import (
     roots,
     substituting,
 )
-from tresym.ledger.second_look import value
 from tresym.ledger.statements import ExactlyOne
+from tresym.ledger.walked import value
 from tresym.reals.verdict import Verdict
 
 a, r, t, x, y = (Symbol(name, real=True) for name in "artxy")

@@ -26,8 +26,9 @@ from tresym.ledger.mutants.mutants import mutants, why_few
 from tresym.ledger.mutants.report import MutantReport, verify_mutants
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import roots, substituting, trigonometry
-from tresym.ledger.second_look import value, violation
+from tresym.ledger.second_look import violation
 from tresym.ledger.statements import ForSome, Rounds, order
+from tresym.ledger.walked import value
 from tresym.racket.notation import a, b
 from tresym.reals.verdict import Verdict
 

@@ -228,3 +228,8 @@ def test_an_integral_without_ends_is_a_claim_of_a_derivative() -> None:
     (comparison,) = other.comparisons
     assert comparison.right == parse("2*x")
     assert comparison.differentiated == (parse("-x + x**2"),)
+
+
+def test_conditions_with_a_side_in_common_go_on_in_one_direction_alone() -> None:
+    read_as = read("x == x", "x > 0, 0 < y, y < z").read_as
+    assert read_as == "x == x given x > 0, 0 < y < z"

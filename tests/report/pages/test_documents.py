@@ -68,6 +68,7 @@ def test_the_page_opens_with_the_four_that_matter_most(report: Report) -> None:
     assert "5. " not in opening
     for part in ("**Printed:**", "**Decided:**", "**True instead:**", "**Why:**", "**Evidence:**"):
         assert page.count(part) == 5
+    assert r"\dots" not in page  # long evidence ends between formulas, not inside one
 
 
 HEDGED = (

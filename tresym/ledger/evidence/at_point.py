@@ -15,8 +15,9 @@ from tresym.ledger.statements import AtMostOne, ExactlyOne, TheRoot
 from tresym.reals.language.binders import ordered
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import names
-from tresym.reals.places.unworked import At, Unique, value
-from tresym.reals.places.values import evaluate, stands
+from tresym.reals.numbers.arithmetic import side
+from tresym.reals.places.unworked import At, Unique, bracket, value
+from tresym.reals.places.values import UndefinedError, evaluate, stands
 
 Values = Mapping[str, fmpq | arb]
 
@@ -89,18 +90,22 @@ def unique_by(claims: Iterable[Claim]) -> Unique:
 
 
 def changing_sign(low: arb, high: arb, function: Callable[[arb], arb]) -> arb:
-    """A ball around the one place between two ends where a function changes its sign, by halving.
+    """A ball around the one place between two ends where a function changes its sign.
 
-    Not finite where its values at the ends do not differ in sign.
+    By secants and, where these meet no change of sign, by halving. Not finite where its values at
+    the ends do not differ in sign.
     """
-    start, end = function(low), function(high)
-    rising = bool(start < 0 < end)
-    if not (rising or start > 0 > end):
+    first = side(function(low))
+    if {first, side(function(high))} != {1, -1}:
         return arb.nan()
+    try:
+        return bracket(function, function, low, high)
+    except UndefinedError:
+        pass
     for _ in range(2 * ctx.prec):
         middle = ((low + high) / 2).mid()
-        value = function(middle)
-        if not (value > 0 or value < 0) or not low < middle < high:
+        found = side(function(middle))
+        if found is None or not low < middle < high:
             break
-        low, high = (low, middle) if (value > 0) is rising else (middle, high)
+        low, high = (middle, high) if found == first else (low, middle)
     return low.union(high)

@@ -21,8 +21,8 @@ from tresym.ledger.claim import Claim, Printed, equal, saying
 from tresym.ledger.evidence.asymptotics import Asymptotics, ordered, t
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.printed import number_of
-from tresym.ledger.second_look import value
 from tresym.ledger.statements import As, Rounds
+from tresym.ledger.walked import value
 from tresym.reals.balls.boxes import Bound, Box, BoxPoint, value_at
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, Interval, fraction_text, printed

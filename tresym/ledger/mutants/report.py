@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
 from dataclasses import dataclass, replace
 from functools import cache
-from itertools import count
 from time import process_time
 from typing import Any, NamedTuple
 
@@ -16,6 +15,7 @@ from tresym.ledger.claim import AllOf, Claim, Counterexample
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import judge, judge_evidence, seen_false
+from tresym.ledger.kept import Kept
 from tresym.ledger.mutants.mutants import Mutant, mutants, why_few
 from tresym.ledger.mutants.planted import planted
 from tresym.ledger.verification import JSON_VERSION, choose
@@ -183,26 +183,10 @@ def _row(
     )
 
 
-class _Made:
-    """Mutants that are made when they are first asked for, and kept."""
-
-    def __init__(self, source: Iterator[Mutant]) -> None:
-        self._source, self._kept = source, list[Mutant]()
-
-    def __iter__(self) -> Iterator[Mutant]:
-        for n in count():
-            while n >= len(self._kept):
-                found = next(self._source, None)
-                if found is None:
-                    return
-                self._kept.append(found)
-            yield self._kept[n]
-
-
 @cache
-def _mutants_of(claim: Claim, wanted: int, dependents: tuple[Claim, ...] = ()) -> _Made:
+def _mutants_of(claim: Claim, wanted: int, dependents: tuple[Claim, ...] = ()) -> Kept[Mutant]:
     """The mutants of a claim; conjunctions share those of their parts."""
-    return _Made(mutants(claim, wanted, dependents, lambda part: _mutants_of(part, wanted)))
+    return Kept(lambda: mutants(claim, wanted, dependents, lambda part: _mutants_of(part, wanted)))
 
 
 def _planted_row(claim: Claim) -> MutantRow:

@@ -7,9 +7,9 @@ is false: ``x**a >= 0``, ``(x**2)**a == x**(2*a)``.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from math import prod
 
 from flint import arb, fmpq
@@ -28,10 +28,10 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.normal.at_point import equal_at
-from tresym.reals.numbers.arithmetic import ball_precision, balls
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound, needs
-from tresym.reals.places.values import InBalls, UndefinedError, rational_power, real_power, stands
+from tresym.reals.places.values import Tape, rational_power, stands
 from tresym.reals.signs.sign import sign
 
 EXPONENTS = (*map(fmpq, (1, 2, 3, -1)), fmpq(1, 2), *map(fmpq, (-2, 0)), fmpq(1, 3))
@@ -58,7 +58,7 @@ def beyond_positive_bases(answer: Answer, claim: Comparison, statement: Statemen
     if not doubtful:
         return answer
     with ball_precision():
-        found = next(_against(claim, statement, doubtful), None)
+        found = next(_against(claim, statement, doubtful, asked), None)
     if found is not None:
         return found
     bases = ", ".join(sorted(map(str, doubtful)))
@@ -94,56 +94,63 @@ def _said_of(base: Expr, asked: Iterable[tuple[Expr, str]]) -> Given:
     return Given(tuple(bound(*part) for part in asked if symbols(part[0]) <= symbols(base)))
 
 
-def _against(claim: Comparison, statement: Statement, doubtful: set[Expr]) -> Iterator[Answer]:
+def _against(
+    claim: Comparison,
+    statement: Statement,
+    doubtful: Iterable[Expr],
+    asked: Iterable[tuple[Expr, str]],
+) -> Iterator[Answer]:
     """Refutations at points where a base in doubt is not positive."""
     sides = (claim.left, claim.right, *statement.said)
     raised = {name for _, exponent in _powers(sides) for name in symbols(exponent)}
     names = sorted(set().union(*map(symbols, sides)), key=lambda name: (name in raised, name))
-    tried = [EXPONENTS if name in raised else ELSEWHERE for name in names]
+    tried = [
+        [(x, arb(x)) for x in (EXPONENTS if name in raised else ELSEWHERE)]
+        for name in reversed(names)
+    ]
     count = prod(map(len, tried))
     some = (k * STRIDE % count for k in range(MOST)) if count > MOST else range(count)
-    equal = tuple((left, "==", right) for left, right in statement.equations)
-    links = [(e, relation, ZERO) for e, relation in _needs(claim)]
-    links += [*statement.given.comparisons, *equal]
+    links = [(e, relation) for e, relation in asked]
+    links += [(x - y, relation) for x, relation, y in statement.given.comparisons]
+    links += [(x - y, "==") for x, y in statement.equations]
+    at = cache(partial(_AtNumbers, names=names))
     for k in some:
-        point = {}
-        for name, values in zip(reversed(names), reversed(tried), strict=True):
+        digits = []
+        for values in tried:
             k, n = divmod(k, len(values))
-            point[name] = values[n]
+            digits.append(values[n])
+        exact, near = zip(*reversed(digits), strict=True)
+        point = dict(zip(names, exact, strict=True))
         if any(point[name].q != 1 for name in statement.integers if name in point):
             continue
-        at = _AtNumbers(balls, point)
-        if all(at.size(base) > 0 for base in doubtful):
+        if all(at(base)(near) > 0 for base in doubtful):
             continue
-        failing = next((link for link in links if not _holds(at, *link)), None)
+        failing = next(
+            (link for link in links if not _holds(at(link[0])(near), *link, point)), None
+        )
         if failing is None:
-            x, y = at.size(claim.left), at.size(claim.right)
+            x, y = at(claim.left)(near), at(claim.right)(near)
             if stands(x - y, NEGATED[claim.relation]):
                 yield refuted("the powers have values there too, and it fails", point, x, y)
         else:
             links.sort(key=lambda link: link is not failing)  # it may fail at the next point, too
 
 
-def _holds(at: _AtNumbers, left: Expr, relation: str, right: Expr) -> bool:
-    """Whether a condition is shown to hold."""
-    difference = at.size(left) - at.size(right)
+def _holds(difference: arb, e: Expr, relation: str, point: Mapping[str, fmpq]) -> bool:
+    """Whether ``e``, of which this is the ball at the point, is shown to stand so to zero."""
     if stands(difference, relation) or not difference.contains(0):
         return stands(difference, relation)
-    put_in = partial(substitute, mapping={name: number(x) for name, x in at.at.items()})
-    return relation in (">=", "<=") and equal_at(put_in(left), put_in(right), {})
+    if relation not in (">=", "<="):
+        return False
+    return equal_at(substitute(e, {name: number(x) for name, x in point.items()}), ZERO, {})
 
 
-class _AtNumbers(InBalls):
+class _AtNumbers(Tape):
     """Values in balls, where a power whose exponent is a number is that of the number."""
 
-    def size(self, e: Expr) -> arb:
-        """The value of ``e``, NaN where it has none."""
-        try:
-            return self.value(e)
-        except UndefinedError:
-            return arb.nan()
-
-    def _power(self, base: Expr, exponent: Expr) -> arb:
-        x, y = self.value(base), self.value(exponent)
+    @staticmethod
+    def _power(x: arb, y: arb) -> arb:
         r = y.fmpq() if y.is_exact() and abs(y) < MAX_POWER else None
-        return real_power(x, y) if r is None or r.q > MAX_POWER else rational_power(x, r)
+        if r is None or r.q > MAX_POWER:
+            return Tape._power(x, y)
+        return rational_power(x, r)

@@ -214,11 +214,13 @@ class _Written(NamedTuple):
 
 def chained(comparisons: Iterable[Compared]) -> str:
     """Comparisons in the grammar of text, ``0 < x <= 1`` for two with a side in common."""
-    text, last = "", None
+    text = ""
+    last: tuple[Expr | None, str] = (None, "")
     for left, relation, right in comparisons:
-        joint = "" if left is last else f"{', ' if text else ''}{left}"
+        goes_on = left is last[0] and relation[0] == last[1][0]
+        joint = "" if goes_on else f"{', ' if text else ''}{left}"
         text += f"{joint} integer" if relation == "in" else f"{joint} {relation} {right}"
-        last = right
+        last = right, relation
     return text
 
 

@@ -17,11 +17,14 @@ from tresym.reals.decisions.reading import Comparison, Statement, functions, rea
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols
 from tresym.reals.language.parsing import FACTORIAL, parse
+from tresym.reals.limit import collecting_seldom
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.jumps import cases_at_jumps, jumps, zeros
 from tresym.reals.verdict import Verdict
 
+SELDOM = 20_000
+"""New objects, a few megabytes of them, after which memory is searched for circles."""
 _LOOK_ALIKE = {
     "e": "the number is E",
     "Pi": "the number is pi",
@@ -40,8 +43,9 @@ def decide_claim(claim: Any, given: Any = "", path: str | None = None) -> Answer
         InputError: the claim is not read.
     """
     start = time.perf_counter()
-    statement = claim if isinstance(claim, Statement) else read(claim, given, path)
-    answers = [_everywhere(comparison, statement) for comparison in statement.comparisons]
+    with collecting_seldom(SELDOM):
+        statement = claim if isinstance(claim, Statement) else read(claim, given, path)
+        answers = [_everywhere(comparison, statement) for comparison in statement.comparisons]
     answer = worst(answers)
     if len(answers) > 1:
         broken = statement.comparisons[answers.index(answer)]

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Mapping
 from fractions import Fraction
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import count
 from typing import Any, TypeAlias
 
@@ -43,6 +43,8 @@ MAX_DEPTH = 120
 MAX_SIZE = 20_000
 MAX_BITS = 40_000
 MAX_POWER = 1_000
+REMEMBERED = 1 << 10
+"""Variables and whole numbers of which there is one object, so that few trees are compared."""
 MAX_DERIVATIVES = 10
 
 
@@ -76,8 +78,10 @@ class Expr:
             around = len(names)
             for arg in args:
                 size += arg.size
-                depth = max(depth, arg.depth + 1)
-                hidden = hidden or arg.hidden
+                if arg.depth >= depth:
+                    depth = arg.depth + 1
+                if arg.hidden:
+                    hidden = True
                 if arg.loose:
                     loose = max(loose, arg.loose - around)
                 around = 0  # only the first operand is under the variables
@@ -170,14 +174,24 @@ def as_expr(x: Expr | Number) -> Expr:
 
 def number(x: Number) -> Expr:
     """An exact rational number."""
+    if type(x) is int and -REMEMBERED < x < REMEMBERED:
+        return _small(x)
     value = exact_number(x)
     if value.p.bit_length() > MAX_BITS or value.q.bit_length() > MAX_BITS:
         raise InputError("a number in the expression is too long: at most 12 000 digits")
+    if value.q == 1 and -REMEMBERED < value.p < REMEMBERED:
+        return _small(int(value.p))
     return Expr("number", (value,))
 
 
+@lru_cache(REMEMBERED)
+def _small(n: int) -> Expr:
+    return Expr("number", (fmpq(n),))
+
+
+@lru_cache(REMEMBERED)
 def symbol(name: str) -> Expr:
-    """A real variable."""
+    """A real variable: what is compared often is one object."""
     return Expr("symbol", (name,))
 
 
@@ -324,8 +338,10 @@ def symbols(e: Expr) -> frozenset[str]:
             e._symbols = frozenset(e.args)
         elif e.op in LEAVES:
             e._symbols = frozenset()
+        elif len(e.args) == 1:
+            e._symbols = symbols(e.args[0])
         else:
-            e._symbols = frozenset().union(*(symbols(arg) for arg in e.args))
+            e._symbols = frozenset().union(*[symbols(arg) for arg in e.args])
     return e._symbols
 
 

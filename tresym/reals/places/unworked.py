@@ -141,14 +141,28 @@ def bracketed(unique: Unique, e: Expr, outer: Enclosing) -> arb:
         raise UndefinedError
     middle = {n: outer.value(symbol(n)).mid() for n in symbols(body) if n != name}
     near, over = (_along(name, body, at, outer.root) for at in (middle, outer.at))
+    return bracket(near, over, low, high)
+
+
+def bracket(near: Callable[[arb], arb], over: Callable[[arb], arb], low: arb, high: arb) -> arb:
+    """A ball between two ends, at whose own ends ``over`` has opposite signs.
+
+    Args:
+        near: a function near ``over`` whose values are sharp: where it is 0 is looked at first.
+        over: a function without a jump, of balls.
+        low, high: the ends.
+
+    Raises:
+        UndefinedError: none is found.
+    """
     x, slope = _found(near, low.mid(), high.mid())
     width = (over(x) / slope).abs_upper() * arb("1.25") + abs(x) * arb((1, 8 - ctx.prec))
     for _ in range(WIDER):
         first, last = (x - width).mid(), (x + width).mid()
-        bracket = first.union(last)
+        both = first.union(last)
         signs = {side(over(first)), side(over(last))}
-        if signs == {1, -1} and low < first and last < high and over(bracket).is_finite():
-            return bracket
+        if signs == {1, -1} and low < first and last < high and over(both).is_finite():
+            return both
         width *= 2
     raise UndefinedError
 

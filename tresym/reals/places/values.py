@@ -6,9 +6,9 @@ lead both astray.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial, reduce
-from operator import add, mul
 from typing import Any
 
 from flint import arb, ctx, fmpq
@@ -51,7 +51,7 @@ class Walker:
             return self._power(*args)
         values = [self.value(arg) for arg in args]
         if op in ("+", "*"):
-            return reduce(add if op == "+" else mul, values)
+            return reduce(operator.add if op == "+" else operator.mul, values)
         return self._apply(op, *values)
 
     def _power(self, base: Expr, exponent: Expr) -> Any:
@@ -85,16 +85,17 @@ def evaluate(e: Expr, point: Mapping[str, arb | fmpq], known: dict[Expr, arb] | 
 
 def stands(difference: arb, relation: str) -> bool:
     """Whether a ball shows that what it holds stands in ``relation`` to zero."""
-    return bool(
-        {
-            ">": difference > 0,
-            ">=": difference >= 0,
-            "<": difference < 0,
-            "<=": difference <= 0,
-            "!=": difference.is_finite() and not difference.contains(0),
-            "==": difference.is_zero(),
-        }[relation]
-    )
+    return bool(_STANDS[relation](difference, 0))
+
+
+_STANDS: dict[str, Callable[[arb, int], object]] = {
+    ">": operator.gt,
+    ">=": operator.ge,
+    "<": operator.lt,
+    "<=": operator.le,
+    "!=": lambda x, _: x.is_finite() and not x.contains(0),
+    "==": lambda x, _: x.is_zero(),
+}
 
 
 def values_or_broken(
@@ -284,12 +285,21 @@ class Tape:
         elif len(e.args) == 1:
             k = self._step(partial(applied, e.op), self._place(e.args[0]))
         else:
-            function = _OF_TWO.get(e.op) or partial(applied, e.op)
+            own = self._power if e.op == "^" else partial(applied, e.op)
+            function = _OF_TWO.get(e.op, own)
             k = self._place(e.args[0])
             for arg in e.args[1:]:
                 k = self._step(function, k, self._place(arg))
         self._places[e] = k
         return k
+
+    @staticmethod
+    def _power(x: arb, y: arb) -> arb:
+        """``x**y``, where y is no number that is written."""
+        found = real_power(x, y)
+        if not found.is_finite():
+            raise UndefinedError
+        return found
 
     def _step(self, function: Callable[..., arb], i: int, j: int | None = None) -> int:
         k = self._slot()
@@ -301,11 +311,4 @@ class Tape:
         return len(self._slots) - 1
 
 
-def _finite_power(x: arb, y: arb) -> arb:
-    found = real_power(x, y)
-    if not found.is_finite():
-        raise UndefinedError
-    return found
-
-
-_OF_TWO: dict[str, Callable[..., arb]] = {"+": add, "*": mul, "^": _finite_power}
+_OF_TWO: dict[str, Callable[..., arb]] = {"+": operator.add, "*": operator.mul}

@@ -166,4 +166,8 @@ def _evidence(row: Row) -> Iterator[str]:
 
 
 def _clipped(text: str) -> str:
-    return text if len(text) <= LONGEST else text[: LONGEST - 1] + "…"
+    """A long text as far as a part of its sentence goes, which leaves its formulas whole."""
+    if len(text) <= LONGEST:
+        return text
+    parts = text[:LONGEST].rpartition(", ")
+    return (parts[0] or parts[2]) + ", …"

@@ -71,7 +71,8 @@ def ledger(report: Report) -> str:
     """Every claim with its place and verdict, in the order of the proofs."""
     rows = {row.claim.label: row for row in report.rows}
     counts = ", ".join(f"{n} {verdict}" for verdict, n in report.counts.items() if n)
-    lines = ["# The ledger", "", f"{len(rows)} claims: {counts}.", ""]
+    letters = "The letters are in the table of [symbols](../pages/symbols.md)."
+    lines = ["# The ledger", "", f"{len(rows)} claims: {counts}. {letters}", ""]
     for title, stated in sections():
         claims = [claim for claim in stated if claim.label in rows]
         if not claims:

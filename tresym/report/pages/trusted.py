@@ -44,7 +44,7 @@ ENCLOSING = (
     "ledger.evidence.asymptotics",
     *("ledger.evidence.balls", "ledger.evidence.charted", "ledger.evidence.evaluated"),
     "ledger.evidence.printed",
-    *(f"reals.places.unworked.{name}" for name in ("bracketed", "value")),
+    *(f"reals.places.unworked.{name}" for name in ("bracketed", "bracket", "value")),
     "ledger.evidence.meant._other_meaning",
 )
 """Rooms and files that no PROVED comes from."""
