@@ -49,10 +49,28 @@ def test_json_has_the_ball_in_it(capsys: pytest.CaptureFixture[str]) -> None:
         assert rad <= mid * arb("1e-30")
 
 
-@pytest.mark.parametrize("words", [[], ["--psi0", "0.3", "--rate", "0.2"]])
+@pytest.mark.parametrize(
+    "words",
+    [
+        [],
+        ["--psi0", "0.3", "--rate", "0.2"],
+        ["--psi0", "0.1", "--rate", "0.4", "--digits", "40"],
+        ["--gamma", "12345/1234567", "--digits", "40"],
+    ],
+)
 def test_fifty_digits_fit_a_terminal(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["flip", "--body", "str", *words]) == 0
     assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+
+
+def test_numbers_are_shown_as_they_were_given(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["flip", "--shape", "12.5372", "0.0629", "--gamma", "0.001"]) == 0
+    assert "a = 12.5372,   b = 0.0629,   γ = 0.001\n" in capsys.readouterr().out
+
+
+def test_a_long_number_is_one_word_that_can_be_copied(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["flip", "--body", "str", "--digits", "200"]) == 0
+    assert any(len(word) > 200 for word in capsys.readouterr().out.split())
 
 
 def test_the_three_ways_to_name_a_body_agree(capsys: pytest.CaptureFixture[str]) -> None:

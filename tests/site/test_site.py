@@ -144,6 +144,7 @@ def test_the_page_of_a_sharper_reading_says_what_the_paper_does(ledger: claims.R
 
 def test_a_constant_that_was_typed_is_shown_as_it_was() -> None:
     assert claims._ball({"mid": "0.16999999999999999998", "rad": "3e-20"}) == "0.17"
+    assert claims._ball({"mid": "-0.169999", "rad": "1e-6"}) == "−0.169999, to within 1e-6"
     assert claims._ball({"mid": "0.169999", "rad": "1e-6"}) == "0.169999, to within 1e-6"
     assert claims._ball({"mid": "0.16123456789012345", "rad": "1e-17"}).endswith("within 1e-17")
 

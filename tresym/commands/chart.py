@@ -17,7 +17,7 @@ def add(commands: Commands) -> None:
     parser = commands.add_parser(
         "chart",
         help="a chart of saved measurements",
-        description="Draw one chart of `tresym bench --save`; without a name, list them.",
+        description="Draw one chart of what tresym bench --save kept; without a name, list them.",
         epilog="Needs matplotlib: pip install -e '.[docs]'.",
         allow_abbrev=False,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from decimal import Context, Decimal, Inexact, localcontext
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
@@ -164,14 +165,17 @@ def _journey(args: argparse.Namespace, shape: Shape, digits: int) -> Journey:
 LONGEST_FRACTION = 24
 
 LABEL, LINE = 12, 80
-"""Columns of what a line begins with, and of a whole one, which a ball of 50 digits fills."""
+"""Columns of what a line begins with, and of a whole one, which a ball of 50 digits fills.
+
+A longer ball is one long line: a number that is broken can no longer be copied.
+"""
 
 
 def flip_text(answer: Flip, title: str, colour: bool = False) -> str:
     """The answer in lines for people; ``title`` says which body it is of."""
     with ball_precision(bits(answer.digits, 64)):
         rows = [
-            ("shape", _shape(answer)),
+            *_shape(answer),
             ("defect   ε", radians(answer.defect, answer.digits)),
             ("flip    Δψ", radians(answer.turn, answer.digits)),
             *_approximations(answer),
@@ -186,7 +190,7 @@ def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
     """Where a start comes to, in lines for people."""
     with ball_precision(bits(answer.digits, 64)):
         rows = [
-            ("shape", _shape(answer)),
+            *_shape(answer),
             ("flip    Δψ", radians(answer.turn, answer.digits)),
             ("ends at  ψ", radians(answer.psi, answer.digits)),
             ("         θ", radians(answer.theta, answer.digits)),
@@ -199,8 +203,11 @@ def journey_text(answer: Journey, title: str, colour: bool = False) -> str:
 
 def _rung(answer: Flip | Journey) -> list[tuple[str, str]]:
     """Which model gave the answer, and how, in lines of a terminal."""
-    first, *more = wrap(f"{answer.rung}: {answer.why}", LINE - LABEL - 1)
-    return [("rung", first), *(("", line) for line in more)]
+    return _headed("rung", wrap(f"{answer.rung}: {answer.why}", LINE - LABEL - 1))
+
+
+def _headed(label: str, lines: list[str]) -> list[tuple[str, str]]:
+    return [("" if n else label, line) for n, line in enumerate(lines)]
 
 
 def _approximations(answer: Flip) -> list[tuple[str, str]]:
@@ -228,19 +235,36 @@ def _short(x: arb) -> str:
     return str(x.str(6, radius=False))
 
 
-def _shape(answer: Flip | Journey) -> str:
+def _shape(answer: Flip | Journey) -> list[tuple[str, str]]:
+    """The shape and the level, as they were given and about how large, in lines of a terminal."""
     parts = []
     gamma = answer.gamma
     named = [("a", answer.shape.a), ("b", answer.shape.b), ("γ", gamma)]
     for name, value in named:
-        exact = fraction_text(value) if isinstance(value, fmpq) else ""
+        exact = _exactly(value) if isinstance(value, fmpq) else ""
         if exact and "/" not in exact and len(exact) <= LONGEST_FRACTION:
             parts.append(f"{name} = {exact}")
         elif exact and len(exact) <= LONGEST_FRACTION:
             parts.append(f"{name} = {exact} ≈ {_short(arb(value))}")
         else:
             parts.append(f"{name} ≈ {_short(arb(value))}")
-    return ",   ".join(parts)
+    lines = parts[:1]
+    for part in parts[1:]:
+        if len(f"{lines[-1]},   {part}") < LINE - LABEL:
+            lines[-1] += f",   {part}"
+        else:
+            lines = [*lines[:-1], f"{lines[-1]},", part]
+    return _headed("shape", lines)
+
+
+def _exactly(x: fmpq) -> str:
+    """A number as a short decimal where it is one, else as a fraction."""
+    with localcontext(Context(prec=12, traps=[Inexact])):
+        try:
+            text = str(Decimal(int(x.p)) / Decimal(int(x.q)))
+        except Inexact:
+            text = ""
+    return fraction_text(x) if not text or "E" in text else text
 
 
 def _realizable(answer: Flip | Journey) -> str:

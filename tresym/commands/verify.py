@@ -139,7 +139,7 @@ def show_verification(labels: tuple[str, ...], console: Console, workers: int = 
         task = progress.add_task("claims", total=total)
 
         def show(row: Row) -> None:
-            for line in _row_lines(row, bool(labels)):
+            for line in _row_lines(row, bool(labels), console.width):
                 console.print(line, soft_wrap=True)
             progress.advance(task)
 
@@ -211,26 +211,32 @@ def _headings() -> Text:
     return line
 
 
-def _row_lines(row: Row, named: bool) -> list[Text]:
+def _row_lines(row: Row, named: bool, width: int) -> list[Text]:
     from tresym.report.words.place import place_text
+    from tresym.report.words.plain import in_lines
     from tresym.report.words.said import in_letters
 
     claim, finding = row.claim, row.finding
     verdict = Text(finding.verdict.value, style=STYLES[finding.verdict])
     time = f"{1000 * finding.seconds:.1f} ms"
     lines = [_columns(claim.label, place_text(claim), verdict, time)]
+
+    def say(text: str, style: str = "") -> None:
+        lines.extend(Text(line, style=style) for line in in_lines(text, " " * 4, " " * 6, width))
+
     if row.requested and named:
-        lines += [Text(f"    {line}") for line in _stated(claim)]
+        for stated in _stated(claim):
+            say(stated)
     if not row.as_expected:
-        lines.append(Text(f"    expected {claim.expect.value}: {finding.why}", style="bold red"))
+        say(f"expected {claim.expect.value}: {finding.why}", "bold red")
     elif finding.verdict is Verdict.REFUTED:
-        lines.append(Text(f"    {in_letters(finding.why)}", style="dim"))
+        say(in_letters(finding.why), "dim")
         if finding.witness:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
-            lines.append(Text(f"    witness: {in_letters(point)}", style="dim"))
+            say(f"witness: {in_letters(point)}", "dim")
         if claim.amended_by:
             names = ", ".join(c.label for c in claim.amended_by)
-            lines.append(Text(f"    true instead: {names}", style="dim"))
+            say(f"true instead: {names}", "dim")
     return lines
 
 

@@ -284,7 +284,8 @@ def _ball(ball: dict[str, str]) -> str:
     mid, rad = Fraction(ball["mid"]), Fraction(ball["rad"])
     short = f"{float(mid):.10g}"
     told = rad and rad < SHARP and abs(Fraction(short) - mid) <= rad
-    return short if told else f"{ball['mid']}, to within {ball['rad']}"
+    text = short if told else f"{ball['mid']}, to within {ball['rad']}"
+    return f"−{text[1:]}" if text.startswith("-") else text
 
 
 def _truth(claim: Record, claims: dict[str, Record]) -> Iterator[str]:

@@ -6,7 +6,7 @@ import pytest
 
 from tresym.ledger.paper import all_claims
 from tresym.report.words.latex import says_latex
-from tresym.report.words.plain import plain
+from tresym.report.words.plain import in_lines, plain
 
 
 @pytest.mark.parametrize(
@@ -37,3 +37,17 @@ def test_no_command_is_left_in_any_statement() -> None:
             if says is not None:
                 text = plain(says if isinstance(says, str) else says_latex(says))
                 assert not re.search(r"\\|[{}&]", text), (claim.label, text)
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("a word and one", ["a word and", "one"]),
+        ("x = −34.5 ± 0.05", ["x =", "−34.5 ± 0.05"]),
+        ("a+b−c+de+fgh+i", ["a+b−c+de", "+fgh+i"]),
+        ("e^(−π√ab)+x", ["e^(−π√ab)", "+x"]),
+        ("12345678901234", ["12345678901234"]),
+    ],
+)
+def test_lines_break_where_nothing_is_torn(text: str, lines: list[str]) -> None:
+    assert list(in_lines(text, "", "", 10)) == lines

@@ -11,6 +11,7 @@ import io
 import math
 import os
 from collections.abc import Iterable
+from fractions import Fraction
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
@@ -233,16 +234,19 @@ def _sheets(data: Data) -> list[Any]:
 def strip(data: Data) -> Any:
     """Stills of one turn of the handle, side by side, for print."""
     eye, shape = view(-50, 22), racket(41)
-    figure, grid = style.canvas(9.0, 1.9, 1, STILLS)
+    figure, grid = style.canvas(9.0, 1.4, 1, STILLS)
     for n, sheet in enumerate(grid[0]):
         at = n * STEPS // (2 * (STILLS - 1))
         frame = data.frames[at]
         bare(sheet, 1.2)
         sheet.plot(*eye.flat(circle([0, 0, 1], points=73)).T, color="0.75", linewidth=0.6)
         face = FACES[0 if eye.depth(frame[2]) > 0 else 1]
-        sheet.fill(*eye.flat(shape.rim @ frame).T, facecolor=face, edgecolor=style.INK)
-        sheet.plot(*eye.flat(shape.handle @ frame).T, color=style.INK, linewidth=2.5)
-        sheet.set_title(f"φ = {data.phi[at] / math.pi:.3g}π", fontsize=8)
+        sheet.fill(
+            *eye.flat(shape.rim @ frame).T, facecolor=face, edgecolor=style.INK, linewidth=0.7
+        )
+        sheet.plot(*eye.flat(shape.handle @ frame).T, color=style.INK, linewidth=1.6)
+        turned = style.multiple_of_pi(Fraction(2 * n, STILLS - 1))
+        sheet.set_title(turned if n else f"φ = {turned}", fontsize=10)
     return figure
 
 

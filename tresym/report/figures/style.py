@@ -159,10 +159,13 @@ def halo() -> list[Any]:
 
 def pi_ticks(axis: Any, parts: Sequence[Fraction | int]) -> None:
     """Ticks at these multiples of π, written as such."""
-    axis.set_ticks([float(x) * math.pi for x in parts], [_multiple(Fraction(x)) for x in parts])
+    axis.set_ticks(
+        [float(x) * math.pi for x in parts], [multiple_of_pi(Fraction(x)) for x in parts]
+    )
 
 
-def _multiple(x: Fraction) -> str:
+def multiple_of_pi(x: Fraction) -> str:
+    """So many times π, as one writes it."""
     if x == 0:
         return "0"
     sign, top = "−" if x < 0 else "", abs(x.numerator)

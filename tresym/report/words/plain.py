@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
 
 from tresym.report.words.width import argument
 
@@ -41,6 +42,25 @@ def plain(formula: str) -> str:
     text = re.sub(r"\s+", " ", _SPACED.sub(r" \1 ", text)).strip()
     text = re.sub(r"(?<=[(\[]) | (?=[)\]])", "", text)
     return unicodedata.normalize("NFC", text)
+
+
+_BREAKS = re.compile(r"(?<=[^\s±])(?= [^±])|(?<=[\w)\]])(?=[+−])|(?<=\))(?=[(/·])")
+"""Where a line may end: before a space, a sum's sign or a factor, and never within a number."""
+
+
+def in_lines(text: str, first: str, later: str, columns: int) -> Iterator[str]:
+    """A sentence or formula in plain characters, in lines of at most so many columns.
+
+    The lines begin with ``first`` and ``later``; what has no place to break stays whole.
+    """
+    line, empty = first, True
+    for piece in _BREAKS.split(text):
+        if not empty and len(line) + len(piece) > columns:
+            yield line
+            line, empty = later, True
+        line += piece.lstrip() if empty else piece
+        empty = False
+    yield line
 
 
 def _plain(tokens: list[str]) -> str:
