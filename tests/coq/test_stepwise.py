@@ -21,6 +21,24 @@ needs_coq = pytest.mark.skipif(shutil.which("coqc") is None, reason="coqc is not
 def test_what_is_spelled() -> None:
     assert spelled(parse("abs(x)")) == parse("abs(x)")
     assert str(spelled(parse("asinh(x)"))) == "log(x + sqrt(x**2 + 1))"
+    assert spelled(parse("asinh(x)"), plainly=True) == parse("asinh(x)")
+
+
+def test_angles_are_taken_as_coarse_as_they_are_asked_for() -> None:
+    (theorem,) = theorems(read("cos(6*x) == 2*cos(3*x)**2 - 1"))
+    asked: list[str] = []
+    proof = stepwise(theorem, lambda sentence: asked.append(sentence) is None, asked.clear)
+    assert proof
+    assert "sin (3 * x)" in proof
+    assert "some_name (sin x)" not in proof
+
+
+def test_a_sign_and_an_absolute_value_go_together() -> None:
+    (theorem,) = theorems(read("sign(x**3)*abs(x**3)**(1/3) == x"))
+    proof = stepwise(theorem, lambda _: True, lambda: None)
+    assert proof
+    assert "sign_root" in proof
+    assert "destruct (R" not in proof  # there are no cases
 
 
 def test_each_sentence_is_asked_and_what_is_refused_is_left_out() -> None:
@@ -46,12 +64,22 @@ TRUE = (
     "asin(x/sqrt(1 + x**2)) == atan(x)",
     "exp(log(x)/2) == sqrt(x)",
     "log(x**2) == 2*log(x) + sign(x) - 1",
+    "asinh(x*cos(y)**2 + x*sin(y)**2 - 1) == asinh(x - 1)",
+    "asinh(x) == -atanh(-x/sqrt(1 + x**2))",
+    "atan(atanh(x)/sqrt(1 - atanh(x)**2)) == pi/2 - acos(atanh(x))",
+    "sign(x**3)*abs(x**3)**(1/3) == x",
+    "sqrt(x**2*y**4) == abs(x)*y**2",
+    "log((1 + x)/(1 - x)) == log((1 + x)**2/(1 - x**2))",
 )
 FALSE = (
     "sqrt(x**2) == x",
     "2*atan(x) == atan(2*x/(1 - x**2))",
     "log(x**2) == 2*log(abs(x)) + sign(x) - 1",
     "sign(x)**2 == 1",
+    "asinh(x) == atanh(x/sqrt(1 - x**2))",
+    "atanh(-x) == atanh(x)",
+    "sign(x**3)*abs(x)**(1/3) == x",
+    "sqrt(x**2*y**4) == x*y**2",
 )
 
 

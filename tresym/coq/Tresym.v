@@ -734,10 +734,10 @@ Lemma atanh_law x : atanh x = ln ((1 + x) * / (1 + (-1) * x)) * (1 / 2).
 Proof.
   unfold atanh, Rdiv; replace (1 + (-1) * x) with (1 - x) by ring; now rewrite Rmult_1_l.
 Qed.
-Ltac spell :=
+Ltac spell_plainly :=
   unfold sec, csc, sech, csch, coth, Rpower in *;
-  rewrite ?tan_law, ?cot_law, ?sinh_law, ?cosh_law, ?tanh_law, ?acosh_law, ?arcsinh_law,
-    ?atanh_law in *.
+  rewrite ?tan_law, ?cot_law, ?sinh_law, ?cosh_law, ?tanh_law in *.
+Ltac spell := spell_plainly; rewrite ?acosh_law, ?arcsinh_law, ?atanh_law in *.
 
 Lemma root_unique_3 x y : y ^ 3 = x -> root 3 x = y.
 Proof.
@@ -790,6 +790,14 @@ Lemma atan_unique w g : - PI / 2 < g < PI / 2 -> sin g = w * cos g -> atan w = g
 Proof.
   intros B E; assert (C : 0 < cos g) by (apply cos_gt_0; lra).
   rewrite <- (atan_tan g) by lra; f_equal; unfold tan; rewrite E; field; lra.
+Qed.
+Lemma atan_unique_le w g : - PI / 2 <= g <= PI / 2 -> 0 < cos g -> sin g = w * cos g -> atan w = g.
+Proof.
+  intros B C E; apply atan_unique; [| exact E].
+  destruct B as [[A|A] [B|B]]; try lra; exfalso; revert C.
+  - rewrite B, cos_PI2; lra.
+  - rewrite <- A; replace (- PI / 2) with (- (PI / 2)) by field; rewrite cos_neg, cos_PI2; lra.
+  - rewrite B, cos_PI2; lra.
 Qed.
 Lemma asin_unique w g : - PI / 2 <= g <= PI / 2 -> sin g = w -> asin w = g.
 Proof. intros B E; rewrite <- E; apply asin_sin; lra. Qed.
@@ -856,6 +864,55 @@ Ltac inverses_below :=
   repeat match goal with
   | H : context [/ ?b] |- _ => add (/ b < 0) ltac:(apply Rinv_lt_0_compat; lra)
   end.
+(* What cannot be zero, since a product would not be. *)
+Ltac vanish := match goal with H : 0 = ?u |- ?x = 0 =>
+  let Z := fresh "Z" in destruct (Req_dec x 0) as [Z|Z]; [exact Z |];
+  exfalso; assert (u <> 0) as Z' by side; apply Z'; symmetry; exact H end.
+(* Absolute values without signs. *)
+Lemma sign_abs u : sign u * Rabs u = u.
+Proof.
+  destruct (Rtotal_order u 0) as [P|[P|P]];
+    [rewrite sign_neg, Rabs_left | subst; rewrite sign_zero | rewrite sign_pos, Rabs_pos_eq]; lra.
+Qed.
+Lemma sign_root n u : sign u * root n (Rabs u) = root n u.
+Proof.
+  destruct (Req_dec u 0) as [->|N]; [rewrite sign_zero, root_zero; ring |].
+  unfold root; rewrite (sign_pos (Rabs u)), Rabs_Rabsolu by now apply Rabs_pos_lt.
+  ring.
+Qed.
+Ltac signs_gone law a b :=
+  generalize law; generalize a b; let L := fresh in intros ? ? L; rewrite <- L; ring.
+Lemma sqrt_square u v w : 0 <= w -> v ^ 2 * w ^ 2 = u -> sqrt u = Rabs v * w.
+Proof.
+  intros W E; apply sqrt_unique.
+  - apply Rmult_le_pos; [apply Rabs_pos | exact W].
+  - rewrite Rpow_mult_distr, pow2_abs; exact E.
+Qed.
+Lemma atanh_odd u v : u = - v -> -1 < v < 1 -> atanh u = - atanh v.
+Proof.
+  intros -> B; unfold atanh.
+  replace ((1 + - v) / (1 - - v)) with (/ ((1 + v) / (1 - v))) by (field; lra).
+  rewrite ln_Rinv by (apply Rdiv_lt_0_compat; lra); field.
+Qed.
+Lemma arcsinh_odd u v : u = - v -> arcsinh u = - arcsinh v.
+Proof.
+  intros ->; rewrite <- (sinh_arcsinh v) at 1; rewrite <- (arcsinh_sinh (- arcsinh v)).
+  f_equal; unfold sinh; rewrite Ropp_involutive; field.
+Qed.
+Lemma arcsinh_atanh u v w : 0 < w -> w ^ 2 = 1 + u ^ 2 -> v * w = u -> arcsinh u = atanh v.
+Proof.
+  intros W E V; unfold arcsinh, atanh.
+  assert (B : (1 - v) * (1 + v) * w ^ 2 = 1) by (rewrite <- V in E; nra).
+  assert (L : - w < u < w) by (split; nra).
+  assert (-1 < v < 1) by (rewrite <- V in L; split; nra).
+  replace (sqrt (u ^ 2 + 1)) with w by (symmetry; apply sqrt_unique; lra).
+  replace ((1 + v) / (1 - v)) with ((u + w) ^ 2).
+  - rewrite ln_pow_ by lra; simpl; field.
+  - apply (Rmult_eq_reg_r (1 - v)); [| lra]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra.
+    apply (Rmult_eq_reg_r w); [| lra].
+    replace ((u + w) ^ 2 * (1 - v) * w) with ((u + w) ^ 2 * (w - v * w)) by ring.
+    replace ((1 + v) * 1 * w) with (w + v * w) by ring; rewrite V; nra.
+Qed.
 Ltac absurd_ := first [lra | nra | progress inverses_below; nra | match goal with H : ?a <> 0 |- _ => apply H; first [ring | field; side | nra] end].
 Ltac split_logs :=
   repeat first [rewrite ln_mult by first [assumption | positive] | rewrite ln_Rinv by first [assumption | positive]].

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from fractions import Fraction
+from itertools import product
 from math import isqrt, lcm
+from operator import mul
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from tresym.coq.equations import is_root, nodes, primes
 from tresym.coq.statement import term
-from tresym.coq.writing import AgainError, CasesError, StuckError, Writing, degree_of
+from tresym.coq.writing import AgainError, CasesError, StuckError, Writing, degree_of, is_zero
 from tresym.reals.language.expression import (
     MINUS_ONE,
     ONE,
@@ -22,6 +25,7 @@ from tresym.reals.language.expression import (
 )
 
 MULTIPLE = 12
+ONE_ = fmpq(1)
 
 
 class Bases(Writing):
@@ -34,12 +38,30 @@ class Bases(Writing):
         e = _root(u, q, odd)
         if u == ZERO:
             return self.exchange(e, ZERO, "apply sqrt_0", "apply root_zero")
+        if q == 2 and self.of_square(e, u):
+            return None
         value = self.root_of(u, q)
         if self.has_root(u, q):
             proofs = {2: "apply sqrt_unique; [", 3: "apply root_unique_3; ["}
             proof = proofs.get(q, "apply root_unique_le; [lia | ")
             self.exchange(e, value, f"{proof}{'' if q == 3 else 'signed | '}{self.by_field}]")
         return None
+
+    def of_square(self, e: Expr, u: Expr) -> bool:
+        """The square root of v²·w as |v|·√w, where the sign of v varies."""
+        _, factors = self.quotients.factors(u)
+        within = [(f, n) for f, n in factors if self.sign(f) is None]
+        rest = [f for f, _ in factors if (f, _) not in within]
+        if not within or any(n % 2 for _, n in within) or not all(map(self.is_above, rest)):
+            return False
+        v = self.quotients.canonical(multiply(*(f ** (n // 2) for f, n in within)))
+        w = self.root_of(self.quotients.canonical(u / v**2), 2)
+        new = Expr("abs", (v,))
+        return self.equation(
+            e,
+            new if w == ONE else Expr("*", (new, w)),
+            f"rewrite (sqrt_square _ {term(v, 3)} {term(w, 3)}); [ring | signed | {self.by_field}]",
+        )
 
     def has_root(self, u: Expr, q: int) -> bool:
         """Whether such a root stands in a side."""
@@ -82,8 +104,14 @@ class Bases(Writing):
         factors = self.signed_factors(u, q % 2 == 0, three=False)
         if q == 2 and len(factors) == 1 and (simpler := self.denested(*factors[0])) is not None:
             return simpler
+        factors = self.by_cubes(factors)
         if q % 2 == 0 and len(factors) > 1:
-            self.are_above(u, factors)
+            hidden = self.are_above(u, factors, ("plainly", "in_numbers", "rest"))
+            if any(n != 1 for f, n in factors if f in hidden):
+                self.are_above(u, factors)
+            elif hidden:
+                factors = [(f, n) for f, n in factors if f not in hidden]
+                factors.append((self.quotients.canonical(multiply(*hidden)), 1))
         for f, n in factors:
             if f == MINUS_ONE:
                 if q % 2 == 0:
@@ -94,6 +122,17 @@ class Bases(Writing):
             n *= degree // q
             values.append(f ** (n // degree) if n % degree == 0 else self.base_root(f, degree) ** n)
         return self.quotients.canonical(multiply(*values))
+
+    def by_cubes(self, factors: list[tuple[Expr, int]]) -> list[tuple[Expr, int]]:
+        """The factors, those whose cube roots have names by these."""
+        names = dict[Expr, Expr]()
+        for (f, degree), name in self.roots.items():
+            if degree == 3:
+                names |= {f: name, self.quotients.canonical(-f): self.quotients.canonical(-name)}
+        found = Counter[Expr]()
+        for f, n in factors:
+            found[names.get(f, f)] += 3 * n if f in names else n
+        return [(f, n) for f, n in found.items() if n]
 
     def denested(self, f: Expr, n: int) -> Expr | None:
         """The root of A + B·√r as √P ± √Q, where A² − B²·r is a square."""
@@ -118,8 +157,9 @@ class Bases(Writing):
 
     def fine(self, f: Expr, q: int) -> int:
         """The degree of the root of a factor: as high as it was ever asked for."""
-        old = self.finest.get(f, 1)
-        new = self.finest[f] = lcm(old, q)
+        old = int(self.finest.get(f, ONE_).p)
+        new = lcm(old, q)
+        self.finest[f] = fmpq(new)
         if new != old and (f, old) in self.roots:
             raise AgainError
         return new
@@ -156,8 +196,8 @@ class Bases(Writing):
         if sum(abs(n) for _, n in factors) > 2 * MULTIPLE:
             raise StuckError
         hidden = self.are_above(u, factors)
-        if hidden is not None:
-            raise CasesError(hidden, True)
+        if hidden:
+            raise CasesError(hidden[0], True)
         terms, known = [], []
         for f, n in factors:
             value, label = self.logarithm_of(f)
@@ -191,22 +231,42 @@ class Bases(Writing):
                     f"rewrite {other}; simpl; field])."
                 )
                 return value, label
-        for g, name in self.logarithms.items():
-            for m, n in ((1, 1), (1, -1), (1, 2), (1, -2), (2, 1), (2, -1)):
-                if f == g and (m, n) == (1, 1):
-                    return name, f"D_{name.args[0]}"
-                value = name * number(Fraction(n, m))
-                if not self.equal(value, Expr("log", (f,))):
-                    continue
-                law = "ln_like" if n > 0 else "ln_unlike"
-                if self.say(
-                    f"assert ({label} : {says} {term(value)}) by (apply ({law} {m} {abs(n)} _ "
-                    f"{term(g, 3)}); [lia | signed | signed | {self.by_field} | "
-                    f"unfold same in *; rewrite D_{name.args[0]}; simpl; field])."
-                ):
-                    return value, label
+        if f in self.logarithms:
+            name = self.logarithms[f]
+            return name, f"D_{name.args[0]}"
+        tied = self.tied(f, label)
+        if tied is not None:
+            return tied, label
         name = self.logarithms[f] = self.named(Expr("log", (f,)))
         return name, f"D_{name.args[0]}"
+
+    def tied(self, f: Expr, label: str) -> Expr | None:
+        """The logarithm of ``f`` by logarithms that have names, if a sum of multiples is zero."""
+        named = list(self.logarithms.items())[-4:]
+        own, values = self.values(Expr("log", (f,))), [self.values(n) for _, n in named]
+        for counts in sorted(product((0, 1, -1, 2, -2), repeat=len(named)), key=_length):
+            sums = [sum(map(mul, counts, at), arb(0)) for at in zip(*values, strict=True)]
+            for m in (1, 2) if any(counts) and sums else ():
+                if not all(is_zero(m * v - s) for v, s in zip(own, sums, strict=True)):
+                    continue
+                value = add(*(n * c for (_, n), c in zip(named, counts, strict=True) if c)) / m
+                up, down = (
+                    [v for (v, _), c in zip(named, counts, strict=True) for _ in range(side * c)]
+                    for side in (1, -1)
+                )
+                law, back = self.label("P"), "; ".join(self.back(n) for _, n in named)
+                held = self.say(
+                    f"assert ({label} : ln {term(f, 3)} = {term(value)}) by (assert ({law} : "
+                    f"{nested([f] * m + down)} = {nested(up)}) by ({self.by_field}); "
+                    f"apply (f_equal ln) in {law}; rewrite ?ln_1 in {law}; apart {law}; "
+                    f"{back}; lra)."
+                )
+                return value if held else None
+        return None
+
+
+def _length(counts: tuple[int, ...]) -> int:
+    return sum(map(abs, counts))
 
 
 def _root(u: Expr, q: int, odd: bool) -> Expr:

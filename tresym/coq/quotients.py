@@ -70,10 +70,20 @@ class Quotients:
                 for part, n in parts:
                     powers[written(part, names)] += side * int(n)
         for name, (q, by) in self.powers.items():
-            cosine = _cosine(by) if q == 2 else None
+            cosine = self.cosine(by) if q == 2 else None
             if cosine is not None:
                 constant *= self._squared(symbol(name), cosine, powers)
         return constant, [(f, n) for f, n in powers.items() if n]
+
+    @staticmethod
+    def cosine(e: Expr) -> Expr | None:
+        """The c of 1 − c², None where it is something else."""
+        for part in e.args if e.op == "+" else ():
+            for square in part.args if part.op == "*" else ():
+                if square.op == "^" and square.args[0].op == "symbol" and 1 - square == e:
+                    found: Expr = square.args[0]
+                    return found
+        return None
 
     def _squared(self, sine: Expr, c: Expr, powers: Counter[Expr]) -> int:
         """(1 − c)(1 + c) by the square of a sine; the sign that it leaves."""
@@ -207,13 +217,3 @@ def _names(e: Expr) -> set[str]:
     return {
         part.args[0] if part.args else _PI for part in nodes([e]) if part.op in ("symbol", "pi")
     }
-
-
-def _cosine(e: Expr) -> Expr | None:
-    """The c of 1 − c², None where it is something else."""
-    for part in e.args if e.op == "+" else ():
-        for square in part.args if part.op == "*" else ():
-            if square.op == "^" and square.args[0].op == "symbol" and 1 - square == e:
-                found: Expr = square.args[0]
-                return found
-    return None

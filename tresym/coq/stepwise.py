@@ -12,24 +12,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from copy import copy
 from fractions import Fraction
-from itertools import product
-from math import lcm
-from operator import mul
+from math import gcd
 
 from flint import arb, fmpq
 
-from tresym.coq.bases import MULTIPLE, Bases, nested
+from tresym.coq.bases import MULTIPLE, Bases
 from tresym.coq.equations import is_root, nodes
 from tresym.coq.quotients import LEAVES, Quotients
 from tresym.coq.statement import Theorem, term
 from tresym.coq.writing import (
+    HYPERBOLIC,
     AgainError,
     Ask,
     CasesError,
     StuckError,
     Turned,
     degree_of,
-    is_zero,
 )
 from tresym.reals.language.expression import (
     HALF,
@@ -38,7 +36,6 @@ from tresym.reals.language.expression import (
     PI,
     ZERO,
     Expr,
-    add,
     multiply,
     number,
 )
@@ -61,19 +58,21 @@ def stepwise(theorem: Theorem, ask: Ask, begin: Callable[[], None]) -> str | Non
         ask: whether Coq accepts a sentence.
         begin: begins the proof anew.
     """
-    finest: dict[object, int] = {}
-    for _ in range(8):
-        begin()
-        try:
-            with ball_precision():
-                proof = _Steps(theorem, ask, finest)
-                proof.must("intros; saturate; spell.")
-                proof.go_on()
-        except AgainError:
-            continue
-        except (StuckError, InputError, OverflowError, RecursionError, ZeroDivisionError):
-            return None
-        return "\n".join(proof.lines)
+    inside = {e.op for e in nodes([theorem.left, theorem.right])}
+    for plainly in (True, False) if inside.intersection(HYPERBOLIC) else (False,):
+        finest: dict[object, fmpq] = {}
+        for _ in range(8):
+            begin()
+            try:
+                with ball_precision():
+                    proof = _Steps(theorem, ask, finest, plainly)
+                    proof.must(f"intros; saturate; spell{'_plainly' if plainly else ''}.")
+                    proof.go_on()
+            except AgainError:
+                continue
+            except (StuckError, InputError, OverflowError, RecursionError, ZeroDivisionError):
+                break
+            return "\n".join(proof.lines)
     return None
 
 
@@ -93,52 +92,20 @@ class _Steps(Bases):
                 self.step(node)
             except CasesError as cases:
                 return self.in_cases(*cases.args)
-        self.tied_logarithms()
         return self.must(f"{self.by_field}.")
-
-    def tied_logarithms(self) -> None:
-        """Of logarithms of which a sum of multiples is zero, one is written by the others."""
-        named = [(v, n) for v, n in self.logarithms.items() if self.has(n)][:5]
-        values = [self.values(n) for _, n in named]
-        for counts in product((0, 1, -1, 2, -2), repeat=len(named)):
-            sums = [sum(map(mul, counts, at), arb(0)) for at in zip(*values, strict=True)]
-            if any(counts) and all(map(is_zero, sums)):
-                break
-        else:
-            return
-        up, down = (
-            [v for (v, _), c in zip(named, counts, strict=True) for _ in range(side * c)]
-            for side in (1, -1)
-        )
-        k = next(k for k, c in enumerate(counts) if c)
-        others = (n * c for j, ((_, n), c) in enumerate(zip(named, counts, strict=True)) if j != k)
-        label, back = self.label("P"), "; ".join(self.back(n) for _, n in named)
-        self.equation(
-            named[k][1],
-            self.quotients.canonical(add(*others) / -counts[k]),
-            f"assert ({label} : {nested(up)} = {nested(down)}) by ({self.by_field}); "
-            f"apply (f_equal ln) in {label}; rewrite ?ln_1 in {label}; "
-            f"apart {label}; {back}; lra",
-        )
 
     def next(self) -> Expr | None:
         """The smallest part that is to be written by names."""
-        found: Expr | None = None
-        for e in nodes(self.sides):
-            plain = e.op in ("+", "*", *LEAVES) or (
-                e.op == "^"
-                and not is_root(e)
-                and (e.args[1].args[0] > 0 or e.args[0].op in ("symbol", "pi"))
-            )
-            smaller = found is None or (e.size, str(e)) < (found.size, str(found))
-            if not plain and e not in self.done and smaller:
-                found = e
-        return found
+        left = [e for e in nodes(self.sides) if not _plain(e) and e not in self.done]
+        ready = [e for e in left if not any(part in left for part in nodes(e.args))]
+        return min(ready, key=lambda e: (e.op == "sign", e.size, str(e)), default=None)
 
     def step(self, e: Expr) -> None:
         """One part written by names."""
         u = e.args[0]
         better = self.quotients.canonical(u)
+        if better != u and (e.op == "log" or (is_root(e) and e.op != "cbrt")):
+            self.fact(f"0 {'<' if e.op == 'log' else '<='} {term(u)}", "plainly")
         if better != u and self.equation(u, better, self.by_field):
             e, u = Expr(e.op, (better, *e.args[1:])), better
         match e.op:
@@ -152,6 +119,8 @@ class _Steps(Bases):
                 self.logarithm(e, u)
             case "asin" | "acos" | "atan":
                 self.inverse_function(e, u)
+            case _ if e.op in HYPERBOLIC:
+                self.hyperbolic(e, u)
             case _ if is_root(e):
                 self.root(u, degree_of(e), e.op == "cbrt")
             case _:
@@ -173,6 +142,7 @@ class _Steps(Bases):
             for key, value in vars(self).items():
                 if isinstance(value, dict | set) and key != "finest":
                     setattr(case, key, copy(value))
+            case.refused = set()
             case.quotients = Quotients()
             case.quotients.powers = dict(self.quotients.powers)
             kept = zip(self.points, values, strict=True)
@@ -187,14 +157,24 @@ class _Steps(Bases):
         """The case where ``u = 0``, if it ends at once; a variable is zero in it otherwise."""
         if self.say("exfalso; absurd_."):
             return True
-        _, factors = self.quotients.factors(u)
-        zeros = [f for f, n in factors if n > 0 and f.op == "symbol"]
-        if len(zeros) != 1 or len(factors) != 1 or zeros[0].args[0].startswith("n"):
+        kept, self.points = self.points, points
+        zeros = [f for f, n in self.quotients.factors(u)[1] if n > 0 and self.sign(f) is None]
+        self.points = kept
+        if len(zeros) != 1 or zeros[0].op != "symbol":
             raise StuckError
         x = zeros[0]
-        self.must(f"assert ({name}z : {term(x)} = 0) by (first [lra | nra]); subst {term(x)}.")
+        text, own = term(x), x.args[0]
+        self.must(f"assert ({name}z : {text} = 0) by (first [lra | nra | vanish]); subst {text}.")
         self.put(x, ZERO)
-        self.points = [dict(point) | {x.args[0]: fmpq(0)} for point in points]
+        self.points = [dict(point) | {own: fmpq(0)} for point in points]
+        if own in self.bound:
+            relation, (q, by) = self.bound.pop(own), self.quotients.powers.pop(own)
+            cosine = self.quotients.cosine(by) if q == 2 else None
+            if cosine is not None:
+                c = cosine.args[0]
+                self.must(f"assert ({name}c : {c} ^ 2 = 1) by (clear - {relation}; nra).")
+                self.bound[c], self.quotients.powers[c] = f"{name}c", (2, ONE)
+                self.points = [p | {c: fmpq(1) if p[c] > 0 else fmpq(-1)} for p in self.points]
         return False
 
     # Absolute values and signs.
@@ -206,6 +186,8 @@ class _Steps(Bases):
             return self.exchange(e, ZERO, "apply sign_zero", "apply Rabs_R0")
         strict = e.op == "sign"
         if not sign or not self.is_above(u if sign > 0 else -u, strict):
+            if self.paired(u):
+                return None
             raise CasesError(u, strict)
         if strict:
             law = "sign_pos" if sign > 0 else "sign_neg"
@@ -214,7 +196,54 @@ class _Steps(Bases):
         proof = f"rewrite {law} by lra; {self.by_field}"
         return self.exchange(e, u if sign > 0 else -u, proof)
 
+    def paired(self, u: Expr) -> bool:
+        """A product of the sign and the absolute value of ``u``, or of its root, without them."""
+        sign, absolute = Expr("sign", (u,)), Expr("abs", (u,))
+        root = Expr("^", (absolute, number(Fraction(1, 3))))
+        for e in nodes(self.sides):
+            if e.op != "*" or sign not in e.args:
+                continue
+            for found, new, law in (
+                (absolute, u, f"(sign_abs {term(u, 3)})"),
+                (root, Expr("cbrt", (u,)), f"(sign_root 3 {term(u, 3)})"),
+            ):
+                if found in e.args:
+                    rest = list(e.args)
+                    rest.remove(sign)
+                    rest[rest.index(found)] = new
+                    value = rest[0] if len(rest) == 1 else Expr("*", tuple(rest))
+                    gone = f"signs_gone {law} ({term(sign)}) ({term(found)})"
+                    return self.equation(e, value, gone)
+        return False
+
     # Exponentials.
+
+    def hyperbolic(self, e: Expr, u: Expr) -> None:
+        """An inverse hyperbolic function by one that has a name, or by a new name."""
+        for name, g in self.hyperbolics.items():
+            v = g.args[0]
+            for n in (1, -1) if e.op != "acosh" else ():
+                if not self.equal(e, name * n):
+                    continue
+                odd = f"({'arcsinh' if g.op == 'asinh' else 'atanh'}_odd _ {term(v, 3)})"
+                if g.op == e.op:
+                    proof = f"f_equal; {self.by_field}"
+                    if n < 0:
+                        proof = f"rewrite {odd} by (first [{self.by_field} | split; signed]); ring"
+                else:
+                    x, y = (u, v * n) if e.op == "asinh" else (v * n, u)
+                    root = self.root_of(self.quotients.canonical(1 + x**2), 2)
+                    proof = (
+                        f"rewrite {'<- ' if e.op == 'atanh' else ''}(arcsinh_atanh {term(x, 3)} "
+                        f"{term(y, 3)} {term(root, 3)}) by (first [signed | {self.by_field}])"
+                    )
+                    if n < 0:
+                        proof += f"; rewrite {odd} by (first [ring | split; signed])"
+                    proof += "; ring"
+                if self.equation(e, name * n, f"{self.back(name)}; {proof}"):
+                    return
+        name = self.named(e)
+        self.hyperbolics[name] = e
 
     def exponential(self, e: Expr, u: Expr) -> None:
         """By exponentials of a few exponents, and by what the exponents are logarithms of."""
@@ -231,8 +260,8 @@ class _Steps(Bases):
                 b = base / number(q)
                 value, label = self.of_logarithm(base, b, v, q)
             else:
-                unit = self.unit("exp", base, int(c.q))
-                b, n = base / number(unit), int(c * unit)
+                unit = self.unit("exp", base, c)
+                b, n = base * number(unit), int((c / unit).p)
                 value, label = self.base_exponential(b)
             bases, values, counts = [*bases, b], [*values, value], [*counts, n]
             labels.append(label)
@@ -280,12 +309,15 @@ class _Steps(Bases):
         self.must(f"assert ({label} : exp {term(b, 3)} = {term(value)}) by ({proof}).")
         return value, label
 
-    def unit(self, kind: str, base: Expr, q: int) -> int:
-        """What the base is divided by: it is as fine as it was ever asked for."""
-        old = self.finest.get((kind, base), 1)
-        new = self.finest[kind, base] = lcm(old, q)
+    def unit(self, kind: str, base: Expr, c: fmpq) -> fmpq:
+        """The greatest part of the base of which all that was ever asked for are multiples."""
+        if base == PI or base in self.is_arc_tangent:
+            c = fmpq(1, c.q)
+        old = self.finest.get((kind, base), fmpq(0))
+        new = fmpq(gcd(old.p * c.q, c.p * old.q), old.q * c.q)
+        self.finest[kind, base] = new
         table = self.exponents if kind == "exp" else self.turns
-        if new != old and base / number(old) in table:
+        if new != old and old != 0 and base * number(old) in table:
             raise AgainError
         return new
 
@@ -301,8 +333,8 @@ class _Steps(Bases):
             if base == PI and (2 * c).q == 1:
                 quarters = int((2 * c).p)
             else:
-                unit = self.unit("turn", base, int(c.q))
-                atoms.append((base / number(unit), int(c * unit)))
+                unit = self.unit("turn", base, c)
+                atoms.append((base * number(unit), int((c / unit).p)))
         found = self.turned(u, atoms, quarters)
         if not self.has(e):
             return None  # it was the base itself
@@ -348,6 +380,8 @@ class _Steps(Bases):
         """Sine and cosine of a base angle, by names."""
         if b in self.turns:
             return self.turns[b]
+        if b in self.inverses:
+            return self.inverse_angle(b, self.inverses[b])
         if b in SPECIAL:
             return self.special_angle(b, *SPECIAL[b])
         s, c = self.named(Expr("sin", (b,))), self.named(Expr("cos", (b,)))
@@ -399,7 +433,9 @@ class _Steps(Bases):
             proof = f"apply {law}; [lra | {known}; {self.by_field}]"
             if halved:
                 proof = f"replace {term(theta, 3)} with ({term(angle)} / 2) by field; {proof}"
-            if self.equation(e, theta, proof):
+            within = "" if halved or e.op != "atan" else f"apply atan_unique_le; {proof[19:]}"
+            within = within.replace("[lra |", f"[lra | rewrite (proj2 {found.label}); signed |")
+            if self.equation(e, theta, proof, *filter(None, [within])):
                 return None
         if e.op == "atan":
             self.jumps(e, u)
@@ -434,11 +470,21 @@ class _Steps(Bases):
                             yield angle, [(g, n)] if n else [], k, halved
 
     def inverse_name(self, e: Expr, u: Expr) -> None:
-        """A new name for an inverse function, with its sine, cosine and bounds."""
-        op = e.op
+        """A new name for an inverse function, with its bounds."""
+        op, name = e.op, self.named(e)
+        sign = "<" if op == "atan" else "<="
+        self.must(
+            f"assert (- PI / 2 {sign} {term(name)} {sign} PI / 2) by ({self.back(name)}; "
+            f"pose proof ({op}_bound {term(u, 3)}); lra); pose proof pi_between."
+        )
+        self.inverses[name] = e
+        self.is_arc_tangent[name] = op == "atan"
+
+    def inverse_angle(self, name: Expr, e: Expr) -> Turned:
+        """The sine and cosine of an inverse function that has a name."""
+        op, u = e.op, e.args[0]
         square = 1 + u**2 if op == "atan" else 1 - u**2
         root = self.root_of(self.quotients.canonical(square), 2)
-        name = self.named(e)
         s, c = (u / root, 1 / root) if op == "atan" else (u, root)
         label, called, text = self.label("T"), f"D_{name.args[0]}", term(u, 3)
         within = "" if op == "atan" else "split; signed | "
@@ -448,13 +494,17 @@ class _Steps(Bases):
             f"rewrite {called} in T; destruct T as [A B]; [{within}signed | {self.by_field} | "
             f"rewrite A, B; split; {self.by_field}])."
         )
-        sign = "<" if op == "atan" else "<="
-        self.must(
-            f"assert (- PI / 2 {sign} {term(name)} {sign} PI / 2) by ({self.back(name)}; "
-            f"pose proof ({op}_bound {text}); lra); pose proof pi_between."
-        )
         self.turns[name] = Turned(s, c, label)
-        self.is_arc_tangent[name] = op == "atan"
+        return self.turns[name]
+
+
+def _plain(e: Expr) -> bool:
+    """Whether it is written by names as it stands."""
+    return e.op in ("+", "*", *LEAVES) or (
+        e.op == "^"
+        and not is_root(e)
+        and bool(e.args[1].args[0] > 0 or e.args[0].op in ("symbol", "pi"))
+    )
 
 
 def _sum(counts: list[int], bases: list[Expr] | None = None, quarters: int = 0) -> tuple[str, str]:

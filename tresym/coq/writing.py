@@ -26,6 +26,7 @@ from tresym.reals.places.domain import bound
 from tresym.reals.places.values import evaluate
 
 POINTS, STEPS = 14, 300
+HYPERBOLIC = ("asinh", "acosh", "atanh")
 Ask = Callable[[str], bool]
 
 
@@ -41,15 +42,17 @@ class CasesError(Exception):
     """The proof goes on in cases, by the sign of the first argument; by three where it says so."""
 
 
-def spelled(e: Expr) -> Expr:
-    """``e`` as ``spell`` of Tresym.v leaves it."""
+def spelled(e: Expr, plainly: bool = False) -> Expr:
+    """``e`` as ``spell`` of Tresym.v leaves it, or ``spell_plainly``."""
     if e.op in LEAVES:
         return e
-    args = tuple(map(spelled, e.args))
+    args = tuple(spelled(arg, plainly) for arg in e.args)
     u = args[0]
     match e.op:
         case "abs":
             return Expr("abs", args)
+        case _ if plainly and e.op in HYPERBOLIC:
+            return Expr(e.op, args)
         case "asinh" | "acosh":
             one = ONE if e.op == "asinh" else MINUS_ONE
             under = Expr("+", (Expr("^", (u, number(2))), one))
@@ -74,17 +77,22 @@ class Turned(NamedTuple):
 class Writing:
     """A proof in the making."""
 
-    def __init__(self, theorem: Theorem, ask: Ask, finest: dict[object, int]) -> None:
+    def __init__(
+        self, theorem: Theorem, ask: Ask, finest: dict[object, fmpq], plainly: bool
+    ) -> None:
         self.ask, self.finest = ask, finest
         self.lines: list[str] = []
         self.count, self.splits = 0, 0
         self.taken = set(theorem.variables)
-        self.sides = [spelled(theorem.left), spelled(theorem.right)]
+        self.sides = [spelled(side, plainly) for side in (theorem.left, theorem.right)]
         self.done: set[Expr] = set()
+        self.refused: set[tuple[str, str]] = set()
         self.quotients = Quotients()
         self.bound: dict[str, str] = {}  # of a name that has an equation, its label
         self.turns: dict[Expr, Turned] = {}  # of base angles
         self.is_arc_tangent: dict[Expr, bool] = {}  # names of inverse functions, all base angles
+        self.inverses: dict[Expr, Expr] = {}  # what these are names of
+        self.hyperbolics: dict[Expr, Expr] = {}  # names of inverse hyperbolic functions, the same
         self.exponents: dict[Expr, Expr] = {}  # exponent: name of the exponential
         self.roots: dict[tuple[Expr, int], Expr] = {}
         self.logarithms: dict[Expr, Expr] = {}  # of what: name
@@ -176,7 +184,13 @@ class Writing:
     def fact(self, says: str, *proofs: str) -> bool:
         """A fact among the premises, if it can be shown in one of the ways."""
         name = self.label("F")
-        return any(self.say(f"assert ({name} : {says}) by ({proof}).") for proof in proofs)
+        for proof in proofs:
+            if (says, proof) not in self.refused:
+                if self.say(f"assert ({name} : {says}) by ({proof})."):
+                    return True
+                if "nra" in proof or "signed" in proof:  # it takes its time
+                    self.refused.add((says, proof))
+        return False
 
     def is_above(self, e: Expr, strict: bool = True) -> bool:
         """Whether Coq shows that ``e`` is above zero; it is among the premises then."""
@@ -185,11 +199,14 @@ class Writing:
         return self.fact(f"0 {'<' if strict else '<='} {term(e)}", "plainly", "in_numbers", "nra")
 
     def are_above(
-        self, u: Expr, factors: list[tuple[Expr, int]], strict: bool = True
-    ) -> Expr | None:
-        """That factors of ``u`` are above zero; the first that is not shown to be."""
+        self,
+        u: Expr,
+        factors: list[tuple[Expr, int]],
+        ways: tuple[str, ...] = ("plainly", "in_numbers", "rest", "nra"),
+    ) -> list[Expr]:
+        """That factors of ``u`` are above zero; those that are not shown to be."""
         left = [f for f, _ in factors if f.op != "number"]
-        for way in ("plainly", "in_numbers", "rest", "nra"):
+        for way in ways:
             for f in list(left):
                 proof = way
                 if way == "rest" and left == [f]:
@@ -208,7 +225,7 @@ class Writing:
                     continue
                 if self.fact(f"0 < {term(f)}", proof):
                     left.remove(f)
-        return left[0] if left else None
+        return left
 
     # What the values at the points say.
 
