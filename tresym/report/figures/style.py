@@ -145,8 +145,11 @@ def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
     """The figure as the bytes of a PDF page or of a PNG with so many dots an inch."""
     _settle(figure)
     out = io.BytesIO()
-    of_the_day = {"pdf": ("CreationDate", "Creator", "Producer"), "png": ("Software",)}
-    metadata = {"Title": title, **dict.fromkeys(of_the_day[kind])}
+    ours: dict[str, dict[str, Any]] = {
+        "pdf": {"CreationDate": None, "Creator": "tresym", "Producer": None},
+        "png": {"Software": "tresym"},
+    }
+    metadata = {"Title": title, **ours[kind]}
     figure.savefig(out, format=kind, dpi=dpi, metadata=metadata)
     return out.getvalue()
 
