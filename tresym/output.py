@@ -3,11 +3,39 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 
 from tresym.reals.numbers.exact import InputError
+
+_BEGINS = re.compile(
+    r"""
+      (\[\s*)? \{ \s* "(verdict|version|workload|display|paper|a|caption)":
+      | (PROVED|ENCLOSED|REFUTED|UNDECIDED|DEFINED|ASSUMED|EQUATION|UNREAD)\s
+      | [^\n]+ \n\n [ ]shape[ ] | flowchart[ ]BT\n | (claim|piece|mutant)[ ]{2}
+      | separatrix:[ ] | [-\w]+ [ ]+ (Fig\.|True)[ ]
+      | \|[ ] (body|shape|route|a₀)[ ] \| | ([^\n]+\n){1,6} \n ([^\n]+\n){1,9}? ─[─ ]+\n
+      | \\begin\{(sideways)?table\}\\small\\setlength
+      | (?!\\documentclass) .{0,2000}? \\label\{tresym:
+      | \\documentclass\[a4paper,11pt\]\{article\} .{0,600} \\definecolor\{proved\}
+      | \(\* .{0,2000} tresym | (%PDF|.PNG) .* tresym
+      | <\?xml .*? <title>[^<]*</title>\s*<(metadata|desc)>""",
+    re.VERBOSE | re.DOTALL,
+)
+"""How begins what the commands write with ``-o``."""
+
+
+def replaceable(path: str) -> bool:
+    """Whether there is no file at ``path``, or an empty one, or one that begins as one of ours."""
+    if not os.path.isfile(path):
+        return True
+    with open(path, "rb") as file:
+        head = file.read(20_000)
+        file.seek(max(0, os.path.getsize(path) - 4000))
+        text = (head + file.read()).decode("utf-8", errors="replace")
+    return not head or _BEGINS.match(text) is not None
 
 
 def write_text(path: str, text: str) -> None:

@@ -748,3 +748,61 @@ def test_ten_thousand_digits_take_little_memory(tmp_path: Path) -> None:
         timeout=HANGS,
     )
     assert int(done.stderr) < 200_000, "kilobytes"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "check x==x",
+        "check x==x --json",
+        "flip --shape 1 1/10 --digits 5",
+        "flip --shape 1 1/10 --digits 5 --json",
+        "flip --shape 1 1/10 --digits 5 --psi0 1 --rate 1",
+        "verify d34 --json",
+        "verify d34 --graph",
+        "verify momentum_along_z --mutants --json",
+        "derive d36",
+        "table constants",
+        "table constants --json",
+        "table constants --format markdown",
+        "table constants --format latex",
+        "figure",
+        "chart",
+    ],
+)
+def test_an_output_is_replaced_by_the_next(words: str, tmp_path) -> None:
+    target = tmp_path / "out"
+    for _ in range(2):
+        assert main([*words.split(), "-o", str(target)]) in (0, 1)
+    assert target.read_bytes()
+
+
+@pytest.mark.parametrize("kind", ["svg", "png", "pdf"])
+def test_a_picture_is_replaced_by_the_next(kind: str, tmp_path) -> None:
+    target = tmp_path / f"out.{kind}"
+    for _ in range(2):
+        assert main(["figure", "momentum-sphere", "-o", str(target)]) == 0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "\\documentclass{article}\n\\begin{document}\n$x$\n",
+        "\\begin{table}\n\\caption{Mine}\n",
+        "\\documentclass{article}\n\\usepackage{tresym}\n\\label{tresym:d36}\n",
+        "my notes on tresym\n",
+        "a,b\n1,2\n",
+        '{"name": 1}\n',
+        "<?xml version='1.0'?>\n<svg><title>mine</title><g/></svg>\n",
+        "| name | b |\n| --- | --- |\n",
+        "\x89PNG...",
+        "SQLite format 3\0",
+    ],
+)
+def test_a_file_of_somebody_else_is_not_replaced(text: str, tmp_path, capsys) -> None:
+    target = tmp_path / "mine"
+    target.write_text(text, encoding="utf-8")
+    for words in (["check", "x==x"], ["flip", "--body", "str"], ["figure", "momentum-sphere"]):
+        assert main([*words, "-o", str(target)]) == 2
+        assert "is not ours" in capsys.readouterr().err
+    assert target.read_text(encoding="utf-8") == text

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import tresym
 from tresym.commands.parser import BAD_INPUT, INTERRUPTED, Parser, one_line
+from tresym.output import replaceable
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
@@ -54,6 +55,8 @@ tresym --help lists the commands, tresym COMMAND --help the arguments of one.
 INPUTS = ("file", "source", "paper", "notes", "csv")
 OUTPUTS = ("path", "coq", "export", "marks")
 """Arguments, of any command, that name a file to read, and one to write."""
+REPLACING = ("path", "coq")
+"""Of these, those whose files are looked at here; a sweep looks at its own."""
 
 _OPTION = re.compile(r"-[hof]|--")
 
@@ -84,7 +87,7 @@ def _keep_negative_values(words: list[str]) -> list[str]:
 
 
 def _keep_inputs(args: argparse.Namespace) -> None:
-    """See, before any work, that no output would replace an input.
+    """See, before any work, that no output would replace an input or a file of the user's.
 
     Raises:
         InputError: one would.
@@ -94,6 +97,9 @@ def _keep_inputs(args: argparse.Namespace) -> None:
         for source in filter(None, map(given.get, INPUTS)):
             if os.path.isfile(goal) and os.path.realpath(goal) == os.path.realpath(source):
                 raise InputError(f"{goal}: is read here, and is not replaced; name another file")
+    for goal in filter(None, map(given.get, () if "csv" in given else REPLACING)):
+        if not replaceable(goal):
+            raise InputError(f"{goal!a}: is not ours, and is not replaced; name another file")
 
 
 def main(arguments: list[str] | None = None) -> int:

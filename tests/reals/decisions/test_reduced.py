@@ -7,6 +7,7 @@ import pytest
 import tresym
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.inequalities import decide_inequality
+from tresym.reals.decisions.reading import read
 from tresym.reals.decisions.reduced import _is_homogeneous, by_one_variable
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.places.conditions import Given
@@ -130,3 +131,36 @@ def test_a_pole_between_two_places_is_not_passed_over(under: str) -> None:
     left, right = parse("1/x - x"), parse("1/y - y")
     found = by_one_variable(left, ">=", right, given, decide_inequality)
     assert found is None or not found
+
+
+OF_ONE_PART = [
+    "log(x + y) <= x + y - 1 given x > 0, y > 0",
+    "exp(x*y) <= 1 + 1.72*x*y given 0 <= x <= 1, 0 <= y <= 1",
+    "atan(x - y) <= x - y given x > 0, y < 0",
+    "log(1 + x*y) < x*y given x > 0, y > 0",
+]
+BESIDE = [  # each passes where one guard or one end is left out
+    "x**2 + y >= 0",
+    "x + y + 1 + 0*sqrt(x) >= 0",
+    "exp(x*y) > 1 given x >= 0, y > 0",
+    "x + y > 0 given x >= 0, y >= 0",
+    "x - y > 0 given x >= 0, y <= 0",
+    "x*y >= 1 given x >= -1, y >= -1",
+    "x + y < 2 given x <= 1, y <= 1",
+    "x*y < 2 given 0 < x <= 1, 0 < y <= 2",
+]
+
+
+@pytest.mark.parametrize("claim", OF_ONE_PART)
+def test_a_function_of_a_sum_or_a_product_is_one_of_one_variable(claim: str) -> None:
+    assert tresym.check(claim)
+
+
+@pytest.mark.parametrize("claim", BESIDE)
+def test_what_is_false_is_no_function_of_one_part(claim: str) -> None:
+    statement = read(claim)
+    (asked,) = statement.comparisons
+    turned = asked.relation.startswith("<")
+    left, right = (asked.right, asked.left) if turned else (asked.left, asked.right)
+    relation = asked.relation.replace("<", ">")
+    assert not by_one_variable(left, relation, right, statement.given, decide_inequality)

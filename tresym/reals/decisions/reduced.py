@@ -3,6 +3,7 @@
 - d(ty, y) = yᵏ d(t, 1) for y > 0: the claim at (x, y) is that at (x/y, 1), where conditions and
   domain are so, too.
 - g(x) ≥ g(y) for x < y: g falls, where its derivative is nowhere positive on an interval of both.
+- d(x, y) = f(u) for u = x + y, x − y or x y: f on all values that u takes in the bounds of x and y.
 - Σ gᵢ(xᵢ) ≥ 0: gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
 - Π gᵢ(xᵢ) ≥ 1: gᵢ ≥ cᵢ for numbers with Π cᵢ ≥ 1, where each gᵢ is a product of positive parts; or
   g(x)/g(y) ≥ 1, which is g(x) ≥ g(y).
@@ -39,7 +40,7 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval, rational_ends
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.descent import low_points
-from tresym.reals.places.domain import needs
+from tresym.reals.places.domain import needs, with_domain
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.inside import PROVING, is_zero
 from tresym.reals.signs.sign import sign
@@ -63,7 +64,7 @@ def by_one_variable(
     """
     if _jumps((left, right, *(c.expression for c in given.conditions))):
         return None
-    for method in (_scaled, _monotone, _separated, _multiplied):
+    for method in (_scaled, _of_one_part, _monotone, _separated, _multiplied):
         found = method(left, relation, right, given, decide)
         if found is not None:
             return found
@@ -123,6 +124,76 @@ def _is_homogeneous(e: Expr, x: str, y: str, given: Given) -> bool:
             if is_zero(left - symbol(y) ** number(degree) * right, free):
                 return True
     return False
+
+
+# -- sums and products of two -------------------------------------------------------------------
+
+
+def _of_one_part(
+    left: Expr, relation: str, right: Expr, given: Given, ask: Decide
+) -> Answer | None:
+    difference = left - right
+    names = sorted(symbols(difference))
+    if len(names) != 2:
+        return None
+    x, y = map(symbol, names)
+    region = with_domain(given, left, right)
+    ends = [given.box.get(name, Interval()) for name in names]
+    for part, neutral, values in (
+        (x + y, ZERO, _sum(*ends)),
+        (x - y, ZERO, _sum(ends[0], _opposite(ends[1]))),
+        (x * y, ONE, _product(*ends)),
+    ):
+        f = substitute(difference, {names[1]: neutral})
+        there = substitute(f, {names[0]: part})
+        if _differ(difference, there, given) or not is_zero(difference - there, region):
+            continue
+        if not all(sign(e, region, r) in PROVING[r] for e, r in needs((there,))):
+            continue  # the difference may be real where the function of the part is not
+        found = ask(f, relation, ZERO, Given(tuple(_within(x, values))))
+        if found:
+            return replace(found, why=f"it is a function of {part}: {found.why}", region=None)
+    return None
+
+
+def _differ(e: Expr, other: Expr, given: Given) -> bool:
+    """Whether they are seen to differ at one of a few points."""
+    with ball_precision():
+        for point in given.points(sorted(symbols(e)), STARTS):
+            at = {name: arb(value) for name, value in point.items()}
+            wrong = evaluate(e, at) - evaluate(other, at)
+            if wrong.is_finite():
+                return not wrong.contains(0)
+    return False
+
+
+def _opposite(where: Interval) -> Interval:
+    low, high = (None if end is None else -end for end in (where.high, where.low))
+    return Interval(low, high, where.high_open, where.low_open)
+
+
+def _sum(one: Interval, other: Interval) -> Interval:
+    low = None if one.low is None or other.low is None else one.low + other.low
+    high = None if one.high is None or other.high is None else one.high + other.high
+    return Interval(low, high, one.low_open or other.low_open, one.high_open or other.high_open)
+
+
+def _product(one: Interval, other: Interval) -> Interval:
+    """An interval of the products, which are known to be bounded where neither is negative."""
+    if one.low is None or other.low is None or one.low < 0 or other.low < 0:
+        return Interval()
+    low = one.low * other.low
+    opens = [where.low_open for where in (one, other) if low > 0 or where.low == 0]
+    high = None if one.high is None or other.high is None else one.high * other.high
+    closed = low == 0 and not all(opens)
+    return Interval(low, high, any(opens) and not closed, False)
+
+
+def _within(x: Expr, where: Interval) -> Iterator[Comparison]:
+    if where.low is not None:
+        yield x, ">" if where.low_open else ">=", number(where.low)
+    if where.high is not None:
+        yield x, "<" if where.high_open else "<=", number(where.high)
 
 
 # -- one function at two places -----------------------------------------------------------------

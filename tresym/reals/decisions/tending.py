@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+from itertools import product
+from math import lcm
 
 from flint import arb, fmpq
 
@@ -23,18 +25,22 @@ from tresym.reals.decisions.orders import decide_order, region
 from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.simple import simple_points
 from tresym.reals.language.expression import (
+    LEAVES,
     ONE,
     PI,
     ZERO,
     Expr,
     apply,
+    differentiate,
     number,
+    replaced,
     substitute,
     symbol,
     symbols,
 )
 from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.parsing import INFINITY
+from tresym.reals.normal.written import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.places.conditions import Given
@@ -250,9 +256,10 @@ def _from_somewhere_on(
         else:
             best = min(answers, key=lambda found: found.verdict is Verdict.PROVED)
             return replace(best, region=str(near[0]) if len(near) == 1 else None)
-    found = _periodic_failure(claim.left - claim.right, claim.relation, path)
-    if found is not None:
-        return found
+    for fails in (_periodic_failure, _failure_where_waves_return):
+        found = fails(claim.left - claim.right, claim.relation, path)
+        if found is not None:
+            return found
     why = f"it is not shown from {FAR[-1]} on, nor to fail again and again"
     return Answer(Verdict.UNDECIDED, why)
 
@@ -292,3 +299,40 @@ def _periodic_failure(difference: Expr, relation: str, path: Path) -> Answer | N
                     )
                     return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(where)})
     return None
+
+
+def _failure_where_waves_return(difference: Expr, relation: str, path: Path) -> Answer | None:
+    """A refutation at points c + 2 π N n, at which every sine and cosine has its value at c.
+
+    Their arguments are of the first degree with rational slopes, and N is a multiple of the
+    denominators. What is left without them has a sign from somewhere on.
+    """
+    name = path.name
+    waves = {node: differentiate(node.args[0], name) for node in _waves(difference, name)}
+    slopes = [slope.args[0] for slope in waves.values() if slope.op == "number"]
+    if path.point is not None or not slopes or len(slopes) < len(waves):
+        return None
+    if symbols(difference) != {name}:
+        return None
+    turns = lcm(*(int(slope.q) for slope in slopes))
+    for side, quarter in product(path.sides, range(4)):
+        c = turns * quarter * PI / 2
+        there = {wave: substitute(wave, {name: c}) for wave in waves}
+        if not all(evaluate(value, {}).is_finite() for value in there.values()):
+            continue
+        left = replaced(difference, {w: normal_form(e, Given()) for w, e in there.items()})
+        found = sign_towards(left, name, path.point, side)
+        if found is None or stands(arb(found[0]), relation):
+            continue
+        n = int((1 / found[1] / (6 * turns)).ceil()) + 1
+        where = exact_text(side * 2 * turns * n * PI + c)
+        why = f"it fails at {name} = {where} and wherever its waves return to their values there"
+        return Answer(Verdict.REFUTED, why, witness={name: where})
+    return None
+
+
+def _waves(e: Expr, name: str) -> set[Expr]:
+    """The sines and cosines in which the variable occurs, but those inside of others."""
+    if e.op in LEAVES or name not in symbols(e):
+        return set()
+    return {e} if e.op in ("sin", "cos") else set().union(*(_waves(arg, name) for arg in e.args))

@@ -76,12 +76,16 @@ def _decimal(text: str, what: str) -> fmpq:
 def _at_once(text: str) -> fmpq | None:
     """What most texts are, a short decimal or fraction, read in few steps."""
     if len(text) < len(_TENS) and text.isascii():
-        whole, _, part = text.partition(".")
-        if (digits := whole + part).isdecimal():
-            return fmpq(int(digits), _TENS[len(part)])
-        top, _, bottom = text.partition("/")
-        if top.isdecimal() and bottom.isdecimal() and (below := int(bottom)):
-            return fmpq(int(top), below)
+        if text.isdecimal():
+            return fmpq(int(text))
+        top, slash, bottom = text.partition("/")
+        if slash:
+            if top.isdecimal() and bottom.isdecimal() and (below := int(bottom)):
+                return fmpq(int(top), below)
+        else:
+            whole, _, part = text.partition(".")
+            if (digits := whole + part).isdecimal():
+                return fmpq(int(digits), _TENS[len(part)])
         top, _, power = text.partition("e-")
         if top.isdecimal() and power.isdecimal() and (places := int(power)) < len(_TENS):
             return fmpq(int(top), _TENS[places])

@@ -89,7 +89,8 @@ def fit_words(figure: Any, least: float) -> None:
     At ``least``, how much narrower it is, they stand as in the picture as it was drawn.
     """
     words = [(word, word.get_fontsize()) for word in _words(figure)]
-    axes = [axis for each in figure.axes for axis in (each.xaxis, each.yaxis)]
+    ruled = [each for each in figure.axes if each.axison]
+    axes = [axis for each in ruled for axis in (each.xaxis, each.yaxis)]
     marks = [
         (axis, axis.get_ticklabels()[0].get_fontsize())
         for axis in axes
@@ -144,8 +145,11 @@ def bitmap_or_page(figure: Any, title: str, kind: str, dpi: int = 200) -> bytes:
     """The figure as the bytes of a PDF page or of a PNG with so many dots an inch."""
     _settle(figure)
     out = io.BytesIO()
-    of_the_day = {"pdf": ("CreationDate", "Creator", "Producer"), "png": ("Software",)}
-    metadata = {"Title": title, **dict.fromkeys(of_the_day[kind])}
+    ours: dict[str, dict[str, Any]] = {
+        "pdf": {"CreationDate": None, "Creator": "tresym", "Producer": None},
+        "png": {"Software": "tresym"},
+    }
+    metadata = {"Title": title, **ours[kind]}
     figure.savefig(out, format=kind, dpi=dpi, metadata=metadata)
     return out.getvalue()
 
