@@ -36,7 +36,10 @@ CHECKERS = (
     *(f"reals/decisions/{name}.py" for name in ("region", "orders", "statement", "growth")),
     *(f"reals/decisions/{name}.py" for name in ("branches", "reduced", "zeros", "tending")),
     *(f"reals/decisions/{name}.py" for name in ("approach", "integrals", "totals", "whole")),
-    *(f"reals/decisions/{name}.py" for name in ("equations", "unknowns", "simple")),
+    *(f"reals/decisions/{name}.py" for name in ("equations", "unknowns", "simple", "exponents")),
+    *(f"reals/decisions/{name}.py" for name in ("dotted", "hypergeometric", "power_series")),
+    *(f"reals/decisions/{name}.py" for name in ("quoted", "standard", "factorials", "repeated")),
+    *(f"reals/decisions/{name}.py" for name in ("germs", "infinite", "derivatives")),
     "reals/places/integrands.py",
 )
 RECORD, REACHED = ROOT / "build" / "guards.jsonl", ROOT / "build" / "guards-reached.json"

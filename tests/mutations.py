@@ -1,9 +1,9 @@
 """Small changes to the source of a checker, each of which may let something false pass.
 
-A guard is deleted, a test negated, one of several conditions dropped, a bound widened, a sign
-allowed, a loop of guards ended after its first turn, success returned at once. Where a change has
-two ways, it is made the way that lets more pass. A mutant is applied to the functions in memory; no
-file is touched.
+A guard or a need is deleted, a test negated, one of several conditions dropped, a bound widened, a
+sign allowed, a loop of guards ended after its first turn, success returned at once. Where a change
+has two ways, it is made the way that lets more pass. A mutant is applied to the functions in
+memory; no file is touched.
 """
 
 from __future__ import annotations
@@ -108,6 +108,8 @@ def _changes(node: Any, leaning: dict[int, int]) -> Iterator[tuple[str, Any, ast
             yield "all or any", None, node
         case ast.For() if any(isinstance(n, ast.stmt) and _refuses(n) for n in ast.walk(node)):
             yield "first turn only", None, node.iter
+        case ast.Expr(ast.Call(ast.Name(name), [first, *_])) if name in ("need", "_need"):
+            yield "need dropped", None, first
         case ast.FunctionDef() if node.returns is not None:
             returns = ast.unparse(node.returns)
             if returns == "bool" or returns.endswith("| None"):
@@ -221,6 +223,8 @@ def _change(node: Any, kind: str, part: Any) -> None:
             node.comparators[part[0]] = ast.Constant(node.comparators[part[0]].value + part[1])
         case "all or any":
             node.func = ast.Name("any" if node.func.id == "all" else "all", ast.Load())
+        case "need dropped":
+            node.value = ast.Constant(None)
         case "first turn only":
             node.body.append(ast.Break())
         case "returned at once":

@@ -99,3 +99,27 @@ def test_a_mutant_is_known_again_while_its_function_is_the_same(checker: ModuleT
     assert len({*keys}) == len(keys)
     moved = Mutant(**{**mutants(checker.file)[0]._asdict(), "line": 99})
     assert moved.key == keys[0]
+
+
+def test_a_need_is_dropped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    source = """
+def need(shown, why):
+    if not shown:
+        raise ValueError(why)
+
+
+def holds(low):
+    need(low > 0, "it is too low")
+    return True
+"""
+    path = tmp_path / "needing.py"
+    path.write_text(source)
+    module = ModuleType("needing")
+    exec(source, module.__dict__)
+    monkeypatch.setitem(sys.modules, str(path).removesuffix(".py").replace("/", "."), module)
+    with pytest.raises(ValueError, match="too low"):
+        module.holds(0)
+    (dropped,) = (mutant for mutant in mutants(str(path)) if mutant.kind == "need dropped")
+    assert dropped.was == "low > 0"
+    apply(dropped)
+    assert module.holds(0)

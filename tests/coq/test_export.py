@@ -18,9 +18,9 @@ from flint import arb
 from tresym.commands import main
 from tresym.coq import export
 from tresym.coq.dialogue import accepted
-from tresym.coq.ledger import stamp, theorem_of
+from tresym.coq.ledger import conditions_of, stamp, theorem_of
 from tresym.coq.proving import candidates, plans
-from tresym.coq.statement import NotExportedError, Theorem
+from tresym.coq.statement import NotExportedError, Theorem, comparison, variable
 from tresym.ledger.paper import all_claims
 from tresym.reals.corpus.rewriting import changed
 from tresym.reals.language.expression import Expr, symbols
@@ -99,6 +99,22 @@ def test_conditions_are_shown_to_hold_somewhere() -> None:
     rows = STORE.get("possible", {}).values()
     assert all(row["body"].lstrip().startswith("exists") for row in rows)
     assert len({row["name"] for row in rows}) == len(rows)
+
+
+def test_of_each_set_of_conditions_a_point_is_proved() -> None:
+    """But of one, which bounds an integral, and where the point itself is given."""
+    store, left = {row["body"] for row in STORE["possible"].values()}, []
+    for claim in all_claims():
+        try:
+            given = conditions_of(claim.given)
+        except InputError:
+            continue
+        names = sorted(frozenset().union(*(symbols(c.left) | symbols(c.right) for c in given)))
+        body = " /\\\n".join(f"  {comparison(*c)}" for c in given)
+        body = f"  exists {' '.join(map(variable, names))} : R,\n{body}"
+        if names and all(c.sign != "==" for c in given) and body not in store:
+            left.append(claim.label)
+    assert left == ["symmetric_maximum"]
 
 
 def test_an_unknown_label_is_bad_input(tmp_path: Path) -> None:

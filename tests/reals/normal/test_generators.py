@@ -95,28 +95,3 @@ def test_involved_reaches_what_is_unknown() -> None:
     field = Field(Given(), frozenset({"roots"}))
     (x,) = field.normal(parse("sqrt(x + sin(1))"))
     assert "opaque" in {field.at(i).kind for i in field.involved(x.num)}
-
-
-@pytest.mark.parametrize("text", ["x", "1/(x + y)", "log(x)", "log(x)/log(x + 1)", "pi*x"])
-def test_varies(text: str) -> None:
-    field, x = normal(text)
-    assert field.varies(x)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "2",
-        "log(2)/log(3)",
-        "log(x*y) - log(x) - log(y) + 1",
-        # several values, and constant on every region
-        "sign(x)",
-        "log(2 + sign(x))",
-        "log(2 + sign(x))/log(4 + sign(x - 1))",
-        "atan(x) + atan(1/x)",
-        "log(abs(x - 1)/(x - 1) + 3)",
-    ],
-)
-def test_not_shown_to_vary(text: str) -> None:
-    field, x = normal(text, "")
-    assert not field.varies(x)

@@ -179,6 +179,19 @@ def test_the_words_of_a_narrow_picture_stand_within_it_and_apart(name, monkeypat
     assert style._apart(boxes, drawn[0].bbox)
 
 
+def test_a_strip_of_a_column_has_letters_of_a_caption():
+    from tresym.report.figures import style
+
+    with style.looks():
+        strip = racket_flip.strip(racket_flip.data())
+        share = 90 / 25.4 / strip.get_figwidth()
+        strip.set_size_inches(strip.get_size_inches() * share)
+        style.fit_words(strip, share)
+        words = [word for word in style._words(strip) if word.get_text()]
+        assert [word.get_text() for word in words[:3]] == ["φ = 0", "π/4", "π/2"]
+        assert min(word.get_fontsize() for word in words) > 7
+
+
 # Fig. 4
 
 

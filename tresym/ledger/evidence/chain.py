@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
-from dataclasses import replace
+from collections.abc import Callable
+from typing import Any
 
 from tresym.ledger.claim import Chain, Claim, Reason
 from tresym.ledger.evidence.integrals import (
     NotShownError,
+    need,
     need_integrals,
     sign_of_integral,
     with_bounds,
@@ -34,8 +35,6 @@ from tresym.reals.language.expression import HALF, PI, ZERO, Expr, apply, replac
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
 from tresym.reals.verdict import Verdict
 
-PROVED = StepFinding(Verdict.PROVED, "")
-
 OPENING = ("differentiation", "evaluating")
 """Reasons by which derivatives and values are worked out."""
 
@@ -56,31 +55,33 @@ MONOTONE = {"cos": (-1, ZERO, PI), "sin": (1, -PI * HALF, PI * HALF)}
 the closed interval, on which they are strictly monotone, that must hold both sides."""
 
 
-def _undecided(why: str) -> StepFinding:
-    return StepFinding(Verdict.UNDECIDED, why)
-
-
 def check_chain(says: Formula, chain: Chain, given: Conditions) -> tuple[StepFinding, ...]:
     """Findings for every step; all are PROVED exactly when the chain proves ``says``."""
-    if not chain:
-        return (_undecided("the chain has no step"),)
-    ends = _ends(says, chain, given)
-    if isinstance(ends, StepFinding):
-        return (ends,)
-    before, goal = ends
+    try:
+        need(bool(chain), "the chain has no step")
+        before, goal = _ends(says, chain, given)
+    except NotShownError as error:
+        return (StepFinding(Verdict.UNDECIDED, str(error)),)
     findings = []
     for link in chain:
         after = goal if link.expression is None else stage(link.expression)
-        began = time.perf_counter()
         after = _as_meant(before, link.reasons, given) if after is None else after
-        finding = _check_step(before, after, link.reasons, given)
+        findings.append(_found(_check_step, before, after, link.reasons, given))
         before = after
-        findings.append(replace(finding, seconds=time.perf_counter() - began))
     if all(f.verdict is Verdict.PROVED for f in findings):
-        arrival = _arrives(says, before, goal, chain[-1].reasons, given)
-        if arrival.verdict is not Verdict.PROVED:
-            findings.append(arrival)
+        arrival = _found(_arrives, says, before, goal, chain[-1].reasons, given)
+        findings += [arrival] if arrival.verdict is not Verdict.PROVED else []
     return tuple(findings)
+
+
+def _found(check: Callable[..., None], *asked: Any) -> StepFinding:
+    """What checking a step comes to: PROVED where nothing that it asks for is missing."""
+    began = time.perf_counter()
+    try:
+        check(*asked)
+    except NotShownError as error:
+        return StepFinding(Verdict.UNDECIDED, str(error), time.perf_counter() - began)
+    return StepFinding(Verdict.PROVED, "", time.perf_counter() - began)
 
 
 def _as_meant(before: Stage, reasons: tuple[Reason, ...], given: Conditions) -> Stage:
@@ -96,9 +97,7 @@ def _as_meant(before: Stage, reasons: tuple[Reason, ...], given: Conditions) -> 
     return tuple(map(worked_out, meant)) if opened else meant
 
 
-def _ends(
-    says: Formula, chain: Chain, given: Conditions
-) -> tuple[Stage, Stage | None] | StepFinding:
+def _ends(says: Formula, chain: Chain, given: Conditions) -> tuple[Stage, Stage | None]:
     """Where a chain for ``says`` starts, and where it must arrive (None: at a sign)."""
     match says:
         case Equivalence(Relation(sign="==") as first, Relation(sign="==") as second):
@@ -108,17 +107,16 @@ def _ends(
         case Relation(left, "==", right):
             return (left,), (right,)
         case Relation(sign=">" | ">=" | "<" | "<="):
-            compared = _compared(says.upward, chain[0].reasons, given)
-            return compared if isinstance(compared, StepFinding) else ((compared,), None)
+            return (_compared(says.upward, chain[0].reasons, given),), None
         case Conjunction(parts) if parts and all(
             isinstance(part, Relation) and part.sign == "==" for part in parts
         ):
             entries = [part for part in parts if isinstance(part, Relation)]
             return tuple(e.left for e in entries), tuple(e.right for e in entries)
-    return _undecided(f"a chain cannot prove {says}")
+    raise NotShownError(f"a chain cannot prove {says}")
 
 
-def _compared(says: Relation, reasons: tuple[Reason, ...], given: Conditions) -> Expr | StepFinding:
+def _compared(says: Relation, reasons: tuple[Reason, ...], given: Conditions) -> Expr:
     """What must be positive (or not negative) for an inequality: the difference of its sides.
 
     Where the first step applies a monotone function, it is the difference of their values.
@@ -126,13 +124,12 @@ def _compared(says: Relation, reasons: tuple[Reason, ...], given: Conditions) ->
     sides = (says.left, says.right)
     given = with_bounds(given, reasons)
     for name in (r.function for r in reasons if r.function is not None):
-        if name not in MONOTONE:
-            return _undecided(f"{name} is not known to be monotone")
+        need(name in MONOTONE, f"{name} is not known to be monotone")
         direction, low, high = MONOTONE[name]
         for side in sides:
             for room in (side - low, high - side):
-                if manifest_sign(room, given) not in NON_NEGATIVE:
-                    return _undecided(f"{side} is not shown to lie where {name} is monotone")
+                lies = manifest_sign(room, given) in NON_NEGATIVE
+                need(lies, f"{side} is not shown to lie where {name} is monotone")
         sides = (direction * apply(name, sides[0]), direction * apply(name, sides[1]))
     return sides[0] - sides[1]
 
@@ -143,83 +140,70 @@ def _arrives(
     goal: Stage | None,
     reasons: tuple[Reason, ...],
     given: Conditions,
-) -> StepFinding:
-    """The end of a chain: the right side itself, or a manifest sign."""
+) -> None:
+    """That a chain ends at the right side itself, or at a manifest sign."""
     if goal is not None:
-        return PROVED if last == goal else _check_step(last, goal, (), given)
+        return None if last == goal else _check_step(last, goal, (), given)
     if isinstance(last, Relation) or len(last) != 1 or not isinstance(says, Relation):
-        return _undecided("an inequality is shown by the sign of a number")
+        raise NotShownError("an inequality is shown by the sign of a number")
     given, strict = with_bounds(given, reasons), says.sign in (">", "<")
     integrals = dict.fromkeys(node for node in outermost(last[0]) if node.op == "integral")
     numbers = {node: symbol(f"[{n}]") for n, node in enumerate(integrals)}
     bounds = tuple(c for r in reasons if r.name == "citing" for c in r.claims)
-    try:
-        signs = {n: sign_of_integral(node, bounds, given, strict) for node, n in numbers.items()}
-        need_integrals((node for node in outermost(last[0]) if node not in numbers), given)
-    except NotShownError as error:
-        return _undecided(str(error))
+    signs = {n: sign_of_integral(node, bounds, given, strict) for node, n in numbers.items()}
+    need_integrals((node for node in outermost(last[0]) if node not in numbers), given)
     known = (Relation(n, ">" if sign == "+" else ">=", ZERO) for n, sign in signs.items() if sign)
     wanted = ">" if strict else ">="
-    if is_manifest(Relation(replaced(last[0], numbers), wanted, ZERO), (*given, *known)):
-        return PROVED
-    return _undecided(f"the sign of {last[0]} is not manifest")
+    arrived = is_manifest(Relation(replaced(last[0], numbers), wanted, ZERO), (*given, *known))
+    return need(arrived, f"the sign of {last[0]} is not manifest")
 
 
 def _check_step(
     before: Stage, after: Stage, reasons: tuple[Reason, ...], given: Conditions
-) -> StepFinding:
+) -> None:
     if isinstance(before, Relation) and isinstance(after, Relation):
         return _check_equation(before, after, reasons, given)
     if isinstance(before, Relation) or isinstance(after, Relation):
-        return _undecided("the step changes the kind of statement")
-    if len(before) != len(after):
-        return _undecided("matrices of different shape")
-    pairs = zip(before, after, strict=True)
-    return _first_failure(_check_scalar(p, q, reasons, given) for p, q in pairs)
-
-
-def _first_failure(findings: Iterable[StepFinding]) -> StepFinding:
-    for finding in findings:
-        if finding.verdict is not Verdict.PROVED:
-            return finding
-    return PROVED
+        raise NotShownError("the step changes the kind of statement")
+    need(len(before) == len(after), "matrices of different shape")
+    for p, q in zip(before, after, strict=True):
+        _check_scalar(p, q, reasons, given)
+    return None
 
 
 def _check_equation(
     before: Relation, after: Relation, reasons: tuple[Reason, ...], given: Conditions
-) -> StepFinding:
+) -> None:
     """Both sides rewritten, or one one-to-one operation applied to both."""
     left, right = before.left, before.right
     given = with_bounds(given, reasons)
-    factors, terms = (
-        (
-            [None if e is None else tree(e) for e in es]
-            for es in zip(*((r.factor, r.term) for r in reasons), strict=True)
-        )
-        if reasons
-        else ([], [])
-    )
-    for e in (left, right, *factors, *terms):
-        gap = None if e is None else undefined(e, given)
-        if gap is not None:
-            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
-    for reason, factor, term in zip(reasons, factors, terms, strict=True):
-        if term is not None:
+    for side in (left, right):
+        _need_defined(side, given)
+    for reason in reasons:
+        if reason.term is not None:
+            term = tree(reason.term)
+            _need_defined(term, given)
             left, right = left + term, right + term
-        if factor is not None:
-            if manifest_sign(factor, given) not in ("+", "-"):
-                return _undecided(f"{factor} is not shown to be non-zero")
+        if reason.factor is not None:
+            factor = tree(reason.factor)
+            _need_defined(factor, given)
+            nonzero = manifest_sign(factor, given) in ("+", "-")
+            need(nonzero, f"{factor} is not shown to be non-zero")
             left, right = left * factor, right * factor
         if reason.function is not None:
-            for side in (left, right):
-                needed = ONE_TO_ONE.get(reason.function)
-                if needed is None:
-                    return _undecided(f"{reason.function} is not known to be one-to-one")
-                if needed and manifest_sign(side, given) not in needed:
-                    return _undecided(f"the sign of {side} is not shown")
+            known = ONE_TO_ONE.get(reason.function)
+            if known is None:
+                raise NotShownError(f"{reason.function} is not known to be one-to-one")
+            for side in (left, right) if known else ():
+                need(manifest_sign(side, given) in known, f"the sign of {side} is not shown")
             left, right = _apply(reason.function, left), _apply(reason.function, right)
-    pairs = ((left, after.left), (right, after.right))
-    return _first_failure(_check_scalar(p, q, reasons, given) for p, q in pairs)
+    _check_scalar(left, after.left, reasons, given)
+    _check_scalar(right, after.right, reasons, given)
+
+
+def _need_defined(e: Expr, given: Conditions) -> None:
+    gap = undefined(e, given)
+    need(gap is None, f"nothing shows that {gap} allows the operation it stands in")
 
 
 def _apply(function: str, e: Expr) -> Expr:
@@ -230,29 +214,22 @@ def _apply(function: str, e: Expr) -> Expr:
 
 def _check_scalar(
     before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Conditions
-) -> StepFinding:
+) -> None:
     """The step from one number to the next, after definitions and integrals are dealt with."""
     used = tuple(c for reason in reasons if reason.name == "substituting" for c in reason.claims)
-    try:
-        rules, given = instantiated(used, with_bounds(given, reasons))
-    except NotShownError as error:
-        return _undecided(str(error))
+    rules, given = instantiated(used, with_bounds(given, reasons))
     written = (before, after)
     before, after = meant_by = put_in(before, rules), put_in(after, rules)
     if any(node.op != "at" for node in outermost(before, after)):
-        try:
-            before, after = without_integrals(before, after, reasons, given)
-        except NotShownError as error:
-            return _undecided(str(error))
+        before, after = without_integrals(before, after, reasons, given)
     if before != after:
         decision = _decided(before, after, reasons, given)
-        if decision.verdict is not Verdict.PROVED:
-            return _undecided(decision.why)
+        need(decision.verdict is Verdict.PROVED, decision.why)
     for side, meant in zip(written, meant_by, strict=True):
         gap = undefined(side, given)
-        if gap is not None and (side == meant or undefined(meant, given) is not None):
-            return _undecided(f"nothing shows that {gap} allows the operation it stands in")
-    return PROVED
+        if gap is not None and side != meant:
+            gap = undefined(meant, given)
+        need(gap is None, f"nothing shows that {gap} allows the operation it stands in")
 
 
 def _decided(before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Conditions) -> Decision:
@@ -278,9 +255,8 @@ def instantiated(used: tuple[Claim, ...], given: Conditions) -> tuple[Rules, Con
     while waiting:
         unmet = {claim: unmet_condition(claim, rules, meant) for claim in waiting}
         ready = tuple(claim for claim in waiting if unmet[claim] is None)
-        if not ready:
-            first = unmet[waiting[0]]
-            raise NotShownError(f"{first} is not shown, but a claim that is used needs it")
+        first = unmet[waiting[0]]
+        need(bool(ready), f"{first} is not shown, but a claim that is used needs it")
         rules |= definitions(ready)
         waiting = tuple(claim for claim in waiting if unmet[claim] is not None)
         meant = tuple(dict.fromkeys((*given, *put_into(given, rules))))

@@ -23,6 +23,7 @@ from tresym.ledger.evidence.manifest import (
     manifest_sign,
     undefined,
 )
+from tresym.ledger.finding import StepFinding
 from tresym.ledger.meaning import (
     REMEMBERED,
     Conditions,
@@ -64,6 +65,21 @@ NOTHING: Mapping[str, Expr] = MappingProxyType({})
 
 class NotShownError(ValueError):
     """What a rule asks for is not shown; the text says what."""
+
+    def __init__(self, why: str, steps: tuple[StepFinding, ...] = ()) -> None:
+        """What was shown before, and the step that was not, may be said too."""
+        super().__init__(why)
+        self.steps = steps
+
+
+def need(shown: bool, why: str, steps: tuple[StepFinding, ...] = ()) -> None:
+    """That something is shown.
+
+    Raises:
+        NotShownError: it is not.
+    """
+    if not shown:
+        raise NotShownError(why, steps)
 
 
 def with_bounds(
@@ -189,17 +205,14 @@ def need_value(e: Expr, given: Conditions) -> None:
         if node.op == "integral":
             need_smooth(node, given)
             continue
-        if node.op not in ("derivative", "at"):
-            raise NotShownError(f"{node} is not shown to exist")
+        need(node.op in ("derivative", "at"), f"{node} is not shown to exist")
         for point in node.args[1:]:
             need_value(point, given)
-        need = need_smooth if node.op == "derivative" else need_value
         body, near, _ = _near(node, given)
-        need(body, near)
+        (need_smooth if node.op == "derivative" else need_value)(body, near)
     variables = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
     gap = undefined(replaced(e, variables), given)
-    if gap is not None:
-        raise NotShownError(f"nothing shows that {gap} allows its operation")
+    need(gap is None, f"nothing shows that {gap} allows its operation")
 
 
 def _near(
@@ -294,9 +307,9 @@ def _need_change(old: Expr, new: Expr, reason: Reason, given: Conditions) -> Non
     start, end = new.args[1:]
     if not _equal(first, start, inside.conditions):
         start, end, slope = end, start, -slope  # the new integral runs backwards
-    _need(_equal(first, start, inside.conditions), "the ends are not those")
-    _need(_equal(last, end, inside.conditions), "the ends are not those")
-    _need(_equal(inside.integrand, pulled * slope, inside.conditions), "other integrands")
+    need(_equal(first, start, inside.conditions), "the ends are not those")
+    need(_equal(last, end, inside.conditions), "the ends are not those")
+    need(_equal(inside.integrand, pulled * slope, inside.conditions), "other integrands")
     _need_continuous((inside.integrand, change, pulled), inside.conditions)
 
 
@@ -307,8 +320,8 @@ def _cut(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Replac
     whole = _one_of(next((side for side in sides if len(side) == 1), []))
     body, low, high = whole.args
     for room in (place - low, high - place):
-        if manifest_sign(room, given) not in NON_NEGATIVE:
-            raise NotShownError(f"{place} is not shown to lie in the interval of integration")
+        lies = manifest_sign(room, given) in NON_NEGATIVE
+        need(lies, f"{place} is not shown to lie in the interval of integration")
     inside = _inside(whole, reason.claims, given)
     _need_continuous((inside.integrand,), inside.conditions)
     ends = (low, place), (place, high)
@@ -325,8 +338,7 @@ def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Re
     _need_continuous((inside.integrand,), inside.conditions)
     total, integrand = ZERO, ZERO
     for part in parts:
-        if part.args[1:] != whole.args[1:]:
-            raise NotShownError("the integrals are not over one interval")
+        need(part.args[1:] == whole.args[1:], "the integrals are not over one interval")
         own = _inside(part, reason.claims, given)
         _need_continuous((own.integrand,), own.conditions)
         share = _share((before, after)[1 - single], part)
@@ -340,8 +352,7 @@ def _share(e: Expr, node: Expr) -> Expr:
     """The factor of an integral in ``e``; what it is taken for is any number."""
     name = "[share]"
     found = differentiate(replaced(e, {node: symbol(name)}), name)
-    if name in symbols(found):
-        raise NotShownError(f"{e} is no sum of multiples of integrals")
+    need(name not in symbols(found), f"{e} is no sum of multiples of integrals")
     return found
 
 
@@ -370,8 +381,7 @@ def _derived(node: Expr, reason: Reason, given: Conditions) -> Expr:
     put = {parameter: point}
     inside = _inside(whole, reason.claims, outside, reason, bound=bound)
     f, (low, high) = inside.integrand, whole.args[1:]
-    if not elementary(f):
-        raise NotShownError("the integrand hides its parameter")
+    need(elementary(f), "the integrand hides its parameter")
     slope = inside.of(_expression(reason))
     derived = substitute(differentiate(f, parameter), put)
     # That the parameter is its one value leaves no points to look at.
@@ -432,8 +442,8 @@ def _inside(
     """
     (written,), (_, low, high) = node.names, node.args
     for claim in bounds:
-        if not defined(claim).isdisjoint({written, *bound}):
-            raise NotShownError(f"{claim.label} is about a symbol that is bound here")
+        apart = defined(claim).isdisjoint({written, *bound})
+        need(apart, f"{claim.label} is about a symbol that is bound here")
     spoken = () if reason is None else symbols(_expression(reason)) - {written}
     (name,), integrand = opened(node, {*_names(given), *spoken, *_names_of(others)})
     x = symbol(name)
@@ -468,28 +478,21 @@ def _apart(before: Expr, after: Expr) -> list[Expr]:
 
 
 def _one_of(nodes: list[Expr]) -> Expr:
-    if len(nodes) != 1:
-        raise NotShownError("the step needs exactly one integral to work on")
+    need(len(nodes) == 1, "the step needs exactly one integral to work on")
     return nodes[0]
 
 
 def _need_continuous(expressions: tuple[Expr, ...], conditions: Conditions) -> None:
     for e in expressions:
         gap = continuous_on(e, conditions)
-        if gap is not None:
-            raise NotShownError(f"nothing shows that {gap} stays off its singularity")
+        need(gap is None, f"nothing shows that {gap} stays off its singularity")
 
 
 def _need_equal(left: Expr, right: Expr, conditions: Conditions) -> None:
     """Both are equal where the conditions hold, derivatives on the left opened."""
-    _need(_equal(worked_out(left), right, conditions), f"{right} is not shown to be {left}")
+    need(_equal(worked_out(left), right, conditions), f"{right} is not shown to be {left}")
 
 
 def _equal(left: Expr, right: Expr, conditions: Conditions) -> bool:
     left, right = generalised(left, right)
     return decide(left, right, known(conditions)).verdict is Verdict.PROVED
-
-
-def _need(shown: bool, why: str) -> None:
-    if not shown:
-        raise NotShownError(why)

@@ -2,7 +2,8 @@
 
 What is found are values of some symbols, put in everywhere, and a point of the others, or a segment
 that one of them runs through. Then every equation must hold identically, but for one, which changes
-its sign on the segment and has no jump there; and every inequality holds in balls.
+its sign on the segment and has no jump there; and every inequality holds in balls. An integral is
+enclosed cell by cell, by the middle of each and the second derivative on all of it.
 """
 
 from __future__ import annotations
@@ -19,19 +20,23 @@ from tresym.ledger.meaning import Conditions, Rules, conditions, formula, put_in
 from tresym.ledger.reasons import differentiating_integral
 from tresym.ledger.second_look import scalars, somewhere
 from tresym.reals.decisions.identity import decide
-from tresym.reals.language.binders import elementary, generalised
-from tresym.reals.language.expression import Expr
+from tresym.reals.language.binders import elementary, generalised, outermost, worked_out
+from tresym.reals.language.expression import Expr, differentiate, opened, replaced, symbol
 from tresym.reals.language.formula import Relation, relations
 from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval
-from tresym.reals.places.unworked import enclosed, jumps
-from tresym.reals.places.values import stands
+from tresym.reals.places.unworked import jumps
+from tresym.reals.places.values import evaluate, stands
 from tresym.reals.verdict import Verdict
 
 Place = Mapping[str, Interval]
 """Exact values of symbols by name, or a segment."""
 
 BITS = 40
+CELLS = 32
+"""Into which an interval of integration is cut."""
+ROOM = arb((1, -8))
+"""How much wider a segment is made than it was found: an integral is enclosed but roughly."""
 BY_END = (Step(None, (differentiating_integral(Integer(0)),)),)
 """How a derivative is shown to be what is put in for it."""
 
@@ -58,17 +63,22 @@ def hold(asked: Iterable[Relation], rules: Rules, places: Iterable[Place]) -> bo
     valued += [side for r in equations for side in (r.left, r.right)]
 
     def holds(place: Place) -> bool:
+        at = {name: _widened(where) for name, where in place.items()}
         moving = [name for name, where in place.items() if where.low != where.high]
-        inside = {name: where.ball() for name, where in place.items()}
         return (
             len(open_) == len(moving) <= 1
-            and all(enclosed(e, inside).is_finite() for e in valued if elementary(e))
-            and all(stands(enclosed(r.left - r.right, inside), r.sign) for r in bounds)
-            and all(_crosses(e, place, moving[0]) for e in open_)
+            and all(evaluate(e, at).is_finite() for e in valued if elementary(e))
+            and all(stands(_enclosed(r.left - r.right, at), r.sign) for r in bounds)
+            and all(_crosses(e, at, moving[0]) for e in open_)
         )
 
     with ball_precision(BITS):
         return any(map(holds, places))
+
+
+def _widened(where: Interval) -> arb:
+    """A number, or a segment with some more on both sides."""
+    return where.ball() * (1 + ROOM * arb(0, 1)) if where.low != where.high else where.ball()
 
 
 def _is_identity(equation: Relation, given: Conditions) -> bool:
@@ -80,11 +90,39 @@ def _is_identity(equation: Relation, given: Conditions) -> bool:
     return all(step.verdict is Verdict.PROVED for step in steps)
 
 
-def _crosses(e: Expr, place: Place, name: str) -> bool:
+def _crosses(e: Expr, at: Mapping[str, arb], name: str) -> bool:
     """Whether ``e``, continuous on the segment, has opposite signs at its ends."""
-    where = place[name]
-    whole, *ends = (
-        enclosed(e, {n: x if n == name else i.ball() for n, i in place.items()})
-        for x in (where.ball(), arb(where.low), arb(where.high))
+    ends = at[name].lower(), at[name].upper()
+    return (
+        not jumps(e)
+        and _enclosed(e, at).is_finite()
+        and {side(_enclosed(e, {**at, name: end})) for end in ends} == {1, -1}
     )
-    return whole.is_finite() and not jumps(e) and {*map(side, ends)} == {1, -1}
+
+
+def _enclosed(e: Expr, at: Mapping[str, arb]) -> arb:
+    """A ball that contains ``e``, its integrals among it; NaN where none is shown."""
+    nodes = {node: f"[{n}]" for n, node in enumerate(outermost(e))}
+    known = {name: _integral(node, at) for node, name in nodes.items()}
+    return evaluate(replaced(e, {n: symbol(name) for n, name in nodes.items()}), {**at, **known})
+
+
+def _integral(node: Expr, at: Mapping[str, arb]) -> arb:
+    """The integral of what has a second derivative: on each cell it is f(m)·h + f″·h³/24."""
+    if node.op != "integral" or not elementary(*node.args[1:]):
+        return arb.nan()
+    (name,), body = opened(node, at)
+    f = worked_out(body)
+    if not elementary(f) or jumps(f):
+        return arb.nan()
+    bend = differentiate(differentiate(f, name), name)
+    low, high = (evaluate(end, at) for end in node.args[1:])
+    h, total = (high - low) / CELLS, arb(0)
+    for n in range(CELLS):
+        middle = low + h * (n + arb(0.5))
+        cell = {**at, name: middle + h * arb(0, 0.5)}
+        known: dict[Expr, arb] = {}
+        if not evaluate(f, cell, known).is_finite():
+            return arb.nan()
+        total += h * evaluate(f, {**at, name: middle}) + h**3 / 24 * evaluate(bend, cell, known)
+    return total

@@ -8,12 +8,20 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.identity import exact_text
+from tresym.reals.decisions.identity import shown
 from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.language.expression import Expr
+from tresym.reals.normal.written import normal_form
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Decimal, InputError, decimal_ball, parse_number
+from tresym.reals.numbers.exact import (
+    Decimal,
+    InputError,
+    decimal_ball,
+    fraction_text,
+    parse_number,
+)
+from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
 
 DIGITS = (12, 40, 220, 1250)
@@ -141,6 +149,18 @@ def _unspaced(text: str) -> str:
 def ball_text(ball: Decimal) -> str:
     """A ball in decimal: exact, or with its radius."""
     return ball.mid if ball.rad == "0" else f"{ball.mid} ± {ball.rad}"
+
+
+def exactly(point: Mapping[str, fmpq | Expr]) -> str:
+    """An exact point in words, roots of whole numbers among its coordinates."""
+    return shown(point, exact_text)
+
+
+def exact_text(value: fmpq | Expr) -> str:
+    """A coordinate of an exact point, as one would type it: its roots of whole numbers."""
+    if isinstance(value, Expr):
+        return str(normal_form(value, Given()))
+    return fraction_text(value)
 
 
 def refuted(

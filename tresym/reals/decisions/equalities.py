@@ -14,8 +14,9 @@ from itertools import chain
 
 from flint import arb, ctx, fmpq
 
+from tresym.reals.decisions.answer import exactly
 from tresym.reals.decisions.derivatives import real_nowhere, where_real
-from tresym.reals.decisions.identity import Decision, decide, no_point, sampled_values, shown
+from tresym.reals.decisions.identity import Decision, decide, no_point, sampled_values
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.arithmetic import decided
 from tresym.reals.places.conditions import Given
@@ -51,7 +52,7 @@ def decide_equality(
         more = (point for point, _ in sampled_values(left, right, given, names, LOOKS))
         for point in chain((found.at,), more):
             if _is_real(differentiated, by, point):
-                return replace(found, why=f"{found.why}, {REAL} at {shown(point)}")
+                return replace(found, why=f"{found.why}, {REAL} at {exactly(point)}")
     proved = found.verdict is Verdict.PROVED
     if real_nowhere(given, differentiated if proved else parts):
         why = f"{REAL} nowhere, {FORMAL}" if proved else f"{NOWHERE}, and there is none"
@@ -60,7 +61,7 @@ def decide_equality(
     inside, whole = where_real(given, differentiated, by)
     real = next(sampled_values(left, right, inside, names, 1), None)
     if proved:
-        where = f", {REAL} at {shown(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
+        where = f", {REAL} at {exactly(real[0])}" if real else f"; {NOWHERE}, {FORMAL}"
         return replace(found, why=found.why + where)
     if real is None:
         return Decision(Verdict.UNDECIDED, f"{no_point(parts, given)}; {NOWHERE}")

@@ -16,8 +16,7 @@ from typing import Any, NamedTuple
 
 from flint import fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide, worst
-from tresym.reals.decisions.identity import exact_text
+from tresym.reals.decisions.answer import Answer, Decide, exact_text, worst
 from tresym.reals.decisions.reading import Comparison, Statement
 from tresym.reals.decisions.simple import constants_hold, exact_witness, tidied
 from tresym.reals.language.expression import (

@@ -28,6 +28,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
+from typing import Any
 
 from flint import arb, fmpq
 
@@ -39,7 +40,7 @@ from tresym.reals.normal.field import ALL_THEORIES, Field
 from tresym.reals.normal.locally_constant import equal_by_derivative
 from tresym.reals.normal.polynomials import as_expression, terms_in_symbols
 from tresym.reals.normal.ring import Fraction, UndefinedError
-from tresym.reals.normal.written import normal_form, written
+from tresym.reals.normal.written import written
 from tresym.reals.numbers.arithmetic import WORKING, ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.numbers.factoring import TooLargeError
@@ -201,17 +202,10 @@ def _refutation(point: dict[str, fmpq], values: tuple[arb, arb]) -> Decision:
     return Decision(Verdict.REFUTED, why, point, values)
 
 
-def shown(point: Mapping[str, fmpq | Expr]) -> str:
-    """The exact point in words."""
-    parts = (f"{name} = {exact_text(value)}" for name, value in point.items())
+def shown(point: Mapping[str, Any], text: Callable[[Any], str] = fraction_text) -> str:
+    """The exact point in words, each coordinate in its ``text``; rationals as they are."""
+    parts = (f"{name} = {text(value)}" for name, value in point.items())
     return ", ".join(parts) or "the constants themselves"
-
-
-def exact_text(value: fmpq | Expr) -> str:
-    """A coordinate of an exact point, as one would type it: its roots of whole numbers."""
-    if isinstance(value, Expr):
-        return str(normal_form(value, Given()))
-    return fraction_text(value)
 
 
 def no_point(parts: tuple[Expr, ...], given: Given) -> str:

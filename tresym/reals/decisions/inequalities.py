@@ -14,9 +14,9 @@ from operator import itemgetter
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.derivatives import where_real
-from tresym.reals.decisions.identity import decide, no_point, sampled_values, shown
+from tresym.reals.decisions.identity import decide, no_point, sampled_values
 from tresym.reals.decisions.reduced import by_one_variable
 from tresym.reals.decisions.region import is_isolated, search
 from tresym.reals.decisions.zeros import (
@@ -89,7 +89,7 @@ def decide_inequality(
     found = proof(left - right, relation, region)
     partly = found is not None and not is_regular(given)
     if found is not None and not partly:
-        return Answer(Verdict.PROVED, f"{found}; both sides are defined at {shown(defined)}")
+        return Answer(Verdict.PROVED, f"{found}; both sides are defined at {exactly(defined)}")
     for zero_of in (equal_at_algebraic, equal_at_turns) if relation != ">=" else ():
         zero = zero_of(left, right, inside)
         if zero is not None:
@@ -148,9 +148,9 @@ def _sampled(
         for point, (x, y) in sampled_values(left, right, given, names, count, bits):
             defined = point
             if relation != "!=" and x < y:
-                return defined, refuted(f"it fails at {shown(point)}", point, x, y)
+                return defined, refuted(f"it fails at {exactly(point)}", point, x, y)
             if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-                return defined, refuted(f"both sides are equal at {shown(point)}", point, x, y)
+                return defined, refuted(f"both sides are equal at {exactly(point)}", point, x, y)
     return defined, _at_corners(left, relation, right, given, names) if defined else None
 
 
@@ -190,9 +190,9 @@ def _refuted_at(
         if not (x.is_finite() and y.is_finite()):
             continue
         if relation != "!=" and x < y:
-            return refuted(f"it fails at {shown(point)}", point, x, y)
+            return refuted(f"it fails at {exactly(point)}", point, x, y)
         if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-            return refuted(f"both sides are equal at {shown(point)}", point, x, y)
+            return refuted(f"both sides are equal at {exactly(point)}", point, x, y)
     return None
 
 
@@ -233,7 +233,7 @@ def _apart(
         return found
     point = {name: parse(text) for name, text in (found.witness or {}).items()}
     if equal_at(left, right, point):
-        return replace(found, why=f"both sides are equal at {shown(point)}")
+        return replace(found, why=f"both sides are equal at {exactly(point)}")
     if all(value.op == "number" for value in point.values()):
         exact = defined | {name: value.args[0] for name, value in point.items()}
         zero = _zero_between(left - right, region, defined, exact)

@@ -23,7 +23,7 @@ from math import factorial
 
 from flint import fmpq, fmpq_poly
 
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.hypergeometric import (
     HIGHEST,
     K,
@@ -37,7 +37,7 @@ from tresym.reals.decisions.hypergeometric import (
     summed,
     whole_roots,
 )
-from tresym.reals.decisions.identity import decide, shown
+from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.reading import functions
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -97,7 +97,7 @@ def decide_power_series(side: Expr, node: Expr, given: Given) -> Answer:
     for at in given.points(symbols(side) | symbols(s.u) | symbols(s.head), POINTS):
         with ball_precision():
             if evaluate(side, at).is_finite() and evaluate(s.first, at).is_finite():
-                return Answer(Verdict.PROVED, f"{how}; both sides are defined at {shown(at)}")
+                return Answer(Verdict.PROVED, f"{how}; both sides are defined at {exactly(at)}")
     return Answer(Verdict.UNDECIDED, "both sides are shown to be defined at no point")
 
 

@@ -18,9 +18,8 @@ from flint import arb, fmpq
 from tresym.reals.balls.boxes import Bound, Box, BoxProof, Counterexample, decide_bound
 from tresym.reals.balls.contact import candidates, enclosure
 from tresym.reals.balls.taylor import taylor_value
-from tresym.reals.decisions.answer import Answer, refuted
+from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.growth import sign_towards
-from tresym.reals.decisions.identity import shown
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
@@ -227,7 +226,7 @@ class _Search:
             if all(satisfies(c, {name: point}, at) for c in self.spoken_of):
                 values = [evaluate(side, at) for side in (self.left, self.right)]
                 return refuted(
-                    f"both sides are equal at {shown({name: point})}", {name: point}, *values
+                    f"both sides are equal at {exactly({name: point})}", {name: point}, *values
                 )
         return False
 
@@ -299,7 +298,7 @@ class _Search:
                     continue
                 x, y = evaluate(self.left, at), evaluate(self.right, at)
                 if x < y and not is_isolated(at, (self.left, self.right)):
-                    return refuted(f"it fails at {shown(exact)}", exact, x, y)
+                    return refuted(f"it fails at {exactly(exact)}", exact, x, y)
         return None
 
     def _margin(self, *arguments: Any) -> arb:

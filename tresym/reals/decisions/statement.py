@@ -8,11 +8,11 @@ from dataclasses import replace
 from typing import Any
 
 from tresym.reals.advocate import STOPPED
-from tresym.reals.decisions.answer import Answer, Decide, refuted, worst
+from tresym.reals.decisions.answer import Answer, Decide, exact_text, refuted, worst
 from tresym.reals.decisions.attack import attack
 from tresym.reals.decisions.equalities import decide_equality
 from tresym.reals.decisions.exponents import beyond_positive_bases
-from tresym.reals.decisions.identity import JUMP, exact_text
+from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.reading import Comparison, Statement, functions, read
 from tresym.reals.language.binders import is_infinite, outermost
 from tresym.reals.language.expression import DOTS, ZERO, Expr, symbols

@@ -16,11 +16,11 @@ from math import lcm
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.answer import Answer, Decide, exact_text
 from tresym.reals.decisions.approach import limit_of
 from tresym.reals.decisions.derivatives import where_real
 from tresym.reals.decisions.growth import sign_towards
-from tresym.reals.decisions.identity import decide, exact_text
+from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.orders import decide_order, region
 from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
 from tresym.reals.decisions.simple import simple_points

@@ -16,8 +16,7 @@ from itertools import islice, product
 from flint import arb, arb_mat, arb_poly, fmpq, fmpq_poly, fmpz_mat, fmpz_poly
 
 from tresym.reals.balls.contact import candidates
-from tresym.reals.decisions.answer import Answer, refuted
-from tresym.reals.decisions.identity import shown
+from tresym.reals.decisions.answer import Answer, exactly, refuted
 from tresym.reals.decisions.region import is_isolated
 from tresym.reals.language.expression import (
     LEAVES,
@@ -69,7 +68,8 @@ def equal_at_algebraic(left: Expr, right: Expr, given: Given) -> Answer | None:
             if not (inside and all(side.is_finite() for side in sides)):
                 continue
             if low == high:
-                return refuted(f"both sides are equal at {shown({name: low})}", {name: low}, *sides)
+                point = {name: low}
+                return refuted(f"both sides are equal at {exactly(point)}", point, *sides)
             where = f"[{fraction_text(low)}, {fraction_text(high)}]"
             text = _text(factor, name)
             return Answer(
@@ -295,5 +295,5 @@ def _equal_at_one(
                 continue
             sides = evaluate(left, at), evaluate(right, at)
         if all(side.is_finite() for side in sides) and equal_at(left, right, point):
-            return refuted(f"both sides are equal at {shown(point)}", point, *sides)
+            return refuted(f"both sides are equal at {exactly(point)}", point, *sides)
     return None

@@ -26,7 +26,7 @@ from typing import Any, TypeAlias
 
 from flint import fmpq
 
-from tresym.reals.numbers.exact import InputError, as_rational, fraction_text
+from tresym.reals.numbers.exact import InputError, exact_number, fraction_text
 
 Number: TypeAlias = int | Fraction | fmpq
 
@@ -149,9 +149,6 @@ class Expr:
     def __neg__(self) -> Expr:
         return multiply(MINUS_ONE, self)
 
-    def __pos__(self) -> Expr:
-        return self
-
     def __abs__(self) -> Expr:
         return apply("abs", self)
 
@@ -179,7 +176,7 @@ def number(x: Number) -> Expr:
     """An exact rational number."""
     if type(x) is int and -REMEMBERED < x < REMEMBERED:
         return _small(x)
-    value = as_rational(x)
+    value = exact_number(x)
     if value.p.bit_length() > MAX_BITS or value.q.bit_length() > MAX_BITS:
         raise InputError("a number in the expression is too long: at most 12 000 digits")
     if value.q == 1 and -REMEMBERED < value.p < REMEMBERED:

@@ -109,16 +109,14 @@ class AngleRing(PowerRing):
         """Whether an angle might be an odd multiple of π on a whole region.
 
         The tangent of its half would be infinite there. What is left of an angle is a constant
-        that balls keep from such multiples, or varies.
+        that balls keep from such multiples, or what nothing ties to be constant.
         """
         used = set(self.used(x))
         if used and self.is_constant(x):
             return bool((self.ball(x) / arb.pi() / 2).cos_pi().contains(0))
         used |= self.involved(x)
         kinds = {self.at(i).kind for i in used}
-        if self.are_tied(used) or kinds & {"opaque", "cos", "sin", "sign"}:
-            return not self.varies(x)
-        return False
+        return self.are_tied(used) or bool(kinds & {"opaque", "cos", "sin", "sign"})
 
     def _plain_turn(self, x: Fraction) -> tuple[Fraction, Fraction]:
         """Cosine and sine of ``x`` as generators with c² + s² = 1 and no more."""

@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from flint import arb, fmpq
 
 from tresym.reals.normal.ring import Fraction, Generator, Poly, Ring
-from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.places.conditions import Given
 
 SIGN_BITS = 256
 
@@ -106,25 +104,3 @@ class ValuedRing(Ring):
                 return self.ball(data[0], point, known).atan()
             case _:
                 return arb.nan()
-
-    def varies(self, x: Fraction) -> bool:
-        """Whether ``x``, of symbols and logarithms of their polynomials, is constant nowhere.
-
-        Logarithms of distinct irreducible polynomials are algebraically independent over the
-        rational functions on every region (Ostrowski), so ``x`` is constant on one region only if
-        it is the same constant on all: two values apart exclude that.
-        """
-        for i in self.involved(x):
-            generator = self.at(i)
-            if generator.kind == "log":
-                if any(self.at(j).kind != "symbol" for j in self.used(generator.data[0])):
-                    return False
-            elif generator.kind != "symbol":
-                return False
-        with ball_precision():
-            values = [
-                self.ball(x, {name: arb(value) for name, value in point.items()})
-                for point in Given().points(self.dependence(x), 4)
-            ]
-        finite = [value for value in values if value.is_finite()]
-        return any(not value.overlaps(finite[0]) for value in finite[1:])

@@ -124,6 +124,15 @@ def as_rational(x: str | int | Rational | fmpq, what: str = "number") -> fmpq:
     if isinstance(x, str):
         found = _at_once(x)
         return parse_number(x, what) if found is None else found
+    return exact_number(x, what)
+
+
+def exact_number(x: int | Rational | fmpq, what: str = "number") -> fmpq:
+    """``x`` (integer, fraction) as an exact rational.
+
+    Raises:
+        InputError: text, floats, booleans, other types.
+    """
     if isinstance(x, fmpq):
         return x
     if type(x) is int or isinstance(x, fmpz):

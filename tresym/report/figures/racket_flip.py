@@ -246,7 +246,7 @@ def strip(data: Data) -> Any:
         )
         sheet.plot(*eye.flat(shape.handle @ frame).T, color=style.INK, linewidth=1.6)
         turned = style.multiple_of_pi(Fraction(2 * n, STILLS - 1))
-        sheet.set_title(turned if n else f"φ = {turned}", fontsize=10)
+        sheet.set_title(turned if n else f"φ = {turned}", fontsize=8)
     return figure
 
 

@@ -89,7 +89,8 @@ def fit_words(figure: Any, least: float) -> None:
     At ``least``, how much narrower it is, they stand as in the picture as it was drawn.
     """
     words = [(word, word.get_fontsize()) for word in _words(figure)]
-    axes = [axis for each in figure.axes for axis in (each.xaxis, each.yaxis)]
+    ruled = [each for each in figure.axes if each.axison]
+    axes = [axis for each in ruled for axis in (each.xaxis, each.yaxis)]
     marks = [
         (axis, axis.get_ticklabels()[0].get_fontsize())
         for axis in axes
