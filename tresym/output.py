@@ -15,12 +15,13 @@ _BEGINS = re.compile(
       (\[\s*)? \{ \s* "(verdict|version|workload|display|paper|a|caption)":
       | (PROVED|ENCLOSED|REFUTED|UNDECIDED|DEFINED|ASSUMED|EQUATION|UNREAD)\s
       | [^\n]+ \n\n [ ]shape[ ] | flowchart[ ]BT\n | (claim|piece|mutant)[ ]{2}
-      | separatrix:[ ] | [-\w]+ [ ]+ (Fig\.|True)[ ]
+      | (separatrix|many|turn|defect|flipmap|identities|check|waiting|precision|honesty|atlas):[ ]
+      | (sweep|scaling):[ ] | [-\w]+ [ ]+ (Fig\.|True)[ ]
       | \|[ ] (body|shape|route|a₀)[ ] \| | ([^\n]+\n){1,6} \n ([^\n]+\n){1,9}? ─[─ ]+\n
       | \\begin\{(sideways)?table\}\\small\\setlength
       | (?!\\documentclass) .{0,2000}? \\label\{tresym:
       | \\documentclass\[a4paper,11pt\]\{article\} .{0,600} \\definecolor\{proved\}
-      | \(\* .{0,2000} tresym | (%PDF|.PNG) .* tresym
+      | \(\* .{0,2000} tresym | (%PDF|.PNG|GIF8|.{4}ftyp) .* tresym
       | <\?xml .*? <title>[^<]*</title>\s*<(metadata|desc)>""",
     re.VERBOSE | re.DOTALL,
 )

@@ -39,6 +39,7 @@ from tresym import (
 )
 from tresym.commands import main
 from tresym.commands.check import read_tasks
+from tresym.output import replaceable
 from tresym.racket.angle import parse_angle
 from tresym.racket.body import shape
 from tresym.reals.language.parsing import parse, parse_conditions
@@ -777,11 +778,21 @@ def test_an_output_is_replaced_by_the_next(words: str, tmp_path) -> None:
     assert target.read_bytes()
 
 
-@pytest.mark.parametrize("kind", ["svg", "png", "pdf"])
+@pytest.mark.parametrize("kind", ["svg", "png", "pdf", "gif"])
 def test_a_picture_is_replaced_by_the_next(kind: str, tmp_path) -> None:
     target = tmp_path / f"out.{kind}"
     for _ in range(2):
-        assert main(["figure", "momentum-sphere", "-o", str(target)]) == 0
+        name = "racket-flip" if kind == "gif" else "momentum-sphere"
+        assert main(["figure", name, "-o", str(target)]) == 0
+
+
+def test_what_bench_and_coq_write_is_replaced_by_the_next(tmp_path) -> None:
+    from tresym.bench.names import WORKLOADS
+
+    target = tmp_path / "out"
+    for text in (*(f"{name}: what it times\n" for name in WORKLOADS), "(* Written by tresym. *)\n"):
+        target.write_text(text, encoding="utf-8")
+        assert replaceable(str(target))
 
 
 @pytest.mark.parametrize(

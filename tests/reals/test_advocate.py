@@ -225,7 +225,7 @@ def test_a_broken_chain(claim: Claim) -> None:
 
 def test_a_sentence_is_attacked_by_what_it_states(monkeypatch: Patch) -> None:
     believing = claims_judge.Finding(PROVED, "it looks right")
-    monkeypatch.setattr(claims_judge, "_settle", lambda *_: believing)
+    monkeypatch.setattr(claims_judge, "_judge", lambda *_: believing)
     says = "x lies below 1000"
     sentence = Claim("sentence", says, formally(), given=(x > 0,), means=x < 1000)
     assert claims_judge.judge(sentence, {}).stopped

@@ -82,7 +82,7 @@ def export(theorems: Sequence[Theorem], seconds: float = 120) -> Outcome:
 
 def file_of(theorems: Sequence[Theorem], found: Sequence[str | None]) -> str:
     """The file: language, statements, proofs, and what they rest on."""
-    parts = [prelude()]
+    parts = ["(* Written by tresym. *)\n", prelude()]
     for theorem, proof in zip(theorems, found, strict=False):
         if proof is not None:
             parts.append(

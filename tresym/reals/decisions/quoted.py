@@ -234,7 +234,7 @@ def _zeta(body: Expr, n: str, given: Given) -> Quoted | None:
             if n in symbols(c) or not _same(rest, c * base ** number(-m), given):
                 continue
             value = _value_of_zeta(m, alternating, odd)
-            return None if value is None else Quoted(c * value, "DLMF 24.8, 25.6 and 24.8.6")
+            return None if value is None else Quoted(c * value, "DLMF 24.8 and 25.6")
     return None
 
 
@@ -285,7 +285,7 @@ def _product(body: Expr, n: str, others: list[Expr], given: Given) -> Quoted | N
     if body.op == "cos":
         a = in_lowest_terms(body.args[0] * 2 ** symbol(n))
         if n not in symbols(a):
-            return Quoted(_put("sin(a)/a", n, a), "Vieta's product, DLMF 4.21.28 again and again")
+            return Quoted(_put("sin(a)/a", n, a), "Vieta's product, DLMF 4.21.27 again and again")
     for theorem in PRODUCTS:
         for a in _parameters(others, n):
             below = _put(theorem.below, n, a)

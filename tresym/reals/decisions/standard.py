@@ -66,8 +66,8 @@ LINE = (
     Standard("(exp(-a*t) - exp(-b*t))/t", "log(b/a)", "a > 0, b > 0", "3.434.2"),
     Standard("(cos(a*t) - cos(b*t))/t", "log(b/a)", "a > 0, b > 0", "3.784.1"),
     Standard("t/sinh(a*t)", "pi**2/(4*a**2)", "a > 0", "3.521.1"),
-    Standard("t/(exp(a*t) - 1)", "pi**2/(6*a**2)", "a > 0", "3.411.7"),
-    Standard("t/(exp(a*t) + 1)", "pi**2/(12*a**2)", "a > 0", "3.411.8"),
+    Standard("t/(exp(a*t) - 1)", "pi**2/(6*a**2)", "a > 0", "3.411.1"),
+    Standard("t/(exp(a*t) + 1)", "pi**2/(12*a**2)", "a > 0", "3.411.3"),
     Standard("t**3/(exp(a*t) - 1)", "pi**4/(15*a**4)", "a > 0", "3.411.1"),
     Standard("t**3/(exp(a*t) + 1)", "7*pi**4/(120*a**4)", "a > 0", "3.411.3"),
     Standard("log(1 - exp(-a*t))", "-pi**2/(6*a)", "a > 0", "4.223.2"),
@@ -97,7 +97,7 @@ UNIT = (
 QUARTER = (
     Standard("log(sin(t))", "-pi*log(2)/2", "", "4.224.3"),
     Standard("log(cos(t))", "-pi*log(2)/2", "", "4.224.6"),
-    Standard("log(tan(t))", "0", "", "4.227.1"),
+    Standard("log(tan(t))", "0", "", "4.224.3 and 4.224.6"),
     Standard("log(2*sin(t))", "0", "", "4.224.3"),
     Standard("log(2*cos(t))", "0", "", "4.224.6"),
     Standard("t*cot(t)", "pi*log(2)/2", "", "3.747.7"),
@@ -107,7 +107,7 @@ QUARTER = (
 )
 HALF = (
     Standard("log(sin(t))", "-pi*log(2)", "", "4.224.3"),
-    Standard("t*sin(t)/(1 + cos(t)**2)", "pi**2/4", "", "3.792.7"),
+    Standard("t*sin(t)/(1 + cos(t)**2)", "pi**2/4", "", "3.79"),
     Standard("t*log(sin(t))", "-pi**2*log(2)/2", "", "4.322.1"),
     Standard("1/(a + b*cos(t))", "pi/sqrt(a**2 - b**2)", "a > 0, a > abs(b)", "3.613.1"),
     Standard("1/(a + b*cos(t))**2", "pi*a/(a**2 - b**2)**(3/2)", "a > abs(b), a > 0", "3.661.4"),

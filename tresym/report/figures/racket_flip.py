@@ -180,6 +180,7 @@ def moving(data: Data) -> bytes:
         append_images=rest,
         duration=[10 * max(int(part), 2) for part in shown],
         loop=0,
+        comment="tresym",
     )
     return out.getvalue()
 
@@ -200,7 +201,9 @@ def film(data: Data) -> bytes:
     moments = np.arange(round(ROUNDS * SECONDS * RATE)) / (SECONDS * RATE) % 1
     with TemporaryDirectory() as folder:
         path = os.path.join(folder, "flip.mp4")
-        writer = write_frames(path, (WIDTH, HEIGHT), fps=RATE, macro_block_size=2)
+        told = ["-metadata", "comment=tresym"]
+        size = WIDTH, HEIGHT
+        writer = write_frames(path, size, fps=RATE, macro_block_size=2, output_params=told)
         writer.send(None)
         for at in np.searchsorted(data.time, moments, "right") - 1:
             writer.send(sheets[min(at, len(sheets) - 1)])
