@@ -140,14 +140,10 @@ class Given:
 
     def _bounds(self) -> Iterator[tuple[Expr, str, Expr]]:
         """Each expression that is compared with a constant, on the left."""
-        for left, sign, right in self.comparisons:
+        for left, sign, right in self.unfolded().comparisons:
             for side, bound, relation in ((left, right, sign), (right, left, MIRRORED[sign])):
-                if symbols(bound):
-                    continue
-                if side.op == "abs" and relation in ("<", "<="):
-                    yield side.args[0], MIRRORED[relation], -bound
-                    side = side.args[0]
-                yield side, relation, bound
+                if not symbols(bound):
+                    yield side, relation, bound
 
     @cached_property
     def _implied(self) -> tuple[Condition, ...]:
