@@ -101,10 +101,10 @@ _x, _y = (Symbol(name, real=True) for name in "xy")
 _changed = (_x > 0, _y > 0)
 
 unit_of_inertia = Claim(
-    says=equal(10**6 * at(_y**2, {_y: _x / 1000}), _x**2),
+    says="1 kg m² is 10⁶ kg mm²: a unit that changes by the square of the length unit.",
+    means=equal(10**6 * at(_y**2, {_y: _x / 1000}), _x**2),
     given=_changed,
     proof=by(evaluating),
-    note="1 kg m² is 10⁶ kg mm²: a unit that changes by the square of the length unit.",
 )
 
 table_units = Claim(

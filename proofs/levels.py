@@ -162,8 +162,8 @@ def _on(level: str) -> Subs:
 
 
 up_and_down = Claim(
-    says="For a = 10, b = 1/2 ε(γ) rises from γ = −7/15 to −19/60, falls to −3/20, and rises "
-    "to −1/60.",
+    says="At a = 10 and b = 1/2 the defect ε(γ) rises from γ = −7/15 to −19/60, falls to −3/20, "
+    "and rises to −1/60.",
     means=Tuple(
         *(_on(low) < _on(high) for low, high in (("-7/15", "-19/60"), ("-3/20", "-19/60"))),
         _on("-3/20") < _on("-1/60"),

@@ -112,7 +112,11 @@ slope_str_formula = number(
     where=line(255),
 )
 slope_str_exact = number(
-    "The derivative itself is {}.", _slope, "-35.6", STR, *(*EXACTLY, closed_slope)
+    "The derivative itself is {}, for the standard racket.",
+    _slope,
+    "-35.6",
+    STR,
+    *(*EXACTLY, closed_slope),
 )
 d27 = number(
     "For the standard racket dε/dγ = {} at γ = 0.",
@@ -144,7 +148,7 @@ upper_level_linear = number(
     where=line(262),
 )
 upper_level_exact = number(
-    "It does so at γ = {} in fact.",
+    "The standard racket has ε = −π/12 at γ = {} in fact.",
     TheRoot(*one_rotating_level.statement.args),
     "1.04e-2",
     _UPPER,

@@ -19,6 +19,7 @@ from tresym.report.pages.derivation import (
     alone,
     axiom_key,
     entry,
+    in_one,
     in_words,
     outcome,
     prose,
@@ -91,8 +92,8 @@ def _claimed(rows: dict[str, Row], label: str, with_chain: bool) -> Iterator[str
     formulas = [alone(found.formula)] if found.formula else []
     chains = [body for body in set_displays(claim) if r"\footnotesize" in body]
     length = sum(body.count(r"\\") + 1 for body in chains)
-    if length == len(formulas) == 1:
-        formulas, chains = chains, []
+    if with_chain and formulas and (at_once := in_one(claim)):
+        formulas, chains = [at_once], []
     for n, formula in enumerate(formulas, 1):
         named = f"tresym:{label}" + (f"-{n}" if n > 1 else "")
         yield rf"\begin{{equation}}\label{{{named}}}\fits{{{formula}}}\end{{equation}}"
@@ -110,7 +111,7 @@ def _figure(words: str) -> Iterator[str]:
 def _symbols(known: Collection[str]) -> Iterator[str]:
     """The table of the symbols that have words, each with the claim that defines it."""
     yield rf"\section{{{SYMBOLS}}}" + "\n"
-    yield r"\begin{longtable}{@{}lp{0.56\linewidth}l@{}}\toprule"
+    yield r"{\small\begin{longtable}{@{}l>{\raggedright}p{0.6\linewidth}l@{}}\toprule"
     named = {row.name: row for row in table_of_symbols() if row.words}
     for row in named.values():
         by = reference(row.entry.claim, known) if row.entry else ""
@@ -119,13 +120,13 @@ def _symbols(known: Collection[str]) -> Iterator[str]:
             f": {row.note}${short}$" if short and row.entry and not row.entry.claim.shown else ""
         )
         yield rf"${row.symbol}$ & {prose(row.words)}{stands} & {by} \\"
-    yield r"\bottomrule\end{longtable}"
+    yield r"\bottomrule\end{longtable}\addtocounter{table}{-1}}"
 
 
 def _corrected(rows: dict[str, Row]) -> Iterator[str]:
     yield r"\section{Corrections}\label{corrections}" + "\n"
     yield "What the paper prints and does not hold, each finding once, the weightiest first.\n"
-    yield r"\begin{enumerate}"
+    yield r"\begin{enumerate}\raggedright"
     for correction in corrections():
         if correction.labels[0] in rows:
             yield from _correction(correction, rows)
@@ -144,7 +145,7 @@ def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
     true = dict.fromkeys(each for wrong in own for each in wrong.amended_by)
     if true:
         listed = "; ".join(map(_instead, true))
-        yield rf"True instead: {{\sloppy {listed}\par}}"
+        yield rf"True instead: {listed}"
 
 
 def _instead(claim: Claim) -> str:

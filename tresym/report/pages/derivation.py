@@ -173,10 +173,11 @@ def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
         yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding.why)}.\par}}"
     if finding.verdict is Verdict.REFUTED:
         why = readable(finding.why[:LONGEST])
-        yield rf"\textsf{{\small Evidence:}} {{\sloppy {prose(why)}}}.\par"
+        yield rf"{{\raggedright\textsf{{\small Evidence:}} {prose(why)}.\par}}"
         if finding.witness and " = " not in why:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
-            yield rf"\textsf{{\small Witness:}} {{\sloppy {prose(readable(point[:LONGEST]))}}}.\par"
+            text = prose(readable(point[:LONGEST]))
+            yield rf"{{\raggedright\textsf{{\small Witness:}} {text}.\par}}"
     if row.claim.amended_by:
         names = ", ".join(reference(c, known) for c in row.claim.amended_by)
         yield rf"{{\raggedright\textsf{{\small True instead:}} {names}.\par}}"
@@ -204,6 +205,17 @@ def set_displays(claim: Claim, share: float = 1) -> list[str]:
     return [_aligned(display, share) for display in displays(claim)]
 
 
+def in_one(claim: Claim) -> str | None:
+    """The parts of a claim below each other where each follows in one step, and no fact is shown.
+
+    They are the statement then, and need not stand above their reasons a second time.
+    """
+    shown = displays(claim)
+    if claim.knowing or not shown or any(len(d) > 1 or not d[0].reasons for d in shown):
+        return None
+    return _aligned(tuple(line for display in shown for line in display), 1)
+
+
 def alone(formula: str, share: float = 1) -> str:
     """A formula without a chain; one that is too wide takes several lines."""
     lines = broken(formula, share * LINE)
@@ -214,7 +226,7 @@ def _aligned(display: Display, share: float) -> str:
     """Lines aligned at the sign, reasons at the right; what is too wide for that is broken."""
     if len(display) == 1 and not display[0].reasons:
         return alone(display[0].right, share)
-    start = width(display[0].left)
+    start = max(width(line.left) for line in display)
     narrow = all(start + width(line.right) + _extent(line) <= share * WIDEST for line in display)
     return _rows([*map(_row, display)] if narrow else [*_broken(display, share)])
 
@@ -226,8 +238,10 @@ def _row(line: Line) -> str:
 
 def _broken(display: Display, share: float) -> Iterator[str]:
     """The lines one below the other, each reason beside the end of its formula or below it."""
-    for line in display:
+    for line, after in zip(display, (*display[1:], None), strict=True):
         arrow = line.left if line.left == EQUIVALENT else ""
+        if line.left and not arrow and (after is None or after.left not in ("", EQUIVALENT)):
+            line = Line("", line.left + line.right, line.reasons)
         if line.left and not arrow:
             first, *rest = broken(line.left, share * LINE)
             yield from (f"&{first}", *map(_continued, rest))

@@ -59,9 +59,11 @@ def _packed(terms: list[str], limit: float, used: float) -> list[str]:
     lines = [""]
     for term in terms:
         room = limit - (INDENT if lines[1:] else used) - width(lines[-1])
-        if lines[-1] and width(term) > room:
+        short = width(lines[-1]) < limit / 6 and width(term) > limit - INDENT
+        if lines[-1] and width(term) > room and not short:
             lines.append("")
-        found = broken(term, max(limit - INDENT, LEAST), 0 if lines[1:] or lines[-1] else used)
+        taken = width(lines[-1]) + (0 if lines[1:] else used)
+        found = broken(term, max(limit - INDENT, LEAST), taken)
         lines[-1] += found[0]
         lines += found[1:]
     return lines

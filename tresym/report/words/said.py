@@ -16,6 +16,7 @@ from tresym.report.words.latex import says_latex
 from tresym.report.words.markdown import scripted, sentence
 from tresym.report.words.plain import plain, script
 from tresym.report.words.titles import title
+from tresym.report.words.width import width
 from tresym.report.words.wording import readable
 
 LONGEST_IN_A_LINE = 60
@@ -25,6 +26,8 @@ LONGEST_IN_A_LIST = 220
 
 MOST_PARTS = 3
 """Sets of conditions that are listed without the parts they are of."""
+MOST_LETTERS = 30
+"""Letters of one of them: a longer one speaks of what only its part names."""
 EACH_ITS_OWN = "for each part what its own claim asks"
 
 
@@ -119,7 +122,8 @@ def conditions(
     if name is None and found.parts:
         sets = [{*part.given} for part in found.parts]
         widest = [p for p, own in zip(found.parts, sets, strict=True) if not _within(own, sets)]
-        if len(widest) <= MOST_PARTS:
+        told = all(width(c) < MOST_LETTERS for part in widest for c in part.given)
+        if len(widest) <= MOST_PARTS and told:
             pieces.append(start + "; ".join(_listed(part.given, formula) for part in widest))
         else:
             pieces.append("for each part also what its own claim asks" if pieces else EACH_ITS_OWN)

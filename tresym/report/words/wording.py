@@ -39,6 +39,7 @@ def readable(text: str) -> str:
     text = re.sub(r"(?<![\w)])-(?=[\w.(√])|(?<=[\w)]) - (?=[\w(√])", _minus, text)
     text = re.sub(r"-> (0|oo)([+-]?)", lambda m: f"-> {m[1]}{_SIDES[m[2]]}", text)
     text = re.sub(r"\boo\b", "∞", text)
+    text = re.sub(r"(?<![\w.])(\d[\d.]*)e([−-]?)\+?0*(\d+)\b", _power_of_ten, text)
     text = _RATE.sub(lambda m: f"{_GREEK[m[1]]}\u0307", text)
     text = _NAME.sub(_named, text)
     for typed, set_ in (("->", "→"), (">=", "≥"), ("<=", "≤")):
@@ -47,6 +48,10 @@ def readable(text: str) -> str:
 
 
 _SIDES = {"": "", "+": "⁺", "-": "⁻"}
+
+
+def _power_of_ten(found: re.Match[str]) -> str:
+    return f"{found[1]} · 10^{{{'−' if found[2] else ''}{found[3]}}}"
 
 
 def _minus(found: re.Match[str]) -> str:
