@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import argparse
 
-from tresym.commands.parser import (
-    Commands,
-    add_output,
-    deliver,
-)
+from tresym.commands.parser import Commands, add_output, deliver
+
+TABLES = "objects, errors, constants, slope, thresholds, routes"
 
 
 def add(commands: Commands) -> None:
     """Add `tresym table` to the command line."""
     parser = commands.add_parser(
         "table",
-        help="certified tables: objects, errors, constants, slope, thresholds, routes",
+        help=f"certified tables: {TABLES}",
         description="A table of certified numbers, for the terminal, in Markdown or in LaTeX.",
         allow_abbrev=False,
     )
-    parser.add_argument("name", metavar="NAME", help="objects, errors, constants, slope, …")
+    parser.add_argument("name", metavar="NAME", help=TABLES)
     parser.add_argument(
         "--format", choices=("text", "markdown", "latex"), default="text", help="default: text"
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq
@@ -184,10 +185,17 @@ def _line_of(answer: Flip | Journey) -> str:
     return f"{type(answer).__name__}({parts})"
 
 
+_POWER = re.compile(r"e([-+]?)0*(\d+)")
+
+
+def _power(found: re.Match[str]) -> str:
+    return rf"\cdot 10^{{{found[1].strip('+')}{found[2]}}}"
+
+
 def _latex_of(answer: Flip | Journey) -> str:
     named = {"ε": "\\varepsilon", "Δψ": "\\Delta\\psi", "ψ": "\\psi", "θ": "\\theta"}
     parts = [
-        f"{named[name]} = " + text.removesuffix(" rad").replace("±", "\\pm")
+        f"{named[name]} = " + _POWER.sub(_power, text.removesuffix(" rad").replace("±", "\\pm"))
         for name, text in _shown(answer)
         if name in named
     ]

@@ -130,9 +130,9 @@ def test_tables_for_a_paper_compile(tmp_path: Path) -> None:
         assert not os.environ.get("CI"), "TeX Live must be there in CI"
         pytest.skip("pdflatex is not installed (Debian: texlive-latex-extra)")
     tables = Path(__file__).parents[3] / "docs" / "generated" / "tables"
-    head = r"""\documentclass[a4paper,11pt]{article}
+    head = r"""\documentclass{article}
 \usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}
-\usepackage{lmodern,amsmath,amssymb,booktabs,array,rotating,geometry}\geometry{margin=25mm}
+\usepackage{lmodern,amsmath,amssymb,booktabs,array,graphicx,rotating}
 """
     body = "".join(path.read_text(encoding="utf-8") for path in sorted(tables.glob("*.tex")))
     assert body.count(r"\label{tab:") == len(list(tables.glob("*.tex"))) > 4

@@ -271,7 +271,10 @@ def _set(text: str) -> str:
 
 
 def _latex(found: Table) -> str:
-    """A table for a paper that loads booktabs, array, and rotating for the widest."""
+    """A table for a paper that loads booktabs, array, graphicx, and rotating for the widest.
+
+    One that is wider than the paper's text is shrunk to it.
+    """
     from tresym.report.pages.derivation import prose
 
     def cell(text: str) -> str:
@@ -287,15 +290,16 @@ def _latex(found: Table) -> str:
     kind = "sidewaystable" if sum(width for _, width in columns) > WIDEST else "table"
     return "\n".join(
         [
-            rf"\begin{{{kind}}}\small\setlength{{\tabcolsep}}{{4pt}}",
-            rf"\caption{{{prose(found.caption)}}}\label{{tab:{found.name}}}",
-            rf"\begin{{tabular}}{{@{{}}{''.join(kind for kind, _ in columns)}@{{}}}}",
+            rf"\begin{{{kind}}}\centering\small\setlength{{\tabcolsep}}{{4pt}}",
+            rf"\caption{{{prose(found.caption)}}}\label{{tab:{found.name}}}\smallskip",
+            rf"\sbox0{{\begin{{tabular}}{{@{{}}{''.join(kind for kind, _ in columns)}@{{}}}}",
             r"\toprule",
             head,
             r"\midrule",
             *body,
             r"\bottomrule",
-            r"\end{tabular}",
+            r"\end{tabular}}%",
+            r"\ifdim\wd0>\linewidth\resizebox{\linewidth}{!}{\usebox0}\else\usebox0\fi",
             rf"\end{{{kind}}}",
             "",
         ]
