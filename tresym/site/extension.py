@@ -85,8 +85,8 @@ def link_labels(app: Sphinx, doctree: nodes.document) -> None:
     for text in list(doctree.findall(nodes.literal)):
         label = text.astext()
         if label in known and not isinstance(text.parent, nodes.reference | pending_xref):
-            to = {"refdomain": "std", "reftype": "doc", "reftarget": f"/claims/{label}"}
-            text.replace_self(pending_xref("", text.deepcopy(), refexplicit=True, **to))
+            uri = app.builder.get_relative_uri(name, f"claims/{label}")
+            text.replace_self(nodes.reference("", "", text.deepcopy(), internal=True, refuri=uri))
 
 
 _AS_WRITTEN = (
