@@ -19,12 +19,13 @@ from flint import arb, fmpq
 from tresym.bench import peers
 from tresym.bench.run import Workload
 from tresym.bench.truth import true_digits
+from tresym.bench.turn import by_library
 from tresym.racket.body import named_body
 from tresym.racket.flip import separatrix
 from tresym.racket.floats.shapes import defects
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion import quadrature
-from tresym.racket.motion.carlson import Integrals, amplitude, by_flint, turn
+from tresym.racket.motion.carlson import amplitude, by_flint, turn
 from tresym.reals.numbers.arithmetic import ball_precision, balls, bits, mp_precision
 
 FLOAT_DIGITS = 53 * math.log10(2)
@@ -205,11 +206,7 @@ def _carlson(psi: Any, z: Any, a: Any, b: Any, g: Any, m: Any) -> Any:
         return turn(by_flint(at, n), a, b, g, m)
     import scipy.special
 
-    source = scipy.special if m is np else m
-    rf, rj = source.elliprf, source.elliprj
-    x, y = at.cn**2, at.dn**2
-    third = at.sn**3 * rj(x, y, 1, 1 + n * at.sn**2) / 3
-    return turn(Integrals(at.sn * rf(x, y, 1), third), a, b, g, m)
+    return turn(by_library(at, n, scipy.special if m is np else m), a, b, g, m)
 
 
 def _radicand(p: Numbers, m: Any) -> Any:

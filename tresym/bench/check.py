@@ -30,8 +30,7 @@ from tresym.reals.corpus.rewriting import (
     real_value,
     true_identity,
 )
-from tresym.reals.decisions import Answer, check
-from tresym.reals.decisions.attack import attack
+from tresym.reals.decisions import check
 from tresym.reals.decisions.limits import Task, check_all
 from tresym.reals.decisions.reading import read
 from tresym.reals.decisions.statement import decide_claim
@@ -88,36 +87,22 @@ WORKLOAD = Workload(contenders, PACE, OURS, notes=notes)
 
 
 def decided(claims: list[str]) -> dict[str, Any]:
-    """How often each verdict, the processor time it took, and the advocate's part in it."""
+    """How often each verdict, and the processor time it took."""
     check(claims[0])  # what is done once in a process is not counted
     verdicts: Counter[str] = Counter()
-    seconds, parts = [], []
+    seconds = []
     for claim in claims:
         start = time.process_time()
-        answer = check(claim)
+        verdicts[check(claim).verdict.value] += 1
         seconds.append(time.process_time() - start)
-        verdicts[answer.verdict.value] += 1
-        if answer:
-            parts.append(_advocated(claim, answer, seconds[-1]) / seconds[-1])
     seconds.sort()
-    parts.sort()
     return {
         "claims": len(claims),
         **verdicts,
         "median": _short(seconds[len(seconds) // 2]),
         "p99": _short(seconds[int(0.99 * len(seconds))]),
         "longest": _short(seconds[-1]),
-        "advocate": parts and _short(parts[len(parts) // 2]),
     }
-
-
-def _advocated(claim: str, answer: Answer, spent: float) -> float:
-    """The processor time of the advocate before a claim that passes."""
-    statement = read(claim)
-    start = time.process_time()
-    for comparison in statement.comparisons:
-        attack(comparison, statement, answer, spent)
-    return time.process_time() - start
 
 
 def mutants(everything: list[Pair]) -> dict[str, Any]:

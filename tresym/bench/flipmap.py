@@ -61,8 +61,8 @@ def contenders(_: Any) -> Iterator[Contender]:
         methods: dict[str, tuple[Method, int]] = {
             OURS: (flipmap.flip_map, flipmap.LARGE - 1),
             "tresym.flip_angle, 15 digits certified": (certified, LOOP),
-            "scipy solve_ivp, RK45 at 1e-10": (partial(by_scipy, "RK45", 1e-10), LOOP),
-            "scipy solve_ivp, DOP853 at 1e-13": (partial(by_scipy, "DOP853", 1e-13), LOOP),
+            "scipy solve_ivp, RK45 at 1e-10": (by_scipy("RK45", 1e-10), LOOP),
+            "scipy solve_ivp, DOP853 at 1e-13": (by_scipy("DOP853", 1e-13), LOOP),
             "heyoka, one by one": (by_heyoka, 1000),
             "heyoka, batch": (by_heyoka_batch, 1000),
             **optional(),
@@ -127,35 +127,19 @@ def handle(a: float, b: float, psi: Any, rate: Any) -> Any:
     return rate * (1 - b * square) / (a + b * square)
 
 
-def by_scipy(
-    method: str, tolerance: float, a: float, b: float, psi: Floats, rate: Floats
-) -> list[float]:
-    """``solve_ivp`` on the planar system, start by start."""
-    from scipy.integrate import solve_ivp
-
-    found = []
-    for x, z in zip(psi.tolist(), handle(a, b, psi, rate).tolist(), strict=True):
-        path = solve_ivp(
-            lambda _, y: peers.slopes(y, a, b, math),
-            (0, math.tau),
-            [x, z],
-            method=method,
-            rtol=tolerance,
-            atol=tolerance / 100,
-        )
-        found.append(float(path.y[0, -1]) - x)
-    return found
+def one_by_one(path: peers.Path, a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
+    """A solver of the planar system, start by start."""
+    pairs = zip(psi.tolist(), handle(a, b, psi, rate).tolist(), strict=True)
+    return [path(a, b, [x, z], math.tau) - x for x, z in pairs]
 
 
-def by_heyoka(a: float, b: float, psi: Floats, rate: Floats) -> list[float]:
-    """heyoka's Taylor integrator at its finest tolerance, start by start."""
-    solver = peers.heyoka_solver(16)
-    found = []
-    for x, z in zip(psi.tolist(), handle(a, b, psi, rate).tolist(), strict=True):
-        solver.time, solver.pars[:], solver.state[:] = 0.0, [a, b], [x, z]
-        solver.propagate_until(math.tau)
-        found.append(float(solver.state[0]) - x)
-    return found
+def by_scipy(method: str, tolerance: float) -> Method:
+    """scipy's ``solve_ivp``."""
+    return partial(one_by_one, partial(peers.scipy_path, method, (tolerance, tolerance / 100)))
+
+
+by_heyoka: Method = partial(one_by_one, partial(peers.heyoka_path, 16))
+"""heyoka's Taylor integrator at its finest tolerance."""
 
 
 def by_heyoka_batch(a: float, b: float, psi: Floats, rate: Floats) -> Floats:

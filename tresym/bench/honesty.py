@@ -20,18 +20,22 @@ from flint import arb, fmpq
 from tresym.bench import flipmap as starts
 from tresym.bench import peers
 from tresym.bench.run import Workload
-from tresym.bench.separatrix import SHAPES
 from tresym.bench.truth import true_digits
+from tresym.bench.turn import flint_turn, mp_quad
 from tresym.racket.body import Shape, named_body
 from tresym.racket.flip import defect, separatrix
 from tresym.racket.flip.ladder import climb
 from tresym.racket.floats import flipmap
 from tresym.racket.motion import quadrature
-from tresym.racket.motion.carlson import amplitude, by_flint, turn
 from tresym.reals.limit import TimeUp, time_limit
-from tresym.reals.numbers.arithmetic import ball_precision, balls, mp_precision, to_mp
 from tresym.reals.numbers.exact import parse_number
 
+WIDTHS = tuple(fmpq(*x) for x in ((1, 1), (1, 2), (1, 10), (1, 100), (1, 1000)))
+SHAPES = tuple(
+    Shape(fmpq(10) ** (n // 2) * (3 if n % 2 else 1) / b, b)
+    for n, b in product(range(-6, 9), WIDTHS)
+)
+"""75 shapes, ab = 10⁻³ … 10⁴ in steps of about √10."""
 STR = named_body("str").shape
 GAMMAS = ("1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12", "1e-14", "1e-20", "1e-30", "0")
 LIMIT = 3.0
@@ -85,10 +89,9 @@ def _quadratures() -> Iterator[MeasuredPoint]:
     """``quad`` of the paper's integrand from ε = 1/10, and from the turning point for γ < 0."""
     for text in (*GAMMAS, "-1/1000", "-1/100"):
         gamma = parse_number(text)
-        with ball_precision(300):
-            truth = _turn(gamma)
+        truth = flint_turn(gamma, 80)
         for digits, method in product((15, 30, 50), ("tanh-sinh", "gauss-legendre")):
-            found = _asked(partial(_mp_quad, gamma, digits, method))
+            found = _asked(partial(mp_quad, gamma, method, digits))
             if found is not None and (digits < 50 or method == "tanh-sinh"):
                 value, error = found
                 claims = MOST if error == 0 else -math.log10(float(abs(error / value)))
@@ -96,24 +99,6 @@ def _quadratures() -> Iterator[MeasuredPoint]:
         value, error = _scipy_quad(gamma)
         claims = -math.log10(error / value)
         yield point("scipy quad", text, claims, true_digits(value, truth))
-
-
-def _turn(gamma: fmpq) -> arb:
-    a, b, g = arb(STR.a), arb(STR.b), arb(gamma)
-    if gamma < 0:
-        at = amplitude((-g / b).sqrt(), (1 + g / b).sqrt(), arb(0), a, b, g, balls)
-    else:
-        sine, cosine = (arb(1) / 10).sin_cos()
-        at = amplitude(sine, cosine, g + b * sine * sine, a, b, g, balls)
-    return turn(by_flint(at, b / a), a, b, g, balls)
-
-
-def _mp_quad(gamma: fmpq, digits: int, method: str) -> tuple[Any, Any]:
-    with mp_precision(digits) as mp:
-        a, b, g = (to_mp(x, mp) for x in (*STR, gamma))
-        begin = mp.asin(mp.sqrt(-g / b)) if gamma < 0 else mp.mpf(1) / 10
-        value, error = quadrature.printed(begin, a, b, g, mp, method)
-        return mp.re(value), mp.re(error)
 
 
 def _scipy_quad(gamma: fmpq) -> tuple[float, float]:
@@ -131,24 +116,26 @@ def _scipy_quad(gamma: fmpq) -> tuple[float, float]:
 
 def _roots() -> Iterator[MeasuredPoint]:
     """``findroot`` and ``brentq``: digits asked for, where they return without complaint."""
-    for shape, digits in product(SHAPES, (15, 50)):
-        found = _asked(partial(peers.findroot_printed, shape, fmpq(0), digits))
-        if found is not None:
-            digits_had = true_digits(found, defect_truth(shape, fmpq(0)))
-            name = "mpmath findroot, printed equation"
-            yield point(name, _where(shape, "0"), digits, digits_had)
-    for shape in SHAPES:
-        found = _asked(partial(peers.brentq_printed, shape, fmpq(0), 15))
-        if found is not None:
-            had = true_digits(found, defect_truth(shape, fmpq(0)))
-            claims = -math.log10(peers.FINEST["rtol"])
-            yield point("scipy brentq, printed equation", _where(shape, "0"), claims, had)
-    for text in GAMMAS:
+    printed = "printed equation"
+    finest = -math.log10(peers.FINEST["rtol"])
+    asked: list[tuple[str, peers.Method, Shape, str, int, float]] = [
+        *(
+            (f"mpmath findroot, {printed}", peers.findroot_printed, shape, "0", digits, digits)
+            for shape, digits in product(SHAPES, (15, 50))
+        ),
+        *(
+            (f"scipy brentq, {printed}", peers.brentq_printed, shape, "0", 15, finest)
+            for shape in SHAPES
+        ),
+        *(("mpmath findroot over quad", peers.findroot_quad, STR, g, 15, 15) for g in GAMMAS),
+    ]
+    for name, method, shape, text, digits, claims in asked:
         gamma = parse_number(text)
-        found = _asked(partial(peers.findroot_quad, STR, gamma, 15))
+        found = _asked(partial(method, shape, gamma, digits))
         if found is not None:
-            had = true_digits(found, defect_truth(STR, gamma))
-            yield point("mpmath findroot over quad", text, 15, had)
+            had = true_digits(found, defect_truth(shape, gamma))
+            where = text if "quad" in name else _where(shape, text)
+            yield point(name, where, claims, had)
 
 
 def _solvers() -> Iterator[MeasuredPoint]:

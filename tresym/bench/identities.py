@@ -9,8 +9,6 @@ which it does worse. A false variant is one that balls show violated; of ``simpl
 
 from __future__ import annotations
 
-import statistics
-import time
 from collections.abc import Callable, Iterator
 from functools import partial
 from itertools import islice, pairwise
@@ -26,7 +24,6 @@ from tresym.ledger.meaning import conditions, known, tree
 from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.paper import all_claims
 from tresym.ledger.second_look import put_in, rules_of
-from tresym.reals.advocate import contradiction
 from tresym.reals.decisions import check
 from tresym.reals.decisions.identity import decide
 from tresym.reals.numbers.exact import InputError
@@ -62,45 +59,19 @@ def contenders(_: Any) -> Iterator[Contender]:
 
 
 def notes(timings: list[Timing], _: Any) -> dict[str, Any]:
-    """Outcomes and ratios by method, for true identities and false ones; the advocate's part."""
+    """Outcomes and ratios by method, for true identities and false ones."""
 
     def named(who: Contender) -> str:
         return f"{who.method}, {'false' if who.scene.endswith('made false') else 'true'} ones"
 
-    summary = tally(timings, OURS, PACE.limit, "identities", named)
-    return {"summary": summary, "advocate": advocate()}
+    return {"summary": tally(timings, OURS, PACE.limit, "identities", named)}
 
 
 WORKLOAD = Workload(contenders, PACE, OURS, notes=notes)
 
 
-def advocate() -> float:
-    """The median, over the true identities, of the advocate's time by the decision's."""
-    parts = []
-    for identity in (identity for identity in identities() if identity.true):
-        left, right = tree(identity.left), tree(identity.right)
-        given = known(conditions(identity.given))
-        start = time.process_time()
-        decide(left, right, given)
-        spent = time.process_time() - start
-        contradiction((left, "==", right), given.comparisons, spent=spent)
-        parts.append((time.process_time() - start) / spent - 1)
-    return float(f"{statistics.median(parts):.3g}")
-
-
 def pairs() -> Iterator[list[Identity]]:
     """Each identity of the ledger with a false variant of it, where one is found."""
-    pair: list[Identity] = []
-    for identity in identities():
-        if identity.true and pair:
-            yield pair
-            pair = []
-        pair.append(identity)
-    yield pair
-
-
-def identities() -> Iterator[Identity]:
-    """Each identity of the ledger, followed by a false variant of it."""
     seen = set()
     for claim in all_claims():
         steps = [pair for proof in _chains(claim) for pair in pairwise(_expressions(*proof))]
@@ -110,8 +81,8 @@ def identities() -> Iterator[Identity]:
             seen.add((left, right))
             name = f"{claim.label}, step {number}"
             if _verdict(left, right, claim.given) is Verdict.PROVED:
-                yield Identity(name, left, right, claim.given, True)
-                yield from _variant(name, left, right, claim.given)
+                true = Identity(name, left, right, claim.given, True)
+                yield [true, *_variant(name, left, right, claim.given)]
 
 
 def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:

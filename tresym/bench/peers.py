@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 from flint import arb, fmpq
@@ -24,6 +24,8 @@ FINEST = {"xtol": 1e-300, "rtol": 8.9e-16}
 """The least tolerances that brentq takes."""
 
 Method = Callable[[Shape, fmpq, int], Any]
+Path = Callable[[float, float, list[float], float], float]
+"""ψ at an angle of the handle from a, b and where it begins: ψ and cos θ."""
 
 
 def from_text(body: str, gamma: str, digits: int) -> arb:
@@ -46,11 +48,14 @@ def start(a: Any, b: Any, gamma: Any, m: Any) -> Any:
     return (9 * least + m.pi / 2) / 10
 
 
-def findroot_printed(shape: Shape, gamma: fmpq, digits: int) -> Any:
-    """``mpmath.findroot`` on the exact equation as printed (γ = 0)."""
-    with mp_precision(digits) as mp:
-        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
-        return mp.findroot(lambda e: printed.separatrix_residual(e, a, b, mp), start(a, b, g, mp))
+def _findroot(residual: Callable[..., Any], says: str) -> Method:
+    def run(shape: Shape, gamma: fmpq, digits: int) -> Any:
+        with mp_precision(digits) as mp:
+            a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
+            return mp.findroot(lambda e: residual(e, a, b, g, mp), start(a, b, g, mp))
+
+    run.__doc__ = says
+    return run
 
 
 def findroot_phase(shape: Shape, _: fmpq, digits: int) -> Any:
@@ -68,34 +73,26 @@ def findroot_phase(shape: Shape, _: fmpq, digits: int) -> Any:
         return stable.defect_at(phase, k, r, mp)
 
 
-def findroot_quad(shape: Shape, gamma: fmpq, digits: int) -> Any:
-    """``mpmath.findroot`` over ``quad`` (tanh-sinh) of the paper's integrand."""
-    with mp_precision(digits) as mp:
-        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
-
-        def residual(e: Any) -> Any:
-            return quadrature.printed(e, a, b, g, mp)[0] - mp.pi
-
-        return mp.findroot(residual, start(a, b, g, mp))
-
-
-def findroot_carlson(shape: Shape, gamma: fmpq, digits: int) -> Any:
-    """``mpmath.findroot`` over mpmath's R_F and R_J."""
-    with mp_precision(digits) as mp:
-        a, b, g = (to_mp(x, mp) for x in (*shape, gamma))
-
-        def residual(e: Any) -> Any:
-            return carlson_turn(e, a, b, g, mp, mp.elliprf, mp.elliprj) - mp.pi
-
-        return mp.findroot(residual, start(a, b, g, mp))
-
-
 def carlson_turn(e: Any, a: Any, b: Any, gamma: Any, m: Any, rf: Any, rj: Any) -> Any:
     """F(ε, γ) through R_F and R_J of a library, γ + b sin²ε formed by addition."""
     sine2, cosine = m.sin(e) ** 2, m.cos(e)
     x, y, w = sine2, (a + b * sine2) / (a + b), (gamma + b * sine2) / (gamma + b)
     both = (1 - b) * rf(x, y, w) + b / 3 * cosine**2 * rj(x, y, w, 1)
     return cosine / m.sqrt((a + b) * (gamma + b)) * both
+
+
+findroot_printed = _findroot(
+    lambda e, a, b, _, m: printed.separatrix_residual(e, a, b, m),
+    "``mpmath.findroot`` on the exact equation as printed (γ = 0).",
+)
+findroot_quad = _findroot(
+    lambda e, a, b, g, m: quadrature.printed(e, a, b, g, m)[0] - m.pi,
+    "``mpmath.findroot`` over ``quad`` (tanh-sinh) of the paper's integrand.",
+)
+findroot_carlson = _findroot(
+    lambda e, a, b, g, m: carlson_turn(e, a, b, g, m, m.elliprf, m.elliprj) - m.pi,
+    "``mpmath.findroot`` over mpmath's R_F and R_J.",
+)
 
 
 def odefun(shape: Shape, gamma: fmpq, digits: int) -> Any:
@@ -123,80 +120,81 @@ def floats(shape: Shape, gamma: fmpq) -> tuple[float, float, float]:
     return a, b, g
 
 
-def _bracket(b: float, gamma: float) -> tuple[float, float]:
-    least = math.asin(math.sqrt(-gamma / b)) if gamma < 0 else 0.0
-    return least + 1e-15, math.pi / 2
+def _brentq(residual: Callable[[float, float, float, float], float], says: str) -> Method:
+    def run(shape: Shape, gamma: fmpq, _: int) -> float:
+        import warnings
+
+        from scipy.optimize import brentq
+
+        at = floats(shape, gamma)
+        least = math.asin(math.sqrt(-at[2] / at[1])) if at[2] < 0 else 0.0
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return float(brentq(residual, least + 1e-15, math.pi / 2, at, **FINEST))
+
+    run.__doc__ = says
+    return run
 
 
-def brentq_printed(shape: Shape, gamma: fmpq, _: int) -> float:
-    """scipy's ``brentq`` on the exact equation as printed (γ = 0)."""
-    from scipy.optimize import brentq
-
-    a, b, g = floats(shape, gamma)
-    ends = _bracket(b, g)
-    return float(brentq(lambda e: printed.separatrix_residual(e, a, b, math), *ends, **FINEST))
-
-
-def brentq_quad(shape: Shape, gamma: fmpq, _: int) -> float:
-    """scipy's ``brentq`` over ``quad`` of the paper's integrand."""
-    import warnings
-
+def _quad_residual(e: float, a: float, b: float, g: float) -> float:
     from scipy.integrate import quad
-    from scipy.optimize import brentq
 
-    a, b, g = floats(shape, gamma)
-
-    def residual(e: float) -> float:
-        return float(quad(quadrature.integrand, e, math.pi / 2, (a, b, g, math))[0]) - math.pi
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        return float(brentq(residual, *_bracket(b, g), **FINEST))
+    return float(quad(quadrature.integrand, e, math.pi / 2, (a, b, g, math))[0]) - math.pi
 
 
-def brentq_carlson(shape: Shape, gamma: fmpq, _: int) -> float:
-    """scipy's ``brentq`` over its R_F and R_J."""
-    from scipy.optimize import brentq
+def _carlson_residual(e: float, a: float, b: float, g: float) -> float:
     from scipy.special import elliprf, elliprj
 
-    a, b, g = floats(shape, gamma)
+    return float(carlson_turn(e, a, b, g, math, elliprf, elliprj)) - math.pi
 
-    def residual(e: float) -> float:
-        return float(carlson_turn(e, a, b, g, math, elliprf, elliprj)) - math.pi
 
-    return float(brentq(residual, *_bracket(b, g), **FINEST))
+brentq_printed = _brentq(
+    lambda e, a, b, _: float(printed.separatrix_residual(e, a, b, math)),
+    "scipy's ``brentq`` on the exact equation as printed (γ = 0).",
+)
+brentq_quad = _brentq(_quad_residual, "scipy's ``brentq`` over ``quad`` of the paper's integrand.")
+brentq_carlson = _brentq(_carlson_residual, "scipy's ``brentq`` over its R_F and R_J.")
+
+
+def scipy_path(
+    method: str, tolerances: tuple[float, float], a: float, b: float, begin: list[float], end: float
+) -> float:
+    """ψ at the angle ``end`` of the handle, by scipy's ``solve_ivp`` with rtol and atol."""
+    from scipy.integrate import solve_ivp
+
+    rtol, atol = tolerances
+    more = {"method": method, "rtol": rtol, "atol": atol}
+    found = solve_ivp(lambda _, y: slopes(y, a, b, math), (0, end), begin, **more)
+    return float(found.y[0, -1])
+
+
+def _half_turn(path: Path, *at: Any) -> float:
+    """ε(γ) from the path that begins flat over half a turn of the handle."""
+    a, b, g = floats(*at)
+    return math.pi - path(a, b, [math.pi / 2, math.sqrt((g + b) / (a + b))], math.pi)
 
 
 def scipy_ode(method: str) -> Method:
     """scipy's ``solve_ivp`` on the planar system with rtol = 10^−asked."""
 
     def run(shape: Shape, gamma: fmpq, asked: int) -> float:
-        from scipy.integrate import solve_ivp
-
-        a, b, g = floats(shape, gamma)
-        begin = [math.pi / 2, math.sqrt((g + b) / (a + b))]
-        tolerance = 10.0**-asked
-        found = solve_ivp(
-            lambda _, y: slopes(y, a, b, math),
-            (0, math.pi),
-            begin,
-            method=method,
-            rtol=tolerance,
-            atol=tolerance / 10,
-        )
-        return math.pi - float(found.y[0, -1])
+        fine = 10.0**-asked, 10.0**-asked / 10
+        return _half_turn(partial(scipy_path, method, fine), shape, gamma)
 
     return run
 
 
-def heyoka_ode(shape: Shape, gamma: fmpq, asked: int) -> float:
-    """heyoka's Taylor integrator, compiled before, with the tolerance 10^−asked."""
-    a, b, g = floats(shape, gamma)
+def heyoka_path(asked: int, a: float, b: float, begin: list[float], end: float) -> float:
+    """The same by heyoka's Taylor integrator, compiled before, with the tolerance 10^−asked."""
     solver = heyoka_solver(asked)
-    solver.time, solver.pars[:] = 0.0, [a, b]
-    solver.state[:] = [math.pi / 2, math.sqrt((g + b) / (a + b))]
-    solver.propagate_until(math.pi)
-    return math.pi - float(solver.state[0])
+    solver.time, solver.pars[:], solver.state[:] = 0.0, [a, b], begin
+    solver.propagate_until(end)
+    return float(solver.state[0])
+
+
+def heyoka_ode(shape: Shape, gamma: fmpq, asked: int) -> float:
+    """heyoka's Taylor integrator on the planar system."""
+    return _half_turn(partial(heyoka_path, asked), shape, gamma)
 
 
 def heyoka_system() -> list[Any]:

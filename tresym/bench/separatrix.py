@@ -33,12 +33,6 @@ OURS = "tresym, certified"
 PUBLIC = "tresym.flip_defect, from text"
 BATCH = "tresym.flip_defects, 20 shapes"
 
-PRODUCTS = tuple(fmpq(10) ** (n // 2) * fmpq(3 if n % 2 else 1) for n in range(-6, 9))
-"""The values of ab, 10⁻³ … 10⁴ in steps of about √10."""
-WIDTHS = tuple(fmpq(*x) for x in ((1, 1), (1, 2), (1, 10), (1, 100), (1, 1000)))
-SHAPES = tuple(Shape(p / b, b) for p in PRODUCTS for b in WIDTHS)
-"""The 75 shapes on which correctness is counted."""
-
 
 def certified(shape: Shape, _: fmpq, digits: int) -> arb:
     """What ``tresym flip`` computes: the ball, its digits proved."""
@@ -117,18 +111,4 @@ def _judge(answer: Any) -> Judged:
     return Judged(digits, DIGITS, WRONG, f"{digits:.1f} true digits of {DIGITS}")
 
 
-def correct_on_shapes(*_: Any) -> dict[str, dict[str, dict[str, int]]]:
-    """On how many of the 75 shapes each method has its digits, is short of 45, and of 2."""
-    found = {}
-    for name in ("findroot on the printed equation", OURS):
-        digits = [digits_at(WORK[name], shape) for shape in SHAPES]
-        found[name] = {
-            "shapes": len(digits),
-            "correct": sum(d >= DIGITS - SLACK for d in digits),
-            "below 45 digits": sum(d < 45 for d in digits),
-            "below 2 digits": sum(d < 2 for d in digits),
-        }
-    return {"shapes": found}
-
-
-WORKLOAD = Workload(contenders, Pace(rounds=40, patience=2.0), OURS, notes=correct_on_shapes)
+WORKLOAD = Workload(contenders, Pace(rounds=40, patience=2.0), OURS)

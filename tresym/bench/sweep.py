@@ -113,10 +113,7 @@ def _long_run(scene: Scene) -> dict[str, Any]:
             "scene": scene.title,
             "rows": said["rows"],
             "bad": said["bad"],
-            "processes": os.cpu_count(),
-            "seconds": round(seconds, 2),
             "rows_per_second": round(said["rows"] / seconds),
-            "processor_seconds": round(used.ru_utime + used.ru_stime, 2),
             "largest_process_megabytes": round(used.ru_maxrss / 1024),
             "bytes_per_row": round(os.path.getsize(path) / said["rows"]),
         }

@@ -17,7 +17,7 @@ from tresym.bench.truth import by_digits
 from tresym.racket.body import named_body
 from tresym.racket.flip.defect import solve
 from tresym.racket.motion import quadrature
-from tresym.racket.motion.carlson import Amplitude, amplitude, by_flint, turn
+from tresym.racket.motion.carlson import Amplitude, Integrals, amplitude, by_flint, turn
 from tresym.racket.motion.gauss import ball_ending, turn_by_gauss
 from tresym.reals.numbers.arithmetic import ball_precision, balls, bits, mp_precision, to_mp
 from tresym.reals.numbers.exact import parse_number
@@ -33,14 +33,13 @@ def contenders(_: Any = None) -> Iterator[Contender]:
     """F(ε, γ) of the racket; the public call finds ε(γ), for which it needs F once or twice."""
     for text in SCENES:
         gamma = parse_number(text)
-        with ball_precision(bits(2 * DIGITS)):
-            truth = _flint_turn(gamma)
+        truth = flint_turn(gamma, 2 * DIGITS)
         works: dict[str, Callable[[], Any]] = {
             OURS: partial(_gauss_turn, gamma),
-            "tresym, FLINT's R_F and R_J": partial(_flint_turn, gamma),
+            "tresym, FLINT's R_F and R_J": partial(flint_turn, gamma, DIGITS),
             "mpmath R_F and R_J": partial(_mp_carlson, gamma),
-            "mpmath quad, tanh-sinh": partial(_mp_quad, gamma, "tanh-sinh"),
-            "mpmath quad, Gauss-Legendre": partial(_mp_quad, gamma, "gauss-legendre"),
+            "mpmath quad, tanh-sinh": partial(_by_quad, gamma, "tanh-sinh"),
+            "mpmath quad, Gauss-Legendre": partial(_by_quad, gamma, "gauss-legendre"),
             "mpmath quad of our substitution": partial(_mp_substituted, gamma),
         }
         where = f"γ = {text}" if gamma >= 0 else f"γ = {text}, at the turning point"
@@ -74,27 +73,38 @@ def _gauss_turn(gamma: fmpq) -> arb:
         return turn_by_gauss(tangent, rest, a, b, g, balls, ball_ending())
 
 
-def _flint_turn(gamma: fmpq) -> arb:
-    with ball_precision(bits(DIGITS)):
+def flint_turn(gamma: fmpq, digits: int) -> arb:
+    """F of a scene in balls, through FLINT's R_F and R_J."""
+    with ball_precision(bits(digits)):
         a, b, g = arb(SHAPE.a), arb(SHAPE.b), arb(gamma)
-        at = _place(gamma, balls, arb)
-        return turn(by_flint(at, b / a), a, b, g, balls)
+        return turn(by_flint(_place(gamma, balls, arb), b / a), a, b, g, balls)
 
 
 def _mp_carlson(gamma: fmpq) -> Any:
     with mp_precision(DIGITS + 5) as mp:
         a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
-        sn, cn, dn, _ = _place(gamma, mp, lambda x: to_mp(x, mp))
-        first = sn * mp.elliprf(cn**2, dn**2, 1)
-        third = sn**3 * mp.elliprj(cn**2, dn**2, 1, 1 + b / a * sn**2) / 3
-        return ((1 - b) * first + (a + b) * b / a * third) / mp.sqrt(a * (g + b))
+        at = _place(gamma, mp, lambda x: to_mp(x, mp))
+        return turn(by_library(at, b / a, mp), a, b, g, mp)
 
 
-def _mp_quad(gamma: fmpq, method: str) -> Any:
-    with mp_precision(DIGITS) as mp:
+def by_library(at: Amplitude, n: Any, m: Any) -> Integrals:
+    """The two integrals by the R_F and R_J of scipy.special or mpmath."""
+    x, y = at.cn**2, at.dn**2
+    third = at.sn**3 * m.elliprj(x, y, 1, 1 + n * at.sn**2) / 3
+    return Integrals(at.sn * m.elliprf(x, y, 1), third)
+
+
+def mp_quad(gamma: fmpq, method: str, digits: int) -> tuple[Any, Any]:
+    """F of a scene by mpmath's ``quad``, and the error that it claims."""
+    with mp_precision(digits) as mp:
         a, b, g = (to_mp(x, mp) for x in (*SHAPE, gamma))
         start = mp.asin(mp.sqrt(-g / b)) if gamma < 0 else mp.mpf(1) / 10
-        return mp.re(quadrature.printed(start, a, b, g, mp, method)[0])
+        value, error = quadrature.printed(start, a, b, g, mp, method)
+        return mp.re(value), mp.re(error)
+
+
+def _by_quad(gamma: fmpq, method: str) -> Any:
+    return mp_quad(gamma, method, DIGITS)[0]
 
 
 def _mp_substituted(gamma: fmpq) -> Any:

@@ -6,20 +6,18 @@ and SymPy, which no command of ours can be faster than where it needs them.
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 import sys
 import tempfile
 import time
-from collections import defaultdict
 from collections.abc import Callable, Iterator
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import tresym
-from tresym.bench.run import Contender, Pace, Timing, Workload
+from tresym.bench.run import Contender, Pace, Workload
 
 
 class Wait(NamedTuple):
@@ -65,27 +63,4 @@ def contenders(_: Any) -> Iterator[Contender]:
             yield Contender("start to end", name, run, ours="tresym" in name, sample=run)
 
 
-def ledger(timings: list[Timing]) -> Iterator[tuple[str, Any]]:
-    """Where the time of the ledger goes: by kind of claim, and the claims that take longest."""
-    with tempfile.TemporaryDirectory() as folder:
-        launch(["-m", "tresym", "verify", "--json", "--workers", "1", "-o", f"{folder}/x.json"])()
-        claims = json.loads(Path(folder, "x.json").read_text(encoding="utf-8"))["claims"]
-    kinds = defaultdict(list)
-    for claim in claims:
-        kinds[claim["kind"]].append(claim["seconds"])
-    for kind, seconds in sorted(kinds.items(), key=lambda pair: -sum(pair[1])):
-        longest = max(seconds)
-        yield (
-            "kinds",
-            {
-                "kind": kind,
-                "claims": len(seconds),
-                "seconds": round(sum(seconds), 2),
-                "longest": round(longest, 2),
-            },
-        )
-    for claim in sorted(claims, key=lambda claim: -claim["seconds"])[:20]:
-        yield "longest", {"label": claim["label"], "seconds": round(claim["seconds"], 2)}
-
-
-WORKLOAD = Workload(contenders, Pace(5, 120.0, 120.0), "import flint", "wall clock", tables=ledger)
+WORKLOAD = Workload(contenders, Pace(5, 120.0, 120.0), "import flint", "wall clock")
