@@ -27,16 +27,23 @@ NONE = [
     "n**n*x**n",
     "(n**n + 1)*x**n",
     "(n + n**(-1))*x**n",
+    "0**(n - 1)*x**n",
+    "x**n/0**n",
+    "f(n)*x**n",
 ]
 
 
-def series(terms: str, low: int = 1) -> Series | None:
+def series(terms: str, low: int | str = 1) -> Series | None:
     return series_of(read(f"1 == sum({terms}, n, {low}, oo)").comparisons[0].right)
 
 
 @pytest.mark.parametrize("terms", NONE)
 def test_what_is_no_such_series(terms: str) -> None:
     assert series(terms) is None
+
+
+def test_an_index_counts_from_an_integer() -> None:
+    assert series("x**n", "1/2") is None
 
 
 @pytest.mark.parametrize(
