@@ -18,7 +18,7 @@ _BEGINS = re.compile(
       | (separatrix|many|turn|defect|flipmap|identities|check|waiting|precision|honesty|atlas):[ ]
       | (sweep|scaling):[ ] | [-\w]+ [ ]+ (Fig\.|True)[ ]
       | \|[ ] (body|shape|route|a₀)[ ] \| | ([^\n]+\n){1,6} \n ([^\n]+\n){1,9}? ─[─ ]+\n
-      | \\begin\{(sideways)?table\}\\small\\setlength
+      | \\begin\{(sideways)?table\}(\\centering)?\\small\\setlength
       | (?!\\documentclass) .{0,2000}? \\label\{tresym:
       | \\documentclass\[a4paper,11pt\]\{article\} .{0,600} \\definecolor\{proved\}
       | \(\* .{0,2000} tresym | (%PDF|.PNG|GIF8|.{4}ftyp) .* tresym

@@ -763,3 +763,207 @@ Ltac all_below m := lazymatch goal with |- up_all ?r (?e ^ 2) * _ <= _ =>
   assert (0 <= e ^ 2 <= m ^ 2) by nra; set (u := e ^ 2) in *; clearbody u r;
   unfold up_all, up_exp, up_turn, low_sum, up_root, up_sine, up_time;
   interval with (i_bisect u, i_bisect r, i_depth 30) end.
+
+(* A motion that turns: its precession by the angle of the turning, and the level of a half turn. *)
+Definition turned (a b c x : R) : R :=
+  / (sqrt ((-1) * c * (b + a * (sin x) ^ 2) + a * b * (cos x) ^ 2))
+  * / (a + b * (sin x) ^ 2 + (-1) * c * (cos x) ^ 2)
+  * ((cos x) ^ 2 * ((-1) * b + 1) * (a + (-1) * c) + (sin x) ^ 2 * (c + 1) * (a + b)).
+Definition turned_slope (a b c x : R) : R :=
+  / 2 * (b + a * sin x ^ 2) * / sqrt ((-1) * c * (b + a * sin x ^ 2) + a * b * cos x ^ 2) ^ 3
+    * / (a + b * sin x ^ 2 + (-1) * c * cos x ^ 2)
+    * (cos x ^ 2 * ((-1) * b + 1) * (a + (-1) * c) + sin x ^ 2 * (c + 1) * (a + b))
+  + cos x ^ 2 * / sqrt ((-1) * c * (b + a * sin x ^ 2) + a * b * cos x ^ 2)
+    * / (a + b * sin x ^ 2 + (-1) * c * cos x ^ 2) ^ 2
+    * (cos x ^ 2 * ((-1) * b + 1) * (a + (-1) * c) + sin x ^ 2 * (c + 1) * (a + b))
+  + / sqrt ((-1) * c * (b + a * sin x ^ 2) + a * b * cos x ^ 2)
+    * / (a + b * sin x ^ 2 + (-1) * c * cos x ^ 2)
+    * (sin x ^ 2 * (a + b) - cos x ^ 2 * ((-1) * b + 1)).
+Definition share_turned (a b e c : R) : R :=
+  sqrt (b * / (a + b * (sin e) ^ 2) * / (c + b * (cos e) ^ 2 + b * (sin e) ^ 2) * (a + (-1) * c))
+  * Rabs (cos e).
+Definition end_turned (a b e c : R) : R := PI + (-1) * asin (share_turned a b e c).
+
+Ltac weigh := repeat (apply Rmult_le_pos; [| lra]); lra.
+
+Section Turned.
+Variables a b : R.
+Hypotheses (A : a > 0) (B : b > 0) (L : b <= 1).
+
+Lemma squares x : 0 <= sin x ^ 2 /\ 0 <= cos x ^ 2 /\ sin x ^ 2 + cos x ^ 2 = 1.
+Proof.
+  pose proof (sin2_cos2 x); unfold Rsqr in *; repeat split; try apply pow2_ge_0; nra.
+Qed.
+Lemma under_root c x : - b < c < 0 -> 0 < (-1) * c * (b + a * sin x ^ 2) + a * b * cos x ^ 2.
+Proof.
+  intros C; destruct (squares x) as [S [K _]].
+  assert (0 <= a * b * cos x ^ 2) by weigh.
+  assert (0 <= a * sin x ^ 2) by weigh.
+  assert (0 < (-1) * c * (b + a * sin x ^ 2)) by (apply Rmult_lt_0_compat; lra); lra.
+Qed.
+Lemma below_line c x : - b < c < 0 -> 0 < a + b * sin x ^ 2 + (-1) * c * cos x ^ 2.
+Proof.
+  intros C; destruct (squares x) as [S [K _]].
+  assert (0 <= b * sin x ^ 2) by weigh.
+  assert (0 <= (-1) * c * cos x ^ 2) by weigh; lra.
+Qed.
+Lemma above_line c x : - b < c < 0 ->
+  0 <= cos x ^ 2 * ((-1) * b + 1) * (a + (-1) * c) + sin x ^ 2 * (c + 1) * (a + b).
+Proof.
+  intros C; destruct (squares x) as [S [K _]].
+  apply Rplus_le_le_0_compat; weigh.
+Qed.
+Lemma turned_continuous c x : - b < c < 0 -> continuous (turned a b c) x.
+Proof.
+  intros C; pose proof (under_root c x C); pose proof (below_line c x C); unfold turned; continues;
+    apply Rgt_not_eq; [apply sqrt_lt_R0 |]; assumption.
+Qed.
+Lemma turned_positive c x : - b < c < 0 -> 0 < sin x -> 0 < turned a b c x.
+Proof.
+  intros C S; pose proof (under_root c x C); pose proof (below_line c x C); unfold turned.
+  destruct (squares x) as [_ [K _]].
+  assert (0 <= cos x ^ 2 * ((-1) * b + 1) * (a + (-1) * c)) by weigh.
+  assert (0 < sin x ^ 2 * (c + 1) * (a + b)).
+  { apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt; lra | lra] | lra]. }
+  assert (0 < sqrt ((-1) * c * (b + a * sin x ^ 2) + a * b * cos x ^ 2)) by now apply sqrt_lt_R0.
+  apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; now apply Rinv_0_lt_compat | lra].
+Qed.
+Lemma turned_rises c d x : - b < c -> c < d -> d < 0 -> turned a b c x <= turned a b d x.
+Proof.
+  intros X Y Z; assert (C : - b < c < 0) by lra; assert (D : - b < d < 0) by lra.
+  pose proof (under_root c x C) as U; pose proof (under_root d x D) as V.
+  pose proof (below_line c x C) as P; pose proof (below_line d x D) as Q.
+  pose proof (above_line c x C) as M; destruct (squares x) as [S [K SK]].
+  assert (0 <= a * sin x ^ 2) by weigh.
+  unfold turned; rewrite !(Rmult_assoc (/ sqrt _)).
+  apply Rmult_le_compat.
+  - left; positive.
+  - apply Rmult_le_pos; [left; positive | exact M].
+  - apply Rinv_le_contravar; [now apply sqrt_lt_R0 | apply sqrt_le_1_alt].
+    assert (0 <= (d - c) * (b + a * sin x ^ 2)) by weigh; lra.
+  - apply (Rmult_le_reg_l (a + b * sin x ^ 2 + (-1) * c * cos x ^ 2)); [exact P |].
+    rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra.
+    apply (Rmult_le_reg_l (a + b * sin x ^ 2 + (-1) * d * cos x ^ 2)); [exact Q |].
+    match goal with |- ?l <= ?q * (?p * (/ ?q * ?n)) =>
+      replace (q * (p * (/ q * n))) with (p * n) by (field; lra) end.
+    assert (0 <= (d - c) * (a + b) * (a + b) * sin x ^ 2).
+    { weigh. }
+    replace (cos x ^ 2) with (1 - sin x ^ 2) in * by lra; set (s := sin x ^ 2) in *; lra.
+Qed.
+Lemma slope_near c x : - b < c < 0 -> continuity_2d_pt (turned_slope a b) c x.
+Proof.
+  intros C; pose proof (under_root c x C) as U; pose proof (below_line c x C) as P.
+  assert (0 < sqrt ((-1) * c * (b + a * sin x ^ 2) + a * b * cos x ^ 2)) by now apply sqrt_lt_R0.
+  unfold turned_slope; continues_2d; try apply pow_nonzero; lra.
+Qed.
+Lemma turned_by_level c x : - b < c < 0 ->
+  is_derive (fun g : R => turned a b g x) c (turned_slope a b c x).
+Proof.
+  intros C; pose proof (under_root c x C) as U; pose proof (below_line c x C) as P.
+  assert (0 < sqrt ((-1) * c * (b + a * sin x ^ 2) + a * b * cos x ^ 2)) by now apply sqrt_lt_R0.
+  unfold turned, turned_slope; eapply d_eq; [derive; lra |]; tidy; field; lra.
+Qed.
+
+(* Where the motion has come to, and how that and its precession grow with the level. *)
+Variable e : R.
+Hypotheses (E : 0 < e) (F : e < 1 / 2 * PI).
+Lemma share_between c : - b * sin e ^ 2 < c < 0 -> - b < c < 0 /\ 0 < share_turned a b e c < 1
+  /\ 0 < b * / (a + b * sin e ^ 2) * / (c + b * cos e ^ 2 + b * sin e ^ 2) * (a + (-1) * c).
+Proof.
+  intros [X Y]; destruct (squares e) as [S [K SK]].
+  assert (0 < cos e) by (apply cos_gt_0; lra); assert (0 < cos e ^ 2) by (apply pow_lt; lra).
+  assert (0 <= b * sin e ^ 2) by weigh.
+  assert (0 < b * cos e ^ 2) by (apply Rmult_lt_0_compat; lra).
+  assert (b * cos e ^ 2 + b * sin e ^ 2 = b) by (rewrite <- Rmult_plus_distr_l, (Rplus_comm (cos e ^ 2)), SK; ring).
+  assert (- b < c) by lra; assert (P : 0 < c + b * cos e ^ 2 + b * sin e ^ 2) by lra.
+  assert (Q : 0 < b * / (a + b * sin e ^ 2) * / (c + b * cos e ^ 2 + b * sin e ^ 2) * (a + (-1) * c)).
+  { apply Rmult_lt_0_compat; [| lra]; apply Rmult_lt_0_compat; [| apply Rinv_0_lt_compat; lra].
+    apply Rmult_lt_0_compat; [lra | apply Rinv_0_lt_compat; lra]. }
+  split; [lra |]; split; [| exact Q]; unfold share_turned; rewrite Rabs_pos_eq by lra; split.
+  - apply Rmult_lt_0_compat; [now apply sqrt_lt_R0 | lra].
+  - match type of Q with 0 < ?q => assert (W : q * cos e ^ 2 < 1); [| set (p := q) in *] end.
+    { apply (Rmult_lt_reg_l ((a + b * sin e ^ 2) * (c + b * cos e ^ 2 + b * sin e ^ 2))).
+      { apply Rmult_lt_0_compat; lra. }
+      match goal with |- ?l < _ => replace l with (b * (a + (-1) * c) * cos e ^ 2) by (field; lra) end.
+      assert (0 < (a + b) * (c + b * sin e ^ 2)) by (apply Rmult_lt_0_compat; lra).
+      replace (cos e ^ 2) with (1 - sin e ^ 2) in * by lra; set (s := sin e ^ 2) in *; lra. }
+    pose proof (sqrt_lt_R0 p Q); pose proof (sqrt_sqrt p ltac:(lra)).
+    assert (0 < sqrt p * cos e) by (apply Rmult_lt_0_compat; lra).
+    assert ((sqrt p * cos e) * (sqrt p * cos e) < 1).
+    { replace ((sqrt p * cos e) * (sqrt p * cos e)) with (sqrt p * sqrt p * cos e ^ 2) by ring.
+      replace (sqrt p * sqrt p) with p; exact W. }
+    nra.
+Qed.
+Lemma end_between c : - b * sin e ^ 2 < c < 0 -> 1 / 2 * PI < end_turned a b e c < PI.
+Proof.
+  intros C; destruct (share_between c C) as [_ [[S T] _]]; unfold end_turned.
+  pose proof (asin_rises 0 (share_turned a b e c) ltac:(lra) S ltac:(lra)) as U; rewrite asin_0 in U.
+  pose proof (asin_rises (share_turned a b e c) 1 ltac:(lra) T ltac:(lra)) as V; rewrite asin_1 in V; lra.
+Qed.
+Lemma end_rises c d : - b * sin e ^ 2 < c -> c < d -> d < 0 -> end_turned a b e c < end_turned a b e d.
+Proof.
+  intros X Y Z; destruct (share_between c ltac:(lra)) as [C1 [C2 C3]].
+  destruct (share_between d ltac:(lra)) as [D1 [D2 D3]]; destruct (squares e) as [S [K SK]].
+  assert (0 <= b * sin e ^ 2) by weigh.
+  unfold end_turned; apply Rplus_lt_compat_l, Rmult_lt_gt_compat_neg_l; [lra |].
+  apply asin_rises; [lra | | lra]; unfold share_turned.
+  apply Rmult_lt_compat_r; [apply Rabs_pos_lt, Rgt_not_eq, cos_gt_0; lra |].
+  apply sqrt_lt_1_alt; split; [lra |].
+  assert (0 < cos e ^ 2) by (apply pow_lt, cos_gt_0; lra).
+  assert (0 < b * cos e ^ 2) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < / (a + b * sin e ^ 2)) by (apply Rinv_0_lt_compat; lra).
+  assert (0 < b * / (a + b * sin e ^ 2)) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < / (d + b * cos e ^ 2 + b * sin e ^ 2)) by (apply Rinv_0_lt_compat; lra).
+  apply Rmult_le_0_lt_compat; [apply Rmult_le_pos; lra | lra | | lra].
+  apply Rmult_lt_compat_l; [lra |]; apply Rinv_lt_contravar; [apply Rmult_lt_0_compat |]; lra.
+Qed.
+Lemma half_turn_rises c d : - b * sin e ^ 2 < c -> c < d -> d < 0 ->
+  RInt (turned a b c) 0 (end_turned a b e c) < RInt (turned a b d) 0 (end_turned a b e d).
+Proof.
+  intros X Y Z; destruct (share_between c ltac:(lra)) as [C _]; destruct (share_between d ltac:(lra)) as [D _].
+  pose proof (end_between c ltac:(lra)); pose proof (end_between d ltac:(lra)).
+  pose proof (end_rises c d X Y Z) as M.
+  assert (K : forall g p q, - b < g < 0 -> continuous_on (turned a b g) p q).
+  { intros g p q G x _; now apply turned_continuous. }
+  apply (Rle_lt_trans _ (RInt (turned a b d) 0 (end_turned a b e c))).
+  - apply integral_le; try (apply K; assumption); [lra |]; intros x _; apply turned_rises; lra.
+  - rewrite (integral_cut (turned a b d) 0 (end_turned a b e c) (end_turned a b e d)) by (apply K; assumption).
+    enough (0 < RInt (turned a b d) (end_turned a b e c) (end_turned a b e d)) by lra.
+    apply integral_positive; [exact M | apply K; assumption |]; intros x W.
+    apply turned_positive; [exact D | apply sin_gt_0; lra].
+Qed.
+Lemma half_turn_continuous c : - b * sin e ^ 2 < c < 0 ->
+  continuous (fun g : R => RInt (turned a b g) 0 (end_turned a b e g)) c.
+Proof.
+  intros C; destruct (share_between c C) as [P [[S T] Q]]; pose proof (end_between c C).
+  destruct (squares e) as [S2 [K SK]].
+  assert (0 < cos e ^ 2) by (apply pow_lt, cos_gt_0; lra).
+  assert (0 <= b * sin e ^ 2) by weigh.
+  assert (0 < b * cos e ^ 2) by (apply Rmult_lt_0_compat; lra).
+  assert (W : exists v, is_derive (end_turned a b e) c v).
+  { unfold end_turned, share_turned in *; eexists; derive; lra. }
+  destruct W as [v V].
+  eapply continuous_derive, (leibniz_ends (turned a b) (turned_slope a b) (fun _ => 0) (end_turned a b e)
+    0 v c (- b) 0 (-1) (PI + 1)); try lra.
+  - apply d_const.
+  - exact V.
+  - intros; now apply turned_by_level.
+  - intros; now apply slope_near.
+  - intros; now apply turned_continuous.
+Qed.
+Lemma turned_level l u : - b * sin e ^ 2 < l -> l <= u -> u < 0 ->
+  RInt (turned a b l) 0 (end_turned a b e l) < PI < RInt (turned a b u) 0 (end_turned a b e u) ->
+  exists c, l <= c <= u
+    /\ is_root (fun c => RInt (turned a b c) 0 (end_turned a b e c) + (-1) * PI) ((-1) * b * sin e ^ 2) 0 c.
+Proof.
+  intros X Y Z [U V].
+  destruct (root_exists (fun c => RInt (turned a b c) 0 (end_turned a b e c) + (-1) * PI) l u) as [c [C R]];
+    [lra | | nra |].
+  - intros g G; apply (continuous_plus (fun c => RInt (turned a b c) 0 (end_turned a b e c)) (fun _ => (-1) * PI));
+      [apply half_turn_continuous; lra | apply continuous_const].
+  - exists c; split; [exact C |]; split; [split; [lra | exact R] |]; intros y W M.
+    destruct (Rtotal_order y c) as [N|[N|N]]; [exfalso | exact N | exfalso].
+    + pose proof (half_turn_rises y c ltac:(lra) N ltac:(lra)); lra.
+    + pose proof (half_turn_rises c y ltac:(lra) N ltac:(lra)); lra.
+Qed.
+End Turned.

@@ -96,6 +96,7 @@ def test_what_is_known_when_time_is_over(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("tresym.commands.flip._told", _never_a_thousand)
+    monkeypatch.setattr("tresym.commands.flip.PATIENCE", 0.5)
     words = ["flip", "--body", "str", "--digits", "1000", "--json", "--limit", "1.5"]
     assert main(words) == 1
     out, err = capsys.readouterr()
@@ -103,6 +104,7 @@ def test_what_is_known_when_time_is_over(
     assert found["digits"] in (5, 50, 500)
     assert found["defect"]["mid"].startswith("0.1149441")
     assert err == (
+        "tresym: flip: still at work, for 1 s more at most; see --limit\n"
         f"tresym: flip: after 1.5 s {found['digits']} of 1000 digits are known; see --limit\n"
     )
 
@@ -117,7 +119,10 @@ def test_nothing_is_written_where_nothing_is_known(
     assert not target.exists()
 
 
-def test_a_limit_changes_no_answer_and_no_complaint(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_limit_changes_no_answer_and_no_complaint(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("tresym.commands.flip.PATIENCE", 4000.0)
     for words in (["--rung", "asymptotic"], ["--rung", "carlson"], ["--psi0", "1", "--rate", "2"]):
         asked = ["flip", "--body", "str", "--json", *words]
         status, (out, err) = main(asked), capsys.readouterr()

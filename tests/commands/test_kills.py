@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import random
+import signal
 import subprocess
 import sys
 import time
@@ -123,3 +124,16 @@ def test_a_kill_leaves_files_whole_and_nobody_behind(name: str, tmp_path: Path) 
     assert started(words, tmp_path).wait(HANGS) == 0
     assert contents(target) == whole
     assert not list(tmp_path.rglob("*.part"))
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_process_that_is_asked_to_end_removes_what_it_began(
+    number: signal.Signals, tmp_path: Path
+) -> None:
+    (tmp_path / "claims").write_text("\n".join(CLAIMS * 20))
+    process = started([*TRESYM, "check", "-f", "claims", "-o", "out"], tmp_path)
+    wait_for(lambda: bool(list(tmp_path.glob("*.part"))))
+    process.send_signal(number)
+    process.send_signal(number)
+    assert process.wait(HANGS) == 128 + number
+    assert [path.name for path in tmp_path.iterdir()] == ["claims"]

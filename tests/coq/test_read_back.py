@@ -14,6 +14,7 @@ from hashlib import sha256
 from itertools import chain
 from typing import Any
 
+from coq_terms import Terms
 from flint import arb
 
 from tresym.coq.formulas import Every, Fails, Formula, One, Some, Wherever, values_of
@@ -26,34 +27,9 @@ from tresym.reals.language.formula import Conjunction, Equivalence
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.places.values import evaluate
 
-TOKEN = re.compile(r"\d+|[A-Za-z_][\w']*|<->|<>|<=|>=|->|=>|/\\|[-+*/^()=<>:,.!~]")
-COMMENT = re.compile(r"\(\*.*?\*\)")
 SIGNS = {"=": "==", "<>": "!="}
 BINDERS = {"RInt": "integral", "Derive": "derivative"}
 SAID = {"is_RInt": "integral", "is_derive": "derivative", "is_root": "root"}
-ONE: dict[str, str] = {
-    **{"Rabs": "abs", "ln": "log", "arcsinh": "asinh"},
-    **{
-        f: f
-        for f in [
-            "sign",
-            "exp",
-            "sin",
-            "cos",
-            "tan",
-            "cot",
-            "sec",
-            "csc",
-            "asin",
-            "acos",
-            "atan",
-            "sinh",
-            "cosh",
-            "tanh",
-        ]
-    },
-    **{f: f for f in ["coth", "sech", "csch", "acosh", "atanh"]},
-}
 
 
 def value_of(name: str) -> arb:
@@ -70,24 +46,15 @@ def mark(kind: str, inner: arb, args: list[arb]) -> arb:
     return value_of(kind) + 3 * inner + sum(((5 + k) * x for k, x in enumerate(args)), arb(0))
 
 
-class Reader:
+class Reader(Terms):
     """Coq's grammar of propositions, as far as statements use it."""
 
     def __init__(self, text: str) -> None:
-        self.tokens = TOKEN.findall(COMMENT.sub("", text))
-        self.place, self.depth = 0, 0
-        self.at: dict[str, arb] = {}
+        super().__init__(text, {})
+        self.depth = 0
 
-    def peek(self, ahead: int = 0) -> str:
-        place = self.place + ahead
-        return self.tokens[place] if place < len(self.tokens) else ""
-
-    def take(self, *tokens: str) -> str:
-        found = self.peek()
-        assert found
-        assert not tokens or found in tokens, (found, tokens)
-        self.place += 1
-        return found
+    def named(self, name: str) -> arb:
+        return self.at.get(name, value_of(name))
 
     # Propositions.
 
@@ -147,27 +114,6 @@ class Reader:
 
     # Terms.
 
-    def sum(self) -> arb:
-        value = self.product()
-        while self.peek() in ("+", "-"):
-            value = value + self.product() if self.take() == "+" else value - self.product()
-        return value
-
-    def product(self) -> arb:
-        value = self.factor()
-        while self.peek() in ("*", "/"):
-            value = value * self.factor() if self.take() == "*" else value / self.factor()
-        return value
-
-    def factor(self) -> arb:
-        if self.peek() in ("/", "-"):
-            return 1 / self.factor() if self.take() == "/" else -self.factor()
-        base = self.application()
-        if self.peek() == "^":
-            self.take()
-            return base ** int(self.take())
-        return base
-
     def application(self) -> arb:
         if (name := self.peek()) in BINDERS:
             self.take()
@@ -182,19 +128,7 @@ class Reader:
                 count += 1
             assert before == self.depth
             return mark("at", inner, [self.atom() for _ in range(count)])
-        if name in ONE:
-            self.take()
-            return evaluate(Expr(ONE[name], (symbol("x"),)), {"x": self.atom()})
-        if name in ("Rpower", "atan2", "root"):
-            self.take()
-            x, y = self.atom(), self.atom()
-            if name == "Rpower":
-                return (y * x.log()).exp()
-            return y.root(int(x.unique_fmpz())) if name == "root" else arb.atan2(x, y)
-        if name == "sqrt":
-            self.take()
-            return self.atom().sqrt()
-        return self.atom()
+        return super().application()
 
     def function(self) -> arb:
         """The value of a function at the values of its variables."""
@@ -214,19 +148,9 @@ class Reader:
         return value
 
     def atom(self) -> arb:
-        token = self.take()
-        if token == "(":
-            self.place -= 1
-            if self.peek(1) == "fun":
-                return self.application()
-            self.take()
-            value = self.sum()
-            self.take(")")
-            return value
-        if token == "PI":
-            return arb.pi()
-        assert re.fullmatch(r"\w[\w']*", token), token
-        return arb(int(token)) if token.isdigit() else self.at.get(token, value_of(token))
+        if self.peek() == "(" and self.peek(1) == "fun":
+            return self.application()
+        return super().atom()
 
 
 def conjoined(parts: list[Any]) -> Any:

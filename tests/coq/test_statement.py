@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from random import Random
 
 import pytest
+from coq_terms import COMMENT, Terms
 from flint import arb
 
 from tresym.coq.asked import theorem, theorems
@@ -27,104 +28,10 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.values import evaluate
 
 BITS, POINTS = 200, 4
-TOKEN = re.compile(r"\d+|[A-Za-z_]\w*|<>|<=|>=|->|=>|[-+*/^()=<>:,.]")
-COMMENT = re.compile(r"\(\*.*?\*\)")
-
-ONE: dict[str, Callable[[arb], arb]] = {
-    "sqrt": lambda x: x.sqrt(),
-    "Rabs": lambda x: abs(x),
-    "sign": lambda x: x.sgn(),
-    "ln": lambda x: x.log(),
-    "arcsinh": lambda x: x.asinh(),
-    **{
-        name: (lambda x, name=name: getattr(x, name)())  # type: ignore[misc]
-        for name in ("exp", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan")
-    },
-    **{
-        name: (lambda x, name=name: getattr(x, name)())  # type: ignore[misc]
-        for name in ("sinh", "cosh", "tanh", "coth", "sech", "csch", "acosh", "atanh")
-    },
-}
-
-
-def odd_root(n: int, x: arb) -> arb:
-    return -((-x).root(n)) if x < 0 else x.root(n)
-
-
-TWO: dict[str, Callable[[arb, arb], arb]] = {
-    "Rpower": lambda x, y: (y * x.log()).exp(),
-    "atan2": lambda y, x: arb.atan2(y, x),
-    "root": lambda n, x: odd_root(int(n.unique_fmpz()), x),
-}
-
-
-class Reader:
-    """Coq's grammar of terms, as far as statements use it: a term is its value."""
-
-    def __init__(self, text: str, at: dict[str, arb]) -> None:
-        self.tokens = TOKEN.findall(text)
-        self.place = 0
-        self.at = at
-
-    def peek(self) -> str:
-        return self.tokens[self.place] if self.place < len(self.tokens) else ""
-
-    def take(self, token: str = "") -> str:
-        found = self.peek()
-        assert found
-        assert not token or found == token
-        self.place += 1
-        return found
-
-    def sum(self) -> arb:
-        value = self.product()
-        while self.peek() in ("+", "-"):
-            value = value + self.product() if self.take() == "+" else value - self.product()
-        return value
-
-    def product(self) -> arb:
-        value = self.factor()
-        while self.peek() in ("*", "/"):
-            value = value * self.factor() if self.take() == "*" else value / self.factor()
-        return value
-
-    def factor(self) -> arb:
-        if self.peek() == "/":
-            self.take()
-            return 1 / self.factor()
-        if self.peek() == "-":
-            self.take()
-            return -self.factor()
-        base = self.application()
-        if self.peek() == "^":
-            self.take()
-            return base ** int(self.take())
-        return base
-
-    def application(self) -> arb:
-        name = self.peek()
-        if name in ONE:
-            self.take()
-            return ONE[name](self.atom())
-        if name in TWO:
-            self.take()
-            first = self.atom()
-            return TWO[name](first, self.atom())
-        return self.atom()
-
-    def atom(self) -> arb:
-        token = self.take()
-        if token == "(":
-            value = self.sum()
-            self.take(")")
-            return value
-        if token == "PI":
-            return arb.pi()
-        return arb(int(token)) if token.isdigit() else self.at[token]
 
 
 def relation(text: str, at: dict[str, arb]) -> tuple[arb, str, arb]:
-    reader = Reader(text, at)
+    reader = Terms(text, at)
     left, sign, right = reader.sum(), reader.take(), reader.sum()
     assert not reader.peek()
     return left, sign, right
@@ -178,7 +85,7 @@ def agree(t: Theorem) -> int:
                 match = DERIVATIVE.fullmatch(says)
                 assert match is not None, says
                 assert match[1] == match[3] == variable(t.by)
-                left, right = (Reader(match[k], there).sum() for k in (2, 4))
+                left, right = (Terms(match[k], there).sum() for k in (2, 4))
             assert left.overlaps(values[0]), says
             assert right.overlaps(values[1]), says
             count += 1

@@ -422,6 +422,13 @@ def test_a_strangers_database_is_left_alone(tmp_path: Path) -> None:
     assert path.read_bytes() == before
 
 
+def test_a_file_of_one_byte_is_not_replaced_by_a_table(tmp_path: Path) -> None:
+    (tmp_path / "table").write_text("x")
+    with pytest.raises(InputError, match="is not replaced"):
+        sweep(Grid.read("1", "1/2"), str(tmp_path / "table"), 5)
+    assert (tmp_path / "table").read_text() == "x"
+
+
 def test_a_table_in_use_is_not_shared(tmp_path: Path) -> None:
     path = str(tmp_path / "t")
     seen: list[str] = []

@@ -27,6 +27,8 @@ from tresym.reals.numbers.arithmetic import ball_precision, bits
 from tresym.reals.numbers.exact import InputError, fraction_text
 
 if TYPE_CHECKING:
+    from concurrent.futures import Future
+
     from tresym.racket.body import Shape
 
 
@@ -85,6 +87,8 @@ def run(args: argparse.Namespace) -> int:
 SOONER = (5, 50, 500, 5000)
 """Digits that are asked for first, where time may not be enough for all."""
 
+PATIENCE = 5.0
+"""Seconds after which somebody who waits is told so."""
 _LONG = re.compile(r"[eE][+-]?\d{3}|.{40}")
 
 
@@ -106,13 +110,13 @@ def _known_within(
 
     from tresym.reals.processes import Processes
 
-    end, known, text = time.monotonic() + seconds, 0, ""
+    start, known, text = time.monotonic(), 0, ""
     with Processes(1, forked=True) as pool:
         few = [n for n in SOONER if n < digits]
         calls = [(n, pool.submit(_told, args, n, colour)) for n in (*few, digits)]
         for asked, future in calls:
             try:
-                text = future.result(max(0, end - time.monotonic()))
+                text = _awaited(future, start + PATIENCE, start + seconds)
                 known = asked
             except TimeoutError:
                 pool.end()
@@ -122,6 +126,19 @@ def _known_within(
                     raise
         pool.shutdown(cancel_futures=True)
     return known, text
+
+
+def _awaited(future: Future[str], word: float, end: float) -> str:
+    """What comes before ``end``, by the clock; at ``word``, if that is to come, a word is said."""
+    import time
+
+    if time.monotonic() < word < end:
+        try:
+            return future.result(word - time.monotonic())
+        except TimeoutError:
+            more = f"for {end - word:.0f} s more at most"
+            print(f"tresym: flip: still at work, {more}; see --limit", file=sys.stderr)
+    return future.result(max(0, end - time.monotonic()))
 
 
 def _told(args: argparse.Namespace, digits: int, colour: bool) -> str:

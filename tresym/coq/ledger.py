@@ -122,6 +122,8 @@ def _theorem_of(claim: Claim) -> Theorem | Joint:
     try:
         if type(statement).__name__ == "As":
             return tending(claim, statement)
+        if type(statement).__name__ == "ForSome" and claim.expect is Verdict.REFUTED:
+            return theorem(claim, denied(read(statement.args[0])))  # at no point
         says = read(statement)
         if isinstance(proof, Definition):
             return existence(claim, says)

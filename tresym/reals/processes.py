@@ -173,6 +173,7 @@ def _serve(connection: Connection, limit: float | None, copied: list[Connection]
     """The life of a process: calls in, answers out, until the other end of the pipe is gone."""
     for end in copied:
         end.close()
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a copy has what its parent answers
     alarm = getattr(signal, "setitimer", None) if limit is not None else None
     if alarm is not None:
         signal.signal(signal.SIGALRM, signal.SIG_DFL)

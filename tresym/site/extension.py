@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from docutils import nodes
+from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
@@ -72,14 +73,22 @@ def write_pages(app: Sphinx) -> None:
             path.unlink()
 
 
-def link_labels(app: Sphinx, name: str, source: list[str]) -> None:
+_MADE = ("generated/corrections", "claims/", "pages/coq", "pages/symbols")
+
+
+def link_labels(app: Sphinx, doctree: nodes.document) -> None:
     """On the pages that are made, every label leads to the page of its claim."""
-    if name == "generated/corrections" or name.startswith("claims/"):
-        known = ledger_of(Path(app.srcdir))["claims"].keys() - {name.removeprefix("claims/")}
-        source[0] = _LABEL.sub(lambda m: link(m[1]) if m[1] in known else m[0], source[0])
+    name = app.env.docname
+    if not name.startswith(_MADE):
+        return
+    known = ledger_of(Path(app.srcdir))["claims"].keys() - {name.removeprefix("claims/")}
+    for text in list(doctree.findall(nodes.literal)):
+        label = text.astext()
+        if label in known and not isinstance(text.parent, nodes.reference | pending_xref):
+            uri = app.builder.get_relative_uri(name, f"claims/{label}")
+            text.replace_self(nodes.reference("", "", text.deepcopy(), internal=True, refuri=uri))
 
 
-_LABEL = re.compile(r"(?<!\[)`(\w+)`")
 _AS_WRITTEN = (
     nodes.literal,
     nodes.math,
@@ -301,7 +310,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("findings", FindingsDirective)
     app.add_directive("charts", ChartsDirective)
     app.connect("build-finished", copy_explorer)
-    app.connect("source-read", link_labels)
+    app.connect("doctree-read", link_labels)
     app.connect("doctree-read", set_formulas)
     app.add_directive("run", RunDirective)
     app.add_directive("draw", DrawDirective)

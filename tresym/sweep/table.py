@@ -167,6 +167,8 @@ def open_table(path: str, request: dict[str, Any]) -> Iterator[Table]:
     Raises:
         InputError: it cannot be opened or written, is in use, or belongs to something else.
     """
+    if os.path.isfile(path) and os.path.getsize(path) == 1:  # to SQLite it is as good as empty
+        raise InputError(f"{path}: is not ours, and is not replaced; name another file")
     with _plainly(path):
         connection = sqlite3.connect(os.path.abspath(path), timeout=1, isolation_level=None)
     try:

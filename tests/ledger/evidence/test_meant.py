@@ -6,7 +6,22 @@ from typing import Any
 
 import pytest
 from flint import arb, fmpq
-from sympy import Basic, Function, Gt, Integer, Symbol, Tuple
+from sympy import (
+    Abs,
+    Basic,
+    Function,
+    Gt,
+    Integer,
+    Rational,
+    Symbol,
+    Tuple,
+    cos,
+    exp,
+    oo,
+    pi,
+    sin,
+    sqrt,
+)
 from tresym.proofs import NOT_MATHEMATICS
 
 from tresym.ledger import definitions
@@ -15,6 +30,7 @@ from tresym.ledger.claim import (
     AllOf,
     Claim,
     Counterexample,
+    Definition,
     Printed,
     UniqueRoot,
     all_of,
@@ -34,8 +50,8 @@ from tresym.ledger.mutants.changes import mutations
 from tresym.ledger.mutants.planted import planted
 from tresym.ledger.mutants.report import _planted_row, verify_mutants
 from tresym.ledger.paper import all_claims
-from tresym.ledger.reasons import algebra
-from tresym.ledger.statements import Rounds
+from tresym.ledger.reasons import algebra, citing, roots, substituting
+from tresym.ledger.statements import Rounds, order
 from tresym.ledger.verification import verify
 from tresym.racket.notation import a, b, epsilon0
 from tresym.reals.balls.boxes import Bound, BoxProof, box
@@ -305,3 +321,72 @@ def test_what_is_no_formula_is_not_mathematics_or_rests_on_boxes() -> None:
     in_boxes = {c.label for c in CLAIMS.values() if isinstance(c.proof, Boxes)}
     by_parts = {c.label for c in CLAIMS.values() if isinstance(c.proof, AllOf)}
     assert words - in_boxes - by_parts <= {*NOT_MATHEMATICS}
+
+
+Y = Claim("root", equal(sqrt(y**2), y), by(roots), given=(y > 0,))
+HALF = Claim("half", equal(x, Rational(1, 2)), Definition())
+ABOVE = Claim("above", Gt(x**2 + 1, 0, evaluate=False), by())
+BAD = Claim("bad", equal(x, 3), by())
+OTHERS = {claim.label: judge(claim, {}) for claim in (TRUE, Y, HALF, ABOVE, BAD)}
+LARGE = Gt(x**2 - 2, 0, evaluate=False)
+
+
+def on_boxes(margin: Any) -> Boxes:
+    return Boxes((Bound(margin, box(("1", "2"))),), ("x",), "1 <= x <= 2")
+
+
+def of(says: Any, proof: Any, *given: Basic, means: Any = None) -> Claim:
+    return Claim("planted", says, proof, given=given, means=means)
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        # a twin of what is proved, under its label
+        of(equal(sqrt(y**2), y), by(substituting(replace(Y, given=())))),
+        of(equal(sqrt(y**2), y), by(substituting(replace(Y, given=(y > -1,)))), y > -1),
+        of(x > Rational(1, 2), by(substituting(replace(HALF, says=equal(x, Rational(2, 3)))))),
+        of(LARGE, by(citing(replace(ABOVE, says=LARGE)))),
+        of("x squared is above 2", all_of(replace(ABOVE, says=LARGE))),
+        # evidence about something else, or about less
+        of(x**3 > 9, Boxes((SQUARE,), ("x",), "1 <= x <= 2"), x >= 1, x <= 2),
+        of(LARGE, on_boxes(lambda x, m: x * x - arb("0.5")), x >= 0, x <= 2),
+        of(x > 3, on_boxes(lambda x, m: arb(1)), x >= 1, x <= 2),
+        of(x > 3, on_boxes(lambda x, m: arb(float(x.mid()) > 0)), x >= 1, x <= 2),
+        of("pi is 4.00", Printed(), means=Rounds(pi, "4.00", 100)),
+        of("pi is 3.2", Printed(), means=Rounds(pi, "3.2", -1)),
+        of(Gt(epsilon0, 100, evaluate=False), Printed(), means=Rounds(pi, "3.14", 1)),
+        of(equal(sin(x), x**2), Asymptotics(), means=order(equal(sin(x), x + O(x**3)), x)),
+        of("cos(x) = 1 + o(x^2)", Asymptotics(), means=order(equal(cos(x) - 1, o(x**2)), x)),
+        of("exp(x) = O(x)", Asymptotics(), means=order(equal(exp(x), O(x)), x, oo)),
+        # evidence that rests on what does not hold, or on nothing; conditions that decide nothing
+        of("x is 3.0", Printed((BAD,)), means=Rounds(x, "3.0", 1)),
+        of("x is 0.5", Printed(), means=Rounds(x, "0.5", 1)),
+        of("x is 7.0", Printed((TRUE,)), means=Rounds(x, "7.0", 1)),
+        of("x is 3", all_of(TRUE, BAD)),
+        of("x is above 2", Boxes((SQUARE,), ("x",), "1 <= x <= 2"), x > 2),
+    ],
+)
+def test_it_does_not_hold(claim: Claim) -> None:
+    assert not judge(claim, OTHERS).verdict.holds
+
+
+@pytest.mark.parametrize(
+    ("says", "proof", "means"),
+    [
+        ("sin(x) is smooth at 0", Denied((TRUE,), {"x": fmpq(1)}), None),
+        ("x^2 is smooth at 0", Denied((ABOVE,), {"x": fmpq(0)}), None),
+        (equal(x + y, y + x), Denied((TRUE,), {"x": fmpq(1)}), None),
+        ("…", Asymptotics(), order(equal(400 * x**2, O(x**2)), x)),
+        ("…", Asymptotics(), order(equal(exp(-1 / x), o(x**50)), x)),
+        ("…", Asymptotics(), order(equal(x * Abs(x), O(x**2)), x, side=0)),
+    ],
+)
+def test_one_point_refutes_nothing_that_is_true(says: Any, proof: Any, means: Any) -> None:
+    assert judge(of(says, proof, means=means), OTHERS).verdict is not Verdict.REFUTED
+
+
+@pytest.mark.parametrize("tree", [1, 1.5, ("1",), None, b"0", [], {"a": 1}, "012", ""])
+def test_what_is_no_tree_shows_nothing(tree: Any) -> None:
+    proof = replace(on_boxes(lambda x, m: x * x), stored=lambda: (BoxProof(tree),))
+    assert not verdict("…", proof).holds

@@ -247,3 +247,9 @@ def test_what_is_masked_is_no_start():
     assert found[0] == flip_map(A, B, 0.1, 1.0)
     assert np.isnan(found[1])
     assert np.isnan(flip_map(A, B, 0.1, np.ma.masked_array([1], [True]))).all()
+
+
+@pytest.mark.parametrize("start", ["x", None, 1j, ["a"], [[1, 2], [3]]])
+def test_what_is_no_real_start_is_refused_in_one_sentence(start: object) -> None:
+    with pytest.raises(InputError, match=r"^flip map: starts and precession are real numbers"):
+        flip_map(1.0, 0.1, start, 0.4)

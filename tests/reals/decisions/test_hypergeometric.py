@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.reals.decisions.hypergeometric import Series, out_of_range, radius_of, series_of
+from tresym.reals.decisions.hypergeometric import (
+    Series,
+    folded,
+    out_of_range,
+    radius_of,
+    series_of,
+)
 from tresym.reals.decisions.reading import read
 from tresym.reals.places.conditions import Given
 
@@ -15,16 +21,29 @@ NONE = [
     "x**(n/2)",
     "log(n)*x**n",
     "(n - 3)*x**n",
+    "factorial(5 - n)*x**n",  # the terms from n = 6 on are none
+    "sqrt(n + 1)*x**n",
+    "(n + 1)**(3/2)*x**n",
+    "n**n*x**n",
+    "(n**n + 1)*x**n",
+    "(n + n**(-1))*x**n",
+    "0**(n - 1)*x**n",
+    "x**n/0**n",
+    "f(n)*x**n",
 ]
 
 
-def series(terms: str, low: int = 1) -> Series | None:
+def series(terms: str, low: int | str = 1) -> Series | None:
     return series_of(read(f"1 == sum({terms}, n, {low}, oo)").comparisons[0].right)
 
 
 @pytest.mark.parametrize("terms", NONE)
 def test_what_is_no_such_series(terms: str) -> None:
     assert series(terms) is None
+
+
+def test_an_index_counts_from_an_integer() -> None:
+    assert series("x**n", "1/2") is None
 
 
 @pytest.mark.parametrize(
@@ -55,3 +74,13 @@ def test_a_series_that_diverges_everywhere_has_no_range() -> None:
     s = series("factorial(n)*x**n")
     assert s is not None
     assert out_of_range(s, Given.parse("x >= 0, x <= 0"))
+
+
+def test_numbers_diverge_beyond_the_radius() -> None:
+    s = series("(3/2)**n")
+    assert s is not None
+    assert out_of_range(s, Given()) == "it diverges"
+
+
+def test_factorials_of_fractions_are_no_numbers() -> None:
+    assert folded(read("1 == factorial(1/2)").comparisons[0].right) is None

@@ -128,6 +128,9 @@ NEVER = [
     "sign(1 - x) + log(1 + x) == 1 + sum((-1)**(n - 1)*x**n/n, n, 1, oo) given -1 < x <= 1",
     "exp(x) == sum(x**n/factorial(n), n, 0, oo) given x > 1, x < 0",
     "exp(x) < sum(x**n/factorial(n), n, 0, oo)",
+    # nearer than the balls that refute: the equation fails, or the coefficient that it leaves open
+    "exp(x) + x/10**200 == sum(x**n/factorial(n), n, 0, oo)",
+    "(1 + 1/10**200)*exp(x) == sum(x**n/factorial(n), n, 0, oo)",
 ]
 NOWHERE_FALSE = [
     # it diverges where the other side is not defined, or where all of its terms are 0

@@ -8,7 +8,7 @@ from flint import fmpq
 import tresym
 from tresym.reals.decisions.hypergeometric import series_of
 from tresym.reals.decisions.power_series import decide_power_series
-from tresym.reals.decisions.quoted import TEMPLATES, Template
+from tresym.reals.decisions.quoted import TEMPLATES, Template, quoted_product, quoted_total
 from tresym.reals.decisions.reading import read
 from tresym.reals.language.expression import number, substitute
 from tresym.reals.language.parsing import parse
@@ -106,6 +106,46 @@ def test_what_is_near_to_a_theorem_and_false(claim: str) -> None:
 @pytest.mark.parametrize("claim", NEVER)
 def test_what_no_theorem_says(claim: str) -> None:
     assert not tresym.check(claim)
+
+
+@pytest.mark.parametrize(
+    "total",
+    [
+        "sum(1/n**2, n, 1, m)",
+        "sum(1/n**2, n, m, oo)",
+        "sum(1/n**2, n, 1/2, oo)",
+        "product(1 - z**2/(n**2*pi**2), n, 1, 9)",
+        "sum((x - k*pi)**(-2), k, -oo, m)",
+        "sum((x - k*pi)**(-2), k, -oo, 5)",
+        "sum(1/n**2, n, -oo, 5)",
+        "sum(1/factorial(n), n, -1, oo)",  # its first term is none
+        "sum(x**n/(2*n + 1), n, 0, oo)",  # of atanh(sqrt(x)), not of atanh(x)
+        "sum(x**n*factorial(n), n, 0, oo)",
+        "sum((-1)**n/(2*n - 1)**2, n, 1, oo)",  # Catalan's constant
+        "sum((1/2)**n/n**2, n, 1, oo)",
+        "sum(atan2(-1, n)/n**2, n, 1, oo)",
+        "product(cos(z/3**n), n, 1, oo)",
+    ],
+)
+def test_no_theorem_gives_it(total: str) -> None:
+    """Asked of the table itself: points refute most claims on these before it is."""
+    statement = read(f"1 == {total} given abs(x) < 1")
+    assert quoted_total(statement.comparisons[0].right, [], statement.given) is None
+
+
+@pytest.mark.parametrize(
+    ("total", "low"),
+    [
+        ("product(cos(x + k*pi/n), k, 0, n - 1)", 1),
+        ("sum(sin(x + k*pi/n), k, 0, n - 1)", 1),
+        ("product(sin(x + k*pi/n), k, 1, n - 1)", 1),
+        ("product(sin(x + k*pi/n), k, 0, n - 1)", -1),
+        ("product(sin(x*k + k*pi/n), k, 0, n - 1)", 1),
+    ],
+)
+def test_no_theorem_gives_the_finite_product(total: str, low: int) -> None:
+    statement = read(f"1 == {total} given n integer, n >= {low}")
+    assert quoted_product(statement.comparisons[0].right, statement.given) is None
 
 
 @pytest.mark.parametrize("template", TEMPLATES)

@@ -67,9 +67,9 @@ def reach(a: float, b: float) -> float:
 
 
 @lru_cache(maxsize=64)
-def least_product(digits: int) -> float:
+def least_product(digits: int) -> int:
     """A value of ab below which :func:`reach` is below ``digits``, as it is < 8.2 √(ab) + 3."""
-    return max(digits - 3, 0) ** 2 / 68
+    return max(digits - 3, 0) ** 2 // 68
 
 
 def _quartic(b: Any, R: Any) -> Any:

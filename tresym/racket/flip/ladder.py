@@ -9,7 +9,7 @@ orbit, serves every γ and every start.
 from __future__ import annotations
 
 import math
-import time
+from time import perf_counter
 
 from flint import arb, fmpq
 
@@ -58,12 +58,12 @@ def climb(shape: Shape, gamma: fmpq | int, digits: int, rung: str | None = None)
         defect.checked_gamma(shape.a, shape.b, level)
     if rung is not None:
         _checked_rung(rung)
-    start = time.perf_counter()
+    start = perf_counter()
     for used in (rung,) if rung is not None else _worth_trying(shape, level, digits):
         answer = _on_rung(used, shape, level, digits)
         if answer is not None:
             angle, turn, why = answer
-            seconds = time.perf_counter() - start
+            seconds = perf_counter() - start
             return Flip(shape, level, digits, angle, turn, used, why, seconds)
     raise InputError(f"rung: {_shortfall(used, shape, level, digits)}")
 
@@ -80,9 +80,9 @@ def follow(
     _checked_rung(rung)
     if rung not in (None, "planar"):
         raise InputError(f"rung: {rung} knows symmetric trajectories only; a start needs planar")
-    began = time.perf_counter()
+    began = perf_counter()
     found = travel(shape, start, precession, digits)
-    seconds = time.perf_counter() - began
+    seconds = perf_counter() - began
     why = "the planar system on the orbit of the start, its phase inverted in balls"
     return Journey(shape, found.gamma, digits, *found[1:], "planar", why, seconds)
 
@@ -96,23 +96,25 @@ def _worth_trying(shape: Shape, gamma: fmpq, digits: int) -> tuple[str, ...]:
     """The rungs from the first that may have the digits; a float64 estimate spares the attempts."""
     if gamma:
         return RUNGS[2:]
-    a, least = float(arb(shape.a)), asymptotic.least_product(digits)
-    if a < least or a * (b := float(arb(shape.b))) < least:
+    least = asymptotic.least_product(digits)
+    if shape.a.floor() < least:  # and so is ab, as b <= 1
         return WITHOUT_FORMULA
-    in_reach = 0 < a < math.inf and b > 0 and asymptotic.reach(a, b) > digits
+    a, b = float(arb(shape.a)), float(arb(shape.b))
+    reached = a > 0 and b > 0 and least <= a * b < math.inf
+    in_reach = reached and asymptotic.reach(a, b) > digits
     return RUNGS if in_reach else WITHOUT_FORMULA
 
 
 def _on_rung(rung: str, shape: Shape, gamma: fmpq, digits: int) -> RungAnswer | None:
     """The answer of one rung, or None where it cannot give one."""
-    if rung == "planar":
-        return _planar(shape, gamma, digits)
+    if rung == "separatrix" and not gamma:
+        return _separatrix(shape, digits)
     if rung == "carlson":
         return _carlson(shape, gamma, digits)
+    if rung == "planar":
+        return _planar(shape, gamma, digits)
     if gamma:
         return None
-    if rung == "separatrix":
-        return _separatrix(shape, digits)
     answer = _asymptotic(shape, digits)
     if answer is not None and proves(answer[0], digits) and proves(answer[1], digits):
         return answer

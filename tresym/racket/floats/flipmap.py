@@ -160,8 +160,9 @@ def _arrive(
 
 def _broadcast(*given: ArrayLike) -> tuple[list[Floats], tuple[int, ...]]:
     """Flat arrays of one size, and the shape they had."""
+    arrays = [_unmasked(x) for x in given]
     try:
-        same = np.broadcast_arrays(*(_unmasked(x) for x in given))
+        same = np.broadcast_arrays(*arrays)
     except ValueError as error:
         raise InputError(f"flip map: {error}") from None
     return [np.ascontiguousarray(x).ravel() for x in same], same[0].shape
@@ -174,7 +175,7 @@ def _unmasked(x: ArrayLike) -> Floats:
         InputError: what is no array of real numbers.
     """
     try:
-        if np.iscomplexobj(x):
+        if x is None or np.iscomplexobj(x):  # None would be NaN
             raise TypeError
         if isinstance(x, np.ma.MaskedArray):
             return np.asarray(np.ma.filled(x.astype(np.float64), np.nan))

@@ -9,7 +9,7 @@ Series*, §§ 20 and 36.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import factorial
+from math import factorial, gcd
 
 from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_poly
 
@@ -135,7 +135,7 @@ class _Terms:
         elif e.op == "unknown" and e.args[0].args == (FACTORIAL, (0,)):
             self.coefficient.append(e ** number(times))
             slope, start = _linear(e.args[1], n)
-            if slope <= 0:
+            if slope < 0:
                 raise OpenError
             for j in range(1, slope + 1):
                 self.ratio(fmpq_poly([start + j, slope]), fmpq_poly([1]), times)
@@ -218,25 +218,14 @@ def _series(body: Expr, n: str, low: int) -> Series | None:
 
 def _raised(bases: list[tuple[Expr, int, int]]) -> tuple[Expr, int, int, Expr]:
     """The bases of all powers as one, u^(p n + q), and what else there is."""
-    changing = [(base, p, q) for base, p, q in bases if p]
-    if not changing:
+    if not bases:
         return ONE, 1, 0, ONE
-    step = 0
-    for _, p, _ in changing:
-        step = _gcd(step, abs(p))
-    _, p, q = max(changing, key=lambda found: (abs(found[2]), found[0].op == "symbol"))
-    sides = p // step
-    whole = q % sides == 0
-    start = q // sides if whole else 0
-    u = multiply(*(b ** number(r // step) for b, r, _ in changing))
-    rest = [b ** number(s - (r // step) * start) for b, r, s in bases]
-    return u, step, start, multiply(*(e for e in rest if e != ONE))
-
-
-def _gcd(a: int, b: int) -> int:
-    while b:
-        a, b = b, a % b
-    return a
+    step = gcd(*(p for _, p, _ in bases))
+    _, p, q = max(bases, key=lambda found: (abs(found[2]), found[0].op == "symbol"))
+    start = q // (p // step)
+    u = multiply(*(b ** number(r // step) for b, r, _ in bases))
+    rest = (b ** number(s - (r // step) * start) for b, r, s in bases)
+    return u, step, start, multiply(*rest)
 
 
 def folded(e: Expr) -> Expr | None:
@@ -334,7 +323,7 @@ def summed(s: Series, at: dict[str, fmpq]) -> arb | None:
     u = evaluate(s.u, at) ** s.step
     term = evaluate(s.first, at)
     rate = s.rate
-    if rate is None or not u.is_finite() or not term.is_finite() or not abs(u * rate) < 0.95:
+    if rate is None or not abs(u * rate) < 0.95:
         return None
     total = arb(0)
     for k in range(TERMS):

@@ -156,7 +156,7 @@ def quoted_product(node: Expr, given: Given) -> Quoted | None:
         return None
     start = substitute(body.args[0], {k: ZERO})
     step = symbol(k) * PI / count
-    if low == ZERO and k not in symbols(start) and _same(body.args[0], start + step, given):
+    if low == ZERO and _same(body.args[0], start + step, given):
         value = apply("sin", count * start) / number(2) ** (count - 1)
         return Quoted(value, "DLMF 4.21.35") if start != ZERO else None
     if low == ONE and _same(body.args[0], step, given):
@@ -205,7 +205,7 @@ def _same(left: Expr, right: Expr, given: Given = Given()) -> bool:  # noqa: B00
 
 
 def _power_series(s: Series, given: Given) -> Quoted | None:
-    if s.rate is None or out_of_range(s, given):
+    if out_of_range(s, given):
         return None
     for t in TEMPLATES:
         above, below = (polynomial(parse(text), "k") for text in (t.above, t.below))

@@ -18,6 +18,7 @@ MAX_CHARACTERS = 10_000
 MAX_EXPONENT = 10_000
 
 _TENS = [10**n for n in range(19)]
+_ZERO = fmpq(0)
 _DECIMAL = re.compile(r"([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?\d+))?", re.ASCII)
 
 
@@ -76,16 +77,15 @@ def _decimal(text: str, what: str) -> fmpq:
 def _at_once(text: str) -> fmpq | None:
     """What most texts are, a short decimal or fraction, read in few steps."""
     if len(text) < len(_TENS) and text.isascii():
-        if text.isdecimal():
-            return fmpq(int(text))
-        top, slash, bottom = text.partition("/")
-        if slash:
-            if top.isdecimal() and bottom.isdecimal() and (below := int(bottom)):
-                return fmpq(int(top), below)
-        else:
-            whole, _, part = text.partition(".")
+        whole, point, part = text.partition(".")
+        if point:
             if (digits := whole + part).isdecimal():
                 return fmpq(int(digits), _TENS[len(part)])
+        elif text.isdecimal():
+            return fmpq(int(text)) if text != "0" else _ZERO
+        top, slash, bottom = text.partition("/")
+        if slash and top.isdecimal() and bottom.isdecimal() and (below := int(bottom)):
+            return fmpq(int(top), below)
         top, _, power = text.partition("e-")
         if top.isdecimal() and power.isdecimal() and (places := int(power)) < len(_TENS):
             return fmpq(int(top), _TENS[places])
@@ -136,7 +136,7 @@ def exact_number(x: int | Rational | fmpq, what: str = "number") -> fmpq:
     if isinstance(x, fmpq):
         return x
     if type(x) is int or isinstance(x, fmpz):
-        return fmpq(x)
+        return fmpq(x) if x else _ZERO
     if isinstance(x, bool):
         raise InputError(f"{what}: a truth value is not a number")
     if isinstance(x, Rational):

@@ -13,6 +13,7 @@ from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report
 from tresym.racket.notation import WORDS, WORDS_OF_PROOFS
+from tresym.report.words.breaking import broken
 from tresym.report.words.conditions import gathered
 from tresym.report.words.latex import expression_latex, says_latex
 from tresym.report.words.markdown import sentence
@@ -20,6 +21,10 @@ from tresym.report.words.place import place_text
 from tresym.report.words.plain import plain
 from tresym.report.words.said import said
 
+WIDEST = 30
+"""Letters of a formula that fit a line of its column."""
+MOST = 4
+"""Lines of a formula; a longer one is better read on the page of its claim."""
 SPELLED = {
     "epsilon_pi": ("sweep", "sweeps"),
     "epsilon_4": ("sweep", "sweeps"),
@@ -53,9 +58,9 @@ class Row:
         return own[0].partition(" = ")[2] if own else claim.shown
 
     @property
-    def given(self) -> str:
+    def given(self) -> list[str]:
         """The conditions under which it is defined, in LaTeX."""
-        return "" if self.entry is None else ", ".join(gathered(self.entry.claim.given))
+        return [] if self.entry is None else gathered(self.entry.claim.given)
 
     @property
     def note(self) -> str:
@@ -90,13 +95,13 @@ def symbols(report: Report) -> str:
         (
             "## The table",
             "",
-            "| symbol | what it is | stands for | where | by |",
+            "| symbol | what it is | by | stands for | where |",
             "|---|---|---|---|---|",
             *(_line(row) for row in found if row.words),
             "",
             "## Symbols of single proofs",
             "",
-            "| symbol | what it is | stands for | where | by |",
+            "| symbol | what it is | by | stands for | where |",
             "|---|---|---|---|---|",
             *(_line(row) for row in found if not row.words),
             "",
@@ -112,10 +117,13 @@ def symbols(report: Report) -> str:
 
 def _line(row: Row) -> str:
     place = f'<span id="{anchor(row.name)}"></span>${row.symbol}$'
-    stands = f"{row.note}${row.meaning}$" if row.meaning else "a variable"
-    given = f"${row.given}$" if row.given else ""
-    by = _by(row.entry.claim) if row.entry else ""
-    return _cells(place, sentence(row.words or row.own), stands, given, by)
+    lines = broken(row.meaning, WIDEST)
+    long = len(lines) > MOST or any(r"\Big/" in line for line in lines)
+    formula = "a long formula" if long else "<br>".join(f"${line.strip()}$" for line in lines)
+    stands = f"{row.note}{formula}" if row.meaning else "a variable"
+    given = ", ".join(f"${condition}$" for condition in row.given)
+    by = f"`{row.entry.claim.label}`" if row.entry else ""
+    return _cells(place, sentence(row.words or row.own), by, stands, given)
 
 
 def anchor(name: str) -> str:
