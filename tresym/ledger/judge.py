@@ -108,6 +108,9 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
         claim: what to judge.
         found: findings by label, those on all that the claim uses among them.
         evidence: what :func:`judge_evidence` has found, where it was asked before.
+
+    Raises:
+        InputError: there is no finding on a claim that is used.
     """
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
@@ -172,6 +175,8 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
     A conjunction is as strong as its parts are found to be.
     """
     for used in claim.uses:
+        if used.label not in found:
+            raise InputError(f"{claim.label} uses {used.label}, on which no finding is given")
         if found[used.label].of not in (None, used):
             return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
     why = captured(claim) or conflict((*claim.rests_on, claim))
