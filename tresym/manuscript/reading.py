@@ -148,6 +148,20 @@ class _Reading:
                 for link in self.chain(replace(blank, shown=""), one, under, around, several):
                     count += 1
                     yield replace(link, number=count)
+            for link in self.swallowed(blank, under):
+                count += 1
+                yield replace(link, number=count)
+
+    def swallowed(self, blank: Link, under: Iterable[Said]) -> Iterator[Link]:
+        """Conditions that may be claims: bounds by more than a number on what was defined."""
+        for said in under:
+            if len(said.ops) != 1 or RELATIONS.get(said.ops[0]) not in BOUNDS or said.before:
+                continue
+            head = self.memory.head(said.terms[0])
+            if head and head.name in self.memory.functions and not is_plain(said.terms[1]):
+                shown = " ".join((*said.terms[0], said.ops[0], *said.terms[1]))
+                why = "taken as a condition; if it is a claim, write it in a display of its own"
+                yield replace(blank, status=UNREAD, why=why, shown=shown)
 
     def defined_in(self, found: Iterable[Said]) -> Iterator[tuple[str, Expr]]:
         """What the chains of a display define, for those that stand before."""

@@ -77,6 +77,7 @@ _TEXT = re.compile(
     r"\\(text|textrm|textnormal|mbox|textit|hbox|intertext|shortintertext|textup|mathrm"
     r"|operatorname\*?)\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
 )
+_ADDED = re.compile(r"\\int\b(?:(?!\\\\|\\\w*quad|;).)*\+\s*\Z", re.DOTALL)
 _FOR = re.compile(
     r"(?:and )?(?:holds? )?(?:valid |only |true )?(?:for|for all|for any|for every|for each|if|when"
     r"|whenever|as|given|given that|provided|provided that|with|where|on|in the limit|assuming"
@@ -206,7 +207,8 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
     command, text = found[1], found[2]
     if command in ("mathrm", "operatorname", "operatorname*") or re.fullmatch(r"\s*\w\s*", text):
         return found[0]
-    if found.string[: found.start()].rstrip().endswith(("_", "^", "_{", "^{")):
+    ahead = found.string[: found.start()].rstrip()
+    if ahead.endswith(("_", "^", "_{", "^{")):
         return found[0]
     pieces = re.split(r"\$([^$]*)\$", text)
     result = ""
@@ -232,6 +234,8 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
             result += f" {AND} "
         elif word == "rad":
             result += " "
+        elif word.rstrip(".") in ("const", "constant") and _ADDED.search(ahead):
+            result += " C "  # of an integral; E = const. says that E does not vary
         elif word in FUNCTIONS:
             result += found[0]
         elif not re.search(r"[^\W\d_]{2}", word):
