@@ -20,7 +20,9 @@ NO_CLAIMS = {
     r"\[ f(x) = x^2 + 1 \]": "DEFINED",
     r"\[ v = \frac{dx}{dt} \]": "DEFINED",
     r"\[ g = 9.81\,\mathrm{m/s^2} \]": "DEFINED",
-    r"\[ x_\pm = 1 \]": "UNREAD UNREAD",
+    r"\[ x_\pm = 1 \]": "DEFINED DEFINED",
+    r"\[ y' + 2xy = x, \qquad y(0) = 1 \] \[ y(x) = x^2 \]": "EQUATION EQUATION DEFINED",
+    r"With $\Delta > 0$ \[ z = \Delta x \]": "UNREAD",
     r"\[ x = \frac{-b \pm \sqrt{b^2-4ac}}{2a} \]": "DEFINED DEFINED",
     r"\[ y(x) = C_1 e^x + C_2 e^{-x} \]": "ASSUMED",
     r"\[ m\ddot x = -kx \]": "EQUATION",
@@ -250,3 +252,27 @@ def test_what_is_not_all_written_is_put_in_nowhere(tmp_path: Path) -> None:
 )
 def test_when_an_equality_is_claimed_of_all_values(tmp_path: Path, text: str, status: str) -> None:
     assert {row.status for row in read(tmp_path, text)} == {status}
+
+
+SYMBOLS = {
+    r"\[ x_\pm = a \pm b \] \[ x_+x_- = a^2 - b^2 \]": "PROVED",
+    r"\[ x_\pm = a \pm b \] \[ x_+x_- = a^2 + b^2 \]": "EQUATION",
+    r"\[ t_* = \frac1a \] \[ 1 + t_* = \frac{a + 1}{a} \]": "PROVED",
+    r"\[ \Delta e^{-b\Delta} = \frac{\Delta}{e^{b\Delta}} \]": "PROVED",
+    r"\[ \Delta e^{b\Delta} = e^{b\Delta} \]": "EQUATION",
+    r"\[ f(x) = \ln x \] \[ f'(x) = \frac1x > 0 \]": "PROVED",
+    r"\[ f(x) = x^3 - x \] \[ f'(x) = 3x^2 - 1 > 0 \]": "UNDECIDED",
+}
+"""What stands last, and its status: each kind with a falsehood beside it."""
+
+
+@pytest.mark.parametrize("text", SYMBOLS)
+def test_symbols_with_signs_below_and_what_a_chain_begins_with(tmp_path: Path, text: str) -> None:
+    assert read(tmp_path, text)[-1].status == SYMBOLS[text]
+
+
+def test_integers_from_a_number_on(tmp_path: Path) -> None:
+    (row,) = read(tmp_path, r"\[ n^2 > 3n \qquad \text{for integers } n \ge 4 \]")
+    assert (row.status, "n integer, n >= 4" in row.link.read_as) == ("PROVED", True)
+    (row,) = read(tmp_path, r"\[ n^2 > 3n \qquad \text{for integers } n \ge 3 \]")
+    assert row.status == "REFUTED"

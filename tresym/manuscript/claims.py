@@ -133,6 +133,7 @@ def claim(
     sure = sure and (under.noted or said.universal or head is None)
     goes_on = n > 0 and same and under.kind != prose.SOLVE
     constants = not (symbols(left) | symbols(right)) - NO_VARIABLES
+    constants = constants and not unknown_in(left, right)  # y(0) = 1 is asked of y
     worked = not unknown_in(left, right) and any(
         node.op in _WORKED or is_infinite(node) for node in outermost(compared[0], compared[2])
     )

@@ -46,6 +46,8 @@ _LETTER_E = re.compile(
     r"|<\s*e(?![a-zA-Z^])|(?:^|[^\\a-z\s]|[$\n])\s*e\s*&?=(?!\s*(?:2\.7|e\s*\^|\\exp|\\lim|\\sum))"
 )
 """Where e stands as no number does: e sin E, 1 - e, 1 - e^2, e < 1, e = c/a."""
+_LETTER_DELTA = re.compile(r"\\Delta(?![a-zA-Z])\s*(?:[-+=<>^_,.$)}&]|\\(?:[gl]e|[,;]\s*[=<>])|$)")
+"""Where Δ stands by itself, as no difference does."""
 _CALLED = re.compile(
     r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+)(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
     r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
@@ -96,6 +98,7 @@ class Memory:
 
     def __init__(self, text: str) -> None:
         self.letter_e = bool(_LETTER_E.search(text))
+        self.letter_delta = bool(_LETTER_DELTA.search(text))
         self.functions: dict[str, Function] = {}
         self.noted: list[Compared] = []
         self.lasting: list[Compared] = []
@@ -120,12 +123,14 @@ class Memory:
             shorter=self.shorter,
             longer=self.longer,
             letter_e=self.letter_e,
+            letter_delta=self.letter_delta,
             called=self.called,
         )
 
     def head(self, tokens: Sequence[str]) -> Head | None:
         """The symbol, or the function of symbols, or the derivative, that a term consists of."""
-        return head_of(list(tokens), Author(strict=True, letter_e=self.letter_e))
+        author = Author(strict=True, letter_e=self.letter_e, letter_delta=self.letter_delta)
+        return head_of(list(tokens), author)
 
     def define(self, head: Head, value: Expr) -> None:
         """Remember what a symbol stands for."""
@@ -276,6 +281,8 @@ class Memory:
             return self.integers(said)
         if said.ops == ("\\in",) and said.terms[1][:1] == ("\\mathbb",):
             return self.member(said)
+        if said.ops[0] == "\\in" and said.terms[1][:1] == ("\\mathbb",):
+            return self.member_from(said)
         try:
             (chain,) = read_latex(" ".join(said.tokens), self.author)
         except (InputError, ValueError):
@@ -344,6 +351,13 @@ class Memory:
                 return None
             given.append((name, "<=", number(found[-1] + 1)))
         return tuple(given), (), ""
+
+    def member_from(self, said: Said) -> Conditions | None:
+        """``n \\in \\mathbb{Z} \\ge 4``, as "for integers $n \\ge 4$" is read."""
+        own = self.member(replace(said, terms=said.terms[:2], ops=said.ops[:1]))
+        terms = said.terms[:1] + said.terms[2:]
+        bound = self.condition(replace(said, terms=terms, ops=said.ops[1:]))
+        return (own[0] + bound[0], bound[1], bound[2]) if own and bound else None
 
     def member(self, said: Said) -> Conditions | None:
         """``n \\in \\mathbb{Z}``, and the like."""

@@ -59,6 +59,8 @@ _FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|
 """What a condition behind an inequality does not have in it."""
 
 
+BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
+FIRST = "of what the chain begins with, which it equals"
 HOLDS = "of the two readings of print it is the one that holds"
 
 
@@ -141,7 +143,9 @@ class _Reading:
             open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
             for sign in "+-" if open_sign else " ":
                 one = said.signed(sign) if sign != " " else said
-                for link in self.chain(replace(blank, shown=""), one, under, around, sign != " "):
+                two = one.terms[0] != said.terms[0] and self.memory.head(one.terms[0]) is not None
+                several = sign != " " and not two  # x_\pm are two symbols
+                for link in self.chain(replace(blank, shown=""), one, under, around, several):
                     count += 1
                     yield replace(link, number=count)
 
@@ -194,7 +198,18 @@ class _Reading:
             signs = {*said.terms[n][:1], *said.terms[n + 1][:1]} & {"\\pm", "\\mp"}
             several = signed or (said.either and bool(signs))
             link = replace(blank, shown=shown)
-            yield self.link(link, n, op, said, pieces[n : n + 2], under, problem, several)
+            link = self.link(link, n, op, said, pieces[n : n + 2], under, problem, several)
+            if link.claims and n and {*said.ops[:n]} <= {"="} and RELATIONS.get(op, op) in BOUNDS:
+                ends = pieces[0], pieces[n + 1]
+                first = self.link(link, n, op, said, ends, under, problem, several)
+                asked = {a.text for a in link.claims}
+                told = tuple(
+                    a._replace(how=FIRST, may_fail=False)
+                    for a in first.claims
+                    if a.text not in asked
+                )
+                link = replace(link, claims=(*link.claims, *told))
+            yield link
 
     def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
         """The links of a chain that can be read in two ways, one of which may hold; or none."""

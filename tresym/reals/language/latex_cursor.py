@@ -30,6 +30,7 @@ FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")
 TIME = ("\\dot", "\\ddot")
+SIGNS_BELOW = {"+": "plus", "-": "minus", "*": "star", "ast": "star"}
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
 
 
@@ -76,6 +77,7 @@ class Author:
         shorter: how far an argument goes is no question: the shorter reading is meant.
         longer: the longer reading is meant, and of ``\\sin^{-1}`` the inverse function.
         letter_e: ``e`` is a variable of his, and no number.
+        letter_delta: ``\\Delta`` is a symbol of his, by itself.
         called: names of functions of his, some of which may be unknown.
     """
 
@@ -85,6 +87,7 @@ class Author:
     shorter: bool = False
     longer: bool = False
     letter_e: bool = False
+    letter_delta: bool = False
     called: frozenset[str] = frozenset()
 
     def derivative(self, name: str, by: str, times: int) -> Expr | None:
@@ -275,7 +278,7 @@ class Cursor:
         """A letter with its subscript as a name."""
         token = self.take()
         prefix = ""
-        if token == "\\Delta":
+        if token == "\\Delta" and not self.is_lone_delta():
             prefix, token = "Delta_", self.take()
         if not (is_letter(token) or token.isalpha()):
             self.at -= 1
@@ -285,6 +288,20 @@ class Cursor:
             self.at += 1
             name += self.subscript()
         return allowed(name)
+
+    def is_lone_delta(self) -> bool:
+        """Whether a capital delta just taken is an author's symbol, and no difference."""
+        if not (self.author and self.author.strict):
+            return False
+        if not is_letter(self.peek()) or self.is_exponential(self.at):
+            return True
+        if self.author.letter_delta:
+            letter = self.peek()
+            self.refuse(
+                f"two readings remain: write \\Delta\\cdot {letter} for a product, or another "
+                "letter for the \\Delta that stands alone,"
+            )
+        return False
 
     def subscript(self) -> str:
         """A subscript as the end of a name."""
@@ -296,11 +313,13 @@ class Cursor:
             self.take("}")
             text = "".join(parts)
             if self.author and self.author.strict:
-                text = text.replace("+", "plus").replace("-", "minus").replace(",", "")
+                text = "".join(SIGNS_BELOW.get(c, c) for c in text).replace(",", "")
             if not text:
                 return ""
         else:
             text = self.take().removeprefix("\\")
+            if self.author and self.author.strict:
+                text = SIGNS_BELOW.get(text, text)
             if is_number(text) and len(text) > 1:
                 self.refuse("a subscript of several digits needs braces")
         if not re.fullmatch(r"[A-Za-z0-9]+", text):
