@@ -224,11 +224,21 @@ def summary() -> dict[str, Any]:
     return {"workload": "guards", "files": counts, "alive": alive}
 
 
+def merged(stored: dict[str, Any], found: dict[str, Any]) -> dict[str, Any]:
+    """What is found, and what is stored of the files in which nothing was tried since."""
+    before, after = stored.get("files", {}), found["files"]
+    kept = {file for file, counts in after.items() if {*counts} <= {"not tried"}} & {*before}
+    files = {file: before[file] if file in kept else counts for file, counts in after.items()}
+    alive = [m for m in stored.get("alive", ()) if m["file"] in kept]
+    return {**found, "files": files, "alive": alive + found["alive"]}
+
+
 def main() -> int:
     """Try the mutants of the files named, or of all; or ``show``, or ``save``."""
     names = sys.argv[1:]
     if names[:1] == ["save"]:
-        SAVED.write_text(json.dumps(summary(), indent=1) + "\n", encoding="utf-8")
+        stored = json.loads(SAVED.read_text(encoding="utf-8")) if SAVED.exists() else {}
+        SAVED.write_text(json.dumps(merged(stored, summary()), indent=1) + "\n", encoding="utf-8")
         return 0
     if names[:1] == ["show"]:
         found = summary()

@@ -123,3 +123,25 @@ def holds(low):
     assert dropped.was == "low > 0"
     apply(dropped)
     assert module.holds(0)
+
+
+def test_what_is_stored_of_a_file_stays_until_something_of_it_is_tried() -> None:
+    stored = {
+        "files": {"a.py": {"killed": 3}, "b.py": {"killed": 5, "survived": 1}, "gone.py": {}},
+        "alive": [{"file": "b.py", "node": 1}, {"file": "gone.py"}],
+    }
+    found = {
+        "workload": "guards",
+        "files": {"a.py": {"survived": 1}, "b.py": {"not tried": 6}, "new.py": {"not tried": 2}},
+        "alive": [{"file": "a.py", "node": 2}],
+    }
+    assert guards.merged(stored, found) == {
+        "workload": "guards",
+        "files": {
+            "a.py": {"survived": 1},
+            "b.py": stored["files"]["b.py"],
+            "new.py": {"not tried": 2},
+        },
+        "alive": [{"file": "b.py", "node": 1}, {"file": "a.py", "node": 2}],
+    }
+    assert guards.merged({}, found) == found

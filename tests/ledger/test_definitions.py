@@ -99,6 +99,14 @@ def test_a_claim_is_its_value_and_not_its_label() -> None:
         assert not judge(Claim("user", says, proof), found).verdict.holds
 
 
+def test_what_is_used_needs_a_finding() -> None:
+    hidden = Claim("hidden", equal(x, x), by())
+    for proof in (by(substituting(hidden)), all_of(hidden)):
+        user = Claim("user", "so it is" if proof == all_of(hidden) else equal(x, x), proof)
+        with pytest.raises(InputError, match=r"^user uses hidden, on which no finding is given$"):
+            judge(user, {})
+
+
 def test_twins_are_refused(ledger: Callable[..., None], capsys: pytest.CaptureFixture) -> None:
     one = Claim("same", equal(x - x + y, y), by())
     two = Claim("same", equal(x, y), by())

@@ -86,7 +86,7 @@ from tresym.ledger.second_look import (
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.advocate import STOPPED
 from tresym.reals.balls.boxes import CertificateError
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import derivative, elementary, generalised
 from tresym.reals.language.expression import ZERO, Expr, differentiate, substitute, symbols
 from tresym.reals.language.formula import Relation, relations
@@ -108,6 +108,9 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
         claim: what to judge.
         found: findings by label, those on all that the claim uses among them.
         evidence: what :func:`judge_evidence` has found, where it was asked before.
+
+    Raises:
+        InputError: there is no finding on a claim that is used.
     """
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
@@ -172,6 +175,8 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
     A conjunction is as strong as its parts are found to be.
     """
     for used in claim.uses:
+        if used.label not in found:
+            raise InputError(f"{claim.label} uses {used.label}, on which no finding is given")
         if found[used.label].of not in (None, used):
             return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
     why = captured(claim) or conflict((*claim.rests_on, claim))
@@ -576,7 +581,7 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
     left, right = (put_in(side, rules) for side in (relation.left, relation.right))
     if relation.sign == "==":
         one, other = generalised(left, right)
-        decision = decide(one, other, known(plain))
+        decision = decide_continuous(one, other, known(plain))
         shown, why = decision.verdict is PROVED, decision.why
     else:
         shown = is_manifest(Relation(left, relation.sign, right), plain)

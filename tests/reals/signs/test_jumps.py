@@ -183,6 +183,14 @@ def test_single_points_of_conditions_at_a_jump(left: str, right: str) -> None:
     assert found.verdict is UNDECIDED
 
 
+@pytest.mark.parametrize("claim", ["y >= 2", "abs(y - 1) == y - 1", "log(y + 1) > 0", "y != 0"])
+@pytest.mark.parametrize("jump", ["(x - sqrt(2))**2", "(x - 12347/99991)**2", "x - 12347/99991"])
+def test_a_condition_that_holds_at_its_jump_alone(claim: str, jump: str) -> None:
+    """At the jump y may be 0; of that no case can be made, for the other condition has ends."""
+    given = f"y >= 2*sign({jump})**2, y + z <= 10"
+    assert tresym.check(claim, given=given).verdict in (REFUTED, UNDECIDED)
+
+
 ARGUMENTS = st.sampled_from(
     ("x", "y", "-x", "x - 1", "x + y", "x*y", "x**2 - 1", "abs(x)", "y + abs(y)", "1", "0", "-1")
 )

@@ -64,6 +64,7 @@ SINGULAR = {
     "convex but for a kink in a factor": "(3 + x)*(1 - abs(x)) + 9*x**2 >= 3 + x + y**2",
     "a jump": "3*sign(x)**2 <= x",
     "a jump beside": "x - 3*sign(x)**2 >= y**3",
+    "a jump that no case is made of": "y >= 2*sign((x - sqrt(2))**2), y + z <= 10",
     "no polynomial": "sin(x)*sin(2*x) >= 0",
     "many variables": "x**2 + y**2 + z**2 + u**2 + v**2 + w**2 <= 1, x + y >= 0",
 }

@@ -34,9 +34,8 @@ from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound, needs
-from tresym.reals.signs.inside import PROVING, REMEMBERED
+from tresym.reals.signs.inside import PROVING, REMEMBERED, jumps
 from tresym.reals.signs.inside import sign_inside as sign
-from tresym.reals.signs.jumps import cases_at_jumps
 from tresym.reals.signs.parts import WEAK, Parts
 
 MAX_QUADRATIC = 5
@@ -63,7 +62,7 @@ def is_regular(given: Given) -> bool:
     """Whether the conditions are shown to have no points but limits of those inside them."""
     given = _without_implied(given)
     spoken_of = tuple(c.expression for c in given.conditions)
-    if next(cases_at_jumps(spoken_of, given), None):
+    if jumps(spoken_of, given):
         return False
     needed = (part for part in needs(spoken_of) if sign(part[0], Given()) not in PROVING[part[1]])
     given = given & Given(tuple(bound(*part) for part in needed))
