@@ -585,6 +585,9 @@ def test_the_sign_of_zero_is_not_one() -> None:
     assert verdict(claim(equal(sign(x), 1), by(*EVERYTHING), (x >= 0,))) is not Verdict.PROVED
     assert verdict(claim(equal(sign(x) ** 2, 1), formally())) is not Verdict.PROVED
     assert verdict(claim(equal(sign(x) ** 2, 1), formally(), (x < 0,))) is Verdict.PROVED
+    unseen = sign(x - sqrt(2)) ** 2  # 0 at a point that nobody tries
+    assert verdict(claim(equal(unseen, 1), formally())) is not Verdict.PROVED
+    assert verdict(claim(equal(unseen, 1), by(*EVERYTHING))) is not Verdict.PROVED
 
 
 def test_only_inequalities_are_cited() -> None:

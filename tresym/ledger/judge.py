@@ -86,7 +86,7 @@ from tresym.ledger.second_look import (
 from tresym.ledger.statements import AtMostOne, ExactlyOne, ForSome
 from tresym.reals.advocate import STOPPED
 from tresym.reals.balls.boxes import CertificateError
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import derivative, elementary, generalised
 from tresym.reals.language.expression import ZERO, Expr, differentiate, substitute, symbols
 from tresym.reals.language.formula import Relation, relations
@@ -581,7 +581,7 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
     left, right = (put_in(side, rules) for side in (relation.left, relation.right))
     if relation.sign == "==":
         one, other = generalised(left, right)
-        decision = decide(one, other, known(plain))
+        decision = decide_continuous(one, other, known(plain))
         shown, why = decision.verdict is PROVED, decision.why
     else:
         shown = is_manifest(Relation(left, relation.sign, right), plain)

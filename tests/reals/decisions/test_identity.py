@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide, decide_continuous
 from tresym.reals.language.parsing import parse
 from tresym.reals.normal.field import Field
 from tresym.reals.places.conditions import Given
@@ -348,7 +348,8 @@ AT_JUMPS = [
 
 @pytest.mark.parametrize(("left", "right"), AT_JUMPS)
 def test_what_holds_off_the_jumps_alone_is_not_proved(left: str, right: str) -> None:
-    assert decide(parse(left), parse(right)).verdict is not Verdict.PROVED
+    for decider in (decide, decide_continuous):
+        assert decider(parse(left), parse(right)).verdict is not Verdict.PROVED
 
 
 @pytest.mark.parametrize(
@@ -356,6 +357,12 @@ def test_what_holds_off_the_jumps_alone_is_not_proved(left: str, right: str) -> 
 )
 def test_what_holds_at_the_jumps_too_is(left: str, right: str) -> None:
     assert decide(parse(left), parse(right)).verdict is Verdict.PROVED
+
+
+def test_where_a_side_may_jump_the_ledger_has_no_answer() -> None:
+    asked = parse("sign(x - sqrt(2))**3"), parse("sign(x - sqrt(2))")
+    assert decide_continuous(*asked).verdict is Verdict.UNDECIDED
+    assert decide_continuous(*asked, Given.parse("x < 1")).verdict is Verdict.PROVED
 
 
 ALONE = ["x**2*(x - 1) >= 0", "sqrt(x**2*(x - 1)) < 5", "x**2*(x - 1) >= 0, y**2*(y - 1) >= 0"]
@@ -366,9 +373,10 @@ def test_conditions_that_hold_at_a_point_alone_prove_nothing_by_what_holds_besid
     given: str,
 ) -> None:
     """At x = 0 the left side is 1 and the right side −1."""
-    found = decide(parse("sqrt((x - 1)**2)"), parse("x - 1"), Given.parse(given))
-    assert found.verdict is Verdict.UNDECIDED
-    assert "single points" in found.why
+    for decider in (decide, decide_continuous):
+        found = decider(parse("sqrt((x - 1)**2)"), parse("x - 1"), Given.parse(given))
+        assert found.verdict is Verdict.UNDECIDED
+        assert "single points" in found.why
 
 
 @pytest.mark.parametrize("given", ALONE)

@@ -6,13 +6,13 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from flint import fmpq, fmpz_mpoly, fmpz_mpoly_ctx
+from flint import fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.places.cells import MAX_DEGREE, MAX_POLYNOMIALS, sample_points
+from tresym.reals.places.cells import MAX_DEGREE, MAX_POLYNOMIALS, between, sample_points
 
 CONTEXTS = {n: fmpz_mpoly_ctx.get(["x", "y", "z"][:n], "lex") for n in (1, 2, 3)}
 
@@ -129,3 +129,11 @@ def test_simplest_lies_between_and_none_is_simpler(one: Fraction, other: Fractio
         assert not Fraction(k, q) < high
     assert Interval(None, -found, high_open=True).simplest() < -found
     assert Interval(found, None, low_open=True).simplest() > found
+
+
+def test_a_point_that_is_not_between_the_roots_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    p = fmpz_poly([-2, 0, 1])
+    assert between(p) == [fmpq(-2), fmpq(0), fmpq(2)]
+    monkeypatch.setattr(Interval, "simplest", lambda _: fmpq(0))
+    with pytest.raises(TooLargeError):
+        between(p)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from flint import fmpq
 
 from tresym.reals.decisions.reading import read
 from tresym.reals.language.expression import Expr
@@ -78,3 +79,12 @@ def test_what_is_not_proved(text: str) -> None:
 def test_it_gives_up_beyond_its_bound(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(polynomials, "MAX_CELLS", 0)
     assert sign_of_polynomial(*parts("x**4 + y**4 + x*y*(x - 3*y) >= -100 given x + y > 7")) is None
+
+
+@pytest.mark.parametrize("least", [fmpq(0), fmpq(-1, 10**6)])
+def test_a_least_value_that_is_not_positive_shows_nothing(
+    least: fmpq, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(polynomials, "_least", lambda *_: least)
+    (claim,) = read("(x*y - 1)**2 + (x - y)**2 > 0", "").comparisons
+    assert sign_of_polynomial(claim.left, ">", Given()) is None

@@ -29,7 +29,7 @@ from tresym.ledger.meaning import (
     stage,
     tree,
 )
-from tresym.reals.decisions.identity import Decision, decide
+from tresym.reals.decisions.identity import Decision, decide_continuous
 from tresym.reals.language.binders import generalised, outermost, worked_out
 from tresym.reals.language.expression import HALF, PI, ZERO, Expr, apply, replaced, sqrt, symbol
 from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
@@ -238,7 +238,7 @@ def _decided(before: Expr, after: Expr, reasons: tuple[Reason, ...], given: Cond
     if any(reason.name in OPENING for reason in reasons):
         before, after = worked_out(before), worked_out(after)
     left, right = generalised(before, after)
-    return decide(left, right, known(given), theories)
+    return decide_continuous(left, right, known(given), theories)
 
 
 def instantiated(used: tuple[Claim, ...], given: Conditions) -> tuple[Rules, Conditions]:

@@ -45,7 +45,7 @@ from tresym.ledger.reasons import citing
 from tresym.reals.balls.boxes import Bound, Box, BoxProof
 from tresym.reals.balls.boxes import Counterexample as Point
 from tresym.reals.balls.traced import Named, Part, Program, traced
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.expression import ZERO, Expr, number
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, balls
@@ -319,7 +319,7 @@ class _Place:
 def _different(left: Expr, right: Expr, given: Conditions) -> str | None:
     if left == right:
         return None
-    decision = decide(left, right, known(given))
+    decision = decide_continuous(left, right, known(given))
     return None if decision.verdict is Verdict.PROVED else decision.why
 
 

@@ -34,7 +34,7 @@ from tresym.ledger.meaning import (
     known,
     tree,
 )
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import (
     elementary,
     generalised,
@@ -495,4 +495,4 @@ def _need_equal(left: Expr, right: Expr, conditions: Conditions) -> None:
 
 def _equal(left: Expr, right: Expr, conditions: Conditions) -> bool:
     left, right = generalised(left, right)
-    return decide(left, right, known(conditions)).verdict is Verdict.PROVED
+    return decide_continuous(left, right, known(conditions)).verdict is Verdict.PROVED

@@ -19,7 +19,7 @@ from tresym.ledger.evidence.chain import check_chain
 from tresym.ledger.meaning import Conditions, Rules, conditions, formula, put_in, tree
 from tresym.ledger.reasons import differentiating_integral
 from tresym.ledger.second_look import scalars, somewhere
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import elementary, generalised, outermost, worked_out
 from tresym.reals.language.expression import Expr, differentiate, opened, replaced, symbol
 from tresym.reals.language.formula import Relation, relations
@@ -84,7 +84,7 @@ def _widened(where: Interval) -> arb:
 def _is_identity(equation: Relation, given: Conditions) -> bool:
     """Whether an equation holds wherever both sides have values, or by Leibniz's rule."""
     one, other = generalised(equation.left, equation.right)
-    if one == other or decide(one, other).verdict is Verdict.PROVED:
+    if one == other or decide_continuous(one, other).verdict is Verdict.PROVED:
         return True
     steps = check_chain(equation, BY_END, given)
     return all(step.verdict is Verdict.PROVED for step in steps)

@@ -15,8 +15,9 @@ in balls, to be defined.
 3. Balls again, at many points and 700 bits.
 4. What the normal form leaves is tried by derivative: see locally_constant.py.
 5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
-   value put in is decided by itself: see jumps.py. Where the conditions may have points that are no
-   limits from inside, the proof must do without those with equality: see regular.py.
+   value put in is decided by itself: see jumps.py. No claim of the ledger needs that, and its judge
+   does without. Where the conditions may have points that are no limits from inside, the proof must
+   do without those with equality: see regular.py.
 6. An inverse function is taken away where the other side is in its range: see branches.py.
 7. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
@@ -47,6 +48,7 @@ from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import needs
 from tresym.reals.places.values import evaluate, undefined_parts, values_or_broken
+from tresym.reals.signs.inside import jumps
 from tresym.reals.signs.jumps import cases_at_jumps
 from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.verdict import Verdict
@@ -97,6 +99,31 @@ def decide(
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
     """
+    found = _almost_everywhere(left, right, given, theories)
+    if found.verdict is not Verdict.PROVED:
+        return found
+    unproved = _at_jumps((left, right), given, theories)
+    stated = given if stated is None else stated
+    return unproved or _at_limits(left, right, given, theories, stated) or found
+
+
+def decide_continuous(
+    left: Expr,
+    right: Expr,
+    given: Given = Given(),  # noqa: B008 - frozen
+    theories: frozenset[str] = ALL_THEORIES,
+) -> Decision:
+    """As :func:`decide`, of sides in which nothing jumps; UNDECIDED where something may."""
+    found = _almost_everywhere(left, right, given, theories)
+    if found.verdict is not Verdict.PROVED:
+        return found
+    if left != right and jumps((left, right), given):
+        return Decision(Verdict.UNDECIDED, JUMP)
+    return _at_limits(left, right, given, theories, given) or found
+
+
+def _almost_everywhere(left: Expr, right: Expr, given: Given, theories: frozenset[str]) -> Decision:
+    """The answer but for points at which a side jumps, or that are no limits from inside."""
     names = sorted(symbols(left) | symbols(right))
     sides = (left, right)
 
@@ -137,15 +164,25 @@ def decide(
         proof = _prove_by_branch(sides, given, theories, points)
     if proof is None:
         return Decision(Verdict.UNDECIDED, obstacle)
-    unproved = _at_jumps(sides, given, theories)
-    if unproved is not None:
-        return unproved
-    if left != right and not is_regular(given if stated is None else stated):
-        fewer = _open(given)
-        if not is_regular(fewer) or _prove(sides, fewer, theories, points)[0] is None:
-            return Decision(Verdict.UNDECIDED, ONLY_INSIDE)
     at = defined[0]
     return Decision(Verdict.PROVED, f"{proof}; both sides are defined at {shown(at)}", at=at)
+
+
+def _at_limits(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str], stated: Given
+) -> Decision | None:
+    """What is not shown at points of the conditions that are no limits of those inside them."""
+    if left == right or is_regular(stated):
+        return None
+    names, fewer = sorted(symbols(left) | symbols(right)), _open(given)
+
+    def points(where: Given) -> Iterator[dict[str, fmpq]]:
+        found = sampled_values(left, right, where, names, SIGN_POINTS)
+        yield from (point for point, _ in found)
+
+    if is_regular(fewer) and _prove((left, right), fewer, theories, points)[0] is not None:
+        return None
+    return Decision(Verdict.UNDECIDED, ONLY_INSIDE)
 
 
 def _open(given: Given) -> Given:

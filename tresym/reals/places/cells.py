@@ -128,4 +128,7 @@ def between(p: fmpz_poly) -> list[fmpq]:
     gaps = [Interval(low, high, True, True) for (_, low), (high, _) in pairwise(ends)]
     if any(not gap.low < gap.high for gap in gaps[1:-1]):
         raise TooLargeError("roots too close to be told apart")
-    return [gap.simplest() for gap in gaps]
+    found = [gap.simplest() for gap in gaps]
+    if not all(gap.holds(x) for gap, x in zip(gaps, found, strict=True)):
+        raise TooLargeError("a point between two roots is not found")
+    return found

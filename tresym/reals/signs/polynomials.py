@@ -65,7 +65,8 @@ def sign_of_polynomial(
         beyond = ""
         if relation == ">":
             least = _least(difference, region)
-            above = None if least is None else cells(difference - constant(least), region)
+            known = least is not None and least > 0
+            above = cells(difference - constant(least), region) if known else None
             if above is None or above.against is not None:
                 return None
             found, beyond = above, f" less {least}"

@@ -81,6 +81,7 @@ RECHECKED = {
         *("reals.normal.written.numerator", "reals.decisions.reduced._lowest"),
         *("reals.decisions.integrals._cuts", "reals.decisions.integrals._roots"),
         *("reals.decisions.integrals._turns", "reals.signs.polynomials._least"),
+        "reals.numbers.exact.Interval.simplest",
     ),
     "it spares a search that would find nothing, or says how much room one needs": (
         *("reals.normal.ranges.ProvingRing._changes_sign", "reals.signs.cones._fails_at_vertex"),
