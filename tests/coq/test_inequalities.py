@@ -42,6 +42,9 @@ def test_what_implies_it(claim: str, left: str) -> None:
         ("x*y*z <= 1/27 given x > 0, y > 0, z > 0, x + y + z <= 1", "cone."),
         ("x**3 + y**3 + z**3 >= 3 given x > 0, y > 0, z > 0, x + y + z >= 3", "pow_R1_Rle"),
         ("exp(x) >= 1 + x", "from_left_ge"),
+        ("tanh(x) < x given x > 0", "from_left_gt"),
+        ("exp(x) > 1 + x given x < 0", "from_right_gt"),
+        ("exp(x) > x given x >= 0", "from_left_start_gt"),
     ],
 )
 def test_the_way_of_the_prover_of_signs(claim: str, words: str) -> None:
@@ -56,6 +59,8 @@ def test_the_way_of_the_prover_of_signs(claim: str, words: str) -> None:
     [
         ("a**2*b + b**2*c + c**2*a >= 3*a*b*c given a > 0, b > 0, c > 0", True),
         ("log(x) >= 1 - 1/x", True),
+        ("x/(1+x) < log(1+x) given x > 0", True),
+        ("x/(1+x) < log(1+x) given x > -1", False),
         ("exp(x) >= 1 + x + x**2/2 given x >= -1/100", False),
     ],
 )

@@ -546,6 +546,43 @@ Lemma from_right_le f df c x : x <= c -> (forall t, x <= t <= c -> is_derive f t
   (forall t, x <= t <= c -> 0 <= df t) -> f c <= 0 -> f x <= 0.
 Proof. intros H D S B; destruct (mean_value f df x c H D) as [t [T E]]; specialize (S t T); nra. Qed.
 
+(* The same without equality: from a sign at the point itself, or from that of the derivative. *)
+Lemma mean_value_inside (f df : R -> R) a b : a < b ->
+  (forall t, a <= t <= b -> is_derive f t (df t)) ->
+  exists c, a < c < b /\ f b - f a = df c * (b - a).
+Proof.
+  intros H D; destruct (MVT_cor2 f df a b H) as [c [E C]].
+  - intros t T; apply is_derive_Reals, D, T.
+  - exists c; split; assumption.
+Qed.
+Lemma from_left_gt f df c x : c < x -> (forall t, c <= t <= x -> is_derive f t (df t)) ->
+  (forall t, c < t <= x -> 0 < df t) -> 0 <= f c -> 0 < f x.
+Proof.
+  intros H D S B; destruct (mean_value_inside f df c x H D) as [t [T E]].
+  specialize (S t ltac:(lra)); nra.
+Qed.
+Lemma from_right_gt f df c x : x < c -> (forall t, x <= t <= c -> is_derive f t (df t)) ->
+  (forall t, x <= t < c -> df t < 0) -> 0 <= f c -> 0 < f x.
+Proof.
+  intros H D S B; destruct (mean_value_inside f df x c H D) as [t [T E]].
+  specialize (S t ltac:(lra)); nra.
+Qed.
+Lemma from_right_lt f df c x : x < c -> (forall t, x <= t <= c -> is_derive f t (df t)) ->
+  (forall t, x <= t < c -> 0 < df t) -> f c <= 0 -> f x < 0.
+Proof.
+  intros H D S B; destruct (mean_value_inside f df x c H D) as [t [T E]].
+  specialize (S t ltac:(lra)); nra.
+Qed.
+Lemma from_left_start_gt f df c x : c <= x -> (forall t, c <= t <= x -> is_derive f t (df t)) ->
+  (forall t, c <= t <= x -> 0 <= df t) -> 0 < f c -> 0 < f x.
+Proof. intros H D S B; destruct (mean_value f df c x H D) as [t [T E]]; specialize (S t T); nra. Qed.
+Lemma from_right_start_gt f df c x : x <= c -> (forall t, x <= t <= c -> is_derive f t (df t)) ->
+  (forall t, x <= t <= c -> df t <= 0) -> 0 < f c -> 0 < f x.
+Proof. intros H D S B; destruct (mean_value f df x c H D) as [t [T E]]; specialize (S t T); nra. Qed.
+Lemma from_right_start_lt f df c x : x <= c -> (forall t, x <= t <= c -> is_derive f t (df t)) ->
+  (forall t, x <= t <= c -> 0 <= df t) -> f c < 0 -> f x < 0.
+Proof. intros H D S B; destruct (mean_value f df x c H D) as [t [T E]]; specialize (S t T); nra. Qed.
+
 Lemma pi_between : 3 < PI <= 4.
 Proof. pose proof PI2_3_2; pose proof PI_4; lra. Qed.
 
@@ -600,6 +637,27 @@ Proof. unfold tanh; rewrite sinh_0; unfold Rdiv; ring. Qed.
 Ltac equals := first [ring | field; side | field_simplify; lra].
 Ltac worth f u y c law :=
   replace (f u) with c by (replace u with y by equals; symmetry; apply law).
+Lemma cosh_beyond x : x <> 0 -> 1 < cosh x.
+Proof.
+  intros N; unfold cosh; assert (D : exp x <> exp (- x)) by (intros E; apply exp_inv in E; lra).
+  assert (P : exp x * exp (- x) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
+  assert (S : 0 < (exp x - exp (- x)) * (exp x - exp (- x))) by (apply Rlt_0_sqr; lra).
+  pose proof (exp_pos x); pose proof (exp_pos (- x)); nra.
+Qed.
+
+(* What functions are beside 0, without equality. *)
+Ltac new_fact P proof :=
+  lazymatch goal with H : P |- _ => fail | _ => assert P by proof end.
+Ltac beside :=
+  repeat match goal with
+  | |- context [exp ?u] => new_fact (exp u < 1) ltac:(rewrite <- exp_0; apply exp_increasing; lra)
+  | |- context [exp ?u] => new_fact (1 < exp u) ltac:(rewrite <- exp_0; apply exp_increasing; lra)
+  | |- context [ln ?u] => new_fact (ln u < 0) ltac:(rewrite <- ln_1; apply ln_increasing; lra)
+  | |- context [ln ?u] => new_fact (0 < ln u) ltac:(rewrite <- ln_1; apply ln_increasing; lra)
+  | |- context [cosh ?u] => new_fact (1 < cosh u) ltac:(apply cosh_beyond; first [apply Rlt_not_eq; lra | apply Rgt_not_eq; lra])
+  | |- context [sin ?u] => new_fact (sin u < u) ltac:(apply sin_lt_x; lra)
+  end; first [lra | nra].
+
 Ltac base_value :=
   cbv beta; repeat rewrite ln_Rinv by positive; rewrite ?ln_exp; rewrite ?exp_ln by side;
   repeat match goal with

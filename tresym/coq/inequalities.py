@@ -486,14 +486,21 @@ def _about(theorem: Theorem, d: Expr, given: Given, name: str, c: Expr) -> list[
     beside = sign_inside(symbol(name) - c, given)
     inside = opened(Given(tuple(c for c in given.comparisons if c[1] != "!=")), name)
     sides = [1] * (beside not in ("-", "<=0")) + [-1] * (beside not in ("+", ">=0"))
-    chain = [d]
+    strict, apart = theorem.relation not in ("<=", ">="), beside in ("+", "-")
+    chain, start = [d], None
     for k in range(MAX_ORDER + 1):
         fit = [UP if side > 0 or k % 2 == 0 else DOWN for side in sides]
-        if k and all(sign_inside(chain[k], inside) in signs for signs in fit):
-            return [_chain(theorem, chain, mode, name, c, sides) for mode in range(4)]
+        last = sign_inside(chain[k], inside)
+        if k and all(last in signs for signs in fit):
+            if strict and start is None:
+                start = k if apart and all(last == signs[0] for signs in fit) else -1
+            first = start if strict and start is not None else -1
+            return [_chain(theorem, chain, mode, name, c, sides, first) for mode in range(4)]
         at = sign_inside(substitute(chain[k], {name: c}), inside)
         if not all(at in signs for signs in fit):
             return []
+        if start is None and (apart or not k) and all(at == signs[0] for signs in fit):
+            start = k
         chain.append(differentiate(chain[k], name))
         if chain[-1].size > MAX_SIZE:
             return []
@@ -507,25 +514,33 @@ def last_step(
     up: bool,
     mode: int,
     between: tuple[tuple[Expr, str, Expr], ...],
+    strict: bool = False,
 ) -> str:
     """The sign of the last derivative at another point."""
     if mode == 0:
-        return "facts; first [positive | lra | nra]."
+        return f"facts; first [positive | lra | nra{' | beside' * strict}]."
     theorem = replace(theorem, given=(*theorem.given, *between))
     moved = substitute(e if up else -e, {name: POINT})
     if mode == 3:
-        t = replace(theorem, says=Relation(ZERO, "<=", moved))
+        t = replace(theorem, says=Relation(ZERO, order(strict), moved))
         proof = next(cone_proofs(t, moved), None) or next(
             (p for way in reductions(t) for p in _reduced(way, 0)), "fail."
         )
-        goal = f"assert (last : 0 <= {term(moved)})."
+        goal = f"assert (last : 0 {order(strict)} {term(moved)})."
         return f"{goal} {{ {proof} }} lra."
-    return " ".join(["laws.", *shown(theorem, moved, False, mode == 2), "lra."])
+    return " ".join(["laws.", *shown(theorem, moved, strict, mode == 2), "lra."])
 
 
 def _chain(
-    theorem: Theorem, chain: list[Expr], mode: int, name: str, c: Expr, sides: list[int]
+    theorem: Theorem,
+    chain: list[Expr],
+    mode: int,
+    name: str,
+    c: Expr,
+    sides: list[int],
+    start: int = -1,
 ) -> str:
+    """Signs from the last derivative down; up to ``start`` they are strict, but at the point."""
     x, base, n = variable(name), term(c, 3), len(chain) - 1
     lines = ["intros; saturate."]
     if sign(c, Given()) == "+":
@@ -535,21 +550,27 @@ def _chain(
         lines.append(f"pose (fun_{k} := {f}).")
     whole = []
     for side in sides:
-        here = f"{base} <= v_point <= {x}" if side > 0 else f"{x} <= v_point <= {base}"
-        block = [
-            f"assert (way : {base} {'<=' if side > 0 else '>='} {x}) by (first [assumption | lra])."
-        ]
+        way = order(start > 0)
+        ends = f"{base} {way} {x}" if side > 0 else f"{x} {way} {base}"
+        block = [f"assert (way : {ends}) by (first [assumption | lra])."]
         for k in range(n, -1, -1):
-            up = side > 0 or k % 2 == 0
-            says = "0 <= " + f"fun_{k} v_point" if up else f"fun_{k} v_point <= 0"
+            up, rel = side > 0 or k % 2 == 0, order(k <= start)
+            open_ = order(k < start or k == start == n)
+            here = (
+                f"{base} {open_} v_point <= {x}" if side > 0 else f"{x} <= v_point {open_} {base}"
+            )
+            says = f"0 {rel} fun_{k} v_point" if up else f"fun_{k} v_point {rel} 0"
             block.append(f"assert (sig_{k} : forall v_point, {here} -> {says}).")
             if k == n:
-                ends = (c, symbol(name)) if side > 0 else (symbol(name), c)
-                between = ((POINT, ">=", ends[0]), (POINT, "<=", ends[1]))
-                proof = last_step(theorem, chain[n], name, up, mode, between)
+                over, under = (c, symbol(name)) if side > 0 else (symbol(name), c)
+                signs = (open_.replace("<", ">"), "<=") if side > 0 else (">=", open_)
+                between = ((POINT, signs[0], over), (POINT, signs[1], under))
+                proof = last_step(theorem, chain[n], name, up, mode, between, k <= start)
                 block.append(f"{{ intros v_point ?; unfold fun_{k}; saturate. {proof} }}")
                 continue
-            lemma = ("from_left" if side > 0 else "from_right") + ("_ge" if up else "_le")
+            lemma = "from_left" if side > 0 else "from_right"
+            lemma += "_start" if k == start else ""
+            lemma += ("_gt" if up else "_lt") if k <= start else "_ge" if up else "_le"
             block.append(
                 f"{{ intros v_point ?; apply ({lemma} fun_{k} fun_{k + 1} {base} v_point); "
                 f"[lra | | | unfold fun_{k}; base_value]; intros v_next ?; "
