@@ -50,7 +50,9 @@ LEDGER = (
     Station(3, "ledger.meaning", "formula", "what is said, as a formula of the one language"),
     Station(4, "reals.language.sympy", "formula", "it leaves SymPy here"),
     Station(3, "ledger.evidence.chain", "check_chain", "a chain, step by step"),
-    Station(4, "reals.decisions.identity", "decide", "a step, by the reasons that it names"),
+    Station(
+        4, "reals.decisions.identity", "decide_continuous", "a step, by the reasons that it names"
+    ),
     Station(5, "reals.normal.field", "Field", "a normal form: it is 0, or it is not"),
     Station(3, "ledger.evidence.manifest", "manifest_sign", "a sign that no chain has to show"),
     Station(4, "reals.signs.sign", "sign", "by exact methods"),
