@@ -15,8 +15,8 @@ in balls, to be defined.
 3. Balls again, at many points and 700 bits.
 4. What the normal form leaves is tried by derivative: see locally_constant.py.
 5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
-   value put in is decided by itself: see jumps.py. Where the conditions may have points that are no limits from inside, the proof must
-   do without those with equality: see regular.py.
+   value put in is decided by itself: see jumps.py. Where the conditions may have points
+   that are no limits from inside, the proof must do without those with equality: see regular.py.
 6. An inverse function is taken away where the other side is in its range: see branches.py.
 7. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
