@@ -70,6 +70,10 @@ TRUE = (
     "sign(x**3)*abs(x**3)**(1/3) == x",
     "sqrt(x**2*y**4) == abs(x)*y**2",
     "log((1 + x)/(1 - x)) == log((1 + x)**2/(1 - x**2))",
+    "sqrt(sinh(x)**2)*sign(sinh(x)) == sinh(x)",
+    "abs(tan(atan(x)) - sqrt(2)) == abs(sqrt(2) - x)",
+    "sin((2*sqrt(2) + 1)*cbrt(2*sqrt(2) + 1)**(-2)) == sin(cbrt(2*sqrt(2) + 1))",
+    "asin(cosh(1)/sqrt(cosh(1)**2 + 1)) == 2*atan(cosh(1)/(sqrt(cosh(1)**2 + 1) + 1))",
 )
 FALSE = (
     "sqrt(x**2) == x",
@@ -80,6 +84,8 @@ FALSE = (
     "atanh(-x) == atanh(x)",
     "sign(x**3)*abs(x)**(1/3) == x",
     "sqrt(x**2*y**4) == x*y**2",
+    "sqrt(sinh(x)**2)*sign(sinh(x) + 1) == sinh(x)",
+    "tan(atan(x) + pi/3) == x",
 )
 
 

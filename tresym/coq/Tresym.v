@@ -932,13 +932,18 @@ Proof.
   destruct (Rtotal_order u 0) as [P|[P|P]];
     [rewrite sign_neg, Rabs_left | subst; rewrite sign_zero | rewrite sign_pos, Rabs_pos_eq]; lra.
 Qed.
+Lemma sign_sqrt u : sign u * sqrt (u ^ 2) = u.
+Proof. rewrite <- Rsqr_pow2, sqrt_Rsqr_abs; apply sign_abs. Qed.
 Lemma sign_root n u : sign u * root n (Rabs u) = root n u.
 Proof.
   destruct (Req_dec u 0) as [->|N]; [rewrite sign_zero, root_zero; ring |].
   unfold root; rewrite (sign_pos (Rabs u)), Rabs_Rabsolu by now apply Rabs_pos_lt.
   ring.
 Qed.
-Ltac signs_gone law a b :=
+Lemma sin_over_cos u : sin (atan u) * / cos (atan u) = u.
+Proof. exact (tan_atan u). Qed.
+(* Two factors that make one by a law. *)
+Ltac factors law a b :=
   generalize law; generalize a b; let L := fresh in intros ? ? L; rewrite <- L; ring.
 Lemma sqrt_square u v w : 0 <= w -> v ^ 2 * w ^ 2 = u -> sqrt u = Rabs v * w.
 Proof.
@@ -973,7 +978,10 @@ Proof.
 Qed.
 Ltac absurd_ := first [lra | nra | progress inverses_below; nra | match goal with H : ?a <> 0 |- _ => apply H; first [ring | field; side | nra] end].
 Ltac split_logs :=
-  repeat first [rewrite ln_mult by first [assumption | positive] | rewrite ln_Rinv by first [assumption | positive]].
+  repeat match goal with
+  | |- context [ln (?a * ?b)] => rewrite (ln_mult a b) by first [assumption | positive]
+  | |- context [ln (/ ?a)] => rewrite (ln_Rinv a) by first [assumption | positive]
+  end.
 Ltac apart H :=
   repeat first [rewrite ln_mult in H by first [assumption | positive | signed]].
 Lemma factor_above x y : 0 < y -> 0 < x * y -> 0 < x.

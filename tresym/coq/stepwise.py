@@ -49,6 +49,7 @@ SPECIAL = {
 }
 """Parts of π with the squares of their sine and cosine."""
 SPLITS = 4
+TURNING = ("exp", "sin", "cos")
 
 
 def stepwise(theorem: Theorem, ask: Ask, begin: Callable[[], None]) -> str | None:
@@ -87,6 +88,7 @@ class _Steps(Bases):
             for g in self.is_arc_tangent:
                 self.sided(g)
             return self.must("exfalso; absurd_.")
+        self.said_at_first()
         while (node := self.next()) is not None:
             try:
                 self.step(node)
@@ -94,11 +96,32 @@ class _Steps(Bases):
                 return self.in_cases(*cases.args)
         return self.must(f"{self.by_field}.")
 
+    def said_at_first(self) -> None:
+        """What is lost once parts have names: products of signs, and where arcs are defined."""
+        found = sorted(nodes(self.sides), key=lambda e: e.size)
+        for e in found:
+            if e.op == "sign":
+                self.paired(e.args[0])
+            if e.op == "atan":
+                sine, cosine = (Expr(f, (e,)) for f in ("sin", "cos"))
+                law = f"(sin_over_cos {term(e.args[0], 3)})"
+                self.multiplied(sine, Expr("^", (cosine, MINUS_ONE)), e.args[0], law)
+        for e in found:
+            if e.op in ("asin", "acos") and self.has(e) and e.args[0].op not in LEAVES:
+                self.fact(f"-1 <= {term(e.args[0])}", "lra")
+                self.fact(f"{term(e.args[0])} <= 1", "lra")
+
     def next(self) -> Expr | None:
         """The smallest part that is to be written by names."""
+        ready = self.ready()
+        return min(
+            ready, key=lambda e: (e.op == "sign", e.op == "abs", e.size, str(e)), default=None
+        )
+
+    def ready(self) -> list[Expr]:
+        """What is to be written by names, of parts that are so written."""
         left = [e for e in nodes(self.sides) if not _plain(e) and e not in self.done]
-        ready = [e for e in left if not any(part in left for part in nodes(e.args))]
-        return min(ready, key=lambda e: (e.op == "sign", e.size, str(e)), default=None)
+        return [e for e in left if not any(part in left for part in nodes(e.args))]
 
     def step(self, e: Expr) -> None:
         """One part written by names."""
@@ -108,6 +131,8 @@ class _Steps(Bases):
             self.fact(f"0 {'<' if e.op == 'log' else '<='} {term(u)}", "plainly")
         if better != u and self.equation(u, better, self.by_field):
             e, u = Expr(e.op, (better, *e.args[1:])), better
+        if e.op in TURNING:
+            self.alike(u)
         match e.op:
             case "abs" | "sign":
                 self.of_sign(e, u)
@@ -125,6 +150,13 @@ class _Steps(Bases):
                 self.root(u, degree_of(e), e.op == "cbrt")
             case _:
                 self.done.add(e)
+
+    def alike(self, u: Expr) -> None:
+        """Angles and exponents that are ``u`` or −u in other words, written as it is."""
+        for v in dict.fromkeys(e.args[0] for e in self.ready() if e.op in TURNING):
+            for same in (u, -u):
+                if v not in (u, -u) and self.equal(v, same):
+                    self.equation(v, same, self.by_field)
 
     def in_cases(self, u: Expr, three: bool) -> None:
         """The proof in cases, by the sign of ``u``."""
@@ -197,24 +229,26 @@ class _Steps(Bases):
         return self.exchange(e, u if sign > 0 else -u, proof)
 
     def paired(self, u: Expr) -> bool:
-        """A product of the sign and the absolute value of ``u``, or of its root, without them."""
+        """A product of the sign and the absolute value of ``u``, or of a root, without them."""
         sign, absolute = Expr("sign", (u,)), Expr("abs", (u,))
         root = Expr("^", (absolute, number(Fraction(1, 3))))
-        for e in nodes(self.sides):
-            if e.op != "*" or sign not in e.args:
-                continue
-            for found, new, law in (
-                (absolute, u, f"(sign_abs {term(u, 3)})"),
-                (root, Expr("cbrt", (u,)), f"(sign_root 3 {term(u, 3)})"),
-            ):
-                if found in e.args:
-                    rest = list(e.args)
-                    rest.remove(sign)
-                    rest[rest.index(found)] = new
-                    value = rest[0] if len(rest) == 1 else Expr("*", tuple(rest))
-                    gone = f"signs_gone {law} ({term(sign)}) ({term(found)})"
-                    return self.equation(e, value, gone)
-        return False
+        square = Expr("^", (Expr("^", (u, number(2))), HALF))
+        return (
+            self.multiplied(sign, absolute, u, f"(sign_abs {term(u, 3)})")
+            or self.multiplied(sign, square, u, f"(sign_sqrt {term(u, 3)})")
+            or self.multiplied(sign, root, Expr("cbrt", (u,)), f"(sign_root 3 {term(u, 3)})")
+        )
+
+    def multiplied(self, one: Expr, other: Expr, new: Expr, law: str) -> bool:
+        """Products with both factors, with what a law says that they make; whether there are."""
+        products = [e for e in nodes(self.sides) if e.op == "*" and {one, other} <= {*e.args}]
+        for e in sorted(products, key=lambda e: -e.size):
+            rest = list(e.args)
+            rest.remove(one)
+            rest[rest.index(other)] = new
+            value = rest[0] if len(rest) == 1 else Expr("*", tuple(rest))
+            self.equation(e, value, f"factors {law} ({term(one)}) ({term(other)})")
+        return bool(products)
 
     # Exponentials.
 

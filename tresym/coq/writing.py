@@ -25,7 +25,8 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound
 from tresym.reals.places.values import evaluate
 
-POINTS, STEPS = 14, 300
+POINTS, LATER, STEPS = 10, 20, 300
+"""Points that are looked at, near and then anywhere, and sentences at most."""
 HYPERBOLIC = ("asinh", "acosh", "atanh")
 Ask = Callable[[str], bool]
 
@@ -99,7 +100,9 @@ class Writing:
         bounds = tuple(bound(*part) for part in theorem.defined if symbols(part[0]))
         known = Given(theorem.given + bounds)
         self.points: list[dict[str, arb | fmpq]] = [
-            dict(point) for point in known.points(theorem.variables, POINTS)
+            dict(point)
+            for start in (0, LATER)
+            for point in known.points(theorem.variables, POINTS, start)
         ]
 
     # What is said to Coq.
