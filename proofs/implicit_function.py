@@ -161,7 +161,7 @@ _flat = printed.flat_function(x, sympy)
 flat_from_above = Claim(
     says="e^{−1/s} = o(s¹⁰) as s → 0 from above; with the value 0 for s ≤ 0 it is flat at 0.",
     means=order(equal(_flat, o(x**10)), x),
-    proof=Asymptotics(),
+    proof=Squeezed(Integer(11) ** 11),
 )
 
 flat_function = Claim(
@@ -204,7 +204,7 @@ defect_below_flat = Claim(says=2 * exp(-2 / lam) >= _by_u, given=_path, proof=ma
 slopes_vanish = Claim(
     says="12 e^{−2/λ}/λ² = o(λ¹⁰) as λ → 0 from above.",
     means=order(equal(12 * exp(-2 / lam) / lam**2, o(lam**10)), lam),
-    proof=Asymptotics(),
+    proof=Squeezed(12 * Rational(13, 2) ** 13),
 )
 
 defect_is_flat = Claim(

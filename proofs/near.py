@@ -106,7 +106,7 @@ turn_by_cosine = Claim(
         asin(_mu), asin(_mu * x) + asin(_ratio * (1 - x**2) / (x + sqrt(1 + b / a * (1 - x**2))))
     ),
     given=(*shape, x > 0, x < 1),
-    proof=by(inverses, roots),
+    proof=by(inverses, roots, trigonometry),
 )
 
 _turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (flip_defect,))
@@ -274,7 +274,8 @@ turn_in_kappa = Claim(
 difference_of_turns = Claim(
     says=equal(atan((x - x0) / (1 + x * x0)), atan(x) - atan(x0)),
     given=(x > 0, x0 > 0),
-    proof=by(inverses),
+    knowing=(pi / 2 - atan(x) + atan(x0) > 0, pi / 2 + atan(x) - atan(x0) > 0),
+    proof=by(inverses, trigonometry),
 )
 
 angle_and_cotangent = Claim(

@@ -43,7 +43,7 @@ product_below_one = Claim(
 product_is_approached = Claim(
     says="For planar bodies, b = 1/(a + 2), the product ab = a/(a + 2) tends to 1 as a → ∞.",
     means=order(equal(a / (a + 2), 1 + Function("o")(Integer(1))), a, oo),
-    proof=Asymptotics(),
+    proof=Squeezed(Integer(2)),
     note="So no bound below 1 holds for every rigid body.",
 )
 

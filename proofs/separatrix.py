@@ -113,10 +113,9 @@ stable_equation = Claim(
     given=(*shape, *defect),
     proof=(
         step(equal(log(_ratio), -2 * _time), applying("log"), exponentials),
-        step(_inverse_form, multiplying(Rational(-1, 2)), exponentials, inverses, roots),
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
-            applying("sinh"),
+            *(multiplying(Rational(-1, 2)), applying("sinh")),
             *(roots, trigonometry, exponentials, inverses),
         ),
         step(

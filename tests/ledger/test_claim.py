@@ -29,7 +29,7 @@ from tresym.ledger.claim import (
     step,
     together,
 )
-from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.denial import Denied
 from tresym.ledger.finding import Premise
@@ -77,7 +77,8 @@ KINDS = [
     ("x is 1", Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (x > y, Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (equal(x, y), Boxes((), (), ""), "bound", Verdict.ENCLOSED),
-    (equal(x, y), Asymptotics(), "order", Verdict.ENCLOSED),
+    (equal(x, y), Asymptotics(), "order", Verdict.REFUTED),
+    (equal(x, y), Squeezed(x), "order", Verdict.PROVED),
     ("x is y", Counterexample({"x": fmpq(1)}), "statement", Verdict.REFUTED),
     ("x is y", Denied((A,), {"x": fmpq(1)}), "statement", Verdict.REFUTED),
     (equal(x, y), Definition("a law"), "definition", Premise.ASSUMED),

@@ -44,7 +44,12 @@ from tresym.ledger.definitions import (
     restrictions,
     table,
 )
-from tresym.ledger.evidence.asymptotics import Asymptotics, judge_asymptotics
+from tresym.ledger.evidence.asymptotics import (
+    Asymptotics,
+    Squeezed,
+    failing_order,
+    judge_squeezed,
+)
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated, unmet_condition
 from tresym.ledger.evidence.charted import Charted, judge_charted
@@ -95,7 +100,9 @@ from tresym.reals.verdict import Verdict
 
 Findings = Mapping[str, Finding]
 
-NEVER_ATTACKED = (*(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics),)
+NEVER_ATTACKED = (
+    *(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics, Squeezed),
+)
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
@@ -229,7 +236,10 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
         case Evaluated():
             return judge_evaluated(claim, claim.proof)
         case Asymptotics():
-            return judge_asymptotics(claim, claim.proof)
+            shown = failing_order(claim)
+            return shown or Finding(UNDECIDED, "no expansion shows that the order fails")
+        case Squeezed():
+            return _unless(partial(failing_order, claim), judge_squeezed, claim, claim.proof)
         case Boxes() | Denied():
             return claim.proof.judge()
         case _:

@@ -22,7 +22,7 @@ from tresym.ledger.claim import (
     Reason, Root, UniqueRoot, all_of, at, by, display, equal, equations, formally, label_claims,
     line, manifest, parts_of, step, together,
 )
-from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted, On, Reading, Shown
 from tresym.ledger.evidence.denial import Denied
@@ -44,9 +44,9 @@ __all__ = [
     "Counterexample", "Definition", "Denied", "Derivative", "Equivalent", "Evaluated", "ExactlyOne",
     "Expr", "Fault", "ForSome", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction",
     "Instance", "Integer", "Integral", "Le", "Lt", "Meant", "Monotone", "Ne", "On", "Place",
-    "Printed", "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Subs", "Symbol",
-    "TheRoot", "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra", "all_of",
-    "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
+    "Printed", "Rational", "Reading", "Reason", "Root", "Rounds", "Shown", "Squeezed", "Subs",
+    "Symbol", "TheRoot", "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra",
+    "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
     "exp", "exponentials", "eye", "fmpq", "formally", "integrating", "inverses", "label_claims",

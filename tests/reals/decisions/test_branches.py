@@ -4,7 +4,7 @@ import pytest
 
 import tresym
 from tresym.reals.decisions.branches import _holds, without_inverse
-from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.identity import decide, decide_continuous
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.normal.field import ALL_THEORIES
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.quick
 def _pairs(claim: str) -> list[tuple[Expr, Expr]]:
     body, _, given = claim.partition(" given ")
     ((left, _, right),) = parse_claim(body)
-    return list(without_inverse(left, right, Given.parse(given)))
+    return list(without_inverse(left, right, Given.parse(given), ALL_THEORIES))
 
 
 @pytest.mark.parametrize(
@@ -27,6 +27,8 @@ def _pairs(claim: str) -> list[tuple[Expr, Expr]]:
         ("pi/8 == atan(sqrt(2) - 1)", ("tan(pi/8)", "sqrt(2) - 1")),
         ("2*acos(x) == 1 given x > 0", ("cos(1/2)", "x")),
         ("acos(cos(x)) == 2*pi - x given pi <= x <= 2*pi", ("cos(2*pi - x)", "cos(x)")),
+        ("2*log(x) == y + 1", ("exp(y/2 + 1/2)", "x")),
+        ("y == asinh(x)", ("sinh(y)", "x")),
         ("y == 3*asin(x) given -1/2 <= x <= 1/2, 0 <= y <= 3*pi/2", ("sin(y/3)", "x")),
     ],
 )
@@ -83,6 +85,23 @@ def test_it_is_used_where_its_theories_are() -> None:
         assert found.verdict is Verdict.UNDECIDED
 
 
+def test_a_logarithm_is_taken_away_by_exponentials() -> None:
+    sides = parse("asinh(2)"), parse("log(2 + sqrt(5)) + log(x**2)/2 - log(x)")
+    plain = decide_continuous(*sides, Given.parse("x > 0"))
+    assert plain.verdict is Verdict.PROVED
+    assert len([*without_inverse(*sides, Given(), ALL_THEORIES)]) == 4
+    for left_out in ("exponentials", "inverses"):
+        assert not [*without_inverse(*sides, Given(), ALL_THEORIES - {left_out})]
+
+
+@pytest.mark.parametrize(
+    "claim", ["log(x) == asinh(x)", "log(-x)/2 == log(x**2)", "log(x) == 1 - x"]
+)
+def test_what_is_no_logarithm_of_it_is_not_proved(claim: str) -> None:
+    ((left, _, right),) = parse_claim(claim)
+    assert decide_continuous(left, right).verdict is not Verdict.PROVED
+
+
 @pytest.mark.parametrize(
     ("claim", "part"),
     [
@@ -128,4 +147,5 @@ def test_roots_and_cosines_of_one_field_do_not_stand_beside_each_other() -> None
 def test_a_range_that_an_inverse_never_reaches_is_not_read_off_its_argument() -> None:
     """asin x lies below 3π/2, though x is above sin(3π/2)."""
     given = Given.parse("0 <= x, x <= 1")
-    assert not list(without_inverse(parse("asin(-x)"), parse("2*pi - asin(x)"), given))
+    sides = parse("asin(-x)"), parse("2*pi - asin(x)")
+    assert not list(without_inverse(*sides, given, ALL_THEORIES))

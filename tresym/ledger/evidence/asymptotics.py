@@ -1,31 +1,37 @@
-"""Orders as something tends to a point, decided by expansions; refuted along one path of many.
+"""Orders as something tends to a point: shown by a bound, refuted by expansions along a path.
 
-An order in one variable is decided as a user's is. One in several variables is never shown along a
-path; where it fails along one, the path is evidence: every condition must hold on it, and what
-tends must tend there. A symbol that stands for the one root of a function has no expansion of its
-own; on the path it is above, or below, a candidate where the function has the sign of that end.
+An order in one variable is shown by an inequality on the whole side of the point, which the prover
+of signs proves; expansions show none here, and only refute. One in several variables is never
+shown along a path; where it fails along one, the path is evidence: every condition must hold on it,
+and what tends must tend there. A symbol that stands for the one root of a function has no expansion
+of its own; on the path it is above, or below, a candidate where the function has the sign of that
+end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import ClassVar, NamedTuple
 
-from sympy import Basic, Eq, Expr, Rational, Symbol, Tuple, oo
+from sympy import Abs, Basic, Eq, Expr, Rational, Symbol, Tuple, oo
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from tresym.ledger.claim import Claim, Root
+from tresym.ledger.evidence.integrals import NotShownError, need
+from tresym.ledger.evidence.manifest import is_manifest, undefined
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import conditions, defined, definitions, tree
 from tresym.ledger.statements import As, ExactlyOne
 from tresym.reals.decisions.growth import sign_towards
 from tresym.reals.decisions.orders import decide_order
 from tresym.reals.decisions.reading import Comparison, Path
-from tresym.reals.language.binders import worked_out
+from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
 from tresym.reals.language.expression import Expr as Tree
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.verdict import Verdict
@@ -37,7 +43,7 @@ SIDES = {1: (1,), -1: (-1,), 0: (1, -1)}
 
 @dataclass(frozen=True)
 class Asymptotics:
-    """An order, by expansions where it speaks of one variable; else refuted along a path.
+    """Expansions that refute an order, of one variable or along a path; they show none.
 
     Attributes:
         along: what each symbol is on the path, in the small parameter ``t`` from above.
@@ -49,7 +55,20 @@ class Asymptotics:
     beside: Relational | None = None
     claims: tuple[Claim, ...] = ()
     kind: ClassVar[str] = "order"
-    expect: ClassVar[Ruling] = Verdict.ENCLOSED
+    expect: ClassVar[Ruling] = Verdict.REFUTED
+
+
+@dataclass(frozen=True)
+class Squeezed:
+    """The difference is at most ``constant``·rᵏ times the gauge, k the ``power``, in size.
+
+    r is the distance from the point, or 1/|x|, and what is shown holds for all r > 0.
+    """
+
+    constant: Expr
+    power: Fraction | int = 1
+    kind: ClassVar[str] = "order"
+    expect: ClassVar[Ruling] = Verdict.PROVED
 
 
 class Ordered(NamedTuple):
@@ -64,8 +83,44 @@ class NotAlongError(ValueError):
     """What the path was to show is not shown on it."""
 
 
-def judge_asymptotics(claim: Claim, proof: Asymptotics) -> Finding:
-    """The verdict on an order by its evidence."""
+def failing_order(claim: Claim) -> Finding | None:
+    """REFUTED, where expansions show that the order fails; None otherwise."""
+    proof = claim.proof if isinstance(claim.proof, Asymptotics) else Asymptotics()
+    found = _expanded(claim, proof)
+    return found if found.verdict is Verdict.REFUTED else None
+
+
+def judge_squeezed(claim: Claim, proof: Squeezed) -> Finding:
+    """PROVED where the inequality is, on the whole side of the point.
+
+    Raises:
+        NotShownError: it is not, or the statement is no such order.
+    """
+    says = claim.statement
+    stated = ordered(says.args[0]) if isinstance(says, As) else None
+    if stated is None or not isinstance(says, As) or not isinstance(says.args[1], Symbol):
+        raise NotShownError("the statement is not an equation with one order in a variable")
+    _, x, point, side = says.args
+    infinite = point in (oo, -oo)
+    away = (x if point == oo else -x) if infinite else side * (x - point)
+    distance = 1 / away if infinite else away
+    need(x not in point.free_symbols, "it has no side of a point")
+    need(not claim.given, "the conditions decide nothing here")
+    small = isinstance(proof.power, int | Fraction) and not proof.constant.free_symbols
+    enough = proof.power > 0 if stated.kind == "o" else proof.power >= 0
+    need(small and enough, "the bound does not make it that small")
+    near = conditions((away > 0,))
+    size = proof.constant * distance**proof.power * Abs(stated.gauge)
+    bound = Relation(tree(Abs(stated.difference)), "<=", tree(size))
+    for e in (bound.left, bound.right):
+        gap = undefined(e, near)
+        need(gap is None and elementary(e), f"nothing shows that {gap or e} is a number")
+    need(is_manifest(bound, near), f"{bound} is not shown")
+    return Finding(Verdict.PROVED, f"{bound} for all {x} on that side", region=f"{away} > 0")
+
+
+def _expanded(claim: Claim, proof: Asymptotics) -> Finding:
+    """What expansions say of an order."""
     says = claim.statement
     stated = ordered(says.args[0]) if isinstance(says, As) else None
     if stated is None or not isinstance(says, As):

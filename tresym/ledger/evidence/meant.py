@@ -29,7 +29,7 @@ from tresym.ledger.claim import (
     Together,
     UniqueRoot,
 )
-from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted
 from tresym.ledger.evidence.denial import Denied
@@ -54,7 +54,8 @@ HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence that does not say yet how it decides the statement of its claim."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
-    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Evaluated, Monotone),
+    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Squeezed, Denied, Evaluated),
+    Monotone,
 )
 """All kinds of evidence there are; a subclass may judge itself, and is none of them."""
 

@@ -46,7 +46,7 @@ from tresym.ledger.claim import (
     saying,
     with_reasons,
 )
-from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
 from tresym.ledger.evidence.balls import Boxes
 from tresym.ledger.evidence.charted import Charted, Reading
 from tresym.ledger.evidence.denial import Denied, denied_somewhere
@@ -190,7 +190,7 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
         case Boxes():
             for name, variants, changed in bound_changes(claim):
                 yield _Spot(name, variants, _one(changed), bounds_fail)
-        case Asymptotics():
+        case Asymptotics() | Squeezed():
             for name, variants, changed in order_changes(claim):
                 fails = is_refuted if is_refuted(claim) else order_fails
                 yield _Spot(name, variants, _one(changed), fails)

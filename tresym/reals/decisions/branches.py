@@ -3,7 +3,7 @@
 The normal form writes asin and acos by arc tangents and roots, and loses the branch where the sign
 of a root is not known on all of a region, or where a is no rational function. Here the inverse
 function is taken away: what is left is an identity between a and the sine, cosine or tangent of b,
-and a range, which is shown by signs.
+and a range, which is shown by signs. A logarithm, and asinh, have every number for a value.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.signs.inside import PROVING, is_zero
 from tresym.reals.signs.sign import sign
 
-THEORIES = frozenset({"trigonometry", "inverses"})
-"""What such a proof uses."""
+_ONTO = {"log": "exp", "asinh": "sinh"}
+"""The function of which each is the inverse, at every number."""
 _RANGES = {
     "asin": ("sin", -PI / 2, PI / 2, ">="),
     "acos": ("cos", ZERO, PI, ">="),
@@ -28,16 +28,22 @@ _RANGES = {
 """The function of which each is the inverse, the ends of its values, and whether it takes them."""
 
 
-def without_inverse(left: Expr, right: Expr, given: Given) -> Iterator[tuple[Expr, Expr]]:
+def without_inverse(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str]
+) -> Iterator[tuple[Expr, Expr]]:
     """Pairs of expressions, each equal under ``given`` only where the two sides are equal too."""
     difference = collected(left - right)
     terms = difference.args if difference.op == "+" else (difference,)
     for term in terms:
         scale, inverse = scaled(term)
-        if inverse.op not in _RANGES:
+        theory = "exponentials" if inverse.op in _ONTO else "trigonometry"
+        if inverse.op not in (*_RANGES, *_ONTO) or not theories >= {theory, "inverses"}:
+            continue
+        value = collected((term - difference) * number(1 / scale))
+        if inverse.op in _ONTO:
+            yield apply(_ONTO[inverse.op], value), inverse.args[0]
             continue
         function, low, high, relation = _RANGES[inverse.op]
-        value = collected((term - difference) * number(1 / scale))
         ends = collected(value - low), collected(high - value)
         if all(_holds(end, relation, given) for end in ends):
             yield apply(function, value), inverse.args[0]

@@ -15,25 +15,28 @@ in balls, to be defined.
 3. Balls again, at many points and 700 bits.
 4. What the normal form leaves is tried by derivative: see locally_constant.py.
 5. Where sign and atan2 jump, which a proof at almost all points leaves out, the claim with the
-   value put in is decided by itself: see jumps.py. No claim of the ledger needs that, and its judge
-   does without. Where the conditions may have points that are no limits from inside, the proof must
-   do without those with equality: see regular.py.
+   value put in is decided by itself: see jumps.py. Where the conditions may have points
+   that are no limits from inside, the proof must do without those with equality: see regular.py.
 6. An inverse function is taken away where the other side is in its range: see branches.py.
 7. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
+
+No claim of the ledger needs 4, the algebraic constants of constants.py or the cases of 5, and its
+judge does without.
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.reals.decisions.branches import THEORIES, without_inverse
+from tresym.reals.decisions.branches import without_inverse
 from tresym.reals.language.expression import ZERO, Expr, apply, number, symbols
 from tresym.reals.normal.at_point import equal_at
 from tresym.reals.normal.constants import settled, vanishes
@@ -54,6 +57,8 @@ from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.verdict import Verdict
 
 Points = Callable[[Given], Iterable[Mapping[str, fmpq]]]
+Further = Callable[..., tuple[str | None, Fraction]]
+"""A proof, or None, of what the normal form leaves, and that with its constants settled."""
 
 FIRST_POINTS = 2
 SIGN_POINTS = 6
@@ -99,12 +104,12 @@ def decide(
         theories: what the proof may use beyond algebra; a function of another theory is a mere
             name whose equal arguments give equal values. Refutation is not limited by it.
     """
-    found = _almost_everywhere(left, right, given, theories)
+    found = _almost_everywhere(left, right, given, theories, _by_constants)
     if found.verdict is not Verdict.PROVED:
         return found
     unproved = _at_jumps((left, right), given, theories)
     stated = given if stated is None else stated
-    return unproved or _at_limits(left, right, given, theories, stated) or found
+    return unproved or _at_limits(left, right, given, theories, stated, _by_constants) or found
 
 
 def decide_continuous(
@@ -113,16 +118,18 @@ def decide_continuous(
     given: Given = Given(),  # noqa: B008 - frozen
     theories: frozenset[str] = ALL_THEORIES,
 ) -> Decision:
-    """As :func:`decide`, of sides in which nothing jumps; UNDECIDED where something may."""
-    found = _almost_everywhere(left, right, given, theories)
+    """As :func:`decide`, by the normal form alone; UNDECIDED where a side may jump."""
+    found = _almost_everywhere(left, right, given, theories, None)
     if found.verdict is not Verdict.PROVED:
         return found
     if left != right and jumps((left, right), given):
         return Decision(Verdict.UNDECIDED, JUMP)
-    return _at_limits(left, right, given, theories, given) or found
+    return _at_limits(left, right, given, theories, given, None) or found
 
 
-def _almost_everywhere(left: Expr, right: Expr, given: Given, theories: frozenset[str]) -> Decision:
+def _almost_everywhere(
+    left: Expr, right: Expr, given: Given, theories: frozenset[str], further: Further | None
+) -> Decision:
     """The answer but for points at which a side jumps, or that are no limits from inside."""
     names = sorted(symbols(left) | symbols(right))
     sides = (left, right)
@@ -152,7 +159,7 @@ def _almost_everywhere(left: Expr, right: Expr, given: Given, theories: frozense
                 defined.extend(point for point, _ in islice(inside, 1))
             yield from defined[n : n + 1]
 
-    proof, obstacle, in_doubt = _prove(sides, given, theories, points)
+    proof, obstacle, in_doubt = _prove(sides, given, theories, points, further)
     if proof is None:
         looks = [(bits, count, given) for bits, count in LATER_LOOKS]
         for e in () if in_doubt is None else (in_doubt, -in_doubt):
@@ -161,7 +168,7 @@ def _almost_everywhere(left: Expr, right: Expr, given: Given, theories: frozense
             for point, values in look(count, bits, where):
                 if not values[0].overlaps(values[1]):
                     return _refutation(point, values)
-        proof = _prove_by_branch(sides, given, theories, points)
+        proof = _prove_by_branch(sides, given, theories, points, further)
     if proof is None:
         return Decision(Verdict.UNDECIDED, obstacle)
     at = defined[0]
@@ -169,7 +176,12 @@ def _almost_everywhere(left: Expr, right: Expr, given: Given, theories: frozense
 
 
 def _at_limits(
-    left: Expr, right: Expr, given: Given, theories: frozenset[str], stated: Given
+    left: Expr,
+    right: Expr,
+    given: Given,
+    theories: frozenset[str],
+    stated: Given,
+    further: Further | None,
 ) -> Decision | None:
     """What is not shown at points of the conditions that are no limits of those inside them."""
     if left == right or is_regular(stated):
@@ -180,7 +192,7 @@ def _at_limits(
         found = sampled_values(left, right, where, names, SIGN_POINTS)
         yield from (point for point, _ in found)
 
-    if is_regular(fewer) and _prove((left, right), fewer, theories, points)[0] is not None:
+    if is_regular(fewer) and _prove((left, right), fewer, theories, points, further)[0]:
         return None
     return Decision(Verdict.UNDECIDED, ONLY_INSIDE)
 
@@ -287,6 +299,7 @@ def _prove(
     given: Given,
     theories: frozenset[str],
     points: Points,
+    further: Further | None,
     depth: int = 0,
 ) -> tuple[str | None, str, Expr | None]:
     """A sentence on the proof, or None, a sentence on what stopped it, and whose sign did so."""
@@ -300,28 +313,47 @@ def _prove(
     count = len(field.generators)
     if value.num.is_zero():
         return f"the difference has normal form 0 ({count} generators)", "", None
-    try:
-        value = settled(field, value, functions=bool(symbols(left) | symbols(right)))
-        if vanishes(field, value.num):
-            why = f"the difference has normal form 0 after its constants ({count} generators)"
-            return why, "", None
-        proof = equal_by_derivative(left, right, given, theories, field.size)
-    except (TooLargeError, UndefinedError):
-        proof = None
+    proof = None
+    if further is not None:
+        proof, value = further(field, value, sides, given, theories)
     in_doubt = _sign_in_doubt(field, value) if proof is None and depth < MAX_CASES else None
     if in_doubt is not None:
         cases = [given & Given(((e, ">", ZERO),)) for e in (in_doubt, -in_doubt)]
-        if all(_prove(sides, case, theories, points, depth + 1)[0] for case in cases):
+        if all(_prove(sides, case, theories, points, further, depth + 1)[0] for case in cases):
             return f"it is proved by cases, in the sign of {in_doubt}", "", None
     return proof, "" if proof else _obstacle(field, value), in_doubt
 
 
+def _by_constants(
+    field: Field,
+    value: Fraction,
+    sides: tuple[Expr, Expr],
+    given: Given,
+    theories: frozenset[str],
+) -> tuple[str | None, Fraction]:
+    """A proof by what is known of constants, or by derivatives, or None; and what is settled."""
+    with suppress(TooLargeError, UndefinedError):
+        value = settled(field, value, functions=any(map(symbols, sides)))
+        if vanishes(field, value.num):
+            count = len(field.generators)
+            return (
+                f"the difference has normal form 0 after its constants ({count} generators)",
+                value,
+            )
+        return equal_by_derivative(*sides, given, theories, field.size), value
+    return None, value
+
+
 def _prove_by_branch(
-    sides: tuple[Expr, Expr], given: Given, theories: frozenset[str], points: Points
+    sides: tuple[Expr, Expr],
+    given: Given,
+    theories: frozenset[str],
+    points: Points,
+    further: Further | None,
 ) -> str | None:
     """A sentence on the proof of the sides without an inverse function, or None."""
-    for pair in without_inverse(*sides, given) if theories >= THEORIES else ():
-        if _prove(pair, given, theories, points, MAX_CASES)[0]:
+    for pair in without_inverse(*sides, given, theories):
+        if _prove(pair, given, theories, points, further, MAX_CASES)[0]:
             return f"in the range of the inverse function it says that {pair[0]} = {pair[1]}"
     return None
 

@@ -39,7 +39,8 @@ _EVIDENCE = {
     "implicit function theorem",
     "Printed": "balls from the printed inputs, each known to half a unit of its last place",
     "Boxes": "balls on boxes that cover the region",
-    "Asymptotics": "an expansion with a certified remainder",
+    "Asymptotics": "an expansion that shows where the order fails",
+    "Squeezed": "an inequality on the whole side of the point",
     "Denied": "a claim that holds and contradicts it",
 }
 
