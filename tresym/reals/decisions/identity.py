@@ -163,7 +163,7 @@ def _almost_everywhere(
     if proof is None:
         looks = [(bits, count, given) for bits, count in LATER_LOOKS]
         for e in () if in_doubt is None else (in_doubt, -in_doubt):
-            looks.append((*LATER_LOOKS[0], given & Given(((e, ">", ZERO),))))
+            looks.append((*LATER_LOOKS[1], given & Given(((e, ">", ZERO),))))
         for bits, count, where in looks:
             for point, values in look(count, bits, where):
                 if not values[0].overlaps(values[1]):
@@ -310,9 +310,9 @@ def _prove(
         field, value = _difference(sides, given, theories, points)
     except (TooLargeError, UndefinedError) as error:
         return None, f"the exact normal form stopped: {error}", None
-    count = len(field.generators)
+    count = f"{len(field.generators)} generator" + "s" * (len(field.generators) != 1)
     if value.num.is_zero():
-        return f"the difference has normal form 0 ({count} generators)", "", None
+        return f"the difference has normal form 0 ({count})", "", None
     proof = None
     if further is not None:
         proof, value = further(field, value, sides, given, theories)
@@ -337,7 +337,7 @@ def _by_constants(
         if vanishes(field, value.num):
             count = len(field.generators)
             return (
-                f"the difference has normal form 0 after its constants ({count} generators)",
+                f"the difference has normal form 0 after its constants ({count})",
                 value,
             )
         return equal_by_derivative(*sides, given, theories, field.size), value
