@@ -26,7 +26,7 @@ from tresym.reals.corpus.rewriting import true_identity
 from tresym.reals.decisions.reading import read
 
 STORE = Path(__file__).with_name("coverage.json")
-SEED, EACH, SECONDS = 18, 60, 600.0
+SEED, EACH, SECONDS = 2027, 60, 60.0
 
 
 def inequalities(random: Random) -> list[str]:
@@ -87,7 +87,13 @@ def main() -> None:
                 count += 1
                 if said != "accepted":
                     failed[claim] = said
-        kept[kind] = {"accepted": count - len(failed), "of": count, "seed": SEED, "failed": failed}
+        kept[kind] = {
+            "accepted": count - len(failed),
+            "of": count,
+            "seed": SEED,
+            "seconds": SECONDS,
+            "failed": failed,
+        }
         print(f"{kind}: {count - len(failed)} of {count}", flush=True)
         write_text(STORE, json.dumps(kept, indent=1, sort_keys=True) + "\n")
 

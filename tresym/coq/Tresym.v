@@ -932,8 +932,8 @@ Proof.
   destruct (Rtotal_order u 0) as [P|[P|P]];
     [rewrite sign_neg, Rabs_left | subst; rewrite sign_zero | rewrite sign_pos, Rabs_pos_eq]; lra.
 Qed.
-Lemma sign_sqrt u : sign u * sqrt (u ^ 2) = u.
-Proof. rewrite <- Rsqr_pow2, sqrt_Rsqr_abs; apply sign_abs. Qed.
+Lemma sign_sqrt u v : u ^ 2 = v -> sign u * sqrt v = u.
+Proof. intros <-; rewrite <- Rsqr_pow2, sqrt_Rsqr_abs; apply sign_abs. Qed.
 Lemma sign_root n u : sign u * root n (Rabs u) = root n u.
 Proof.
   destruct (Req_dec u 0) as [->|N]; [rewrite sign_zero, root_zero; ring |].

@@ -100,16 +100,16 @@ class _Steps(Bases):
         """What is lost once parts have names: products of signs, and where arcs are defined."""
         found = sorted(nodes(self.sides), key=lambda e: e.size)
         for e in found:
+            if e.op in ("asin", "acos") and e.args[0].op not in LEAVES:
+                self.fact(f"-1 <= {term(e.args[0])}", "lra")
+                self.fact(f"{term(e.args[0])} <= 1", "lra")
+        for e in found:
             if e.op == "sign":
                 self.paired(e.args[0])
             if e.op == "atan":
                 sine, cosine = (Expr(f, (e,)) for f in ("sin", "cos"))
                 law = f"(sin_over_cos {term(e.args[0], 3)})"
                 self.multiplied(sine, Expr("^", (cosine, MINUS_ONE)), e.args[0], law)
-        for e in found:
-            if e.op in ("asin", "acos") and self.has(e) and e.args[0].op not in LEAVES:
-                self.fact(f"-1 <= {term(e.args[0])}", "lra")
-                self.fact(f"{term(e.args[0])} <= 1", "lra")
 
     def next(self) -> Expr | None:
         """The smallest part that is to be written by names."""
@@ -232,10 +232,12 @@ class _Steps(Bases):
         """A product of the sign and the absolute value of ``u``, or of a root, without them."""
         sign, absolute = Expr("sign", (u,)), Expr("abs", (u,))
         root = Expr("^", (absolute, number(Fraction(1, 3))))
-        square = Expr("^", (Expr("^", (u, number(2))), HALF))
+        base, n = u.args if u.op == "^" else (u, ONE)
+        square = Expr("^", (base, n * 2))
+        of_square = f"{term(u, 3)} {term(square, 3)} ltac:(ring)"
         return (
             self.multiplied(sign, absolute, u, f"(sign_abs {term(u, 3)})")
-            or self.multiplied(sign, square, u, f"(sign_sqrt {term(u, 3)})")
+            or self.multiplied(sign, Expr("^", (square, HALF)), u, f"(sign_sqrt {of_square})")
             or self.multiplied(sign, root, Expr("cbrt", (u,)), f"(sign_root 3 {term(u, 3)})")
         )
 
