@@ -281,3 +281,26 @@ def test_integers_from_a_number_on(tmp_path: Path) -> None:
     assert (row.status, "n integer, n >= 4" in row.link.read_as) == ("PROVED", True)
     (row,) = read(tmp_path, r"\[ n^2 > 3n \qquad \text{for integers } n \ge 3 \]")
     assert row.status == "REFUTED"
+
+
+DEFINED_BEFORE = r"Let $z < 0$. Put \[ R(z) = \frac{1}{1-z}, \quad Q(z) = \frac{2+z}{2-z}. \]"
+
+
+@pytest.mark.parametrize(
+    ("text", "statuses"),
+    [
+        (r"Then \[ 0 < R(z) < 1, \qquad |Q(z)| < 1. \]", "PROVED PROVED PROVED"),
+        (r"It follows that \[ R(z) < 0. \]", "UNDECIDED"),
+        (r"We have \[ |Q(z)| < 1/2 \] and so \[ Q(z) < 1/2. \]", "UNDECIDED UNDECIDED"),
+        (r"Here \[ R(z) < 0 \]", "ASSUMED"),
+        (r"Here \[ R(z) < 2 \]", "PROVED"),
+    ],
+)
+def test_a_bound_of_what_is_defined_is_asked(text: str, statuses: str, tmp_path: Path) -> None:
+    rows = read(tmp_path, f"{DEFINED_BEFORE} {text}")
+    assert " ".join(row.status for row in rows[2:]) == statuses
+
+
+def test_the_definition_of_a_function_is_no_condition(tmp_path: Path) -> None:
+    (row,) = read(tmp_path, r"We have, with $\chi(x) = x^3$, \[ \chi(2x) = 8\chi(x). \]")
+    assert (row.status, row.link.read_as) == ("PROVED", "(2*x)**3 == 8*x**3")

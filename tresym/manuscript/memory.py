@@ -80,6 +80,8 @@ class Under:
     noted: bool = False
     sources: tuple[tuple[str, Expr], ...] = ()
     universal: bool = False
+    told: bool = False
+    """Whether the sentence says that it holds: "Then", "we have"."""
 
 
 class Memory:
@@ -240,7 +242,7 @@ class Memory:
                 for said in quietly(found.tex):
                     if found.whole and (name := self.lone(said)):
                         given += whole(symbol(name), found.whole)
-                    more = self.condition(said)
+                    more = None if self.is_defined_function(said) else self.condition(said)
                     if more and not more[1]:
                         given += more[0]
                         path = more[2] or path
@@ -248,6 +250,11 @@ class Memory:
         kind = prose.kind_of(before)
         kind = "" if kind == prose.CLAIM and prose.is_narrowed(before) else kind
         return Under(tuple(given), tuple(put_in), path, kind, universal=universal)
+
+    def is_defined_function(self, said: Said) -> bool:
+        """Whether it is the definition of a function, f(x) = …, which is no condition."""
+        head = self.head(said.terms[0]) if said.ops in (("=",), (":=",)) else None
+        return head is not None and bool(head.parameters) and head.name in self.functions
 
     def following(self, around: Under, orders: Orders) -> Under:
         """With the displays from which this one follows: equations, and what symbols stand for."""

@@ -21,7 +21,8 @@ _KINDS = (
 _KIND = tuple((kind, re.compile(rf"\b(?:{words})\b")) for kind, words in _KINDS)
 _BY = re.compile(r"\b(?:us(?:e|ing)|by|from|with|via|apply(?:ing)?)\b[^,.;:]*?\bidentit\w+")
 _TOLD = re.compile(
-    r"\b(?:then|since|because|hence|so|thus|therefore|find|have|obtain|get)\W*(?:that\W*)?\Z",
+    r"\b(?:then|since|because|hence|so|thus|therefore|consequently|find|have|obtain|get|see|follows?"
+    r"|shows?|gives?|yields?|implies|proves?)\W*(?:that\W*)?\Z",
     re.IGNORECASE,
 )
 _INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
@@ -164,6 +165,11 @@ def is_universal(before: str, after: str) -> bool:
     return (not rest or bool(_CONDITION.match(rest))) and bool(
         _SAID_OF.fullmatch(words) and re.search(r"\b(?:for|if|when|whenever)\b", words)
     )
+
+
+def is_told(before: str) -> bool:
+    """Whether the sentence before a display says that it holds: "Let $z < 0$. Then"."""
+    return bool(_TOLD.search(last_sentence(before)))
 
 
 def is_narrowed(before: str) -> bool:

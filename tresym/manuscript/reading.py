@@ -29,6 +29,7 @@ from tresym.manuscript.notes import Orders, orders_of
 from tresym.manuscript.rows import STRANGE, WORDS, Said, between, statements
 from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Section
 from tresym.manuscript.terms import (
+    SIGNS,
     Head,
     base_of,
     is_plain,
@@ -116,7 +117,7 @@ class _Reading:
         around = replace(
             around, kind=kind, noted=bool(orders.kind), path=orders.path or around.path
         )
-        around = self.memory.following(around, orders)
+        around = self.memory.following(replace(around, told=prose.is_told(before)), orders)
         blank = Link(display, 1, shown=" ".join(display.text.split()))
         if orders.skip is not None:
             yield replace(blank, status=UNREAD, why=f"skipped by a note: {orders.skip}")
@@ -323,12 +324,23 @@ class _Reading:
         bound = relation in NEGATED and relation != "==" and not said.before
         assumed = n == 0 and under.kind == prose.ASSUME
         if bound and (assumed or all(map(is_plain, said.terms))):
-            return self.assumption(link, compared, "a condition")
+            defined = not assumed and self.is_of_defined(said)
+            asked = claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+            if defined and under.told:
+                return asked
+            condition = self.assumption(link, compared, "a condition")
+            asked = replace(asked, firm=False, otherwise=(ASSUMED, "a condition"))
+            return asked if defined else condition
         if assumed:
             return self.assumption(link, compared, "an assumption")
         if problem:
             return replace(read_so(link, compared), status=UNREAD, why=problem)
         return claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
+
+    def is_of_defined(self, said: Said) -> bool:
+        """Whether a chain bounds what has a definition, so that it holds or fails."""
+        heads = (self.memory.head([t for t in term if t not in SIGNS]) for term in said.terms)
+        return any(head and head.name in self.memory.functions for head in heads)
 
     def interval_or_limit(self, link: Link, said: Said, under: Under) -> Link:
         found = self.memory.condition(said)

@@ -64,9 +64,12 @@ def base_of(name: str) -> str:
     return (found[1] or found[2]) if found else name
 
 
+SIGNS = ("+", "-", "|", "\\left|", "\\right|")
+
+
 def is_plain(term: Sequence[str]) -> bool:
     """A symbol or a number, perhaps with a sign, or infinity."""
-    bare = [t for t in term if t not in ("+", "-", "|", "\\left|", "\\right|")]
+    bare = [t for t in term if t not in SIGNS]
     if not bare:
         return False
     if len(bare) == 1:

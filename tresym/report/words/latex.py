@@ -50,6 +50,9 @@ _RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+[0-3]?)")
 _LETTERS = {"eigenvalue": r"\lambda", "hot": r"\mathrm{hot}"}
 """Symbols that single proofs introduce, whose names are words."""
 
+MOST_FRACTIONS = 2
+"""In an exponent that is raised; one with more stands on the line."""
+
 _TALL = (r"\frac", r"\begin", r"\int", r"\sum")
 
 
@@ -143,7 +146,15 @@ class PaperPrinter(LatexPrinter):
         return f"O{bracketed(self._print(e.args[0]))}"
 
     def _print_ExpBase(self, e: exp, exp: str | None = None) -> str:
+        shown = self._print(e.args[0])
+        if shown.count(r"\frac") > MOST_FRACTIONS:
+            return rf"\exp\left({shown}\right)"
         return f"e^{_script(self._slanted(e.args[0]))}"
+
+    def _print_matrix_contents(self, e: Basic) -> str:
+        """The rows of a matrix; fractions get a stroke, or else those of two rows would touch."""
+        rows = (" & ".join(map(self._slanted, row)) for row in e.tolist())
+        return r"\begin{pmatrix}" + r"\\".join(rows) + r"\end{pmatrix}"
 
     def _slanted(self, e: Expr) -> str:
         """An exponent, its fraction written with a stroke: e^{-b/2}."""

@@ -32,7 +32,7 @@ def readable(text: str) -> str:
     text = re.sub(r"\bsqrt\(", "√(", text)
     text = re.sub(r" \* |(?<=[\w)}])\*(?=[\w(√-])", " · ", text)
     named = rf"(?!(?:{_NAMES})\b)"
-    text = re.sub(rf"(?<=[\d)]) · (?={named}[A-Za-z(√])", "", text)
+    text = re.sub(rf"(?:(?<=[\d)])|(?<=\bpi)) · (?={named}[A-Za-z(√])", "", text)
     text = re.sub(r"(?<=\b[a-z]) · (?=[a-z]\b|\()", "", text)
     text = re.sub(r"\^(?:\{1\}|1\b(?!/))", "", text)
     text = re.sub(r"(?<=\d)\.0{4,}(?!\d)", "", text)
