@@ -61,7 +61,7 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound, needs, singularities
 from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.defined import continuous_on, undefined
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
 MINUS_INFINITY = -INFINITY
@@ -406,7 +406,7 @@ def _difference(
 ) -> Expr | None:
     """F(high−) − F(low+), if F is shown to be an antiderivative of f between them."""
     inside = given & _inside(name, low, high)
-    if any(continuous_on(e, inside, dear=True) is not None for e in (f, function)):
+    if any(continuous_on(e, inside, proof) is not None for e in (f, function)):
         return None
     if decide(differentiate(function, name), f, inside).verdict is not Verdict.PROVED:
         return None
