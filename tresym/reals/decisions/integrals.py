@@ -279,7 +279,7 @@ def _roots_of_squares(f: Expr, inside: Given) -> Iterator[tuple[Expr, Expr]]:
         ]
         if u.op == "^" and u.args[1].op == "number":
             bases.append((ONE, u.args[0] ** (u.args[1].args[0] / 2)))
-        if not bases or continuous_on(u, inside, dear=True) is not None:
+        if not bases or continuous_on(u, inside) is not None:
             continue
         for scale, base in bases:
             if decide(u, (scale * base) ** 2, inside).verdict is Verdict.PROVED:

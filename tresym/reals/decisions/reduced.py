@@ -325,7 +325,7 @@ def _by_sizes(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
         answers = []
         for n, name in enumerate(names):
             sides = [
-                (part.get(name, ONE) * ONE) ** 2
+                (part.get(name, ONE) * (ONE if n else part.get("", ONE))) ** 2
                 for part in pairs
                 if part is not None
             ]
