@@ -146,6 +146,10 @@ OF_ONE_PART = [
 BESIDE = [  # each passes where one guard or one end is left out
     "x**2 + y >= 0",
     "x + y + 1 + 0*sqrt(x) >= 0",
+    "x*y >= sin(x)*sin(y)",  # the sizes alone
+    "2*x*y >= 3*sin(x)*sin(y) given x >= 0, y >= 0",
+    "3*x*y >= 4*sin(x)*sin(y) given x >= 0, y >= 0",
+    "x*y > sin(x)*sin(y) given x >= 0, y >= 0",
     "exp(x*y) > 1 given x >= 0, y > 0",
     "x + y > 0 given x >= 0, y >= 0",
     "x - y > 0 given x >= 0, y <= 0",
