@@ -315,7 +315,7 @@ def _multiplied(left: Expr, relation: str, right: Expr, given: Given, ask: Decid
 
 def _by_sizes(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
     difference = collected(left - right)
-    if difference.op != "+" or len(difference.args) != 2 or relation != ">=":
+    if difference.op != "+" or len(difference.args) != 2:
         return None
     for above, below in (difference.args, difference.args[::-1]):
         pairs = [_by_variable(*_factors(above, 1)), _by_variable(*_factors(below, 1))]
