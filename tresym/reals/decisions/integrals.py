@@ -441,7 +441,7 @@ def _without_corners(e: Expr, given: Given) -> Expr:
     args = tuple(_without_corners(arg, given) for arg in e.args)
     if e.op in ("abs", "sign"):
         found = sign(args[0], given)
-        if found in ("+", "-") or (found and e.op == "abs"):
+        if found in ("+", "-") or (e.op == "abs" and found in ("0", ">=0", "<=0")):
             up = 1 if found in ("+", "0", ">=0") else -1
             return up * args[0] if e.op == "abs" else number(up)
     return rebuild(e, args)
