@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from time import process_time
+from time import perf_counter
 from typing import Any
 
 from sympy import Basic, Derivative, Eq, Integral, Subs
@@ -138,10 +138,10 @@ def judge_evidence(claim: Claim) -> Finding | None:
 
 
 def _guarded(claim: Claim, found: Findings) -> Finding:
-    start = process_time()
+    start = perf_counter()
     try:
         finding = _judge(claim, found)
-        return _attacked(claim, finding, process_time() - start)
+        return _attacked(claim, finding, perf_counter() - start)
     except (CircularError, InputError) as error:
         return Finding(UNDECIDED, str(error))
     except CertificateError as error:

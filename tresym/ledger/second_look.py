@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice, pairwise
-from time import process_time
+from time import perf_counter
 from typing import Any
 
 from flint import arb, fmpq
@@ -164,7 +164,7 @@ def contradiction(
     relations = tuple(_relations(says, known))
     for relation, there in relations:
         world = _world(given, there)
-        start, shown = process_time(), 0
+        start, shown = perf_counter(), 0
         dear = bool(world.implicit) or relation.has(Integral)
         with ball_precision(BITS):
             for tried, place in enumerate(_places(world, world.names(*relation.args)), 1):
@@ -175,7 +175,7 @@ def contradiction(
                         seen = " and ".join(map(advocate.said, sides))
                         return f"{_violated_at(place).why}: the sides are {seen}"
                 enough = shown >= ENOUGH[dear] or tried >= TRIED[dear]
-                if enough and process_time() - start > SHARE * spent / len(relations):
+                if enough and perf_counter() - start > SHARE * spent / len(relations):
                     break
     return None
 

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache, partial
 from itertools import pairwise
 from math import comb
-from time import process_time
+from time import perf_counter
 from typing import Any
 
 from flint import arb, fmpq
@@ -87,10 +87,10 @@ def contradiction(
     names = sorted(spoken_of.union(d[1] for d in derivatives) - {INFINITE})
     fixed = [name in integers for name in names]
     patience = 1 if relation == "==" else SLOWER
-    start, shown, against = process_time(), 0, ""
+    start, shown, against = perf_counter(), 0, ""
 
     def has_time(part: int) -> bool:
-        return process_time() - start < SHARE * spent / part
+        return perf_counter() - start < SHARE * spent / part
 
     def look(point: Tried | None) -> list[arb] | None:
         nonlocal shown, against

@@ -18,7 +18,6 @@ from tresym.ledger.audit.coverage import (
     Text,
     Transcription,
     audit,
-    entry_of,
     load_index,
 )
 from tresym.ledger.audit.source import read_source, scan
@@ -88,7 +87,7 @@ def claims() -> tuple[Claim, ...]:
 def index_of(path: Path = PENDULUM) -> tuple[Entry, ...]:
     source = scan(read_source(path))
     pieces = (*source.displays, *source.others)
-    entries = [Entry(**entry_of(piece)) for piece in pieces]
+    entries = [Entry(p.kind, p.label, p.line, p.end, p.sha256, p.number or None) for p in pieces]
     reading = Reading(sentence="≃ is no relation", again=("T ~ 2*pi/w",))
     entries[6] = replace(entries[6], reading=reading)
     return tuple(entries)

@@ -62,7 +62,7 @@ SHOWN = [
     (order(equal(sqrt(x), o(Integer(1))), x), Squeezed(Integer(1), Fraction(1, 2))),
     (order(equal(x / (x + 2), 1 + o(Integer(1))), x, oo), Squeezed(Integer(2))),
     (order(equal(x / (x - 2), 1 + O(1 / x)), x, -oo), Squeezed(Integer(2), 0)),
-    (order(equal(y * x**2, o(x * y)), x), Squeezed(Integer(1))),
+    (order(equal(y**2 * x**2, o(-x * y**2)), x), Squeezed(Integer(1))),
 ]
 
 

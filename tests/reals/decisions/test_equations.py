@@ -27,11 +27,18 @@ HOLD = [
     "x*y == 1 given 1/x == y",
     "integral(x, x, 0, a) == 1/2 given a == 1",
     "x**2 == 1/4 given x >= 1/2, x <= 1/2",
+    "cos(x) == sqrt(3)/2 given sin(x) == 1/2, 0 < x, x < pi/2",
+    "x == 2*pi/3 given 2*cos(x) == -1, 0 <= x, x <= pi",
+    "x == pi/4 given tan(x) == 1, 0 <= x, x <= pi/2",
 ]
 NEAR_ONE = f"({10**40 - 1}/{10**40})"
 FAIL = [
     # 0 to the power 0, where no point was found before the signs of parts were asked
     f"y**2*x**0 + {NEAR_ONE}*x*y**0 != y**2*x**0 + {NEAR_ONE}*x*y**0 + 3 - y given x*y == 0",
+    "cos(x) == sqrt(3)/2 given sin(x) == 1/2, 0 < x, x < pi",  # not the one angle
+    "tan(x) == 1 given sin(x) == 1/2",
+    "exp(x)*cos(x) <= 1 given cos(x) == 1",  # a turn further
+    "x == pi/4 given tan(x) == 1",
     "a*b <= 1/5 given a + b == 1",
     "a**2 + b**2 + c**2 > 1/3 given a + b + c == 1",  # equal at one point
     "x + y <= 1 given x**2 + y**2 == 1",
@@ -45,6 +52,8 @@ FAIL = [
     "integral(x, x, 0, a) == 1 given a == 1",
 ]
 OPEN = [
+    "x < 10 given sin(x) == 1/2",  # false, but at none of the angles that are tried
+    "x == 0 given sin(x) == 0, x integer",  # pi is no integer
     "x > 5 given x == 1, x == 2",
     "x > 5 given x >= 1, x < 1",
     "x == 1 given x >= 1, x <= 1, x != 1",

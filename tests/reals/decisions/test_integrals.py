@@ -28,12 +28,20 @@ PROVED = [
     "integral(abs(x), x, -1, 1) == 1",
     "integral(abs(sin(x)), x, 0, 2*pi) == 4",
     "integral(1/sqrt(abs(x)), x, -1, 1) == 4",
+    "integral(abs(cos(x)), x, 0, 2*pi) == 4",
+    "integral(sign(cos(x)), x, 0, pi) == 0",
+    "integral(sqrt(1 - sin(x)**2), x, 0, pi) == 2",
+    "integral(sqrt(1 - cos(x)), x, 0, 2*pi) == 4*sqrt(2)",
+    "integral(sqrt(1 + sin(x)), x, 0, 2*pi) == 4*sqrt(2)",
+    "integral(sqrt((x - 1)**2), x, 0, 2) == 1",
     "integral(1/x, x, 1, oo) == oo",
     "integral(sin(n*x), x, 0, pi) == (1 - cos(n*pi))/n given n > 0",
     "1 + integral(2*x, x, 0, a) >= 1",
     "integral(exp(a*x), x, 0, 1) == (exp(a) - 1)/a",  # a is not 0 where there is a right side
 ]
 REFUTED = [
+    "integral(sqrt(1 - sin(x)**2), x, 0, pi) == 0",  # sin(pi) - sin(0), without the turn at pi/2
+    "integral(sqrt((x - 1)**2), x, 0, 2) == 0",
     "integral(x, x, 0, 1) == 1/3",
     "integral(exp(-a*x), x, 0, oo) == 2/a given a > 0",
     "integral(1/x, x, 0, 1) == 5",  # it diverges

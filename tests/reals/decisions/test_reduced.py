@@ -27,6 +27,8 @@ HOLD = [
     ("(exp(x) - 1)*(exp(y) - 1) > x*y given x > 0, y > 0", "each factor by itself"),
     ("tan(x)/tan(y) < x/y given 0 < x, x < y, y < pi/2", "it compares"),
     ("log(1 + x)/log(1 + y) > x/y given 0 < x, x < y", "it compares"),
+    ("sin(x)*sin(y) <= x*y given x >= 0, y >= 0", "each factor by its size"),
+    ("2*tanh(x)*atan(y) >= -2*x*y given x >= 0, y >= 0", "each factor by its size"),
 ]
 FAIL = [
     "(x - y)/(log(x) - log(y)) <= (x + y)/2.0001 given 0 < x, x < y",
@@ -37,6 +39,8 @@ FAIL = [
     "x**2 <= y**2 given x < y, -2*x <= 3, 2*y < 7",
     "log(x)/x >= log(y)/y given 2.7 <= x, x < y",
     "exp(x) + exp(y) >= 2.0001 + x + y",
+    "1.0001*sin(x)*sin(y) <= x*y given x >= 0, y >= 0",
+    "sin(x)*sin(y) <= x*y given x >= -1/10**3, y >= 0",  # of one sign only where both are
     "exp(x) - log(y) > x + 2 - y given y > 0",
     "sin(x)/sin(y) <= 1.57*x/y given 0 < x, x < y, y < pi/2",
     "sin(x)/sin(y) <= pi/2*x/y given 0 < x, x < y, y < 8/5",
@@ -142,6 +146,10 @@ OF_ONE_PART = [
 BESIDE = [  # each passes where one guard or one end is left out
     "x**2 + y >= 0",
     "x + y + 1 + 0*sqrt(x) >= 0",
+    "x*y >= sin(x)*sin(y)",  # the sizes alone
+    "2*x*y >= 3*sin(x)*sin(y) given x >= 0, y >= 0",
+    "3*x*y >= 4*sin(x)*sin(y) given x >= 0, y >= 0",
+    "x*y > sin(x)*sin(y) given x >= 0, y >= 0",
     "exp(x*y) > 1 given x >= 0, y > 0",
     "x + y > 0 given x >= 0, y >= 0",
     "x - y > 0 given x >= 0, y <= 0",

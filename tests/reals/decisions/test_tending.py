@@ -28,6 +28,7 @@ HOLD = [
     "a*x == O(x) given a > 0 as x -> 0",
     "x**a == o(1) given a > 0 as x -> 0+",
     "log(x) -> -oo as x -> 0+",
+    "x**a*log(x) -> 0 given a > 0 as x -> 0+",  # the end is not allowed
 ]
 FAIL = [
     "limit(sin(x)/x, x, 0) == 2",
@@ -51,8 +52,12 @@ FAIL = [
     "x**2 == Theta(x) as x -> oo",
     "x == omega(x) as x -> oo",
     "a*x == o(x) given a > 0 as x -> 0",
+    "x**a*log(x) -> 0 given a >= 0 as x -> 0+",  # at the end alone
+    "log(x)**a == o(x**b) given b >= 0 as x -> oo",
+    "x**a/x -> oo given 0 <= a <= 1 as x -> 0+",
 ]
 OPEN = [
+    "a**2*x + sqrt(a**2*(a - 2)) -> oo given a >= 0 as x -> oo",  # a = 0 is alone
     "sqrt(x) -> 0 as x -> 0",  # from below it is not real
     "log(-1 - x**2) -> 0 as x -> 0",
     "a*x -> 0 given a > 1, a < 0 as x -> 0",  # no such parameter

@@ -24,6 +24,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.latex import read_expression, read_latex
 from tresym.reals.language.latex_cursor import Author
 from tresym.reals.language.parsing import as_written
+from tresym.reals.language.typeset import typeset
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -688,11 +689,21 @@ EXPRESSION_TREES = st.recursive(PLAIN | NUMBERS, _larger, max_leaves=12)
 
 
 @given(EXPRESSION_TREES)
+def test_what_is_typeset_is_read_back(tree: Expr) -> None:
+    ((_, _, read),) = read_latex(typeset([(PI, "==", tree)]))[0].links
+    _same_values(tree, read)
+
+
+@given(EXPRESSION_TREES)
 def test_what_sympy_writes_is_read_back(tree: Expr) -> None:
     written = to_sympy(tree)
     if written.is_real is False or written.has(zoo, nan, I):
         return
     read = read_expression(latex(written, ln_notation=True))
+    _same_values(tree, read)
+
+
+def _same_values(tree: Expr, read: Expr) -> None:
     for point in Given().points(symbols(tree) | symbols(read), 6):
         with ball_precision(256):
             at = {name: arb(value) for name, value in point.items()}

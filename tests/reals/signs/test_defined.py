@@ -7,6 +7,7 @@ import pytest
 from tresym.reals.language.parsing import parse
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.defined import continuous_on, undefined
+from tresym.reals.signs.sign import proof
 
 # an expression, conditions that show it defined, and weaker ones that do not
 TABLE = [
@@ -51,15 +52,15 @@ def test_what_is_defined(text: str, enough: str | None, _: object) -> None:
 
 @pytest.mark.parametrize(("text", "_", "weaker"), TABLE)
 def test_what_is_not_shown(text: str, _: object, weaker: str | None) -> None:
-    for dear in (False, True):
-        assert weaker is None or undefined(parse(text), Given.parse(weaker), dear) is not None
+    for prover in (None, proof):
+        assert weaker is None or undefined(parse(text), Given.parse(weaker), prover) is not None
 
 
 def test_every_method_may_be_asked() -> None:
     """That exp(x) is above 1 + x is a matter for Taylor's theorem."""
     e, given = parse("log(exp(x) - 1 - x)"), Given.parse("0 < x < 1")
     assert undefined(e, given) is not None
-    assert undefined(e, given, dear=True) is None
+    assert undefined(e, given, proof) is None
 
 
 @pytest.mark.parametrize(

@@ -148,19 +148,6 @@ def load_index(path: Path) -> tuple[Entry, ...]:
     return tuple(entries)
 
 
-def entry_of(piece: Piece) -> dict[str, Any]:
-    """What the index records of a piece of the paper."""
-    numbered = {"number": piece.number} if piece.number else {}
-    return {
-        **numbered,
-        "label": piece.label,
-        "kind": piece.kind,
-        "line": piece.line,
-        "end": piece.end,
-        "sha256": piece.sha256,
-    }
-
-
 def audit(
     paper: Path,
     claims: Iterable[Claim],

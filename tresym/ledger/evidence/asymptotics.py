@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import ClassVar, NamedTuple
 
-from sympy import Abs, Basic, Eq, Expr, Rational, Symbol, Tuple, oo
+from sympy import Basic, Eq, Expr, Rational, Symbol, Tuple, oo
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
@@ -110,13 +110,15 @@ def judge_squeezed(claim: Claim, proof: Squeezed) -> Finding:
     enough = proof.power > 0 if stated.kind == "o" else proof.power >= 0
     need(small and enough, "the bound does not make it that small")
     near = conditions((away > 0,))
-    size = proof.constant * distance**proof.power * Abs(stated.gauge)
-    bound = Relation(tree(Abs(stated.difference)), "<=", tree(size))
-    for e in (bound.left, bound.right):
-        gap = undefined(e, near)
-        need(gap is None and elementary(e), f"nothing shows that {gap or e} is a number")
-    need(is_manifest(bound, near), f"{bound} is not shown")
-    return Finding(Verdict.PROVED, f"{bound} for all {x} on that side", region=f"{away} > 0")
+    rises = is_manifest(Relation(tree(stated.gauge), ">=", ZERO), near)
+    size = proof.constant * distance**proof.power * (stated.gauge if rises else -stated.gauge)
+    most = tree(size)
+    for e in (tree(stated.difference), tree(-stated.difference)):
+        gap = undefined(e, near) or undefined(most, near)
+        need(gap is None and elementary(e, most), f"nothing shows that {gap or e} is a number")
+        need(is_manifest(Relation(e, "<=", most), near), f"{e} <= {most} is not shown")
+    why = f"±({stated.difference}) <= {size} for all {x} on that side"
+    return Finding(Verdict.PROVED, why, region=f"{away} > 0")
 
 
 def _expanded(claim: Claim, proof: Asymptotics) -> Finding:

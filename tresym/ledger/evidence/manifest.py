@@ -11,15 +11,15 @@ from tresym.reals.language.expression import Expr
 from tresym.reals.language.formula import Relation
 from tresym.reals.signs import defined
 from tresym.reals.signs.inside import PROVING
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.sign import proof_for_ledger, sign_by
 
 NON_NEGATIVE = PROVING[">="]
 
 
 def manifest_sign(e: Expr, given: Conditions, wanted: str | None = None) -> str | None:
-    """The proven sign of ``e`` under the conditions, or None; as :func:`sign`."""
+    """The proven sign of ``e`` under the conditions, or None; as :func:`sign_by`."""
     (e,) = generalised(e)
-    return sign(e, known(given), wanted)
+    return sign_by(e, known(given), wanted, proof_for_ledger)
 
 
 def is_stated(e: Expr, given: Conditions) -> bool:

@@ -9,7 +9,7 @@ from typing import Any
 from flint import arb, fmpq
 
 from tresym.reals.decisions.identity import shown
-from tresym.reals.decisions.reading import Comparison, Statement
+from tresym.reals.decisions.reading import Comparison, Statement, in_latex
 from tresym.reals.language.expression import Expr
 from tresym.reals.normal.written import normal_form
 from tresym.reals.notebook import html_table, in_one_line
@@ -124,7 +124,7 @@ class Answer:
 
     def _repr_latex_(self) -> str:
         """The verdict, with the claim as it was read."""
-        return f"$\\textbf{{{self.verdict.value}}}:\\ \\texttt{{{_in_latex(self.read_as)}}}$"
+        return rf"$\textbf{{{self.verdict.value}}}:\ {in_latex(self.read_as)}$"
 
 
 Decide = Callable[[Comparison, Statement], Answer]
@@ -134,12 +134,6 @@ Decide = Callable[[Comparison, Statement], Answer]
 def worst(answers: Iterable[Answer]) -> Answer:
     """What several claims come to together."""
     return min(answers, key=lambda found: _WORST.index(found.verdict))
-
-
-def _in_latex(text: str) -> str:
-    """Text with what LaTeX would take for its own marked."""
-    marked = {"\\": "\\backslash ", "^": "\\hat{}", "~": "\\sim "}
-    return "".join(marked.get(c, f"\\{c}" if c in "#$%&_{}" else c) for c in text)
 
 
 def _unspaced(text: str) -> str:

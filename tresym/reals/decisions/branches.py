@@ -16,7 +16,7 @@ from tresym.reals.language.cancellation import collected, scaled
 from tresym.reals.language.expression import PI, ZERO, Expr, apply, number, symbols
 from tresym.reals.places.conditions import Given
 from tresym.reals.signs.inside import PROVING, is_zero
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.sign import sign_by
 
 _ONTO = {"log": "exp", "asinh": "sinh"}
 """The function of which each is the inverse, at every number."""
@@ -51,7 +51,7 @@ def without_inverse(
 
 def _holds(e: Expr, relation: str, given: Given) -> bool:
     """Whether ``e`` is shown to have its relation to zero, also where it is c ± an inverse."""
-    if sign(e, given, relation, dear=False) in PROVING[relation]:
+    if sign_by(e, given, relation) in PROVING[relation]:
         return True
     terms = e.args if e.op == "+" else (e,)
     varying = [term for term in terms if symbols(term)]
@@ -60,11 +60,11 @@ def _holds(e: Expr, relation: str, given: Given) -> bool:
         return False
     function, low, high, _ = _RANGES[inverse.op]
     at = collected((varying[0] - e) * number(1 / scale))  # the inverse, where e is 0
-    if not all(sign(end, Given()) in PROVING[">"] for end in (at - low, high - at)):
+    if not all(sign_by(end, Given()) in PROVING[">"] for end in (at - low, high - at)):
         return False
     rises = (scale > 0) is (inverse.op != "acos")
     inside = (inverse.args[0] - apply(function, at)) * (1 if rises else -1)
     conditions = (c for c in given.conditions if c.relation in (">", relation))
     if any(is_zero(inside - c.expression, given) for c in conditions):
         return True
-    return sign(inside, given, relation, dear=False) in PROVING[relation]
+    return sign_by(inside, given, relation) in PROVING[relation]

@@ -62,6 +62,12 @@ _INVERSES: dict[str, Any] = {
     "acos": ("cos", ("<=", PI), (">=", ZERO)),
 }
 """What undoes a function, and the ends between which its values lie."""
+_PERIODIC: dict[str, Any] = {
+    "sin": ("asin", (-1, PI), (-_HALF_TURN, _HALF_TURN)),
+    "cos": ("acos", (-1, ZERO), (ZERO, PI)),
+    "tan": ("atan", (1, PI), (-_HALF_TURN, _HALF_TURN)),
+}
+"""The inverse on a range, the sign and the shift that make another value of it, and the range."""
 
 
 class Case(NamedTuple):
@@ -96,6 +102,11 @@ def decide_under_equations(claim: Comparison, statement: Statement, decided: Dec
             cases = _whole(cases, statement.integers)
         if cases is not None:
             return _by_cases(claim, rest, name, cases, decided)
+    for name in (n for n in _candidates(claim, statement, e) if n not in statement.integers):
+        some = _undone(e, name, ZERO, statement.given, some=True)  # not all: they may refute
+        found = _by_cases(claim, rest, name, some or [], decided)
+        if found.verdict is Verdict.REFUTED:
+            return found
     return Answer(
         Verdict.UNDECIDED,
         f"no variable of the condition {left} == {right} is eliminated: write it solved for one",
@@ -188,8 +199,10 @@ def _linear(p: Expr, q: Expr, given: Given) -> list[Case]:
     return [solved, Case(None, (), ((p, ZERO), (q, ZERO)))]
 
 
-def _undone(e: Expr, name: str, value: Expr, given: Given) -> list[Case] | None:
-    """All solutions of ``e = value`` where the variable stands in ``e`` once."""
+def _undone(
+    e: Expr, name: str, value: Expr, given: Given, *, some: bool = False
+) -> list[Case] | None:
+    """All solutions of ``e = value`` where the variable stands in ``e`` once, or ``some``."""
     if e.op == "symbol":
         return [Case(value)] if e.args == (name,) else None
     inner = [arg for arg in e.args if isinstance(arg, Expr) and name in symbols(arg)]
@@ -199,20 +212,34 @@ def _undone(e: Expr, name: str, value: Expr, given: Given) -> list[Case] | None:
     others = list(e.args)
     others.remove(arg)
     if e.op == "+":
-        return _undone(arg, name, value - add(*others), given)
+        return _undone(arg, name, value - add(*others), given, some=some)
     if e.op == "*":
         factor = multiply(*others)
         if sign(factor, given, "!=") not in PROVING["!="]:
             return None
-        return _undone(arg, name, value / factor, given)
+        return _undone(arg, name, value / factor, given, some=some)
     steps = list(_inverses(e, arg, value))
+    if e.op in _PERIODIC:
+        steps = _turned(e, arg, value, given, some)
     found = []
     for inverse, conditions in steps:
-        cases = _undone(arg, name, inverse, given)
+        cases = _undone(arg, name, inverse, given, some=some)
         if cases is None:
             return None
         found += [replaced_case(case, conditions) for case in cases]
     return found or None
+
+
+def _turned(
+    e: Expr, arg: Expr, v: Expr, given: Given, some: bool
+) -> list[tuple[Expr, tuple[Compared, ...]]]:
+    """The one value of ``arg`` in its range with ``e = v``, or some three; none if too many."""
+    inverse, (turn, shift), (low, high) = _PERIODIC[e.op]
+    first = apply(inverse, v)
+    within = (sign(side, given, ">=") in PROVING[">="] for side in (arg - low, high - arg))
+    if all(within):
+        return [(first, ())]
+    return [(u, ()) for u in (first, shift + turn * first, 2 * PI + first)] if some else []
 
 
 def replaced_case(case: Case, conditions: tuple[Compared, ...]) -> Case:

@@ -21,8 +21,8 @@ in balls, to be defined.
 7. Where the normal form depends on the sign of a polynomial in the symbols, it is proved for either
    sign. Its zeros are limits of other points, and functions are continuous where they are defined.
 
-No claim of the ledger needs 4, the algebraic constants of constants.py or the cases of 5, and its
-judge does without.
+No claim of the ledger needs 4, the algebraic constants of constants.py, the values of 5 or the
+cases of 7, and its judge does without.
 """
 
 from __future__ import annotations
@@ -57,8 +57,8 @@ from tresym.reals.signs.regular import ONLY_INSIDE, is_regular
 from tresym.reals.verdict import Verdict
 
 Points = Callable[[Given], Iterable[Mapping[str, fmpq]]]
-Further = Callable[..., tuple[str | None, Fraction]]
-"""A proof, or None, of what the normal form leaves, and that with its constants settled."""
+Further = Callable[..., tuple[str | None, Fraction, Expr | None]]
+"""A proof of what the normal form leaves, or None; that settled; and whose sign may decide it."""
 
 FIRST_POINTS = 2
 SIGN_POINTS = 6
@@ -163,7 +163,7 @@ def _almost_everywhere(
     if proof is None:
         looks = [(bits, count, given) for bits, count in LATER_LOOKS]
         for e in () if in_doubt is None else (in_doubt, -in_doubt):
-            looks.append((*LATER_LOOKS[0], given & Given(((e, ">", ZERO),))))
+            looks.append((*LATER_LOOKS[1], given & Given(((e, ">", ZERO),))))
         for bits, count, where in looks:
             for point, values in look(count, bits, where):
                 if not values[0].overlaps(values[1]):
@@ -310,13 +310,13 @@ def _prove(
         field, value = _difference(sides, given, theories, points)
     except (TooLargeError, UndefinedError) as error:
         return None, f"the exact normal form stopped: {error}", None
-    count = len(field.generators)
+    count = f"{len(field.generators)} generator" + "s" * (len(field.generators) != 1)
     if value.num.is_zero():
-        return f"the difference has normal form 0 ({count} generators)", "", None
-    proof = None
+        return f"the difference has normal form 0 ({count})", "", None
+    proof = in_doubt = None
     if further is not None:
-        proof, value = further(field, value, sides, given, theories)
-    in_doubt = _sign_in_doubt(field, value) if proof is None and depth < MAX_CASES else None
+        proof, value, in_doubt = further(field, value, sides, given, theories)
+        in_doubt = in_doubt if depth < MAX_CASES else None
     if in_doubt is not None:
         cases = [given & Given(((e, ">", ZERO),)) for e in (in_doubt, -in_doubt)]
         if all(_prove(sides, case, theories, points, further, depth + 1)[0] for case in cases):
@@ -330,18 +330,17 @@ def _by_constants(
     sides: tuple[Expr, Expr],
     given: Given,
     theories: frozenset[str],
-) -> tuple[str | None, Fraction]:
-    """A proof by what is known of constants, or by derivatives, or None; and what is settled."""
+) -> tuple[str | None, Fraction, Expr | None]:
+    """A proof by what is known of constants, or by derivatives, or None; and what is left."""
+    proof = None
     with suppress(TooLargeError, UndefinedError):
         value = settled(field, value, functions=any(map(symbols, sides)))
         if vanishes(field, value.num):
             count = len(field.generators)
-            return (
-                f"the difference has normal form 0 after its constants ({count} generators)",
-                value,
-            )
-        return equal_by_derivative(*sides, given, theories, field.size), value
-    return None, value
+            why = f"the difference has normal form 0 after its constants ({count} generators)"
+            return why, value, None
+        proof = equal_by_derivative(*sides, given, theories, field.size)
+    return proof, value, None if proof else _sign_in_doubt(field, value)
 
 
 def _prove_by_branch(

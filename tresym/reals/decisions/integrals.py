@@ -31,7 +31,9 @@ from tresym.reals.decisions.standard import standard
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.cancellation import collected
 from tresym.reals.language.expression import (
+    HALF,
     LEAVES,
+    ONE,
     PI,
     ZERO,
     Expr,
@@ -51,6 +53,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.inverted import solutions
 from tresym.reals.language.parsing import INFINITY
+from tresym.reals.normal.written import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places import unworked
@@ -58,7 +61,7 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import bound, needs, singularities
 from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.defined import continuous_on, undefined
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.sign import proof, sign
 from tresym.reals.verdict import Verdict
 
 MINUS_INFINITY = -INFINITY
@@ -212,7 +215,11 @@ def _order(low: Expr, high: Expr, given: Given) -> int:
 
 def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Work) -> Expr:
     """∫ f from ``low`` to ``high``, which is greater under ``given``."""
-    f = _without(f, given & _inside(name, low, high), work)
+    inside = given & _inside(name, low, high)
+    f = _without(f, inside, work)
+    for root, size in _roots_of_squares(f, inside):
+        f = replaced(f, {root: size})
+        work.notes.append(f"{root} is {size}")
     known = standard(f, name, low, high, given)
     if known is not None:
         work.notes.append(f"the integral of {f} is {known.value} by {known.source}")
@@ -251,7 +258,40 @@ def _middle(e: Expr) -> fmpq:
 def _cuts(name: str, parts: Iterable[Expr]) -> Iterator[Expr]:
     """Points, some of them within the interval, at which a part may be singular."""
     for part, _ in (found for f in parts for found in singularities(f)):
-        yield from (*solutions(part, name), *_roots(part, name), *_turns(part, name))
+        for cut in (*solutions(part, name), *_roots(part, name), *_turns(part, name)):
+            form = normal_form(cut, Given())  # π/2 for acos(0)
+            yield form if form.size <= cut.size + 2 else cut
+
+
+def _roots_of_squares(f: Expr, inside: Given) -> Iterator[tuple[Expr, Expr]]:
+    """Square roots in ``f``, and the absolute values that they are: √(1 − sin²x) is |cos x|."""
+    for root in dict.fromkeys(_parts(f)):
+        if root.op != "^" or root.args[1] != HALF:
+            continue
+        (u, _) = root.args
+        waves = {node.args[0] for node in _parts(u) if node.op in ("sin", "cos")}
+        bases = [(ONE, apply(wave, a)) for a in waves for wave in ("cos", "sin")]
+        bases += [
+            (sqrt(number(2)), apply(wave, a / 2 + turn))
+            for a in waves
+            for turn in (ZERO, PI / 4)
+            for wave in ("cos", "sin")
+        ]
+        if u.op == "^" and u.args[1].op == "number":
+            bases.append((ONE, u.args[0] ** (u.args[1].args[0] / 2)))
+        if not bases or continuous_on(u, inside) is not None:
+            continue
+        for scale, base in bases:
+            if decide(u, (scale * base) ** 2, inside).verdict is Verdict.PROVED:
+                yield root, scale * apply("abs", base)
+                break
+
+
+def _parts(e: Expr) -> Iterator[Expr]:
+    if e.op not in LEAVES:
+        yield e
+        for arg in e.args:
+            yield from _parts(arg)
 
 
 def _roots(part: Expr, name: str) -> Iterator[Expr]:
@@ -366,7 +406,7 @@ def _difference(
 ) -> Expr | None:
     """F(high−) − F(low+), if F is shown to be an antiderivative of f between them."""
     inside = given & _inside(name, low, high)
-    if any(continuous_on(e, inside, dear=True) is not None for e in (f, function)):
+    if any(continuous_on(e, inside, proof) is not None for e in (f, function)):
         return None
     if decide(differentiate(function, name), f, inside).verdict is not Verdict.PROVED:
         return None
@@ -401,8 +441,8 @@ def _without_corners(e: Expr, given: Given) -> Expr:
     args = tuple(_without_corners(arg, given) for arg in e.args)
     if e.op in ("abs", "sign"):
         found = sign(args[0], given)
-        if found in ("+", "-"):
-            up = 1 if found == "+" else -1
+        if found in ("+", "-") or (e.op == "abs" and found in ("0", ">=0", "<=0")):
+            up = 1 if found in ("+", "0", ">=0") else -1
             return up * args[0] if e.op == "abs" else number(up)
     return rebuild(e, args)
 

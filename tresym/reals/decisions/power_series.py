@@ -64,6 +64,7 @@ from tresym.reals.places.conditions import Given
 from tresym.reals.places.unworked import jumps
 from tresym.reals.places.values import evaluate
 from tresym.reals.signs.defined import continuous_on
+from tresym.reals.signs.sign import proof
 from tresym.reals.verdict import Verdict
 
 POLES = 4
@@ -207,7 +208,7 @@ def by_equation(side: Expr, power: tuple[Expr, int], s: Series, y: str, given: G
         if q < 0:
             continue
         g = in_lowest_terms(side * v ** number(pole))
-        if continuous_on(g, inside, dear=True) is not None:
+        if continuous_on(g, inside, proof) is not None:
             continue
         below = s.below((K - q) / s.step - 1)
         above = s.above((K - q) / s.step)

@@ -35,6 +35,7 @@ from tresym.reals.language.parsing import (
     parse_given,
 )
 from tresym.reals.language.sympy import RELATIONS, atoms, unworked
+from tresym.reals.language.typeset import typeset
 from tresym.reals.language.typography import plain
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
@@ -210,6 +211,21 @@ class _Written(NamedTuple):
         parts = (("", chained(self.comparisons)), (" given ", chained(self.given)))
         text = "".join(word + part for word, part in parts if part)
         return text if self.path is None else f"{text} as {self.path}"
+
+
+def in_latex(text: str) -> str:
+    """A claim in the grammar of text, in LaTeX with its conditions and path; empty if not read."""
+    try:
+        comparisons, given, path = _written(text, "", None)
+    except InputError:
+        return ""
+    shown = typeset(comparisons)
+    shown += rf" \quad ({typeset(given)})" if given else ""
+    if path is None:
+        return shown
+    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
+    side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
+    return rf"{shown} \quad ({typeset([(symbol(path.name), '->', point)])}{side})"
 
 
 def chained(comparisons: Iterable[Compared]) -> str:

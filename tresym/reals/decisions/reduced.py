@@ -7,6 +7,7 @@
 - Σ gᵢ(xᵢ) ≥ 0: gᵢ ≥ gᵢ(pᵢ) at points with Σ gᵢ(pᵢ) ≥ 0.
 - Π gᵢ(xᵢ) ≥ 1: gᵢ ≥ cᵢ for numbers with Π cᵢ ≥ 1, where each gᵢ is a product of positive parts; or
   g(x)/g(y) ≥ 1, which is g(x) ≥ g(y).
+- Π gᵢ(xᵢ) ≥ Π hᵢ(xᵢ), where the left side is not negative: gᵢ² ≥ hᵢ².
 
 What is left is asked of the procedure for one variable, whose answer this is.
 """
@@ -64,7 +65,7 @@ def by_one_variable(
     """
     if _jumps((left, right, *(c.expression for c in given.conditions))):
         return None
-    for method in (_scaled, _of_one_part, _monotone, _separated, _multiplied):
+    for method in (_scaled, _of_one_part, _monotone, _separated, _multiplied, _by_sizes):
         found = method(left, relation, right, given, decide)
         if found is not None:
             return found
@@ -269,8 +270,13 @@ def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide
     answers = [ask(parts[name], ">=", least[name], own[name]) for name in names]
     if not all(answers):
         return None
+    return _weakest(answers, "each variable by itself")
+
+
+def _weakest(answers: list[Answer], what: str) -> Answer:
+    """The one answer that several which hold come to."""
     weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
-    return replace(weakest, why=f"each variable by itself: {weakest.why}", region=None)
+    return replace(weakest, why=f"{what}: {weakest.why}", region=None)
 
 
 # -- products -----------------------------------------------------------------------------------
@@ -303,9 +309,45 @@ def _multiplied(left: Expr, relation: str, right: Expr, given: Given, ask: Decid
             for name, r, c in zip(names, relations, least, strict=True)
         ]
         if all(answers):
-            weakest = next((a for a in answers if a.verdict is Verdict.ENCLOSED), answers[0])
-            return replace(weakest, why=f"each factor by itself: {weakest.why}", region=None)
+            return _weakest(answers, "each factor by itself")
     return None
+
+
+def _by_sizes(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -> Answer | None:
+    difference = collected(left - right)
+    if difference.op != "+" or len(difference.args) != 2:
+        return None
+    for above, below in (difference.args, difference.args[::-1]):
+        pairs = [_by_variable(*_factors(above, 1)), _by_variable(*_factors(below, 1))]
+        names = sorted({*(pairs[0] or ()), *(pairs[1] or ())} - {""})
+        if None in pairs or len(names) < 2 or sign(above, given, ">=") not in PROVING[">="]:
+            continue
+        answers = []
+        for n, name in enumerate(names):
+            sides = [
+                (part.get(name, ONE) * (ONE if n else part.get("", ONE))) ** 2
+                for part in pairs
+                if part is not None
+            ]
+            own = Given(tuple(dict.fromkeys(_alone(name, given))))
+            answers.append(ask(sides[0], relation, sides[1], own))
+            if not answers[-1]:
+                break
+        if all(answers):
+            return _weakest(answers, "each factor by its size")
+    return None
+
+
+def _by_variable(*factors: Expr) -> dict[str, Expr] | None:
+    """The factors, multiplied by variable, what has none under ""; None where one has several."""
+    parts: dict[str, Expr] = {}
+    for factor in factors:
+        names = symbols(factor)
+        if len(names) > 1:
+            return None
+        name = next(iter(names), "")
+        parts[name] = parts.get(name, ONE) * factor
+    return parts
 
 
 def _quotient(difference: Expr, given: Given) -> dict[str, Expr] | None:
@@ -319,14 +361,10 @@ def _quotient(difference: Expr, given: Given) -> dict[str, Expr] | None:
     if sorted(map(str, signs)) != ["+", "-"]:
         return None
     above, below = difference.args if signs[0] == "+" else difference.args[::-1]
-    parts: dict[str, Expr] = {}
-    for factor in (*_factors(above, 1), *_factors(-below, -1)):
-        names = symbols(factor)
-        if len(names) > 1:
-            return None
-        name = next(iter(names), "")
-        parts[name] = parts.get(name, ONE) * factor
-    return parts if all(sign(part, given) == "+" for part in parts.values()) else None
+    parts = _by_variable(*_factors(above, 1), *_factors(-below, -1))
+    if parts is None or any(sign(part, given) != "+" for part in parts.values()):
+        return None
+    return parts
 
 
 def _factors(e: Expr, power: int) -> Iterator[Expr]:

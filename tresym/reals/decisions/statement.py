@@ -69,14 +69,14 @@ def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
 
 def _bounded(comparison: Comparison, statement: Statement) -> Answer:
     """The answer, UNDECIDED where what was read well grows beyond the bounds of expressions."""
-    start = time.process_time()
+    start = time.perf_counter()
     try:
         answer = _decide(comparison, statement)
     except InputError as error:
         return Answer(Verdict.UNDECIDED, f"an expression on the way grew too large: {error}")
     if not answer:
         return answer
-    against = attack(comparison, statement, answer, time.process_time() - start)
+    against = attack(comparison, statement, answer, time.perf_counter() - start)
     return answer if against is None else Answer(Verdict.UNDECIDED, STOPPED.format(against))
 
 

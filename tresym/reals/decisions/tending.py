@@ -9,9 +9,10 @@ the parameters.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from itertools import product
+from itertools import islice, product
 from math import lcm
 
 from flint import arb, fmpq
@@ -23,6 +24,7 @@ from tresym.reals.decisions.growth import sign_towards
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.orders import decide_order, region
 from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement
+from tresym.reals.decisions.region import is_isolated
 from tresym.reals.decisions.simple import simple_points
 from tresym.reals.language.expression import (
     LEAVES,
@@ -44,6 +46,7 @@ from tresym.reals.normal.written import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.places.conditions import Given
+from tresym.reals.places.points import corners
 from tresym.reals.places.values import evaluate, stands
 from tresym.reals.signs.inside import PROVING
 from tresym.reals.signs.sign import sign
@@ -54,6 +57,8 @@ PARAMETERS = 6
 FAR = (1, 10, 1000)
 """From where on an inequality is asked."""
 PERIODIC = 12
+MOST_ENDS = 40
+"""Corners of the parameters' ranges that are looked at."""
 PATH_BITS = 256
 _EXACT = "the limit is exact, by leading terms and exact coefficients"
 _OPEN = "the leading term does not settle it with the parameters that occur"
@@ -150,7 +155,7 @@ def _with_parameters(
     names = sorted({*_parameters(claim, path), *given.names})
     if given.satisfying_point(names) is None:
         return Answer(Verdict.UNDECIDED, "no exact point satisfies the conditions")
-    for at in simple_points(names, given, PARAMETERS):
+    for at in (*simple_points(names, given, PARAMETERS), *_at_ends(claim, path, names, given)):
         put_in = partial(substitute, mapping={name: number(v) for name, v in at.items()})
         try:
             fixed = replace(statement.mapped(put_in), given=Given())
@@ -169,6 +174,26 @@ def _with_parameters(
     return _by_exact_limit(claim, path, given) or _from_somewhere_on(
         claim, path, statement, decided
     )
+
+
+def _at_ends(
+    claim: Comparison, path: Path, names: list[str], given: Given
+) -> Iterator[dict[str, fmpq]]:
+    """Values of the parameters that satisfy a condition by equality, as 0 does ``a >= 0``.
+
+    Left out are those beside which no side is defined: no claim speaks of them.
+    """
+    step = number(fmpq(path.sides[0], FAR[-1]))
+    for at in islice(corners(names, given.box), MOST_ENDS) if given.comparisons else ():
+        with ball_precision():
+            allowed = all(c.holds_exactly(at) for c in given.conditions)
+            if not allowed or all(c.holds(at) for c in given.conditions):
+                continue
+            beside = {name: arb(value) for name, value in at.items()}
+            beside[path.name] = evaluate(1 / step if path.point is None else path.point + step, at)
+        sides = (claim.left, ONE if claim.right in (INFINITY, -INFINITY) else claim.right)
+        if not is_isolated(beside, sides):
+            yield at
 
 
 def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | None:

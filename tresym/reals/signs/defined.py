@@ -15,25 +15,25 @@ from tresym.reals.language.expression import LEAVES, UNWORKED, Expr, opened, sub
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.domain import analytic_of, needs_of
 from tresym.reals.signs.inside import PROVING
-from tresym.reals.signs.sign import sign
+from tresym.reals.signs.sign import Prover, sign_by
 
 Table = Callable[[Expr], list[tuple[Expr, str]]]
 
 
-def undefined(e: Expr, given: Given, dear: bool = False) -> Expr | None:
+def undefined(e: Expr, given: Given, prover: Prover | None = None) -> Expr | None:
     """The first part of ``e`` that is not shown to be defined under ``given``, or None.
 
     What is returned is what is not shown to have the sign that its operation needs.
 
     Args:
-        dear: whether every method is tried, and not the cheap ones alone.
+        prover: dear methods, if any may be tried.
     """
-    return _missing(e, given, needs_of, dear)
+    return _missing(e, given, needs_of, prover)
 
 
-def continuous_on(e: Expr, given: Given, dear: bool = False) -> Expr | None:
+def continuous_on(e: Expr, given: Given, prover: Prover | None = None) -> Expr | None:
     """As :func:`undefined`, but off every singularity, so that ``e`` is smooth there."""
-    return _missing(e, given, analytic_of, dear)
+    return _missing(e, given, analytic_of, prover)
 
 
 def _differentiable_of(node: Expr) -> list[tuple[Expr, str]]:
@@ -41,32 +41,32 @@ def _differentiable_of(node: Expr) -> list[tuple[Expr, str]]:
     return analytic_of(node)
 
 
-def _missing(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
+def _missing(e: Expr, given: Given, table: Table, prover: Prover | None) -> Expr | None:
     if e.op in LEAVES:
         return None
     if e.op in UNWORKED:
         if table is analytic_of:
             return e
-        return _missing_at(e, given, table, dear) if e.op in ("at", "derivative") else None
+        return _missing_at(e, given, table, prover) if e.op in ("at", "derivative") else None
     parts = table(e)
-    missing = [part for part, relation in parts if not _holds(part, relation, given, dear)]
+    missing = [part for part, relation in parts if not _holds(part, relation, given, prover)]
     if missing and len(parts) == 2:  # 1 − x and 1 + x: not both are negative
         (first, relation), (second, _) = parts
-        missing = [] if _holds(first * second, relation, given, dear) else missing
-    inner = (_missing(arg, given, table, dear) for arg in e.args)
+        missing = [] if _holds(first * second, relation, given, prover) else missing
+    inner = (_missing(arg, given, table, prover) for arg in e.args)
     return missing[0] if missing else next(filter(None, inner), None)
 
 
-def _missing_at(e: Expr, given: Given, table: Table, dear: bool) -> Expr | None:
+def _missing_at(e: Expr, given: Given, table: Table, prover: Prover | None) -> Expr | None:
     """The same of a value, or of a derivative: its function must be smooth where it is taken."""
     names, body = opened(e)
     points = e.args[1:]
     there = substitute(body, dict(zip(names, points, strict=True)))
     asked = _differentiable_of if e.op == "derivative" else table
-    missing = (_missing(point, given, needs_of, dear) for point in points)
-    return next(filter(None, missing), None) or _missing(there, given, asked, dear)
+    missing = (_missing(point, given, needs_of, prover) for point in points)
+    return next(filter(None, missing), None) or _missing(there, given, asked, prover)
 
 
-def _holds(e: Expr, relation: str, given: Given, dear: bool) -> bool:
+def _holds(e: Expr, relation: str, given: Given, prover: Prover | None) -> bool:
     (e,) = generalised(e)
-    return sign(e, given, relation, dear) in PROVING[relation]
+    return sign_by(e, given, relation, prover) in PROVING[relation]

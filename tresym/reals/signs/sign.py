@@ -4,6 +4,8 @@ A method is a function of a difference, a relation to zero and the conditions, a
 that proves the relation where the conditions hold inside, and at limits from there; or None. Only
 the first shows it at every single point, and is asked first; the others count where the conditions
 are shown to have no other points.
+
+What claims of the ledger need is shown by few of them: its judge does without the others.
 """
 
 from __future__ import annotations
@@ -44,6 +46,10 @@ METHODS: tuple[Callable[..., str | None], ...] = (
 """Every method, cheapest first. Each says what it does, an example, and where it ends."""
 DIRECT = METHODS[:6]
 """Those that look at a difference as it stands."""
+FEW = (by_signs_of_parts, sign_by_concavity, sign_by_taylor)
+"""Those of them that claims of the ledger need."""
+Prover = Callable[[Expr, str, Given], str | None]
+"""What :func:`proof` does."""
 
 
 def proof(difference: Expr, relation: str, given: Given, cases: int = MAX_CASES) -> str | None:
@@ -67,21 +73,44 @@ def directly(difference: Expr, relation: str, given: Given) -> str | None:
     return next((sentence for sentence in found if sentence is not None), None)
 
 
-@lru_cache(maxsize=REMEMBERED)
+def proof_for_ledger(difference: Expr, relation: str, given: Given) -> str | None:
+    """As :func:`proof`, by the methods that the claims of the ledger need."""
+    found = _by_few(difference, relation, given)
+    return by_equivalents(difference, relation, given, _by_few) if found is None else found
+
+
+def _by_few(difference: Expr, relation: str, given: Given) -> str | None:
+    found = (method(difference, relation, given) for method in FEW)
+    return next((sentence for sentence in found if sentence is not None), None)
+
+
 def sign(e: Expr, given: Given, wanted: str | None = None, dear: bool = True) -> str | None:
     """The proven sign of ``e`` at every point where ``given`` holds and ``e`` is defined.
 
     Args:
+        wanted: as of :func:`sign_by`.
+        dear: whether all methods may be tried, and not those alone that show every single point.
+    """
+    return sign_by(e, given, wanted, proof if dear else None)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def sign_by(
+    e: Expr, given: Given, wanted: str | None = None, prover: Prover | None = None
+) -> str | None:
+    """As :func:`sign`, with dear methods of one's choice.
+
+    Args:
         wanted: a relation of ``e`` to zero, ``> >= < <= !=``. Dear methods are tried for its sake
             alone, and none once it is proved.
-        dear: whether they may be tried.
+        prover: the dear methods, of which none may be tried.
 
     Returns:
         ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None where nothing is proved; ``"!="``
         where that is wanted, and no more is proved.
     """
     if wanted in ("<", "<="):
-        return FLIP[sign(-e, given, wanted.replace("<", ">"), dear)]
+        return FLIP[sign_by(-e, given, wanted.replace("<", ">"), prover)]
     enough = ("+", "-", "0") if wanted is None else PROVING[wanted]
     parts = Parts(given)
     found = parts.sign(e)
@@ -95,9 +124,11 @@ def sign(e: Expr, given: Given, wanted: str | None = None, dear: bool = True) ->
     if found in (">=0", "<=0") and wanted in (">", "!="):
         up, side = ("+", e) if found == ">=0" else ("-", -e)
         found = up if strict_by_conditions(side, given) else found
-    if wanted is None or not dear or found in (*enough, "+", "-", "0") or jumps((e,), given):
+    if prover is None or wanted is None or found in (*enough, "+", "-", "0"):
+        return found
+    if jumps((e,), given):
         return found  # a proof of almost all points says nothing of those where it jumps
     for up, side in (("+", e), ("-", -e))[: 1 + (wanted == "!=")]:
-        if proof(side, wanted.replace("!=", ">"), given) is not None:
+        if prover(side, wanted.replace("!=", ">"), given) is not None:
             return ">=0" if wanted == ">=" else up
     return found

@@ -84,7 +84,7 @@ RECHECKED = {
     ),
     "it spares a search that would find nothing, or says how much room one needs": (
         *("reals.normal.ranges.ProvingRing._changes_sign", "reals.signs.cones._fails_at_vertex"),
-        "reals.decisions.identity._generator_count",
+        *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
     ),
     "it refutes alone": (
         *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
@@ -93,7 +93,8 @@ RECHECKED = {
         *("reals.decisions.inequalities._in_cells", "reals.decisions.zeros"),
         *("reals.decisions.inequalities._zero_between", "ledger.judge.refute"),
         *("ledger.evidence.denial", "ledger.second_look.rootless"),
-        "ledger.evidence.asymptotics._expanded",
+        *("ledger.evidence.asymptotics._expanded", "ledger.judge._refuted"),
+        "ledger.judge._refuted_slope",
         *("reals.decisions.equations._with_value", "reals.decisions.zeros"),
         *("reals.decisions.tending._fails_beside", "reals.decisions.tending._periodic_failure"),
         *("reals.decisions.unknowns._realised", "reals.decisions.simple.exact_witness"),
