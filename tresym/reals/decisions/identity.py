@@ -294,6 +294,11 @@ def _is_undefined(part: Expr) -> bool:
     return part.op in ("log", "^") and bool(evaluate(inner, {}) < 0)
 
 
+def _counted(field: Field) -> str:
+    count = len(field.generators)
+    return f"{count} generator{'s' * (count != 1)}"
+
+
 def _prove(
     sides: tuple[Expr, Expr],
     given: Given,
@@ -310,9 +315,8 @@ def _prove(
         field, value = _difference(sides, given, theories, points)
     except (TooLargeError, UndefinedError) as error:
         return None, f"the exact normal form stopped: {error}", None
-    count = f"{len(field.generators)} generator" + "s" * (len(field.generators) != 1)
     if value.num.is_zero():
-        return f"the difference has normal form 0 ({count})", "", None
+        return f"the difference has normal form 0 ({_counted(field)})", "", None
     proof = in_doubt = None
     if further is not None:
         proof, value, in_doubt = further(field, value, sides, given, theories)
@@ -336,8 +340,7 @@ def _by_constants(
     with suppress(TooLargeError, UndefinedError):
         value = settled(field, value, functions=any(map(symbols, sides)))
         if vanishes(field, value.num):
-            count = len(field.generators)
-            why = f"the difference has normal form 0 after its constants ({count} generators)"
+            why = f"the difference has normal form 0 after its constants ({_counted(field)})"
             return why, value, None
         proof = equal_by_derivative(*sides, given, theories, field.size)
     return proof, value, None if proof else _sign_in_doubt(field, value)
