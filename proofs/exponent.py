@@ -51,7 +51,7 @@ logarithmic_equation = Claim(
         step(
             equal(exponent, log(epsilon / _leading)),
             adding(log(epsilon) - log(2 * _cosine) + sqrt(a * b) * _turn),
-            *(exponentials, inverses, roots, trigonometry),
+            *(exponentials, inverses, roots),
         ),
     ),
     note="Solved for the logarithm of ε₀/ε*; what is left on the other side is Q(ε₀).",

@@ -116,7 +116,7 @@ stable_equation = Claim(
         step(
             equal(sqrt(a / (a + b)) * cos(epsilon) / sin(epsilon), sinh(_time)),
             *(multiplying(Rational(-1, 2)), applying("sinh")),
-            *(roots, trigonometry, exponentials, inverses),
+            *(roots, trigonometry, exponentials),
         ),
         step(
             _stable_equation, multiplying(sin(epsilon) / (cos(epsilon) * sinh(_time))), trigonometry

@@ -106,6 +106,7 @@ RECHECKED = {
     "it shows an answer that is given": (
         *("reals.decisions.answer.Answer.rows", "reals.decisions.answer.Answer.__str__"),
         *("reals.decisions.answer.ball_text", "reals.signs.jumps.Case.__str__"),
+        "reals.decisions.identity._counted",
     ),
     "it words refusals": (
         "ledger.definitions._where",
