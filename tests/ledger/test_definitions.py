@@ -469,24 +469,25 @@ def test_a_symbol_may_name_the_one_root() -> None:
     assert finding(bounded).verdict is Verdict.PROVED
 
 
-@pytest.mark.parametrize(
-    "claim",
-    [
-        replace(ROOT, given=()),
-        replace(ROOT, given=(x < 0,)),
-        replace(ROOT, says=equal(y**3, x)),
-        replace(ROOT, says=Tuple(equal(y**3, x + 1), *ROOT.proof.says.args[1:])),
-        replace(ROOT, says=Tuple(ROOT.proof.says.args[0], Gt(y, 1), ROOT.proof.says.args[2])),
-        replace(ROOT, says=Root(x, ONE_ROOT).says, proof=Root(x, ONE_ROOT)),
-        replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),
-        replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=all_of(ONE_ROOT)))),
-        replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=(step(x),)))),
-        replace(ROOT, proof=Root(y, replace(ONE_ROOT, says=equal(t**3, x)))),
-    ],
-)
+NO_ROOT = {
+    "without the conditions": replace(ROOT, given=()),
+    "under other conditions": replace(ROOT, given=(x < 0,)),
+    "without the ends": replace(ROOT, says=equal(y**3, x)),
+    "another equation": replace(ROOT, says=Tuple(equal(y**3, x + 1), *ROOT.proof.says.args[1:])),
+    "another end": replace(
+        ROOT, says=Tuple(ROOT.proof.says.args[0], Gt(y, 1), ROOT.proof.says.args[2])
+    ),
+    "a symbol of the equation": replace(ROOT, says=Root(x, ONE_ROOT).says, proof=Root(x, ONE_ROOT)),
+    "the bound symbol": replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),
+    "shown by itself": replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=all_of(ONE_ROOT)))),
+    "shown by a chain": replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=(step(x),)))),
+}
+
+
+@pytest.mark.parametrize("claim", NO_ROOT.values(), ids=NO_ROOT)
 def test_what_is_no_name_for_the_one_root_is_refused(claim: Claim) -> None:
-    with suppress(AssertionError):
-        assert finding(claim).verdict is Verdict.UNDECIDED
+    shown = {"one root": Finding(Verdict.PROVED, "")}
+    assert judge(claim, shown).verdict is Verdict.UNDECIDED
 
 
 def test_a_root_is_defined_once() -> None:
