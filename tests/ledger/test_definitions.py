@@ -1,7 +1,6 @@
 """Labels, definitions and what rests on what: no ledger holds a claim that breaks their order."""
 
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
 
 import pytest
@@ -40,7 +39,7 @@ from tresym.ledger.claim import (
     parts_of,
     step,
 )
-from tresym.ledger.definitions import captured, conflict
+from tresym.ledger.definitions import captured, conflict, restrictions, table
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import all_claims
@@ -53,7 +52,7 @@ from tresym.ledger.reasons import (
     substituting,
 )
 from tresym.ledger.second_look import scalars
-from tresym.ledger.statements import ExactlyOne
+from tresym.ledger.statements import ExactlyOne, TheRoot
 from tresym.ledger.verification import verify
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -234,6 +233,40 @@ def test_what_is_defined_exists_under_its_conditions() -> None:
         assert judged(Claim("there", says, Definition(), given=given)).holds
 
 
+NO_DEFINITION = {
+    "what nothing satisfies": new("none", equal(y, 1), x > 0, x < 0),
+    "a bound": new("bound", Gt(y, 0, evaluate=False)),
+    "an equation and a bound": new("both", Tuple(equal(y, 1), Gt(z, 0, evaluate=False))),
+    "nothing": new("nothing", Tuple()),
+    "a product": new("product", equal(x * y, 1)),
+    "a product beside a symbol": new("beside", Tuple(equal(z, 1), equal(x * y, 1))),
+    "a product beside an integral": new(
+        "beside", Tuple(equal(area(2 * t), 4), equal(y * z, 1)), x > 0, assumes="so I say"
+    ),
+    "one symbol twice": new("twice", Tuple(equal(x, 1), equal(x, 2))),
+    "itself": new("itself", equal(x, x + 1)),
+    "itself beside another": new("itself", Tuple(equal(y, 1), equal(x, x * y))),
+}
+
+
+@pytest.mark.parametrize("claim", NO_DEFINITION.values(), ids=NO_DEFINITION)
+def test_what_defines_nothing_is_refused(claim: Claim) -> None:
+    assert judged(claim) is Verdict.UNDECIDED
+
+
+def test_what_is_on_the_table() -> None:
+    square, root = new("square", equal(y, x**2)), new("four", equal(area(2 * t), 4), assumes="x")
+    bounded = new("bounded", Tuple(equal(z, 1), Gt(z, 0, evaluate=False)))
+    assert [entry.written for entry in table((square, bounded))] == [square.says, equal(z, 1)]
+    assert table((Claim("shown", square.says, by()),)) == ()
+    assert [entry.explicit for entry in table((square, root, ROOT))] == [True, False, False]
+    less, least = equal(area(2 * t), -(z**2) - 1), equal(area(2 * t), z)
+    assert restrictions((square, new("less", less, assumes="so I say"))) == (less,)
+    assert restrictions((new("own", least, assumes="z"),)) == ()
+    assert judge(square, {}).why == "introduces y"
+    assert judge(root, {}).why == "assumed: x"
+
+
 def test_a_definition_does_not_ask_for_itself() -> None:
     """x := y for x > 5 says nothing for a y below 5: the condition is on the symbol itself."""
     early = new("early", equal(x, y), x > 5)
@@ -269,6 +302,7 @@ def test_two_definitions_of_which_none_is_assumed_conflict() -> None:
     one, two = new("one", equal(x, y)), new("two", equal(x, z))
     assert conflict((one, two)) is not None
     assert conflict((one, replace(two, proof=Definition("so it is")))) is None
+    assert conflict((one, replace(one, label="again"), two)) is not None
     turn = new("p", equal(x, y)), new("q", equal(z, x)), new("r", equal(y, z + 1))
     assert "itself" in (conflict(turn) or "")
     assert "itself" in (conflict((new("fine", equal(t, ONE)), *turn)) or "")
@@ -365,6 +399,22 @@ def test_what_is_defined_depends_on_what_defines_it(claim: Claim) -> None:
     assert not judged(claim).holds
     assert "stands where what it is defined by is bound" in str(captured(claim))
     assert captured(Claim("free", claim.says, by())) is None  # of a variable y it may be true
+
+
+def test_whichever_symbol_is_bound_of_many() -> None:
+    square, one, half = new("square", equal(y, x**2)), new("1", equal(t, 1)), new("h", equal(z, x))
+    both = by(substituting(one, square, half))
+    third = Symbol("w", real=True)
+    whole = equal(Integral(x, (x, 0, 1)), Rational(1, 2))
+    caught = captured(Claim("x", equal(Integral(y, (y, 0, 1)), z), both))
+    assert caught == "y is defined by square, and bound here"
+    assert captured(Claim("free", whole, both)) is None
+    roots = [TheRoot(third, 0, 1, equal(third, t)), TheRoot(x, 0, z, equal(third * x, y))]
+    for says in (equal(roots[0] + roots[1], t), equal(roots[1], z), equal(roots[1], third)):
+        assert "stands where what it is defined by is bound" in str(
+            captured(Claim("r", says, both))
+        )
+    assert captured(Claim("r", equal(roots[0], t), both)) is None
 
 
 def test_what_is_defined_is_not_generalised() -> None:
@@ -464,11 +514,23 @@ def finding(claim: Claim) -> Finding:
 
 
 def test_a_symbol_may_name_the_one_root() -> None:
+    assert finding(FROM_Z).verdict is Verdict.PROVED
     assert finding(ROOT).verdict is Premise.DEFINED
     bounded = Claim("y > 0", y + 1 > 0, (step(y + 1, citing(ROOT)),), given=POSITIVE)
     assert finding(bounded).verdict is Verdict.PROVED
 
 
+FROM_Z = Claim(
+    label="one root from -z²",
+    says=ExactlyOne(t, -(z**2), x + 1, equal(t**3 + t, x)),
+    given=POSITIVE,
+    proof=UniqueRoot(
+        derivative=(step(3 * t**2 + 1, differentiation),),
+        at_low=(step(-(z**6) - z**2 - x),),
+        at_high=(step(x**3 + 3 * x**2 + 3 * x + 2),),
+    ),
+)
+"""Of which z is no name: its end would be the root's own."""
 NO_ROOT = {
     "without the conditions": replace(ROOT, given=()),
     "under other conditions": replace(ROOT, given=(x < 0,)),
@@ -479,6 +541,7 @@ NO_ROOT = {
     ),
     "a symbol of the equation": replace(ROOT, says=Root(x, ONE_ROOT).says, proof=Root(x, ONE_ROOT)),
     "the bound symbol": replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),
+    "a symbol of the end": replace(ROOT, says=Root(z, FROM_Z).says, proof=Root(z, FROM_Z)),
     "shown by itself": replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=all_of(ONE_ROOT)))),
     "shown by a chain": replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=(step(x),)))),
 }
@@ -487,6 +550,7 @@ NO_ROOT = {
 @pytest.mark.parametrize("claim", NO_ROOT.values(), ids=NO_ROOT)
 def test_what_is_no_name_for_the_one_root_is_refused(claim: Claim) -> None:
     shown = {"one root": Finding(Verdict.PROVED, "")}
+    shown[FROM_Z.label] = Finding(Verdict.PROVED, "")
     assert judge(claim, shown).verdict is Verdict.UNDECIDED
 
 

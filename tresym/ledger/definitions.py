@@ -26,10 +26,8 @@ from tresym.ledger.meaning import (
     CircularError,
     Conditions,
     conditions,
-    definitions,
     known,
     misread,
-    put_in,
     sides,
     tree,
 )
@@ -131,10 +129,6 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
     integrals = [e.symbol for e in entries if e.symbol.op == "integral"]
     if not entries or len(explicit) + len(integrals) < len(entries):
         return "a definition gives each of its symbols one value"
-    earlier = definitions(claim.rests_on)
-    for new, meaning in explicit.items():
-        if new in earlier or symbols(new) <= symbols(put_in(meaning, explicit)):
-            return f"{new} is not a new symbol"
     try:
         for e in (*explicit.values(), *integrals):
             need_value(e, given)
@@ -156,7 +150,7 @@ def _no_root(claim: Claim, proof: Root) -> str | None:
     if claim.says != proof.says:
         return "what is said is not what the root is"
     asked = (unique.difference, unique.low, unique.high, *claim.given)
-    if proof.symbol == unique.variable or any(proof.symbol in e.free_symbols for e in asked):
+    if any(proof.symbol in e.free_symbols for e in asked):
         return f"{proof.symbol} is not a new symbol"
     earlier = {entry.symbol for entry in table(claim.rests_on)}
     return f"{proof.symbol} is not a new symbol" if tree(proof.symbol) in earlier else None
