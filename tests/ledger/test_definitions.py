@@ -415,6 +415,12 @@ def test_whichever_symbol_is_bound_of_many() -> None:
             captured(Claim("r", says, both))
         )
     assert captured(Claim("r", equal(roots[0], t), both)) is None
+    for says in (
+        Tuple(ExactlyOne(third, 0, 1, equal(third, t)), ExactlyOne(x, 0, 1, equal(x, t * y))),
+        ExactlyOne(x, 0, z, equal(x * third, t)),
+    ):
+        why = captured(Claim("e", says, both))
+        assert why is not None and "stands where what it is defined by is bound" in why
 
 
 def test_what_is_defined_is_not_generalised() -> None:
