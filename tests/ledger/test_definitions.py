@@ -420,7 +420,8 @@ def test_whichever_symbol_is_bound_of_many() -> None:
         ExactlyOne(x, 0, z, equal(x * third, t)),
     ):
         why = captured(Claim("e", says, both))
-        assert why is not None and "stands where what it is defined by is bound" in why
+        assert why is not None
+        assert "stands where what it is defined by is bound" in why
 
 
 def test_what_is_defined_is_not_generalised() -> None:
