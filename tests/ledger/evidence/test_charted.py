@@ -4,29 +4,38 @@ from dataclasses import replace
 
 import pytest
 from flint import fmpq
-from sympy import Abs, Basic, Rational, Symbol, Tuple, exp, log, sin, sqrt
+from sympy import Abs, And, Basic, Gt, Ne, Or, Rational, Symbol, Tuple, exp, expand, log, sqrt
 from tresym.proofs import near
 
 from tresym.ledger.claim import Claim, Definition, equal
-from tresym.ledger.evidence.charted import Charted, On, Reading, Shown
+from tresym.ledger.evidence.charted import (
+    Charted,
+    On,
+    Reading,
+    Shown,
+    _divides_somewhere,
+    judge_charted,
+)
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge_evidence
+from tresym.ledger.statements import ExactlyOne
 from tresym.racket.near import charts
 from tresym.racket.notation import Q, a, b, epsilon0, epsilon_star
 from tresym.reals.balls.boxes import box
-from tresym.reals.balls.traced import Named, Part
-from tresym.reals.language.expression import ONE, ZERO
+from tresym.reals.balls.traced import Named, Part, traced
+from tresym.reals.language.expression import ONE, ZERO, number
 from tresym.reals.verdict import Verdict
 
 x, y, z = (Symbol(name, real=True) for name in "xyz")
 POSITIVE = (x > 0, x <= 2)
 UNIT = box((0, 2))
+TWO = number(2)
 
 
 def judged(says: Basic, *on: On, given: tuple[Basic, ...] = POSITIVE, **rest: object) -> Finding:
-    found = judge_evidence(Claim("c", says, Charted(on, **rest), given=given))
-    assert found is not None
-    return found
+    """By this checker alone: none of the others stands in for its guards."""
+    proof = Charted(on, **rest)
+    return judge_charted(Claim("c", says, proof, given=given), proof)
 
 
 def holds(says: Basic, *on: On, **rest: object) -> bool:
@@ -55,6 +64,10 @@ def test_a_bound_with_its_factor_divided_out_is_shown() -> None:
         exp(x) - 1 < Rational(9, 10) * x,
         exp(2 * x) - 1 > Rational(9, 10) * x,
         Tuple(SAYS, x < 1),
+        Tuple(SAYS, Ne(x, 3)),
+        Tuple(),
+        Ne(x, 3),
+        "exp(x) - 1 > 9/10*x",
         equal(exp(x) - 1, Rational(9, 10) * x),
     ],
 )
@@ -102,6 +115,80 @@ def test_a_margin_or_a_factor_of_another_kind_shows_nothing(shown: Shown) -> Non
     assert not holds(SAYS, on) or shown.spare == x / 2
 
 
+def above_zero(t, m):
+    return t + 1
+
+
+NOTHING = log((x - 1) ** 3) - 3 * log(x - 1)
+PLUS = On((x,), UNIT, (Shown(above_zero),))
+
+
+def test_each_side_of_each_part_is_shown_and_defined() -> None:
+    assert holds(x + 1 > 0, PLUS)
+    assert holds(Tuple(x + 1 > 0, x > -1), PLUS)
+    assert holds(And(x + 1 > 0, -x < 1, evaluate=False), PLUS)
+    for says in (
+        *(And(x + 1 > 0, more, evaluate=False) for more in (x > 1, x < 1, x + 5 > 0, -x < 3)),
+        ExactlyOne(y, 0, 3, equal(y, x)),
+        Or(x > 3, x + 1 > 0, evaluate=False),
+        Tuple(x + 1 > 0, x > 1),
+        Gt(x + 1 + NOTHING, 0, evaluate=False),
+        Gt(x + 1, NOTHING, evaluate=False),
+        x > -2,
+    ):
+        assert not holds(says, PLUS)
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        (x**2 * (x - 1) >= 0, x >= 0, x <= 2),
+        (x >= 1, x <= 1),
+        (x >= 1, x <= 0),
+        (x > 0, x < 0),
+        (sqrt(x) >= 0, -x >= 0),
+    ],
+    ids=str,
+)
+def test_a_region_without_inside_shows_nothing(given: tuple[Basic, ...]) -> None:
+    assert not holds(x + 1 > 0, replace(PLUS, box=box((0, 2))), given=given)
+
+
+def test_a_margin_that_is_not_positive_shows_nothing() -> None:
+    for less in (2, fmpq(3, 2), 1):
+        low = Shown(lambda t, m, less=less: charts.expm1_over(t) - less, x)
+        assert not holds(exp(x) - 1 > less * x, replace(EXPONENTIAL, shown=(low,)))
+    open_ = judged(exp(x) - 1 > 2 * x, replace(EXPONENTIAL, shown=(low,)), budget=3)
+    assert "open" in open_.why or "differ" in open_.why
+    assert not holds(x > 0, replace(PLUS, shown=(Shown(lambda t, m: 1 * t),)))
+
+
+def test_the_factor_of_a_margin_is_positive_everywhere() -> None:
+    for over in (x - 1, (x - 1) ** 2, -x, x - x):
+        says = Gt(expand(over * (x + 1)), 0, evaluate=False)
+        assert not holds(says, replace(PLUS, shown=(Shown(above_zero, over),)))
+    assert holds(x * (x + 1) > 0, replace(PLUS, shown=(Shown(above_zero, x),)))
+
+
+def test_the_constant_is_told_where_there_is_one() -> None:
+    assert judged(SAYS, EXPONENTIAL).constant is None
+    assert judged(SAYS, EXPONENTIAL, constant=fmpq(9, 8)).constant == ("1.1250000000000000000", "0")
+
+
+def test_a_quotient_that_has_no_value_anywhere_is_no_margin() -> None:
+    for formula in (
+        lambda t, m: charts.expm1_over(t - t) + t,
+        lambda t, m: 1 + t + 0 * charts.log1p_over(t - t),
+        lambda t, m: (t - t) / (t - t),
+        lambda t, m: m.log(t - 2),
+    ):
+        assert not _divides_somewhere(traced(formula, 1), UNIT)
+        why = judged(x + 1 > 0, replace(PLUS, shown=(Shown(formula),))).why
+        assert why == "a quotient has no value anywhere in the box"
+    for formula in (exponential, above_zero, lambda t, m: square(t, m) / t + half(t - t)):
+        assert _divides_somewhere(traced(formula, 1), UNIT)
+
+
 def test_what_is_spare_may_be_left_over() -> None:
     less = Shown(lambda t, m: exponential(t, m) - fmpq(1, 20), x, x / 20)
     assert holds(SAYS, replace(EXPONENTIAL, shown=(less,)))
@@ -127,13 +214,14 @@ def test_charts_cover_together() -> None:
     assert not holds(SAYS, low, replace(high, where=(x > Rational(3, 2),)))
     assert not holds(SAYS, low, replace(high, where=(x > 1,), box=box(("11/10", 2))))
     assert not holds(SAYS, low)
+    assert not holds(SAYS, replace(low, where=(x <= 2, x <= 1)))
 
 
 def test_where_sides_have_no_values_nothing_is_shown() -> None:
     on = On((x,), UNIT, (Shown(lambda t, m: charts.log1p_over(t), x),))
     assert holds(log(1 + x) > 0, on)
     assert not holds(log(1 + x) > 0, replace(on, shown=(Shown(lambda t, m: t, x),)))
-    assert not holds(log(x - 1) - log(x - 1) + sin(x) > -2, on)
+    assert not holds(NOTHING + log(1 + x) > 0, on)
 
 
 def test_a_symbol_stands_for_its_definition_where_that_exists() -> None:
@@ -192,10 +280,63 @@ def test_a_root_is_read_by_its_equation_and_between_its_ends() -> None:
         assert not holds(wrong.value > 1, on, readings=(wrong,), **known), wrong
 
 
+half = Named(lambda t: t / 2, image=lambda s, t: t / TWO, between=(ZERO, ONE))
+HALVED = On((x,), UNIT, (Shown(lambda t, m: half(t) + 1),))
+IS_HALF, HIGH = Claim("z", equal(z, x / 2)), Claim("high", z <= 1, given=(x <= 2,))
+LOW = Claim("low", z >= 0, given=(x > 0,))
+READ = Reading(half, (x,), z, POSITIVE, (HIGH, IS_HALF), (LOW, HIGH))
+
+
 def test_a_root_that_no_claim_names_is_none() -> None:
-    half = Named(lambda t: t, image=lambda s, t: s, between=(ZERO, ONE))
-    on = On((x,), UNIT, (Shown(lambda t, m: half(t) + 1),))
-    assert not holds(z + 1 > 0, on, readings=(Reading(half, (x,), z, (x > 0,)),))
+    assert holds(z + 1 > 0, HALVED, readings=(READ,))
+    both = replace(IS_HALF, says=Tuple(z > -5, IS_HALF.says))
+    assert holds(z + 1 > 0, HALVED, readings=(replace(READ, claims=(both,)),))
+    assert judged(z + 1 > 0, HALVED).why == "nothing says which root is meant"
+    for wrong in (
+        replace(READ, claims=()),
+        replace(READ, claims=(HIGH,)),
+        replace(READ, claims=(replace(IS_HALF, says="z = x/2"),)),
+        replace(READ, claims=(replace(IS_HALF, says=z >= x / 2),)),
+        replace(READ, claims=(replace(IS_HALF, says=equal(z, x / 3)),)),
+        replace(READ, claims=(replace(IS_HALF, says=equal(y, x / 2)),)),
+        replace(READ, claims=(replace(IS_HALF, given=(x > 1,)),)),
+        replace(READ, cited=(LOW,)),
+        replace(READ, cited=(HIGH,)),
+        replace(READ, given=(*POSITIVE, x > 1)),
+    ):
+        assert not holds(z + 1 > 0, HALVED, readings=(wrong,)), wrong
+    for changed in ({"image": None}, {"between": None}):
+        other = replace(half, **changed)
+        on = replace(HALVED, shown=(Shown(lambda t, m, other=other: other(t) + 1),))
+        found = judged(z + 1 > 0, on, readings=(replace(READ, step=other),))
+        assert found.why == "that is no root"
+
+
+def test_what_a_step_asks_of_its_arguments_is_shown() -> None:
+    """A root, and a function that says itself what it means: each of what they ask."""
+    meant = replace(half, meaning=lambda t: t / TWO, image=None, between=None)
+    for step, says, readings in (
+        (half, z + 1 > 0, (READ,)),
+        (meant, x / 2 + 1 > 0, ()),
+        (meant, x / 2 + 1 > 0, (Reading(meant, (x,), x / 2, POSITIVE),)),
+    ):
+        for asks, allowed in (
+            (lambda t: (t, t + ONE), True),
+            (lambda t: (t - ONE,), False),
+            (lambda t: (t, t - ONE), False),
+        ):
+            asking = replace(step, asks=asks)
+            on = replace(HALVED, shown=(Shown(lambda t, m, asking=asking: asking(t) + 1),))
+            read = tuple(replace(reading, step=asking) for reading in readings)
+            assert holds(says, on, readings=read) is allowed
+
+
+def test_a_reading_is_of_all_its_arguments() -> None:
+    product = Part(lambda s, t, m: s * t)
+    on = replace(PLUS, shown=(Shown(lambda t, m: 1 + t + product(t, t, m)),))
+    assert holds(1 + x + x**2 > 0, on, readings=(Reading(product, (x, x), x**2, POSITIVE),))
+    other = Reading(product, (x, x - 10), x * (x - 10), POSITIVE)
+    assert not holds(1 + x + x * (x - 10) > 0, on, readings=(other,))
 
 
 # -- the paper's ----------------------------------------------------------------------------------
@@ -214,7 +355,7 @@ def repaired(limit: str = "1.451", margin: str = "1.451", **changes: object) -> 
 
 
 def test_the_first_order_is_enclosed() -> None:
-    assert judge_evidence(repaired()).verdict is Verdict.ENCLOSED
+    assert judge_charted(repaired(), repaired().proof).verdict is Verdict.ENCLOSED
 
 
 @pytest.mark.parametrize(

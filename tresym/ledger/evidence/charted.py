@@ -201,11 +201,11 @@ def _gap(claim: Claim, proof: Charted) -> str | None:
         return "no formula is said"
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
     stated = known(conditions(claim.given))
-    if stated.satisfying_point() is None or not (is_regular(stated) and has_inside(stated)):
+    if not (is_regular(stated) and has_inside(stated)):
         return "the region is not shown to be the closure of its inside"
     rules, meant = instantiated(proof.put, given)
     sides = tuple(_sides(statement, rules, meant))
-    if not sides or not proof.on:
+    if not sides:
         return "there is nothing to show"
     if not _covered(given, proof.on):
         return "the charts do not cover the region"
@@ -253,7 +253,7 @@ def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
     for condition in conditions(first.where):
         if condition not in given:
             left = (*given, condition.negated)
-            if not ((others and _covered(left, tuple(others))) or is_manifest(condition, given)):
+            if not (_covered(left, tuple(others)) or is_manifest(condition, given)):
                 return False
         given = (*given, condition)
     return True
