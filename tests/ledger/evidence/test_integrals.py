@@ -571,7 +571,7 @@ ALONE = {
         Subs(Derivative(area(x * y * t), y), y, x),
         x,
         differentiating_integral(2 * x * t),
-        "differ",
+        "is not shown to be",
     ),
     "a parameter that hides": (
         by_parameter(Integral(x * y * t, (y, 0, 1))),
