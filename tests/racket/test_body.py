@@ -14,6 +14,7 @@ from tresym.racket.body import (
     NAMED_BODIES,
     Body,
     Shape,
+    as_shape,
     named_body,
     shape,
     shape_of_moments,
@@ -128,3 +129,12 @@ def test_named_bodies_have_a_shape(name: str) -> None:
     assert shape(*found.shape) == found.shape
     with pytest.raises(InputError, match=f"did you mean {name}"):
         named_body(name.upper() + "?")
+
+
+@pytest.mark.parametrize(
+    "body", [Body(1, 2, 3), Body(1, 2, 3).shape, named_body(min(NAMED_BODIES))]
+)
+def test_a_body_has_its_b_in_it(body: Any) -> None:
+    assert as_shape(body).a > 0
+    with pytest.raises(InputError, match=r"^shape: a body has its b in it; .* as digits=30$"):
+        as_shape(body, 30)

@@ -175,6 +175,8 @@ def as_shape(a: Exact | Shape | Body | NamedBody, b: Exact | None = None) -> Sha
         InputError: as :func:`shape` does, or one number alone.
     """
     if b is not None:
+        if type(a) in (Shape, Body, NamedBody):
+            raise InputError("shape: a body has its b in it; the rest is named, as digits=30")
         return shape(a, b)
     if isinstance(a, Shape):
         return shape(*a)
