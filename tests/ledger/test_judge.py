@@ -8,6 +8,7 @@ import sympy
 from flint import arb
 from sympy import (
     Abs,
+    And,
     Derivative,
     Equivalent,
     Ge,
@@ -38,6 +39,7 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
+    ImplicitFunction,
     Instance,
     UniqueRoot,
     all_of,
@@ -71,7 +73,8 @@ from tresym.ledger.statements import ExactlyOne, ForSome, Under
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.verdict import Verdict
 
-a, b, x, y, t = (Symbol(name, real=True) for name in "abxyt")
+ONE = Integer(1)
+a, b, r, x, y, t = (Symbol(name, real=True) for name in "abrxyt")
 
 
 def verdict(claim: Claim, **found: Finding) -> Verdict:
@@ -246,6 +249,21 @@ def test_unique_roots() -> None:
     assert root(x + tanh(x) - 1, 2 - tanh(x) ** 2, 0, 1) is Verdict.PROVED
 
 
+def test_what_jumps_over_zero_has_no_root() -> None:
+    """x − 2 sign(x) + 1/2 rises, where it has a slope, from above 0 to below it."""
+    for jumping in (x - 2 * sign(x) + Rational(1, 2), x - 4 * atan(1 / x)):
+        ends = [(step(jumping.subs(x, end)),) for end in (-1, 1)]
+        for slope in (S.One, 1 + 4 / (1 + x**2)):
+            stated = ExactlyOne(x, -1, 1, equal(jumping, 0))
+            proof = UniqueRoot((step(slope, differentiation),), *ends)
+            assert not judge(claim(stated, proof), {}).verdict.holds
+    at_the_end = x - 1 + 2 * sign(x)
+    stated = ExactlyOne(x, 0, 1, equal(at_the_end, 0))
+    ends = [(step(at_the_end.subs(x, end)),) for end in (0, 1)]
+    found = judge(claim(stated, UniqueRoot((step(ONE, differentiation),), *ends)), {})
+    assert "stays off its singularity" in found.why
+
+
 def test_a_root_needs_all_of_its_chains() -> None:
     stated = ExactlyOne(x, Integer(0), Integer(1), equal(x**3 + x - 1, 0))
     slope, low, high = by_hand = (
@@ -282,6 +300,18 @@ def test_conjunctions_are_as_strong_as_their_weakest_part() -> None:
         ((put_in, new, good), Verdict.PROVED),
     ):
         assert judge(Claim("all", "all", all_of(*parts)), found).verdict is expected
+
+
+def test_each_part_of_a_conjunction_counts_and_is_named() -> None:
+    good, bad, open_ = (Claim(name, equal(a, a), by()) for name in ("good", "bad", "open"))
+    held = {"good": Finding(Verdict.PROVED, ""), "open": Finding(Verdict.UNDECIDED, "")}
+    held["bad"] = Finding(Verdict.REFUTED, "at a = 1", witness={"a": ONE})
+    for parts, why in (
+        ((good, open_), "open is undecided"),
+        ((good, good, bad), "bad is refuted: at a = 1"),
+        ((open_, bad), "open is undecided"),
+    ):
+        assert judge(Claim("all", "all", all_of(*parts)), held).why == why
 
 
 def test_evidence_is_judged_apart_from_what_it_rests_on() -> None:
@@ -348,6 +378,24 @@ def test_that_something_is_somewhere_is_denied_by_its_contrary_everywhere() -> N
     for says in (ForSome(x**2 <= 0), ForSome(x > 5), ForSome(ForSome(x > 5)), ForSome(S.false)):
         assert verdict(claim(says, formally())) is Verdict.UNDECIDED
     assert verdict(replace(nowhere, given=(x > 1, x < 0))) is Verdict.UNDECIDED
+    both = claim(ForSome(And(x > 5, x < 1, evaluate=False)), formally())
+    assert judge(both, {}).why == "nothing shows that it holds nowhere"
+
+
+def test_what_is_not_shown_says_what_is_open() -> None:
+    open_ = judge_evidence(claim(sin(x) < x, formally(), (x > 0,)))
+    assert open_ is not None
+    assert "two sides is open" in open_.why
+    sentence = judge(claim(Tuple(Gt(x**2, -1, evaluate=False), ForSome(x > 5)), formally()), {})
+    assert "is not a relation" in sentence.why
+
+
+def test_conditions_of_what_is_not_elementary_are_met_nowhere() -> None:
+    area = Integral(exp(t**2), (t, 0, x))
+    says = Gt(x**2 + 1, 0, evaluate=False)
+    for given in ((area > 5,), (area > 5, area < 1), (area < 0, x > 0)):
+        assert verdict(claim(says, manifest, given)) is Verdict.UNDECIDED
+        assert verdict(claim(says, formally(), given)) is Verdict.UNDECIDED
 
 
 def test_sentences_are_decided_as_written() -> None:
@@ -730,6 +778,53 @@ def test_the_ends_do_not_depend_on_the_unknown() -> None:
     ends = [(step(y - 1),), (step(y + 1),)]
     caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, 0)), UniqueRoot(chain, *ends))
     assert "the ends depend" in judge(caught, {}).why
+
+
+# -- implicit functions ---------------------------------------------------------------------------
+
+
+def slope_of(left: Any, right: Any, slope: Any, *given: Any, **changes: Any) -> Finding:
+    """y is a function of x by left = right; what is claimed of its slope r at x = 0."""
+    equation = Claim("equation", equal(left, right), by(), given=given)
+    says = -Subs(Derivative(left, x), x, 0) / Derivative(left.subs(x, 0), y)
+    proof = ImplicitFunction(equation, y, x, Integer(0), (step(slope, differentiation),))
+    planted = Claim("slope", equal(r, says), proof, given=given)
+    return judge(replace(planted, **changes), {"equation": Finding(Verdict.PROVED, "")})
+
+
+CUBIC = y**3 + y + x * y
+
+
+def test_the_slope_of_a_cubic() -> None:
+    assert slope_of(CUBIC, 2, 3 * y**2 + 1).verdict is Verdict.PROVED
+    right = -Subs(Derivative(CUBIC, x), x, 0) / Derivative(y**3 + y, y)
+    wrong = slope_of(CUBIC, 2, 3 * y**2 + 1, says=equal(r, right + 1))
+    assert wrong.verdict is Verdict.REFUTED
+    assert wrong.witness
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "slope", "given", "why"),
+    [
+        (CUBIC, 2 + x, 3 * y**2 + 1, (), "depends on what varies"),
+        (CUBIC, 2 * y, 3 * y**2 + 1, (), "depends on what varies"),
+        (y**3 - 3 * y + x * y, -2, 3 * y**2 - 3, (), "is not manifest"),
+        (y**2 + x * y, 1, 2 * y, (), "is not manifest"),
+        (CUBIC, 2, 3 * y**2 + 1, (y > 5,), "no point"),
+        (y + exp(x * y), 1, S.One, (y > 5,), "no point"),
+    ],
+    ids=str,
+)
+def test_what_is_no_implicit_function(
+    left: Any, right: Any, slope: Any, given: tuple[Any, ...], why: str
+) -> None:
+    assert why in slope_of(left, right, slope, *given).why
+
+
+def test_the_slope_has_a_name_and_is_no_equation_for_one() -> None:
+    right = -Subs(Derivative(CUBIC, x), x, 0) / Derivative(y**3 + y, y)
+    for says in (equal(r + 1, right), equal(r**2, right)):
+        assert "is not a new symbol" in slope_of(CUBIC, 2, 3 * y**2 + 1, says=says).why
 
 
 # -- instances ------------------------------------------------------------------------------------

@@ -313,10 +313,9 @@ def _need_possible(claim: Claim) -> None:
 def _possible(claim: Claim) -> bool:
     """Whether an exact point satisfies the conditions, as the symbols in them are defined."""
     given = conditions(claim.given)
-    if not _met_somewhere(given):
+    if not all(elementary(c.left, c.right) for c in given):
         return False
-    behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
-    explicit = [entry for entry in table(behind) if entry.explicit]
+    explicit = [entry for entry in table(claim.rests_on) if entry.explicit]
     rules = {entry.symbol: entry.meaning for entry in explicit}
     bounds = put_into(with_bounds(given, (citing(*claim.uses),)), rules)
     if known(bounds).satisfying_point() is None:
@@ -324,12 +323,6 @@ def _possible(claim: Claim) -> bool:
     assumed = restrictions(claim.rests_on)
     written = (entry.written for entry in explicit)
     return not assumed or satisfiable(claim.given, (*written, *assumed))
-
-
-def _met_somewhere(given: Conditions) -> bool:
-    """Whether an exact point is found at which the conditions hold, which are elementary."""
-    plain = all(elementary(c.left, c.right) for c in given)
-    return plain and known(given).satisfying_point() is not None
 
 
 def refute(says: Basic, claim: Claim) -> Finding | None:
@@ -423,8 +416,6 @@ def _need_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> None:
     free = x not in says.low.free_symbols | says.high.free_symbols
     need(free, f"{x} is bound, and the ends depend on it")
     _need_possible(claim)
-    new = all(x.name not in defined(used) for used in claim.uses)
-    need(new, f"{x} is bound, and is defined in what is used")
 
 
 def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -> Finding:
@@ -591,7 +582,6 @@ def _without_chain(written: Relational, claim: Claim) -> Finding:
     rules, _ = instantiated(claim.uses, given)
     meant = put_into(given, rules)
     plain = tuple(c for c in meant if elementary(c.left, c.right))
-    need(_met_somewhere(plain), "no exact point is found that satisfies the conditions")
     left, right = (put_in(side, rules) for side in (relation.left, relation.right))
     if relation.sign == "==":
         one, other = generalised(left, right)

@@ -133,6 +133,7 @@ def _from(before: Basic, after: Basic, reason: Reason, given: tuple[Basic, ...] 
         (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0,), False),
         (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0, y < 0), False),
         (Eq(x, y), Eq(x**2, y**2), applying("square"), (x >= 0, y <= 0), False),
+        (Eq(x, y), Eq(x**2, y**2), applying("square"), (x > 0, y <= 0), False),
         (Eq(x, y), Eq(log(x), log(y)), applying("log"), (x > 0, y > 0), True),
         (Eq(x, y), Eq(log(x), log(y)), applying("log"), (x >= 0, y >= 0), False),
         (Eq(x, y), Eq(sin(x), sin(y)), applying("sin"), (), False),
@@ -179,6 +180,18 @@ def test_a_monotone_function_keeps_or_turns_an_inequality_on_its_interval() -> N
     assert not proved(Gt(x, y), turned, (stated,))
     for name in ("square", "tan", "abs"):
         assert not proved(Gt(y, x), (step(y - x, applying(name)),), inside)
+
+
+def test_each_reason_of_a_step_is_applied_and_checked() -> None:
+    both, first = Eq(2 * x + z, 2 * y + z), Eq(x + z, y + z)
+    for after, reasons, found in (
+        (both, (multiplying(2), adding(z)), True),
+        (both, (multiplying(2),), False),
+        (first, (adding(z), multiplying(z)), False),
+        (first, (adding(z), applying("sin")), False),
+        (first, (adding(z), adding(log(z) - log(z**2) / 2)), False),
+    ):
+        assert proved(Equivalent(Eq(x, y), after), (step(after, *reasons),)) is found
 
 
 def test_matrices_entry_by_entry() -> None:

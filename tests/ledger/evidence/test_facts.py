@@ -44,6 +44,7 @@ def test_a_fact_is_shown_and_used() -> None:
 FALSE = {
     "a fact that is false": (ROOT, (x > 3,), (x < 2,), by(roots)),
     "a fact that is true of some": (ROOT, (3 - x > 0,), (x < 4,), by(roots)),
+    "a second fact that is true of some": (ROOT, (4 - x > 0, 3 - x > 0), (x < 4,), by(roots)),
     "a fact of what is free, of what is bound": (POLE, (3 - v > 0,), (v < 2,), ACROSS),
     "a fact of part of the interval": (
         POLE,
