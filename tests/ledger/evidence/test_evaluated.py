@@ -4,13 +4,28 @@ from __future__ import annotations
 
 import pytest
 from flint import fmpq
-from sympy import Basic, Gt, Integral, Rational, Symbol, Tuple, exp, sqrt
+from sympy import (
+    Basic,
+    Ge,
+    Gt,
+    Integer,
+    Integral,
+    Le,
+    Lt,
+    Ne,
+    Rational,
+    Symbol,
+    Tuple,
+    exp,
+    sqrt,
+)
 
 from tresym.ledger.claim import Claim, equal, label_claims
-from tresym.ledger.evidence.evaluated import Evaluated
+from tresym.ledger.evidence.evaluated import Evaluated, judge_evaluated
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.statements import AtMostOne, TheRoot
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 x, y, z = (Symbol(name, real=True) for name in "xyz")
@@ -66,6 +81,29 @@ def test_nothing_is_decided_off_a_box_nor_of_what_is_undefined(
     says: Basic, given: tuple[Basic, ...]
 ) -> None:
     assert verdict(says, *given) is Verdict.UNDECIDED
+
+
+def test_what_is_equal_is_not_larger_and_not_refuted() -> None:
+    one = Integer(1)
+    for relation in (Gt, Lt, Ge, Le):
+        assert verdict(relation(one, one, evaluate=False)) is Verdict.UNDECIDED
+        assert verdict(relation(AREA, AREA, evaluate=False), *UNIT) is Verdict.UNDECIDED
+
+
+def test_the_first_bound_of_a_symbol_counts_with_those_behind_it() -> None:
+    half = Rational(1, 2)
+    assert verdict(Rational("1.2") < AREA, x >= half, x <= 1, x >= 0) is not Verdict.REFUTED
+    assert verdict(Rational("1.3") > AREA, x >= 0, x <= half, x <= 1) is not Verdict.REFUTED
+    for given in ((*UNIT, x**2 <= 2), (*UNIT, x >= y), (*UNIT, y >= x)):
+        assert verdict(AREA < 2, *given) in (Verdict.ENCLOSED, Verdict.UNDECIDED)
+
+
+def test_only_bounds_are_decided() -> None:
+    """5 more is more, and so it is not equal; neither is shown by one being larger."""
+    for says in (equal(AREA + 5, AREA), Ne(AREA, 5)):
+        claim = Claim("bound", says, Evaluated(), given=UNIT)
+        with pytest.raises(InputError, match="is no bound"):
+            judge_evaluated(claim, claim.proof)
 
 
 def test_a_root_has_a_value_where_a_claim_says_that_it_is_one() -> None:

@@ -35,10 +35,15 @@ from tresym.ledger.claim import (
     equal,
     step,
 )
-from tresym.ledger.evidence.integrals import under_binder
+from tresym.ledger.evidence.integrals import (
+    NotShownError,
+    need_value,
+    under_binder,
+    without_integrals,
+)
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
-from tresym.ledger.meaning import tree
+from tresym.ledger.meaning import known, tree
 from tresym.ledger.reasons import (
     changing_variable,
     citing,
@@ -53,6 +58,9 @@ from tresym.ledger.reasons import (
 )
 from tresym.ledger.statements import ExactlyOne
 from tresym.ledger.walked import value
+from tresym.reals.decisions.identity import decide_continuous
+from tresym.reals.language.binders import generalised
+from tresym.reals.language.parsing import parse
 from tresym.reals.verdict import Verdict
 
 a, r, t, x, y = (Symbol(name, real=True) for name in "artxy")
@@ -527,3 +535,84 @@ def test_rules_are_not_applied_where_another_node_binds_a_symbol() -> None:
     assert not verdict(says, by(cutting(ONE)), (y > 0, y < 1)).holds
     says = equal(Subs(whole, y, -1), Subs(1 / y - Rational(1, 2), y, -1))
     assert not verdict(says, by(integrating(-1 / t)), (y > 0, y < 1)).holds
+
+
+# -- each rule alone: nothing behind it finds what it lets through --------------------------------
+
+ALONE = {
+    "ends of which the first is another": (
+        area(t),
+        Integral(1 - y, (y, 0, 5)),
+        changing_variable(1 - t),
+        "the ends",
+    ),
+    "ends of which the last is another": (
+        area(4 * t),
+        Integral(y, (y, 0, 5)),
+        changing_variable(2 * t),
+        "the ends",
+    ),
+    "another integrand": (
+        area(5 * t),
+        Integral(y, (y, 0, 2)),
+        changing_variable(2 * t),
+        "other integrands",
+    ),
+    "two intervals": (
+        area(t + t**2, 0, 2),
+        area(t) + area(t**2, 0, 2),
+        collecting(),
+        "one interval",
+    ),
+    "a square of an integral": (area(t), area(t) ** 2 + area(0 * t + 1), collecting(), "multiples"),
+    "two integrals": (area(t) * area(t**2), ONE, integrating(t**2 / 2), "exactly one"),
+    "a point that is outside": (area(t), area(t, 0, 2) + area(t, 2, 1), cutting(ONE * 2), "lie in"),
+    "a parameter that is in the point": (
+        Subs(Derivative(area(x * y * t), y), y, x),
+        x,
+        differentiating_integral(2 * x * t),
+        "is not shown to be",
+    ),
+    "a parameter that hides": (
+        by_parameter(Integral(x * y * t, (y, 0, 1))),
+        ZERO,
+        differentiating_integral(ZERO),
+        "hides its parameter",
+    ),
+}
+
+
+@pytest.mark.parametrize(("before", "after", "reason", "why"), ALONE.values(), ids=ALONE)
+def test_a_rule_refuses_by_itself(before: Basic, after: Basic, reason: Reason, why: str) -> None:
+    with pytest.raises(NotShownError, match=why):
+        without_integrals(tree(before), tree(after), (reason,), ())
+
+
+def test_a_rule_by_itself_does_what_it_should() -> None:
+    for before, after, reason in (
+        (area(t), Integral(1 - y, (y, 0, 1)), changing_variable(1 - t)),
+        (area(4 * t), Integral(y, (y, 0, 2)), changing_variable(2 * t)),
+        (area(t, 0, 2), area(t, 0, 1) + area(t, 1, 2), cutting(ONE)),
+        (area(t + 3 * t**2), area(t) + 3 * area(t**2), collecting()),
+        (area(t), ONE / 2, integrating(t**2 / 2)),
+    ):
+        one, other = without_integrals(tree(before), tree(after), (reason,), ())
+        assert decide_continuous(*generalised(one, other), known(())).verdict is Verdict.PROVED
+
+
+def test_each_part_has_a_value() -> None:
+    slope, pole = Subs(Derivative(y**3, y), y, 2), Subs(Derivative(log(y), y), y, 0)
+    need_value(tree(slope * t), ())
+    for hidden in (slope + pole, pole + slope, Subs(1 / y, y, 0) + slope, slope + 1 / (t - t**2)):
+        with pytest.raises(NotShownError):
+            need_value(tree(hidden), ())
+    with pytest.raises(NotShownError, match="is not shown to exist"):
+        need_value(parse("limit(sin(1/x), x, 0)"), ())
+
+
+def test_a_bound_of_what_is_defined_is_not_cited_inside() -> None:
+    half = Claim("half", equal(t, Rational(1, 2)), Definition())
+    below = Claim("below", t < 1, by(substituting(half)))
+    says = area((1 - t) ** -2, 0, 5)
+    with pytest.raises(NotShownError, match="is about a symbol that is bound here"):
+        without_integrals(tree(says), tree(ONE), (integrating(1 / (1 - t), below),), ())
