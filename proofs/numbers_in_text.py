@@ -25,7 +25,7 @@ from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.regimes import three_regimes
 from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
 from tresym.proofs.turn_integral import closed_form, closed_slope, one_rotating_level
-from tresym.proofs.turning import chi, longest_turn, one_turned_level, phase
+from tresym.proofs.turning import chi, edge, longest_turn, one_turned_level, phase, raised
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -183,18 +183,42 @@ lower_level = number(
     note="Below γ* = −0.00348 the sign S changes on the way, which the integral F does not count.",
 )
 
+_ends = (
+    *((a, "12.5371", "12.5372"), (b, "0.062929", "0.06293")),
+    (edge, "0.261799", "0.2618"),
+)
+_near_standard = tuple(
+    f(x, Rational(end)) for x, *two in _ends for f, end in zip((Ge, Le), two, strict=True)
+)
+_standard = {**dict(each.args for each in standard_racket), edge: pi / 12}
+
+standard_is_near = Claim(
+    says=Tuple(*(e.func(at(e.lhs, {e.lhs: _standard[e.lhs]}), e.rhs) for e in _near_standard)),
+    proof=by(evaluating),
+    note="The standard racket and ε = π/12 lie between these ends.",
+)
+
 longest_unturned = Claim(
-    says=phase.xreplace({chi: pi / 2, gamma: -b * sin(pi / 12) ** 2}) < Rational("3.0373"),
-    given=standard_racket,
+    says=phase.xreplace({chi: pi / 2, gamma: -b * sin(edge) ** 2}) < Rational("3.0373"),
+    given=_near_standard,
     proof=Evaluated(),
     note="F(π/12, γ) at the least γ with which ψ = π/12 is reached, and where it is the turning "
     "point: at χ = π/2 the motion has just come from there.",
 )
 
+_spare = Rational("3.0373") - longest_turn.says.rhs
+
 lower_level_unturned = Claim(
     says="By F(ε, γ) = π, as the appendix has it, no γ gives the standard racket ε = π/12: "
     "F(π/12, γ) stays below 3.0373 for every γ > −b sin²(π/12).",
-    proof=all_of(longest_unturned, longest_turn),
+    kind="bound",
+    means=longest_turn.says.lhs < Rational("3.0373"),
+    given=(*raised, *_near_standard),
+    proof=(
+        *(step(link.expression + _spare, *link.reasons) for link in longest_turn.proof),
+        step(longest_turn.proof[-1].expression + _spare, citing(longest_unturned)),
+    ),
+    note="With γ = d − b sin²e, d > 0; a, b and e = π/12 are in range: `standard_is_near`.",
 )
 d29 = Claim(
     says="For the standard racket ε = −π/12 at γ = 1.09·10⁻² and ε = π/12 at γ = −4.2·10⁻³.",

@@ -13,7 +13,7 @@ is the motion (`unfolded_motion`): it turns at χ = π/2, 3π/2, … and is at �
 The precession back from χ = 0 is Φ(χ, γ) = ∫₀^χ N/(Q√R) dx, which is F until the motion turns
 (`unfolded_turn`), and ε(γ) is ψ where Φ(χ, γ) = π:
 
-- `longest_turn`: F(ε, γ) is below Φ of the motion that turns at ε, whatever γ;
+- `longest_turn`: F(e, γ) is below Φ of the motion that turns at e, whatever γ;
 - `unfolded_decrease`: χ falls as γ rises, while 0 < χ < π;
 - `turned_decrease`: dε/dγ < 0 for π/2 ≤ χ < π, once the motion has turned;
 - `beyond_right_angle`: ε > π/2 for π < χ < 2π;
@@ -83,24 +83,24 @@ unfolded_turn = Claim(
     note="Before the motion has turned Φ is F.",
 )
 
-_higher = Symbol("d", real=True)
-"""How far a level is above the one that turns at ε."""
-_level, _edge = _higher - b * sin(epsilon) ** 2, _Unfolded(-b * sin(epsilon) ** 2, x)
-_steep = sqrt(b * (a + b * sin(epsilon) ** 2) / _edge.Q) * cos(epsilon) * cos(x)
-"""√(γ + b sin²ψ) on the curve that turns at ε."""
-_room = sqrt(_higher + _steep**2)
-_once = (*shape, epsilon > 0, epsilon < pi / 2, sin(epsilon) > 0, cos(epsilon) > 0, _higher > 0)
+edge, higher = Symbol("e", real=True), Symbol("d", real=True)
+"""Where a motion turns, and how far a level is above its own."""
+_level, _edge = higher - b * sin(edge) ** 2, _Unfolded(-b * sin(edge) ** 2, x)
+_steep = sqrt(b * (a + b * sin(edge) ** 2) / _edge.Q) * cos(edge) * cos(x)
+"""√(γ + b sin²ψ) on the curve that turns at e."""
+_room = sqrt(higher + _steep**2)
+raised = (*shape, edge > 0, edge < pi / 2, sin(edge) > 0, cos(edge) > 0, higher > 0)
 
 level_on_the_curve = Claim(
     says=_level + b * sin(_edge.flip) ** 2 > 0,
-    given=(*_once, x >= 0, x <= pi / 2),
-    proof=(step(_higher + _steep**2, trigonometry),),
+    given=(*raised, x >= 0, x <= pi / 2),
+    proof=(step(higher + _steep**2, trigonometry),),
 )
 
 longest_turn = Claim(
-    says=Integral(printed.integrand(psi, a, b, _level, 1, sympy), (psi, epsilon, pi / 2))
+    says=Integral(printed.integrand(psi, a, b, _level, 1, sympy), (psi, edge, pi / 2))
     <= Integral(_edge.rate, (x, 0, pi / 2)),
-    given=_once,
+    given=raised,
     proof=(
         step(
             Integral(_edge.rate, (x, 0, pi / 2))
@@ -108,13 +108,13 @@ longest_turn = Claim(
             changing_variable(_edge.flip, level_on_the_curve),
         ),
         step(
-            Integral(_edge.rate * _higher / (_room * (_room + _steep)), (x, 0, pi / 2)),
+            Integral(_edge.rate * higher / (_room * (_room + _steep)), (x, 0, pi / 2)),
             collecting(),
         ),
     ),
-    shown=r"\int_\epsilon^{\frac{\pi}{2}}f(\psi, \gamma)\,d\psi \le "
-    r"\Phi\left(\frac{\pi}{2}, -b\sin^2\epsilon\right),\quad \gamma = d-b\sin^2\epsilon",
-    note="F falls as the level rises, from Φ of the motion that turns at ε.",
+    shown=r"\int_e^{\frac{\pi}{2}}f(\psi, \gamma)\,d\psi \le "
+    r"\Phi\left(\frac{\pi}{2}, -b\sin^2e\right),\quad \gamma = d-b\sin^2e",
+    note="F falls as the level rises, from Φ of the motion that turns at e.",
 )
 
 

@@ -16,6 +16,7 @@ from sympy import (
     Integer,
     Integral,
     Le,
+    Lt,
     Rational,
     S,
     Subs,
@@ -57,6 +58,7 @@ from tresym.ledger.reasons import (
     applying,
     changing_variable,
     citing,
+    collecting,
     differentiation,
     evaluating,
     exponentials,
@@ -863,3 +865,41 @@ def test_what_is_no_instance_is_refused(proof: Instance, says: object) -> None:
     """A condition that does not hold, a value that is none, another claim, what is defined, …"""
     planted = claim(proof.says if says is None else says, proof)
     assert found_alone(planted) in (Verdict.UNDECIDED, Verdict.REFUTED)
+
+
+def test_a_chain_from_what_balls_show_is_no_more_exact_than_they() -> None:
+    y = Symbol("y", real=True)
+    seen = Claim("seen", sin(y) < 1, by(algebra), given=(y > 0,), expect=Verdict.ENCLOSED)
+    told = Claim("told", sin(y) < 2, by(citing(seen)), given=(y > 0,))
+    again = Claim("again", sin(y) < 3, by(citing(told)), given=(y > 0,))
+    found = {"seen": Finding(Verdict.ENCLOSED, "by balls")}
+    found["told"] = judge(told, found)
+    assert found["told"].verdict is told.expect is Verdict.ENCLOSED
+    assert judge(again, found).verdict is again.expect is Verdict.ENCLOSED
+    found["seen"] = Finding(Verdict.PROVED, "exactly")
+    assert judge(told, found).verdict is Verdict.PROVED
+
+
+def test_a_cited_bound_holds_of_the_integral_that_it_names_and_no_other() -> None:
+    y = Symbol("y", real=True)
+    taken = Integral(exp(sin(y)), (y, 0, 1))
+    seen = Claim("seen", Lt(taken, 3, evaluate=False), by(algebra))
+    found = {"seen": Finding(Verdict.PROVED, "")}
+    for other, most, holds in (
+        (taken, 4, True),
+        (taken, 2, False),
+        (Integral(exp(sin(y)), (y, 0, 9)), 4, False),
+        (Integral(2 * exp(sin(y)), (y, 0, 1)), 3, False),
+    ):
+        claim = Claim("told", Lt(other, most, evaluate=False), by(citing(seen)))
+        assert judge(claim, found).verdict.holds is holds, (other, most)
+
+
+@pytest.mark.parametrize(("share", "holds"), [(1, True), (-1, False), (2, False)])
+def test_an_integral_is_collected_with_its_sign(share: int, holds: bool) -> None:
+    y = Symbol("y", real=True)
+    first, second = Integral(sin(y), (y, 0, 1)), Integral(share * cos(y), (y, 0, 1))
+    whole = Integral(sin(y) + cos(y), (y, 0, 1))
+    for left, right in ((-whole, -first - second), (whole, first + second)):
+        claim = Claim("told", equal(3 + left, 3 + right), by(collecting()))
+        assert judge(claim, {}).verdict.holds is holds

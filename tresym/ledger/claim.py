@@ -506,8 +506,10 @@ def _kind(says: Basic | str, proof: Evidence) -> str:
 
 
 def _expected(proof: Evidence) -> Ruling:
-    """The verdict that evidence of its type is given for."""
-    return getattr(proof, "expect", Verdict.PROVED)
+    """The verdict that evidence of its type is given for; no more exact than what it rests on."""
+    by_type: Ruling = getattr(proof, "expect", Verdict.PROVED)
+    enclosed = any(claim.expect is Verdict.ENCLOSED for claim in _named(proof))
+    return Verdict.ENCLOSED if by_type is Verdict.PROVED and enclosed else by_type
 
 
 def expressions(claim: Claim) -> Iterator[Basic]:

@@ -106,6 +106,7 @@ NEVER_ATTACKED = (
 """What says nothing that a point could contradict, and conjunctions, whose parts were attacked."""
 
 UNDECIDED, PROVED, REFUTED = Verdict.UNDECIDED, Verdict.PROVED, Verdict.REFUTED
+ENCLOSED = Verdict.ENCLOSED
 
 
 def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Finding:
@@ -122,6 +123,9 @@ def judge(claim: Claim, found: Findings, evidence: Finding | None = None) -> Fin
     began = time.perf_counter()
     before = evidence.seconds if evidence else 0.0
     finding = _resting_on_sand(claim, found) or evidence or _guarded(claim, found)
+    if finding.verdict is PROVED and any(found[u.label].verdict is ENCLOSED for u in claim.uses):
+        # An exact passage from what balls show is no more exact than that.
+        finding = replace(finding, verdict=ENCLOSED)
     seconds = before + time.perf_counter() - began
     return replace(finding, seconds=seconds, of=claim, conditions=asked_by(claim))
 

@@ -153,8 +153,10 @@ def _arrives(
     signs = {n: sign_of_integral(node, bounds, given, strict) for node, n in numbers.items()}
     need_integrals((node for node in outermost(last[0]) if node not in numbers), given)
     known = (Relation(n, ">" if sign == "+" else ">=", ZERO) for n, sign in signs.items() if sign)
+    # What is cited may bound the same integrals.
+    cited = (Relation(replaced(c.left, numbers), c.sign, replaced(c.right, numbers)) for c in given)
     wanted = ">" if strict else ">="
-    arrived = is_manifest(Relation(replaced(last[0], numbers), wanted, ZERO), (*given, *known))
+    arrived = is_manifest(Relation(replaced(last[0], numbers), wanted, ZERO), (*cited, *known))
     return need(arrived, f"the sign of {last[0]} is not manifest")
 
 

@@ -46,6 +46,7 @@ from tresym.reals.language.binders import (
 from tresym.reals.language.expression import (
     BINDERS,
     LEAVES,
+    ONE,
     ZERO,
     Expr,
     differentiate,
@@ -344,8 +345,9 @@ def _collect(before: Expr, after: Expr, reason: Reason, given: Conditions) -> Re
         share = _share((before, after)[1 - single], part)
         total += share * part
         integrand += share * instantiate(part.args[0], (symbol(inside.name),))
-    _need_equal(inside.integrand, integrand, inside.conditions)
-    return {whole: total}
+    over = -ONE if _share((before, after)[single], whole) == -ONE else ONE
+    _need_equal(inside.integrand, over * integrand, inside.conditions)
+    return {whole: over * total}
 
 
 def _share(e: Expr, node: Expr) -> Expr:
