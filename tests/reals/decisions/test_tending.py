@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 import tresym
+from tresym.reals.decisions.reading import read
+from tresym.reals.decisions.tending import _by_signs
 from tresym.reals.verdict import Verdict
 
 HOLD = [
@@ -29,6 +31,9 @@ HOLD = [
     "x**a == o(1) given a > 0 as x -> 0+",
     "log(x) -> -oo as x -> 0+",
     "x**a*log(x) -> 0 given a > 0 as x -> 0+",  # the end is not allowed
+    "sin(a*x)/sin(b*x) -> a/b given b != 0 as x -> 0",  # by the signs of both
+    "(a*x + 1)/(a*x + 2) -> 1 given a != 0 as x -> oo",
+    "atan(a*x) -> pi/2*sign(a) as x -> oo",
 ]
 FAIL = [
     "limit(sin(x)/x, x, 0) == 2",
@@ -53,6 +58,7 @@ FAIL = [
     "x == omega(x) as x -> oo",
     "a*x == o(x) given a > 0 as x -> 0",
     "x**a*log(x) -> 0 given a >= 0 as x -> 0+",  # at the end alone
+    "sin(a*x)/sin(b*x) -> -abs(a)/b given b != 0 as x -> 0",  # not of a > 0
     "log(x)**a == o(x**b) given b >= 0 as x -> oo",
     "x**a/x -> oo given 0 <= a <= 1 as x -> 0+",
 ]
@@ -65,6 +71,8 @@ OPEN = [
     "sqrt(-1 - a**2)*x -> 0 as x -> 0",
     "diff(log(-x), x) > 0 as x -> oo",  # not real on the way
     "log(-x) < 0 as x -> 0+",
+    "(a*x + 1)/(a*x + 2) -> 1 as x -> oo",  # not of a = 0, where it is 1/2
+    "sin(a*x)/sin(b*x) -> abs(a)/b given a != 0, b != 0 as x -> 0",  # not of a < 0
 ]
 
 
@@ -83,3 +91,12 @@ def test_what_fails_along_a_path_is_refuted_with_a_witness(claim: str) -> None:
 @pytest.mark.parametrize("claim", OPEN)
 def test_what_says_nothing_is_not_decided(claim: str) -> None:
     assert tresym.check(claim).verdict is Verdict.UNDECIDED
+
+
+def test_each_sign_of_a_parameter_counts() -> None:
+    """False for one sign alone, where points that are tried before would have told."""
+    for says, holds in (("a", True), ("abs(a)", False), ("-abs(a)", False), ("a + 0/a", False)):
+        statement = read(f"sin(a*x)/sin(b*x) -> ({says})/b", "b != 0", "x -> 0")
+        assert statement.path is not None
+        (claim,) = statement.comparisons
+        assert (_by_signs(claim, statement.path, statement.given) is not None) is holds

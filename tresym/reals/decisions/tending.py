@@ -59,6 +59,8 @@ FAR = (1, 10, 1000)
 PERIODIC = 12
 MOST_ENDS = 40
 """Corners of the parameters' ranges that are looked at."""
+MOST_SPLIT = 2
+"""Parameters of which the signs are told apart."""
 PATH_BITS = 256
 _EXACT = "the limit is exact, by leading terms and exact coefficients"
 _OPEN = "the leading term does not settle it with the parameters that occur"
@@ -171,8 +173,10 @@ def _with_parameters(
     inside, _ = where_real(given, claim.differentiated, claim.by)
     if claim.derivatives and inside != given:
         return Answer(Verdict.UNDECIDED, _OPEN)
-    return _by_exact_limit(claim, path, given) or _from_somewhere_on(
-        claim, path, statement, decided
+    return (
+        _by_exact_limit(claim, path, given)
+        or _by_signs(claim, path, given)
+        or _from_somewhere_on(claim, path, statement, decided)
     )
 
 
@@ -212,6 +216,24 @@ def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | Non
         relation, "ratio" if relation in ("O", "o", "~", "Theta") else "difference"
     )
     return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}: {_EXACT}")
+
+
+def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
+    """The claim where a parameter is positive, where it is negative, and where it may be 0."""
+    signs = {name: sign(symbol(name), given, "!=") for name in _parameters(claim, path)}
+    open_ = [name for name, found in signs.items() if found not in ("+", "-")]
+    if not open_ or len(open_) > MOST_SPLIT:
+        return None
+    name, x = open_[0], symbol(open_[0])
+    cases = [(claim, given & Given(((x, relation, ZERO),))) for relation in ("<", ">")]
+    if signs[name] not in PROVING["!="]:
+        put_in = partial(substitute, mapping={name: ZERO})
+        there = (part for part in given.mapped(put_in).comparisons if symbols(part[0] - part[2]))
+        cases.append((claim.mapped(put_in), Given(tuple(there))))
+    for part, where in cases:
+        if not (_by_exact_limit(part, path, where) or _by_signs(part, path, where)):
+            return None
+    return Answer(Verdict.PROVED, f"for each sign of {name}: {_EXACT}")
 
 
 def _allows(relation: str, value: Expr, right: Expr, given: Given) -> bool:
