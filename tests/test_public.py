@@ -40,7 +40,7 @@ def test_a_body_stands_for_its_shape() -> None:
     for alone in ("1", 2, (1, 2)):
         with pytest.raises(tresym.InputError, match="or a body"):
             tresym.flip_defect(alone)
-    with pytest.raises(tresym.InputError, match="not exact"):
+    with pytest.raises(tresym.InputError, match="has its b in it"):
         tresym.flip_defect(racket, "1/2")
 
 
