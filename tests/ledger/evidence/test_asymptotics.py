@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from sympy import Function, Integer, Symbol, Tuple, exp, oo, sin, sqrt
+from sympy import Function, Integer, Rational, Symbol, Tuple, exp, oo, sin, sqrt
 
 from tresym.ledger.claim import Claim, Root, UniqueRoot, by, equal, step
 from tresym.ledger.evidence import asymptotics
@@ -114,12 +114,12 @@ def test_a_bound_is_of_statements_without_conditions() -> None:
         order(equal(sin(x), O(x) + O(x**2)), x),
         order(equal(sin(x), O(x) ** 2), x),
         order(equal(sin(x), sin(O(x))), x),
-        order(equal(sin(x), O(x, x)), x),
-        order(sin(x) < O(x), x),
+        order(equal(sin(x), o(x, x)), x),
+        order(sin(x) < o(x), x),
+        order(equal(sin(x), Function("Q")(x**2)), x),
         order(equal(y * sin(x), O(x)), x),
-        order(equal(sin(x), O(x * y)), x),
-        order(equal(sin(x), O(x)), 2 * x),
-        order(equal(sin(x), O(x)), x, y),
+        order(equal(sin(x), o(x)), 2 * x),
+        order(equal(sin(x), o(x)), x, y),
     ],
 )
 def test_what_is_no_order_in_one_variable_is_not_decided(says: Any) -> None:
@@ -160,6 +160,15 @@ def test_a_path_refutes_and_shows_nothing() -> None:
     assert found.witness["y"] == found.witness["x"] ** 2
     assert verdict(SQUARE, Asymptotics({x: t**2, y: t}), y > 0) is Verdict.UNDECIDED
     assert verdict(order(equal(x**2 / y, O(x)), x), Asymptotics({x: t, y: t**3})) is Verdict.REFUTED
+    irrational = finding(SQUARE, Asymptotics({x: sqrt(2) * t, y: t**2}), y > 0)
+    assert irrational.verdict is Verdict.REFUTED
+    assert irrational.witness is not None
+    assert "x" not in irrational.witness
+
+
+def test_a_path_is_in_all_conditions() -> None:
+    assert verdict(SQUARE, PATH, y > 0, x > 0) is Verdict.REFUTED
+    assert verdict(SQUARE, PATH, y > 0, x < 0) is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize(
@@ -176,6 +185,8 @@ def test_a_path_refutes_and_shows_nothing() -> None:
         (order(equal(1 / x, O(y)), y, oo), {x: t, y: t}, x > 0),
         (order(equal(1 / x, O(y)), y, oo), {x: t, y: -1 / t}, x > 0),
         (order(equal(1 / x, O(y)), y), {x: t**2, y: -t}, x > 0),
+        (order(equal(exp(-y), O(Integer(1))), y, oo), {y: -1 / t}, y < 0),
+        (order(equal(x * y, O(x)), Tuple(x, y), Tuple(0, 0), 0), {x: t, y: 1 / t}, y > 0),
         (order(equal(1 / x, O(y)), y, side=-1), {x: t**2, y: t}, x > 0),
         (order(equal(1 / t, O(y)), y), {y: t}, y > 0),
         (order(equal(1 / x, O(y)), Tuple(x, y), Tuple(0)), {x: t, y: t}, x > 0),
@@ -202,6 +213,14 @@ ONE = Claim(
 )
 ROOT = Claim("root", Root(y, ONE).says, Root(y, ONE), given=(x > 0,))
 """y + y³ = x: y is x − x³ and so on."""
+OTHER = Claim(
+    "other",
+    ExactlyOne(c, 0, Rational(1, 2), equal(c - c**2, x)),
+    UniqueRoot((step(1 - 2 * c, differentiation),), (step(-x),), (step(Rational(1, 4) - x),)),
+    given=(x > 0, x < Rational(1, 8)),
+)
+LESSER = Claim("lesser", Root(a, OTHER).says, Root(a, OTHER), given=OTHER.given)
+"""a − a² = x where a < 1/2; beyond, the function falls again."""
 TOO_SMALL = order(equal(y, x + o(x**3)), x)
 BELOW = Asymptotics({x: t}, beside=y < x - x**3 / 2, claims=(ROOT,))
 
@@ -210,6 +229,27 @@ def test_a_root_is_beside_a_candidate() -> None:
     assert verdict(TOO_SMALL, BELOW, x > 0) is Verdict.REFUTED
     above = replace(BELOW, beside=y > x / 2)
     assert verdict(order(equal(y, o(x)), x), above, x > 0) is Verdict.REFUTED
+    assert "at that bound" in finding(TOO_SMALL, BELOW, x > 0).why
+    assert "at that bound" not in finding(SQUARE, PATH, y > 0).why
+
+
+def test_a_candidate_is_between_the_ends() -> None:
+    """Beyond them the function has the sign again that it has at the lower one."""
+    assert judge(OTHER, {}).verdict is Verdict.PROVED
+    says, beyond = order(equal(a, O(x)), x), Asymptotics({x: t}, a > 1 - x / 2, (LESSER,))
+    assert verdict(says, beyond, *OTHER.given) is Verdict.UNDECIDED
+
+
+def test_a_candidate_is_of_the_root_that_is_spoken_of() -> None:
+    says = order(equal(a, x + o(x**3)), x)
+    for claims in ((ROOT, LESSER), (LESSER, ROOT)):
+        found = finding(says, replace(BELOW, beside=a < x - x**3 / 2, claims=claims), *OTHER.given)
+        assert found.verdict is Verdict.UNDECIDED
+
+
+def test_a_path_leaves_nothing_open() -> None:
+    says = order(equal(y, O(x)), x)
+    assert verdict(says, Asymptotics({x: t}, claims=(ROOT,)), x > 0) is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize(
@@ -236,6 +276,8 @@ def test_a_candidate_that_does_not_bound_refutes_nothing(says: Any, beside: Any)
 def test_a_root_is_one_under_its_conditions_alone() -> None:
     elsewhere = replace(BELOW, along={x: -t})
     assert verdict(order(equal(y, x + o(x**3)), x, side=-1), elsewhere) is Verdict.UNDECIDED
+    no_root = replace(BELOW, along={x: -t}, beside=y < Rational(1, 2))
+    assert verdict(order(equal(1 - y, O(x)), x, side=-1), no_root) is Verdict.UNDECIDED
     assert verdict(TOO_SMALL, replace(BELOW, claims=()), x > 0) is Verdict.UNDECIDED
     assert verdict(TOO_SMALL, Asymptotics({x: t}, claims=(ROOT,)), x > 0) is Verdict.UNDECIDED
 
@@ -243,6 +285,7 @@ def test_a_root_is_one_under_its_conditions_alone() -> None:
 def test_the_function_of_the_root_may_be_rewritten_where_that_holds() -> None:
     form = Claim("form", equal(c**3 + c - x, (c**3 + c - x) * c / c), by(), given=(c > 0,))
     assert verdict(TOO_SMALL, replace(BELOW, claims=(ROOT, form)), x > 0) is Verdict.REFUTED
+    assert verdict(TOO_SMALL, replace(BELOW, claims=(form, ROOT)), x > 0) is Verdict.REFUTED
     wrong = replace(form, given=(c < 0,))
     assert verdict(TOO_SMALL, replace(BELOW, claims=(ROOT, wrong)), x > 0) is Verdict.UNDECIDED
 
