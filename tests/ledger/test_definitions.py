@@ -410,7 +410,8 @@ def test_whichever_symbol_is_bound_of_many() -> None:
     assert caught == "y is defined by square, and bound here"
     assert captured(Claim("free", whole, both)) is None
     roots = [TheRoot(third, 0, 1, equal(third, t)), TheRoot(x, 0, z, equal(third * x, y))]
-    for says in (equal(roots[0] + roots[1], t), equal(roots[1], z), equal(roots[1], third)):
+    both_sides = [equal(roots[0], roots[1]), equal(roots[1], roots[0])]
+    for says in (*both_sides, equal(roots[1], z), equal(roots[1], third)):
         assert "stands where what it is defined by is bound" in str(
             captured(Claim("r", says, both))
         )

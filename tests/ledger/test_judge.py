@@ -52,7 +52,7 @@ from tresym.ledger.claim import (
     together,
 )
 from tresym.ledger.finding import Finding, Premise
-from tresym.ledger.judge import judge, judge_evidence, refute
+from tresym.ledger.judge import judge, judge_evidence, refute, seen_false
 from tresym.ledger.reasons import (
     algebra,
     applying,
@@ -876,8 +876,19 @@ def test_a_chain_from_what_balls_show_is_no_more_exact_than_they() -> None:
     found["told"] = judge(told, found)
     assert found["told"].verdict is told.expect is Verdict.ENCLOSED
     assert judge(again, found).verdict is again.expect is Verdict.ENCLOSED
+    false = Claim("false", equal(sin(y), 2), by(citing(seen)), given=(y > 0,))
+    assert judge(false, found).verdict is Verdict.REFUTED
     found["seen"] = Finding(Verdict.PROVED, "exactly")
     assert judge(told, found).verdict is Verdict.PROVED
+
+
+def test_whichever_part_is_false_is_refuted() -> None:
+    both = together(by(), by())
+    right, wrong = equal(x + x, 2 * x), equal(x + x, 3 * x)
+    for parts in ((right, wrong), (wrong, right)):
+        assert judge(claim(Tuple(*parts), both), {}).verdict is Verdict.REFUTED
+        assert seen_false(claim(Tuple(*parts), both)).verdict is Verdict.REFUTED
+    assert seen_false(claim(Tuple(right, right), both)).verdict is Verdict.UNDECIDED
 
 
 def test_a_cited_bound_holds_of_the_integral_that_it_names_and_no_other() -> None:

@@ -94,6 +94,10 @@ def test_what_is_put_in_is_not_captured(
     assert found == wanted
 
 
+def test_a_bound_defines_nothing() -> None:
+    assert defined(x < y, Tuple(z >= t, equal(u, 1))) == {parse("u"): ONE}
+
+
 def test_conditions_are_put_into_each_once() -> None:
     given = conditions((x > 0, y > 0))
     assert put_into(given, {parse("x"): parse("y")}) == conditions((y > 0,))
@@ -105,6 +109,8 @@ def test_conditions_are_put_into_each_once() -> None:
         (Integral(y, (t, 0, 1)), "t", "y"),
         (Integral(y, (t, 0, 1)), "x", None),
         (1 + Derivative(y * x, x), "x", "y"),
+        (Integral(u * y * z, (t, 0, 1)), "t", "y"),
+        (Derivative(sin(x), x) + Integral(y, (t, 0, 1)), "t", "y"),
         (Subs(y * t, t, 0), "t", "y"),
         (Integral(x, (t, 0, y)), "t", None),
         (Integral(Integral(y, (u, 0, 1)), (t, 0, 1)), "t", "y"),

@@ -5,9 +5,10 @@ from flint import arb, fmpq
 from sympy import Symbol
 from tresym.proofs.near import first_coefficient, flip_defect, leading_term
 
-from tresym.ledger.claim import Claim, Counterexample, Definition, equal
+from tresym.ledger.claim import Claim, Counterexample, Definition, by, equal
 from tresym.ledger.evidence.at_point import changing_sign, values_at
 from tresym.ledger.judge import judge_evidence
+from tresym.ledger.statements import AtMostOne, TheRoot
 from tresym.racket.flip.separatrix import solve
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.verdict import Verdict
@@ -46,6 +47,18 @@ def test_a_point_denies_with_what_is_defined_there() -> None:
     outside = Counterexample({"x": fmpq(-1)}, (twice,))
     assert judge_evidence(Claim("c", y > 0, outside)).verdict is Verdict.UNDECIDED
     assert judge_evidence(Claim("c", y > 0, outside, given=(x > 0,))).verdict is Verdict.UNDECIDED
+
+
+def test_a_point_denies_nothing_of_a_root_that_may_be_one_of_many() -> None:
+    many, one = equal(y**3, 4 * x * y), equal(y**3, 2 - x * y)
+    for equation, used, expected in (
+        (many, (), Verdict.UNDECIDED),
+        (one, (), Verdict.UNDECIDED),
+        (one, (Claim("one", AtMostOne(y, -3, 3, one), by()),), Verdict.REFUTED),
+        (one, (Claim("one", AtMostOne(y, -3, 3, one), by(), given=(x > 5,)),), Verdict.UNDECIDED),
+    ):
+        claim = Claim("c", TheRoot(y, -3, 3, equation) > 2, Counterexample({"x": fmpq(1)}, used))
+        assert judge_evidence(claim).verdict is expected
 
 
 def test_a_place_is_found_only_where_a_sign_changes() -> None:

@@ -55,6 +55,13 @@ def test_a_bound_with_its_factor_divided_out_is_shown() -> None:
     assert holds(SAYS, EXPONENTIAL)
 
 
+def test_what_a_point_denies_is_refuted() -> None:
+    false = judge_evidence(Claim("c", exp(x) - 1 < x, Charted((EXPONENTIAL,)), given=POSITIVE))
+    assert false is not None
+    assert false.verdict is Verdict.REFUTED
+    assert false.witness is not None
+
+
 @pytest.mark.parametrize(
     "says",
     [

@@ -4,7 +4,7 @@ from flint import fmpq
 from sympy import Equivalent, Symbol, Tuple, sqrt
 
 from tresym.ledger.claim import Claim, by, equal
-from tresym.ledger.evidence.denial import Denied, denied_at
+from tresym.ledger.evidence.denial import Denied, denied_at, denied_somewhere, not_denied
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import roots
 from tresym.ledger.statements import ExactlyOne, Under
@@ -44,6 +44,26 @@ def test_a_point_denies_the_part_that_fails_after_what_holds_there() -> None:
     assert denied_at(Equivalent(x > 3, x > 0), CASE) == ((x > 0,), x > 3)
     for held in (x > 0, Under(x > 3, Tuple(x > 2)), Equivalent(x > 3, x > 4), Tuple()):
         assert denied_at(held, CASE) is None
+
+
+def test_what_is_denied_is_a_formula_where_all_its_conditions_hold() -> None:
+    planted = Claim("planted", x > 3, by(), given=(x > 0, x < 2))
+    assert not_denied(planted, CASE) is None
+    assert not_denied(planted, {"x": fmpq(3)}) == "x < 2 is not shown at the point"
+    assert not_denied(planted, {"x": fmpq(-1)}) == "x > 0 is not shown at the point"
+    words = Claim("words", "It is more than three.", by())
+    assert not_denied(words, CASE) == "a point denies a formula, and none is stated"
+    for given in ((x > 0, x > 2), (x > 2, x > 0)):
+        assert denied_at(Under(x > 3, Tuple(*given)), CASE) is None
+
+
+def test_a_point_is_looked_for_that_denies() -> None:
+    found = denied_somewhere(Claim("planted", x**2 < 5, by(), given=(x > 1, x < 3)))
+    assert found is not None
+    assert found.verdict is Verdict.REFUTED
+    assert found.witness is not None
+    assert 5 <= found.witness["x"] ** 2 < 9
+    assert denied_somewhere(Claim("right", x**2 < 9, by(), given=(x > 1, x < 3))) is None
 
 
 def test_a_point_denies_nothing_of_other_symbols_nor_of_what_has_no_value() -> None:

@@ -110,8 +110,8 @@ def test_a_printed_number_is_taken_to_its_last_place() -> None:
 
 
 def test_at_the_edge_of_a_rounding_nothing_is_said() -> None:
-    edge = Integer(55) / 100
-    assert not verdict(number(edge, "0.5")).holds
+    for edge, text in ((Integer(55) / 100, "0.5"), (TWO + ONE / 2, "2"), (TWO - ONE / 2, "2")):
+        assert verdict(number(edge, text)) is UNDECIDED
 
 
 def test_what_is_undefined_at_the_inputs_does_not_hold() -> None:
