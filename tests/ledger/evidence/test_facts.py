@@ -86,7 +86,12 @@ def test_a_fact_is_about_what_its_symbols_are_defined_to_be() -> None:
     for given, verdict in (((x > 0,), Verdict.PROVED), ((x > -1,), Verdict.UNDECIDED)):
         claim = Claim("user", says, proof, given=(*given, y > -9), knowing=(y - 1 > 0,))
         assert judge(claim, held).verdict is verdict
-    assert substituting(meant).claims == (meant,)
+        (fact,) = facts_of(claim)
+        shown = verdict is Verdict.PROVED
+        assert fact.proof == by(substituting(*((meant,) if shown else ())), citing())
+    other = Claim("other", equal(y, 2), by(), given=(x > 0,))
+    cited = Claim("user", says, (step(y, citing(other)),), given=(x > 0,), knowing=(y > 0,))
+    assert facts_of(cited)[0].proof == by(substituting(), citing())
 
 
 def test_a_fact_rests_on_those_before_it() -> None:

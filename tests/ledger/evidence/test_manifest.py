@@ -7,6 +7,7 @@ from sympy import (
     Derivative,
     Expr,
     Integral,
+    Ne,
     Subs,
     Symbol,
     cos,
@@ -19,6 +20,7 @@ from sympy import (
 
 from tresym.ledger.evidence import manifest
 from tresym.ledger.meaning import conditions, tree
+from tresym.reals.language.formula import Relation
 
 b, t, x, y = (Symbol(name, real=True) for name in "btxy")
 
@@ -87,6 +89,18 @@ NEITHER: list[tuple[Expr, tuple[Basic, ...]]] = [
 @pytest.mark.parametrize(("e", "given"), NEITHER)
 def test_what_may_be_negative_has_no_sign(e: Expr, given: tuple[Basic, ...]) -> None:
     assert manifest_sign(e, given) not in ("+", ">=0", "0")
+
+
+def test_a_condition_states_a_sign_where_it_is_a_bound() -> None:
+    assert manifest.is_stated(tree(x - y), conditions((x >= y,)))
+    for unlike in (Ne(x, y), x <= y, x > y + 1):
+        assert not manifest.is_stated(tree(x - y), conditions((unlike,)))
+
+
+def test_no_equation_is_manifest() -> None:
+    for left, right in ((x, x), (x, y)):
+        relation = Relation(tree(left), "==", tree(right))
+        assert not manifest.is_manifest(relation, conditions((x >= y, x <= y)))
 
 
 # Where expressions are defined: what is bound has conditions of its own
