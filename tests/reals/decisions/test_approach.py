@@ -84,6 +84,11 @@ NONE = [
     ("log(-x) - log(-2*x)", "0", ""),  # real nowhere near
     ("(x**2 - 1)/(x - a)", "1", ""),
     ("x*exp(1/x)*log(1 + x - 1)/log(2 - x/x - 1)", "0", ""),
+    ("(sin(x) + x**2)/x", "oo", ""),  # the first factor is not bounded
+    ("sin(tan(x))/x", "oo", ""),  # infinitely many points at which it is not defined
+    ("sin(x + tan(x))/x", "oo", ""),
+    ("sin(tan(x)**2)/x", "oo", ""),
+    ("sin(sqrt(1 - x))/x", "oo", ""),  # not real
 ]
 
 

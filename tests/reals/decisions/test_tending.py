@@ -5,8 +5,12 @@ from __future__ import annotations
 import pytest
 
 import tresym
-from tresym.reals.decisions.reading import read
-from tresym.reals.decisions.tending import _by_signs
+from tresym.reals.decisions.reading import LIMIT, Path, read
+from tresym.reals.decisions.tending import _allows, _by_signs, _periodic_failure
+from tresym.reals.language.expression import ZERO
+from tresym.reals.language.parsing import INFINITY, parse
+from tresym.reals.places.conditions import Given
+from tresym.reals.places.values import evaluate
 from tresym.reals.verdict import Verdict
 
 HOLD = [
@@ -34,6 +38,11 @@ HOLD = [
     "sin(a*x)/sin(b*x) -> a/b given b != 0 as x -> 0",  # by the signs of both
     "(a*x + 1)/(a*x + 2) -> 1 given a != 0 as x -> oo",
     "atan(a*x) -> pi/2*sign(a) as x -> oo",
+    "x*(2 + sin(1/x)) > 0 as x -> 0+",
+    "x*(2 + sin(1/x)) < 0 as x -> 0-",
+    "x*(2 + sin(x)) > 500 as x -> oo",  # not from the first place on
+    "x*(2 + sin(x)) < -500 as x -> -oo",
+    "x*(2 + cos(1/x)) < 1/50 as x -> 0+",
 ]
 FAIL = [
     "limit(sin(x)/x, x, 0) == 2",
@@ -57,6 +66,10 @@ FAIL = [
     "x**2 == Theta(x) as x -> oo",
     "x == omega(x) as x -> oo",
     "a*x == o(x) given a > 0 as x -> 0",
+    "a*atan(1/x) -> a*pi/2 given a > 0 as x -> 0",  # from above alone
+    "sin(x) + 1/2 > 0 as x -> oo",
+    "sin(1/x) > -1/2 as x -> 0+",
+    "cos(1/(x - 1))**2 < 9/10 as x -> 1-",
     "x**a*log(x) -> 0 given a >= 0 as x -> 0+",  # at the end alone
     "sin(a*x)/sin(b*x) -> -abs(a)/b given b != 0 as x -> 0",  # not of a > 0
     "log(x)**a == o(x**b) given b >= 0 as x -> oo",
@@ -86,6 +99,77 @@ def test_what_fails_along_a_path_is_refuted_with_a_witness(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is Verdict.REFUTED
     assert answer.witness
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        "x*(2 + sin(1/x)) > 0 as x -> 0",  # from above alone
+        "x*(2 + sin(1/x)) < 0 as x -> 0",
+        "a*atan(1/x) -> -a*pi/2 as x -> 0",
+        "sin(1/x)*(abs(x) + x) - x > 0 as x -> 0",  # from below alone
+    ],
+)
+def test_what_holds_on_one_side_does_not_on_both(claim: str) -> None:
+    assert not tresym.check(claim)
+
+
+@pytest.mark.parametrize(
+    ("relation", "value", "allowed", "forbidden"),
+    [
+        ("->", "3", (), ("oo", "-oo", "2", "a")),
+        ("o", "", ("0", "a - a"), ("1", "a", "oo", "-oo")),
+        ("omega", "", ("0",), ("1", "a", "oo")),
+        ("~", "", ("1", "a/a"), ("0", "a", "-1", "oo")),
+        ("O", "", ("0", "7", "-a"), ("oo", "-oo")),
+        ("Theta", "", ("7", "-a"), ("0", "a - 1", "oo", "-oo")),
+        ("<", "", ("-1", "-oo", "-a"), ("0", "1", "oo", "a - 1")),
+        ("<=", "", ("-1", "-oo"), ("0", "1", "oo")),
+        (">", "", ("1", "oo", "a"), ("0", "-1", "-oo", "1 - a")),
+        (">=", "", ("1", "oo"), ("0", "-1", "-oo")),
+        ("!=", "", ("1", "-a", "oo", "-oo"), ("0", "a - 1")),
+    ],
+)
+def test_what_a_limit_allows(
+    relation: str, value: str, allowed: tuple[str, ...], forbidden: tuple[str, ...]
+) -> None:
+    """A limit of 0 shows no inequality, and an infinite one no order."""
+    given, right = Given.parse("a > 0"), parse(value or "1")
+    for text, expected in [*((e, True) for e in allowed), *((e, False) for e in forbidden)]:
+        limit = {"oo": INFINITY, "-oo": -INFINITY}.get(text) or parse(text)
+        assert _allows(LIMIT if value else relation, limit, right, given) is expected, text
+
+
+SIDES = {"oo": Path("x", None, (1,)), "-oo": Path("x", None, (-1,)), "0": Path("x", ZERO, (1, -1))}
+
+
+@pytest.mark.parametrize(
+    ("difference", "end", "fails"),
+    [
+        ("sin(x)", "oo", True),
+        ("sin(x) + sin(2*x) + 1/2", "-oo", True),
+        ("sin(1/x) + 1/2", "0", True),
+        ("2 + sin(x)", "oo", False),
+        ("sin(x/2) + 1/2", "oo", False),  # it has another period
+        ("x*sin(x)", "oo", False),
+        ("1 - x*sin(1/x)", "0", False),
+        ("sin(x) + a", "oo", False),
+        ("sqrt(sin(x)) - 2", "-oo", True),  # where it is real
+    ],
+)
+def test_what_has_a_period_fails_again_and_again(difference: str, end: str, fails: bool) -> None:
+    found = _periodic_failure(parse(difference), ">", SIDES[end])
+    assert (found is not None) is fails
+    if found is not None:
+        assert found.verdict is Verdict.REFUTED
+        assert found.witness is not None
+        at = evaluate(parse(found.witness["x"]), {})
+        assert evaluate(parse(difference), {"x": at}) <= 0
+
+
+def test_a_period_towards_a_point_that_is_open_is_not_looked_for() -> None:
+    path = Path("x", parse("a"), (1,))
+    assert _periodic_failure(parse("sin(1/(x - a))"), ">", path) is None
 
 
 @pytest.mark.parametrize("claim", OPEN)

@@ -55,7 +55,7 @@ def limit_of(e: Expr, name: str, point: Expr | None, side: int, given: Given) ->
         return _squeezed(e, name, point, side, given)
     if isinstance(value, int):
         return {1: INFINITY, -1: MINUS_INFINITY}.get(value)
-    return value if value is not None and undefined(value, given) is None else None
+    return value if undefined(value, given) is None else None
 
 
 def _squeezed(e: Expr, name: str, point: Expr | None, side: int, given: Given) -> Expr | None:

@@ -275,7 +275,7 @@ def _eventually(claim: Comparison, path: Path, statement: Statement, decided: De
 
 def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: fmpq) -> Answer:
     """A refutation: the difference has the wrong sign for all 0 < t <= reach."""
-    sign_of = "0" if not found else "positive" if found > 0 else "negative"
+    sign_of = {0: "0", 1: "positive", -1: "negative"}[found]
     why = f"left - right is {sign_of} on all of {region(replace(path, sides=(side,)), reach)}"
     if path.point is None:
         return Answer(Verdict.REFUTED, why, witness={path.name: fraction_text(side / reach)})
@@ -314,9 +314,9 @@ def _from_somewhere_on(
 def _neighbourhood(path: Path, side: int, far: Expr) -> Given:
     x = symbol(path.name)
     if path.point is None:
-        return Given(((x, ">", far),) if side > 0 else ((x, "<", -far),))
+        return Given(((x, ">", far),) if side == 1 else ((x, "<", -far),))
     end = path.point + side / far
-    low, high = (path.point, end) if side > 0 else (end, path.point)
+    low, high = (path.point, end) if side == 1 else (end, path.point)
     return Given(((low, "<", x), (x, "<", high)))
 
 
