@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tresym.reals.decisions.approach import limit_of
+from tresym.reals.decisions.approach import _is_bounded, limit_of
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.parsing import INFINITY, parse
 from tresym.reals.places.conditions import Given
@@ -41,6 +41,7 @@ LIMITS = [
     ("x**a/exp(b*x)", "oo", "b > 0", "0"),
     ("exp(x)*(exp(a/x - exp(-x)) - exp(a/x))", "oo", "", "-1"),
     ("x**a*log(1/x)**b", "0", "a > 0", "0"),
+    ("(sin(x) + x**2)/x", "oo", "", "oo"),
 ]
 
 
@@ -84,7 +85,6 @@ NONE = [
     ("log(-x) - log(-2*x)", "0", ""),  # real nowhere near
     ("(x**2 - 1)/(x - a)", "1", ""),
     ("x*exp(1/x)*log(1 + x - 1)/log(2 - x/x - 1)", "0", ""),
-    ("(sin(x) + x**2)/x", "oo", ""),  # the first factor is not bounded
     ("sin(tan(x))/x", "oo", ""),  # infinitely many points at which it is not defined
     ("sin(x + tan(x))/x", "oo", ""),
     ("sin(tan(x)**2)/x", "oo", ""),
@@ -96,3 +96,19 @@ NONE = [
 def test_what_has_no_limit_or_none_that_is_shown(e: str, point: str, given: str) -> None:
     where = None if point == "oo" else parse(point)
     assert limit_of(parse(e), "x", where, 1, Given.parse(given)) is None
+
+
+@pytest.mark.parametrize(
+    ("e", "bounded"),
+    [
+        ("a*sin(b*x**2 + 1) + cos(x)", True),
+        ("sin(x)*cos(x)", True),
+        ("sin(x) + x", False),
+        ("x*sin(x)", False),
+        ("1/sin(x)", False),
+        ("sin(1/x)", False),  # with a pole on the way, for all that is known
+        ("exp(sin(x))", False),  # it is, but no rule says so
+    ],
+)
+def test_what_is_made_of_waves_is_bounded(e: str, bounded: bool) -> None:
+    assert _is_bounded(parse(e), "x") is bounded

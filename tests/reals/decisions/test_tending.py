@@ -5,8 +5,15 @@ from __future__ import annotations
 import pytest
 
 import tresym
-from tresym.reals.decisions.reading import LIMIT, Path, read
-from tresym.reals.decisions.tending import _allows, _by_signs, _periodic_failure
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.reading import LIMIT, Comparison, Path, Statement, read
+from tresym.reals.decisions.tending import (
+    _allows,
+    _by_exact_limit,
+    _by_signs,
+    _from_somewhere_on,
+    _periodic_failure,
+)
 from tresym.reals.language.expression import ZERO
 from tresym.reals.language.parsing import INFINITY, parse
 from tresym.reals.places.conditions import Given
@@ -170,6 +177,53 @@ def test_what_has_a_period_fails_again_and_again(difference: str, end: str, fail
 def test_a_period_towards_a_point_that_is_open_is_not_looked_for() -> None:
     path = Path("x", parse("a"), (1,))
     assert _periodic_failure(parse("sin(1/(x - a))"), ">", path) is None
+
+
+def test_an_exact_limit_is_one_from_each_side() -> None:
+    for says, end, holds in (
+        ("a*atan(1/x) -> a*pi/2", "0+", True),
+        ("a*atan(1/x) -> a*pi/2", "0", False),
+        ("a*atan(1/x) -> -a*pi/2", "0", False),
+        ("a*sin(x)/x -> a", "0", True),
+    ):
+        statement = read(says, "", f"x -> {end}")
+        assert statement.path is not None
+        (claim,) = statement.comparisons
+        found = _by_exact_limit(claim, statement.path, statement.given)
+        assert (found is not None) is holds
+        assert found is None or "left side" in found.why
+    ratio = read("a*x == O(x)", "a > 0", "x -> 0+")
+    assert ratio.path is not None
+    found = _by_exact_limit(ratio.comparisons[0], ratio.path, ratio.given)
+    assert found is not None
+    assert "ratio" in found.why
+
+
+@pytest.mark.parametrize(
+    ("end", "failing", "verdict"),
+    [
+        ("oo", (), Verdict.PROVED),
+        ("oo", (1, 10), Verdict.PROVED),  # from a later place on
+        ("oo", (1, 10, 1000), Verdict.UNDECIDED),
+        ("0", (), Verdict.PROVED),
+        ("0", (1, 10, 1000), Verdict.UNDECIDED),
+        ("0", (-1, -10, -1000), Verdict.UNDECIDED),  # on one of the two sides
+        ("0", (1, -10), Verdict.PROVED),
+    ],
+)
+def test_what_holds_from_somewhere_on_is_asked_on_each_side(
+    end: str, failing: tuple[int, ...], verdict: Verdict
+) -> None:
+    statement = read("x**2*(2 + sin(exp(1/x))) > a**2*0", "", f"x -> {end}")
+    claim, path = statement.comparisons[0], SIDES[end]
+
+    def decided(_: Comparison, inside: Statement) -> Answer:
+        assert inside.path is None
+        low, high = inside.given.box["x"].low, inside.given.box["x"].high
+        place = low if path.point is None else 1 / high if low == 0 else 1 / low
+        return Answer(Verdict.REFUTED if place in failing else Verdict.PROVED, "")
+
+    assert _from_somewhere_on(claim, path, statement, decided).verdict is verdict
 
 
 @pytest.mark.parametrize("claim", OPEN)
