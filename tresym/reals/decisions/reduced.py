@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from itertools import islice, product
 from math import prod
 
@@ -92,16 +93,9 @@ def _scaled(left: Expr, relation: str, right: Expr, given: Given, ask: Decide) -
         parts += [e for e, _ in needs((left, right))]
         if not all(_is_homogeneous(e, x, y, given) for e in parts):
             continue
-        at = {y: ONE}
-        comparisons = [tuple(substitute(e, at) for e in (a, b)) for a, _, b in given.comparisons]
-        one = Given(
-            tuple(
-                (a, c[1], b)
-                for (a, b), c in zip(comparisons, given.comparisons, strict=True)
-                if symbols(a - b)
-            )
-        )
-        found = ask(substitute(left, at), relation, substitute(right, at), one)
+        put_in = partial(substitute, mapping={y: ONE})
+        one = tuple(c for c in given.mapped(put_in).comparisons if symbols(c[0] - c[2]))
+        found = ask(put_in(left), relation, put_in(right), Given(one))
         if found.verdict is Verdict.UNDECIDED:
             return None
         if found.witness is not None:
@@ -258,8 +252,7 @@ def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide
     least: dict[str, Expr] = {}
     own = {}
     for name, part in parts.items():
-        pairs = zip(given.comparisons, given.conditions, strict=True)
-        own[name] = Given(tuple(c for c, e in pairs if symbols(e.expression) == {name}))
+        own[name] = Given(tuple(dict.fromkeys(_alone(name, given))))
         lowest = next(_lowest(part, name, own[name]), None)
         if lowest is None:
             return None

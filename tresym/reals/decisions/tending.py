@@ -44,7 +44,7 @@ from tresym.reals.language.formula import NEGATED
 from tresym.reals.language.parsing import INFINITY
 from tresym.reals.normal.written import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, fraction_text
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.places.conditions import Given
 from tresym.reals.places.points import corners
 from tresym.reals.places.values import evaluate, stands
@@ -82,7 +82,7 @@ def decide_tending(claim: Comparison, statement: Statement, decided: Decide) -> 
     if claim.relation == "Theta":
         return _theta(claim, path)
     if claim.relation == "omega":
-        found = decide_order(_swapped(claim, "o"), path)
+        found = decide_order(_order(claim, claim.right, "o", claim.left), path)
         return replace(found, why=f"of right and left: {found.why}")
     if claim.relation in ("O", "o", "~"):
         return decide_order(claim, path)
@@ -95,10 +95,6 @@ def _parameters(claim: Comparison, path: Path) -> list[str]:
     found = symbols(claim.left) | symbols(claim.right) - {INFINITY.args[0]}
     found |= frozenset() if path.point is None else symbols(path.point)
     return sorted(found - {path.name})
-
-
-def _swapped(claim: Comparison, relation: str) -> Comparison:
-    return replace(claim, left=claim.right, right=claim.left, relation=relation)
 
 
 def _order(claim: Comparison, left: Expr, relation: str, right: Expr) -> Comparison:
@@ -144,7 +140,7 @@ def _theta(claim: Comparison, path: Path) -> Answer:
     above = decide_order(replace(claim, relation="O"), path)
     if above.verdict is not Verdict.ENCLOSED:
         return above
-    below = decide_order(_swapped(claim, "O"), path)
+    below = decide_order(_order(claim, claim.right, "O", claim.left), path)
     if below.verdict is not Verdict.ENCLOSED:
         return replace(below, why=f"of right and left: {below.why}")
     return replace(above, why=f"{above.why}; and of right and left: {below.why}")
@@ -190,8 +186,7 @@ def _at_ends(
     step = number(fmpq(path.sides[0], FAR[-1]))
     for at in islice(corners(names, given.box), MOST_ENDS) if given.comparisons else ():
         with ball_precision():
-            allowed = all(c.holds_exactly(at) for c in given.conditions)
-            if not allowed or all(c.holds(at) for c in given.conditions):
+            if not all(c.holds_exactly(at) for c in given.conditions):
                 continue
             beside = {name: arb(value) for name, value in at.items()}
             beside[path.name] = evaluate(1 / step if path.point is None else path.point + step, at)
@@ -203,18 +198,16 @@ def _at_ends(
 def _by_exact_limit(claim: Comparison, path: Path, given: Given) -> Answer | None:
     """The claim by the exact limit of a side, of their ratio, or of their difference."""
     left, right, relation = claim.left, claim.right, claim.relation
-    compared = {
-        LIMIT: left,
-        "omega": right / left,
-        **dict.fromkeys(("O", "o", "~", "Theta"), left / right),
-    }.get(relation, left - right)
+    kinds = {
+        LIMIT: (left, "left side"),
+        "omega": (right / left, "ratio of right and left"),
+        **dict.fromkeys(("O", "o", "~", "Theta"), (left / right, "ratio")),
+    }
+    compared, what = kinds.get(relation, (left - right, "difference"))
     found = [limit_of(compared, path.name, path.point, side, given) for side in path.sides]
     values = [value for value in found if value is not None]
     if len(values) < len(found) or not all(_allows(relation, v, right, given) for v in values):
         return None
-    what = {LIMIT: "left side", "omega": "ratio of right and left"}.get(
-        relation, "ratio" if relation in ("O", "o", "~", "Theta") else "difference"
-    )
     return Answer(Verdict.PROVED, f"the {what} tends to {values[0]}: {_EXACT}")
 
 
@@ -230,10 +223,9 @@ def _by_signs(claim: Comparison, path: Path, given: Given) -> Answer | None:
         put_in = partial(substitute, mapping={name: ZERO})
         there = (part for part in given.mapped(put_in).comparisons if symbols(part[0] - part[2]))
         cases.append((claim.mapped(put_in), Given(tuple(there))))
-    for part, where in cases:
-        if not (_by_exact_limit(part, path, where) or _by_signs(part, path, where)):
-            return None
-    return Answer(Verdict.PROVED, f"for each sign of {name}: {_EXACT}")
+    if all(_by_exact_limit(c, path, g) or _by_signs(c, path, g) for c, g in cases):
+        return Answer(Verdict.PROVED, f"for each sign of {name}: {_EXACT}")
+    return None
 
 
 def _allows(relation: str, value: Expr, right: Expr, given: Given) -> bool:
@@ -257,17 +249,17 @@ def _allows(relation: str, value: Expr, right: Expr, given: Given) -> bool:
 
 def _eventually(claim: Comparison, path: Path, statement: Statement, decided: Decide) -> Answer:
     """An inequality on a whole neighbourhood of the end of the path."""
-    difference, reach = claim.left - claim.right, fmpq(1)
+    difference = claim.left - claim.right
     signs = [sign_towards(difference, path.name, path.point, side) for side in path.sides]
     for side, found in zip(path.sides, signs, strict=True):
         if found is not None and not stands(arb(found[0]), claim.relation):
             return _fails_beside(claim, path, side, *found)
-    if all(found is not None for found in signs):
-        reach = min(found[1] for found in signs if found is not None)
+    reaches = [found[1] for found in signs if found is not None]
+    if len(reaches) == len(signs):
         return Answer(
             Verdict.ENCLOSED,
             "the sign of the difference is that of its leading term",
-            region=region(path, reach),
+            region=region(path, min(reaches)),
         )
     exact = _by_exact_limit(claim, path, Given())
     return exact or _from_somewhere_on(claim, path, statement, decided)
@@ -277,13 +269,8 @@ def _fails_beside(claim: Comparison, path: Path, side: int, found: int, reach: f
     """A refutation: the difference has the wrong sign for all 0 < t <= reach."""
     sign_of = {0: "0", 1: "positive", -1: "negative"}[found]
     why = f"left - right is {sign_of} on all of {region(replace(path, sides=(side,)), reach)}"
-    if path.point is None:
-        return Answer(Verdict.REFUTED, why, witness={path.name: fraction_text(side / reach)})
-    if path.point.op == "number":
-        at = path.point.args[0] + side * reach
-        return Answer(Verdict.REFUTED, why, witness={path.name: fraction_text(at)})
-    at_text = exact_text(path.point + number(side * reach))
-    return Answer(Verdict.REFUTED, why, witness={path.name: at_text})
+    at = number(side / reach) if path.point is None else path.point + number(side * reach)
+    return Answer(Verdict.REFUTED, why, witness={path.name: exact_text(at)})
 
 
 def _from_somewhere_on(
