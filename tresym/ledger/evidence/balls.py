@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -112,18 +112,29 @@ class Boxes:
                 where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
                 why = f"the bound fails at {where}"
                 return Finding(Verdict.REFUTED, why, constant=constant, witness=point)
-        if not decisions:
-            return Finding(Verdict.UNDECIDED, "there is no bound to show", constant=constant)
-        proofs = [found for found in decisions if isinstance(found, BoxProof)]
-        if len(proofs) != len(decisions):
-            return Finding(Verdict.UNDECIDED, "the search left boxes open", constant=constant)
-        return Finding(
-            Verdict.ENCLOSED,
-            f"closed in {sum(proof.leaves for proof in proofs)} boxes",
-            constant=constant,
-            region=self.region,
-            trees=tuple(proof.tree for proof in proofs),
-        )
+        return closed(decisions, self.region, constant)
+
+
+def closed(
+    decisions: Sequence[BoxProof | Counterexample | Open],
+    region: str | None,
+    constant: Decimal | None = None,
+) -> Finding:
+    """ENCLOSED where all boxes are closed, and there is one."""
+    proofs = [found for found in decisions if isinstance(found, BoxProof)]
+    if not decisions or len(proofs) < len(decisions):
+        points = [found.point for found in decisions if isinstance(found, Counterexample)]
+        why = "the search left boxes open" if decisions else "there is no bound to show"
+        why += f", at {points[0]}" if points else ""
+        return Finding(Verdict.UNDECIDED, why, constant=constant)
+    leaves = sum(found.leaves for found in proofs)
+    return Finding(
+        Verdict.ENCLOSED,
+        f"closed in {leaves} box" + "es" * (leaves != 1),
+        constant=constant,
+        region=region,
+        trees=tuple(found.tree for found in proofs),
+    )
 
 
 def decimal(x: fmpq) -> Decimal:

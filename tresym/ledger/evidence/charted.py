@@ -25,7 +25,7 @@ from sympy import Basic, S
 from sympy import Expr as Expression
 
 from tresym.ledger.claim import Claim, parts_of
-from tresym.ledger.evidence.balls import decimal, decisions_of
+from tresym.ledger.evidence.balls import closed, decimal, decisions_of
 from tresym.ledger.evidence.chain import instantiated, unmet_condition
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
 from tresym.ledger.evidence.manifest import is_manifest, undefined
@@ -43,7 +43,6 @@ from tresym.ledger.meaning import (
 )
 from tresym.ledger.reasons import citing
 from tresym.reals.balls.boxes import Bound, Box, BoxProof
-from tresym.reals.balls.boxes import Counterexample as Point
 from tresym.reals.balls.traced import Named, Part, Program, traced
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.expression import ZERO, Expr, number
@@ -180,18 +179,8 @@ def judge_charted(claim: Claim, proof: Charted) -> Finding:
     if why is not None:
         return Finding(Verdict.UNDECIDED, why)
     decisions = decisions_of(proof.bounds, proof.stored, proof.budget)
-    proofs = [found for found in decisions if isinstance(found, BoxProof)]
-    if len(proofs) < len(decisions):
-        points = [found.point for found in decisions if isinstance(found, Point)]
-        why = "the search left boxes open" + (f", at {points[0]}" if points else "")
-        return Finding(Verdict.UNDECIDED, why)
-    return Finding(
-        Verdict.ENCLOSED,
-        f"closed in {sum(found.leaves for found in proofs)} boxes",
-        constant=None if proof.constant is None else decimal(proof.constant),
-        region=", ".join(map(str, claim.given)),
-        trees=tuple(found.tree for found in proofs),
-    )
+    constant = None if proof.constant is None else decimal(proof.constant)
+    return closed(decisions, ", ".join(map(str, claim.given)), constant)
 
 
 def _gap(claim: Claim, proof: Charted) -> str | None:

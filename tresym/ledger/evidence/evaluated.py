@@ -14,7 +14,7 @@ from flint import arb, fmpq
 from sympy import Basic, Eq, Ge, Gt, Le, Lt, Rational, Symbol
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.evidence.balls import decisions_of
+from tresym.ledger.evidence.balls import closed, decisions_of
 from tresym.ledger.evidence.printed import Term, term_of
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.meaning import CircularError, conjuncts, formula
@@ -59,15 +59,7 @@ def judge_evaluated(claim: Claim, proof: Evaluated) -> Finding:
     for term, found in zip(terms, decisions, strict=True):
         if isinstance(found, Point):
             return _refuted(claim, term, found.point, found.value)
-    proofs = [found for found in decisions if isinstance(found, BoxProof)]
-    if not decisions or len(proofs) < len(decisions):
-        return Finding(Verdict.UNDECIDED, "the search left boxes open")
-    return Finding(
-        Verdict.ENCLOSED,
-        f"closed in {sum(found.leaves for found in proofs)} boxes",
-        region=", ".join(map(str, claim.given)),
-        trees=tuple(found.tree for found in proofs),
-    )
+    return closed(decisions, ", ".join(map(str, claim.given)))
 
 
 def _decided(terms: tuple[Term, ...], proof: Evaluated) -> tuple[BoxProof | Point | Open, ...]:
