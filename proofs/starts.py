@@ -71,14 +71,14 @@ two_rectangles = Claim(
     proof=all_of(fast_starts_flip, slow_starts_flip, level_of_a_start),
 )
 
-_width, _height, _whole = (Symbol(name, real=True) for name in ("width", "height", "whole"))
-_share = _width * _height / _whole
-_whole_half = {_whole: Rational(2, 10) * Rational(3, 10)}
+_width, _height, _area = (Symbol(name, real=True) for name in "whA")
+_share = _width * _height / _area
+_area_half = {_area: Rational(2, 10) * Rational(3, 10)}
 
 share_of_the_rectangles = Claim(
     says=equal(
-        at(_share, {_width: Rational(2, 10), _height: Rational(3, 20), **_whole_half})
-        + at(_share, {_width: Rational(3, 20), _height: Rational(1, 20), **_whole_half}),
+        at(_share, {_width: Rational(2, 10), _height: Rational(3, 20), **_area_half})
+        + at(_share, {_width: Rational(3, 20), _height: Rational(1, 20), **_area_half}),
         Rational(5, 8),
     ),
     proof=by(evaluating),

@@ -176,5 +176,6 @@ def _ledger(rows: dict[str, Row]) -> Iterator[str]:
     for part, claims in sections():
         entries = [entry(rows[c.label], rows.keys()) for c in claims if c.label in rows]
         if entries:
-            yield rf"\subsection{{{prose(part[:1].upper() + part[1:])}}}" + "\n"
+            head = prose(part[:1].upper() + part[1:])
+            yield rf"\needspace{{12\baselineskip}}\subsection{{{head}}}" + "\n"
             yield from entries

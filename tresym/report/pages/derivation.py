@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterator
 from decimal import Context
 
@@ -30,6 +31,8 @@ LINE = 66
 """Letters of a formula alone that fit a line."""
 NARROW = 0.8
 """How wide LaTeX's own article is beside ours, less the number of an equation."""
+_LABEL = re.compile(r"\b[a-z]\w*_\w+")
+"""A label that no word is."""
 
 _LETTERS = {
     "²": r"\textsuperscript{2}", "⁻": r"\textsuperscript{$-$}", "¹": r"\textsuperscript{1}",
@@ -137,7 +140,7 @@ def entry(row: Row, known: Collection[str]) -> str:
     if claim.paper_says:
         lines.append(rf"\textsf{{\small The paper:}} {prose(claim.paper_says)}\par")
     lines += [rf"{{\raggedright {words}\par}}" for words in in_words(claim, code)]
-    lines += [_decided(claim, formula) for formula in said(claim).means]
+    lines += _decided(claim, said(claim).means)
     lines += [rf"\fitted{{{body}}}" for body in set_displays(claim)]
     if claim.note:
         lines.append(rf"{prose(claim.note)}\par")
@@ -148,14 +151,16 @@ def entry(row: Row, known: Collection[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _decided(claim: Claim, formula: str) -> str:
-    """The formula that stands for a sentence, where it can be set."""
-    if max(map(width, broken(formula, LINE))) > TOO_WIDE:
+def _decided(claim: Claim, means: Collection[str]) -> Iterator[str]:
+    """The formulas that stand for a sentence, where they can be set."""
+    if any(width(line) > TOO_WIDE for formula in means for line in broken(formula, LINE)):
         shown = rf"\texttt{{tresym verify {_lettered(claim.label)} -{{}}-json}}"
-        return (
-            rf"\textsf{{\small Decided as a formula too long for a page: {shown} prints it.}}\par"
-        )
-    return rf"\textsf{{\small Decided as}} \fitted{{{alone(formula)}}}"
+        long = f"Decided as what is too long for a page: {shown} prints it."
+        yield rf"\textsf{{\small {long}}}\par"
+    elif means:
+        rows = r" \\ ".join(map(alone, means))
+        body = rows if len(means) == 1 else rf"\begin{{gathered}}{rows}\end{{gathered}}"
+        yield rf"\textsf{{\small Decided as}} \fitted{{{body}}}"
 
 
 def _valued(mid: str) -> str:
@@ -170,10 +175,10 @@ def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
     if finding.value is not None:
         yield rf"\textsf{{\small Value}} {_valued(finding.value.mid)}.\par"
     if finding.verdict is Verdict.ENCLOSED and " = " not in finding.why:
-        yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding.why)}.\par}}"
+        yield rf"{{\raggedright\textsf{{\small Enclosed:}} {_enclosed(finding.why, known)}.\par}}"
     if finding.verdict is Verdict.REFUTED:
         why = readable(finding.why[:LONGEST])
-        yield rf"{{\raggedright\textsf{{\small Evidence:}} {prose(why)}.\par}}"
+        yield rf"{{\raggedright\textsf{{\small Evidence:}} {_told(why, known)}.\par}}"
         if finding.witness and " = " not in why:
             point = ", ".join(f"{n} = {fraction_text(v)}" for n, v in finding.witness.items())
             text = prose(readable(point[:LONGEST]))
@@ -183,12 +188,17 @@ def outcome(row: Row, known: Collection[str]) -> Iterator[str]:
         yield rf"{{\raggedright\textsf{{\small True instead:}} {names}.\par}}"
 
 
-def _enclosed(why: str) -> str:
+def _enclosed(why: str, known: Collection[str]) -> str:
     """How a bound was enclosed; the labels that it follows from are set as such."""
     start, follows, labels = why.partition("follows from ")
     if follows and not start:
         return follows + ", ".join(map(code, labels.split(", ")))
-    return prose(readable(why[:LONGEST]))
+    return _told(readable(why[:LONGEST]), known)
+
+
+def _told(why: str, known: Collection[str]) -> str:
+    """What judging found, in which labels of more than one word are set as such."""
+    return prose(_LABEL.sub(lambda m: f"`{m[0]}`" if m[0] in known else m[0], why))
 
 
 def reference(claim: Claim, known: Collection[str]) -> str:

@@ -102,7 +102,7 @@ def _grouped(pieces: list[Piece], ends: Callable[[str, str], bool]) -> Iterator[
 
 
 def _quad(sign: str, before: str) -> bool:
-    return before in (r"\quad", r"\qquad") and sign not in (r"\quad", r"\qquad")
+    return before in (r"\quad", r"\qquad", "\\") and sign not in (r"\quad", r"\qquad")
 
 
 def _relation(sign: str, before: str) -> bool:
@@ -174,7 +174,8 @@ def _inside(
         middle = _group(tokens, place + 1)
         above, below = text(place + 2, middle - 1), text(middle + 1, _group(tokens, middle) - 1)
         if width(below) > width(above) / 2:
-            return "", rf"\left({above}\right)\Big/\left({below}\right)", ""
+            above = above if len(above) == 1 else rf"\left({above}\right)"
+            return "", rf"{above}\Big/\left({below}\right)", ""
         return rf"\frac{{1}}{{{below}}}\Bigl(", above, r"\Bigr)"
     start = place
     if _FUNCTIONS.fullmatch(tokens[place]):

@@ -26,6 +26,7 @@ _SIZE = re.compile(r"(?<=about )(?=-?[\w(])[^,;]*")
 
 def readable(text: str) -> str:
     """``violated at psi1 = -1/2`` as ``violated at ψ₁ = −1/2``; powers keep their ``^``."""
+    text = re.sub(r"\[([^\s\[]+) \+/- ([^\s\]]+)\]", r"\1 ± \2", text)
     text = re.sub(r"\bEq\((\w+), ([^()]+)\)", r"\1 = \2", text)
     text = _SIZE.sub(lambda m: size(m[0]), text)
     text = re.sub(r"(?:\^|\*\*)\((-?[\d/]+)\)|\*\*(\d+)", lambda m: f"^{{{m[1] or m[2]}}}", text)
