@@ -49,7 +49,7 @@ def test_a_measurement_of_another_shape_is_one_line(
 ) -> None:
     known = data(charts.CHARTS[name].workload)
     path = tmp_path / "measured.json"
-    for key in known.keys() - {"workload"}:
+    for key in known.keys() & {"machine", "memory", "notes", "points", "rows", "versions"}:
         path.write_text(json.dumps({**known, key: inner}), encoding="utf-8")
         with suppress(InputError):
             charts.picture(name, str(path))

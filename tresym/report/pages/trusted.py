@@ -132,6 +132,7 @@ class Count(NamedTuple):
         return sum(self.lines.values())
 
 
+@cache
 def trusted(roots: Collection[str] = ROOTS) -> tuple[Count, Count]:
     """What must be right for PROVED, and what more for ENCLOSED, where ``roots`` give verdicts."""
     found = {name for names in RECHECKED.values() for name in names}
