@@ -304,3 +304,24 @@ def test_a_bound_of_what_is_defined_is_asked(text: str, statuses: str, tmp_path:
 def test_the_definition_of_a_function_is_no_condition(tmp_path: Path) -> None:
     (row,) = read(tmp_path, r"We have, with $\chi(x) = x^3$, \[ \chi(2x) = 8\chi(x). \]")
     assert (row.status, row.link.read_as) == ("PROVED", "(2*x)**3 == 8*x**3")
+
+
+IN_A_PROOF = r"""Let $h(x) = x$. \begin{proof} Let $h(x) = x^2 + 1$. Put $c = x^4$. Let $0 < y < 1$.
+  Then \[ h(x) \ge 1, \quad y^2 < y. \] \end{proof} """
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (r"Then for all $x$ \[ h(x) \ge 1 \]", "ASSUMED x >= 1"),
+        (r"We have for all real $y$ \[ y^2 < y \]", "REFUTED y**2 < y"),
+        (r"It follows that \[ \sqrt{c^2} = c \]", "EQUATION sqrt(c**2) == c"),
+        (r"\begin{proof} It follows that \[ \sqrt{c^2} = c \]", "EQUATION sqrt(c**2) == c"),
+        (r"\[ c = 2x \]", "DEFINED c == 2*x"),
+        (r"\begin{Proof*} Put $c = 2x$. \end{Proof*} \[ c = 3x \]", "DEFINED c == 3*x"),
+    ],
+)
+def test_what_is_said_in_a_proof_ends_with_it(text: str, found: str, tmp_path: Path) -> None:
+    *within, row = read(tmp_path, IN_A_PROOF + text)
+    assert [row.status for row in within] == ["PROVED"] * 2
+    assert f"{row.status} {row.link.read_as}" == found

@@ -96,6 +96,7 @@ class Memory:
         seen: names that stood in a display before.
         recent: what was defined in this section; before it a letter may have been another.
         told: values that the lines before the display tell, without defining by them.
+        around: what was said before each proof that is open.
     """
 
     def __init__(self, text: str) -> None:
@@ -115,6 +116,7 @@ class Memory:
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
         self.recent: set[str] = set()
+        self.around: list[tuple[dict[str, Function], list[Compared], list[Compared], set[str]]] = []
 
     @property
     def author(self) -> Author:
@@ -141,6 +143,14 @@ class Memory:
         self.functions.pop(head.name, None)  # the latest are put in first
         self.recent.add(head.name)
         self.functions[head.name] = Function(() if head.derived else head.parameters, value)
+
+    def scope(self, opens: bool) -> None:
+        """A proof begins; or one ends, and what was said in it is forgotten."""
+        if opens:
+            said = dict(self.functions), [*self.lasting], [*self.earlier], {*self.recent}
+            self.around.append(said)
+        elif self.around:
+            self.functions, self.lasting, self.earlier, self.recent = self.around.pop()
 
     def known(self, under: Under) -> dict[str, Expr]:
         """What symbols stand for, what was said last at the end."""

@@ -27,7 +27,7 @@ from tresym.manuscript.claims import (
 from tresym.manuscript.memory import Conditions, Memory, Under, names_in
 from tresym.manuscript.notes import Orders, orders_of
 from tresym.manuscript.rows import STRANGE, WORDS, Said, between, statements
-from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Section
+from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Scope, Section
 from tresym.manuscript.terms import (
     SIGNS,
     Head,
@@ -84,6 +84,9 @@ class _Reading:
                 self.memory.earlier += self.memory.lasting
                 self.memory.noted, self.memory.lasting, before = [], [], ""
                 self.memory.recent.clear()
+            elif isinstance(event, Scope):
+                self.memory.scope(event.opens)
+                before = ""
             elif isinstance(event, Missing):
                 continue
             elif isinstance(event, Prose):

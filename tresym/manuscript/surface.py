@@ -33,6 +33,8 @@ DISPLAYS = frozenset(
     )
     for star in ("", "*")
 )
+SCOPES = frozenset(("proof", "example", "exercise", "problem", "solution"))
+"""What is put in one of these is not said beyond it."""
 _HIDDEN = re.compile(
     r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
           .*? (?:\\end\{(?P=name)\}|\Z))
@@ -77,6 +79,12 @@ class Section(NamedTuple):
     line: int
 
 
+class Scope(NamedTuple):
+    """Where a proof or an example opens or ends: what is said in it is forgotten after it."""
+
+    opens: bool
+
+
 class Prose(NamedTuple):
     """What stands between displays."""
 
@@ -119,7 +127,7 @@ class Missing(NamedTuple):
     name: str
 
 
-Event: TypeAlias = Note | Section | Prose | Display | Missing
+Event: TypeAlias = Note | Section | Scope | Prose | Display | Missing
 
 
 def read_manuscript(path: Path) -> list[Event]:
@@ -299,6 +307,10 @@ class _Scanner:
                 display, at = self.display(kind, mark.start(), at, stop)
                 prose = at
                 yield display
+            elif (mark["begin"] or mark["end"] or "").rstrip("*").lower() in SCOPES:
+                yield self.prose(prose, mark.start())
+                prose = at
+                yield Scope(mark["end"] is None)
             elif mark["end"] in DISPLAYS:
                 self.fail(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
         yield self.prose(prose, stop)
