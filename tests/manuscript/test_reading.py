@@ -325,3 +325,21 @@ def test_what_is_said_in_a_proof_ends_with_it(text: str, found: str, tmp_path: P
     *within, row = read(tmp_path, IN_A_PROOF + text)
     assert [row.status for row in within] == ["PROVED"] * 2
     assert f"{row.status} {row.link.read_as}" == found
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (r"v^2 \ge v, \quad v \ge 1 \text{ or } v \le 0", "PROVED v >= 1, PROVED v <= 0"),
+        (r"v^2 > v, \quad v > 1 \text{ or } v > 0", "PROVED v > 1, REFUTED v > 0"),
+        (
+            r"\sqrt{x^2} = x \quad \text{if } x > 1 \text{ or } x < -1",
+            "PROVED x > 1, EQUATION x < -1",
+        ),
+        (r"y < xy, x > 1 \text{ or } x > 2, y > 0", "PROVED x > 1, y > 0, PROVED x > 2, y > 0"),
+        (r"\sin^2 x + \cos^2 x = 1 \text{ or } \sin x > 0", "PROVED , UNDECIDED "),
+    ],
+)
+def test_of_a_choice_of_conditions_each_is_asked(text: str, found: str, tmp_path: Path) -> None:
+    rows = read(tmp_path, rf"We have \[ {text}. \]")
+    assert ", ".join(f"{r.status} {r.link.read_as.partition(' given ')[2]}" for r in rows) == found

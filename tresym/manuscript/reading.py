@@ -26,7 +26,7 @@ from tresym.manuscript.claims import (
 )
 from tresym.manuscript.memory import Conditions, Memory, Under, names_in
 from tresym.manuscript.notes import Orders, orders_of
-from tresym.manuscript.rows import STRANGE, WORDS, Said, between, statements
+from tresym.manuscript.rows import OR, STRANGE, WORDS, Said, between, statements
 from tresym.manuscript.surface import Display, Event, Missing, Note, Prose, Scope, Section
 from tresym.manuscript.terms import (
     SIGNS,
@@ -432,18 +432,26 @@ class _Reading:
 
 
 def _grouped(found: list[Said]) -> Iterator[Group]:
-    """Each chain with the conditions that follow it: ``a = b, x > 0``, or ``otherwise``."""
-    waiting: Said | None = None
-    under: list[Said] = []
+    """Each chain with the conditions that follow it: ``a = b, x > 0``, or ``otherwise``.
+
+    Where they leave a choice, ``x > 1 or x < 0``, the chain is said once for each.
+    """
+    ways: list[Group] = []
     for said in found:
-        if waiting is not None and _is_condition(said, waiting, under):
-            under.append(said)
-            continue
-        if waiting is not None:
-            yield waiting, under
-        waiting, under = said, []
-    if waiting is not None:
-        yield waiting, under
+        waiting, under = ways[-1] if ways else (said, [])
+        choice = said.before == OR and (under or waiting.conditions)
+        plainly = replace(said, before="") if choice else said
+        if not ways or not _is_condition(plainly, waiting, under):
+            yield from ways
+            ways = [(said, [])]
+        elif not choice:
+            ways = [(one, [*known, said]) for one, known in ways]
+        elif under:
+            ways.append((waiting, [*under[:-1], plainly]))
+        else:
+            last = (*waiting.conditions[:-1], plainly)
+            ways.append((replace(waiting, conditions=last), []))
+    yield from ways
 
 
 def _with_conditions_behind(groups: Iterable[Group]) -> list[Group]:
