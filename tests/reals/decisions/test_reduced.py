@@ -8,7 +8,16 @@ import tresym
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.inequalities import decide_inequality
 from tresym.reals.decisions.reading import read
-from tresym.reals.decisions.reduced import _is_homogeneous, by_one_variable
+from tresym.reals.decisions.reduced import (
+    _by_sizes,
+    _is_homogeneous,
+    _monotone,
+    _multiplied,
+    _of_one_part,
+    _scaled,
+    _separated,
+    by_one_variable,
+)
 from tresym.reals.language.parsing import parse, parse_claim
 from tresym.reals.places.conditions import Given
 from tresym.reals.verdict import Verdict
@@ -46,8 +55,35 @@ FAIL = [
     "sin(x)/sin(y) <= pi/2*x/y given 0 < x, x < y, y < 8/5",
     "(exp(x) - 1)*(exp(y) - 1) >= x*y given x > -1, y > 0",  # a factor changes its sign
     "(1 + x**2)*(1 + y**2) > 1",
+    "x/1000 >= y given x > y, y > 0",  # two functions at two places
+    "x**2 <= y**2 given x < y, x < 0, y < 3",  # what bounds x from above is no bound from below
+    "x*y >= 0 given x >= 1, -1 <= y <= 0",  # a product is no difference
+    "x*y >= 0 given x >= 2, -1 <= y <= -1/2",
+    "x*exp(y) >= x given y >= 0",  # a factor of both sides, of no sign
+    "x*y >= 1 given -2 <= x <= -1/10, -2 <= y <= -1/10",  # both factors are negative
+    "1 >= sqrt(x*y) given x >= 1, y >= 1",  # a root is not the reciprocal
+    "(x + y)**2 >= y/10**60",  # seen by no ball
     "tan(x)/tan(y) > x/y given 0 < x, x < y, y < pi/2",
 ]
+
+
+TRUE = [
+    "x**2 >= y**2 given x > y, x + y > 0",
+    "x**2 + y**2 >= 2*x*y",
+    "x**3 + y**3 >= 0 given x + y >= 0",
+    "x*y <= 1 given x > 0, y > 0, x + y <= 2",
+    "x**2*y**2 >= x*y - 1/4",
+    "x + y >= 1 given x**2 + y**2 == 1, x >= 0, y >= 0",
+]
+METHODS = (_scaled, _of_one_part, _monotone, _separated, _multiplied, _by_sizes)
+
+
+def asked(claim: str) -> tuple[Any, ...]:
+    """A claim as the methods are asked of it."""
+    statement = read(claim)
+    (found,) = statement.comparisons
+    sides = (found.left, found.right) if ">" in found.relation else (found.right, found.left)
+    return sides[0], found.relation.replace("<", ">"), sides[1], statement.given
 
 
 @pytest.mark.parametrize(("claim", "why"), HOLD)
@@ -65,6 +101,37 @@ def test_what_is_said_of_one_variable_holds_of_several(claim: str, why: str) -> 
 @pytest.mark.parametrize("claim", FAIL)
 def test_what_fails_is_not_reduced_to_what_holds(claim: str) -> None:
     assert tresym.check(claim).verdict in (Verdict.REFUTED, Verdict.UNDECIDED)
+    for method in METHODS:
+        assert not method(*asked(claim), decide_inequality)
+
+
+@pytest.mark.parametrize("claim", [*(claim for claim, _ in HOLD), *TRUE])
+def test_what_holds_is_not_refuted_by_what_is_stronger(claim: str) -> None:
+    for method in METHODS:
+        found = method(*asked(claim), decide_inequality)
+        assert found is None or found.verdict is not Verdict.REFUTED
+
+
+@pytest.mark.parametrize("verdict", [Verdict.UNDECIDED, Verdict.REFUTED])
+@pytest.mark.parametrize("claim", [claim for claim, _ in HOLD])
+def test_nothing_is_shown_by_what_is_not(claim: str, verdict: Verdict) -> None:
+    for method in METHODS:
+        assert not method(*asked(claim), lambda *_: Answer(verdict, ""))
+
+
+@pytest.mark.parametrize("claim", [claim for claim, why in HOLD if why.startswith("each")])
+def test_several_are_as_sure_as_the_least_sure(claim: str) -> None:
+    one = [Answer(Verdict.PROVED, ""), *[Answer(Verdict.UNDECIDED, "")] * 9]
+    assert not any(method(*asked(claim), _told(one)) for method in METHODS)
+    found = [Answer(Verdict.PROVED, ""), *[Answer(Verdict.ENCLOSED, "")] * 9]
+    for order in (found, found[1::-1]):
+        answers = (method(*asked(claim), _told(order)) for method in METHODS[3:])
+        assert {answer.verdict for answer in answers if answer} <= {Verdict.ENCLOSED}
+
+
+def _told(answers: list[Answer]) -> Any:
+    left = iter(answers * 20)
+    return lambda *_: next(left)
 
 
 @pytest.mark.parametrize(

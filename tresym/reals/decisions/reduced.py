@@ -201,11 +201,7 @@ def _monotone(left: Expr, relation: str, right: Expr, given: Given, ask: Decide)
     x, y = names
     difference = collected(left - right)
     terms = difference.args if difference.op == "+" else (difference,)
-    ours = [term for term in terms if symbols(term) == {x}]
-    theirs = [term for term in terms if symbols(term) == {y}]
-    if len(ours) + len(theirs) != len(terms):
-        return None
-    g = add(*ours)
+    g = add(*(term for term in terms if symbols(term) == {x}))
     if not is_zero(difference - g + substitute(g, {x: symbol(y)}), Given()):
         return None
     order = sign(symbol(y) - symbol(x), given)
@@ -245,8 +241,7 @@ def _separated(left: Expr, relation: str, right: Expr, given: Given, ask: Decide
     names = sorted(symbols(difference))
     parts = {name: add(*(t for t in terms if symbols(t) == {name})) for name in names}
     alone = all(len(symbols(t)) <= 1 for t in terms)
-    apart = all(len(symbols(c.expression)) == 1 for c in given.conditions)
-    if len(names) < 2 or not (alone and apart):
+    if len(names) < 2 or not alone:
         return None
     constant = add(*(t for t in terms if not symbols(t)))
     least: dict[str, Expr] = {}
@@ -365,7 +360,7 @@ def _factors(e: Expr, power: int) -> Iterator[Expr]:
     if e.op == "*":
         for factor in e.args:
             yield from _factors(factor, power)
-    elif e.op == "^" and e.args[0].op == "*" and e.args[1] == -ONE:
+    elif e.op == "^" and e.args[1] == -ONE:
         yield from _factors(e.args[0], -power)
     else:
         yield e if power > 0 else 1 / e
