@@ -34,6 +34,8 @@ PROVED = [
     "integral(sqrt(1 - cos(x)), x, 0, 2*pi) == 4*sqrt(2)",
     "integral(sqrt(1 + sin(x)), x, 0, 2*pi) == 4*sqrt(2)",
     "integral(sqrt((x - 1)**2), x, 0, 2) == 1",
+    "integral(sin(m*x)*cos(n*x), x, -pi, pi) == 0",
+    "integral(x**3*exp(-x**4)*cos(x), x, -a, a) == 0",
     "integral(1/x, x, 1, oo) == oo",
     "integral(sin(n*x), x, 0, pi) == (1 - cos(n*pi))/n given n > 0",
     "1 + integral(2*x, x, 0, a) >= 1",
@@ -43,6 +45,8 @@ REFUTED = [
     "integral(sqrt(1 - sin(x)**2), x, 0, pi) == 0",  # sin(pi) - sin(0), without the turn at pi/2
     "integral(sqrt((x - 1)**2), x, 0, 2) == 0",
     "integral(x, x, 0, 1) == 1/3",
+    "integral(sin(x)*exp(x**4), x, -1, 2) == 0",  # odd, but about another point
+    "integral(cos(x)*exp(x**4), x, -1, 1) == 0",  # even
     "integral(exp(-a*x), x, 0, oo) == 2/a given a > 0",
     "integral(1/x, x, 0, 1) == 5",  # it diverges
     "integral(1/x**2, x, -1, 1) == -2",  # F(1) - F(-1), across a pole
@@ -58,6 +62,9 @@ OPEN = [
     "integral(sqrt(sin(x)**2 + 0*sqrt(x - 1)), x, 0, 2) == 1 - cos(2)",  # not real below 1
     "integral(1/x, x, -1, 1) == 0",  # no value
     "integral(tan(x), x, 0, pi) == 0",
+    "integral(tan(x)*exp(x**4), x, -2, 2) == 0",  # odd, with a pole
+    "integral(x, x, -oo, oo) == 0",  # odd, and no value
+    "integral(sin(x)*exp(x**4) + 10**(-40), x, -1, 1) == 0",
     "integral(cos(x), x, 0, oo) == 0",  # no limit at oo
     "integral(sqrt(x), x, -1, 1) == 2/3",  # not real on the way
     "integral(1/x, x, a, b) == log(b/a)",

@@ -179,6 +179,16 @@ def _without(e: Expr, given: Given, work: _Work) -> Expr:
     return _integral(name, body, low, high, given, work)
 
 
+def _is_odd(name: str, f: Expr, low: Expr, high: Expr, given: Given) -> bool:
+    """Whether f(−x) = −f(x), on an interval about 0 on all of which it is smooth."""
+    x = symbol(name)
+    if _ends(high) or decide(low, -high, given).verdict is not Verdict.PROVED:
+        return False
+    closed = given & Given(((x, ">=", low), (x, "<=", high)))
+    mirrored = decide(substitute(f, {name: -x}), -f, closed)
+    return mirrored.verdict is Verdict.PROVED and continuous_on(f, closed) is None
+
+
 def _ends(e: Expr) -> bool:
     return e in (INFINITY, MINUS_INFINITY)
 
@@ -224,6 +234,9 @@ def _between(name: str, f: Expr, low: Expr, high: Expr, given: Given, work: _Wor
     if known is not None:
         work.notes.append(f"the integral of {f} is {known.value} by {known.source}")
         return known.value
+    if _is_odd(name, f, low, high, given):
+        work.notes.append(f"{f} is odd in {name}")
+        return ZERO
     pieces = list(_pieces(name, (f,), low, high))
     values = [_piece(name, f, start, end, given, work) for start, end in pieces]
     infinite = {value for value in values if _ends(value)}
