@@ -32,6 +32,17 @@ def test_bounds_that_hold_are_closed_with_their_trees() -> None:
     assert found.constant.mid.startswith("0.75")
 
 
+def test_a_margin_that_forgets_radii_shows_nothing() -> None:
+    """By its values at midpoints x² − x + 1 is above 0.7 everywhere, and so is its denial."""
+    for sign in (1, -1):
+        blind = Bound(lambda x, m, s=sign: arb(1) + s * x.mid() * arb("1e-9"), box((0, 2)))
+        for found in (boxes(blind).judge(), boxes(bound("0.7"), blind).judge()):
+            assert (found.verdict, found.why) == (
+                UNDECIDED,
+                "the formula over a box does not hold its values there",
+            )
+
+
 def test_one_that_fails_refutes_all_at_a_point() -> None:
     found = boxes(bound("0.7"), bound("0.8")).judge()
     assert found.verdict is REFUTED
