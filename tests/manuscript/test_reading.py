@@ -313,7 +313,7 @@ IN_A_PROOF = r"""Let $h(x) = x$. \begin{proof} Let $h(x) = x^2 + 1$. Put $c = x^
 @pytest.mark.parametrize(
     ("text", "found"),
     [
-        (r"Then for all $x$ \[ h(x) \ge 1 \]", "ASSUMED x >= 1"),
+        (r"Then for all $x$ \[ h(x) \ge 1 \]", "REFUTED x >= 1"),
         (r"We have for all real $y$ \[ y^2 < y \]", "REFUTED y**2 < y"),
         (r"It follows that \[ \sqrt{c^2} = c \]", "EQUATION sqrt(c**2) == c"),
         (r"\begin{proof} It follows that \[ \sqrt{c^2} = c \]", "EQUATION sqrt(c**2) == c"),
@@ -343,3 +343,58 @@ def test_what_is_said_in_a_proof_ends_with_it(text: str, found: str, tmp_path: P
 def test_of_a_choice_of_conditions_each_is_asked(text: str, found: str, tmp_path: Path) -> None:
     rows = read(tmp_path, rf"We have \[ {text}. \]")
     assert ", ".join(f"{r.status} {r.link.read_as.partition(' given ')[2]}" for r in rows) == found
+
+
+ROWS = {
+    r"\begin{align} \sqrt{x^2} &= x, \\ \ln(x^2) &= 2\ln x, & x &> 0 \end{align}": (
+        "UNDECIDED sqrt(x**2) == x, PROVED log(x**2) == 2*log(x) given x > 0"
+    ),
+    r"\begin{align} \sqrt{x^2} &= x, & x &> 0, \\ |x| &= x \end{align}": (
+        "PROVED sqrt(x**2) == x given x > 0, REFUTED abs(x) == x"
+    ),
+    r"\begin{align} |x| &= x \\ x^2 &\ge 0 \end{align}": ("REFUTED abs(x) == x, PROVED x**2 >= 0"),
+    r"\[ \begin{aligned} |x| &= x \\ \sqrt{x^2} &= x \end{aligned} \qquad \text{for } x > 0 \]": (
+        "PROVED abs(x) == x given x > 0, PROVED sqrt(x**2) == x given x > 0"
+    ),
+    r"\begin{align} |x| &= x, \\ \sqrt{x^2} &= x, \\ && x &> 0 \end{align}": (
+        "PROVED abs(x) == x given x > 0, PROVED sqrt(x**2) == x given x > 0"
+    ),
+    r"\[ |x| = x, \quad \sqrt{x^2} = x, \quad x > 0 \]": (
+        "PROVED abs(x) == x given x > 0, PROVED sqrt(x**2) == x given x > 0"
+    ),
+    r"\[ v \ge 0, \quad v \ge 1 \text{ or } v \le 0 \] and so \[ |v - 1| = v - 1 \]": (
+        "UNDECIDED v >= 0, UNREAD v >= 1, UNREAD v <= 0, EQUATION abs(v - 1) == v - 1"
+    ),
+}
+
+
+@pytest.mark.parametrize("text", ROWS)
+def test_a_condition_is_of_its_own_row(text: str, tmp_path: Path) -> None:
+    rows = read(tmp_path, f"For all real $x$ and $v$, {text}")
+    assert ", ".join(f"{row.status} {row.link.read_as}" for row in rows) == ROWS[text]
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (r"Let $t \ge 1$ or $t \le 0$. Then \[ t \ge 1 \]", "UNDECIDED t >= 1"),
+        (r"Assume $x > 0$ or not. We get \[ |x| = x \]", "EQUATION abs(x) == x"),
+        (r"\[ |x| = x \] and for $x > 0$, \[ x > 0 \]", "EQUATION abs(x) == x, PROVED x > 0"),
+        (r"For all real $x$, \[ w(x) > 0 \] Then \[ |w(x)| = w(x) \]", "UNREAD , UNREAD "),
+    ],
+)
+def test_what_is_claimed_is_not_assumed(text: str, found: str, tmp_path: Path) -> None:
+    rows = read(tmp_path, text)
+    assert ", ".join(f"{row.status} {row.link.read_as.split(' given')[0]}" for row in rows) == found
+
+
+def test_what_a_theorem_defines_ends_with_the_section(tmp_path: Path) -> None:
+    lemma = r"\section{A} \begin{lemma} Let $w(x) = x^2 + 1$. Then \[ w(x) > 0 \] \end{lemma} "
+    claim = r"For all real $x$, \[ w(x) \ge 1 \]"
+    assert [row.status for row in read(tmp_path, lemma + claim)] == ["PROVED"] * 2
+    rows = read(tmp_path, rf"{lemma} \section{{B}} {claim}")
+    assert [row.status for row in rows] == ["PROVED", "UNDECIDED"]
+    again = rf"{lemma} Let $w(x) = x^2 + 2$. \section{{B}} {claim}"
+    assert [row.status for row in read(tmp_path, again)] == ["PROVED"] * 2
+    first = rf"Let $w(x) = x^2 - 1$. {lemma} \section{{B}} {claim}"
+    assert [row.status for row in read(tmp_path, first)] == ["PROVED", "REFUTED"]

@@ -10,6 +10,7 @@ from typing import TypeAlias
 from tresym.manuscript import prose
 from tresym.manuscript.notes import Orders
 from tresym.manuscript.rows import STRANGE, Said, statements
+from tresym.manuscript.surface import Scope
 from tresym.manuscript.terms import Head, head_of, is_plain, read_term
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -49,7 +50,8 @@ _LETTER_E = re.compile(
 _LETTER_DELTA = re.compile(r"\\Delta(?![a-zA-Z])\s*(?:[-+=<>^_,.$)}&]|\\(?:[gl]e|[,;]\s*[=<>])|$)")
 """Where Δ stands by itself, as no difference does."""
 _CALLED = re.compile(
-    r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+)(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
+    r"(?<![a-zA-Z\\_^{])((?:[a-zA-Z]|\\[a-zA-Z]+(?:\s*\{\s*\\?[a-zA-Z]+\s*\})?)"
+    r"(?:_(?:\w|\{\w+\}))?)\s*\(\s*(?:[a-z]|\\[a-z]+)"
     r"(?:\s*,\s*(?:[a-z]|\\[a-z]+))*\s*\)\s*&?\s*:?="
 )
 """The head of a function's definition."""
@@ -97,6 +99,8 @@ class Memory:
         recent: what was defined in this section; before it a letter may have been another.
         told: values that the lines before the display tell, without defining by them.
         around: what was said before each proof that is open.
+        stating: whether a theorem is open.
+        stated: what symbols stood for before the theorems of this section that define them.
     """
 
     def __init__(self, text: str) -> None:
@@ -117,6 +121,8 @@ class Memory:
         self.told: dict[str, Expr] = {}
         self.recent: set[str] = set()
         self.around: list[tuple[dict[str, Function], list[Compared], list[Compared], set[str]]] = []
+        self.stating = False
+        self.stated: dict[str, Function | None] = {}
 
     @property
     def author(self) -> Author:
@@ -140,13 +146,29 @@ class Memory:
         """Remember what a symbol stands for."""
         if DOTS.args[0] in symbols(value):
             return  # not all of it is written
-        self.functions.pop(head.name, None)  # the latest are put in first
+        before = self.functions.pop(head.name, None)  # the latest are put in first
+        if self.stating:
+            self.stated.setdefault(head.name, before)
+        else:
+            self.stated.pop(head.name, None)
         self.recent.add(head.name)
         self.functions[head.name] = Function(() if head.derived else head.parameters, value)
 
-    def scope(self, opens: bool) -> None:
-        """A proof begins; or one ends, and what was said in it is forgotten."""
-        if opens:
+    def section(self) -> None:
+        """A section begins: conditions end, and what the theorems before it define."""
+        for name, before in self.stated.items():
+            self.functions.pop(name, None)
+            if before is not None:
+                self.functions[name] = before
+        self.earlier += self.lasting
+        self.noted, self.lasting, self.stated = [], [], {}
+        self.recent.clear()
+
+    def scope(self, scope: Scope) -> None:
+        """A proof or a theorem begins or ends; what is said in a proof is forgotten after it."""
+        if scope.stated:
+            self.stating = scope.opens
+        elif scope.opens:
             said = dict(self.functions), [*self.lasting], [*self.earlier], {*self.recent}
             self.around.append(said)
         elif self.around:

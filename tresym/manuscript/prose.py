@@ -91,7 +91,7 @@ _DENIED_AFTER = re.compile(
     r"|no longer\b|cannot\b)",
     re.IGNORECASE,
 )
-_OR = re.compile(r"[\s~,]*\bor[\s~,]*(?=\$|\Z)")
+_OR = re.compile(r"[\s~,]*\bor\b(?:[\s~,]*(?=\$|\Z)|\s+(?:not|else|otherwise)\b)")
 _EXCEPT = re.compile(
     r"\b(?:except|unless|excluding|other than|but not|apart from)\b[^.$;:]*\Z", re.IGNORECASE
 )
@@ -154,6 +154,12 @@ def first_sentence(text: str) -> str:
     if "\n\n" in skipped or "." in skipped or not goes_on:
         return ""
     return _SENTENCE.split(start)[0]
+
+
+def is_of_next(between: str) -> bool:
+    """Whether what stands between two displays leads over to the second: "and for $x < 0$,"."""
+    leads = re.match(r"[\s~,;]*(?:and|but|while|whereas|or)\b", between)
+    return bool(leads) and len(_SENTENCE.split(between.strip())) == 1 and "." not in between
 
 
 def is_universal(before: str, after: str) -> bool:

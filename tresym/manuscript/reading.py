@@ -60,6 +60,8 @@ _FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|
 """What a condition behind an inequality does not have in it."""
 
 
+EITHER = "either"
+"""What leads in a chain that "or" follows."""
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "of what the chain begins with, which it equals"
 HOLDS = "of the two readings of print it is the one that holds"
@@ -81,11 +83,10 @@ class _Reading:
             if isinstance(event, Note):
                 self.note(event)
             elif isinstance(event, Section):
-                self.memory.earlier += self.memory.lasting
-                self.memory.noted, self.memory.lasting, before = [], [], ""
-                self.memory.recent.clear()
+                self.memory.section()
+                before = ""
             elif isinstance(event, Scope):
-                self.memory.scope(event.opens)
+                self.memory.scope(event)
                 before = ""
             elif isinstance(event, Missing):
                 continue
@@ -95,8 +96,10 @@ class _Reading:
             else:
                 for note in event.notes:
                     self.note(note)
-                follows = self.events[n + 1] if n + 1 < len(self.events) else None
+                follows, *further = *self.events[n + 1 : n + 3], None, None
                 after = follows.text if isinstance(follows, Prose) else ""
+                if isinstance(further[0], Display) and prose.is_of_next(after):
+                    after = ""
                 found = list(self.display(event, before, after))
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]
@@ -143,7 +146,9 @@ class _Reading:
         count, self.cases = 0, []
         groups = _with_conditions_behind(_grouped(found))
         self.memory.ahead = dict(self.defined_in(said for said, _ in groups))
+        last = max((said.row for said, under in groups if said.conditions or under), default=0)
         for said, under in groups:
+            alone = said.row < last and not (said.conditions or under)
             open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
             for sign in "+-" if open_sign else " ":
                 one = said.signed(sign) if sign != " " else said
@@ -151,7 +156,8 @@ class _Reading:
                 several = sign != " " and not two  # x_\pm are two symbols
                 for link in self.chain(replace(blank, shown=""), one, under, around, several):
                     count += 1
-                    yield replace(link, number=count)
+                    firm = link.firm and not alone  # the condition of a later row may be meant
+                    yield replace(link, number=count, firm=firm)
             for link in self.swallowed(blank, under):
                 count += 1
                 yield replace(link, number=count)
@@ -324,13 +330,17 @@ class _Reading:
             return replace(read_so(link, compared), status=DEFINED, why="a definition")
         if relation == "in" or relation.startswith("->"):
             return self.interval_or_limit(link, said, under)
-        bound = relation in NEGATED and relation != "==" and not said.before
+        bound = relation in NEGATED and relation != "==" and said.before in ("", OR, EITHER)
+        if bound and said.before and all(map(is_plain, said.terms)):
+            why = "which of several holds is not said"
+            return replace(read_so(link, compared), status=UNREAD, why=why)
+        bound = bound and not said.before
         assumed = n == 0 and under.kind == prose.ASSUME
         if bound and (assumed or all(map(is_plain, said.terms))):
             defined = not assumed and self.is_of_defined(said)
             asked = claim(self.memory, link, n, said, compared, (left, right), under, head, signed)
-            if defined and under.told:
-                return asked
+            if under.told or (under.universal and not assumed):
+                return asked if defined else replace(asked, firm=False)
             condition = self.assumption(link, compared, "a condition")
             asked = replace(asked, firm=False, otherwise=(ASSUMED, "a condition"))
             return asked if defined else condition
@@ -455,11 +465,18 @@ def _grouped(found: list[Said]) -> Iterator[Group]:
 
 
 def _with_conditions_behind(groups: Iterable[Group]) -> list[Group]:
-    """The groups: what has no condition of its own has those of the next chain that has some."""
+    """The groups: what has no condition of its own has those of the next chain of its row, or of
+    the next row that has nothing else in it."""
+    groups = list(groups)
     result: list[Group] = []
+    rows, row = {said.row for said, _ in groups}, -1
     later: list[Said] = []
-    for said, under in reversed(list(groups)):
+    for said, under in reversed(groups):
+        if said.row != row:
+            later, row = [c for c in later if c.row not in rows], said.row
         later = [*said.conditions, *under] or later
+        if result and result[-1][0].before == OR and not said.before:
+            said = replace(said, before=EITHER)
         result.append((said, under if said.conditions or under else later))
     return result[::-1]
 
@@ -467,7 +484,7 @@ def _with_conditions_behind(groups: Iterable[Group]) -> list[Group]:
 def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
     """Whether a chain behind an equality is a condition of it, by its form."""
     claims = "=" in before.ops or not all(map(is_plain, before.terms))
-    if said.before or said.conditions or not said.ops or not claims:
+    if said.before or said.conditions or not said.ops or not claims or (said.opens and said.row):
         return False
     if said.ops == ("\\notin",):
         return True

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from tresym.manuscript.macros import group
 from tresym.reals.language.latex_tokens import (
@@ -102,6 +103,8 @@ class Said:
         words: upright text that stands in it.
         remarks: how much of it stands behind it, so that its conditions are not all known.
         universal: it is said "for all".
+        row: the row of the display in which it ends, from 0.
+        opens: it begins in the first column of its row.
     """
 
     terms: tuple[tuple[str, ...], ...]
@@ -112,6 +115,8 @@ class Said:
     words: tuple[str, ...] = field(default=())
     remarks: int = 0
     universal: bool = False
+    row: int = 0
+    opens: bool = False
 
     @property
     def tokens(self) -> tuple[str, ...]:
@@ -145,8 +150,9 @@ def statements(text: str) -> list[Said]:
     if sum(token in RELATIONS for token in tokens) > MAX_RELATIONS:
         raise InputError(f"there are more than {MAX_RELATIONS} relations in it")
     found: list[Said] = []
-    for row in _rows(tokens):
-        found += _chains(row)
+    for cell in _rows(tokens):
+        chains = _chains(cell.tokens)
+        found += (replace(c, row=cell.row, opens=cell.opens and c is chains[0]) for c in chains)
     if WORDS in tokens:
         found = list(_with_words(found, words))
     return [chain for chain in found if chain.ops or any(chain.terms)]
@@ -263,7 +269,15 @@ def _levels(tokens: list[str]) -> Iterator[tuple[int, str, int]]:
             depth += 1
 
 
-def _rows(tokens: list[str]) -> list[list[str]]:
+class _Cell(NamedTuple):
+    """A statement, the row in which it ends, and whether it begins in the first column of one."""
+
+    tokens: list[str]
+    row: int = 0
+    opens: bool = False
+
+
+def _rows(tokens: list[str]) -> list[_Cell]:
     """The statements of a display, each cell one unless it goes on with the one before."""
     tokens = _unwrapped(tokens)
     tokens = _without_brace(tokens)
@@ -274,28 +288,31 @@ def _rows(tokens: list[str]) -> list[list[str]]:
         if name in _CASES and start:
             return _cases(tokens, start, end)
         if name in _NESTED:
-            inner = _body(tokens[start + 1 : end], name)
-            return _rows([*tokens[:start], *inner, *tokens[end + 1 :]])
-    cells: list[list[str]] = []
+            inner, rest = _body(tokens[start + 1 : end], name), tokens[end + 1 :]
+            if _relation_in(rest) and rest[0] in (",", GAP, CONDITION):  # it is said of all rows
+                rest = ["\\\\", "&", *rest]
+            return _rows([*tokens[:start], *inner, *rest])
+    cells: list[_Cell] = []
     heads: dict[int, list[str]] = {}
     columns: list[int] = []
     rows = _split(tokens, "\\\\")
-    for row in rows:
+    for n, row in enumerate(rows):
         split = [_without_gaps(cell) for cell in _split(row, "&")]
-        said = all(cell[:1] == [CONDITION] for cell in split if cell)
-        if any(split) and said and any(rows[1:]):
+        heading = [cell[:1] == [CONDITION] for cell in split if cell]
+        if all(heading) and len(heading) > bool(cells) and any(rows[1:]):
             heads = {n: [t for t in cell if t != ":"] for n, cell in enumerate(split) if cell}
             continue
         for column, cell in enumerate(split):
             if not cell:
                 continue
             after = split[column + 1] if column + 1 < len(split) else []
-            if cells and _goes_on(cells[-1], cell, after, column, row):
-                cells[-1] += cell
+            if cells and _goes_on(cells[-1].tokens, cell, after, column, row):
+                cells[-1] = _Cell(cells[-1].tokens + cell, n, cells[-1].opens)
             else:
-                cells.append(cell)
+                cells.append(_Cell(cell, n, column == 0))
                 columns.append(column)
-    return [[*cell, *heads.get(column, [])] for cell, column in zip(cells, columns, strict=True)]
+    pairs = zip(cells, columns, strict=True)
+    return [cell._replace(tokens=cell.tokens + heads.get(c, [])) for cell, c in pairs]
 
 
 def _goes_on(
@@ -370,12 +387,12 @@ def _body(tokens: list[str], name: str) -> list[str]:
     return tokens
 
 
-def _cases(tokens: list[str], start: int, end: int) -> list[list[str]]:
+def _cases(tokens: list[str], start: int, end: int) -> list[_Cell]:
     """``f = \\begin{cases} g & x > 0 \\\\ … \\end{cases}``: a statement for each row."""
     head, rest = tokens[:start], _without_gaps(tokens[end + 1 :])
     if rest and rest[0] not in (".", ",", ";", CONDITION):
         raise InputError("something follows the cases")
-    found = []
+    found: list[_Cell] = []
     for row in _split(tokens[start + 1 : end], "\\\\"):
         value, *when = (_without_gaps(cell) for cell in _split(row, "&"))
         while value[-1:] in ([","], [";"], ["."]):
@@ -384,7 +401,7 @@ def _cases(tokens: list[str], start: int, end: int) -> list[list[str]]:
         if not value:
             continue
         marked = said if said[:1] == [CONDITION] or not said else [CONDITION, *said]
-        found.append([*head, *value, *marked])
+        found.append(_Cell([*head, *value, *marked], len(found)))
     return found
 
 

@@ -35,6 +35,9 @@ DISPLAYS = frozenset(
 )
 SCOPES = frozenset(("proof", "example", "exercise", "problem", "solution"))
 """What is put in one of these is not said beyond it."""
+STATEMENTS = frozenset(("theorem", "lemma", "proposition", "corollary"))
+"""What one of these defines is not said beyond the section."""
+_TITLE = re.compile(r"\*?\s*(?:\[[^\[\]]*\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}")
 _HIDDEN = re.compile(
     r"""(?P<verbatim>\\begin\{(?P<name>verbatim\*?|lstlisting|minted|comment|filecontents\*?)\}
           .*? (?:\\end\{(?P=name)\}|\Z))
@@ -80,9 +83,14 @@ class Section(NamedTuple):
 
 
 class Scope(NamedTuple):
-    """Where a proof or an example opens or ends: what is said in it is forgotten after it."""
+    """Where a proof or an example opens or ends: what is said in it is forgotten after it.
+
+    Attributes:
+        stated: it is a theorem: what is defined in it is forgotten after the section.
+    """
 
     opens: bool
+    stated: bool = False
 
 
 class Prose(NamedTuple):
@@ -300,17 +308,19 @@ class _Scanner:
                 prose = at
                 if mark["note"]:
                     yield self.source.notes[int(mark["note"])]
-                else:
-                    yield Section(self.source.place(at)[1])
+                    continue
+                yield Section(self.source.place(at)[1])
+                if (title := _TITLE.match(self.text, at, stop)) is not None:
+                    prose = at = title.end()
             elif kind in DISPLAYS or kind in ("brackets", "dollars"):
                 yield self.prose(prose, mark.start())
                 display, at = self.display(kind, mark.start(), at, stop)
                 prose = at
                 yield display
-            elif (mark["begin"] or mark["end"] or "").rstrip("*").lower() in SCOPES:
+            elif (kind := (kind or mark["end"] or "").rstrip("*").lower()) in SCOPES | STATEMENTS:
                 yield self.prose(prose, mark.start())
                 prose = at
-                yield Scope(mark["end"] is None)
+                yield Scope(mark["end"] is None, kind in STATEMENTS)
             elif mark["end"] in DISPLAYS:
                 self.fail(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
         yield self.prose(prose, stop)

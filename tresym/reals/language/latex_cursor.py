@@ -30,7 +30,7 @@ FRACTIONS = ("\\frac", "\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac")
 OPERATORS = ("/", "\\cdot", "\\times", "*")
 DIFFERENTIALS = ("d", "\\partial")
 TIME = ("\\dot", "\\ddot")
-SIGNS_BELOW = {"+": "plus", "-": "minus", "*": "star", "ast": "star"}
+SIGNS_BELOW = {"+": "plus", "-": "minus", "*": "star", "ast": "star", "/": "over"}
 OPENING, CLOSED = (*BRACKETS, "{"), (*BRACKETS.values(), "}")
 
 
