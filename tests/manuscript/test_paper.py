@@ -112,3 +112,12 @@ def test_hostile_latex_is_refused_in_one_line(
     assert written.out == ""
     assert len(written.err.splitlines()) == 1
     assert len(written.err) < 400
+
+
+@pytest.mark.parametrize("asked", [[], ["-f"]])
+def test_check_names_the_command_for_a_manuscript(
+    asked: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "m.tex").write_text(SMALL.strip())
+    assert main(["check", *asked, str(tmp_path / "m.tex")]) == 2
+    assert "tresym paper FILE" in capsys.readouterr().err

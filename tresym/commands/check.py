@@ -66,6 +66,8 @@ def run(args: argparse.Namespace) -> int:
         raise InputError("check: give either one claim or -f FILE")
     if args.file is None and args.scheduler is not None:
         raise InputError("check: --scheduler is for many claims; give them with -f FILE")
+    if args.file is None and args.claim.strip().endswith(".tex"):
+        raise InputError(f"check: {MANUSCRIPT}")
     if args.file is None:
         return one(args.claim, args.given, args.tends, args.limit, args.json, args.path, args.coq)
     if args.coq is not None:
@@ -77,6 +79,8 @@ LONGEST_LINE = 100_000
 """Characters of a line at most that are kept: a claim of so many is refused."""
 LONGEST_REST = 50_000_000
 """Characters that are passed over for the end of a line that is too long."""
+
+MANUSCRIPT = "the displays of a manuscript are checked by: tresym paper FILE"
 
 REFUTED, BAD, UNDECIDED = 1, 2, 3
 
@@ -149,6 +153,8 @@ def many(
     with _shown_by(target) as show:
         for task, found in _answers(tasks, seconds, scheduler):
             if isinstance(found, InputError):
+                if task.claim.startswith("\\documentclass"):
+                    raise InputError(f"{file}: {MANUSCRIPT}") from None
                 print(f"tresym: {file}, line {task.line}: {found}", file=sys.stderr)
                 status = _worse(status, BAD)
                 counts["not read"] += 1
