@@ -398,3 +398,54 @@ def test_what_a_theorem_defines_ends_with_the_section(tmp_path: Path) -> None:
     assert [row.status for row in read(tmp_path, again)] == ["PROVED"] * 2
     first = rf"Let $w(x) = x^2 - 1$. {lemma} \section{{B}} {claim}"
     assert [row.status for row in read(tmp_path, first)] == ["PROVED", "REFUTED"]
+
+
+PHYSICS = {
+    r"\[ x_{1,2} = -p \pm \sqrt{p^2-q} \] \[ x_1x_2 = q \]": "PROVED x1*x2 == q",
+    r"\[ x_{1,2} = -p \pm \sqrt{p^2-q} \] \[ x_1 - x_2 = -2\sqrt{p^2-q} \]": (
+        "EQUATION x1 - x2 == -2*sqrt(p**2 - q)"
+    ),
+    r"The energy $E = mc^2/w$ and the momentum $p = mv/w$ with $w = \sqrt{1-v^2/c^2}$ satisfy"
+    r" \[ E^2 - p^2c^2 = m^2c^4 \]": "PROVED E_**2 - p**2*c**2 == m**2*c**4",
+    r"The case $a = 2b$ is left out. \[ a^2 = 4b^2 \]": "EQUATION a**2 == 4*b**2",
+    r"The point $a = b$ is left out. \[ a^2 = b^2 \]": "EQUATION a**2 == b**2",
+    r"The slope $a = b$ is it. \[ a^2 = b^2 \]": "EQUATION a**2 == b**2",
+    r"For $0<a<b$ set \[ w = \sqrt{b^2-a^2} \] Then \[ \frac wb = \sqrt{1-\frac{a^2}{b^2}} \]": (
+        "PROVED w/b == sqrt(1 - a**2*b**(-2)) given 0 < a < b"
+    ),
+    r"For $x>0$ let \[ w(x) = \sqrt{x^2} \] For all $x$ \[ w(x) = x \]": "DEFINED sqrt(x**2) == x",
+    r"For large $x$ \[ \sinh x \approx \tfrac12 e^x \]": ("ENCLOSED sinh(x) ~ exp(x)/2 as x -> oo"),
+    r"For small $x$ \[ \sinh x \approx \tfrac12 e^x \]": ("UNDECIDED sinh(x) ~ exp(x)/2 as x -> 0"),
+    r"\[ \int_0^x t'^2\,dt' = \frac{x^3}{3} \]": (
+        "PROVED integral(t_primed**2, t_primed, 0, x) == x**3/3"
+    ),
+    r"\[ \int_0^1 ax\,dx = \Bigl[\frac{ax^2}{2}\Bigr]_0^1 \]": (
+        "PROVED integral(a*x, x, 0, 1) == at(a*x**2/2, x, 1) - at(a*x**2/2, x, 0)"
+    ),
+    r"\[ \int_0^1 2xe^{x^2}\,dx = \bigl[e^u\bigr]_0^1 = 2e \]": (
+        "REFUTED at(exp(u), u, 1) - at(exp(u), u, 0) == 2*E"
+    ),
+    r"\[ s(t) = 1 - \cos t \] For small $t$ \[ s(t) = \tfrac13t^2 + O(t^4) \]": (
+        "UNDECIDED 1 - cos(t) == t**2/3 + O(t**4) as t -> 0"
+    ),
+    r"\[ a = e^x \] Then \[ a = e^x, \qquad a > 0 \]": "PROVED a > 0",
+    r"\[ a = e^x \] Then \[ a = e^x, \qquad a > 1 \]": "UNREAD a > 1",
+    r"\[ x^2 \ge 0, \quad e^x \ge 1 + x \]": "PROVED exp(x) >= x + 1",
+    r"\[ |a+b| \le |a|+|b|, \quad ||a|-|b|| \le |a-b| \]": (
+        "PROVED abs(abs(a) - abs(b)) <= abs(a - b)"
+    ),
+    r"\[ a/b + b/a \ge 2, \quad ab > 0 \]": "PROVED a/b + b/a >= 2 given a*b > 0",
+}
+"""What stands last, its status and how it is read."""
+
+
+@pytest.mark.parametrize("text", PHYSICS)
+def test_what_physicists_write(text: str, tmp_path: Path) -> None:
+    row = read(tmp_path, text)[-1]
+    assert f"{row.status} {row.link.read_as}" == PHYSICS[text]
+
+
+def test_macros_open_and_close_displays_before_environments(tmp_path: Path) -> None:
+    text = r"\documentclass{article}\def\be{\begin{equation}}\newcommand\ee{\end{equation}}"
+    text += r"\begin{document} \be 1 + 1 = 2 \ee \begin{proof}\be 2 = 2 \ee\end{proof}"
+    assert [r.status for r in read(tmp_path, text + r"\end{document}")] == ["PROVED"] * 2

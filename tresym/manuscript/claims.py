@@ -35,6 +35,7 @@ DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 NO_VARIABLES = symbols(INFINITY) | symbols(DOTS)
 TOLD = "as the text before it says, with"
+WHERE = "under what is said where that is defined, with"
 EARLIER = "under what sections before it say"
 _WORKED = frozenset(("antiderivative", "derivative", "nth", "limit"))
 """What is written to be worked out: an equality with one of these, or with a series, is no equation
@@ -153,7 +154,7 @@ def claim(
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
-    fallback = _fallback(memory, left, relation, right, head)
+    fallback = _fallback(memory, left, relation, right, None if as_path else head)
     if under.noted and under.kind == prose.CLAIM:
         fallback = "UNDECIDED", ""
     if under.noted and n == 0 and under.kind == prose.SOLVE:
@@ -198,8 +199,9 @@ def _attempts(
             shown = chained(about(symbols(one) | symbols(other), given))
             text = f"{one} {relation} {other}" + (f" given {shown}" if shown else "") + as_path
             how = "; ".join(filter(None, (how, EARLIER if more else "")))
-            may_fail = not how.startswith(TOLD)
-            attempts.setdefault(text, Attempt(text, how, said_so, may_fail))
+            may_fail = not how.startswith((TOLD, WHERE))
+            said = f"{left} {relation} {right} given {shown}" if how.startswith(WHERE) else said_so
+            attempts.setdefault(text, Attempt(text, how, said, may_fail))
             same = same or (may_fail and not (symbols(one) ^ symbols(other)) - free)
     return tuple(sorted(attempts.values(), key=lambda attempt: not attempt.may_fail)), same
 
@@ -243,27 +245,42 @@ def _forms(
     yield left, right, given, ""
     known, equal = memory.known(under), {name for name, _ in under.sources}
     given = [c for c in given if c[1] != "==" or str(c[0]) not in equal]
-    used: list[str] = []
-    found: list[tuple[Expr, Expr, Sequence[Compared], str]] = []
+    steps = [*_put_in(known, left, right, given)]
+    found = [(*step[:3], f"with {_spoken(step[3])} put in") for step in steps]
+    named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
+    yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
+    for one, other, conditions, put in steps[-1:]:
+        where = [c for name in put for c in memory.where.get(name, ())]
+        if where:
+            yield one, other, [*conditions, *where], f"{WHERE} {_spoken(put)} put in"
+    told = {name: value for name, value in known.items() if name not in memory.told} | memory.told
+    for one, other, conditions, put in [*_put_in(told, left, right, given)][-1:]:
+        if not put.keys().isdisjoint(memory.told) and not under.noted:
+            yield one, other, conditions, f"{TOLD} {_spoken(put)} put in"
+
+
+def _put_in(
+    known: Mapping[str, Expr], left: Expr, right: Expr, given: Sequence[Compared]
+) -> Iterator[tuple[Expr, Expr, Sequence[Compared], dict[str, Expr]]]:
+    """Both sides, the conditions and what was put in, one definition after the other."""
+    put: dict[str, Expr] = {}
     for _ in range(DEPTH):
         names = symbols(left) | symbols(right)
-        name = next((n for n in reversed(known) if n in names), "")
+        name = next((n for n in reversed([*known]) if n in names), "")
         if not name:
-            break
+            return
         value = {name: known[name]}
         try:
             left, right = substitute(left, value), substitute(right, value)
             given = [(substitute(a, value), r, substitute(b, value)) for a, r, b in given]
         except InputError:
-            break
-        used.append(f"{name} = {value[name]}")
-        found.append((left, right, given, f"with {', '.join(used)} put in"))
-    named = [f for f in found if (symbols(f[0]) | symbols(f[1])).isdisjoint(equal)]
-    yield from (*found[:1], *(named[:1] if equal else ()), *found[1:][-1:])
-    put = {n: e for n, e in memory.told.items() if n in symbols(left) | symbols(right)}
-    if put and not under.noted:
-        shown = ", ".join(f"{name} = {value}" for name, value in put.items())
-        yield substitute(left, put), substitute(right, put), given, f"{TOLD} {shown} put in"
+            return
+        put = {**put, **value}
+        yield left, right, given, put
+
+
+def _spoken(put: Mapping[str, Expr]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in put.items())
 
 
 def _fallback(

@@ -84,6 +84,8 @@ class Under:
     universal: bool = False
     told: bool = False
     """Whether the sentence says that it holds: "Then", "we have"."""
+    passing: tuple[Compared, ...] = ()
+    """What its own sentence says, of all that is given."""
 
 
 class Memory:
@@ -95,8 +97,10 @@ class Memory:
         earlier: those of sections before, of symbols that are not spoken of anew.
         labels: what displays say, by their labels and numbers.
         ahead: what is defined further on in the display.
+        by: the one variable by which a chain integrates, if it is one.
         seen: names that stood in a display before.
         recent: what was defined in this section; before it a letter may have been another.
+        where: conditions of the sentences that define symbols, by the symbol.
         told: values that the lines before the display tell, without defining by them.
         around: what was said before each proof that is open.
         stating: whether a theorem is open.
@@ -113,12 +117,14 @@ class Memory:
         self.labels: dict[str, list[Compared]] = {}
         self.shorter = self.longer = False
         self.ahead: dict[str, Expr] = {}
+        self.by = ""
         self.dependent = _dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))
         )
         self.seen: set[str] = set()
         self.told: dict[str, Expr] = {}
+        self.where: dict[str, tuple[Compared, ...]] = {}
         self.recent: set[str] = set()
         self.around: list[tuple[dict[str, Function], list[Compared], list[Compared], set[str]]] = []
         self.stating = False
@@ -135,6 +141,7 @@ class Memory:
             letter_e=self.letter_e,
             letter_delta=self.letter_delta,
             called=self.called,
+            variable=self.by,
         )
 
     def head(self, tokens: Sequence[str]) -> Head | None:
@@ -142,8 +149,8 @@ class Memory:
         author = Author(strict=True, letter_e=self.letter_e, letter_delta=self.letter_delta)
         return head_of(list(tokens), author)
 
-    def define(self, head: Head, value: Expr) -> None:
-        """Remember what a symbol stands for."""
+    def define(self, head: Head, value: Expr, where: Sequence[Compared] = ()) -> None:
+        """Remember what a symbol stands for, and the conditions of the sentence that says so."""
         if DOTS.args[0] in symbols(value):
             return  # not all of it is written
         before = self.functions.pop(head.name, None)  # the latest are put in first
@@ -152,6 +159,7 @@ class Memory:
         else:
             self.stated.pop(head.name, None)
         self.recent.add(head.name)
+        self.where[head.name] = () if head.parameters else tuple(where)
         self.functions[head.name] = Function(() if head.derived else head.parameters, value)
 
     def section(self) -> None:
@@ -255,7 +263,7 @@ class Memory:
             return
         if surely or head.parameters:
             self.define(head, value)
-        elif told and symbols(value):
+        elif told and symbols(value) and value.op != "symbol":
             self.told[head.name] = value
             for name in symbols(value) if kind else ():
                 self.lasting += whole(symbol(name), kind)
@@ -272,6 +280,8 @@ class Memory:
                 if not found.passing:
                     continue
                 for said in quietly(found.tex):
+                    if found.tends and (name := self.lone(said)):
+                        path = f"{name} -> {found.tends}"
                     if found.whole and (name := self.lone(said)):
                         given += whole(symbol(name), found.whole)
                     more = None if self.is_defined_function(said) else self.condition(said)

@@ -25,6 +25,14 @@ _TOLD = re.compile(
     r"|shows?|gives?|yields?|implies|proves?)\W*(?:that\W*)?\Z",
     re.IGNORECASE,
 )
+_NAMED = re.compile(
+    r"\bthe (?:(?!(?:cases?|conditions?|equations?|equalit\w+|relations?|limits?|lines?|curves?"
+    r"|planes?|points?|assumptions?|hypothes\w+|identit\w+|values?|choices?|constraints?|claims?"
+    r"|requirements?|possibilit\w+|exceptions?|statements?|ansatz|case|inequalit\w+)\b)"
+    r"[\w-]+[\s~]+){1,3}\Z",
+    re.IGNORECASE,
+)
+"""What a formula behind it is the value of: "the energy $E = mc^2$"."""
 _INLINE = re.compile(r"(?<!\\)\$([^$]+)\$|\\\((.+?)\\\)", re.DOTALL)
 _SENTENCE = re.compile(r"(?<=[a-z)}$])[.!?](?=\s+[A-Z\\$])|\n\s*\n|\\par(?![a-zA-Z])")
 _LASTING = re.compile(
@@ -103,6 +111,9 @@ _SAID_OF = re.compile(
     r"(?:\W|\b(?:for|if|when|whenever|and|or|then|with|an?|all|every|any|each|real|positive|negative"
     r"|non-?negative|non-?zero|not|both|zero|integers?|is|are|the|numbers?|values?|of)\b)*"
 )
+_TENDS = re.compile(
+    r"\bfor (?:very |sufficiently )?(small|large)[\s~]+(?:values of[\s~]+)?\Z", re.IGNORECASE
+)
 MAX_AFTER = 600
 
 
@@ -117,6 +128,7 @@ class Inline(NamedTuple):
         told: it is said to hold ("then $m = 2k + 1$").
         whole: its symbols are integers, from the number that is said on ("a positive integer $n$",
             "$m$ is odd, so $m = 2k + 1$").
+        tends: where its symbol goes, as in "for small $x$": 0 or oo.
         anew: its symbols are spoken of anew ("for all real $x$"): what was said of them has ended.
     """
 
@@ -127,6 +139,7 @@ class Inline(NamedTuple):
     told: bool
     whole: str = ""
     anew: bool = False
+    tends: str = ""
 
 
 def kind_of(before: str) -> str:
@@ -202,7 +215,7 @@ def inline(text: str) -> Iterator[Inline]:
                     bool(_LASTING.search(words)),
                     bool(_PASSING.search(words)),
                     bool(_DEFINING.search(words)),
-                    bool(_TOLD.search(words)),
+                    bool(_TOLD.search(words) or _NAMED.search(words)),
                 )
             tex, rest = found[1] or found[2], sentence[found.end() :]
             signed = _signed(tex, words, rest)
@@ -217,7 +230,9 @@ def inline(text: str) -> Iterator[Inline]:
                 tex, marks = opposite(tex), (False, True, False, False)
             halved = _PARITY.search(words) and _HALVED.fullmatch(tex)
             whole = "Z" if halved else _whole(words, rest, alone)
-            yield Inline(tex, *marks, whole, told)
+            small = _TENDS.search(words)
+            tends = {"small": "0", "large": "oo"}[small[1].lower()] if small else ""
+            yield Inline(tex, *marks, whole, told, tends)
             start, carried = found.end(), marks
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import TypeAlias
 
 from tresym.manuscript import prose
@@ -36,6 +37,8 @@ from tresym.manuscript.terms import (
     plain,
     read_term,
     unknown_in,
+    variables_of_integrals,
+    with_primed_variables,
     without_units,
 )
 from tresym.reals.decisions.reading import chained
@@ -158,20 +161,27 @@ class _Reading:
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
                     yield replace(link, number=count, firm=firm)
-            for link in self.swallowed(blank, under):
+            for link in self.swallowed(blank, under, around):
                 count += 1
                 yield replace(link, number=count)
 
-    def swallowed(self, blank: Link, under: Iterable[Said]) -> Iterator[Link]:
-        """Conditions that may be claims: bounds by more than a number on what was defined."""
+    def swallowed(self, blank: Link, under: Iterable[Said], around: Under) -> Iterator[Link]:
+        """Conditions that may be claims: bounds on what was defined."""
         for said in under:
             if len(said.ops) != 1 or RELATIONS.get(said.ops[0]) not in BOUNDS or said.before:
                 continue
             head = self.memory.head(said.terms[0])
-            if head and head.name in self.memory.functions and not is_plain(said.terms[1]):
-                shown = " ".join((*said.terms[0], said.ops[0], *said.terms[1]))
-                why = "taken as a condition; if it is a claim, write it in a display of its own"
-                yield replace(blank, status=UNREAD, why=why, shown=shown)
+            left, right = (self.piece(term, said) for term in said.terms)
+            if not head or head.name not in self.memory.functions or isinstance(right, str):
+                continue
+            left = Piece(symbol(head.name)) if isinstance(left, str) else left
+            shown = " ".join((*said.terms[0], said.ops[0], *said.terms[1]))
+            why = "taken as a condition; if it is a claim, write it in a display of its own"
+            compared = left.tree, RELATIONS[said.ops[0]], right.tree
+            given, _ = self.under(said, (), around)
+            link = replace(blank, shown=shown)
+            link = claim(self.memory, link, 0, said, compared, (left, right), given, head, False)
+            yield replace(link, firm=False, unknown=True, otherwise=(UNREAD, why))
 
     def defined_in(self, found: Iterable[Said]) -> Iterator[tuple[str, Expr]]:
         """What the chains of a display define, for those that stand before."""
@@ -210,6 +220,8 @@ class _Reading:
                 yield replace(blank, status=ASSUMED, why=why, shown=shown, read_as=text)
             return
         under, problem = self.under(said, extra, around)
+        by = variables_of_integrals(said.tokens)
+        self.memory.by = by.pop() if len(by) == 1 else ""
         pieces = [self.piece(term, said) for term in said.terms]
         doubts = [p for p in pieces if isinstance(p, str) and p.startswith("two readings remain")]
         if doubts and {*said.ops} == {"="} and not self.memory.shorter:
@@ -286,7 +298,12 @@ class _Reading:
         claimed = said.universal or (bounds and around.kind != prose.ASSUME)
         kind = prose.CLAIM if claimed and not around.noted else around.kind
         return replace(
-            around, given=everything, put_in=tuple(put_in), path=path, kind=kind
+            around,
+            passing=around.given,
+            given=everything,
+            put_in=tuple(put_in),
+            path=path,
+            kind=kind,
         ), problem
 
     def other_cases(self, said: Said) -> Conditions | None:
@@ -408,7 +425,7 @@ class _Reading:
             if CONSTANTS.fullmatch(name)
         )
         if not several and (symbols(value) or under.noted):
-            self.memory.define(head, value)
+            self.memory.define(head, value, under.passing)
         self.memory.seen |= symbols(value) | {head.name}
         if constants and head.parameters and not under.noted:
             why = f"an ansatz, with the free constants {', '.join(constants)}"
@@ -433,7 +450,7 @@ class _Reading:
             return f"the words {(said.words or ('in it',))[0]!a} are not read"
         try:
             lone = len(said.ops) == 1 and self.memory.head(said.terms[0]) is not None
-            tokens = without_units(tokens) if lone else tokens
+            tokens = with_primed_variables(without_units(tokens) if lone else tokens)
             if said.either and tokens[:1] in (("\\pm",), ("\\mp",)):
                 tokens = tokens[1:]
             return read_term(tokens, self.memory.author)
@@ -494,8 +511,13 @@ def _is_condition(said: Said, before: Said, others: Sequence[Said]) -> bool:
     if not relations <= {"<", ">", "<=", ">=", "!=", "in"}:
         value = bool(others or before.conditions) and all(map(is_plain, said.terms))
         return (bool(said.values) or value) and relations == {"=="}
-    if "=" not in before.ops and any(_FUNCTION.fullmatch(t) for x in said.terms for t in x):
-        return False  # an inequality behind an inequality is one more
-    return any(len(term) <= 4 or "|" in term[0] for term in said.terms) or (
-        all(map(is_plain, said.terms[::2]))
+    short = any(len(term) <= 4 for term in said.terms)
+    if "=" not in before.ops:  # an inequality behind an inequality may be one more
+        powers = {pair for term in said.terms for pair in pairwise(term)}
+        if ("e", "^") in powers or any(_FUNCTION.fullmatch(t) for x in said.terms for t in x):
+            return False
+        if not short and not any(map(is_plain, said.terms)):
+            return False
+    return (
+        short or any("|" in term[0] for term in said.terms) or (all(map(is_plain, said.terms[::2])))
     )

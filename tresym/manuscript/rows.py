@@ -47,6 +47,7 @@ STRANGE = frozenset(
     )
 )
 """Relations that are told apart, and not read."""
+_TWO = ["_", "{", "1", ",", "2", "}"]
 _STOPS = frozenset((",", ";", ".", AND, OR, GAP, CONDITION)) | ARROWS
 _NESTED = frozenset(
     ("aligned", "alignedat", "gathered", "split", "array", "cases", "dcases", "rcases", "multlined")
@@ -135,8 +136,14 @@ class Said:
         return not inside and any(leads) and not all(leads)
 
     def signed(self, sign: str) -> Said:
-        """With ``\\pm`` as this sign."""
-        return replace(self, terms=tuple(tuple(with_sign(list(t), sign)) for t in self.terms))
+        """With ``\\pm`` as this sign; of ``x_{1,2}`` the first is that of the upper signs."""
+        terms = (_one_of_two(list(term), "1" if sign == "+" else "2") for term in self.terms)
+        return replace(self, terms=tuple(tuple(with_sign(term, sign)) for term in terms))
+
+
+def _one_of_two(tokens: list[str], which: str) -> list[str]:
+    at = next((n for n in range(len(tokens)) if tokens[n : n + 6] == _TWO), -1)
+    return tokens if at < 0 else [*tokens[: at + 1], which, *_one_of_two(tokens[at + 6 :], which)]
 
 
 def statements(text: str) -> list[Said]:

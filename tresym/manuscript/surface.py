@@ -255,7 +255,7 @@ class _Source:
             return
         names = "|".join(map(re.escape, sorted(found, key=len, reverse=True)))
         uses = re.compile(
-            rf"(?<![\\{{])(?:{names})(?![a-zA-Z])(?!\s*\}}?\s*[\[{{]?\s*\\(?:begin|end))"
+            rf"(?<![\\{{])(?:{names})(?![a-zA-Z])(?!\s*\}}?\s*[\[{{]\s*\\(?:begin|end))"
         )
         self.parts = [
             (file, line, uses.sub(lambda use: found[use[0]], text))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from tresym.reals.decisions.reading import functions
 from tresym.reals.language.expression import Expr
@@ -99,6 +100,24 @@ def read_term(tokens: Sequence[str], author: Author) -> Piece:
     if reader.peek():
         reader.refuse("an operation or the end is expected")
     return piece
+
+
+def with_primed_variables(tokens: Sequence[str]) -> tuple[str, ...]:
+    """With a variable of integration that has a prime, ``\\int f(t')\\,dt'``, by a name."""
+    ends = zip(tokens, tokens[1:], tokens[2:], strict=False)
+    by = {b for a, b, c in ends if (a, c) == ("d", "'")}
+    result: list[str] = []
+    for token in tokens:
+        if token == "'" and result and result[-1] in by and "\\int" in tokens:
+            result += ["_", "{", *"primed", "}"]
+        else:
+            result.append(token)
+    return tuple(result)
+
+
+def variables_of_integrals(tokens: Sequence[str]) -> set[str]:
+    """The letters behind the d of integrals."""
+    return {b.removeprefix("\\") for a, b in pairwise(tokens) if a == "d" and "\\int" in tokens}
 
 
 def _digits_joined(tokens: list[str]) -> list[str]:

@@ -279,7 +279,8 @@ class Reader(Cursor):
         if not names:
             names = symbols(e).difference(*map(symbols, ends.values()))
             own = self.author.variable if self.author else ""
-            names = frozenset((own,)) if own else names
+            sure = own in names or not (self.author and self.author.strict)
+            names = frozenset((own,)) if own and sure else names
         if len(names) != 1 or "_" not in ends:
             self.refuse("a bar or bracket with limits needs its variable: write the values out,")
         (name,) = names
@@ -287,6 +288,8 @@ class Reader(Cursor):
         if "^" not in ends:
             return Piece(low)
         self.bar = self.at, name
+        if ends["^"] in (INFINITY, -INFINITY):
+            return Piece(limit(e - low, name, ends["^"]))
         return Piece(at(e, {name: ends["^"]}) - low, 0)
 
     def end(self) -> tuple[Expr, str]:
