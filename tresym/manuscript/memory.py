@@ -63,6 +63,9 @@ _DERIVATIVES = (
     (rf"\\[dt]?frac\s*\{{{_D}{_L}\s*\}}\s*\{{{_D}{_L}", ""),
 )
 """How derivatives of symbols are written."""
+_PRIMED_TIME = re.compile(r"(?<![a-zA-Z\\])t'(?!')")
+_TIME_WITHIN = re.compile(r"d\s*\}?\s*\{?t'|''")
+"""Where t' is a variable of integration, or derivatives are marked by primes."""
 _INDICES = frozenset("ijklmnpqrsIJKLMN")
 """Letters of integers: in passing, of others it is said of one display."""
 DEPTH = 10
@@ -100,6 +103,7 @@ class Memory:
         by: the one variable by which a chain integrates, if it is one.
         seen: names that stood in a display before.
         recent: what was defined in this section; before it a letter may have been another.
+        primes: whether primes make other symbols, as where there is a time t', and no derivatives.
         where: conditions of the sentences that define symbols, by the symbol.
         told: values that the lines before the display tell, without defining by them.
         around: what was said before each proof that is open.
@@ -118,6 +122,7 @@ class Memory:
         self.shorter = self.longer = False
         self.ahead: dict[str, Expr] = {}
         self.by = ""
+        self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent = _dependent(text)
         self.called = frozenset(
             head.name for m in _CALLED.finditer(text) if (head := self.head(tokenize(m[1])))

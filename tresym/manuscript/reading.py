@@ -136,6 +136,8 @@ class _Reading:
             return
         try:
             text, prose_between = between(display.text)
+            if self.memory.primes:
+                text = re.sub(r"(?<![a-zA-Z\\])([a-zA-Z])'", r"\1_{primed}", text)
             for words in prose_between:
                 self.memory.remember(words)
             found = statements(text)
